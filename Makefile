@@ -1,0 +1,53 @@
+# Everything from a fresh Debian 12 machine: each target installs what it needs and is missing.
+BIN := build/release/bin
+VALVE := examples/valves/bodyparts3d-leaking.json
+FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
+SOURCES := $(shell find core search io server clients tests bench -name '*.h' -o -name '*.cpp')
+
+.PHONY: help demo test build format format-check includes-check asan fuzz clean
+
+help:  ## this list
+	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
+
+demo: build  ## ranked repair plans for a leaking valve of real human anatomy, with pictures
+	@mkdir -p out
+	$(BIN)/coapt close $(VALVE) --render out/leaking.png || [ $$? -eq 3 ]
+	$(BIN)/coapt plan $(VALVE) --evaluations 150 --seed 1 --plans 3 -o out/report.html || [ $$? -eq 4 ]
+	@echo "Pictures: out/leaking.png and out/report.html (open it in a browser)"
+
+test: build  ## build and run every test
+	@cmake/install_packages.sh test
+	ctest --preset release --parallel 2
+
+build:  ## the release build in build/release
+	@cmake/install_packages.sh build
+	cmake --preset release
+	cmake --build --preset release
+
+format:  ## lay the sources out with clang-format
+	@cmake/install_packages.sh format
+	clang-format -i $(SOURCES)
+
+format-check:  ## fail if clang-format would change something
+	@cmake/install_packages.sh format
+	clang-format --dry-run --Werror $(SOURCES)
+
+includes-check:  ## fail if an include goes against the arrows of ARCHITECTURE.md
+	cmake/check_includes.sh
+
+asan:  ## build and test with the address and undefined-behaviour sanitizers
+	@cmake/install_packages.sh build test
+	cmake --preset asan
+	cmake --build --preset asan
+	ctest --preset asan --parallel 2
+
+fuzz:  ## 100,000 damaged valve and plan files through their readers, under the sanitizers
+	@cmake/install_packages.sh build fuzz
+	cmake --preset fuzz
+	cmake --build --preset fuzz --target fuzz_read_valve fuzz_read_plan fuzz_seeds
+	build/fuzz/bin/fuzz_seeds build/fuzz/corpus
+	build/fuzz/bin/fuzz_read_valve $(FUZZ) build/fuzz/corpus/valve
+	build/fuzz/bin/fuzz_read_plan $(FUZZ) build/fuzz/corpus/plan
+
+clean:  ## remove what was built
+	rm -rf build out

@@ -1,0 +1,74 @@
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "clients/cli/print.h"
+#include "core/repair/apply_plan.h"
+#include "io/json/plan_json.h"
+#include "io/json/result_json.h"
+#include "io/picture/picture.h"
+
+namespace coapt {
+namespace {
+
+struct Arguments {
+  std::string valve, plan, picture;
+  std::string method = to_string(Method::Thesis);
+  bool json = false;
+};
+
+int run(const Arguments& arguments) {
+  Expected<Valve> valve = read_valve_argument(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  if (!arguments.plan.empty()) {
+    const Expected<RepairPlan> plan = read_plan_argument(arguments.plan);
+    if (!plan) return report_errors(arguments.plan, plan.errors());
+    valve = apply_plan(*valve, *plan, ring_catalogue());
+    if (!valve) return report_errors(arguments.plan, valve.errors());
+  }
+
+  const auto start = std::chrono::steady_clock::now();
+  const ClosureResult closure = close_valve(*valve, ClosureOptions{.method = Method::Thesis});
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const ValveMeasure measured = measure(*valve, closure);
+
+  if (arguments.json) {
+    std::cout << closure_to_json(*valve, closure, measured, seconds.count()).dump(2) << '\n';
+  } else {
+    print_closure(std::cout, valve->name, closure);
+    print_measure(std::cout, measured);
+  }
+  if (!arguments.picture.empty()) {
+    const std::string picture = closure_picture_png({*valve, closure, measured});
+    if (const int failed = write_output(arguments.picture, picture)) return failed;
+  }
+  return exit_code_of(closure);
+}
+
+}  // namespace
+
+void add_close(CLI::App& parent, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = parent.add_subcommand("close", "Close a valve and measure what leaks");
+  command->add_option("valve", arguments->valve, kValveHelp)->required();
+  command->add_option("--plan", arguments->plan, "Repair plan (coapt.plan/1) to apply first");
+  command->add_option("--method", arguments->method, "How to close")
+      ->check(CLI::IsMember({to_string(Method::Thesis)}))
+      ->capture_default_str();
+  command->add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->footer(
+      "Exit code 3 if the closure did not converge or leaflets cross; the result is printed all "
+      "the\n"
+      "same. Areas are anatomic, from geometry: not an EROA.\n\n"
+      "Examples:\n"
+      "  coapt close human-functional-mr --render leaking.png\n"
+      "  coapt close valve.json --plan plan.json --json");
+  command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace coapt

@@ -1,0 +1,24 @@
+// The commands of coapt, one file each.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "search/search.h"
+
+namespace coapt {
+
+/// Each adds one command to `parent`. A command chosen on the command line runs while CLI11 parses,
+/// and leaves its exit code in `status`.
+void add_valve_make(CLI::App& parent, int& status);
+void add_valve_import(CLI::App& parent, int& status);
+void add_valve_check(CLI::App& parent, int& status);
+void add_valve_info(CLI::App& parent, int& status);
+void add_valve_remodel(CLI::App& parent, int& status);
+void add_close(CLI::App& parent, int& status);
+void add_evaluate(CLI::App& parent, int& status);
+void add_plan(CLI::App& parent, int& status);
+
+/// --threads and --region-points.
+void add_region_options(CLI::App& command, SearchOptions& options);
+
+}  // namespace coapt

@@ -1,0 +1,95 @@
+#include "clients/cli/files.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "clients/cli/exit_code.h"
+#include "core/presets/presets.h"
+#include "io/json/plan_json.h"
+#include "io/json/valve_json.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kMaxInputBytes = std::size_t{256} << 20;
+
+Expected<std::string> read_stream(std::istream& stream) {
+  std::string bytes;
+  std::string block(std::size_t{1} << 16, '\0');
+  while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) ||
+         stream.gcount() > 0) {
+    bytes.append(block, 0, static_cast<std::size_t>(stream.gcount()));
+    if (bytes.size() > kMaxInputBytes) {
+      return Error{ErrorCode::InputOutput, "", "larger than 256 MiB"};
+    }
+  }
+  if (stream.bad()) return Error{ErrorCode::InputOutput, "", "cannot be read"};
+  return bytes;
+}
+
+std::string names_of_presets() {
+  std::string names;
+  for (const std::string& name : preset_names()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+bool is_preset(const std::string& name) {
+  const std::vector<std::string>& names = preset_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+Expected<std::string> read_input(const std::string& path) {
+  if (path == "-") return read_stream(std::cin);
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
+    return Error{ErrorCode::InputOutput, "", "is a directory"};
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{ErrorCode::InputOutput, "", "cannot be opened"};
+  return read_stream(file);
+}
+
+Expected<Valve> read_valve_argument(const std::string& argument) {
+  std::error_code ignored;
+  if (argument != "-" && !std::filesystem::exists(argument, ignored)) {
+    if (is_preset(argument)) return make_preset(argument);
+    return Error{ErrorCode::InputOutput, "",
+                 "no such file, and not a preset (" + names_of_presets() + ")"};
+  }
+  const Expected<std::string> text = read_input(argument);
+  if (!text) return text.errors();
+  return read_valve(*text);
+}
+
+Expected<RepairPlan> read_plan_argument(const std::string& path) {
+  const Expected<std::string> text = read_input(path);
+  if (!text) return text.errors();
+  return read_plan(*text);
+}
+
+int write_output(const std::string& path, std::string_view bytes) {
+  const auto size = static_cast<std::streamsize>(bytes.size());
+  bool written = false;
+  if (path == "-") {
+    written = static_cast<bool>(std::cout.write(bytes.data(), size).flush());
+  } else {
+    std::ofstream file(path, std::ios::binary);
+    written = file && file.write(bytes.data(), size).flush();
+  }
+  if (written) return exit_code::kOk;
+  std::cerr << "coapt: " << path << ": cannot be written\n";
+  return exit_code::kFailure;
+}
+
+int report_errors(const std::string& source, const Errors& errors) {
+  for (const Error& error : errors) {
+    std::cerr << "coapt: " << source << ": ";
+    if (!error.path.empty()) std::cerr << error.path << ": ";
+    std::cerr << error.message << '\n';
+  }
+  return exit_code::kBadInput;
+}
+
+}  // namespace coapt

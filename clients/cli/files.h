@@ -1,0 +1,33 @@
+// What commands read and write: files, standard input and output, presets.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/repair/plan.h"
+#include "core/valve/valve.h"
+
+namespace coapt {
+
+/// Help text of an argument read by read_valve_argument.
+inline constexpr const char* kValveHelp =
+    "Valve file (coapt.valve/1), - for standard input, or the name of a preset if there is no such "
+    "file";
+
+/// The bytes of a file, or of standard input if `path` is "-"; at most 256 MiB.
+Expected<std::string> read_input(const std::string& path);
+
+/// A valve file, standard input ("-"), or a preset if no file has that name.
+Expected<Valve> read_valve_argument(const std::string& argument);
+
+/// A plan file or standard input ("-").
+Expected<RepairPlan> read_plan_argument(const std::string& path);
+
+/// Writes to a file, or to standard output if `path` is "-". Returns an exit code and says on
+/// standard error why it failed.
+int write_output(const std::string& path, std::string_view bytes);
+
+/// Prints every error to standard error as "coapt: SOURCE: POINTER: message"; returns kBadInput.
+int report_errors(const std::string& source, const Errors& errors);
+
+}  // namespace coapt

@@ -1,0 +1,58 @@
+// coapt: the command line.
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "io/json/result_json.h"
+
+namespace {
+
+int run(int argc, char** argv) {
+  using namespace coapt;
+  CLI::App app(
+      "Closes a mitral valve in simulation, measures what leaks, and searches for repairs.",
+      "coapt");
+  app.set_version_flag("--version",
+                       "coapt " + std::string(version()) + "\n" + std::string(kResearchNotice));
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done; 1 coapt failed; 2 bad input or usage; 3 closure not converged or "
+      "leaflets\n"
+      "cross; 4 no competent plan; 130 interrupted, best so far printed.\n\n"
+      "Examples:\n"
+      "  coapt valve make human-functional-mr -o valve.json\n"
+      "  coapt close valve.json --render closed.png\n"
+      "  coapt plan valve.json --evaluations 300 --seed 1 -o report.html\n\n" +
+      std::string(kResearchNotice));
+
+  int status = exit_code::kOk;
+  CLI::App* valve = app.add_subcommand("valve", "Make, import, check, describe and remodel valves");
+  valve->require_subcommand(1);
+  add_valve_make(*valve, status);
+  add_valve_import(*valve, status);
+  add_valve_check(*valve, status);
+  add_valve_info(*valve, status);
+  add_valve_remodel(*valve, status);
+  add_close(app, status);
+  add_evaluate(app, status);
+  add_plan(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_code::kOk : exit_code::kBadInput;
+  }
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "coapt: " << error.what() << '\n';
+    return coapt::exit_code::kFailure;
+  }
+}

@@ -1,0 +1,19 @@
+// Results in words, for people; scripts ask for --json.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "core/closure/closure.h"
+#include "core/metrics/measure.h"
+#include "search/search.h"
+
+namespace coapt {
+
+void print_closure(std::ostream& out, const std::string& name, const ClosureResult& closure);
+void print_measure(std::ostream& out, const ValveMeasure& measure);
+
+/// The state before, then one row per plan with its steps and warnings below.
+void print_ranked(std::ostream& out, const SearchResult& result);
+
+}  // namespace coapt

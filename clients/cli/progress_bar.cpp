@@ -1,0 +1,34 @@
+#include "clients/cli/progress_bar.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kWidth = 30;
+constexpr const char* kClearLine = "\r\033[K";
+
+}  // namespace
+
+ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+  if (terminal_) std::cerr << kClearLine << std::flush;
+}
+
+void ProgressBar::show(const SearchProgress& progress) const {
+  if (!terminal_) return;
+  const int planned = std::max(progress.closures_planned, 1);
+  const int filled = std::min(kWidth, kWidth * progress.closures / planned);
+  std::cerr << kClearLine << '[' << std::string(static_cast<std::size_t>(filled), '#')
+            << std::string(static_cast<std::size_t>(kWidth - filled), '.') << "] "
+            << progress.closures << " of " << planned << " closures, best orifice "
+            << fixed(progress.best_orifice_mm2, 1) << " mm2" << std::flush;
+}
+
+}  // namespace coapt

@@ -1,0 +1,47 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "io/json/result_json.h"
+
+namespace coapt {
+namespace {
+
+struct Arguments {
+  std::string valve;
+  bool json = false;
+};
+
+int run(const Arguments& arguments) {
+  const Expected<Valve> valve = read_valve_argument(arguments.valve);
+  const Errors problems = valve ? Errors{} : valve.errors();
+  if (arguments.json) {
+    std::cout << nlohmann::ordered_json{{"problems", to_json(problems)}}.dump(2) << '\n';
+  } else {
+    for (const Error& problem : problems) {
+      std::cout << (problem.path.empty() ? "/" : problem.path) << ": " << problem.message << '\n';
+    }
+    if (problems.empty()) std::cerr << arguments.valve << ": no problems\n";
+  }
+  return problems.empty() ? exit_code::kOk : exit_code::kBadInput;
+}
+
+}  // namespace
+
+void add_valve_check(CLI::App& parent, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = parent.add_subcommand("check", "List every problem of a valve file");
+  command->add_option("valve", arguments->valve, kValveHelp)->required();
+  command->add_flag("--json", arguments->json, "{\"problems\": [{\"path\", \"message\"}]}");
+  command->footer(
+      "Exit code 2 if there is any problem; path is a JSON pointer.\n\n"
+      "Examples:\n"
+      "  coapt valve check valve.json\n"
+      "  coapt valve make human-normal -o - | coapt valve check - --json");
+  command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace coapt

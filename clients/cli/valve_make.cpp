@@ -1,0 +1,103 @@
+#include <memory>
+#include <string>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "core/presets/presets.h"
+#include "io/json/valve_json.h"
+#include "io/mesh/import_valve.h"
+
+namespace coapt {
+namespace {
+
+constexpr const char* kDimensions = "Dimensions, instead of a preset (leaflets unstressed)";
+
+struct Arguments {
+  std::string preset, annulus, tips;
+  ParametricValve dimensions;
+  int triangles = 0;
+  std::string output;
+};
+
+/// Reads a contour into `points`; returns an exit code.
+int read_contour(const std::string& path, std::optional<Points>& points) {
+  const Expected<std::string> text = read_input(path);
+  if (!text) return report_errors(path, text.errors());
+  const Expected<Points> read = read_points_csv(*text);
+  if (!read) return report_errors(path, read.errors());
+  points = *read;
+  return exit_code::kOk;
+}
+
+int run(Arguments arguments) {
+  ParametricValve& dimensions = arguments.dimensions;
+  if (arguments.triangles > 0) dimensions.triangles = arguments.triangles;
+  if (!arguments.annulus.empty()) {
+    if (const int failed = read_contour(arguments.annulus, dimensions.annulus_mm)) return failed;
+    if (const int failed = read_contour(arguments.tips, dimensions.tips_mm)) return failed;
+  }
+  const Expected<Valve> valve = arguments.preset.empty()
+                                    ? make_taut_valve(dimensions)
+                                    : make_preset(arguments.preset, arguments.triangles);
+  if (!valve) return report_errors("valve make", valve.errors());
+  return write_output(arguments.output, write_valve(*valve));
+}
+
+/// A usage error if any dimension is given on the command line.
+void refuse_dimensions(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group() == kDimensions && option->count() > 0) {
+      throw CLI::ExcludesError("preset", option->get_name());
+    }
+  }
+}
+
+}  // namespace
+
+void add_valve_make(CLI::App& parent, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  ParametricValve& dimensions = arguments->dimensions;
+  CLI::App* command = parent.add_subcommand("make", "Make a preset, or a valve from dimensions");
+  command->add_option("preset", arguments->preset, "Name of a preset")
+      ->check(CLI::IsMember(preset_names()));
+  command->add_option("--triangles", arguments->triangles, "About how many triangles")
+      ->check(CLI::Range(100, 100000));
+  command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
+      ->required();
+
+  const auto dimension = [&](const char* name, auto& value, const char* help) {
+    return command->add_option(name, value, help)->group(kDimensions)->capture_default_str();
+  };
+  dimension("--name", dimensions.name, "Name of the valve");
+  dimension("--ap-mm", dimensions.ap_mm, "Annulus, anteroposterior");
+  dimension("--al-pm-mm", dimensions.al_pm_mm, "Annulus, transverse");
+  dimension("--saddle-height-mm", dimensions.saddle_height_mm, "Annulus, height of the saddle");
+  dimension("--anterior-height-mm", dimensions.anterior_height_mm, "Leaflet at A2");
+  dimension("--posterior-height-mm", dimensions.posterior_height_mm, "Leaflet at P2");
+  dimension("--lateral-height-mm", dimensions.lateral_height_mm, "Leaflet at P1 and P3");
+  dimension("--commissure-height-mm", dimensions.commissure_height_mm, "Leaflet at a commissure");
+  dimension("--cleft-depth-mm", dimensions.cleft_depth_mm, "Between posterior scallops");
+  dimension("--anterior-arc", dimensions.anterior_arc, "Anterior share of the annulus");
+  dimension("--inclination-deg", dimensions.inclination_deg, "Leaflets from the vertical");
+  dimension("--tip-depth-mm", dimensions.tip_depth_mm, "Papillary tips below the annulus");
+  dimension("--tip-spread-mm", dimensions.tip_spread_mm, "Between the tips, transverse");
+  dimension("--tip-posterior-mm", dimensions.tip_posterior_mm, "Tips behind the centre");
+  dimension("--slack", dimensions.slack, "Chordae lengths over their taut lengths");
+  CLI::Option* annulus =
+      dimension("--annulus", arguments->annulus, "Measured contour, CSV of x,y,z lines");
+  CLI::Option* tips = dimension("--tips", arguments->tips, "Measured papillary tips, CSV");
+  annulus->needs(tips);
+  tips->needs(annulus);
+  command->footer(
+      "Examples:\n"
+      "  coapt valve make human-normal -o normal.json\n"
+      "  coapt valve make porcine-1 --triangles 2600 -o porcine-1.json\n"
+      "  coapt valve make --ap-mm 34 --tip-depth-mm 26 -o dilated.json");
+  command->callback([=, &status] {
+    if (!arguments->preset.empty()) refuse_dimensions(*command);
+    status = run(*arguments);
+  });
+}
+
+}  // namespace coapt

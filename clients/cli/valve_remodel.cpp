@@ -1,0 +1,60 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/files.h"
+#include "core/valve/remodel.h"
+#include "io/json/valve_json.h"
+
+namespace coapt {
+namespace {
+
+struct Arguments {
+  std::string valve, output;
+  Remodelling change;
+  std::vector<double> anterolateral_mm = {0.0, 0.0, 0.0};
+  std::vector<double> posteromedial_mm = {0.0, 0.0, 0.0};
+};
+
+int run(Arguments arguments) {
+  const Expected<Valve> valve = read_valve_argument(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  arguments.change.anterolateral_mm = Vec3(arguments.anterolateral_mm.data());
+  arguments.change.posteromedial_mm = Vec3(arguments.posteromedial_mm.data());
+  const Expected<Valve> remodelled = remodel(*valve, arguments.change);
+  if (!remodelled) return report_errors("valve remodel", remodelled.errors());
+  return write_output(arguments.output, write_valve(*remodelled));
+}
+
+}  // namespace
+
+void add_valve_remodel(CLI::App& parent, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      parent.add_subcommand("remodel", "Dilate or flatten the annulus, displace papillary tips");
+  command->add_option("valve", arguments->valve, kValveHelp)->required();
+  command
+      ->add_option("--ap-dilation", arguments->change.ap_dilation_percent,
+                   "Anteroposterior dilation, per cent; the transverse dimension is held")
+      ->capture_default_str();
+  command
+      ->add_option("--annular-height", arguments->change.annular_height_percent,
+                   "Saddle height, per cent of the present one")
+      ->capture_default_str();
+  const auto displacement = [&](const char* name, std::vector<double>& value, const char* help) {
+    command->add_option(name, value, help)->delimiter(',')->expected(3)->capture_default_str();
+  };
+  displacement("--displace-al", arguments->anterolateral_mm,
+               "Anterolateral tip: outwards,posterior,apical in mm");
+  displacement("--displace-pm", arguments->posteromedial_mm,
+               "Posteromedial tip: outwards,posterior,apical in mm");
+  command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
+      ->required();
+  command->footer(
+      "Example:\n"
+      "  coapt valve remodel human-normal --ap-dilation 15 --displace-pm 4,2,3 -o leaking.json");
+  command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace coapt

@@ -1,0 +1,199 @@
+#include "core/closure/contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace coapt {
+namespace {
+
+constexpr double kMargin_mm = 0.6;  // how far ahead the list looks; larger: longer, rarer lists
+constexpr double kRestShare = 0.8;  // of the rest distance: neighbours do not touch at rest
+constexpr double kThinnestShare = 0.05;  // of the thickness: a rest shape that touches itself
+
+Vec3 node(const Points& x, int i) { return x.row(i); }
+
+/// Signed weights of the four nodes: their sum of products is the vector from the second to the
+/// first feature.
+using Weights = std::array<double, 4>;
+
+Weights vertex_face_weights(const ContactPair& pair, const Points& x) {
+  const auto& n = pair.nodes;
+  const Vec3 w = closest_point_weights(node(x, n[0]), node(x, n[1]), node(x, n[2]), node(x, n[3]));
+  return {1.0, -w[0], -w[1], -w[2]};
+}
+
+Weights edge_edge_weights(const ContactPair& pair, const Points& x) {
+  const auto& n = pair.nodes;
+  const auto [s, t] =
+      closest_point_shares(node(x, n[0]), node(x, n[1]), node(x, n[2]), node(x, n[3]));
+  return {1.0 - s, s, t - 1.0, -t};
+}
+
+Vec3 apart(const ContactPair& pair, const Weights& w, const Points& x) {
+  return w[0] * node(x, pair.nodes[0]) + w[1] * node(x, pair.nodes[1]) +
+         w[2] * node(x, pair.nodes[2]) + w[3] * node(x, pair.nodes[3]);
+}
+
+void push(const ContactPair& pair, const Weights& w, const Points& x, Points& force) {
+  const Vec3 between = apart(pair, w, x);
+  const double distance = between.norm();
+  if (distance >= pair.thickness_mm || distance == 0.0) return;
+  const double gap = pair.thickness_mm - distance;
+  const Vec3 f = (pair.force_n_per_mm2 * gap * gap / distance) * between;
+  for (std::size_t k = 0; k < 4; ++k) force.row(pair.nodes[k]) += w[k] * f;
+}
+
+Boxes boxes_around(const std::vector<std::array<int, 3>>& features, const Points& x,
+                   double reach_mm) {
+  const auto count = static_cast<Eigen::Index>(features.size());
+  Boxes boxes{Points(count, 3), Points(count, 3)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& f = features[static_cast<std::size_t>(i)];
+    boxes.low_mm.row(i) =
+        x.row(f[0]).cwiseMin(x.row(f[1])).cwiseMin(x.row(f[2])).array() - reach_mm;
+    boxes.high_mm.row(i) =
+        x.row(f[0]).cwiseMax(x.row(f[1])).cwiseMax(x.row(f[2])).array() + reach_mm;
+  }
+  return boxes;
+}
+
+}  // namespace
+
+Vec3 closest_point_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
+  const Vec3 bp = p - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0.0 && d4 <= d3) return {0.0, 1.0, 0.0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+    const double v = d1 / (d1 - d3);
+    return {1.0 - v, v, 0.0};
+  }
+  const Vec3 cp = p - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0.0 && d5 <= d6) return {0.0, 0.0, 1.0};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+    const double w = d2 / (d2 - d6);
+    return {1.0 - w, 0.0, w};
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0.0, 1.0 - w, w};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+std::pair<double, double> closest_point_shares(const Vec3& a, const Vec3& b, const Vec3& c,
+                                               const Vec3& d) {
+  const Vec3 ab = b - a, cd = d - c, ca = a - c;
+  const double ab2 = ab.squaredNorm(), cd2 = cd.squaredNorm(), mixed = ab.dot(cd);
+  const double along_ab = ab.dot(ca), along_cd = cd.dot(ca);
+  const double denominator = ab2 * cd2 - mixed * mixed;
+  double s = denominator > 1e-12 * ab2 * cd2
+                 ? std::clamp((mixed * along_cd - along_ab * cd2) / denominator, 0.0, 1.0)
+                 : 0.0;
+  double t = (mixed * s + along_cd) / cd2;
+  if (t < 0.0 || t > 1.0) {
+    t = std::clamp(t, 0.0, 1.0);
+    s = std::clamp((mixed * t - along_ab) / ab2, 0.0, 1.0);
+  }
+  return {s, t};
+}
+
+std::vector<std::pair<int, int>> overlapping(const Boxes& a, const Boxes& b) {
+  const auto by_low = [](const Boxes& boxes) {
+    std::vector<int> order(static_cast<std::size_t>(boxes.low_mm.rows()));
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int i, int j) {
+      const double p = boxes.low_mm(i, 0), q = boxes.low_mm(j, 0);
+      return p < q || (p == q && i < j);
+    });
+    return order;
+  };
+  const std::vector<int> order_a = by_low(a), order_b = by_low(b);
+  std::vector<std::pair<int, int>> pairs;
+  const auto test = [&](int i, int j) {
+    if (a.low_mm(i, 1) <= b.high_mm(j, 1) && b.low_mm(j, 1) <= a.high_mm(i, 1) &&
+        a.low_mm(i, 2) <= b.high_mm(j, 2) && b.low_mm(j, 2) <= a.high_mm(i, 2))
+      pairs.emplace_back(i, j);
+  };
+  // The box that starts first meets all that start before it ends; each pair is met once.
+  std::size_t m = 0, n = 0;
+  while (m < order_a.size() && n < order_b.size()) {
+    const int i = order_a[m], j = order_b[n];
+    if (a.low_mm(i, 0) <= b.low_mm(j, 0)) {
+      for (std::size_t k = n; k < order_b.size() && b.low_mm(order_b[k], 0) <= a.high_mm(i, 0); ++k)
+        test(i, order_b[k]);
+      ++m;
+    } else {
+      for (std::size_t k = m; k < order_a.size() && a.low_mm(order_a[k], 0) <= b.high_mm(j, 0); ++k)
+        test(order_a[k], j);
+      ++n;
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+void Contact::add_candidate(const ClosureModel& model, const std::array<int, 4>& nodes,
+                            bool edges) {
+  ContactPair pair{nodes, 0.0, 0.0};
+  const Weights w =
+      edges ? edge_edge_weights(pair, model.rest_mm) : vertex_face_weights(pair, model.rest_mm);
+  const double at_rest = kRestShare * apart(pair, w, model.rest_mm).norm();
+  pair.thickness_mm = std::clamp(at_rest, kThinnestShare * law_.thickness_mm, law_.thickness_mm);
+  const auto area = [&](int n) { return model.area_mm2[static_cast<std::size_t>(n)]; };
+  const double shared =
+      edges ? 0.25 * (area(nodes[0]) + area(nodes[1]) + area(nodes[2]) + area(nodes[3]))
+            : area(nodes[0]);
+  pair.force_n_per_mm2 = law_.stiffness_n_per_mm4 * shared * law_.thickness_mm / pair.thickness_mm;
+  (edges ? edges_ : faces_).push_back(pair);
+}
+
+void Contact::renew(const ClosureModel& model, const Points& x) {
+  listed_at_ = x.topRows(model.vertices);
+  faces_.clear();
+  edges_.clear();
+  std::vector<std::array<int, 3>> vertices, faces, edges;
+  for (int v = 0; v < model.vertices; ++v) vertices.push_back({v, v, v});
+  for (Eigen::Index f = 0; f < model.faces.rows(); ++f)
+    faces.push_back({model.faces(f, 0), model.faces(f, 1), model.faces(f, 2)});
+  const double reach = 0.5 * (law_.thickness_mm + kMargin_mm);
+  for (const auto& [v, f] :
+       overlapping(boxes_around(vertices, x, reach), boxes_around(faces, x, reach))) {
+    const auto& n = faces[static_cast<std::size_t>(f)];
+    if (n[0] != v && n[1] != v && n[2] != v) add_candidate(model, {v, n[0], n[1], n[2]}, false);
+  }
+  if (!law_.edges) return;
+  for (const Spring& s : model.springs) edges.push_back({s.a, s.b, s.b});
+  const Boxes boxes = boxes_around(edges, x, reach);
+  for (const auto& [i, j] : overlapping(boxes, boxes)) {
+    const auto &e = edges[static_cast<std::size_t>(i)], &g = edges[static_cast<std::size_t>(j)];
+    if (i < j && e[0] != g[0] && e[0] != g[1] && e[1] != g[0] && e[1] != g[1])
+      add_candidate(model, {e[0], e[1], g[0], g[1]}, true);
+  }
+}
+
+void Contact::add_forces(const ClosureModel& model, const Points& x, Points& force) {
+  if (listed_at_.rows() == 0 ||
+      (x.topRows(model.vertices) - listed_at_).rowwise().squaredNorm().maxCoeff() >
+          0.25 * kMargin_mm * kMargin_mm)
+    renew(model, x);
+  for (const ContactPair& pair : faces_) {
+    const Vec3 a = node(x, pair.nodes[1]);
+    const Vec3 normal = (node(x, pair.nodes[2]) - a).cross(node(x, pair.nodes[3]) - a);
+    const double offset = normal.dot(node(x, pair.nodes[0]) - a);
+    // The plane is nearer than the triangle: most candidates end here.
+    if (offset * offset >= pair.thickness_mm * pair.thickness_mm * normal.squaredNorm()) continue;
+    push(pair, vertex_face_weights(pair, x), x, force);
+  }
+  for (const ContactPair& pair : edges_) push(pair, edge_edge_weights(pair, x), x, force);
+}
+
+}  // namespace coapt

@@ -1,0 +1,213 @@
+#include "core/closure/model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace coapt {
+namespace {
+
+constexpr double kMpaPerKpa = 1e-3;
+// Share of the critical step that is used: the contact forces, which the bound leaves out, need the
+// rest.
+constexpr double kStepSafety = 0.7;
+
+struct Edge {
+  double area_mm2 = 0.0;    // of the faces that share it
+  double cos2_theta = 0.0;  // area-weighted, angle between edge and fibre
+};
+
+Vec3 vertex(const Points& points, int i) { return points.row(i); }
+
+/// Thesis equation 2.3, for moduli and for the transition strain.
+double orthotropic(double circumferential, double radial, double cos2) {
+  return std::sqrt(circumferential * circumferential * cos2 + radial * radial * (1.0 - cos2));
+}
+
+std::map<std::pair<int, int>, Edge> collect_edges(const Valve& valve) {
+  std::map<std::pair<int, int>, Edge> edges;
+  for (int f = 0; f < valve.faces.rows(); ++f) {
+    const Vec3 a = vertex(valve.rest_mm, valve.faces(f, 0));
+    const Vec3 b = vertex(valve.rest_mm, valve.faces(f, 1));
+    const Vec3 c = vertex(valve.rest_mm, valve.faces(f, 2));
+    const double area = 0.5 * (b - a).cross(c - a).norm();
+    const Vec3 fibre = valve.fibre.row(f);
+    for (int k = 0; k < 3; ++k) {
+      const int i = valve.faces(f, k), j = valve.faces(f, (k + 1) % 3);
+      const Vec3 direction = (vertex(valve.rest_mm, j) - vertex(valve.rest_mm, i)).normalized();
+      const double cosine = direction.dot(fibre);
+      Edge& edge = edges[std::minmax(i, j)];
+      edge.area_mm2 += area;
+      edge.cos2_theta += area * cosine * cosine;
+    }
+  }
+  for (auto& [key, edge] : edges) edge.cos2_theta = std::min(1.0, edge.cos2_theta / edge.area_mm2);
+  return edges;
+}
+
+void add_membrane(const Valve& valve, ClosureModel& model) {
+  const Tissue& tissue = valve.tissue;
+  for (const auto& [key, edge] : collect_edges(valve)) {
+    Spring spring;
+    spring.a = key.first;
+    spring.b = key.second;
+    spring.rest_mm = (vertex(valve.rest_mm, spring.a) - vertex(valve.rest_mm, spring.b)).norm();
+    const double per_modulus =
+        tissue.thickness_mm * edge.area_mm2 / (spring.rest_mm * spring.rest_mm);
+    const double pre =
+        orthotropic(tissue.circumferential_pre_kpa, tissue.radial_pre_kpa, edge.cos2_theta);
+    const double post =
+        orthotropic(tissue.circumferential_post_kpa, tissue.radial_post_kpa, edge.cos2_theta);
+    spring.pre_n_per_mm = pre * kMpaPerKpa * per_modulus;
+    spring.post_n_per_mm = post * kMpaPerKpa * per_modulus;
+    spring.transition =
+        orthotropic(tissue.circumferential_transition, tissue.radial_transition, edge.cos2_theta);
+    model.springs.push_back(spring);
+  }
+  for (int f = 0; f < valve.faces.rows(); ++f) {
+    const Vec3 a = vertex(valve.rest_mm, valve.faces(f, 0));
+    const Vec3 b = vertex(valve.rest_mm, valve.faces(f, 1));
+    const Vec3 c = vertex(valve.rest_mm, valve.faces(f, 2));
+    const double third = (b - a).cross(c - a).norm() / 6.0;
+    for (int k = 0; k < 3; ++k) {
+      const auto i = static_cast<std::size_t>(valve.faces(f, k));
+      model.area_mm2[i] += third;
+      model.mass_g[i] += tissue.density_g_per_mm3 * tissue.thickness_mm * third;
+    }
+  }
+}
+
+void add_chordae(const Valve& valve, ClosureModel& model) {
+  constexpr double kPi = 3.14159265358979323846;
+  const int heads = static_cast<int>(model.rest_mm.rows()) - static_cast<int>(valve.heads.size());
+  int next_branch = model.vertices;
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    const Chorda& chorda = valve.chordae[c];
+    const PapillaryHead& head = valve.heads[static_cast<std::size_t>(chorda.head)];
+    std::vector<int> branch_node(chorda.segments.size(), -1);
+    for (std::size_t s = 0; s < chorda.segments.size(); ++s) {
+      const ChordaSegment& segment = chorda.segments[s];
+      Cable cable;
+      cable.chorda = static_cast<int>(c);
+      cable.segment = static_cast<int>(s);
+      cable.start = segment.parent < 0 ? heads + chorda.head
+                                       : branch_node[static_cast<std::size_t>(segment.parent)];
+      if (segment.inserts) {
+        for (int k = 0; k < 3; ++k)
+          cable.end[static_cast<std::size_t>(k)] = valve.faces(segment.insertion.face, k);
+        cable.weights = segment.insertion.weights;
+      } else {
+        cable.end = {next_branch, next_branch, next_branch};
+        branch_node[s] = next_branch;
+        model.rest_mm.row(next_branch) = segment.branch_point_mm;
+        model.target_mm.row(next_branch) = segment.branch_point_mm + head.tip_mm - head.rest_mm;
+        if (chorda.ruptured) model.fixed[static_cast<std::size_t>(next_branch)] = true;
+        ++next_branch;
+      }
+      const double section_mm2 = 0.25 * kPi * segment.diameter_mm * segment.diameter_mm;
+      cable.rest_mm = segment.rest_length_mm;
+      cable.stiffness_n_per_mm =
+          valve.tissue.chordae_kpa * kMpaPerKpa * section_mm2 / segment.rest_length_mm;
+      const double half_mass =
+          0.5 * valve.tissue.density_g_per_mm3 * section_mm2 * segment.rest_length_mm;
+      model.mass_g[static_cast<std::size_t>(cable.start)] += half_mass;
+      for (std::size_t k = 0; k < 3; ++k)
+        model.mass_g[static_cast<std::size_t>(cable.end[k])] += cable.weights[k] * half_mass;
+      if (!chorda.ruptured) model.cables.push_back(cable);
+    }
+  }
+}
+
+/// omega_max^2 <= max over nodes of (sum over springs of 2 k) / m; the step bound is 2 / omega_max.
+double stable_step_ms(const ClosureModel& model) {
+  std::vector<double> row_sum(model.mass_g.size(), 0.0);
+  for (const Spring& s : model.springs) {
+    row_sum[static_cast<std::size_t>(s.a)] += 2.0 * s.post_n_per_mm;
+    row_sum[static_cast<std::size_t>(s.b)] += 2.0 * s.post_n_per_mm;
+  }
+  for (const Cable& c : model.cables) {
+    row_sum[static_cast<std::size_t>(c.start)] += 2.0 * c.stiffness_n_per_mm;
+    for (std::size_t k = 0; k < 3; ++k)
+      row_sum[static_cast<std::size_t>(c.end[k])] += 2.0 * c.weights[k] * c.stiffness_n_per_mm;
+  }
+  double omega2 = 0.0;
+  for (std::size_t i = 0; i < row_sum.size(); ++i)
+    if (!model.fixed[i]) omega2 = std::max(omega2, row_sum[i] / model.mass_g[i]);
+  return kStepSafety * 2.0 / std::sqrt(omega2);
+}
+
+}  // namespace
+
+ClosureModel make_closure_model(const Valve& valve) {
+  ClosureModel model;
+  model.vertices = static_cast<int>(valve.rest_mm.rows());
+  model.faces = valve.faces;
+  model.pressure_mpa = valve.pressure_kpa * kMpaPerKpa;
+  int branch_points = 0;
+  for (const Chorda& chorda : valve.chordae)
+    for (const ChordaSegment& segment : chorda.segments) branch_points += segment.inserts ? 0 : 1;
+  const int first_head = model.vertices + branch_points;
+  const int nodes = first_head + static_cast<int>(valve.heads.size());
+  model.rest_mm.setZero(nodes, 3);
+  model.target_mm.setZero(nodes, 3);
+  model.fixed.assign(static_cast<std::size_t>(nodes), false);
+  model.mass_g.assign(static_cast<std::size_t>(nodes), 0.0);
+  model.area_mm2.assign(static_cast<std::size_t>(model.vertices), 0.0);
+  model.rest_mm.topRows(model.vertices) = valve.rest_mm;
+  model.target_mm.topRows(model.vertices) = valve.rest_mm;
+  for (std::size_t i = 0; i < valve.annulus.size(); ++i) {
+    model.fixed[static_cast<std::size_t>(valve.annulus[i])] = true;
+    model.target_mm.row(valve.annulus[i]) = valve.annulus_mm.row(static_cast<Eigen::Index>(i));
+  }
+  for (std::size_t h = 0; h < valve.heads.size(); ++h) {
+    const int node = first_head + static_cast<int>(h);
+    model.fixed[static_cast<std::size_t>(node)] = true;
+    model.rest_mm.row(node) = valve.heads[h].rest_mm;
+    model.target_mm.row(node) = valve.heads[h].tip_mm;
+  }
+  add_membrane(valve, model);
+  add_chordae(valve, model);
+  model.stable_step_ms = stable_step_ms(model);
+  return model;
+}
+
+double tension_n(const Cable& cable, const Points& x) {
+  const double length = (end_position(cable, x) - vertex(x, cable.start)).norm();
+  return std::max(0.0, cable.stiffness_n_per_mm * (length - cable.rest_mm));
+}
+
+void add_elastic_forces(const ClosureModel& model, const Points& x, Points& force) {
+  for (const Spring& s : model.springs) {
+    const Vec3 d = vertex(x, s.b) - vertex(x, s.a);
+    const double length = d.norm();
+    const double knee = (1.0 + s.transition) * s.rest_mm;
+    const double pull = length <= knee ? s.pre_n_per_mm * (length - s.rest_mm)
+                                       : s.pre_n_per_mm * s.transition * s.rest_mm +
+                                             s.post_n_per_mm * (length - knee);
+    const Vec3 f = (pull / length) * d;
+    force.row(s.a) += f;
+    force.row(s.b) -= f;
+  }
+  for (const Cable& c : model.cables) {
+    const Vec3 d = end_position(c, x) - vertex(x, c.start);
+    const double length = d.norm();
+    if (length <= c.rest_mm) continue;
+    const Vec3 f = (c.stiffness_n_per_mm * (length - c.rest_mm) / length) * d;
+    force.row(c.start) += f;
+    for (std::size_t k = 0; k < 3; ++k) force.row(c.end[k]) -= c.weights[k] * f;
+  }
+}
+
+void add_pressure_forces(const ClosureModel& model, const Points& x, Points& force) {
+  for (int f = 0; f < model.faces.rows(); ++f) {
+    const int i = model.faces(f, 0), j = model.faces(f, 1), k = model.faces(f, 2);
+    const Vec3 a = vertex(x, i);
+    // Half the cross product is area times normal; a third of the load goes to each vertex.
+    const Vec3 share = (model.pressure_mpa / 6.0) * (vertex(x, j) - a).cross(vertex(x, k) - a);
+    force.row(i) += share;
+    force.row(j) += share;
+    force.row(k) += share;
+  }
+}
+
+}  // namespace coapt

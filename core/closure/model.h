@@ -1,0 +1,69 @@
+// A valve as masses, springs and cables: everything that does not change while it closes.
+//
+// Membrane: one spring per edge, stiffness after van Gelder (thesis equation 2.2), bilinear and
+// orthotropic (2.3, 2.4). Chordae: tension-only cables with free branch points. Units inside the
+// closure: mm, g, ms, hence N and MPa.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/valve/valve.h"
+
+namespace coapt {
+
+/// Bilinear spring of one leaflet edge (thesis equation 2.4).
+struct Spring {
+  int a = 0, b = 0;
+  double rest_mm = 0.0;
+  double transition = 0.0;     ///< strain where the stiffness changes
+  double pre_n_per_mm = 0.0;   ///< stiffness below it
+  double post_n_per_mm = 0.0;  ///< and above
+};
+
+/// One chorda segment: pulls its two ends together when longer than its rest length.
+struct Cable {
+  int start = 0;                                    ///< node: papillary head or branch point
+  std::array<int, 3> end = {0, 0, 0};               ///< nodes
+  std::array<double, 3> weights = {1.0, 0.0, 0.0};  ///< of the end's position on these nodes
+  double rest_mm = 0.0;
+  double stiffness_n_per_mm = 0.0;
+  int chorda = 0, segment = 0;
+};
+
+/// Nodes: the leaflet vertices, then one per chorda segment that ends in a branch point, then the
+/// heads.
+struct ClosureModel {
+  int vertices = 0;
+  Faces faces;
+  Points rest_mm;           ///< |N| x 3, where nodes start
+  Points target_mm;         ///< |N| x 3, where fixed nodes end (annulus and heads under pressure)
+  std::vector<bool> fixed;  ///< |N|
+  std::vector<double> mass_g;    ///< |N|
+  std::vector<double> area_mm2;  ///< |V|, a third of the rest area of the faces around a vertex
+  std::vector<Spring> springs;
+  std::vector<Cable> cables;  ///< of chordae that are not ruptured
+  double pressure_mpa = 0.0;
+  double stable_step_ms = 0.0;  ///< Gershgorin bound of the symplectic Euler step without contact
+};
+
+/// @pre validate(valve) is empty.
+ClosureModel make_closure_model(const Valve& valve);
+
+/// Far end of a cable.
+inline Vec3 end_position(const Cable& cable, const Points& x) {
+  return cable.weights[0] * x.row(cable.end[0]) + cable.weights[1] * x.row(cable.end[1]) +
+         cable.weights[2] * x.row(cable.end[2]);
+}
+
+/// Tension of a cable, N, never negative.
+double tension_n(const Cable& cable, const Points& x);
+
+/// Adds spring and cable forces, N.
+void add_elastic_forces(const ClosureModel& model, const Points& x, Points& force);
+
+/// Adds the pressure on each face, a third to each of its vertices, along the present face normal,
+/// N.
+void add_pressure_forces(const ClosureModel& model, const Points& x, Points& force);
+
+}  // namespace coapt

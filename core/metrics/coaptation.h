@@ -1,0 +1,45 @@
+// Coaptation: how much of the anterior side lies on the posterior side, across the line of
+// coaptation and in three dimensions (a projection hides gaps).
+//
+// Nine planes cut the anterior side. Along each cut, points a tenth of a millimetre apart are
+// measured against the triangles of the posterior side (exact point-triangle distance); the height
+// is the length of the cut that is in contact. Where the cut passes from one side to the other
+// inside a commissure the distance is zero: the tissue is whole there.
+#pragma once
+
+#include "core/metrics/section.h"
+
+namespace coapt {
+
+struct CoaptationOptions {
+  /// Mid-surfaces nearer than this are in contact. Leaflets pressed together rest at 0.85 to 1 mm,
+  /// the contact thickness of the closure; a quarter more allows for the facets of a coarse mesh.
+  double contact_distance_mm = 1.25;
+  double sample_mm = 0.1;  ///< largest distance of points along a cut
+};
+
+/// Order of Valve::faces. Faces of the commissures belong to the side of the line between the
+/// commissures on which they lie at rest.
+std::vector<Leaflet> leaflet_sides(const Valve& valve);
+
+/// A height's and a distance's tenth percentile and extremes are over the nine sections (linear
+/// interpolation). A section without anterior tissue has an infinite distance.
+Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
+                              const CoaptationOptions& options = {});
+
+struct Tenting {
+  double height_mm = 0.0;
+  double area_mm2 = 0.0;
+  Vec3 coaptation_point_mm = Vec3::Zero();
+  bool contact = false;
+};
+
+/// In the mid-valve section, against the annular line (saddle peak to mid-posterior). The
+/// coaptation point is midway between the highest points of either side that are in contact, or,
+/// without contact, the higher free edge. The area is enclosed by the annular line and both
+/// leaflets down to that point. Both are positive towards the ventricle; leaflets that billow above
+/// the line subtract.
+Tenting measure_tenting(const Valve& valve, const Points& closed_mm,
+                        const CoaptationOptions& options = {});
+
+}  // namespace coapt

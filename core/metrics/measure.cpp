@@ -1,0 +1,72 @@
+#include "core/metrics/measure.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/metrics/annulus.h"
+#include "core/metrics/coaptation.h"
+#include "core/metrics/loads.h"
+#include "core/metrics/orifice.h"
+#include "core/metrics/quantile.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kStrainQuantile = 0.99;  // leaves out the few faces that a coarse mesh distorts
+
+/// Of a closure that flew apart only the annulus can be measured.
+void set_unknown(ValveMeasure& measure) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  measure.orifice.area_mm2 = measure.orifice.area_raw_mm2 = measure.orifice.area_mean_mm2 =
+      kUnknown;
+  Coaptation& coaptation = measure.coaptation;
+  for (std::size_t i = 0; i < coaptation.sections.size(); ++i)
+    coaptation.sections[i] = {0.1 * static_cast<double>(i + 1), kUnknown, kUnknown, false};
+  coaptation.height_min_mm = coaptation.height_mean_mm = coaptation.height_p10_mm = kUnknown;
+  coaptation.distance_max_mm = coaptation.gap_area_mm2 = kUnknown;
+  measure.tenting_height_mm = measure.tenting_area_mm2 = kUnknown;
+  measure.tension_max_n = measure.tension_sum_n = kUnknown;
+  measure.strain_circumferential_max = measure.strain_radial_max = kUnknown;
+}
+
+bool is_finite(const ClosureResult& closure) {
+  bool finite = closure.closed_mm.allFinite();
+  for (const Points& sample_mm : closure.samples_mm) finite = finite && sample_mm.allFinite();
+  return finite;
+}
+
+}  // namespace
+
+ValveMeasure measure(const Valve& valve, const ClosureResult& closure) {
+  ValveMeasure measure;
+  measure.annulus = measure_annulus(valve);
+  if (!is_finite(closure)) {
+    set_unknown(measure);
+    return measure;
+  }
+  measure.orifice = measure_orifice(valve, closure);
+  measure.coaptation = measure_coaptation(valve, closure.closed_mm);
+
+  const Tenting tenting = measure_tenting(valve, closure.closed_mm);
+  measure.tenting_height_mm = tenting.height_mm;
+  measure.tenting_area_mm2 = tenting.area_mm2;
+
+  const ChordaeTension tension = chordae_tension(valve, closure.tension_n);
+  measure.tension_max_n = tension.max_n;
+  measure.tension_sum_n = tension.sum_n;
+
+  std::vector<double> circumferential, radial;
+  for (const FaceStrain& strain : face_strains(valve, closure.closed_mm)) {
+    circumferential.push_back(strain.circumferential);
+    radial.push_back(strain.radial);
+  }
+  measure.strain_circumferential_max = quantile(std::move(circumferential), kStrainQuantile);
+  measure.strain_radial_max = quantile(std::move(radial), kStrainQuantile);
+  return measure;
+}
+
+double leak_mm2(const ValveMeasure& measure) {
+  return std::max(measure.orifice.area_mm2, measure.coaptation.gap_area_mm2);
+}
+
+}  // namespace coapt

@@ -1,0 +1,33 @@
+// Cutting the leaflets with a plane.
+#pragma once
+
+#include "core/metrics/annulus.h"
+
+namespace coapt {
+
+struct SectionPlane {
+  Vec3 point_mm = Vec3::Zero();
+  Vec3 normal = Vec3::UnitX();
+};
+
+/// A connected line of the cut. Piece i, from points_mm[i] to points_mm[i + 1], lies in face
+/// faces[i].
+struct SectionLine {
+  std::vector<Vec3> points_mm;
+  std::vector<int> faces;
+};
+
+/// Open lines first, then closed ones. A vertex on the plane counts as being in front of it, so
+/// that every cut face gives exactly one piece.
+std::vector<SectionLine> cut(const Faces& faces, const Points& points_mm,
+                             const SectionPlane& plane);
+
+/// The long-axis plane through the saddle peak and mid-posterior, along the annular normal; its
+/// normal points posteromedially.
+SectionPlane mid_valve_plane(const Valve& valve);
+
+/// Nine planes across the line that joins the commissures under pressure, at 0.1 to 0.9 of its
+/// length from the anterolateral one; their normals point posteromedially.
+std::array<SectionPlane, 9> coaptation_planes(const Valve& valve);
+
+}  // namespace coapt

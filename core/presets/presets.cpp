@@ -1,0 +1,129 @@
+#include "core/presets/presets.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/closure/closure.h"
+#include "core/closure/tauten.h"
+#include "core/valve/remodel.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kLengthTriangles = 650;  // the mesh that chordae lengths are taken from
+
+/// A porcine valve of thesis table 2.2: measured diameters, everything else in proportion to them.
+/// Leaflet heights are not in the table. `reserve` scales them so that the valve is competent and
+/// begins to leak at 10 to 15 % of anteroposterior dilation, as the thesis's does
+/// (figure 4.5): 1.08 for the larger valves (21.5 and 12.1 mm on 28 mm), more for the small ones,
+/// whose leaflets are as thick.
+ParametricValve porcine(std::string name, double ap_mm, double al_pm_mm, int triangles,
+                        double reserve) {
+  ParametricValve d;
+  d.name = std::move(name);
+  d.ap_mm = ap_mm;
+  d.al_pm_mm = al_pm_mm;
+  d.saddle_height_mm = 0.2 * al_pm_mm;  // thesis figure 4.1
+  d.anterior_height_mm = 0.71 * reserve * ap_mm;
+  d.posterior_height_mm = 0.40 * reserve * ap_mm;
+  d.lateral_height_mm = 0.36 * reserve * ap_mm;
+  d.commissure_height_mm = 0.27 * reserve * ap_mm;
+  d.cleft_depth_mm = 0.04 * ap_mm;
+  d.tip_depth_mm = 0.8 * ap_mm;
+  d.tip_spread_mm = 0.6 * al_pm_mm;
+  d.tip_posterior_mm = 0.07 * ap_mm;
+  d.triangles = triangles;
+  return d;
+}
+
+ParametricValve human() {
+  ParametricValve d;
+  d.name = "human-normal";
+  return d;
+}
+
+}  // namespace
+
+Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
+  Expected<Valve> made = make_parametric_valve(dimensions);
+  if (!made) return made;
+  ParametricValve coarse = dimensions;
+  coarse.triangles = kLengthTriangles;
+  Expected<Valve> open = make_parametric_valve(coarse);
+  if (!open) return open;
+  const ClosureResult closed = close_valve(*open);
+  if (closed.status == ClosureStatus::Diverged)
+    return Error{
+        ErrorCode::BadGeometry, "",
+        "a valve of these dimensions does not close: chordae lengths cannot be taken from it"};
+  const Valve taut = tauten(*open, closed, dimensions.slack);
+  for (std::size_t c = 0; c < taut.chordae.size(); ++c)
+    for (std::size_t s = 0; s < taut.chordae[c].segments.size(); ++s)
+      made->chordae[c].segments[s].rest_length_mm = taut.chordae[c].segments[s].rest_length_mm;
+  made->provenance.push_back("chordae lengths: distances in the closed, pressurised valve times " +
+                             std::to_string(dimensions.slack));
+  return made;
+}
+
+const std::vector<std::string>& preset_names() {
+  static const std::vector<std::string> names = {
+      "porcine-1", "porcine-2",    "porcine-3",           "porcine-4",
+      "porcine-5", "human-normal", "human-functional-mr", "human-p2-prolapse"};
+  return names;
+}
+
+Expected<Valve> make_preset(const std::string& name, int triangles) {
+  const auto taut = [triangles](ParametricValve d) {
+    if (triangles > 0) d.triangles = triangles;
+    return make_taut_valve(d);
+  };
+  if (name == "porcine-1") return taut(porcine(name, 28.1, 37.7, 621, 1.08));
+  if (name == "porcine-2") return taut(porcine(name, 28.4, 36.2, 655, 1.08));
+  if (name == "porcine-3") return taut(porcine(name, 25.9, 41.3, 624, 1.08));
+  if (name == "porcine-4") return taut(porcine(name, 18.4, 27.1, 611, 1.17));
+  if (name == "porcine-5") return taut(porcine(name, 18.3, 21.4, 736, 1.18));
+  if (name == "human-normal") return taut(human());
+  if (name == "human-p2-prolapse") {
+    Expected<Valve> valve = taut(human());
+    if (!valve) return valve;
+    valve->name = name;
+    for (Chorda& chorda : valve->chordae)
+      if (chorda.kind == ChordaKind::Marginal && chorda.id.find("-P2-") != std::string::npos)
+        chorda.ruptured = true;
+    valve->provenance.push_back("marginal chordae of P2 ruptured");
+    return valve;
+  }
+  if (name == "human-functional-mr") {
+    // Annulus 36 x 44 mm (PMC7368231): the transverse diameter as it is, the anteroposterior one
+    // dilated from 30 mm; leaflets a little larger than normal, as in chronic dilation; tips
+    // further away.
+    ParametricValve d = human();
+    d.name = name;
+    d.ap_mm = 30.0;
+    d.al_pm_mm = 44.0;
+    d.anterior_height_mm = 23.0;
+    d.posterior_height_mm = 13.0;
+
+    d.tip_spread_mm = 27.0;
+    Expected<Valve> valve = taut(d);
+    if (!valve) return valve;
+    Remodelling change;
+    change.ap_dilation_percent = 20.0;
+    change.annular_height_percent = 70.0;
+    change.anterolateral_mm = Vec3(1.0, 2.0, 2.0);
+    change.posteromedial_mm = Vec3(2.0, 3.0, 4.0);
+    Expected<Valve> remodelled = remodel(*valve, change);
+    if (remodelled)
+      remodelled->provenance.push_back(
+          "functional regurgitation: annulus dilated 20 % in its anteroposterior diameter and "
+          "flattened to 70 %, anterolateral tip displaced by 1, 2, 2 mm and posteromedial tip by "
+          "2, 3, 4 mm (transverse, posterior, apical)");
+    return remodelled;
+  }
+  std::string accepted;
+  for (const std::string& preset : preset_names())
+    accepted += (accepted.empty() ? "" : ", ") + preset;
+  return Error{ErrorCode::Unsupported, "", "unknown preset '" + name + "', accepted: " + accepted};
+}
+
+}  // namespace coapt

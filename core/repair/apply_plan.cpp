@@ -1,0 +1,130 @@
+// Rings first, because they move the anchors; then sutures, which move the tips; then chordae.
+// Within one kind no two steps touch the same thing (that is refused), and neochordae are sorted:
+// so the order of the steps in the plan cannot matter.
+
+#include "core/repair/apply_plan.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/repair/annuloplasty.h"
+#include "core/repair/approximation.h"
+#include "core/repair/chordal.h"
+
+namespace coapt {
+namespace {
+
+std::string step_path(std::size_t i) { return "/steps/" + std::to_string(i); }
+
+void refuse_second(const std::string& path, const std::string& what, std::size_t first,
+                   ProblemList& problems) {
+  problems.add(
+      ErrorCode::ImpossibleStep, path,
+      "is a second " + what + ", after step " + std::to_string(first) + "; only one is possible");
+}
+
+void place_ring(const RepairPlan& plan, const std::vector<RingShape>& catalogue, Valve& valve,
+                ProblemList& problems) {
+  std::vector<std::size_t> rings;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i)
+    if (std::holds_alternative<Annuloplasty>(plan.steps[i])) rings.push_back(i);
+  if (rings.empty()) return;
+  for (std::size_t k = 1; k < rings.size(); ++k)
+    refuse_second(step_path(rings[k]), "ring", rings[0], problems);
+  const auto& step = std::get<Annuloplasty>(plan.steps[rings[0]]);
+  if (check_annuloplasty(step, catalogue, step_path(rings[0]), problems))
+    apply_annuloplasty(step, catalogue, valve);
+}
+
+void tie_sutures(const RepairPlan& plan, Valve& valve, ProblemList& problems) {
+  std::map<Side, std::size_t> tied;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const auto* step = std::get_if<PapillaryApproximation>(&plan.steps[i]);
+    if (step == nullptr) continue;
+    const auto [first, is_first] = tied.emplace(step->side, i);
+    if (!is_first)
+      refuse_second(step_path(i) + "/side",
+                    std::string("suture of the ") + to_string(step->side) + " muscle",
+                    first->second, problems);
+    else if (check_approximation(*step, valve, step_path(i), problems))
+      apply_approximation(*step, valve);
+  }
+}
+
+/// Treats the chordae of one plan; every repair step has an overload here.
+class ChordalPass {
+ public:
+  ChordalPass(const LeafletCoordinates& coordinates, Valve& valve, ProblemList& problems)
+      : coordinates_(coordinates), valve_(valve), problems_(problems) {}
+
+  void treat(const Annuloplasty&, std::size_t) {}
+  void treat(const PapillaryApproximation&, std::size_t) {}
+  void treat(const Neochorda& step, std::size_t i) {
+    if (check_neochorda(step, valve_, step_path(i), problems_)) neochordae_.push_back(step);
+  }
+  void treat(const ChordalLengthChange& step, std::size_t i) {
+    if (claim(step.chorda, i) && check_length_change(step, valve_, step_path(i), problems_))
+      apply_length_change(step, valve_);
+  }
+  void treat(const ChordalExcision& step, std::size_t i) {
+    if (claim(step.chorda, i) && check_excision(step, valve_, step_path(i), problems_))
+      apply_excision(step, valve_);
+  }
+  void treat(const ChordalTransfer& step, std::size_t i) {
+    if (claim(step.chorda, i) && check_transfer(step, valve_, step_path(i), problems_))
+      apply_transfer(step, coordinates_, valve_);
+  }
+
+  /// After all steps, so that none of them can name a neochorda of this plan.
+  void append_neochordae() {
+    std::sort(neochordae_.begin(), neochordae_.end(),
+              [](const Neochorda& a, const Neochorda& b) { return text_key(a) < text_key(b); });
+    for (const Neochorda& step : neochordae_) apply_neochorda(step, coordinates_, valve_);
+  }
+
+ private:
+  bool claim(const std::string& chorda, std::size_t i) {
+    const auto [first, is_first] = claimed_.emplace(chorda, i);
+    if (!is_first)
+      refuse_second(step_path(i) + "/chorda", "step on chorda '" + chorda + "'", first->second,
+                    problems_);
+    return is_first;
+  }
+
+  const LeafletCoordinates& coordinates_;
+  Valve& valve_;
+  ProblemList& problems_;
+  std::map<std::string, std::size_t> claimed_;
+  std::vector<Neochorda> neochordae_;
+};
+
+bool needs_coordinates(const RepairPlan& plan) {
+  return std::any_of(plan.steps.begin(), plan.steps.end(), [](const RepairStep& step) {
+    return std::holds_alternative<Neochorda>(step) || std::holds_alternative<ChordalTransfer>(step);
+  });
+}
+
+}  // namespace
+
+Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan,
+                           const std::vector<RingShape>& catalogue) {
+  Valve repaired = valve;
+  ProblemList problems;
+  place_ring(plan, catalogue, repaired, problems);
+  tie_sutures(plan, repaired, problems);
+  // Leaflet coordinates belong to the anatomy: of the valve before its ring.
+  const LeafletCoordinates coordinates =
+      needs_coordinates(plan) ? leaflet_coordinates(valve) : LeafletCoordinates{};
+  ChordalPass chordae(coordinates, repaired, problems);
+  for (std::size_t i = 0; i < plan.steps.size(); ++i)
+    std::visit([&](const auto& step) { chordae.treat(step, i); }, plan.steps[i]);
+  chordae.append_neochordae();
+  if (!problems.empty()) return std::move(problems).take();
+  std::vector<std::string> lines = describe(valve, plan);
+  std::sort(lines.begin(), lines.end());
+  for (const std::string& line : lines) repaired.provenance.push_back("repaired: " + line);
+  return repaired;
+}
+
+}  // namespace coapt

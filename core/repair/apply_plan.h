@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "core/repair/plan.h"
+
+namespace coapt {
+
+/// The repaired valve. Vertices, faces, heads and chordae keep their indices; neochordae are
+/// appended in the order of their text. The result does not depend on the order of the steps: rings
+/// act first, then sutures, then chordae. Errors point into the plan ("/steps/2/suture_length_mm")
+/// and list every impossible step (slack suture, unknown chorda or ring, two steps on one chorda,
+/// two rings, ...).
+Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan,
+                           const std::vector<RingShape>& catalogue);
+
+/// The plan in surgical words, one line a step ("annuloplasty: generic-classic ring, size 30 mm").
+std::vector<std::string> describe(const Valve& valve, const RepairPlan& plan);
+
+}  // namespace coapt

@@ -1,0 +1,32 @@
+#include "core/repair/plan.h"
+
+namespace coapt {
+
+Vec3 anchor_mm(const Valve& valve, const PapillaryApproximation& step) {
+  const Landmarks& marks = valve.landmarks;
+  switch (step.anchor) {
+    case Anchor::IpsilateralTrigone:
+      return annulus_position_mm(valve, step.side == Side::Anterolateral
+                                            ? marks.anterolateral_trigone
+                                            : marks.posteromedial_trigone);
+    case Anchor::SaddlePeak:
+      return annulus_position_mm(valve, marks.saddle_peak);
+    case Anchor::AnnulusPoint:
+      return annulus_point_mm(valve, step.annulus_around);
+  }
+  return Vec3::Zero();
+}
+
+const char* to_string(Anchor anchor) {
+  switch (anchor) {
+    case Anchor::IpsilateralTrigone:
+      return "ipsilateral_trigone";
+    case Anchor::SaddlePeak:
+      return "saddle_peak";
+    case Anchor::AnnulusPoint:
+      return "annulus_point";
+  }
+  return "";
+}
+
+}  // namespace coapt

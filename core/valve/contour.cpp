@@ -1,0 +1,120 @@
+#include "core/valve/contour.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace coapt {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr int kContourPoints = 720;
+constexpr double kAnteriorExponent = 2.6, kPosteriorExponent = 2.2;
+constexpr double kAnteriorShare = 0.42;
+
+double signed_power(double base, double exponent) {
+  return std::copysign(std::pow(std::abs(base), exponent), base);
+}
+
+/// Mean of the contour weighted by arc length.
+Vec3 centroid(const Points& contour) {
+  Vec3 sum = Vec3::Zero();
+  double total = 0.0;
+  for (Eigen::Index i = 0; i < contour.rows(); ++i) {
+    const Vec3 a = contour.row(i), b = contour.row((i + 1) % contour.rows());
+    sum += (b - a).norm() * 0.5 * (a + b);
+    total += (b - a).norm();
+  }
+  return sum / total;
+}
+
+double projected_area(const Points& contour) {
+  double twice = 0.0;
+  for (Eigen::Index i = 0; i < contour.rows(); ++i) {
+    const Eigen::Index j = (i + 1) % contour.rows();
+    twice += contour(i, 0) * contour(j, 1) - contour(j, 0) * contour(i, 1);
+  }
+  return 0.5 * twice;
+}
+
+/// Direction of the largest spread of a point cloud about its mean.
+Vec3 main_direction(const Points& points, int rank) {
+  const Vec3 mean = points.colwise().mean();
+  const Points centred = points.rowwise() - mean.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
+  return solver.eigenvectors().col(rank);
+}
+
+}  // namespace
+
+Points generic_annulus_contour(double ap_mm, double al_pm_mm, double saddle_height_mm) {
+  Points contour(kContourPoints, 3);
+  for (int i = 0; i < kContourPoints; ++i) {
+    const double t = 2.0 * kPi * i / kContourPoints;
+    const bool anterior = std::sin(t) >= 0.0;
+    const double exponent = 2.0 / (anterior ? kAnteriorExponent : kPosteriorExponent);
+    const double depth = ap_mm * (anterior ? kAnteriorShare : 1.0 - kAnteriorShare);
+    const double x = 0.5 * al_pm_mm * signed_power(std::cos(t), exponent);
+    const double y = depth * signed_power(std::sin(t), exponent);
+    const double phi = std::atan2(x, y);
+    contour.row(i) << x, y, 0.5 * saddle_height_mm * std::cos(2.0 * phi);
+  }
+  return contour.rowwise() - centroid(contour).transpose();
+}
+
+MeasuredSkeleton into_valve_frame(const Points& annulus_mm, const Points& tips_mm) {
+  const Vec3 origin = centroid(annulus_mm);
+  const Vec3 tips_mean = tips_mm.colwise().mean();
+  Vec3 z = main_direction(annulus_mm, 0);
+  if (z.dot(tips_mean - origin) > 0.0) z = -z;
+  Vec3 x = main_direction(tips_mm, 2);
+  x = (x - x.dot(z) * z).normalized();
+  Vec3 y = z.cross(x);
+  const Points centred = annulus_mm.rowwise() - origin.transpose();
+  const Eigen::VectorXd across = centred * y;
+  if (across.maxCoeff() > -across.minCoeff()) {
+    x = -x;
+    y = -y;
+  }
+  Eigen::Matrix3d frame;
+  frame << x, y, z;
+  MeasuredSkeleton skeleton{centred * frame, (tips_mm.rowwise() - origin.transpose()) * frame};
+  if (projected_area(skeleton.annulus_mm) < 0.0)
+    skeleton.annulus_mm = skeleton.annulus_mm.colwise().reverse().eval();
+  return skeleton;
+}
+
+ArcLength::ArcLength(const Points& contour_mm) : contour_mm_(contour_mm) {
+  length_mm_.push_back(0.0);
+  for (Eigen::Index i = 0; i < contour_mm.rows(); ++i)
+    length_mm_.push_back(length_mm_.back() +
+                         (contour_mm.row((i + 1) % contour_mm.rows()) - contour_mm.row(i)).norm());
+}
+
+Vec3 ArcLength::at(double arc_mm) const {
+  const double wrapped = arc_mm - total_mm() * std::floor(arc_mm / total_mm());
+  const auto next = std::upper_bound(length_mm_.begin() + 1, length_mm_.end() - 1, wrapped);
+  const Eigen::Index i = next - length_mm_.begin() - 1, j = (i + 1) % contour_mm_.rows();
+  const double span = *next - *(next - 1);
+  const double share = span > 0.0 ? (wrapped - *(next - 1)) / span : 0.0;
+  return contour_mm_.row(i) + share * (contour_mm_.row(j) - contour_mm_.row(i));
+}
+
+Vec3 ArcLength::tangent(double arc_mm) const {
+  const double reach = 0.01 * total_mm();
+  return (at(arc_mm + reach) - at(arc_mm - reach)).normalized();
+}
+
+double ArcLength::crossing_mm(bool anterior) const {
+  const Eigen::Index n = contour_mm_.rows();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index j = (i + 1) % n;
+    const double a = contour_mm_(i, 0), b = contour_mm_(j, 0);
+    if ((contour_mm_(i, 1) > 0.0) != anterior || (a > 0.0) == (b > 0.0)) continue;
+    const auto k = static_cast<std::size_t>(i);
+    return length_mm_[k] + (length_mm_[k + 1] - length_mm_[k]) * a / (a - b);
+  }
+  return 0.0;
+}
+
+}  // namespace coapt

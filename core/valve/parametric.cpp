@@ -1,0 +1,216 @@
+#include "core/valve/parametric.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/valve/contour.h"
+#include "core/valve/parametric_chordae.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kTrigone =
+    0.66;  // of the way from saddle peak to commissure: 29 mm apart in a human annulus
+constexpr double kCommissureAlong = 0.07;  // share of a leaflet's arc that counts as commissure
+
+struct Grid {
+  int stations = 0, anterior_stations = 0, rows = 0;
+};
+
+/// The structured mesh nearest to the aimed number of triangles, stations about nine times the rows
+/// (the shape of the thesis's valves: edges of 2 to 4 mm at 650 triangles), all counts symmetric.
+Grid choose_grid(const ParametricValve& d) {
+  Grid best;
+  double best_cost = 1e300;
+  for (int rows = 3; rows <= 80; ++rows)
+    for (int stations = 24; stations <= 800; stations += 2) {
+      const double ratio = static_cast<double>(stations) / rows;
+      if (ratio < 6.0 || ratio > 12.0) continue;
+      const double off = std::abs(2.0 * rows * stations / d.triangles - 1.0);
+      const double cost = off + 0.2 * std::abs(std::log(ratio / 9.0));
+      if (cost < best_cost) {
+        best_cost = cost;
+        best = {stations,
+                2 * std::max(1, static_cast<int>(std::lround(0.5 * stations * d.anterior_arc))),
+                rows};
+      }
+    }
+  return best;
+}
+
+/// Cosine interpolation through (position, value) knots.
+template <std::size_t N>
+double interpolate(const std::array<std::pair<double, double>, N>& knots, double at) {
+  for (std::size_t i = 0; i + 1 < N; ++i) {
+    if (at > knots[i + 1].first) continue;
+    const double t = (at - knots[i].first) / (knots[i + 1].first - knots[i].first);
+    const double blend = 0.5 - 0.5 * std::cos(kPi * t);
+    return knots[i].second + blend * (knots[i + 1].second - knots[i].second);
+  }
+  return knots[N - 1].second;
+}
+
+double leaflet_height_mm(const ParametricValve& d, double around) {
+  if (around <= 0.5) {
+    const double lobe = std::sin(2.0 * kPi * around);
+    return d.commissure_height_mm + (d.anterior_height_mm - d.commissure_height_mm) * lobe;
+  }
+  const double cleft = std::min(d.posterior_height_mm, d.lateral_height_mm) - d.cleft_depth_mm;
+  const std::array<std::pair<double, double>, 7> knots = {{{0.0, d.commissure_height_mm},
+                                                           {0.17, d.lateral_height_mm},
+                                                           {0.33, cleft},
+                                                           {0.5, d.posterior_height_mm},
+                                                           {0.67, cleft},
+                                                           {0.83, d.lateral_height_mm},
+                                                           {1.0, d.commissure_height_mm}}};
+  return interpolate(knots, 2.0 * (around - 0.5));
+}
+
+Segment segment_at(double around) {
+  const bool anterior = around < 0.5;
+  const double along = anterior ? 1.0 - 2.0 * around : 2.0 * (around - 0.5);  // from anterolateral
+  if (along < kCommissureAlong) return Segment::AC;
+  if (along > 1.0 - kCommissureAlong) return Segment::PC;
+  const int third = std::min(2, static_cast<int>(3.0 * along));
+  constexpr std::array<Segment, 3> front = {Segment::A1, Segment::A2, Segment::A3};
+  constexpr std::array<Segment, 3> back = {Segment::P1, Segment::P2, Segment::P3};
+  return anterior ? front[static_cast<std::size_t>(third)] : back[static_cast<std::size_t>(third)];
+}
+
+struct Range {
+  const char* path;
+  double value, low, high;
+};
+
+Errors check(const ParametricValve& d) {
+  const std::array<Range, 14> ranges = {
+      {{"/ap_mm", d.ap_mm, 8, 80},
+       {"/al_pm_mm", d.al_pm_mm, 8, 100},
+       {"/saddle_height_mm", d.saddle_height_mm, 0, 20},
+       {"/anterior_height_mm", d.anterior_height_mm, 4, 60},
+       {"/posterior_height_mm", d.posterior_height_mm, 3, 60},
+       {"/lateral_height_mm", d.lateral_height_mm, 3, 60},
+       {"/commissure_height_mm", d.commissure_height_mm, 2, 30},
+       {"/cleft_depth_mm", d.cleft_depth_mm, 0, 10},
+       {"/anterior_arc", d.anterior_arc, 0.25, 0.5},
+       {"/inclination_deg", d.inclination_deg, 0, 45},
+       {"/tip_depth_mm", d.tip_depth_mm, 8, 60},
+       {"/tip_spread_mm", d.tip_spread_mm, 4, 60},
+       {"/slack", d.slack, 0.8, 1.5},
+       {"/triangles", static_cast<double>(d.triangles), 100, 50000}}};
+  Errors errors;
+  for (const Range& r : ranges)
+    if (!(r.value >= r.low && r.value <= r.high))
+      errors.push_back({ErrorCode::OutOfRange, r.path,
+                        "is " + std::to_string(r.value) + ", accepted: " + std::to_string(r.low) +
+                            " to " + std::to_string(r.high)});
+  if (!(std::abs(d.tip_posterior_mm) <= 20.0))
+    errors.push_back({ErrorCode::OutOfRange, "/tip_posterior_mm", "accepted: -20 to 20"});
+  if (d.annulus_mm.has_value() != d.tips_mm.has_value())
+    errors.push_back({ErrorCode::MissingField, d.annulus_mm ? "/tips_mm" : "/annulus_mm",
+                      "a measured annulus and measured tips come together"});
+  if (d.annulus_mm && (d.annulus_mm->rows() < 12 || !d.annulus_mm->allFinite()))
+    errors.push_back({ErrorCode::OutOfRange, "/annulus_mm", "accepted: 12 or more finite points"});
+  if (d.tips_mm && (d.tips_mm->rows() < 2 || !d.tips_mm->allFinite()))
+    errors.push_back({ErrorCode::OutOfRange, "/tips_mm", "accepted: 2 or more finite points"});
+  return errors;
+}
+
+/// Stations: arc position and `around` of each, counter-clockwise from the posteromedial
+/// commissure.
+struct Station {
+  double arc_mm = 0.0, around = 0.0;
+};
+
+std::vector<Station> place_stations(const ArcLength& arc, const ParametricValve& d,
+                                    const Grid& grid) {
+  const double total = arc.total_mm(), peak = arc.crossing_mm(true);
+  const double half_front = 0.5 * d.anterior_arc * total;
+  double back = arc.crossing_mm(false);
+  while (back < peak) back += total;
+  const std::array<double, 5> knots = {peak - half_front, peak, peak + half_front, back,
+                                       peak - half_front + total};
+  const int front = grid.anterior_stations / 2, rear = (grid.stations - grid.anterior_stations) / 2;
+  const std::array<int, 4> counts = {front, front, rear, rear};
+  std::vector<Station> stations;
+  for (std::size_t q = 0; q < 4; ++q)
+    for (int i = 0; i < counts[q]; ++i) {
+      const double t = static_cast<double>(i) / counts[q];
+      stations.push_back(
+          {knots[q] + t * (knots[q + 1] - knots[q]), 0.25 * (static_cast<double>(q) + t)});
+    }
+  return stations;
+}
+
+}  // namespace
+
+Expected<Valve> make_parametric_valve(const ParametricValve& d) {
+  if (Errors errors = check(d); !errors.empty()) return errors;
+  const Grid grid = choose_grid(d);
+  Points contour = generic_annulus_contour(d.ap_mm, d.al_pm_mm, d.saddle_height_mm);
+  Points tips(2, 3);
+  tips << -0.5 * d.tip_spread_mm, -d.tip_posterior_mm, -d.tip_depth_mm,  //
+      0.5 * d.tip_spread_mm, -d.tip_posterior_mm, -d.tip_depth_mm;
+  if (d.annulus_mm) {
+    const MeasuredSkeleton skeleton = into_valve_frame(*d.annulus_mm, *d.tips_mm);
+    contour = skeleton.annulus_mm;
+    tips = skeleton.tips_mm;
+    if (tips.col(0).minCoeff() >= 0.0 || tips.col(0).maxCoeff() <= 0.0)
+      return Error{ErrorCode::BadGeometry, "/tips_mm",
+                   "all tips lie on one side of the annulus; accepted: both"};
+  }
+  const ArcLength arc(contour);
+  const std::vector<Station> stations = place_stations(arc, d, grid);
+
+  Valve valve;
+  valve.name = d.name;
+  valve.provenance.push_back("parametric valve made by coapt from anatomical dimensions");
+  const int n = grid.stations;
+  valve.rest_mm.resize(n * (grid.rows + 1), 3);
+  const double tilt = d.inclination_deg * kPi / 180.0;
+  for (int row = 0; row <= grid.rows; ++row)
+    for (int i = 0; i < n; ++i) {
+      const Station& s = stations[static_cast<std::size_t>(i)];
+      const Vec3 tangent = arc.tangent(s.arc_mm);
+      const Vec3 inwards = Vec3(-tangent.y(), tangent.x(), 0.0).normalized();
+      const double share = static_cast<double>(row) / grid.rows;
+      const Vec3 down = std::sin(tilt) * inwards - std::cos(tilt) * Vec3::UnitZ();
+      valve.rest_mm.row(row * n + i) =
+          arc.at(s.arc_mm) + share * leaflet_height_mm(d, s.around) * down;
+    }
+  valve.faces.resize(2 * n * grid.rows, 3);
+  valve.fibre.resize(valve.faces.rows(), 3);
+  for (int row = 0, f = 0; row < grid.rows; ++row)
+    for (int i = 0; i < n; ++i) {
+      const int next = (i + 1) % n;
+      const int a = row * n + i, b = row * n + next, c = a + n, e = b + n;
+      const bool falling = (i + row) % 2 == 0;  // alternating diagonals: nearly isotropic springs
+      valve.faces.row(f) << a, b, falling ? c : e;
+      valve.faces.row(f + 1) << (falling ? b : a), e, c;
+      valve.fibre.row(f) = (valve.rest_mm.row(b) - valve.rest_mm.row(a)).normalized();
+      valve.fibre.row(f + 1) = (valve.rest_mm.row(e) - valve.rest_mm.row(c)).normalized();
+      const double around = stations[static_cast<std::size_t>(i)].around;
+      const double beyond = next == 0 ? 1.0 : stations[static_cast<std::size_t>(next)].around;
+      valve.segments.insert(valve.segments.end(), 2, segment_at(0.5 * (around + beyond)));
+      f += 2;
+    }
+  valve.annulus_mm.resize(n, 3);
+  for (int i = 0; i < n; ++i) {
+    valve.annulus.push_back(i);
+    valve.annulus_mm.row(i) = valve.rest_mm.row(i);
+  }
+  const int front = grid.anterior_stations / 2;
+  const int trigone = static_cast<int>(std::lround(kTrigone * front));
+  valve.landmarks = {
+      front + trigone, front - trigone, front, 2 * front + (n - 2 * front) / 2, 2 * front, 0};
+  std::vector<double> around(stations.size());
+  std::transform(stations.begin(), stations.end(), around.begin(),
+                 [](const Station& s) { return s.around; });
+  add_parametric_chordae({n, grid.rows, around}, tips, valve);
+  return valve;
+}
+
+}  // namespace coapt

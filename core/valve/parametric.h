@@ -1,0 +1,42 @@
+// A valve from a dozen anatomical dimensions, at any resolution.
+//
+// A contour (dimensions or a measurement) is cut into stations of equal arc between the landmarks;
+// from each hangs a row of vertices, inclined inwards, as long as the leaflet is high there.
+// Chordae: per muscle three heads, five marginal trunks that branch in three, one strut and two
+// basal chordae, placed in leaflet coordinates, so that they mean the same at every resolution.
+// Their lengths reach from the tip to where an idealised closed leaflet has the insertion;
+// core/presets takes them from a closure.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/valve/valve.h"
+
+namespace coapt {
+
+struct ParametricValve {
+  std::string name = "parametric";
+  double ap_mm = 29.0;     ///< anteroposterior diameter of the annulus under pressure
+  double al_pm_mm = 39.0;  ///< transverse diameter
+  double saddle_height_mm = 6.8;
+  double anterior_height_mm = 22.0;   ///< unstressed, A2
+  double posterior_height_mm = 13.0;  ///< P2
+  double lateral_height_mm = 11.0;    ///< P1, P3
+  double commissure_height_mm = 8.0;
+  double cleft_depth_mm = 1.5;    ///< between the posterior scallops
+  double anterior_arc = 0.38;     ///< share of the annulus from commissure to commissure
+  double inclination_deg = 20.0;  ///< of the unstressed leaflets, inwards from the vertical
+  double tip_depth_mm = 23.5;     ///< papillary tips below the annulus plane
+  double tip_spread_mm = 24.0;    ///< between the tips, transverse
+  double tip_posterior_mm = 2.0;  ///< tips behind the annulus centre
+  double slack = 1.0;   ///< chordae lengths over their lengths in the closed, pressurised valve
+  int triangles = 650;  ///< aimed at; the nearest structured mesh is made
+  std::optional<Points> annulus_mm;  ///< a measured contour instead of the dimensions, any frame
+  std::optional<Points> tips_mm;     ///< measured papillary attachments, required with annulus_mm
+};
+
+/// Errors with pointers into the dimensions ("/ap_mm", ...) and accepted ranges.
+Expected<Valve> make_parametric_valve(const ParametricValve& dimensions);
+
+}  // namespace coapt

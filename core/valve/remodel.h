@@ -1,0 +1,29 @@
+// Disease as geometry: annular dilation and flattening, papillary displacement (thesis 4.2.2).
+//
+// Everything happens to the annulus and tips under pressure, in the annulus's own frame as it was
+// before (AnnulusFrame). The height over its plane is scaled. Then what lies behind the line
+// through the trigones moves backwards in proportion to its distance behind that line, just so much
+// that the anteroposterior diameter grows by the percentage; what lies on the line or in front of
+// it, the intertrigonal part, stays, and nothing moves transversely. The valve is not centred
+// again: the trigones' place is the reference.
+#pragma once
+
+#include "core/valve/valve.h"
+
+namespace coapt {
+
+struct Remodelling {
+  double ap_dilation_percent = 0.0;       ///< [-50, 100]; transverse dimension and trigones held
+  double annular_height_percent = 100.0;  ///< [0, 200] of the present height
+  /// Displacement of the tips: transverse (outwards, away from the other side), posterior, apical;
+  /// each
+  /// [-30, 30] mm along the valve's x, -y, -z.
+  Vec3 anterolateral_mm = Vec3::Zero();
+  Vec3 posteromedial_mm = Vec3::Zero();
+};
+
+/// The valve under changed boundary conditions; rest shape, chordae and indices are kept. Errors
+/// point to the fields of Remodelling ("/anterolateral_mm/2").
+Expected<Valve> remodel(const Valve& valve, const Remodelling& change);
+
+}  // namespace coapt

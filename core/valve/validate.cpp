@@ -1,0 +1,137 @@
+#include "core/valve/validate.h"
+
+#include <Eigen/Geometry>
+#include <set>
+
+#include "core/valve/validate_parts.h"
+
+namespace coapt {
+namespace {
+
+// Wide enough for any tissue and for parameter studies, narrow enough to catch a wrong unit.
+constexpr Range kPressureKpa = {0.0, 100.0};
+constexpr Range kDensity = {1e-4, 1e-2};
+constexpr Range kThicknessMm = {0.05, 10.0};
+constexpr Range kModulusKpa = {0.01, 1e6};
+constexpr Range kTransitionStrain = {0.0, 2.0};
+constexpr Range kChordaeKpa = {1.0, 1e7};
+constexpr Range kCoordinateMm = {-500.0, 500.0};
+constexpr std::size_t kMaxHeads = 100;
+constexpr double kFibreTolerance = 1e-3;  // accepts four decimals in a file
+
+void check_tissue(const Tissue& tissue, ProblemList& problems) {
+  const std::string path = "/tissue/";
+  const auto check = [&](const char* name, double number, Range range, const char* unit) {
+    check_range(problems, path + name, number, range, unit);
+  };
+  check("density_g_per_mm3", tissue.density_g_per_mm3, kDensity, " g/mm3");
+  check("thickness_mm", tissue.thickness_mm, kThicknessMm, " mm");
+  check("circumferential_pre_kpa", tissue.circumferential_pre_kpa, kModulusKpa, " kPa");
+  check("circumferential_post_kpa", tissue.circumferential_post_kpa, kModulusKpa, " kPa");
+  check("circumferential_transition", tissue.circumferential_transition, kTransitionStrain, "");
+  check("radial_pre_kpa", tissue.radial_pre_kpa, kModulusKpa, " kPa");
+  check("radial_post_kpa", tissue.radial_post_kpa, kModulusKpa, " kPa");
+  check("radial_transition", tissue.radial_transition, kTransitionStrain, "");
+  check("chordae_kpa", tissue.chordae_kpa, kChordaeKpa, " kPa");
+}
+
+void check_below_annulus(const Vec3& point, const std::string& path, ProblemList& problems) {
+  bool finite = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    finite &= check_range(problems, at(path, axis), point[axis], kCoordinateMm, " mm");
+  }
+  if (finite && point.z() >= 0.0) {
+    problems.add(ErrorCode::BadGeometry, path + "/2",
+                 "is " + shown(point.z()) +
+                     ", must be below 0: z points to the atrium, and the "
+                     "papillary muscles lie on the other side of the annulus");
+  }
+}
+
+void check_fibre(const Valve& valve, const MeshCheck& mesh, ProblemList& problems) {
+  const auto faces = valve.faces.rows();
+  const auto one_per_face = [&](const char* path, std::ptrdiff_t rows) {
+    if (rows == faces) return true;
+    problems.add(ErrorCode::OutOfRange, path,
+                 "has " + std::to_string(rows) + " entries, must have one for each of the " +
+                     std::to_string(faces) + " faces");
+    return false;
+  };
+  if (faces == 0) return;
+  one_per_face("/segments", std::ssize(valve.segments));
+  if (!one_per_face("/fibre", valve.fibre.rows())) return;
+  for (int face = 0; face < faces; ++face) {
+    const Vec3 fibre = valve.fibre.row(face);
+    if (!(std::abs(fibre.norm() - 1.0) <= kFibreTolerance)) {
+      problems.add(ErrorCode::OutOfRange, at("/fibre", face),
+                   "has length " + shown(fibre.norm()) + ", must be 1 within 0.001");
+      continue;
+    }
+    if (!mesh.vertices_usable || !mesh.faces_usable) continue;
+    const Vec3 a = valve.rest_mm.row(valve.faces(face, 0));
+    const Vec3 b = valve.rest_mm.row(valve.faces(face, 1));
+    const Vec3 c = valve.rest_mm.row(valve.faces(face, 2));
+    const double off_plane = std::abs(fibre.dot((b - a).cross(c - a).normalized()));
+    if (!(off_plane <= kFibreTolerance)) {
+      problems.add(
+          ErrorCode::BadGeometry, at("/fibre", face),
+          "leaves the plane of its face by " + shown(off_plane) + ", at most 0.001 is accepted");
+    }
+  }
+}
+
+void check_heads(const Valve& valve, ProblemList& problems) {
+  const std::string path = "/papillary_heads";
+  if (valve.heads.size() > kMaxHeads) {
+    problems.add(ErrorCode::OutOfRange, path, "has more than 100 heads");
+    return;
+  }
+  std::set<std::string> ids;
+  bool anterolateral = false;
+  bool posteromedial = false;
+  for (std::size_t i = 0; i < valve.heads.size(); ++i) {
+    const PapillaryHead& head = valve.heads[i];
+    const std::string here = at(path, static_cast<std::ptrdiff_t>(i));
+    if (head.id.empty()) {
+      problems.add(ErrorCode::OutOfRange, here + "/id", "is empty");
+    } else if (!ids.insert(head.id).second) {
+      problems.add(ErrorCode::BadReference, here + "/id", "repeats the id of an earlier head");
+    }
+    anterolateral |= head.side == Side::Anterolateral;
+    posteromedial |= head.side == Side::Posteromedial;
+    check_below_annulus(head.rest_mm, here + "/rest_mm", problems);
+    check_below_annulus(head.tip_mm, here + "/tip_mm", problems);
+  }
+  if (!anterolateral || !posteromedial) {
+    problems.add(ErrorCode::OutOfRange, path, "must hold at least one head of each side");
+  }
+}
+
+}  // namespace
+
+bool check_points(const Points& points, const std::string& path, ProblemList& problems) {
+  bool good = true;
+  for (int row = 0; row < points.rows(); ++row) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double number = points(row, axis);
+      if (number >= kCoordinateMm.min && number <= kCoordinateMm.max) continue;
+      check_range(problems, at(at(path, row), axis), number, kCoordinateMm, " mm");
+      good = false;
+    }
+  }
+  return good;
+}
+
+Errors validate(const Valve& valve) {
+  ProblemList problems;
+  check_range(problems, "/pressure_kpa", valve.pressure_kpa, kPressureKpa, " kPa");
+  check_tissue(valve.tissue, problems);
+  const MeshCheck mesh = check_mesh(valve, problems);
+  check_fibre(valve, mesh, problems);
+  check_annulus(valve, mesh, problems);
+  check_heads(valve, problems);
+  check_chordae(valve, problems);
+  return std::move(problems).take();
+}
+
+}  // namespace coapt

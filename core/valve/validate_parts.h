@@ -1,0 +1,31 @@
+// The parts of validate(). Each lists its own problems and says what the later ones may rely on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/valve/problem_list.h"
+#include "core/valve/valve.h"
+
+namespace coapt {
+
+struct MeshCheck {
+  bool vertices_usable = false;  ///< a sensible number of them, all of them finite
+  bool faces_usable = false;     ///< their indices are those of vertices
+  bool surface = false;          ///< one orientable sheet, all faces wound alike
+  std::vector<int>
+      next_on_boundary;  ///< |V|, -1 off the boundary; the direction of the faces. If surface
+};
+
+MeshCheck check_mesh(const Valve& valve, ProblemList& problems);
+void check_annulus(const Valve& valve, const MeshCheck& mesh, ProblemList& problems);
+void check_chordae(const Valve& valve, ProblemList& problems);
+
+/// Whether all coordinates are inside the accepted range; lists each row and column that is not.
+bool check_points(const Points& points, const std::string& path, ProblemList& problems);
+
+inline std::string at(const std::string& path, std::ptrdiff_t index) {
+  return path + '/' + std::to_string(index);
+}
+
+}  // namespace coapt

@@ -1,0 +1,112 @@
+// The valve: an unstressed skirt of triangles, the annulus and papillary tips under pressure, and the
+// chordae as branching trees.
+//
+// Frame of reference (everywhere in coapt, millimetres, right-handed): origin at the annulus centroid,
+// x to the posteromedial commissure, y anterior (to the saddle peak), z to the atrium. Seen from the
+// atrium (looking along -z) anterior is up, the anterolateral side is left.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/valve/types.h"
+
+namespace coapt {
+
+enum class Segment { A1, A2, A3, P1, P2, P3, AC, PC };  ///< AC, PC: the two commissures
+enum class Leaflet { Anterior, Posterior };
+enum class Side { Anterolateral, Posteromedial };
+enum class ChordaKind { Marginal, Strut, Basal, Neochorda };
+
+/// Thesis table 2.1. The density there is misprinted as kg/mm3; 1060 kg/m3 is meant.
+struct Tissue {
+  double density_g_per_mm3 = 1.06e-3;
+  double thickness_mm = 1.0;
+  double circumferential_pre_kpa = 11.0;      ///< modulus below the transition strain
+  double circumferential_post_kpa = 2300.0;   ///< modulus above it
+  double circumferential_transition = 0.13;   ///< strain
+  double radial_pre_kpa = 3.3;
+  double radial_post_kpa = 760.0;
+  double radial_transition = 0.33;
+  double chordae_kpa = 40000.0;
+};
+
+/// Vertex indices, all of them on the annulus loop.
+struct Landmarks {
+  int anterolateral_trigone = 0;
+  int posteromedial_trigone = 0;
+  int saddle_peak = 0;
+  int mid_posterior = 0;
+  int anterolateral_commissure = 0;
+  int posteromedial_commissure = 0;
+};
+
+/// A head of a papillary muscle, where chordae start.
+struct PapillaryHead {
+  std::string id;  ///< unique, for instance "AL1"
+  Side side = Side::Anterolateral;
+  Vec3 rest_mm = Vec3::Zero();  ///< in the unpressurised valve
+  Vec3 tip_mm = Vec3::Zero();   ///< under pressure; fixed during closure
+};
+
+/// A point of the leaflet surface: barycentric weights (>= 0, sum 1) on the vertices of one face.
+struct Insertion {
+  int face = 0;
+  std::array<double, 3> weights = {1.0, 0.0, 0.0};
+};
+
+/// One straight piece of a chorda. It starts at the papillary head (parent -1) or at the branch point
+/// that ends segment `parent`, and ends in the leaflet or in a branch point.
+struct ChordaSegment {
+  int parent = -1;  ///< index into Chorda::segments, always smaller than its own
+  double rest_length_mm = 0.0;
+  double diameter_mm = 1.0;
+  bool inserts = false;             ///< ends in the leaflet (else in a branch point)
+  Insertion insertion;              ///< where, if it inserts
+  Vec3 branch_point_mm = Vec3::Zero();  ///< the branch point in the unpressurised valve, if not
+};
+
+/// A tree of segments from one papillary head to one or more insertions. Carries tension only.
+struct Chorda {
+  std::string id;  ///< unique, for instance "AL1-P2-marginal-1"
+  ChordaKind kind = ChordaKind::Marginal;
+  int head = 0;           ///< index into Valve::heads
+  bool ruptured = false;  ///< carries nothing
+  std::vector<ChordaSegment> segments;
+};
+
+/// Face normals (counter-clockwise winding) point to the atrial surface of the leaflets, and each
+/// annulus edge appears in its face in the direction of the annulus loop.
+struct Valve {
+  std::string name;
+  std::vector<std::string> provenance;  ///< sources, licences and every change, in order
+  Points rest_mm;                       ///< |V| x 3, unstressed shape
+  Faces faces;                          ///< |F| x 3, vertex indices
+  std::vector<Segment> segments;        ///< |F|
+  Points fibre;                         ///< |F| x 3, unit circumferential direction in the face's plane
+  std::vector<int> annulus;  ///< |A| vertices, a boundary loop, counter-clockwise seen from the atrium
+  Points annulus_mm;         ///< |A| x 3, where the annulus sits under pressure
+  Landmarks landmarks;
+  std::vector<PapillaryHead> heads;
+  std::vector<Chorda> chordae;
+  Tissue tissue;
+  double pressure_kpa = 16.0;  ///< transvalvular, peak systolic (120 mmHg)
+};
+
+const char* to_string(Segment segment);
+const char* to_string(Leaflet leaflet);
+const char* to_string(Side side);
+const char* to_string(ChordaKind kind);
+
+/// Mean position under pressure of the heads of one side.
+Vec3 papillary_tip_mm(const Valve& valve, Side side);
+
+/// Position of an insertion on `points` (|V| x 3).
+Vec3 position(const Insertion& insertion, const Faces& faces, const Points& points);
+
+/// Position under pressure of annulus vertex `vertex` (an index into Valve::rest_mm).
+/// @pre the vertex is on the annulus.
+Vec3 annulus_position_mm(const Valve& valve, int vertex);
+
+}  // namespace coapt

@@ -1,0 +1,138 @@
+// nlohmann's tokenizer drives a builder that keeps its own stack: the usual one neither limits
+// depth nor notices a name that comes twice.
+
+#include <nlohmann/json.hpp>
+
+#include "io/json/json_reader.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+constexpr std::size_t kMaxDepth = 32;
+constexpr std::size_t kMaxValues = 8'000'000;  // the largest valve has 6 million
+constexpr std::size_t kMaxNameBytes = 256;     // names return in pointers
+constexpr std::size_t kMaxMessage = 200;
+
+// Readable in a message, whatever bytes the input held.
+std::string printable(std::string text) {
+  if (text.size() > kMaxMessage) text = text.substr(0, kMaxMessage) + "...";
+  for (char& c : text) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return text;
+}
+
+class Builder {
+ public:
+  explicit Builder(ProblemList& problems) : problems_(problems) {}
+
+  json take() { return std::move(root_); }
+
+  // The events of nlohmann::json::sax_parse; false stops it.
+  bool null() { return put(nullptr); }
+  bool boolean(bool value) { return put(value); }
+  bool number_integer(std::int64_t value) { return put(value); }
+  bool number_unsigned(std::uint64_t value) { return put(value); }
+  bool number_float(double value, const std::string&) { return put(value); }
+  bool string(std::string& value) { return put(std::move(value)); }
+  bool binary(json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(json::object()); }
+  bool start_array(std::size_t) { return open(json::array()); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool key(std::string& name) {
+    if (name.size() > kMaxNameBytes) return stop("holds a name longer than 256 bytes");
+    Level& level = levels_.back();
+    level.name = std::move(name);
+    if (level.value->contains(level.name)) {
+      problems_.add(ErrorCode::InvalidJson, path(), "is given more than once");
+    }
+    return true;
+  }
+
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) {
+    constexpr int kNumberOverflow = 406;
+    const std::string what = error.what();
+    const std::size_t start = what.find("] ");
+    problems_.add(error.id == kNumberOverflow ? ErrorCode::OutOfRange : ErrorCode::InvalidJson,
+                  path(1), printable(start == std::string::npos ? what : what.substr(start + 2)));
+    return false;
+  }
+
+ private:
+  struct Level {
+    json* value;
+    std::string name;  // the latest, in an object
+  };
+
+  // To the value begun last, or in an array to the `ahead`-th after it.
+  std::string path(std::size_t ahead = 0) const {
+    json::json_pointer pointer;
+    for (const Level& level : levels_) {
+      const bool last = &level == &levels_.back();
+      if (level.value->is_array()) {
+        pointer.push_back(std::to_string(level.value->size() - 1 + (last ? ahead : 0)));
+      } else if (!last || !level.value->empty() || !level.name.empty()) {
+        pointer.push_back(level.name);
+      }
+    }
+    return pointer.to_string();
+  }
+
+  bool stop(const char* message) {
+    problems_.add(ErrorCode::InvalidJson, path(), message);
+    return false;
+  }
+
+  json* insert(json&& value) {
+    if (levels_.empty()) return &(root_ = std::move(value));
+    Level& level = levels_.back();
+    if (level.value->is_object()) return &((*level.value)[level.name] = std::move(value));
+    level.value->push_back(std::move(value));
+    return &level.value->back();
+  }
+
+  bool put(json&& value) {
+    insert(std::move(value));
+    return ++values_ <= kMaxValues || stop("is more than the 8 million values accepted");
+  }
+
+  bool open(json&& value) {
+    json* const inserted = insert(std::move(value));
+    if (levels_.size() == kMaxDepth) return stop("is nested deeper than the 32 levels accepted");
+    if (++values_ > kMaxValues) return stop("is more than the 8 million values accepted");
+    levels_.push_back({inserted, {}});
+    return true;
+  }
+
+  bool close() {
+    levels_.pop_back();
+    return true;
+  }
+
+  ProblemList& problems_;
+  json root_;
+  std::vector<Level> levels_;
+  std::size_t values_ = 0;
+};
+
+}  // namespace
+
+Expected<json> parse_json(std::string_view text) {
+  if (text.size() > kMaxBytes) {
+    return Error{
+        ErrorCode::InvalidJson, "",
+        "has " + std::to_string(text.size()) + " bytes, at most 67108864 (64 MiB) are accepted"};
+  }
+  ProblemList problems;
+  Builder builder(problems);
+  json::sax_parse(text.begin(), text.end(), &builder);
+  if (!problems.empty()) return std::move(problems).take();
+  return builder.take();
+}
+
+}  // namespace coapt

@@ -1,0 +1,23 @@
+// The repair plan, schema coapt.plan/1 (io/schema/plan.schema.json), and the ring catalogue.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "core/repair/plan.h"
+
+namespace coapt {
+
+/// Every problem of form and range; what a valve does not allow is apply_plan's to say.
+Expected<RepairPlan> read_plan(std::string_view text);
+
+/// The same for a document already parsed (by parse_json); pointers start at `json`.
+Expected<RepairPlan> plan_from_json(const nlohmann::json& json);
+
+nlohmann::ordered_json to_json(const RepairPlan& plan);
+
+/// The generic ring shapes of io/data/rings.json, compiled in.
+const std::vector<RingShape>& ring_catalogue();
+
+}  // namespace coapt

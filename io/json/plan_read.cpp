@@ -1,0 +1,165 @@
+#include <cmath>
+
+#include "io/json/json_reader.h"
+#include "io/json/plan_json.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kMaxSteps = 100;
+constexpr Range kRingSizeMm = {24.0, 40.0};
+constexpr Range kNeochordaMm = {5.0, 40.0};
+constexpr Range kLengthChangeMm = {-30.0, 30.0};
+constexpr Range kSutureMm = {0.5, 100.0};
+constexpr Range kShare = {0.0, 1.0};
+constexpr int kMaxSizesBelow = 6;
+
+std::function<void(const JsonPlace&)> number_into(double& target, Range range,
+                                                  const char* unit = "") {
+  return into(target, [=](const JsonPlace& place) { return read_number_in(place, range, unit); });
+}
+
+// Already read: it told which fields to expect.
+JsonField tag(std::string_view name) {
+  return {name, [](const JsonPlace&) {}};
+}
+
+Side read_side(const JsonPlace& place) {
+  return read_name<Side>(place, {Side::Anterolateral, Side::Posteromedial});
+}
+
+Leaflet read_leaflet(const JsonPlace& place) {
+  return read_name<Leaflet>(place, {Leaflet::Anterior, Leaflet::Posterior});
+}
+
+Anchor read_anchor(const JsonPlace& place) {
+  return read_name<Anchor>(place,
+                           {Anchor::IpsilateralTrigone, Anchor::SaddlePeak, Anchor::AnnulusPoint});
+}
+
+LeafletPoint read_leaflet_point(const JsonPlace& place) {
+  LeafletPoint point;
+  read_fields(place, {{"leaflet", into(point.leaflet, read_leaflet)},
+                      {"along", number_into(point.along, kShare)},
+                      {"height", number_into(point.height, kShare)}});
+  return point;
+}
+
+double read_ring_size(const JsonPlace& place) {
+  const double size = read_number_in(place, kRingSizeMm, " mm");
+  if (size >= kRingSizeMm.min && size <= kRingSizeMm.max && std::fmod(size, 2.0) != 0.0) {
+    add_problem(place, ErrorCode::OutOfRange,
+                "is " + shown(size) + ", must be 24 to 40 in steps of 2 mm");
+  }
+  return size;
+}
+
+RepairStep read_annuloplasty(const JsonPlace& place) {
+  Annuloplasty step;
+  const auto shape = read_member(place, "shape");
+  if (!shape) return step;
+  step.shape = read_string(*shape);
+  if (step.shape == "own") {
+    const auto read_sizes = [](const JsonPlace& sizes) {
+      return read_integer_in(sizes, 0, kMaxSizesBelow);
+    };
+    read_fields(place,
+                {tag("step"), tag("shape"), {"sizes_below", into(step.sizes_below, read_sizes)}});
+  } else {
+    read_fields(place,
+                {tag("step"), tag("shape"), {"size_mm", into(step.size_mm, read_ring_size)}});
+  }
+  return step;
+}
+
+RepairStep read_neochorda(const JsonPlace& place) {
+  Neochorda step;
+  read_fields(place, {tag("step"),
+                      {"head", into(step.head, read_string)},
+                      {"insertion", into(step.insertion, read_leaflet_point)},
+                      {"length_mm", number_into(step.length_mm, kNeochordaMm, " mm")}});
+  return step;
+}
+
+RepairStep read_length_change(const JsonPlace& place) {
+  ChordalLengthChange step;
+  read_fields(place, {tag("step"),
+                      {"chorda", into(step.chorda, read_string)},
+                      {"change_mm", number_into(step.change_mm, kLengthChangeMm, " mm")}});
+  return step;
+}
+
+RepairStep read_excision(const JsonPlace& place) {
+  ChordalExcision step;
+  read_fields(place, {tag("step"), {"chorda", into(step.chorda, read_string)}});
+  return step;
+}
+
+RepairStep read_transfer(const JsonPlace& place) {
+  ChordalTransfer step;
+  read_fields(place, {tag("step"),
+                      {"chorda", into(step.chorda, read_string)},
+                      {"insertion", into(step.insertion, read_leaflet_point)}});
+  return step;
+}
+
+RepairStep read_approximation(const JsonPlace& place) {
+  PapillaryApproximation step;
+  const auto anchor = read_member(place, "anchor");
+  if (!anchor) return step;
+  step.anchor = read_anchor(*anchor);
+  const JsonField side = {"side", into(step.side, read_side)};
+  const JsonField length = {"suture_length_mm",
+                            number_into(step.suture_length_mm, kSutureMm, " mm")};
+  if (step.anchor == Anchor::AnnulusPoint) {
+    read_fields(place, {tag("step"),
+                        side,
+                        tag("anchor"),
+                        length,
+                        {"annulus_around", number_into(step.annulus_around, kShare)}});
+  } else {
+    read_fields(place, {tag("step"), side, tag("anchor"), length});
+  }
+  return step;
+}
+
+RepairStep read_step(const JsonPlace& place) {
+  const auto kind = read_member(place, "step");
+  if (!kind) return {};
+  const auto choice =
+      read_choice(*kind, {"annuloplasty", "neochorda", "chordal_length_change", "chordal_excision",
+                          "chordal_transfer", "papillary_approximation"});
+  if (!choice) return {};
+  constexpr std::array readers = {read_annuloplasty, read_neochorda, read_length_change,
+                                  read_excision,     read_transfer,  read_approximation};
+  static_assert(readers.size() == std::variant_size_v<RepairStep>);
+  return readers[*choice](place);
+}
+
+}  // namespace
+
+Expected<RepairPlan> plan_from_json(const nlohmann::json& json) {
+  ProblemList problems;
+  RepairPlan plan;
+  const auto read_steps = [&](const JsonPlace& place) {
+    if (place.value.is_array() && place.value.size() > kMaxSteps) {
+      add_problem(place, ErrorCode::OutOfRange,
+                  "has " + std::to_string(place.value.size()) + " steps, at most 100 are accepted");
+      return;
+    }
+    plan.steps = read_list(place, read_step);
+  };
+  read_fields({json, problems},
+              {{"schema", [](const JsonPlace& place) { read_schema(place, "coapt.plan/1"); }},
+               {"steps", read_steps}});
+  if (!problems.empty()) return std::move(problems).take();
+  return plan;
+}
+
+Expected<RepairPlan> read_plan(std::string_view text) {
+  const auto json = parse_json(text);
+  if (!json) return json.errors();
+  return plan_from_json(*json);
+}
+
+}  // namespace coapt

@@ -1,0 +1,63 @@
+#include "io/json/plan_json.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json point_json(const LeafletPoint& point) {
+  return {{"leaflet", to_string(point.leaflet)}, {"along", point.along}, {"height", point.height}};
+}
+
+ordered_json step_json(const Annuloplasty& step) {
+  ordered_json json = {{"step", "annuloplasty"}, {"shape", step.shape}};
+  if (step.shape == "own") {
+    json["sizes_below"] = step.sizes_below;
+  } else {
+    json["size_mm"] = step.size_mm;
+  }
+  return json;
+}
+
+ordered_json step_json(const Neochorda& step) {
+  return {{"step", "neochorda"},
+          {"head", step.head},
+          {"insertion", point_json(step.insertion)},
+          {"length_mm", step.length_mm}};
+}
+
+ordered_json step_json(const ChordalLengthChange& step) {
+  return {
+      {"step", "chordal_length_change"}, {"chorda", step.chorda}, {"change_mm", step.change_mm}};
+}
+
+ordered_json step_json(const ChordalExcision& step) {
+  return {{"step", "chordal_excision"}, {"chorda", step.chorda}};
+}
+
+ordered_json step_json(const ChordalTransfer& step) {
+  return {{"step", "chordal_transfer"},
+          {"chorda", step.chorda},
+          {"insertion", point_json(step.insertion)}};
+}
+
+ordered_json step_json(const PapillaryApproximation& step) {
+  ordered_json json = {{"step", "papillary_approximation"},
+                       {"side", to_string(step.side)},
+                       {"anchor", to_string(step.anchor)}};
+  if (step.anchor == Anchor::AnnulusPoint) json["annulus_around"] = step.annulus_around;
+  json["suture_length_mm"] = step.suture_length_mm;
+  return json;
+}
+
+}  // namespace
+
+ordered_json to_json(const RepairPlan& plan) {
+  ordered_json steps = ordered_json::array();
+  for (const RepairStep& step : plan.steps) {
+    steps.push_back(std::visit([](const auto& kind) { return step_json(kind); }, step));
+  }
+  return {{"schema", "coapt.plan/1"}, {"steps", std::move(steps)}};
+}
+
+}  // namespace coapt

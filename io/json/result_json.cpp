@@ -1,0 +1,173 @@
+#include "io/json/result_json.h"
+
+#include "io/json/plan_json.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+const char* name_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::InvalidJson:
+      return "invalid_json";
+    case ErrorCode::MissingField:
+      return "missing_field";
+    case ErrorCode::UnknownField:
+      return "unknown_field";
+    case ErrorCode::WrongType:
+      return "wrong_type";
+    case ErrorCode::OutOfRange:
+      return "out_of_range";
+    case ErrorCode::BadReference:
+      return "bad_reference";
+    case ErrorCode::BadTopology:
+      return "bad_topology";
+    case ErrorCode::BadGeometry:
+      return "bad_geometry";
+    case ErrorCode::ImpossibleStep:
+      return "impossible_step";
+    case ErrorCode::Unsupported:
+      return "unsupported";
+    case ErrorCode::InputOutput:
+      return "input_output";
+  }
+  return "";
+}
+
+const char* name_of(SearchStop stop) {
+  switch (stop) {
+    case SearchStop::EvaluationLimit:
+      return "evaluation_limit";
+    case SearchStop::TimeLimit:
+      return "time_limit";
+    case SearchStop::Cancelled:
+      return "cancelled";
+  }
+  return "";
+}
+
+ordered_json orifices_json(const std::vector<Orifice>& orifices) {
+  ordered_json list = ordered_json::array();
+  for (const Orifice& orifice : orifices) {
+    const Vec3& centroid = orifice.centroid_mm;
+    list.push_back({{"area_mm2", orifice.area_mm2},
+                    {"centroid_mm", {centroid.x(), centroid.y(), centroid.z()}},
+                    {"segment", to_string(orifice.segment)}});
+  }
+  return list;
+}
+
+ordered_json coaptation_json(const Coaptation& coaptation) {
+  ordered_json sections = ordered_json::array();
+  for (const CoaptationSection& section : coaptation.sections) {
+    sections.push_back({{"along", section.along},
+                        {"height_mm", section.height_mm},
+                        {"distance_mm", section.distance_mm},
+                        {"contact", section.contact}});
+  }
+  return {
+      {"height_min_mm", coaptation.height_min_mm}, {"height_mean_mm", coaptation.height_mean_mm},
+      {"height_p10_mm", coaptation.height_p10_mm}, {"distance_max_mm", coaptation.distance_max_mm},
+      {"gap_area_mm2", coaptation.gap_area_mm2},   {"sections", std::move(sections)}};
+}
+
+ordered_json annulus_json(const AnnulusMeasure& annulus) {
+  return {{"ap_mm", annulus.ap_mm},
+          {"al_pm_mm", annulus.al_pm_mm},
+          {"circumference_mm", annulus.circumference_mm},
+          {"area_mm2", annulus.area_mm2},
+          {"saddle_height_mm", annulus.saddle_height_mm}};
+}
+
+ordered_json ranked_json(const RankedPlan& ranked) {
+  const OrificeStatistics& area = ranked.orifice_area_mm2;
+  return {
+      {"rank", ranked.rank},
+      {"plan", to_json(ranked.plan)},
+      {"description", ranked.description},
+      {"orifice_area_mm2",
+       {{"nominal", area.nominal}, {"mean", area.mean}, {"sd", area.sd}, {"worst", area.worst}}},
+      {"cost", ranked.cost},
+      {"status", to_string(ranked.status)},
+      {"crossing", ranked.crossing},
+      {"measure", to_json(ranked.measure)},
+      {"ring_sizes_below", ranked.ring_sizes_below},
+      {"anterolateral_movement_mm", ranked.anterolateral_movement_mm},
+      {"posteromedial_movement_mm", ranked.posteromedial_movement_mm},
+      {"region_closures", ranked.region_closures},
+      {"region_failures", ranked.region_failures},
+      {"warnings", ranked.warnings}};
+}
+
+// `json` with the members of `more` after its own.
+ordered_json joined(ordered_json json, const ordered_json& more) {
+  for (const auto& [name, value] : more.items()) json[name] = value;
+  return json;
+}
+
+}  // namespace
+
+std::string_view version() { return COAPT_VERSION; }
+
+ordered_json to_json(const Errors& errors) {
+  ordered_json list = ordered_json::array();
+  for (const Error& error : errors) {
+    list.push_back(
+        {{"code", name_of(error.code)}, {"path", error.path}, {"message", error.message}});
+  }
+  return list;
+}
+
+ordered_json to_json(const ValveMeasure& measure) {
+  const OrificeMeasure& orifice = measure.orifice;
+  return {{"orifice_area_mm2", orifice.area_mm2},
+          {"orifice_area_raw_mm2", orifice.area_raw_mm2},
+          {"orifice_area_mean_mm2", orifice.area_mean_mm2},
+          {"leak_mm2", leak_mm2(measure)},
+          {"orifices", orifices_json(orifice.orifices)},
+          {"coaptation", coaptation_json(measure.coaptation)},
+          {"annulus", annulus_json(measure.annulus)},
+          {"tenting_height_mm", measure.tenting_height_mm},
+          {"tenting_area_mm2", measure.tenting_area_mm2},
+          {"tension_max_n", measure.tension_max_n},
+          {"tension_sum_n", measure.tension_sum_n},
+          {"strain_circumferential_max", measure.strain_circumferential_max},
+          {"strain_radial_max", measure.strain_radial_max}};
+}
+
+ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
+                             const ValveMeasure& measure, double seconds) {
+  return joined({{"schema", "coapt.closure/1"},
+                 {"version", version()},
+                 {"notice", kResearchNotice},
+                 {"valve", valve.name},
+                 {"triangles", valve.faces.rows()},
+                 {"status", to_string(closure.status)},
+                 {"residual", closure.residual},
+                 {"steps", closure.steps},
+                 {"seconds", seconds},
+                 {"crossing", closure.crossing},
+                 {"crossing_pairs", closure.crossing_pairs}},
+                to_json(measure));
+}
+
+ordered_json to_json(const SearchResult& result) {
+  ordered_json plans = ordered_json::array();
+  for (const RankedPlan& ranked : result.plans) plans.push_back(ranked_json(ranked));
+  return {{"schema", "coapt.plans/1"},
+          {"version", version()},
+          {"notice", kResearchNotice},
+          {"before", joined({{"status", to_string(result.before_status)},
+                             {"crossing", result.before_crossing}},
+                            to_json(result.before))},
+          {"plans", std::move(plans)},
+          {"best_cost_history", result.best_cost_history},
+          {"stop", name_of(result.stop)},
+          {"closures", result.closures},
+          {"closures_not_converged", result.closures_not_converged},
+          {"closures_crossed", result.closures_crossed},
+          {"seconds", result.seconds}};
+}
+
+}  // namespace coapt

@@ -1,0 +1,24 @@
+// The valve file, schema coapt.valve/1 (io/schema/valve.schema.json).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "core/valve/valve.h"
+
+namespace coapt {
+
+/// Reads and validates. Every problem is listed, with its JSON pointer and what is accepted; a
+/// valve is returned only when there is none. Input over 64 MiB or nested deeper than 32 is
+/// refused.
+Expected<Valve> read_valve(std::string_view text);
+
+/// The same for a document already parsed (by parse_json); pointers start at `json`.
+Expected<Valve> valve_from_json(const nlohmann::json& json);
+
+/// Round trip: read_valve(write_valve(v)) gives the same bits.
+/// @pre validate(valve) is empty.
+std::string write_valve(const Valve& valve);
+
+}  // namespace coapt

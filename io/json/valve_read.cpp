@@ -1,0 +1,178 @@
+// Only form is checked here: types, fields, lengths of rows. What the numbers mean is validate()'s,
+// which runs on whatever could be read; of its problems those are dropped that lie where the form
+// is wrong.
+
+#include <algorithm>
+
+#include "core/valve/validate.h"
+#include "io/json/json_reader.h"
+#include "io/json/valve_json.h"
+
+namespace coapt {
+namespace {
+
+Segment read_segment(const JsonPlace& place) {
+  static const std::vector<Segment> choices = {Segment::A1, Segment::A2, Segment::A3, Segment::P1,
+                                               Segment::P2, Segment::P3, Segment::AC, Segment::PC};
+  return read_name(place, choices);
+}
+
+Side read_side(const JsonPlace& place) {
+  return read_name<Side>(place, {Side::Anterolateral, Side::Posteromedial});
+}
+
+ChordaKind read_kind(const JsonPlace& place) {
+  return read_name<ChordaKind>(
+      place, {ChordaKind::Marginal, ChordaKind::Strut, ChordaKind::Basal, ChordaKind::Neochorda});
+}
+
+Tissue read_tissue(const JsonPlace& place) {
+  Tissue tissue;
+  const auto number = [](double& target) { return into(target, read_number); };
+  read_fields(place, {{"density_g_per_mm3", number(tissue.density_g_per_mm3)},
+                      {"thickness_mm", number(tissue.thickness_mm)},
+                      {"circumferential_pre_kpa", number(tissue.circumferential_pre_kpa)},
+                      {"circumferential_post_kpa", number(tissue.circumferential_post_kpa)},
+                      {"circumferential_transition", number(tissue.circumferential_transition)},
+                      {"radial_pre_kpa", number(tissue.radial_pre_kpa)},
+                      {"radial_post_kpa", number(tissue.radial_post_kpa)},
+                      {"radial_transition", number(tissue.radial_transition)},
+                      {"chordae_kpa", number(tissue.chordae_kpa)}});
+  return tissue;
+}
+
+Faces read_faces(const JsonPlace& place) {
+  const auto rows = read_list(place, read_indices);
+  Faces faces(std::ssize(rows), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    faces.row(static_cast<Eigen::Index>(i)) << rows[i][0], rows[i][1], rows[i][2];
+  }
+  return faces;
+}
+
+Landmarks read_landmarks(const JsonPlace& place) {
+  Landmarks marks;
+  const auto vertex = [](int& target) { return into(target, read_integer); };
+  read_fields(place, {{"anterolateral_trigone", vertex(marks.anterolateral_trigone)},
+                      {"posteromedial_trigone", vertex(marks.posteromedial_trigone)},
+                      {"saddle_peak", vertex(marks.saddle_peak)},
+                      {"mid_posterior", vertex(marks.mid_posterior)},
+                      {"anterolateral_commissure", vertex(marks.anterolateral_commissure)},
+                      {"posteromedial_commissure", vertex(marks.posteromedial_commissure)}});
+  return marks;
+}
+
+PapillaryHead read_head(const JsonPlace& place) {
+  PapillaryHead head;
+  read_fields(place, {{"id", into(head.id, read_string)},
+                      {"side", into(head.side, read_side)},
+                      {"rest_mm", into(head.rest_mm, read_vector)},
+                      {"tip_mm", into(head.tip_mm, read_vector)}});
+  return head;
+}
+
+Insertion read_insertion(const JsonPlace& place) {
+  Insertion insertion;
+  read_fields(place, {{"face", into(insertion.face, read_integer)},
+                      {"weights", [&](const JsonPlace& weights) {
+                         const Vec3 read = read_vector(weights);
+                         insertion.weights = {read[0], read[1], read[2]};
+                       }}});
+  return insertion;
+}
+
+ChordaSegment read_chorda_segment(const JsonPlace& place) {
+  ChordaSegment segment;
+  bool branches = false;
+  read_fields(place, {{"parent", into(segment.parent, read_integer)},
+                      {"rest_length_mm", into(segment.rest_length_mm, read_number)},
+                      {"diameter_mm", into(segment.diameter_mm, read_number)},
+                      {"insertion",
+                       [&](const JsonPlace& insertion) {
+                         segment.inserts = true;
+                         segment.insertion = read_insertion(insertion);
+                       },
+                       false},
+                      {"branch_point_mm",
+                       [&](const JsonPlace& point) {
+                         branches = true;
+                         segment.branch_point_mm = read_vector(point);
+                       },
+                       false}});
+  if (place.value.is_object() && segment.inserts == branches) {
+    add_problem(place, branches ? ErrorCode::UnknownField : ErrorCode::MissingField,
+                "must have either insertion or branch_point_mm");
+  }
+  return segment;
+}
+
+Chorda read_chorda(const JsonPlace& place) {
+  Chorda chorda;
+  read_fields(place, {{"id", into(chorda.id, read_string)},
+                      {"kind", into(chorda.kind, read_kind)},
+                      {"head", into(chorda.head, read_integer)},
+                      {"ruptured", into(chorda.ruptured, read_boolean)},
+                      {"segments", [&](const JsonPlace& segments) {
+                         chorda.segments = read_list(segments, read_chorda_segment);
+                       }}});
+  return chorda;
+}
+
+// Reads a list of what `read` returns into `target`.
+template <class T, class Read>
+std::function<void(const JsonPlace&)> list_into(std::vector<T>& target, Read read) {
+  return [&target, read](const JsonPlace& place) { target = read_list(place, read); };
+}
+
+Valve read_form(const JsonPlace& root) {
+  Valve valve;
+  const auto read_annulus = [&](const JsonPlace& place) {
+    read_fields(place, {{"vertices", list_into(valve.annulus, read_integer)},
+                        {"positions_mm", into(valve.annulus_mm, read_points)}});
+  };
+  read_fields(root,
+              {{"schema", [](const JsonPlace& place) { read_schema(place, "coapt.valve/1"); }},
+               {"name", into(valve.name, read_string)},
+               {"provenance", list_into(valve.provenance, read_string)},
+               {"pressure_kpa", into(valve.pressure_kpa, read_number)},
+               {"tissue", into(valve.tissue, read_tissue)},
+               {"vertices_mm", into(valve.rest_mm, read_points)},
+               {"faces", into(valve.faces, read_faces)},
+               {"segments", list_into(valve.segments, read_segment)},
+               {"fibre", into(valve.fibre, read_points)},
+               {"annulus", read_annulus},
+               {"landmarks", into(valve.landmarks, read_landmarks)},
+               {"papillary_heads", list_into(valve.heads, read_head)},
+               {"chordae", list_into(valve.chordae, read_chorda)}});
+  return valve;
+}
+
+bool within(const std::string& path, const std::string& outer) {
+  return path.starts_with(outer) && (path.size() == outer.size() || path[outer.size()] == '/');
+}
+
+}  // namespace
+
+Expected<Valve> valve_from_json(const nlohmann::json& json) {
+  ProblemList problems;
+  const Valve valve = read_form({json, problems});
+  const Errors form = problems.listed();
+  for (const Error& error : validate(valve)) {
+    const auto overlaps = [&](const Error& earlier) {
+      return within(error.path, earlier.path) || within(earlier.path, error.path);
+    };
+    if (std::none_of(form.begin(), form.end(), overlaps)) {
+      problems.add(error.code, error.path, error.message);
+    }
+  }
+  if (!problems.empty()) return std::move(problems).take();
+  return valve;
+}
+
+Expected<Valve> read_valve(std::string_view text) {
+  const auto json = parse_json(text);
+  if (!json) return json.errors();
+  return valve_from_json(*json);
+}
+
+}  // namespace coapt

@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "io/json/valve_json.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class Row>
+ordered_json triple(const Row& row) {
+  return {row[0], row[1], row[2]};
+}
+
+template <class Matrix>
+ordered_json rows(const Matrix& matrix) {
+  ordered_json list = ordered_json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) list.push_back(triple(matrix.row(i)));
+  return list;
+}
+
+ordered_json tissue_json(const Tissue& tissue) {
+  return {{"density_g_per_mm3", tissue.density_g_per_mm3},
+          {"thickness_mm", tissue.thickness_mm},
+          {"circumferential_pre_kpa", tissue.circumferential_pre_kpa},
+          {"circumferential_post_kpa", tissue.circumferential_post_kpa},
+          {"circumferential_transition", tissue.circumferential_transition},
+          {"radial_pre_kpa", tissue.radial_pre_kpa},
+          {"radial_post_kpa", tissue.radial_post_kpa},
+          {"radial_transition", tissue.radial_transition},
+          {"chordae_kpa", tissue.chordae_kpa}};
+}
+
+ordered_json landmarks_json(const Landmarks& marks) {
+  return {{"anterolateral_trigone", marks.anterolateral_trigone},
+          {"posteromedial_trigone", marks.posteromedial_trigone},
+          {"saddle_peak", marks.saddle_peak},
+          {"mid_posterior", marks.mid_posterior},
+          {"anterolateral_commissure", marks.anterolateral_commissure},
+          {"posteromedial_commissure", marks.posteromedial_commissure}};
+}
+
+ordered_json segment_json(const ChordaSegment& segment) {
+  ordered_json json = {{"parent", segment.parent},
+                       {"rest_length_mm", segment.rest_length_mm},
+                       {"diameter_mm", segment.diameter_mm}};
+  if (segment.inserts) {
+    json["insertion"] = {{"face", segment.insertion.face},
+                         {"weights", triple(segment.insertion.weights)}};
+  } else {
+    json["branch_point_mm"] = triple(segment.branch_point_mm);
+  }
+  return json;
+}
+
+ordered_json chorda_json(const Chorda& chorda) {
+  ordered_json segments = ordered_json::array();
+  for (const ChordaSegment& segment : chorda.segments) segments.push_back(segment_json(segment));
+  return {{"id", chorda.id},
+          {"kind", to_string(chorda.kind)},
+          {"head", chorda.head},
+          {"ruptured", chorda.ruptured},
+          {"segments", std::move(segments)}};
+}
+
+ordered_json head_json(const PapillaryHead& head) {
+  return {{"id", head.id},
+          {"side", to_string(head.side)},
+          {"rest_mm", triple(head.rest_mm)},
+          {"tip_mm", triple(head.tip_mm)}};
+}
+
+template <class T, class ToJson>
+ordered_json list(const std::vector<T>& values, ToJson to_json_of) {
+  ordered_json json = ordered_json::array();
+  for (const T& value : values) json.push_back(to_json_of(value));
+  return json;
+}
+
+// Bytes that are not UTF-8 are replaced; numbers are the shortest that give the same bits.
+std::string one_line(const ordered_json& json) {
+  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+std::string line_per_entry(const ordered_json& json) {
+  if (json.empty()) return "[]";
+  std::string text = "[";
+  const char* separator = "\n    ";
+  for (const ordered_json& entry : json) {
+    text += separator + one_line(entry);
+    separator = ",\n    ";
+  }
+  return text + "\n  ]";
+}
+
+}  // namespace
+
+std::string write_valve(const Valve& valve) {
+  const ordered_json json = {
+      {"schema", "coapt.valve/1"},
+      {"name", valve.name},
+      {"provenance", valve.provenance},
+      {"pressure_kpa", valve.pressure_kpa},
+      {"tissue", tissue_json(valve.tissue)},
+      {"vertices_mm", rows(valve.rest_mm)},
+      {"faces", rows(valve.faces)},
+      {"segments", list(valve.segments, [](Segment segment) { return to_string(segment); })},
+      {"fibre", rows(valve.fibre)},
+      {"annulus", {{"vertices", valve.annulus}, {"positions_mm", rows(valve.annulus_mm)}}},
+      {"landmarks", landmarks_json(valve.landmarks)},
+      {"papillary_heads", list(valve.heads, head_json)},
+      {"chordae", list(valve.chordae, chorda_json)}};
+  std::string text = "{";
+  const char* separator = "\n  ";
+  for (const auto& [name, value] : json.items()) {
+    const bool tall = value.is_array() && name != "segments";
+    text += separator + one_line(name) + ": " + (tall ? line_per_entry(value) : one_line(value));
+    separator = ",\n  ";
+  }
+  return text + "\n}\n";
+}
+
+}  // namespace coapt

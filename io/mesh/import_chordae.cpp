@@ -1,0 +1,197 @@
+#include "io/mesh/import_chordae.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/closure/contact.h"
+#include "core/valve/problem_list.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kSameTip_mm = 0.1;
+constexpr double kMarginalReach_mm = 3.0;
+constexpr double kSurfaceReach_mm = 8.0;
+constexpr double kTwigArc =
+    1.0 / 60.0;  // between twigs, share of the annulus: a station of 720 triangles
+
+/// A point of the free edge, counted in stations.
+struct EdgePoint {
+  double station = 0.0;
+  Vec3 position_mm;
+  double distance_mm = 1e300;
+};
+
+Vec3 edge_vertex(const Skirt& skirt, int station) {
+  return skirt.vertices_mm.row(skirt.rows * skirt.stations + station % skirt.stations);
+}
+
+EdgePoint nearest_on_edge(const Skirt& skirt, const Vec3& point) {
+  EdgePoint best;
+  for (int i = 0; i < skirt.stations; ++i) {
+    const Vec3 a = edge_vertex(skirt, i), along = edge_vertex(skirt, i + 1) - a;
+    const double share = std::clamp(along.dot(point - a) / along.squaredNorm(), 0.0, 1.0);
+    const Vec3 nearest = a + share * along;
+    const double distance = (nearest - point).norm();
+    if (distance < best.distance_mm) best = {i + share, nearest, distance};
+  }
+  return best;
+}
+
+/// The last row's lower faces end in the edge from station i + 1 to station i (corners 1 and 2).
+Insertion on_edge(const Skirt& skirt, double station) {
+  const double wrapped = station - skirt.stations * std::floor(station / skirt.stations);
+  const int i = std::min(static_cast<int>(wrapped), skirt.stations - 1);
+  const double share = wrapped - i;
+  return {2 * ((skirt.rows - 1) * skirt.stations + i) + 1, {0.0, share, 1.0 - share}};
+}
+
+struct SurfacePoint {
+  Insertion insertion;
+  double distance_mm = 1e300;
+};
+
+SurfacePoint nearest_on_surface(const Valve& valve, const Vec3& point) {
+  SurfacePoint best;
+  for (int f = 0; f < valve.faces.rows(); ++f) {
+    const Vec3 a = valve.rest_mm.row(valve.faces(f, 0)), b = valve.rest_mm.row(valve.faces(f, 1)),
+               c = valve.rest_mm.row(valve.faces(f, 2));
+    const Vec3 weights = closest_point_weights(point, a, b, c);
+    const double distance = (weights[0] * a + weights[1] * b + weights[2] * c - point).norm();
+    if (distance >= best.distance_mm) continue;
+    best = {{f, {weights[0], weights[1], weights[2]}}, distance};
+  }
+  return best;
+}
+
+/// Index of the head at a tip; heads are ordered from anterior to posterior.
+void add_heads(const std::vector<ImportedChorda>& chordae, Valve& valve) {
+  for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
+    std::vector<Vec3> tips;
+    for (const ImportedChorda& chorda : chordae) {
+      const auto same = [&](const Vec3& tip) {
+        return (tip - chorda.tip_mm).norm() <= kSameTip_mm;
+      };
+      if (chorda.side != side || std::any_of(tips.begin(), tips.end(), same)) continue;
+      tips.push_back(chorda.tip_mm);
+    }
+    std::stable_sort(tips.begin(), tips.end(),
+                     [](const Vec3& p, const Vec3& q) { return p.y() > q.y(); });
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+      const std::string id = (side == Side::Anterolateral ? "AL" : "PM") + std::to_string(i + 1);
+      valve.heads.push_back({id, side, tips[i], tips[i]});
+    }
+  }
+}
+
+int head_of(const ImportedChorda& chorda, const Valve& valve) {
+  const auto found =
+      std::find_if(valve.heads.begin(), valve.heads.end(), [&](const PapillaryHead& head) {
+        return head.side == chorda.side && (head.rest_mm - chorda.tip_mm).norm() <= kSameTip_mm;
+      });
+  return static_cast<int>(found - valve.heads.begin());
+}
+
+bool is_anterior(Segment segment) { return segment <= Segment::A3; }
+
+/// Straight pieces from the head to the insertions, over a branch point if there are several.
+std::vector<ChordaSegment> grow(const std::vector<Insertion>& insertions, const Vec3& tip,
+                                const ImportOptions& options, const Valve& valve) {
+  std::vector<ChordaSegment> segments;
+  Vec3 from = tip;
+  if (insertions.size() > 1) {
+    Vec3 mean = Vec3::Zero();
+    for (const Insertion& insertion : insertions)
+      mean += position(insertion, valve.faces, valve.rest_mm);
+    mean /= static_cast<double>(insertions.size());
+    from = tip + options.branch_at * (mean - tip);
+    ChordaSegment trunk;
+    trunk.rest_length_mm = options.slack * (from - tip).norm();
+    trunk.branch_point_mm = from;
+    segments.push_back(trunk);
+  }
+  for (const Insertion& insertion : insertions) {
+    ChordaSegment twig;
+    twig.parent = insertions.size() > 1 ? 0 : -1;
+    twig.inserts = true;
+    twig.insertion = insertion;
+    twig.rest_length_mm =
+        options.slack * (position(insertion, valve.faces, valve.rest_mm) - from).norm();
+    segments.push_back(twig);
+  }
+  return segments;
+}
+
+/// What was done, for the provenance.
+struct Attached {
+  int marginal = 0, inner = 0;
+  double edge_max_mm = 0.0, surface_max_mm = 0.0;
+};
+
+std::string described(const Attached& attached, const Valve& valve, const ImportOptions& options) {
+  std::string text = "chordae: " + std::to_string(attached.marginal) +
+                     " marginal, moved to the free edge by at most " +
+                     figure(attached.edge_max_mm) + " mm, each with " +
+                     std::to_string(options.branches) + " insertions";
+  if (options.branches > 1) {
+    text += " a sixtieth of the annulus apart, branching at " + figure(100.0 * options.branch_at) +
+            " % of the way";
+  }
+  if (attached.inner > 0) {
+    text += "; " + std::to_string(attached.inner) +
+            " strut and basal, moved to the leaflet by at most " + figure(attached.surface_max_mm) +
+            " mm";
+  }
+  return text + "; lengths are straight distances at rest times " + figure(options.slack) + "; " +
+         std::to_string(valve.heads.size()) + " papillary heads";
+}
+
+}  // namespace
+
+Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
+                            const ImportOptions& options, Valve& valve) {
+  add_heads(source.chordae, valve);
+  ProblemList problems;
+  Attached attached;
+  for (std::size_t i = 0; i < source.chordae.size(); ++i) {
+    const ImportedChorda& imported = source.chordae[i];
+    Chorda chorda;
+    chorda.kind = imported.kind;
+    chorda.head = head_of(imported, valve);
+    const EdgePoint edge = nearest_on_edge(skirt, imported.insertion_mm);
+    std::vector<Insertion> insertions;
+    if (imported.kind == ChordaKind::Marginal && edge.distance_mm <= kMarginalReach_mm) {
+      for (int twig = 0; twig < options.branches; ++twig) {
+        const double offset = (twig - 0.5 * (options.branches - 1)) * kTwigArc * skirt.stations;
+        insertions.push_back(on_edge(skirt, edge.station + offset));
+      }
+      ++attached.marginal;
+      attached.edge_max_mm = std::max(attached.edge_max_mm, edge.distance_mm);
+    } else {
+      const SurfacePoint nearest = nearest_on_surface(valve, imported.insertion_mm);
+      insertions = {nearest.insertion};
+      if (imported.kind == ChordaKind::Marginal) {
+        const Segment at = valve.segments[static_cast<std::size_t>(nearest.insertion.face)];
+        chorda.kind = is_anterior(at) ? ChordaKind::Strut : ChordaKind::Basal;
+      }
+      if (nearest.distance_mm > kSurfaceReach_mm) {
+        problems.add(
+            ErrorCode::BadGeometry, "/chordae/" + std::to_string(i) + "/insertion_mm",
+            "is " + shown(nearest.distance_mm) + " mm from the leaflets, must be within 8 mm");
+      }
+      ++attached.inner;
+      attached.surface_max_mm = std::max(attached.surface_max_mm, nearest.distance_mm);
+    }
+    const PapillaryHead& head = valve.heads[static_cast<std::size_t>(chorda.head)];
+    const Segment segment =
+        valve.segments[static_cast<std::size_t>(insertions[insertions.size() / 2].face)];
+    chorda.id =
+        head.id + '-' + to_string(segment) + '-' + to_string(chorda.kind) + '-' + imported.id;
+    chorda.segments = grow(insertions, head.rest_mm, options, valve);
+    valve.chordae.push_back(std::move(chorda));
+  }
+  valve.provenance.push_back(described(attached, valve, options));
+  return std::move(problems).take();
+}
+
+}  // namespace coapt

@@ -1,0 +1,15 @@
+// Imported chordae attached to a resampled skirt.
+#pragma once
+
+#include "io/mesh/skirt.h"
+
+namespace coapt {
+
+/// Adds heads (tips within 0.1 mm of each other are one) and chordae to a valve that has its mesh.
+/// An insertion within 3 mm of the free edge is marginal: it goes to the nearest point of the edge
+/// and branches there. Others go to the nearest point of the surface, without branches. Says in the
+/// valve's provenance what was moved. Errors: an insertion further than 8 mm from the leaflets.
+Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
+                            const ImportOptions& options, Valve& valve);
+
+}  // namespace coapt

@@ -1,0 +1,258 @@
+#include "io/mesh/import_frame.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numbers>
+#include <set>
+
+#include "core/valve/contour.h"
+#include "core/valve/problem_list.h"
+
+namespace coapt {
+namespace {
+
+constexpr Eigen::Index kMaxFaces = 1'000'000;
+constexpr Eigen::Index kMinAnnulus = 12;
+constexpr std::size_t kMaxChordae = 2000;
+constexpr Range kCircumferenceMm = {30.0, 400.0};
+constexpr Range kTipDepthMm = {3.0, 100.0};
+constexpr double kSamePoint_mm = 1e-6;
+
+std::string at(const std::string& path, std::ptrdiff_t index) {
+  return path + '/' + std::to_string(index);
+}
+
+/// Whether some edge belongs to one face only.
+bool has_boundary(const Faces& faces) {
+  std::vector<std::array<int, 2>> edges;
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = faces(f, k), b = faces(f, (k + 1) % 3);
+      edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+    while (next < edges.size() && edges[next] == edges[i]) ++next;
+    if (next == i + 1) return true;
+  }
+  return false;
+}
+
+void check_leaflets(const std::vector<TriangleMesh>& leaflets, ProblemList& problems) {
+  if (leaflets.empty() || leaflets.size() > 2) {
+    problems.add(ErrorCode::OutOfRange, "/leaflets",
+                 "has " + std::to_string(leaflets.size()) +
+                     " meshes, must be the anterior and the posterior sheet, or one skirt");
+  }
+  for (std::size_t i = 0; i < leaflets.size(); ++i) {
+    const TriangleMesh& mesh = leaflets[i];
+    const std::string path = at("/leaflets", static_cast<std::ptrdiff_t>(i));
+    if (mesh.faces.rows() == 0 || mesh.faces.rows() > kMaxFaces) {
+      problems.add(
+          ErrorCode::OutOfRange, path + "/faces",
+          "has " + std::to_string(mesh.faces.rows()) + " triangles, must have 1 to 1000000");
+    } else if (mesh.faces.minCoeff() < 0 || mesh.faces.maxCoeff() >= mesh.vertices_mm.rows()) {
+      problems.add(
+          ErrorCode::BadReference, path + "/faces",
+          "must hold indices of vertices, 0 to " + std::to_string(mesh.vertices_mm.rows() - 1));
+    }
+    if (mesh.faces.rows() <= kMaxFaces && !has_boundary(mesh.faces)) {
+      problems.add(ErrorCode::BadTopology, path + "/faces",
+                   "is a closed surface; must be one sheet, with a free edge");
+    }
+    if (!mesh.vertices_mm.allFinite()) {
+      problems.add(ErrorCode::OutOfRange, path + "/vertices_mm", "must be finite numbers");
+    }
+  }
+}
+
+void check_annulus(const Points& annulus, ProblemList& problems) {
+  if (annulus.rows() < kMinAnnulus || !annulus.allFinite()) {
+    problems.add(ErrorCode::OutOfRange, "/annulus_mm",
+                 "has " + std::to_string(annulus.rows()) +
+                     " points, must be a closed loop of at least 12, all finite");
+    return;
+  }
+  const double length = ArcLength(annulus).total_mm();
+  if (length >= kCircumferenceMm.min && length <= kCircumferenceMm.max) return;
+  const char* unit = length < 1.0    ? ", looks like metres;"
+                     : length < 20.0 ? ", looks like centimetres;"
+                                     : ",";
+  problems.add(
+      ErrorCode::BadGeometry, "/annulus_mm",
+      "has a circumference of " + shown(length) + " mm" + unit + " must be from 30 to 400 mm");
+}
+
+void check_chordae(const std::vector<ImportedChorda>& chordae, ProblemList& problems) {
+  if (chordae.size() > kMaxChordae) {
+    problems.add(ErrorCode::OutOfRange, "/chordae", "has more than 2000 chordae");
+    return;
+  }
+  std::set<std::string> ids;
+  bool lateral = false, medial = false;
+  for (std::size_t i = 0; i < chordae.size(); ++i) {
+    const ImportedChorda& chorda = chordae[i];
+    const std::string path = at("/chordae", static_cast<std::ptrdiff_t>(i));
+    (chorda.side == Side::Anterolateral ? lateral : medial) = true;
+    if (chorda.id.empty() || !ids.insert(chorda.id).second) {
+      problems.add(ErrorCode::BadReference, path + "/id", "is empty or that of an earlier chorda");
+    }
+    if (!chorda.insertion_mm.allFinite() || !chorda.tip_mm.allFinite()) {
+      problems.add(ErrorCode::OutOfRange, path, "must have finite coordinates");
+    }
+    if (chorda.kind == ChordaKind::Neochorda) {
+      problems.add(ErrorCode::OutOfRange, path + "/kind", "must be marginal, strut or basal");
+    }
+  }
+  if (!lateral || !medial) {
+    problems.add(ErrorCode::MissingField, "/chordae",
+                 "must start at both papillary muscles: the tips orient the valve");
+  }
+}
+
+Points without_repeats(const Points& loop) {
+  Points kept(loop.rows(), 3);
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < loop.rows(); ++i) {
+    const Eigen::Index next = (i + 1) % loop.rows();
+    if ((loop.row(next) - loop.row(i)).norm() > kSamePoint_mm) kept.row(count++) = loop.row(i);
+  }
+  return kept.topRows(count);
+}
+
+Vec3 mean_by_arc(const Points& loop) {
+  Vec3 sum = Vec3::Zero();
+  double total = 0.0;
+  for (Eigen::Index i = 0; i < loop.rows(); ++i) {
+    const Vec3 a = loop.row(i), b = loop.row((i + 1) % loop.rows());
+    sum += (b - a).norm() * 0.5 * (a + b);
+    total += (b - a).norm();
+  }
+  return sum / total;
+}
+
+Vec3 mean_tip(const std::vector<ImportedChorda>& chordae, Side side) {
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (const ImportedChorda& chorda : chordae) {
+    if (chorda.side != side) continue;
+    sum += chorda.tip_mm;
+    ++count;
+  }
+  return sum / count;
+}
+
+struct Frame {
+  Vec3 origin_mm;
+  Eigen::Matrix3d axes;  // columns x, y, z
+  Vec3 into(const Vec3& point_mm) const { return axes.transpose() * (point_mm - origin_mm); }
+  Points into(const Points& points_mm) const {
+    return (points_mm.rowwise() - origin_mm.transpose()) * axes;
+  }
+};
+
+Expected<Frame> find_frame(const Points& annulus, const std::vector<ImportedChorda>& chordae) {
+  const Vec3 origin = mean_by_arc(annulus);
+  const Points centred = annulus.rowwise() - origin.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
+  const Vec3 lateral = mean_tip(chordae, Side::Anterolateral);
+  const Vec3 medial = mean_tip(chordae, Side::Posteromedial);
+  Vec3 z = solver.eigenvectors().col(0);
+  if (z.dot(0.5 * (lateral + medial) - origin) > 0.0) z = -z;
+  const Vec3 x = medial - lateral - z.dot(medial - lateral) * z;
+  if (!(x.norm() > 1.0)) {
+    return Error{
+        ErrorCode::BadGeometry, "/chordae",
+        "has both papillary tips within 1 mm of each other; must be apart, they orient the valve"};
+  }
+  Frame frame{origin, {}};
+  frame.axes << x.normalized(), z.cross(x.normalized()), z;
+  return frame;
+}
+
+/// Mean y of a sheet, weighted by area.
+double anterior_mm(const TriangleMesh& mesh) {
+  double sum = 0.0, total = 0.0;
+  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+    const Vec3 a = mesh.vertices_mm.row(mesh.faces(f, 0)),
+               b = mesh.vertices_mm.row(mesh.faces(f, 1)),
+               c = mesh.vertices_mm.row(mesh.faces(f, 2));
+    const double area = (b - a).cross(c - a).norm();
+    sum += area * (a.y() + b.y() + c.y()) / 3.0;
+    total += area;
+  }
+  return total > 0.0 ? sum / total : 0.0;
+}
+
+void check_framed(const FramedSource& framed, ProblemList& problems) {
+  for (Eigen::Index i = 0; i < framed.annulus_mm.rows(); ++i) {
+    const Vec3 a = framed.annulus_mm.row(i),
+               b = framed.annulus_mm.row((i + 1) % framed.annulus_mm.rows());
+    if (a.x() * b.y() - a.y() * b.x() > 0.0) continue;
+    problems.add(
+        ErrorCode::BadGeometry, at("/annulus_mm", i),
+        "must lead counter-clockwise round the annulus axis, like the points before it: an "
+        "annulus that turns back on itself cannot be cut by half-planes");
+  }
+  for (std::size_t i = 0; i < framed.chordae.size(); ++i) {
+    check_range(problems, at("/chordae", static_cast<std::ptrdiff_t>(i)) + "/tip_mm",
+                -framed.chordae[i].tip_mm.z(), kTipDepthMm, " mm");
+  }
+  if (framed.leaflets.size() == 2 &&
+      anterior_mm(framed.leaflets[0]) <= anterior_mm(framed.leaflets[1])) {
+    problems.add(
+        ErrorCode::BadGeometry, "/leaflets/0",
+        "lies behind the other sheet as the papillary muscles orient the valve; the anterior "
+        "sheet comes first, anterolateral and posteromedial must not be mixed up, and the "
+        "coordinates must be right-handed");
+  }
+}
+
+}  // namespace
+
+Expected<FramedSource> into_import_frame(const ImportSource& source) {
+  ProblemList problems;
+  check_leaflets(source.leaflets, problems);
+  check_annulus(source.annulus_mm, problems);
+  check_chordae(source.chordae, problems);
+  if (!problems.empty()) return std::move(problems).take();
+  const Points loop = without_repeats(source.annulus_mm);
+  const Expected<Frame> frame = find_frame(loop, source.chordae);
+  if (!frame) return frame.errors();
+  FramedSource framed;
+  framed.annulus_mm = frame->into(loop);
+  double area = 0.0;
+  for (Eigen::Index i = 0; i < loop.rows(); ++i) {
+    const Vec3 a = framed.annulus_mm.row(i), b = framed.annulus_mm.row((i + 1) % loop.rows());
+    area += a.x() * b.y() - a.y() * b.x();
+  }
+  if (area < 0.0) framed.annulus_mm = framed.annulus_mm.colwise().reverse().eval();
+  for (const TriangleMesh& mesh : source.leaflets) {
+    framed.leaflets.push_back({frame->into(mesh.vertices_mm), mesh.faces});
+  }
+  framed.chordae = source.chordae;
+  for (ImportedChorda& chorda : framed.chordae) {
+    chorda.insertion_mm = frame->into(chorda.insertion_mm);
+    chorda.tip_mm = frame->into(chorda.tip_mm);
+  }
+  check_framed(framed, problems);
+  if (!problems.empty()) return std::move(problems).take();
+  const double turned = Eigen::AngleAxisd(frame->axes).angle() * 180.0 / std::numbers::pi;
+  framed.change = "re-framed: moved by " + figure(frame->origin_mm.norm()) + " mm and turned by " +
+                  figure(turned) +
+                  " degrees; origin annulus centroid, x from the anterolateral to the "
+                  "posteromedial papillary tip within the annulus plane, z away from the tips";
+  return framed;
+}
+
+std::string figure(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", number);
+  return text;
+}
+
+}  // namespace coapt

@@ -1,0 +1,27 @@
+// The input of an import, checked and moved into the valve's frame.
+#pragma once
+
+#include "io/mesh/import_valve.h"
+
+namespace coapt {
+
+/// Origin: mean of the annulus by arc length. z: normal of its plane of least squares, away from
+/// the tips. x: from the mean anterolateral to the mean posteromedial tip, within the plane. y = z
+/// x x is then anterior, because the sides are known.
+struct FramedSource {
+  std::vector<TriangleMesh> leaflets;
+  Points
+      annulus_mm;  ///< counter-clockwise seen from the atrium, no point twice, star-shaped about z
+  std::vector<ImportedChorda> chordae;
+  std::string change;  ///< in words
+};
+
+/// Errors: what ImportSource lacks or has too much of, units that are not millimetres, an annulus
+/// that is not star-shaped, sheets in the wrong order, a mirrored input; pointers are those of
+/// ImportSource.
+Expected<FramedSource> into_import_frame(const ImportSource& source);
+
+/// A number as it stands in a provenance: three significant digits.
+std::string figure(double number);
+
+}  // namespace coapt

@@ -1,0 +1,184 @@
+// Points and chordae from tables and JSON.
+//
+// Chordae in CSV: columns by name (id, papillary, ins_x, ins_y, ins_z, tip_x, tip_y, tip_z, and if
+// there is one kind), others are passed over; without names id,leaflet,papillary,ins_x,...,tip_z in
+// this order. Chordae in JSON: {"chordae": [{"id", "papillary", "insertion_mm", "tip_mm",
+// "kind"}]}.
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "core/valve/problem_list.h"
+#include "io/json/json_reader.h"
+#include "io/mesh/csv_table.h"
+#include "io/mesh/import_valve.h"
+
+namespace coapt {
+namespace {
+
+constexpr Range kCoordinateMm = {-1e5, 1e5};
+
+const std::vector<std::string> kSides = {"AL", "PM", "anterolateral", "posteromedial"};
+const std::vector<std::string> kKinds = {"marginal", "strut", "basal"};
+
+Side side_at(std::size_t choice) {
+  return choice % 2 == 0 ? Side::Anterolateral : Side::Posteromedial;
+}
+
+ChordaKind kind_at(std::size_t choice) {
+  constexpr std::array kinds = {ChordaKind::Marginal, ChordaKind::Strut, ChordaKind::Basal};
+  return kinds[choice];
+}
+
+/// One row of a table: its fields by name of column, and where problems with them are listed.
+struct RowReader {
+  const CsvRow& row;
+  std::map<std::string_view, std::size_t> columns;
+  std::string path;
+  ProblemList& problems;
+
+  std::string_view field(std::string_view column) const { return row.fields[columns.at(column)]; }
+
+  void add(ErrorCode code, std::string_view column, const std::string& message) const {
+    problems.add(code, path + '/' + std::string(column),
+                 "line " + std::to_string(row.line) + ": " + message);
+  }
+
+  double coordinate(std::string_view column) const {
+    const auto number = to_number(field(column));
+    if (!number) {
+      add(ErrorCode::WrongType, column, "must be a number");
+    } else if (!(*number >= kCoordinateMm.min && *number <= kCoordinateMm.max)) {
+      add(ErrorCode::OutOfRange, column, "is " + shown(*number) + ", must be from -1e5 to 1e5 mm");
+    } else {
+      return *number;
+    }
+    return 0.0;
+  }
+
+  /// Index of the field among `names`, 0 and a problem if it is none of them.
+  std::size_t choice(std::string_view column, const std::vector<std::string>& names) const {
+    const auto found = std::find(names.begin(), names.end(), field(column));
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    std::string message = "must be one of";
+    for (const std::string& name : names) message += ' ' + name;
+    add(ErrorCode::BadReference, column, message);
+    return 0;
+  }
+};
+
+/// A reader of row `i`; none, and a problem, if it has too few fields.
+std::optional<RowReader> reader(const CsvTable& table, const std::vector<std::string_view>& names,
+                                std::size_t i, const std::string& path, ProblemList& problems) {
+  RowReader row{table.rows[i], {}, path + '/' + std::to_string(i), problems};
+  for (std::size_t column = 0; column < names.size(); ++column) {
+    row.columns.try_emplace(names[column], column);
+  }
+  if (row.row.fields.size() >= names.size()) return row;
+  problems.add(ErrorCode::MissingField, row.path,
+               "line " + std::to_string(row.row.line) + ": has " +
+                   std::to_string(row.row.fields.size()) + " fields, must have " +
+                   std::to_string(names.size()));
+  return {};
+}
+
+Expected<std::vector<ImportedChorda>> read_chordae_csv(std::string_view text) {
+  const Expected<CsvTable> table = read_csv(text, {"papillary"});
+  if (!table) return table.errors();
+  const std::vector<std::string_view> needed = {"id",    "papillary", "ins_x", "ins_y",
+                                                "ins_z", "tip_x",     "tip_y", "tip_z"};
+  std::vector<std::string_view> names = table->names;
+  if (names.empty()) {
+    names = needed;
+    names.insert(names.begin() + 1, "leaflet");
+  }
+  const auto has = [&](std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  ProblemList problems;
+  for (const std::string_view name : needed) {
+    if (has(name)) continue;
+    problems.add(ErrorCode::MissingField, "/chordae", "has no column " + std::string(name));
+  }
+  if (!problems.empty()) return std::move(problems).take();
+  std::vector<ImportedChorda> chordae;
+  for (std::size_t i = 0; i < table->rows.size(); ++i) {
+    const auto row = reader(*table, names, i, "/chordae", problems);
+    if (!row) continue;
+    ImportedChorda chorda;
+    chorda.id = row->field("id");
+    chorda.side = side_at(row->choice("papillary", kSides));
+    if (has("kind")) chorda.kind = kind_at(row->choice("kind", kKinds));
+    chorda.insertion_mm = {row->coordinate("ins_x"), row->coordinate("ins_y"),
+                           row->coordinate("ins_z")};
+    chorda.tip_mm = {row->coordinate("tip_x"), row->coordinate("tip_y"), row->coordinate("tip_z")};
+    chordae.push_back(chorda);
+  }
+  if (!problems.empty()) return std::move(problems).take();
+  return chordae;
+}
+
+Vec3 read_position(const JsonPlace& place) {
+  const Vec3 position = read_vector(place);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(position[axis] < kCoordinateMm.min || position[axis] > kCoordinateMm.max)) continue;
+    add_problem(place, ErrorCode::OutOfRange,
+                "is " + shown(position[axis]) + ", must be from -1e5 to 1e5 mm");
+  }
+  return position;
+}
+
+ImportedChorda read_chorda(const JsonPlace& place) {
+  ImportedChorda chorda;
+  const auto side = [](const JsonPlace& at) {
+    return side_at(read_choice(at, kSides).value_or(0));
+  };
+  const auto kind = [](const JsonPlace& at) {
+    return kind_at(read_choice(at, kKinds).value_or(0));
+  };
+  read_fields(place, {{"id", into(chorda.id, read_string)},
+                      {"papillary", into(chorda.side, side)},
+                      {"insertion_mm", into(chorda.insertion_mm, read_position)},
+                      {"tip_mm", into(chorda.tip_mm, read_position)},
+                      {"kind", into(chorda.kind, kind), false}});
+  return chorda;
+}
+
+Expected<std::vector<ImportedChorda>> read_chordae_json(std::string_view text) {
+  const Expected<nlohmann::json> document = parse_json(text);
+  if (!document) return document.errors();
+  ProblemList problems;
+  std::vector<ImportedChorda> chordae;
+  const auto list = [](const JsonPlace& place) { return read_list(place, read_chorda); };
+  read_fields(JsonPlace{*document, problems}, {{"chordae", into(chordae, list)}});
+  if (!problems.empty()) return std::move(problems).take();
+  return chordae;
+}
+
+}  // namespace
+
+Expected<Points> read_points_csv(std::string_view text) {
+  const Expected<CsvTable> table = read_csv(text, {"x", "x_mm"});
+  if (!table) return table.errors();
+  ProblemList problems;
+  Points points(std::ssize(table->rows), 3);
+  for (std::size_t i = 0; i < table->rows.size(); ++i) {
+    const auto row = reader(*table, {"x", "y", "z"}, i, "/points", problems);
+    if (!row) continue;
+    points.row(static_cast<Eigen::Index>(i)) << row->coordinate("x"), row->coordinate("y"),
+        row->coordinate("z");
+  }
+  if (!problems.empty()) return std::move(problems).take();
+  return points;
+}
+
+Expected<std::vector<ImportedChorda>> read_chordae(std::string_view text, std::string_view format) {
+  if (format == "csv") return read_chordae_csv(text);
+  if (format == "json") return read_chordae_json(text);
+  return Error{ErrorCode::Unsupported, "",
+               "chordae format '" + std::string(format.substr(0, 20)) + "', accepted: csv, json"};
+}
+
+}  // namespace coapt

@@ -1,0 +1,209 @@
+#include "io/mesh/import_valve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/closure/contact.h"
+#include "core/valve/problem_list.h"
+#include "core/valve/validate.h"
+#include "io/mesh/import_chordae.h"
+#include "io/mesh/import_frame.h"
+#include "io/mesh/skirt.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kTrigone =
+    0.66;  // of the way from saddle peak to commissure, as in parametric valves
+constexpr double kCommissureAlong = 0.07;  // share of a leaflet's arc that counts as commissure
+constexpr double kPeakBias_mm =
+    0.5;  // a flat annulus has its saddle peak in the middle of the front
+constexpr double kDiagonalRatio = 1.3;
+constexpr int kMaxSamples = 4000;  // for the deviation
+
+void check_options(const ImportOptions& options, ProblemList& problems) {
+  check_range(problems, "/triangles", options.triangles, {100, 100000});
+  check_range(problems, "/branches", options.branches, {1, 5});
+  check_range(problems, "/branch_at", options.branch_at, {0.05, 0.95});
+  check_range(problems, "/slack", options.slack, {0.8, 1.5});
+}
+
+Segment segment_of(const Skirt& skirt, double station) {
+  const double front = skirt.lateral_commissure, back = skirt.stations - front;
+  const bool anterior = station < front;
+  const double along =
+      anterior ? 1.0 - station / front : (station - front) / back;  // from anterolateral
+  if (along < kCommissureAlong) return Segment::AC;
+  if (along > 1.0 - kCommissureAlong) return Segment::PC;
+  if (along < 1.0 / 3.0) return anterior ? Segment::A1 : Segment::P1;
+  if (along < 2.0 / 3.0) return anterior ? Segment::A2 : Segment::P2;
+  return anterior ? Segment::A3 : Segment::P3;
+}
+
+/// Whether a quad (a b over c d) is split from b to c: the diagonals alternate, which makes springs
+/// nearly isotropic, unless one is much shorter.
+bool is_falling(const Points& x, const std::array<int, 4>& quad, bool alternating) {
+  const double falling = (x.row(quad[1]) - x.row(quad[2])).norm();
+  const double rising = (x.row(quad[0]) - x.row(quad[3])).norm();
+  if (falling > kDiagonalRatio * rising) return false;
+  return rising > kDiagonalRatio * falling || alternating;
+}
+
+void add_mesh(const Skirt& skirt, Valve& valve) {
+  const int n = skirt.stations;
+  valve.rest_mm = skirt.vertices_mm;
+  valve.annulus_mm = skirt.vertices_mm.topRows(n);
+  for (int i = 0; i < n; ++i) valve.annulus.push_back(i);
+  valve.faces.resize(2 * n * skirt.rows, 3);
+  valve.fibre.resize(valve.faces.rows(), 3);
+  for (int row = 0, f = 0; row < skirt.rows; ++row) {
+    for (int i = 0; i < n; ++i, f += 2) {
+      const int next = (i + 1) % n;
+      const int a = row * n + i, b = row * n + next, c = a + n, d = b + n;
+      const bool falling = is_falling(valve.rest_mm, {a, b, c, d}, (i + row) % 2 == 0);
+      valve.faces.row(f) << a, b, falling ? c : d;
+      valve.faces.row(f + 1) << (falling ? b : a), d, c;
+      valve.fibre.row(f) = (valve.rest_mm.row(b) - valve.rest_mm.row(a)).normalized();
+      valve.fibre.row(f + 1) = (valve.rest_mm.row(d) - valve.rest_mm.row(c)).normalized();
+      valve.segments.insert(valve.segments.end(), 2, segment_of(skirt, i + 0.5));
+    }
+  }
+}
+
+Landmarks find_landmarks(const Skirt& skirt) {
+  const int lateral = skirt.lateral_commissure;
+  const double middle = 0.5 * lateral;
+  int peak = 1;
+  double best = -1e300;
+  for (int i = 1; i < lateral; ++i) {
+    const double off = (i - middle) / middle;
+    const double score = skirt.vertices_mm(i, 2) - kPeakBias_mm * off * off;
+    if (score > best + 1e-9) {
+      best = score;
+      peak = i;
+    }
+  }
+  const auto from_peak = [&](int commissure) {
+    return static_cast<int>(std::lround(peak + kTrigone * (commissure - peak)));
+  };
+  Landmarks marks;
+  marks.posteromedial_commissure = 0;
+  marks.posteromedial_trigone = from_peak(0);
+  marks.saddle_peak = peak;
+  marks.anterolateral_trigone = from_peak(lateral);
+  marks.anterolateral_commissure = lateral;
+  marks.mid_posterior = lateral + (skirt.stations - lateral) / 2;
+  return marks;
+}
+
+/// Distance of a point from the sheets.
+double distance_mm(const std::vector<TriangleMesh>& sheets, const Vec3& point) {
+  double best = 1e300;
+  for (const TriangleMesh& sheet : sheets) {
+    for (Eigen::Index f = 0; f < sheet.faces.rows(); ++f) {
+      const Vec3 a = sheet.vertices_mm.row(sheet.faces(f, 0)),
+                 b = sheet.vertices_mm.row(sheet.faces(f, 1)),
+                 c = sheet.vertices_mm.row(sheet.faces(f, 2));
+      const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+      const Vec3 outside = (low - point).cwiseMax(point - high).cwiseMax(0.0);
+      if (outside.norm() >= best) continue;
+      const Vec3 weights = closest_point_weights(point, a, b, c);
+      best = std::min(best, (weights[0] * a + weights[1] * b + weights[2] * c - point).norm());
+    }
+  }
+  return best;
+}
+
+struct Deviation {
+  double rms_mm = 0.0, max_mm = 0.0;
+};
+
+/// Of the resampled vertices below the annulus from the sheets, where there is a sheet.
+Deviation deviation(const std::vector<TriangleMesh>& sheets, const Skirt& skirt) {
+  const int first = skirt.stations, last = static_cast<int>(skirt.vertices_mm.rows());
+  const int stride = 1 + (last - first) / kMaxSamples;
+  Deviation found;
+  int count = 0;
+  for (int v = first; v < last; v += stride) {
+    if (skirt.interpolated[static_cast<std::size_t>(v % skirt.stations)]) continue;
+    const double distance = distance_mm(sheets, skirt.vertices_mm.row(v));
+    found.rms_mm += distance * distance;
+    found.max_mm = std::max(found.max_mm, distance);
+    ++count;
+  }
+  found.rms_mm = std::sqrt(found.rms_mm / std::max(1, count));
+  return found;
+}
+
+double area_mm2(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+    const Vec3 a = mesh.vertices_mm.row(mesh.faces(f, 0)),
+               b = mesh.vertices_mm.row(mesh.faces(f, 1)),
+               c = mesh.vertices_mm.row(mesh.faces(f, 2));
+    sum += 0.5 * (b - a).cross(c - a).norm();
+  }
+  return sum;
+}
+
+void tell_changes(const FramedSource& source, const Skirt& skirt, Valve& valve) {
+  const auto bare = std::count(skirt.interpolated.begin(), skirt.interpolated.end(), true);
+  const Deviation off = deviation(source.leaflets, skirt);
+  double input_area = 0.0;
+  for (const TriangleMesh& sheet : source.leaflets) input_area += area_mm2(sheet);
+  const auto counted = [](auto number) { return std::to_string(number); };
+  std::vector<std::string>& told = valve.provenance;
+  told.push_back(source.change);
+  told.push_back("resampled: cut by half-planes through the annulus axis to " +
+                 counted(skirt.stations) + " stations of equal annulus arc (" +
+                 figure(skirt.spacing_mm) + " mm) x " + counted(skirt.rows) + " rows, " +
+                 counted(valve.faces.rows()) +
+                 " triangles; smoothed along the annulus by a hat of " + figure(skirt.hat_mm) +
+                 " mm to either side, not otherwise; distance from the sheets " +
+                 figure(off.rms_mm) + " mm RMS, " + figure(off.max_mm) + " mm at most; area " +
+                 counted(std::lround(area_mm2({valve.rest_mm, valve.faces}))) + " mm2 (sheets " +
+                 counted(std::lround(input_area)) + " mm2)");
+  told.push_back("joined to the annulus line, from which the sheets were " +
+                 figure(skirt.annulus_gap_mm) + " mm away in the mean; holes and bites bridged, " +
+                 figure(skirt.widest_bridge_mm) + " mm at the widest");
+  told.push_back(counted(bare) +
+                 " stations without sheet interpolated between their neighbours, which closes the "
+                 "commissures");
+  told.push_back(
+      std::string("landmarks: commissures ") +
+      (skirt.commissures_measured
+           ? "where the two sheets meet"
+           : "38 % of the annulus apart about its front (one skirt does not tell)") +
+      ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
+      "from the peak to the commissures; segments by thirds of arc, fibres circumferential");
+  told.push_back(
+      "the imaged state is taken as unstressed, and its annulus and papillary tips as those under "
+      "pressure; tissue of thesis table 2.1");
+}
+
+}  // namespace
+
+Expected<Valve> import_valve(const ImportSource& source, const ImportOptions& options) {
+  ProblemList problems;
+  check_options(options, problems);
+  if (!problems.empty()) return std::move(problems).take();
+  const Expected<FramedSource> framed = into_import_frame(source);
+  if (!framed) return framed.errors();
+  const Expected<Skirt> skirt = resample_skirt(*framed, options.triangles);
+  if (!skirt) return skirt.errors();
+  Valve valve;
+  valve.name = source.name.empty() ? "imported" : source.name;
+  valve.provenance = source.provenance;
+  add_mesh(*skirt, valve);
+  valve.landmarks = find_landmarks(*skirt);
+  tell_changes(*framed, *skirt, valve);
+  if (Errors errors = add_imported_chordae(*framed, *skirt, options, valve); !errors.empty())
+    return errors;
+  Errors invalid = validate(valve);
+  for (Error& error : invalid) error.message = "of the resampled valve " + error.message;
+  if (!invalid.empty()) return invalid;
+  return valve;
+}
+
+}  // namespace coapt

@@ -1,0 +1,60 @@
+// A valve from leaflet meshes, chordae and an annulus: the sheets are cut by half-planes through
+// the annulus axis, which resamples them to a structured skirt and closes the commissures.
+//
+// Assumed: sheets and annulus are star-shaped about that axis, sheets are open surfaces that begin
+// within 3 mm of the annulus, coordinates are right-handed millimetres; any frame. The papillary
+// tips orient the valve (import_frame.h). The imaged state is taken as unstressed, and its annulus
+// and tips as those under pressure.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/valve/valve.h"
+#include "io/mesh/mesh_file.h"
+
+namespace coapt {
+
+/// A straight chorda as it was traced. Marginal means: at the free edge if it ends within 3 mm of
+/// it; else it becomes a strut (anterior leaflet) or basal chorda.
+struct ImportedChorda {
+  std::string id;  ///< unique
+  Side side = Side::Anterolateral;
+  ChordaKind kind = ChordaKind::Marginal;  ///< no neochordae
+  Vec3 insertion_mm = Vec3::Zero();
+  Vec3 tip_mm = Vec3::Zero();
+};
+
+struct ImportSource {
+  std::string name;
+  std::vector<std::string> provenance;
+  std::vector<TriangleMesh> leaflets;  ///< the anterior, then the posterior sheet, or one skirt
+  Points annulus_mm;                   ///< closed loop, n x 3, either direction
+  std::vector<ImportedChorda> chordae;
+};
+
+struct ImportOptions {
+  int triangles = 720;      ///< aimed at, [100, 100000]
+  int branches = 3;         ///< insertions per marginal chorda, 1 to 5
+  double branch_at = 0.75;  ///< share of the way from tip to insertion, [0.05, 0.95]
+  double slack = 1.0;       ///< chordae lengths over straight distances, [0.8, 1.5]
+};
+
+/// A valve that passes validate(). Every change made is appended to its provenance. Errors point
+/// into ImportSource ("/leaflets/0/faces") or ImportOptions ("/triangles").
+Expected<Valve> import_valve(const ImportSource& source, const ImportOptions& options);
+
+/// Lines x,y,z in millimetres; '#' comments; a first line x,y,z or x_mm,y_mm,z_mm is passed over.
+Expected<Points> read_points_csv(std::string_view text);
+
+/// @param format "csv" or "json".
+/// CSV: columns id, papillary (AL or PM), ins_x, ins_y, ins_z, tip_x, tip_y, tip_z and, if there is
+/// one, kind (marginal, strut, basal), named in a comment or in the first line; other columns are
+/// passed over. Without names: id,leaflet,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z, more
+/// fields are passed over. JSON: {"chordae": [{"id": "1", "papillary": "AL", "kind": "marginal",
+/// "insertion_mm": [x, y, z], "tip_mm": [x, y, z]}]}, kind may be left out. Errors name row and
+/// column ("/chordae/3/ins_x"), in CSV also the line.
+Expected<std::vector<ImportedChorda>> read_chordae(std::string_view text, std::string_view format);
+
+}  // namespace coapt

@@ -1,0 +1,101 @@
+#include "io/mesh/mesh_builder.h"
+
+#include <algorithm>
+
+namespace coapt {
+namespace {
+
+// A segmented leaflet has thousands; these keep a hostile file within some hundred megabytes.
+constexpr std::size_t kMaxVertices = 2'000'000;
+constexpr std::size_t kMaxFaces = 4'000'000;
+constexpr std::size_t kMaxCorners = 1000;
+constexpr Range kCoordinateMm = {-1e5, 1e5};  // scanner coordinates are thousands at most
+
+std::string at_line(int line) {
+  return line > 0 ? "line " + std::to_string(line) + ": " : std::string();
+}
+
+}  // namespace
+
+void MeshBuilder::add_problem(ErrorCode code, const std::string& path, int line,
+                              const std::string& message) {
+  problems_.add(code, path, at_line(line) + message);
+}
+
+void MeshBuilder::add_vertex(const Vec3& position_mm, int line) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double number = position_mm[axis];
+    if (number >= kCoordinateMm.min && number <= kCoordinateMm.max) continue;
+    add_problem(ErrorCode::OutOfRange,
+                "/vertices_mm/" + std::to_string(vertices()) + '/' + std::to_string(axis), line,
+                "is " + shown(number) + ", must be from -1e5 to 1e5 mm");
+  }
+  vertices_.push_back(position_mm);
+  if (vertices_.size() == kMaxVertices + 1) {
+    add_problem(ErrorCode::OutOfRange, "/vertices_mm", line,
+                "has more than the 2,000,000 vertices accepted");
+  }
+}
+
+void MeshBuilder::add_polygon(const std::vector<long long>& corners, int line) {
+  const std::string path = "/faces/" + std::to_string(faces());
+  if (corners.size() < 3 || corners.size() > kMaxCorners) {
+    add_problem(ErrorCode::OutOfRange, path, line,
+                "has " + std::to_string(corners.size()) + " corners, must have 3 to 1000");
+    return;
+  }
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    faces_.push_back({{corners[0], corners[i - 1], corners[i]}, line});
+  }
+  if (faces_.size() > kMaxFaces) {
+    add_problem(ErrorCode::OutOfRange, "/faces", line,
+                "has more than the 4,000,000 triangles accepted");
+  }
+}
+
+bool MeshBuilder::full() const {
+  return vertices_.size() > kMaxVertices || faces_.size() > kMaxFaces ||
+         problems_.listed().size() >= ProblemList::kMaxListed;
+}
+
+Expected<TriangleMesh> MeshBuilder::take() && {
+  std::size_t usable = 0;
+  for (std::size_t face = 0; face < faces_.size(); ++face) {
+    const auto& corners = faces_[face].corners;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (corners[corner] >= 0 && corners[corner] < vertices()) continue;
+      add_problem(ErrorCode::BadReference,
+                  "/faces/" + std::to_string(face) + '/' + std::to_string(corner),
+                  faces_[face].line,
+                  "is vertex " + std::to_string(corners[corner]) +
+                      " counted from 0, must be 0 to " + std::to_string(vertices() - 1));
+    }
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    faces_[usable++] = faces_[face];
+  }
+  if (problems_.empty() && usable == 0) {
+    add_problem(ErrorCode::MissingField, "/faces", 0, "is empty; a leaflet needs triangles");
+  }
+  if (!problems_.empty()) return std::move(problems_).take();
+  TriangleMesh mesh{Points(std::ssize(vertices_), 3), Faces(static_cast<Eigen::Index>(usable), 3)};
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    mesh.vertices_mm.row(static_cast<Eigen::Index>(i)) = vertices_[i];
+  }
+  for (std::size_t i = 0; i < usable; ++i) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      mesh.faces(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(corner)) =
+          static_cast<int>(faces_[i].corners[corner]);
+    }
+  }
+  return mesh;
+}
+
+Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format) {
+  if (format == "obj") return read_obj(bytes);
+  if (format == "ply") return read_ply(bytes);
+  if (format == "stl") return read_stl(bytes);
+  return Error{ErrorCode::Unsupported, "",
+               "mesh format '" + std::string(format.substr(0, 20)) + "', accepted: obj, ply, stl"};
+}
+
+}  // namespace coapt

@@ -1,0 +1,48 @@
+// Collects the vertices and polygons of a mesh file and checks them: the part that OBJ, PLY and STL
+// share. Nothing is allocated ahead of the bytes that fill it.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/valve/problem_list.h"
+#include "io/mesh/mesh_file.h"
+
+namespace coapt {
+
+class MeshBuilder {
+ public:
+  /// @param line of the file, 0 if it is binary.
+  void add_vertex(const Vec3& position_mm, int line);
+
+  /// Indices from 0; three or more corners are split into a fan.
+  void add_polygon(const std::vector<long long>& corners, int line);
+
+  /// A problem at the file as a whole or one line of it.
+  void add_problem(ErrorCode code, const std::string& path, int line, const std::string& message);
+
+  long long vertices() const { return static_cast<long long>(vertices_.size()); }
+  long long faces() const { return static_cast<long long>(faces_.size()); }
+
+  /// Whether to stop reading: too many vertices, faces or problems.
+  bool full() const;
+
+  /// The mesh, without triangles that name a vertex twice, or all problems.
+  Expected<TriangleMesh> take() &&;
+
+ private:
+  struct Triangle {
+    std::array<long long, 3> corners;
+    int line;
+  };
+  std::vector<Vec3> vertices_;
+  std::vector<Triangle> faces_;
+  ProblemList problems_;
+};
+
+Expected<TriangleMesh> read_obj(std::string_view text);
+Expected<TriangleMesh> read_ply(std::string_view bytes);
+Expected<TriangleMesh> read_stl(std::string_view bytes);
+
+}  // namespace coapt

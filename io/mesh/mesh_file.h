@@ -1,0 +1,20 @@
+// Triangle meshes in the formats that segmentation tools write: OBJ, PLY (ASCII and binary), STL
+// (ASCII and binary).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/valve/types.h"
+
+namespace coapt {
+
+struct TriangleMesh {
+  Points vertices_mm;  ///< n x 3
+  Faces faces;         ///< m x 3
+};
+
+/// @param format "obj", "ply" or "stl". Polygons are split into fans; STL vertices are welded.
+Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format);
+
+}  // namespace coapt

@@ -1,0 +1,43 @@
+// Text line by line: what the mesh and CSV readers share.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace coapt {
+
+struct Line {
+  int number = 0;  ///< from 1
+  std::string_view text;
+};
+
+/// Hands out lines without their ends (\n or \r\n); none after the last.
+class LineScanner {
+ public:
+  explicit LineScanner(std::string_view text) : rest_(text) {}
+  std::optional<Line> next();
+  std::string_view rest() const { return rest_; }  ///< after the last line handed out
+  int number() const { return number_; }           ///< of that line
+
+ private:
+  std::string_view rest_;
+  int number_ = 0;
+};
+
+std::string_view trimmed(std::string_view text);
+
+/// More words or fields in a line are passed over: no line of these formats needs them.
+inline constexpr std::size_t kMaxWords = 1002;
+
+/// Words between blanks and tabs.
+std::vector<std::string_view> words(std::string_view text);
+
+/// Fields between commas, trimmed; "" has one, which is empty.
+std::vector<std::string_view> fields(std::string_view text);
+
+/// The whole of `text` as a number ("nan" and "inf" included), or none.
+std::optional<double> to_number(std::string_view text);
+std::optional<long long> to_integer(std::string_view text);
+
+}  // namespace coapt

@@ -1,0 +1,188 @@
+// Leaflets and orifices are drawn at twice the size and scaled down, because cairo's mesh gradients
+// have hard edges; lines and words come over them.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/metrics/coaptation.h"
+#include "core/metrics/orifice.h"
+#include "io/picture/leaflet_paint.h"
+#include "io/picture/text.h"
+#include "io/picture/views.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kSupersampling = 2.0;
+constexpr double kLabelled_mm2 = 0.5;  // smaller orifices are coloured, not labelled
+
+void paint_orifices(const Canvas& canvas, const OrificeView& view, const Mapping& map) {
+  cairo_t* cairo = canvas.context.get();
+  cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
+  set_colour(canvas, palette::kOrifice);
+  for (const PixelRun& run : view.runs) {
+    const Vec2 from = map(from_pixels(view, Vec2(run.first, run.row)));
+    const Vec2 to = map(from_pixels(view, Vec2(run.last + 1, run.row + 1)));
+    cairo_rectangle(cairo, from.x(), from.y(), to.x() - from.x(), to.y() - from.y());
+  }
+  cairo_fill(cairo);
+  cairo_set_antialias(cairo, CAIRO_ANTIALIAS_DEFAULT);
+}
+
+void trace(const Canvas& canvas, const std::vector<Vec2>& polygon_mm, const Mapping& map) {
+  for (const Vec2& point : polygon_mm)
+    cairo_line_to(canvas.context.get(), map(point).x(), map(point).y());
+  cairo_close_path(canvas.context.get());
+}
+
+void draw_annulus(const Canvas& canvas, const std::vector<Vec2>& annulus, const Mapping& map) {
+  cairo_t* cairo = canvas.context.get();
+  trace(canvas, annulus, map);
+  set_colour(canvas, palette::kAnnulus);
+  cairo_set_line_width(cairo, 0.32 * map.pixels_per_mm);
+  cairo_stroke(cairo);
+}
+
+void draw_landmarks(const Canvas& canvas, const Valve& valve, const AnnularPlane& plane,
+                    const Mapping& map) {
+  const Landmarks& marks = valve.landmarks;
+  const std::pair<int, const char*> labelled[] = {
+      {marks.saddle_peak, "saddle peak"},           {marks.mid_posterior, "mid-posterior"},
+      {marks.anterolateral_trigone, "AL trigone"},  {marks.posteromedial_trigone, "PM trigone"},
+      {marks.anterolateral_commissure, "AL comm."}, {marks.posteromedial_commissure, "PM comm."}};
+  for (const auto& [vertex, label] : labelled) {
+    const Vec2 at = map(project(plane, annulus_position_mm(valve, vertex)));
+    const Vec2 outwards = (at - map.centre_px).normalized();
+    fill_circle(canvas, at, 5.5, palette::kAnnulus);
+    fill_circle(canvas, at, 3.5, palette::kPaper);
+    const Align align = outwards.x() > 0.35    ? Align::Left
+                        : outwards.x() < -0.35 ? Align::Right
+                                               : Align::Centre;
+    draw_text(canvas, at + 13.0 * outwards + Vec2(0.0, 5.0 + 4.0 * outwards.y()), label,
+              {13.0, palette::kMuted, align, false, 3.0});
+  }
+}
+
+/// A1 to P3 just inside the annulus, where each segment hangs on it.
+void draw_segment_names(const Canvas& canvas, const Valve& valve, const AnnularPlane& plane,
+                        const Mapping& map) {
+  std::vector<char> on_annulus(static_cast<std::size_t>(valve.rest_mm.rows()), 0);
+  for (const int vertex : valve.annulus) on_annulus[static_cast<std::size_t>(vertex)] = 1;
+  for (const Segment segment :
+       {Segment::A1, Segment::A2, Segment::A3, Segment::P1, Segment::P2, Segment::P3}) {
+    Vec2 sum_mm = Vec2::Zero();
+    int count = 0;
+    for (Eigen::Index f = 0; f < valve.faces.rows(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        const int vertex = valve.faces(f, k);
+        if (valve.segments[static_cast<std::size_t>(f)] != segment ||
+            !on_annulus[static_cast<std::size_t>(vertex)])
+          continue;
+        sum_mm += project(plane, annulus_position_mm(valve, vertex));
+        ++count;
+      }
+    if (count == 0) continue;
+    const Vec2 at = map(sum_mm / count);
+    const Vec2 inwards = (map.centre_px - at).normalized();
+    draw_text(canvas, at + 2.6 * map.pixels_per_mm * inwards + Vec2(0.0, 5.0), to_string(segment),
+              {14.0, {0.35, 0.16, 0.12, 0.85}, Align::Centre, true});
+  }
+}
+
+/// A pill with the area, led out of the orifice towards the annulus, by turns anterior and
+/// posterior.
+void label_orifices(const Canvas& canvas, const OrificeView& view, const Mapping& map) {
+  constexpr std::size_t kMost = 6;
+  cairo_t* cairo = canvas.context.get();
+  std::vector<Orifice> labelled;
+  for (const Orifice& orifice : view.orifices)
+    if (orifice.area_mm2 >= kLabelled_mm2 && labelled.size() < kMost) labelled.push_back(orifice);
+  std::stable_sort(labelled.begin(), labelled.end(), [&](const Orifice& a, const Orifice& b) {
+    return project(view.plane, a.centroid_mm).x() < project(view.plane, b.centroid_mm).x();
+  });
+  const TextStyle style{15.0, palette::kPaper, Align::Centre, true};
+  for (std::size_t i = 0; i < labelled.size(); ++i) {
+    const Vec2 from = map(project(view.plane, labelled[i].centroid_mm));
+    const Vec2 to = from + Vec2(0.0, (i % 2 ? 5.5 : -5.5) * map.pixels_per_mm);
+    set_colour(canvas, palette::kOrifice);
+    cairo_set_line_width(cairo, 2.0);
+    cairo_move_to(cairo, from.x(), from.y());
+    cairo_line_to(cairo, to.x(), to.y());
+    cairo_stroke(cairo);
+    const std::string text = fixed(labelled[i].area_mm2, 1) + " mm²";
+    const double width = text_width(canvas, text, style);
+    cairo_set_line_width(cairo, 24.0);
+    cairo_move_to(cairo, to.x() - 0.5 * width, to.y());
+    cairo_line_to(cairo, to.x() + 0.5 * width, to.y());
+    cairo_stroke(cairo);
+    draw_text(canvas, to + Vec2(0.0, 5.5), text, style);
+  }
+}
+
+}  // namespace
+
+void draw_scale_bar(const Canvas& canvas, const ViewFrame& frame) {
+  cairo_t* cairo = canvas.context.get();
+  const double length = 10.0 * frame.pixels_per_mm;
+  const Vec2 at(frame.box.x + 16.0, frame.box.y + frame.box.height - 18.0);
+  set_colour(canvas, palette::kMuted);
+  cairo_set_line_width(cairo, 2.0);
+  cairo_move_to(cairo, at.x(), at.y());
+  cairo_line_to(cairo, at.x() + length, at.y());
+  cairo_stroke(cairo);
+  draw_text(canvas, at + Vec2(0.5 * length, -8.0), "10 mm", {13.0, palette::kMuted, Align::Centre});
+}
+double atrial_scale(const Box& box, const ClosedValve& closed) {
+  constexpr double kLabels = 105.0;  // pixels beside the annulus, on either side
+  const AnnulusMeasure& annulus = closed.measure.annulus;
+  return std::min((box.width - 2.0 * kLabels) / annulus.al_pm_mm,
+                  (box.height - 0.8 * kLabels) / annulus.ap_mm);
+}
+
+void draw_unknown(const Canvas& canvas, const ViewFrame& frame) {
+  draw_text(canvas, {frame.box.x + 0.5 * frame.box.width, frame.box.y + 0.5 * frame.box.height},
+            "The closure diverged: there is nothing to draw.",
+            {16.0, palette::kWarning, Align::Centre}, frame.box.width);
+}
+
+void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed) {
+  if (!closed.closure.closed_mm.allFinite()) return draw_unknown(canvas, frame);
+  const Valve& valve = closed.valve;
+  const OrificeView view =
+      view_orifices(valve, closed.closure.closed_mm, 0.5 * valve.tissue.thickness_mm);
+  const std::vector<Vec2> annulus_mm = annulus_polygon(valve, view.plane);
+  const Box& box = frame.box;
+  const Mapping map{view.centre_mm, Vec2(box.x + 0.5 * box.width, box.y + 0.5 * box.height),
+                    frame.pixels_per_mm};
+
+  const Canvas large = make_canvas(static_cast<int>(kSupersampling * box.width),
+                                   static_cast<int>(kSupersampling * box.height));
+  const Mapping large_map{view.centre_mm, 0.5 * kSupersampling * Vec2(box.width, box.height),
+                          kSupersampling * frame.pixels_per_mm};
+  const std::vector<PaintedFace> faces =
+      painted_faces(valve, closed.closure.closed_mm, view.plane, large_map);
+  cairo_save(large.context.get());
+  trace(large, annulus_mm, large_map);
+  cairo_clip(large.context.get());
+  paint_rims(large, faces, valve.tissue.thickness_mm * large_map.pixels_per_mm);
+  cairo_restore(large.context.get());
+  paint_leaflets(large, faces);
+  paint_orifices(large, view, large_map);
+
+  cairo_t* cairo = canvas.context.get();
+  cairo_save(cairo);
+  cairo_translate(cairo, box.x, box.y);
+  cairo_scale(cairo, 1.0 / kSupersampling, 1.0 / kSupersampling);
+  cairo_set_source_surface(cairo, large.surface.get(), 0.0, 0.0);
+  cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_GOOD);
+  cairo_paint(cairo);
+  cairo_restore(cairo);
+
+  draw_segment_names(canvas, valve, view.plane, map);
+  draw_annulus(canvas, annulus_mm, map);
+  draw_landmarks(canvas, valve, view.plane, map);
+  label_orifices(canvas, view, map);
+  draw_scale_bar(canvas, frame);
+}
+
+}  // namespace coapt

@@ -1,0 +1,167 @@
+// A line chart as hand-written SVG: no library, the same bytes everywhere, and colours that follow
+// the page's light or dark scheme.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "io/picture/picture.h"
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kWidth = 760.0, kHeight = 400.0;
+constexpr double kLeft = 72.0, kRight = 20.0, kTop = 56.0, kBottom = 60.0;
+constexpr std::size_t kMarkersUpTo = 40;  // points of a series; more would run together
+constexpr std::array<const char*, 6> kColours = {"#3b78d8", "#d9622b", "#17977a",
+                                                 "#9060d8", "#b98a1d", "#7a8794"};
+
+/// A range with round ends, and the distance of its ticks.
+struct Axis {
+  double low = 0.0, high = 1.0, step = 0.2;
+  int decimals = 1;
+};
+
+/// About five steps of 1, 2 or 5 times a power of ten that hold every finite value.
+Axis make_axis(double low, double high) {
+  if (!(low <= high)) return {};
+  if (low >= 0.0 && low < 0.5 * high) low = 0.0;
+  if (high - low < 1e-12 * std::max(1.0, std::abs(high))) {
+    low -= 0.5 * std::max(1.0, std::abs(low));
+    high += 0.5 * std::max(1.0, std::abs(high));
+  }
+  const double rough = (high - low) / 5.0;
+  const double power = std::floor(std::log10(rough));
+  const double share = rough / std::pow(10.0, power);
+  Axis axis;
+  axis.step = (share <= 1.0   ? 1.0
+               : share <= 2.0 ? 2.0
+               : share <= 5.0 ? 5.0
+                              : 10.0) *
+              std::pow(10.0, power);
+  axis.low = std::floor(low / axis.step + 1e-9) * axis.step;
+  axis.high = std::ceil(high / axis.step - 1e-9) * axis.step;
+  axis.decimals = std::clamp(static_cast<int>(-std::floor(std::log10(axis.step) + 1e-9)), 0, 12);
+  return axis;
+}
+
+Axis axis_of(const Chart& chart, std::vector<double> Series::*values) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Series& series : chart.series)
+    for (const double value : series.*values)
+      if (std::isfinite(value)) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+  return make_axis(low, high);
+}
+
+double to_x(const Axis& axis, double value) {
+  return kLeft + (value - axis.low) / (axis.high - axis.low) * (kWidth - kLeft - kRight);
+}
+
+double to_y(const Axis& axis, double value) {
+  return kHeight - kBottom -
+         (value - axis.low) / (axis.high - axis.low) * (kHeight - kTop - kBottom);
+}
+
+std::string text_at(double x, double y, const std::string& attributes, const std::string& text) {
+  return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" " + attributes + ">" +
+         escape_html(text) + "</text>\n";
+}
+
+std::string line_at(const char* style, double x1, double y1, double x2, double y2) {
+  return "<line class=\"" + std::string(style) + "\" x1=\"" + fixed(x1, 1) + "\" y1=\"" +
+         fixed(y1, 1) + "\" x2=\"" + fixed(x2, 1) + "\" y2=\"" + fixed(y2, 1) + "\"/>\n";
+}
+
+std::string draw_axes(const Chart& chart, const Axis& x_axis, const Axis& y_axis) {
+  const double bottom = kHeight - kBottom, right = kWidth - kRight;
+  std::string svg;
+  const auto ticks = [](const Axis& axis) {
+    return static_cast<int>(std::lround((axis.high - axis.low) / axis.step));
+  };
+  for (int i = 0; i <= ticks(y_axis); ++i) {
+    const double value = y_axis.low + i * y_axis.step, y = to_y(y_axis, value);
+    svg += line_at("grid", kLeft, y, right, y);
+    svg += text_at(kLeft - 10.0, y + 4.0, "class=\"tick\" text-anchor=\"end\"",
+                   fixed(value, y_axis.decimals));
+  }
+  for (int i = 0; i <= ticks(x_axis); ++i) {
+    const double value = x_axis.low + i * x_axis.step, x = to_x(x_axis, value);
+    svg += line_at("axis", x, bottom, x, bottom + 5.0);
+    svg += text_at(x, bottom + 20.0, "class=\"tick\" text-anchor=\"middle\"",
+                   fixed(value, x_axis.decimals));
+  }
+  svg += line_at("axis", kLeft, bottom, right, bottom);
+  svg += text_at(0.5 * (kLeft + right), kHeight - 14.0, "text-anchor=\"middle\"", chart.x_label);
+  const double middle = 0.5 * (kTop + bottom);
+  svg += text_at(18.0, middle,
+                 "text-anchor=\"middle\" transform=\"rotate(-90 18 " + fixed(middle, 1) + ")\"",
+                 chart.y_label);
+  return svg;
+}
+
+std::string draw_series(const Series& series, const std::string& colour, const Axis& x_axis,
+                        const Axis& y_axis) {
+  const std::size_t count = std::min(series.x.size(), series.y.size());
+  std::string path, markers;
+  bool pen_down = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) {
+      pen_down = false;
+      continue;
+    }
+    const std::string x = fixed(to_x(x_axis, series.x[i]), 2);
+    const std::string y = fixed(to_y(y_axis, series.y[i]), 2);
+    path += (pen_down ? "L" : "M") + x + " " + y;
+    pen_down = true;
+    if (count <= kMarkersUpTo)
+      markers += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"3.2\" fill=\"" + colour + "\"/>\n";
+  }
+  return "<path class=\"line\" stroke=\"" + colour + "\" d=\"" + path + "\"/>\n" + markers;
+}
+
+/// Below the title, from the left; each entry takes the room of its text.
+std::string draw_legend(const Chart& chart) {
+  constexpr double kCharacter = 7.0;  // mean advance of the 13 px text
+  std::string svg;
+  double x = kLeft;
+  for (std::size_t i = 0; i < chart.series.size() && chart.series.size() > 1; ++i) {
+    const std::string& label = chart.series[i].label;
+    svg += "<line class=\"line\" stroke=\"" + std::string(kColours[i % kColours.size()]) +
+           "\" x1=\"" + fixed(x, 1) + "\" y1=\"40\" x2=\"" + fixed(x + 20.0, 1) +
+           "\" y2=\"40\"/>\n";
+    svg += text_at(x + 26.0, 44.0, "class=\"tick\"", label);
+    x += 50.0 + kCharacter * static_cast<double>(label.size());
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::string chart_svg(const Chart& chart) {
+  const Axis x_axis = axis_of(chart, &Series::x), y_axis = axis_of(chart, &Series::y);
+  std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"coapt-chart\" viewBox=\"0 0 " +
+      fixed(kWidth, 0) + " " + fixed(kHeight, 0) + "\" role=\"img\" aria-label=\"" +
+      escape_html(chart.title) + "\">\n";
+  svg +=
+      "<style>\n"
+      ".coapt-chart{color:#26313d;font:13px system-ui,\"Segoe UI\",\"DejaVu Sans\",sans-serif}\n"
+      "@media (prefers-color-scheme:dark){.coapt-chart{color:#d8dee6}}\n"
+      ".coapt-chart text{fill:currentColor}.coapt-chart .title{font-size:16px;font-weight:600}\n"
+      ".coapt-chart .tick{opacity:.75}.coapt-chart .grid{stroke:currentColor;opacity:.14}\n"
+      ".coapt-chart .axis{stroke:currentColor;opacity:.55}\n"
+      ".coapt-chart .line{fill:none;stroke-width:2.2;stroke-linejoin:round;stroke-linecap:round}\n"
+      "</style>\n";
+  svg += text_at(kLeft, 22.0, "class=\"title\"", chart.title);
+  svg += draw_legend(chart);
+  svg += draw_axes(chart, x_axis, y_axis);
+  for (std::size_t i = 0; i < chart.series.size(); ++i)
+    svg += draw_series(chart.series[i], kColours[i % kColours.size()], x_axis, y_axis);
+  return svg + "</svg>\n";
+}
+
+}  // namespace coapt

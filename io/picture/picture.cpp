@@ -1,0 +1,119 @@
+#include "io/picture/picture.h"
+
+#include <algorithm>
+
+#include "io/json/result_json.h"
+#include "io/picture/text.h"
+#include "io/picture/views.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kMargin = 32.0;
+constexpr double kCompetent_mm2 = 1.0;  // below it the atrial view shows no leak
+
+struct Line {
+  std::string text;
+  TextStyle style;
+};
+
+std::vector<Line> caption(const ClosedValve& closed) {
+  const ValveMeasure& measure = closed.measure;
+  const Coaptation& coaptation = measure.coaptation;
+  const auto touching = std::count_if(coaptation.sections.begin(), coaptation.sections.end(),
+                                      [](const CoaptationSection& s) { return s.contact; });
+  std::vector<Line> lines;
+  lines.push_back({"Orifice " + fixed(measure.orifice.area_mm2, 1) + " mm²",
+                   {24.0, palette::kInk, Align::Left, true}});
+  lines.push_back({"leaflets with their half thickness; bare mid-surfaces " +
+                       fixed(measure.orifice.area_raw_mm2, 1) + " mm²",
+                   {14.0, palette::kMuted}});
+  lines.push_back({"Coaptation height " + fixed(coaptation.height_mean_mm, 1) + " mm mean, " +
+                       fixed(coaptation.height_min_mm, 1) + " mm least; contact in " +
+                       std::to_string(touching) + " of 9 sections",
+                   {15.0}});
+  if (touching < 9) {
+    const bool hidden = measure.orifice.area_mm2 < kCompetent_mm2;
+    lines.push_back({"Leaflets up to " + fixed(coaptation.distance_max_mm, 1) + " mm apart" +
+                         (hidden ? ": a gap that the view from the atrium hides" : ""),
+                     {15.0, hidden ? palette::kWarning : palette::kInk, Align::Left, hidden}});
+  }
+  const bool converged = closed.closure.status == ClosureStatus::Converged;
+  lines.push_back({std::string("Closure ") + to_string(closed.closure.status) + ", residual " +
+                       fixed(closed.closure.residual, 3),
+                   {15.0, converged ? palette::kInk : palette::kWarning}});
+  lines.push_back(closed.closure.crossing
+                      ? Line{"Leaflets pass through each other (" +
+                                 counted(closed.closure.crossing_pairs, "pair") +
+                                 " of triangles): do not trust this closure",
+                             {15.0, palette::kWarning, Align::Left, true}}
+                      : Line{"No leaflet passes through another", {15.0}});
+  return lines;
+}
+
+void draw_caption(const Canvas& canvas, const Eigen::Vector2d& at, const ClosedValve& closed,
+                  double width) {
+  double y = at.y();
+  for (const Line& line : caption(closed)) {
+    y += 1.5 * line.style.size;
+    draw_text(canvas, {at.x(), y}, line.text, line.style, width);
+  }
+}
+
+void draw_notice(const Canvas& canvas, double width, double height) {
+  draw_text(canvas, {0.5 * width, height - 16.0}, std::string(kResearchNotice),
+            {13.0, palette::kMuted, Align::Centre}, width - 2.0 * kMargin);
+}
+
+void draw_heading(const Canvas& canvas, const Box& box, const std::string& text) {
+  draw_text(canvas, {box.x + 4.0, box.y - 12.0}, text, {16.0, palette::kMuted});
+}
+
+}  // namespace
+
+std::string closure_picture_png(const ClosedValve& closed) {
+  constexpr int kWidth = 1600, kHeight = 880;
+  const Canvas canvas = make_canvas(kWidth, kHeight);
+  fill_box(canvas, {0.0, 0.0, kWidth, kHeight}, palette::kPaper);
+  draw_text(canvas, {kMargin, 46.0}, closed.valve.name, {24.0, palette::kInk, Align::Left, true},
+            kWidth - 2.0 * kMargin);
+  const Box atrial{kMargin, 110.0, 880.0, 700.0};
+  const Box section{960.0, 110.0, kWidth - 960.0 - kMargin, 510.0};
+  draw_heading(canvas, atrial, "From the atrium");
+  draw_atrial_view(canvas, {atrial, atrial_scale(atrial, closed)}, closed);
+  draw_heading(canvas, section, "Long axis, through the middle of both leaflets");
+  draw_section_view(canvas, {section, section_scale(section, closed)}, closed);
+  draw_caption(canvas, {section.x + 4.0, section.y + section.height + 20.0}, closed, section.width);
+  draw_notice(canvas, kWidth, kHeight);
+  return to_png(canvas);
+}
+
+std::string comparison_picture_png(const ClosedValve& before, const ClosedValve& after) {
+  constexpr int kWidth = 1300, kHeight = 1210;
+  const Canvas canvas = make_canvas(kWidth, kHeight);
+  fill_box(canvas, {0.0, 0.0, kWidth, kHeight}, palette::kPaper);
+  constexpr double kColumn = 0.5 * kWidth - 1.5 * kMargin;
+  const auto atrial = [](double x) { return Box{x, 70.0, kColumn, 490.0}; };
+  const auto section = [](double x) { return Box{x, 570.0, kColumn, 410.0}; };
+  const double seen_from_atrium =
+      std::min(atrial_scale(atrial(0.0), before), atrial_scale(atrial(0.0), after));
+  const double seen_in_section =
+      std::min(section_scale(section(0.0), before), section_scale(section(0.0), after));
+  double x = kMargin;
+  for (const auto& [closed, title] : {std::pair(&before, "Before"), std::pair(&after, "After")}) {
+    draw_text(canvas, {x + 4.0, 44.0}, title, {24.0, palette::kInk, Align::Left, true});
+    draw_atrial_view(canvas, {atrial(x), seen_from_atrium}, *closed);
+    draw_section_view(canvas, {section(x), seen_in_section}, *closed);
+    draw_caption(canvas, {x + 4.0, 990.0}, *closed, kColumn);
+    x += kColumn + kMargin;
+  }
+  set_colour(canvas, palette::kHairline);
+  cairo_set_line_width(canvas.context.get(), 1.0);
+  cairo_move_to(canvas.context.get(), 0.5 * kWidth, 30.0);
+  cairo_line_to(canvas.context.get(), 0.5 * kWidth, kHeight - 50.0);
+  cairo_stroke(canvas.context.get());
+  draw_notice(canvas, kWidth, kHeight);
+  return to_png(canvas);
+}
+
+}  // namespace coapt

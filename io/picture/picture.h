@@ -1,0 +1,43 @@
+// Pictures of closed valves, drawn with cairo.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/closure/closure.h"
+#include "core/metrics/measure.h"
+#include "core/valve/valve.h"
+#include "search/search.h"
+
+namespace coapt {
+
+/// A valve with its closure, as pictures need it.
+struct ClosedValve {
+  Valve valve;
+  ClosureResult closure;
+  ValveMeasure measure;
+};
+
+/// PNG bytes: atrial view with the orifices coloured beside a long-axis section, captioned.
+std::string closure_picture_png(const ClosedValve& closed);
+
+/// PNG bytes: atrial view of before and after side by side with sections below.
+std::string comparison_picture_png(const ClosedValve& before, const ClosedValve& after);
+
+struct Series {
+  std::string label;
+  std::vector<double> x, y;
+};
+struct Chart {
+  std::string title, x_label, y_label;
+  std::vector<Series> series;
+};
+std::string chart_svg(const Chart& chart);
+
+/// Self-contained HTML: before and after pictures, ranked table, the search's progress, notice, how
+/// to reproduce.
+std::string plan_report_html(const ClosedValve& before, const std::vector<ClosedValve>& after,
+                             const SearchResult& result, const std::string& command);
+
+}  // namespace coapt

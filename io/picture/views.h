@@ -1,0 +1,31 @@
+// The two drawings of a closed valve that pictures are composed of.
+#pragma once
+
+#include "io/picture/canvas.h"
+#include "io/picture/picture.h"
+
+namespace coapt {
+
+struct ViewFrame {
+  Box box;
+  double pixels_per_mm = 12.0;
+};
+
+/// As the surgeon sees it: anterior up, anterolateral left. Orifices in blue with their areas.
+void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed);
+
+/// Long-axis section through the saddle peak and mid-posterior: atrium up, anterior left.
+void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed);
+
+/// The largest scales at which the annulus with its labels, and the section down to the papillary
+/// tips, fit into a box.
+double atrial_scale(const Box& box, const ClosedValve& closed);
+double section_scale(const Box& box, const ClosedValve& closed);
+
+/// 10 mm, in the lower left corner.
+void draw_scale_bar(const Canvas& canvas, const ViewFrame& frame);
+
+/// Said in place of a drawing that would need points that are not there.
+void draw_unknown(const Canvas& canvas, const ViewFrame& frame);
+
+}  // namespace coapt

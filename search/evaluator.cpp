@@ -1,0 +1,16 @@
+#include "search/evaluator.h"
+
+namespace coapt {
+
+Evaluator closing_evaluator(const ClosureOptions& options) {
+  return [options](const Valve& valve) {
+    const ClosureResult closure = close_valve(valve, options);
+    return Evaluation{closure.status, closure.crossing, measure(valve, closure)};
+  };
+}
+
+bool trusted(const Evaluation& evaluation) {
+  return evaluation.status == ClosureStatus::Converged && !evaluation.crossing;
+}
+
+}  // namespace coapt

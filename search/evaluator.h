@@ -1,0 +1,25 @@
+// Closing and measuring one valve: the expensive part of a search, and the part that tests replace.
+#pragma once
+
+#include <functional>
+
+#include "core/closure/closure.h"
+#include "core/metrics/measure.h"
+
+namespace coapt {
+
+struct Evaluation {
+  ClosureStatus status = ClosureStatus::Converged;
+  bool crossing = false;
+  ValveMeasure measure;
+};
+
+/// Called from several threads at once.
+using Evaluator = std::function<Evaluation(const Valve&)>;
+
+Evaluator closing_evaluator(const ClosureOptions& options);
+
+/// Converged, without leaflets through each other: only then do the measures mean anything.
+bool trusted(const Evaluation& evaluation);
+
+}  // namespace coapt

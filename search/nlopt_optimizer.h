@@ -1,0 +1,26 @@
+// Local optimisation within bounds by BOBYQA (Powell 2009). The only part of coapt that knows
+// NLopt.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace coapt {
+
+struct BoundedProblem {
+  std::vector<double> lower, upper, start;  ///< |n|, start within the bounds
+  std::vector<double> first_step;           ///< |n|, > 0: where the optimiser first looks
+  double tolerance = 0.1;  ///< stop when steps are shorter than this share of the first
+  int most_calls = 100;
+};
+
+/// Cost at a point, or nothing to stop. Points are always within the bounds.
+using PointCost = std::function<std::optional<double>(const std::vector<double>&)>;
+
+/// Calls `cost` until it is satisfied, told to stop, or out of calls; whoever calls keeps the best.
+/// NLopt's own failures (rounding on a plateau) are an end like any other.
+void minimise(const BoundedProblem& problem, const PointCost& cost, std::uint64_t seed);
+
+}  // namespace coapt

@@ -1,0 +1,166 @@
+#include "search/rank.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "core/repair/apply_plan.h"
+#include "search/objective.h"
+#include "search/parallel.h"
+#include "search/perturbation.h"
+#include "search/warnings.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kClass_mm2 = 0.5;
+constexpr int kFirstNodes = 5;
+
+std::string kind(const Choice& choice) {
+  const auto anchor = [](const std::optional<Anchor>& a) {
+    return std::string(a ? to_string(*a) : "none");
+  };
+  return (choice.ring ? choice.ring->shape : "none") + ' ' + anchor(choice.anterolateral) + ' ' +
+         anchor(choice.posteromedial) + ' ' + std::to_string(choice.neochordae);
+}
+
+OrificeStatistics statistics(double nominal, const std::vector<double>& areas) {
+  OrificeStatistics result;
+  result.nominal = result.worst = nominal;
+  if (areas.empty()) {
+    result.mean = nominal;
+    return result;
+  }
+  for (const double area : areas) {
+    result.mean += area / static_cast<double>(areas.size());
+    result.worst = std::max(result.worst, area);
+  }
+  double variance = 0.0;
+  for (const double area : areas)
+    variance += (area - result.mean) * (area - result.mean) / static_cast<double>(areas.size());
+  result.sd = std::sqrt(variance);
+  return result;
+}
+
+RankedPlan ranked(const RankRequest& request, const Trial& trial,
+                  const std::vector<std::optional<Evaluation>>& region) {
+  RankedPlan plan;
+  plan.plan = trial.plan;
+  plan.description = describe(request.valve, trial.plan);
+  plan.cost = trial.cost;
+  plan.status = trial.evaluation.status;
+  plan.crossing = trial.evaluation.crossing;
+  plan.measure = trial.evaluation.measure;
+  const Expected<Valve> repaired = apply_plan(request.valve, trial.plan, request.catalogue);
+  const Effort asked = effort(request.valve, *repaired, trial.plan);
+  plan.ring_sizes_below = asked.sizes_below;
+  plan.anterolateral_movement_mm = asked.anterolateral_movement_mm;
+  plan.posteromedial_movement_mm = asked.posteromedial_movement_mm;
+  std::vector<double> areas;
+  plan.region_closures = 0;
+  for (const std::optional<Evaluation>& evaluation : region) {
+    if (!evaluation) continue;
+    ++plan.region_closures;
+    if (trusted(*evaluation))
+      areas.push_back(evaluation->measure.orifice.area_mm2);
+    else
+      ++plan.region_failures;
+  }
+  plan.orifice_area_mm2 = statistics(trial.evaluation.measure.orifice.area_mm2, areas);
+  plan.warnings = plan_warnings(plan, request.valve, request.catalogue, request.before);
+  return plan;
+}
+
+bool is_better(const RankedPlan& a, const RankedPlan& b) {
+  const auto failed = [](const RankedPlan& plan) {
+    return plan.status != ClosureStatus::Converged || plan.crossing;
+  };
+  const auto orifice_class = [](const RankedPlan& plan) {
+    return std::floor((plan.orifice_area_mm2.mean + plan.orifice_area_mm2.sd) / kClass_mm2);
+  };
+  if (failed(a) != failed(b)) return failed(b);
+  if (failed(a)) return a.cost < b.cost;
+  if (orifice_class(a) != orifice_class(b)) return orifice_class(a) < orifice_class(b);
+  return a.cost < b.cost;
+}
+
+/// A finalist and what is known of its region; nodes not closed are empty.
+struct Finalist {
+  Trial trial;
+  std::vector<std::optional<Evaluation>> region;
+  RankedPlan plan;
+};
+
+int finalist_count(const SearchOptions& options) { return 2 * options.plans; }
+int first_nodes(const SearchOptions& options) {
+  return std::min(kFirstNodes, options.region_points);
+}
+
+/// Closes all finalists at nodes [first, last) and puts them in order. Node by node, so that an
+/// early stop leaves every plan with the same nodes, as far as it goes.
+void close_nodes(const RankRequest& request, const std::vector<Perturbation>& nodes, int first,
+                 int last, std::vector<Finalist>& finalists, Watch& watch) {
+  const int count = static_cast<int>(finalists.size());
+  for_each_index(count * (last - first), request.options.threads, [&](int index) {
+    if (watch.stopped()) return;
+    Finalist& finalist = finalists[static_cast<std::size_t>(index % count)];
+    const auto n = static_cast<std::size_t>(first + index / count);
+    const RepairPlan& plan = finalist.trial.plan;
+    const Expected<Valve> repaired = apply_plan(request.valve, plan, request.catalogue);
+    finalist.region[n] = request.evaluate(perturb(*repaired, plan, nodes[n]));
+    watch.closed(*finalist.region[n], false);
+  });
+  for (Finalist& finalist : finalists)
+    finalist.plan = ranked(request, finalist.trial, finalist.region);
+  std::stable_sort(finalists.begin(), finalists.end(),
+                   [](const Finalist& a, const Finalist& b) { return is_better(a.plan, b.plan); });
+}
+
+}  // namespace
+
+int ranking_closures(const SearchOptions& options) {
+  const int first = first_nodes(options);
+  return finalist_count(options) * (first - 1) + options.plans * (options.region_points - first);
+}
+
+std::vector<Trial> finalists(const std::vector<StrategySearch>& searches,
+                             const SearchOptions& options) {
+  std::vector<const StrategySearch*> order;
+  for (const StrategySearch& search : searches)
+    if (search.best) order.push_back(&search);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto* a, const auto* b) { return a->best->cost < b->best->cost; });
+  std::set<std::string> kinds;
+  std::stable_partition(order.begin(), order.end(), [&kinds](const StrategySearch* search) {
+    return kinds.insert(kind(search->strategy.choice)).second;
+  });
+  std::vector<Trial> best;
+  for (const StrategySearch* search : order)
+    if (std::ssize(best) < finalist_count(options)) best.push_back(*search->best);
+  return best;
+}
+
+std::vector<RankedPlan> rank_plans(const RankRequest& request, const std::vector<Trial>& trials,
+                                   Watch& watch) {
+  const SearchOptions& options = request.options;
+  const std::vector<Perturbation> nodes = region_of_interest();
+  std::vector<Finalist> finalists;
+  for (const Trial& trial : trials) {
+    finalists.push_back({trial, {}, {}});
+    finalists.back().region.resize(static_cast<std::size_t>(options.region_points));
+    finalists.back().region[0] = trial.evaluation;  // the undisturbed node
+  }
+  close_nodes(request, nodes, 1, first_nodes(options), finalists, watch);
+  if (std::ssize(finalists) > options.plans)
+    finalists.erase(finalists.begin() + options.plans, finalists.end());
+  close_nodes(request, nodes, first_nodes(options), options.region_points, finalists, watch);
+  std::vector<RankedPlan> plans;
+  for (const Finalist& finalist : finalists) {
+    plans.push_back(finalist.plan);
+    plans.back().rank = static_cast<int>(plans.size());
+  }
+  return plans;
+}
+
+}  // namespace coapt

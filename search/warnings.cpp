@@ -1,0 +1,116 @@
+#include "search/warnings.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/repair/annuloplasty.h"
+#include "core/valve/annulus_frame.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kRingSize_mm = 2.0;
+constexpr double kMostSizesBelow = 4.0;    // more is rejected in practice
+constexpr double kStenoticRing_mm = 27.0;  // predicts functional stenosis
+constexpr double kMuchMovement_mm = 10.0, kTooMuchMovement_mm = 15.0;
+constexpr Range kUsualNeochordaMm = {10.0, 30.0};
+constexpr double kTensionRise = 3.0;     // neochordae 5 % too short: no leak, three times the force
+constexpr double kTensionFloor_n = 0.2;  // below it a rise means nothing
+constexpr double kGoodRepair_mm2 = 5.0;  // thesis 4.2.3
+
+std::string mm(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f mm", value);
+  return text;
+}
+
+using Lines = std::vector<std::string>;
+
+void about(const Annuloplasty& ring, const Valve& valve, const std::vector<RingShape>& catalogue,
+           Lines& lines) {
+  const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
+  const double width = ring.shape == "own"
+                           ? transverse - kRingSize_mm * ring.sizes_below
+                           : ring_width_mm(*find_ring(catalogue, ring.shape), ring.size_mm);
+  if (width > transverse)
+    lines.push_back("ring wider than the annulus (" + mm(width) + " against " + mm(transverse) +
+                    "): it would stretch it");
+  if ((ring.shape == "own" ? width : ring.size_mm) <= kStenoticRing_mm)
+    lines.push_back("ring of 27 mm or less predicts functional stenosis; filling is not simulated");
+}
+
+void about(const PapillaryApproximation& suture, const Valve&, const std::vector<RingShape>&,
+           Lines& lines) {
+  if (suture.anchor == Anchor::AnnulusPoint && suture.annulus_around > 0.5)
+    lines.push_back("anchor on the posterior annulus impaired filling; filling is not simulated");
+}
+
+void about(const Neochorda& step, const Valve& valve, const std::vector<RingShape>&, Lines& lines) {
+  for (const PapillaryHead& head : valve.heads) {
+    if (head.id != step.head) continue;
+    const bool lateral_point = step.insertion.along < 0.5;
+    const bool lateral_head = head.side == Side::Anterolateral;
+    if (step.insertion.along != 0.5 && lateral_point != lateral_head)
+      lines.push_back("neochorda from " + head.id + " crosses to the other half of the valve");
+  }
+  if (step.length_mm < kUsualNeochordaMm.min || step.length_mm > kUsualNeochordaMm.max)
+    lines.push_back("neochorda of " + mm(step.length_mm) + ": usual are 10 to 30 mm");
+}
+
+void about(const ChordalLengthChange&, const Valve&, const std::vector<RingShape>&, Lines&) {}
+void about(const ChordalExcision&, const Valve&, const std::vector<RingShape>&, Lines&) {}
+void about(const ChordalTransfer&, const Valve&, const std::vector<RingShape>&, Lines&) {}
+
+void about_movement(double movement, const char* side, Lines& lines) {
+  if (movement > kTooMuchMovement_mm)
+    lines.push_back(std::string(side) + " muscle moved by " + mm(movement) +
+                    ": more than 15 mm is rejected in practice");
+  else if (movement > kMuchMovement_mm)
+    lines.push_back(std::string(side) + " muscle moved by " + mm(movement) +
+                    ": more than 10 mm is unusual");
+}
+
+void about_size(double sizes_below, Lines& lines) {
+  if (sizes_below > kMostSizesBelow)
+    lines.push_back(
+        "annulus made smaller by more than 4 ring sizes (of its area): rejected in practice");
+}
+
+void about_closure(const RankedPlan& plan, const Evaluation& before, Lines& lines) {
+  if (plan.status != ClosureStatus::Converged)
+    lines.push_back("the closure did not come to rest: figures are not to be trusted");
+  if (plan.crossing)
+    lines.push_back("leaflets pass through each other: figures are not to be trusted");
+  const double tension = plan.measure.tension_max_n, usual = before.measure.tension_max_n;
+  if (tension > kTensionRise * std::max(usual, kTensionFloor_n))
+    lines.push_back("peak chordal tension rises more than threefold");
+  const auto& sections = plan.measure.coaptation.sections;
+  const auto apart = std::count_if(sections.begin(), sections.end(),
+                                   [](const CoaptationSection& s) { return !s.contact; });
+  if (apart > 0)
+    lines.push_back("leaflets do not touch at " + std::to_string(apart) +
+                    " of 9 sections (a projection can hide it)");
+  if (plan.orifice_area_mm2.worst > kGoodRepair_mm2)
+    lines.push_back("leaks more than 5 mm2 somewhere in the region of interest");
+  if (plan.region_failures > 0)
+    lines.push_back(std::to_string(plan.region_failures) + " of " +
+                    std::to_string(plan.region_closures) +
+                    " closures in the region of interest failed and are left out of its figures");
+}
+
+}  // namespace
+
+std::vector<std::string> plan_warnings(const RankedPlan& plan, const Valve& valve,
+                                       const std::vector<RingShape>& catalogue,
+                                       const Evaluation& before) {
+  Lines lines;
+  for (const RepairStep& step : plan.plan.steps)
+    std::visit([&](const auto& s) { about(s, valve, catalogue, lines); }, step);
+  about_size(plan.ring_sizes_below, lines);
+  about_movement(plan.anterolateral_movement_mm, "anterolateral", lines);
+  about_movement(plan.posteromedial_movement_mm, "posteromedial", lines);
+  about_closure(plan, before, lines);
+  return lines;
+}
+
+}  // namespace coapt

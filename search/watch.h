@@ -1,0 +1,63 @@
+// Counts closures, tells when to stop and reports progress. Shared by the threads of a search.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <mutex>
+
+#include "search/search.h"
+
+namespace coapt {
+
+class Watch {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  Watch(double seconds, const std::atomic<bool>* cancelled,
+        const std::function<void(const SearchProgress&)>& progress)
+      : seconds_(seconds), cancelled_(cancelled), progress_(progress) {}
+
+  void plan(int closures) { planned_ = closures; }
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
+  /// Whether to go no further. Once true, always true.
+  bool stopped() {
+    if (cancelled_ != nullptr && cancelled_->load()) stop_ = SearchStop::Cancelled;
+    if (stop_ == SearchStop::EvaluationLimit && seconds_ > 0.0 && seconds() >= seconds_)
+      stop_ = SearchStop::TimeLimit;
+    return stop_ != SearchStop::EvaluationLimit;
+  }
+  /// Why the search ends: EvaluationLimit unless stopped() has ever been true.
+  SearchStop stop() const { return stop_; }
+
+  /// @param is_plan of an undisturbed plan, whose orifice may be the best.
+  void closed(const Evaluation& evaluation, bool is_plan) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++closures_;
+    if (evaluation.status != ClosureStatus::Converged) ++not_converged_;
+    if (evaluation.crossing) ++crossed_;
+    const double orifice = evaluation.measure.orifice.area_mm2;
+    if (is_plan && trusted(evaluation) && (!any_ || orifice < best_orifice_mm2_)) {
+      best_orifice_mm2_ = orifice;
+      any_ = true;
+    }
+    if (progress_) progress_({closures_, planned_, best_orifice_mm2_});
+  }
+
+  int closures() const { return closures_; }
+  int not_converged() const { return not_converged_; }
+  int crossed() const { return crossed_; }
+
+ private:
+  Clock::time_point started_ = Clock::now();
+  double seconds_;
+  const std::atomic<bool>* cancelled_;
+  const std::function<void(const SearchProgress&)>& progress_;
+  std::atomic<SearchStop> stop_ = SearchStop::EvaluationLimit;
+  std::mutex mutex_;
+  int planned_ = 0, closures_ = 0, not_converged_ = 0, crossed_ = 0;
+  double best_orifice_mm2_ = 0.0;
+  bool any_ = false;
+};
+
+}  // namespace coapt

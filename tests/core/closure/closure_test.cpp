@@ -1,0 +1,155 @@
+#include "core/closure/closure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/closure/tauten.h"
+#include "core/presets/presets.h"
+#include "core/valve/validate.h"
+#include "tests/scenes/small_valve.h"
+
+namespace coapt {
+namespace {
+
+Valve human(int triangles = 0) { return *make_preset("human-normal", triangles); }
+
+/// Applies x -> R x to everything that has a place; `mirror` also restores the winding.
+Valve moved(Valve valve, const Eigen::Matrix3d& r, bool mirror) {
+  const auto turn = [&](Points& p) { p = (p * r.transpose()).eval(); };
+  turn(valve.rest_mm);
+  turn(valve.annulus_mm);
+  turn(valve.fibre);
+  for (PapillaryHead& head : valve.heads) {
+    head.rest_mm = r * head.rest_mm;
+    head.tip_mm = r * head.tip_mm;
+  }
+  for (Chorda& chorda : valve.chordae)
+    for (ChordaSegment& segment : chorda.segments) {
+      segment.branch_point_mm = r * segment.branch_point_mm;
+      if (mirror) std::swap(segment.insertion.weights[1], segment.insertion.weights[2]);
+    }
+  if (mirror) valve.faces.col(1).swap(valve.faces.col(2));
+  return valve;
+}
+
+TEST(Closure, BranchPointsRestWhereTheirCablesBalance) {
+  const Valve valve = human();
+  ClosureOptions options;
+  options.residual_tolerance = 1e-5;
+  const ClosureResult closed = close_valve(valve, options);
+  ASSERT_EQ(closed.status, ClosureStatus::Converged);
+  int forks = 0;
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    const Chorda& chorda = valve.chordae[c];
+    if (chorda.segments.size() < 2) continue;
+    const Vec3 tip = valve.heads[static_cast<std::size_t>(chorda.head)].tip_mm;
+    const Vec3 fork = closed.branch_points_mm[c].row(0);
+    Vec3 sum = closed.tension_n[c][0] * (tip - fork).normalized();
+    for (std::size_t s = 1; s < chorda.segments.size(); ++s) {
+      const Vec3 end = closed.branch_points_mm[c].row(static_cast<Eigen::Index>(s));
+      sum += closed.tension_n[c][s] * (end - fork).normalized();
+    }
+    EXPECT_NEAR(sum.norm(), 0.0, 2e-3) << chorda.id;
+    forks += closed.tension_n[c][0] > 0.05;
+  }
+  EXPECT_GT(forks, 5);
+}
+
+TEST(Closure, TurnsWithTheValve) {
+  const Valve valve = human();
+  const Eigen::Matrix3d r = Eigen::AngleAxisd(1.0, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  ClosureOptions options;
+  options.residual_tolerance = 1e-4;
+  const ClosureResult here = close_valve(valve, options);
+  const ClosureResult there = close_valve(moved(valve, r, false), options);
+  ASSERT_EQ(here.status, ClosureStatus::Converged);
+  ASSERT_EQ(there.status, ClosureStatus::Converged);
+  const Points back = there.closed_mm * r;
+  EXPECT_LT((back - here.closed_mm).rowwise().norm().maxCoeff(), 0.05);
+}
+
+TEST(Closure, OfTheMirrorImageIsTheMirrorImage) {
+  const Valve valve = human();
+  const Eigen::Matrix3d r = Vec3(-1, 1, 1).asDiagonal();
+  ClosureOptions options;
+  options.residual_tolerance = 1e-4;
+  const ClosureResult here = close_valve(valve, options);
+  const ClosureResult there = close_valve(moved(valve, r, true), options);
+  EXPECT_LT((there.closed_mm * r - here.closed_mm).rowwise().norm().maxCoeff(), 0.05);
+}
+
+TEST(Closure, OfTheSameValveGivesTheSameBits) {
+  const Valve valve = human(300);
+  const ClosureResult a = close_valve(valve), b = close_valve(valve);
+  EXPECT_EQ(a.closed_mm, b.closed_mm);
+  EXPECT_EQ(a.steps, b.steps);
+  EXPECT_EQ(a.tension_n, b.tension_n);
+}
+
+TEST(Closure, KeepsAnnulusAndTipsWhereTheySitUnderPressure) {
+  Valve valve = human(300);
+  valve.annulus_mm.col(1) *= 0.9;
+  const ClosureResult closed = close_valve(valve);
+  for (std::size_t i = 0; i < valve.annulus.size(); ++i)
+    EXPECT_EQ(closed.closed_mm.row(valve.annulus[i]),
+              valve.annulus_mm.row(static_cast<Eigen::Index>(i)));
+}
+
+TEST(Closure, SamplesStayCloseOnceTheValveIsAtRest) {
+  const ClosureResult closed = close_valve(human());
+  ASSERT_EQ(closed.samples_mm.size(), 5u);
+  EXPECT_EQ(closed.samples_mm.front(), closed.closed_mm);
+  for (const Points& sample : closed.samples_mm)
+    EXPECT_LT((sample - closed.closed_mm).rowwise().norm().maxCoeff(), 0.1);
+}
+
+TEST(Closure, ThatRunsOutOfStepsSaysSo) {
+  ClosureOptions options;
+  options.max_steps = 100;
+  const ClosureResult closed = close_valve(human(300), options);
+  EXPECT_EQ(closed.status, ClosureStatus::StepLimit);
+  EXPECT_GT(closed.residual, 0.01);
+}
+
+TEST(Closure, ThatOverflowsIsDivergedAndNotAnAnswer) {
+  ClosureOptions options;
+  options.contact_stiffness_n_per_mm4 = std::numeric_limits<double>::max();
+  EXPECT_EQ(close_valve(human(300), options).status, ClosureStatus::Diverged);
+}
+
+TEST(Closure, WithContactTooSoftIsCaughtCrossing) {
+  ClosureOptions options;
+  options.contact_stiffness_n_per_mm4 = 1e-6;
+  EXPECT_TRUE(close_valve(human(), options).crossing);
+}
+
+TEST(Closure, OfSurplusLeafletFallsBackOnEdgeContactAndEndsUncrossed) {
+  // Heights a fifth over porcine-1: tight folds that vertex-face contact alone lets cross.
+  ParametricValve d;
+  d.ap_mm = 28.1;
+  d.al_pm_mm = 37.7;
+  d.anterior_height_mm = 23.9;
+  d.posterior_height_mm = 13.5;
+  d.lateral_height_mm = 12.1;
+  d.commissure_height_mm = 9.1;
+  d.tip_depth_mm = 22.5;
+  d.tip_spread_mm = 22.6;
+  const ClosureResult closed = close_valve(*make_taut_valve(d));
+  EXPECT_EQ(closed.status, ClosureStatus::Converged);
+  EXPECT_EQ(closed.crossing_pairs, 0);
+}
+
+TEST(Tauten, MakesEveryChordaAsLongAsInTheClosedStateTimesItsSlack) {
+  const Valve valve = small_valve();
+  const ClosureResult closed = close_valve(valve);
+  const Valve taut = tauten(valve, closed, 1.1);
+  const Vec3 tip = valve.heads[static_cast<std::size_t>(valve.chordae[1].head)].tip_mm;
+  const Vec3 end = closed.branch_points_mm[1].row(0);
+  EXPECT_NEAR(taut.chordae[1].segments[0].rest_length_mm, 1.1 * (end - tip).norm(), 1e-12);
+  EXPECT_TRUE(validate(taut).empty());
+}
+
+}  // namespace
+}  // namespace coapt

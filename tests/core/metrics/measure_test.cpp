@@ -1,0 +1,51 @@
+#include "core/metrics/measure.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+
+#include "tests/scenes/sheets.h"
+
+namespace coapt {
+namespace {
+
+TEST(Measure, PutsThePartsTogether) {
+  const Valve valve = disc_with_hole(15.0, 3.0);
+  ClosureResult closure = closed_at_rest(valve);
+  closure.closed_mm.col(1) *= 1.1;
+  closure.samples_mm.clear();
+  const ValveMeasure result = measure(valve, closure);
+  EXPECT_NEAR(result.orifice.area_raw_mm2, std::numbers::pi * 3.0 * 3.3, 0.1);
+  EXPECT_EQ(result.orifice.area_mean_mm2, result.orifice.area_mm2);
+  EXPECT_NEAR(result.annulus.ap_mm, 30.0, 1e-9);
+  EXPECT_NEAR(result.strain_radial_max, 0.105, 1e-9);
+  EXPECT_NEAR(result.strain_circumferential_max, 0.0, 1e-9);
+  EXPECT_NEAR(result.tenting_height_mm, 0.0, 1e-9);
+  EXPECT_EQ(result.tension_max_n, 0.0);
+  // From the hole's anterior end, (0, 3.3), to where the posterior side begins, (3, 0).
+  EXPECT_NEAR(result.coaptation.distance_max_mm, std::hypot(3.0, 3.3), 0.01);
+}
+
+TEST(Measure, OfPointsThatAreNotFiniteOnlyTheAnnulusIsKnown) {
+  const Valve valve = disc_with_hole(15.0, 3.0);
+  ClosureResult closure = closed_at_rest(valve);
+  closure.closed_mm(200, 1) = std::numeric_limits<double>::quiet_NaN();
+  const ValveMeasure result = measure(valve, closure);
+  EXPECT_NEAR(result.annulus.ap_mm, 30.0, 1e-9);
+  EXPECT_TRUE(std::isnan(result.orifice.area_mm2));
+  EXPECT_TRUE(std::isnan(result.coaptation.height_mean_mm));
+  EXPECT_FALSE(result.coaptation.sections[4].contact);
+}
+
+TEST(Measure, RepeatsItselfToTheBit) {
+  const Valve valve = disc_with_hole(15.0, 3.0);
+  const ClosureResult closure = closed_at_rest(valve);
+  const ValveMeasure first = measure(valve, closure), second = measure(valve, closure);
+  EXPECT_EQ(first.orifice.area_mm2, second.orifice.area_mm2);
+  EXPECT_EQ(first.coaptation.height_mean_mm, second.coaptation.height_mean_mm);
+  EXPECT_EQ(first.tenting_area_mm2, second.tenting_area_mm2);
+}
+
+}  // namespace
+}  // namespace coapt

@@ -1,0 +1,99 @@
+#include "core/valve/parametric.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/valve/contour.h"
+#include "core/valve/validate.h"
+
+namespace coapt {
+namespace {
+
+double perimeter(const Points& contour) { return ArcLength(contour).total_mm(); }
+
+TEST(Contour, OfHumanControlsHasTheirPublishedCircumferenceAndArea) {
+  const Points contour = generic_annulus_contour(29.0, 39.0, 6.8);
+  double area = 0.0;
+  for (Eigen::Index i = 0; i < contour.rows(); ++i) {
+    const Eigen::Index j = (i + 1) % contour.rows();
+    area += 0.5 * (contour(i, 0) * contour(j, 1) - contour(j, 0) * contour(i, 1));
+  }
+  EXPECT_NEAR(perimeter(contour), 116.0, 3.5);  // PMC7368231
+  EXPECT_NEAR(area, 980.0, 50.0);
+  EXPECT_NEAR(contour.col(0).maxCoeff() - contour.col(0).minCoeff(), 39.0, 1e-9);
+  EXPECT_NEAR(contour.col(1).maxCoeff() - contour.col(1).minCoeff(), 29.0, 0.01);
+}
+
+TEST(ArcLength, OfASquareWalksItsSides) {
+  Points square(4, 3);
+  square << 1, -1, 0, 1, 1, 0, -1, 1, 0, -1, -1, 0;
+  const ArcLength arc(square);
+  EXPECT_DOUBLE_EQ(arc.total_mm(), 8.0);
+  EXPECT_EQ(arc.at(0.5), Vec3(1, -0.5, 0));
+  EXPECT_EQ(arc.at(8.0 + 3.0), Vec3(0, 1, 0));
+  EXPECT_EQ(arc.at(-1.0), Vec3(0, -1, 0));
+  EXPECT_DOUBLE_EQ(arc.crossing_mm(true), 3.0);
+  EXPECT_DOUBLE_EQ(arc.crossing_mm(false), 7.0);
+}
+
+TEST(ParametricValve, HasTheLeafletHeightsAndResolutionAskedFor) {
+  for (const int triangles : {650, 2600, 10400}) {
+    ParametricValve d;
+    d.triangles = triangles;
+    const Valve valve = *make_parametric_valve(d);
+    EXPECT_TRUE(validate(valve).empty());
+    EXPECT_NEAR(static_cast<double>(valve.faces.rows()), triangles, 0.04 * triangles);
+    const auto stations = static_cast<Eigen::Index>(valve.annulus.size());
+    const Eigen::Index last_row = valve.rest_mm.rows() - stations;
+    const auto height = [&](int vertex) {
+      return (valve.rest_mm.row(last_row + vertex) - valve.rest_mm.row(vertex)).norm();
+    };
+    EXPECT_NEAR(height(valve.landmarks.saddle_peak), 22.0, 1e-9);
+    EXPECT_NEAR(height(valve.landmarks.mid_posterior), 13.0, 1e-9);
+    EXPECT_NEAR(height(valve.landmarks.posteromedial_commissure), 8.0, 1e-9);
+  }
+}
+
+TEST(ParametricValve, NamesEveryDimensionOutsideItsRange) {
+  ParametricValve d;
+  d.ap_mm = std::numeric_limits<double>::quiet_NaN();
+  d.anterior_height_mm = 0.022;  // metres
+  d.triangles = 2000000000;
+  const Expected<Valve> valve = make_parametric_valve(d);
+  ASSERT_FALSE(valve);
+  ASSERT_EQ(valve.errors().size(), 3u);
+  EXPECT_EQ(valve.errors()[0].path, "/ap_mm");
+  EXPECT_EQ(valve.errors()[1].path, "/anterior_height_mm");
+  EXPECT_EQ(valve.errors()[2].path, "/triangles");
+}
+
+TEST(ParametricValve, FromAMeasuredContourDoesNotDependOnTheFrameOfTheMeasurement) {
+  ParametricValve d;
+  d.annulus_mm = generic_annulus_contour(29.0, 39.0, 0.0);
+  Points tips(4, 3);
+  tips << -12, 1, -23, -12, -3, -23, 12, 1, -24, 12, -3, -24;
+  d.tips_mm = tips;
+  const Valve here = *make_parametric_valve(d);
+  const Eigen::Matrix3d r =
+      Eigen::AngleAxisd(2.0, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+  d.annulus_mm =
+      ((*d.annulus_mm * r.transpose()).rowwise() + Eigen::RowVector3d(100, 400, 200)).eval();
+  d.tips_mm = ((tips * r.transpose()).rowwise() + Eigen::RowVector3d(100, 400, 200)).eval();
+  const Valve there = *make_parametric_valve(d);
+  EXPECT_LT((here.rest_mm - there.rest_mm).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_TRUE(validate(here).empty());
+}
+
+TEST(ParametricValve, WithAMeasuredAnnulusButNoTipsSaysWhatIsMissing) {
+  ParametricValve d;
+  d.annulus_mm = generic_annulus_contour(29.0, 39.0, 0.0);
+  const Expected<Valve> valve = make_parametric_valve(d);
+  ASSERT_FALSE(valve);
+  EXPECT_EQ(valve.errors()[0].path, "/tips_mm");
+  EXPECT_EQ(valve.errors()[0].code, ErrorCode::MissingField);
+}
+
+}  // namespace
+}  // namespace coapt

@@ -1,0 +1,85 @@
+#include "core/presets/presets.h"
+
+#include <gtest/gtest.h>
+
+#include "core/metrics/measure.h"
+#include "core/valve/remodel.h"
+#include "core/valve/validate.h"
+
+namespace coapt {
+namespace {
+
+class HealthyPreset : public testing::TestWithParam<const char*> {};
+
+TEST_P(HealthyPreset, IsCompetentTouchesAtNineSectionsAndDoesNotCross) {
+  const Valve valve = *make_preset(GetParam());
+  EXPECT_TRUE(validate(valve).empty());
+  const ClosureResult closed = close_valve(valve);
+  EXPECT_EQ(closed.status, ClosureStatus::Converged);
+  EXPECT_FALSE(closed.crossing);
+  const ValveMeasure measured = measure(valve, closed);
+  EXPECT_LT(measured.orifice.area_mm2, 1.0);
+  for (const CoaptationSection& section : measured.coaptation.sections)
+    EXPECT_TRUE(section.contact) << "at " << section.along << ": " << section.distance_mm << " mm";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HealthyPreset,
+                         testing::Values("porcine-1", "porcine-2", "porcine-3", "porcine-4",
+                                         "porcine-5", "human-normal"));
+
+TEST(Preset, OfEveryNameIsAValidValveWithTheDiametersOfItsTable) {
+  for (const std::string& name : preset_names()) {
+    const Expected<Valve> valve = make_preset(name);
+    ASSERT_TRUE(valve) << name;
+    EXPECT_TRUE(validate(*valve).empty()) << name;
+    EXPECT_EQ(valve->name, name);
+  }
+  const Valve porcine = *make_preset("porcine-3");
+  const AnnulusMeasure annulus = measure(porcine, close_valve(porcine)).annulus;
+  EXPECT_NEAR(annulus.ap_mm, 25.9, 0.2);
+  EXPECT_NEAR(annulus.al_pm_mm, 41.3, 0.3);
+}
+
+TEST(Preset, OfAnUnknownNameNamesTheKnownOnes) {
+  const Expected<Valve> valve = make_preset("ovine-1");
+  ASSERT_FALSE(valve);
+  EXPECT_EQ(valve.errors()[0].code, ErrorCode::Unsupported);
+  EXPECT_NE(valve.errors()[0].message.find("human-normal"), std::string::npos);
+}
+
+TEST(Preset, HasTheSameChordaeLengthsAtEveryResolution) {
+  const Valve coarse = *make_preset("porcine-1", 650), fine = *make_preset("porcine-1", 2600);
+  EXPECT_NEAR(static_cast<double>(fine.faces.rows()), 2600.0, 130.0);
+  ASSERT_EQ(coarse.chordae.size(), fine.chordae.size());
+  for (std::size_t c = 0; c < coarse.chordae.size(); ++c)
+    for (std::size_t s = 0; s < coarse.chordae[c].segments.size(); ++s)
+      EXPECT_EQ(coarse.chordae[c].segments[s].rest_length_mm,
+                fine.chordae[c].segments[s].rest_length_mm);
+}
+
+TEST(Preset, LeaksMoreTheFurtherTheAnnulusDilatesOrTheTipsDescend) {
+  const Valve valve = *make_preset("porcine-1");
+  const auto orifice = [&](const Remodelling& change) {
+    const Valve changed = *remodel(valve, change);
+    return measure(changed, close_valve(changed)).orifice.area_mm2;
+  };
+  double before = 0.5;
+  for (const double percent : {15.0, 22.0, 30.0}) {
+    Remodelling change;
+    change.ap_dilation_percent = percent;
+    const double area = orifice(change);
+    EXPECT_GT(area, before) << percent << " %";
+    before = area;
+  }
+  before = 0.5;
+  for (const double apical_mm : {4.0, 6.0, 8.0}) {
+    Remodelling change;
+    change.anterolateral_mm = change.posteromedial_mm = Vec3(0.0, 0.0, apical_mm);
+    const double area = orifice(change);
+    EXPECT_GT(area, before) << apical_mm << " mm";
+    before = area;
+  }
+}
+
+}  // namespace
+}  // namespace coapt

@@ -1,0 +1,123 @@
+#include "core/repair/annuloplasty.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/repair/apply_plan.h"
+#include "core/valve/annulus_frame.h"
+#include "tests/core/repair/moved_valve.h"
+#include "tests/scenes/small_valve.h"
+
+namespace coapt {
+namespace {
+
+const std::vector<RingShape> kCatalogue = {
+    {"d", 0.75, 1.0, 0.0, ""}, {"wide", 0.5, 1.1, 0.0, ""}, {"saddle", 0.75, 1.0, 0.2, ""}};
+
+Valve with_ring(const Annuloplasty& ring) {
+  return *apply_plan(small_valve(), {{ring}}, kCatalogue);
+}
+
+std::string refusal(const Annuloplasty& ring) {
+  const Expected<Valve> refused = apply_plan(small_valve(), {{ring}}, kCatalogue);
+  if (refused) return "accepted";
+  EXPECT_EQ(refused.errors().size(), 1u);
+  return refused.errors()[0].path;
+}
+
+// The small valve's annulus is an ellipse of 36 x 28 mm in z = 0, its saddle peak at (0, 14, 0).
+
+TEST(Annuloplasty, OneSizeBelowTakesTwoMillimetresOfTheTransverseDimension) {
+  const Valve ringed = with_ring({.shape = "own", .sizes_below = 1});
+  EXPECT_NEAR(transverse_diameter_mm(ringed, annulus_frame(ringed)), 34.0, 1e-12);
+  EXPECT_NEAR(ap_diameter_mm(ringed, annulus_frame(ringed)), 28.0 * 34.0 / 36.0, 1e-12);
+}
+
+TEST(Annuloplasty, OwnShapeShrinksInProportionTowardsTheSaddlePeak) {
+  const Valve before = small_valve();
+  const Valve ringed = with_ring({.shape = "own", .sizes_below = 3});
+  const double factor = 30.0 / 36.0;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 native = before.annulus_mm.row(i);
+    const Vec3 expected(factor * native.x(), 14.0 - factor * (14.0 - native.y()), 0.0);
+    EXPECT_NEAR((Vec3(ringed.annulus_mm.row(i)) - expected).norm(), 0.0, 1e-12);
+  }
+  EXPECT_EQ(ringed.heads[0].tip_mm, before.heads[0].tip_mm);
+  EXPECT_EQ(ringed.rest_mm, before.rest_mm);
+}
+
+TEST(Annuloplasty, OwnShapeAndSizeChangesNothing) {
+  const Valve ringed = with_ring({.shape = "own", .sizes_below = 0});
+  EXPECT_NEAR((ringed.annulus_mm - small_valve().annulus_mm).norm(), 0.0, 1e-12);
+}
+
+TEST(Annuloplasty, RingContourHasTheRingsDimensions) {
+  const RingShape ring{"", 0.5, 1.1, 0.1, ""};
+  const Points contour = ring_contour_mm(ring, 30.0);
+  const auto extent = [&contour](int k) {
+    return contour.col(k).maxCoeff() - contour.col(k).minCoeff();
+  };
+  EXPECT_NEAR(extent(0), 33.0, 1e-9);
+  EXPECT_NEAR(extent(1), 16.5, 1e-9);
+  EXPECT_NEAR(extent(2), 3.3, 0.01);
+}
+
+TEST(Annuloplasty, CatalogueRingKeepsTheSaddlePeakAndDrawsMidPosteriorIn) {
+  const Valve ringed = with_ring({.shape = "d", .size_mm = 30.0});
+  EXPECT_NEAR((Vec3(ringed.annulus_mm.row(2)) - Vec3(0.0, 14.0, 0.0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((Vec3(ringed.annulus_mm.row(6)) - Vec3(0.0, 14.0 - 22.5, 0.0)).norm(), 0.0, 1e-9);
+}
+
+TEST(Annuloplasty, VerticesLieOnTheRingInTheirOrderAndSymmetrically) {
+  const Valve ringed = with_ring({.shape = "wide", .size_mm = 28.0});
+  const Points contour = ring_contour_mm(kCatalogue[1], 28.0);
+  const double front = 14.0 - contour.col(1).maxCoeff();
+  double turned = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 on_ring = Vec3(ringed.annulus_mm.row(i)) - Vec3(0.0, front, 0.0);
+    EXPECT_LT((contour.rowwise() - on_ring.transpose()).rowwise().norm().minCoeff(), 0.1);
+    const Vec3 next = Vec3(ringed.annulus_mm.row((i + 1) % 8)) - Vec3(0.0, front, 0.0);
+    const double step = std::atan2(on_ring.cross(next).z(), on_ring.dot(next));
+    EXPECT_GT(step, 0.0);
+    turned += step;
+    const int twin = (12 - i) % 8;  // the mirror image of column i
+    EXPECT_NEAR(ringed.annulus_mm(i, 0), -ringed.annulus_mm(twin, 0), 1e-9);
+    EXPECT_NEAR(ringed.annulus_mm(i, 1), ringed.annulus_mm(twin, 1), 1e-9);
+  }
+  EXPECT_NEAR(turned, 2.0 * std::acos(-1.0), 1e-9);
+}
+
+TEST(Annuloplasty, SaddleRingIsHighInFrontAndBehind) {
+  const Valve ringed = with_ring({.shape = "saddle", .size_mm = 30.0});
+  const double peak = ring_contour_mm(kCatalogue[2], 30.0).col(2).maxCoeff();
+  EXPECT_GT(peak, 2.5);  // about half of 0.2 x 30
+  EXPECT_NEAR(ringed.annulus_mm(2, 2), peak, 1e-6);
+  EXPECT_NEAR(ringed.annulus_mm(6, 2), peak, 1e-6);
+  EXPECT_LT(ringed.annulus_mm(0, 2), -1.0);
+}
+
+TEST(Annuloplasty, CommutesWithRigidMotions) {
+  const Motion motion{Eigen::AngleAxisd(0.4, Vec3(1.0, -2.0, 3.0).normalized()).toRotationMatrix(),
+                      Vec3(1.0, 2.0, -3.0)};
+  for (const Annuloplasty& ring : {Annuloplasty{.shape = "own", .sizes_below = 2},
+                                   Annuloplasty{.shape = "saddle", .size_mm = 32.0}}) {
+    const Valve then_moved = moved(*apply_plan(small_valve(), {{ring}}, kCatalogue), motion);
+    const Valve moved_first = *apply_plan(moved(small_valve(), motion), {{ring}}, kCatalogue);
+    EXPECT_NEAR((then_moved.annulus_mm - moved_first.annulus_mm).norm(), 0.0, 1e-9);
+  }
+}
+
+TEST(Annuloplasty, RefusesWhatIsNotMade) {
+  EXPECT_EQ(refusal({.shape = "round", .size_mm = 30.0}), "/steps/0/shape");
+  EXPECT_EQ(refusal({.shape = "d", .size_mm = 31.0}), "/steps/0/size_mm");
+  EXPECT_EQ(refusal({.shape = "d", .size_mm = 42.0}), "/steps/0/size_mm");
+  EXPECT_EQ(refusal({.shape = "d", .size_mm = std::nan("")}), "/steps/0/size_mm");
+  EXPECT_EQ(refusal({.shape = "d", .size_mm = 30.0, .sizes_below = 1}), "/steps/0/sizes_below");
+  EXPECT_EQ(refusal({.shape = "own", .sizes_below = 7}), "/steps/0/sizes_below");
+  EXPECT_EQ(refusal({.shape = "own", .sizes_below = -1}), "/steps/0/sizes_below");
+  EXPECT_EQ(refusal({.shape = "own", .size_mm = 30.0}), "/steps/0/size_mm");
+}
+
+}  // namespace
+}  // namespace coapt

@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+
+#include "core/repair/apply_plan.h"
+#include "tests/scenes/small_valve.h"
+
+namespace coapt {
+namespace {
+
+std::string line(const RepairStep& step) { return describe(small_valve(), {{step}}).at(0); }
+
+TEST(Describe, SpeaksOfRings) {
+  EXPECT_EQ(line(Annuloplasty{.shape = "generic-classic", .size_mm = 30.0}),
+            "annuloplasty: generic-classic ring, size 30 mm");
+  EXPECT_EQ(line(Annuloplasty{.shape = "own", .sizes_below = 2}),
+            "annuloplasty: ring of the annulus's own shape, 2 sizes below it (transverse 36.0 to "
+            "32.0 mm)");
+}
+
+TEST(Describe, NamesSegments) {
+  EXPECT_EQ(line(Neochorda{"AL1", {Leaflet::Posterior, 0.45, 1.0}, 21.0}),
+            "neochorda 21 mm from AL1 to the free edge of P2");
+  EXPECT_EQ(line(ChordalTransfer{"PM1-A2-strut-1", {Leaflet::Anterior, 0.4, 0.7}}),
+            "transfer chorda PM1-A2-strut-1 to A2 at 70 % of its height");
+}
+
+TEST(Describe, SpeaksOfSuturesAndChordae) {
+  EXPECT_EQ(line(PapillaryApproximation{.side = Side::Posteromedial, .suture_length_mm = 31.5}),
+            "papillary approximation: posteromedial muscle to its trigone, suture 31.5 mm");
+  EXPECT_EQ(
+      line(PapillaryApproximation{
+          .side = Side::Anterolateral, .anchor = Anchor::SaddlePeak, .suture_length_mm = 30.0}),
+      "papillary approximation: anterolateral muscle to the saddle peak, suture 30 mm");
+  EXPECT_EQ(line(ChordalLengthChange{"AL1-P1-marginal-1", -2.0}),
+            "shorten chorda AL1-P1-marginal-1 by 2 mm");
+  EXPECT_EQ(line(ChordalExcision{"PM1-A2-strut-1"}), "excise chorda PM1-A2-strut-1");
+}
+
+}  // namespace
+}  // namespace coapt

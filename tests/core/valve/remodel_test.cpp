@@ -1,0 +1,103 @@
+#include "core/valve/remodel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/valve/annulus_frame.h"
+#include "tests/scenes/small_valve.h"
+
+namespace coapt {
+namespace {
+
+// The small valve's annulus, an ellipse of 36 x 28 mm in z = 0 with vertices at 45 degrees:
+// trigones at (+-9 sqrt 2, 7 sqrt 2), saddle peak (0, 14), mid-posterior (0, -14).
+const double kTrigoneY = 7.0 * std::sqrt(2.0);
+
+TEST(Remodel, DilationMovesPointsBehindTheTrigonesInProportion) {
+  const Valve valve = small_valve();
+  const Valve dilated = *remodel(valve, {.ap_dilation_percent = 25.0});
+  // The anteroposterior diameter grows from 28 to 35: mid-posterior, 14 + 7 sqrt 2 behind the
+  // trigones, moves 7 backwards; the commissures, 7 sqrt 2 behind them, in proportion.
+  const double share = 7.0 / (14.0 + kTrigoneY);
+  EXPECT_NEAR((Vec3(dilated.annulus_mm.row(6)) - Vec3(0, -21, 0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((Vec3(dilated.annulus_mm.row(0)) - Vec3(18, -share * kTrigoneY, 0)).norm(), 0.0,
+              1e-12);
+  EXPECT_NEAR((Vec3(dilated.annulus_mm.row(5)) -
+               Vec3(-9.0 * std::sqrt(2.0), -kTrigoneY - share * 2.0 * kTrigoneY, 0))
+                  .norm(),
+              0.0, 1e-12);
+}
+
+TEST(Remodel, TrigonesSaddlePeakAndTransverseDimensionStay) {
+  const Valve valve = small_valve();
+  const Valve dilated = *remodel(valve, {.ap_dilation_percent = 30.0});
+  for (const int vertex : {1, 2, 3})
+    EXPECT_NEAR((dilated.annulus_mm.row(vertex) - valve.annulus_mm.row(vertex)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(transverse_diameter_mm(dilated, annulus_frame(dilated)), 36.0, 1e-9);
+  EXPECT_NEAR(ap_diameter_mm(dilated, annulus_frame(dilated)), 28.0 * 1.3, 1e-9);
+  EXPECT_EQ(dilated.rest_mm, valve.rest_mm);
+  EXPECT_EQ(dilated.heads[0].tip_mm, valve.heads[0].tip_mm);
+}
+
+TEST(Remodel, HeightIsScaledAboutTheAnnulusPlane) {
+  Valve valve = small_valve();
+  for (int i = 0; i < 8; ++i) valve.annulus_mm(i, 2) = i % 4 == 2 ? 3.0 : i % 4 == 0 ? -3.0 : 0.0;
+  const Valve flatter = *remodel(valve, {.annular_height_percent = 50.0});
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_NEAR(flatter.annulus_mm(i, 2), 0.5 * valve.annulus_mm(i, 2), 1e-12);
+    EXPECT_NEAR(flatter.annulus_mm(i, 0), valve.annulus_mm(i, 0), 1e-12);
+    EXPECT_NEAR(flatter.annulus_mm(i, 1), valve.annulus_mm(i, 1), 1e-12);
+  }
+  const Valve flat = *remodel(valve, {.annular_height_percent = 0.0});
+  EXPECT_NEAR(flat.annulus_mm.col(2).cwiseAbs().maxCoeff(), 0.0, 1e-12);
+}
+
+TEST(Remodel, TipsMoveOutwardsBackwardsAndDown) {
+  Remodelling change;
+  change.anterolateral_mm = Vec3(1.0, 2.0, 3.0);
+  change.posteromedial_mm = Vec3(4.0, 5.0, 6.0);
+  const Valve valve = small_valve();
+  const Valve changed = *remodel(valve, change);
+  EXPECT_EQ(changed.heads[0].tip_mm, Vec3(-13.0, -4.0, -29.0));  // was (-12, -2, -26)
+  EXPECT_EQ(changed.heads[1].tip_mm, Vec3(16.0, -7.0, -32.0));   // was (12, -2, -26)
+  EXPECT_EQ(changed.heads[0].rest_mm, valve.heads[0].rest_mm);
+}
+
+TEST(Remodel, NothingChangesWithoutARemodelling) {
+  const Valve valve = small_valve();
+  const Valve same = *remodel(valve, {});
+  EXPECT_EQ(same.annulus_mm, valve.annulus_mm);
+  EXPECT_EQ(same.heads[1].tip_mm, valve.heads[1].tip_mm);
+  EXPECT_EQ(same.provenance.size(), valve.provenance.size() + 1);
+}
+
+TEST(Remodel, ListsEveryValueOutsideItsRange) {
+  Remodelling change;
+  change.ap_dilation_percent = 101.0;
+  change.annular_height_percent = -1.0;
+  change.anterolateral_mm.z() = std::numeric_limits<double>::quiet_NaN();
+  change.posteromedial_mm.x() = 31.0;
+  const Expected<Valve> refused = remodel(small_valve(), change);
+  ASSERT_FALSE(refused);
+  ASSERT_EQ(refused.errors().size(), 4u);
+  EXPECT_EQ(refused.errors()[0].path, "/ap_dilation_percent");
+  EXPECT_EQ(refused.errors()[1].path, "/annular_height_percent");
+  EXPECT_EQ(refused.errors()[2].path, "/anterolateral_mm/2");
+  EXPECT_EQ(refused.errors()[3].path, "/posteromedial_mm/0");
+  for (const Error& error : refused.errors()) EXPECT_EQ(error.code, ErrorCode::OutOfRange);
+}
+
+TEST(Remodel, RefusesAShrinkageThatPassesTheTrigones) {
+  // Trigones moved to the middle: 40 % of 28 mm is more than the 10 mm between them and
+  // mid-posterior.
+  Valve valve = small_valve();
+  valve.annulus_mm(1, 1) = valve.annulus_mm(3, 1) = -4.0;
+  const Expected<Valve> refused = remodel(valve, {.ap_dilation_percent = -40.0});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.errors()[0].path, "/ap_dilation_percent");
+}
+
+}  // namespace
+}  // namespace coapt

@@ -1,0 +1,44 @@
+"""The binaries under test, as ctest names them, and what every test asks of them."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+COAPT = os.environ["COAPT"]
+SERVER = os.environ["COAPT_SERVER"]
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+
+OK, FAILURE, BAD_INPUT, NOT_CLOSED, NO_COMPETENT_PLAN, INTERRUPTED = 0, 1, 2, 3, 4, 130
+
+
+def coapt(*arguments, stdin=""):
+    """Runs coapt; the result has returncode, stdout, stderr."""
+    command = [COAPT, *map(str, arguments)]
+    return subprocess.run(command, input=stdin, capture_output=True, text=True, timeout=300)
+
+
+class ProgramTest(unittest.TestCase):
+    maxDiff = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.write_text(content if isinstance(content, str) else json.dumps(content))
+        return path
+
+    def make(self, preset, *arguments):
+        path = self.folder / f"{preset}.json"
+        self.run_ok("valve", "make", preset, *arguments, "-o", path)
+        return path
+
+    def run_ok(self, *arguments, stdin=""):
+        result = coapt(*arguments, stdin=stdin)
+        self.assertEqual(result.returncode, OK, result.stderr)
+        return result

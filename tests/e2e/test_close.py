@@ -1,0 +1,83 @@
+"""coapt close and coapt evaluate."""
+
+import json
+import unittest
+
+from programs import BAD_INPUT, NO_COMPETENT_PLAN, NOT_CLOSED, OK, ProgramTest, coapt
+
+VALVE = "human-functional-mr"
+NOTHING = {"schema": "coapt.plan/1", "steps": []}
+RING = {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "own", "sizes_below": 2}]}
+
+
+class Close(ProgramTest):
+    def close(self, *arguments):
+        result = coapt("close", *arguments, "--json")
+        closure = json.loads(result.stdout)
+        closed = closure["status"] == "converged" and not closure["crossing"]
+        self.assertEqual(result.returncode, OK if closed else NOT_CLOSED)
+        return closure
+
+    def test_json_has_the_keys_that_scripts_rely_on(self):
+        closure = self.close("human-normal")
+        self.assertIn(closure["status"], ["converged", "step_limit", "diverged"])
+        self.assertIsInstance(closure["crossing"], bool)
+        self.assertIsInstance(closure["steps"], int)
+        self.assertIsInstance(closure["triangles"], int)
+        for key in ["orifice_area_mm2", "orifice_area_raw_mm2", "residual", "seconds"]:
+            self.assertIsInstance(closure[key], (int, float), key)
+
+    def test_a_healthy_valve_is_competent_and_the_functional_one_leaks(self):
+        self.assertLess(self.close("human-normal")["orifice_area_mm2"], 1.0)
+        self.assertGreater(self.close(VALVE)["orifice_area_mm2"], 5.0)
+
+    def test_a_ring_makes_the_orifice_of_the_functional_valve_smaller(self):
+        plan = self.write("plan.json", RING)
+        before = self.close(VALVE)
+        after = self.close(VALVE, "--plan", plan)
+        self.assertLess(after["orifice_area_mm2"], before["orifice_area_mm2"])
+
+    def test_the_picture_is_a_png_and_stdout_is_still_json(self):
+        picture = self.folder / "closed.png"
+        self.close("human-normal", "--render", picture)
+        self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_the_words_go_to_stdout_and_nothing_to_stderr(self):
+        result = coapt("close", "human-normal")
+        self.assertIn("human-normal: ", result.stdout)
+        self.assertIn("mm2", result.stdout)
+        self.assertEqual(result.stderr, "")
+
+    def test_a_wrong_plan_is_pointed_at(self):
+        wrong = {"schema": "coapt.plan/1", "steps": [{"step": "chordal_excision", "chorda": "none"}]}
+        result = coapt("close", "human-normal", "--plan", self.write("plan.json", wrong), "--json")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("/steps/0", result.stderr)
+        self.assertEqual(result.stdout, "")
+
+
+class Evaluate(ProgramTest):
+    def test_own_plans_are_ranked_with_the_orifice_that_close_finds(self):
+        ring, nothing = self.write("ring.json", RING), self.write("nothing.json", NOTHING)
+        result = coapt("evaluate", VALVE, ring, nothing, "--region-points", "3", "--json")
+        self.assertIn(result.returncode, [OK, NO_COMPETENT_PLAN], result.stderr)
+        plans = {plan["file"]: plan for plan in json.loads(result.stdout)["plans"]}
+        self.assertEqual(set(plans), {str(ring), str(nothing)})
+        self.assertEqual(plans[str(nothing)]["plan"], NOTHING)
+        for file in plans:
+            closed = json.loads(coapt("close", VALVE, "--plan", file, "--json").stdout)
+            self.assertEqual(plans[file]["orifice_area_mm2"]["nominal"], closed["orifice_area_mm2"])
+        self.assertEqual(plans[str(ring)]["rank"], 1)
+        self.assertGreater(plans[str(nothing)]["orifice_area_mm2"]["sd"], 0.0)
+
+    def test_every_wrong_plan_is_named(self):
+        wrong, absent = self.write("wrong.json", {"schema": "coapt.plan/1"}), self.folder / "absent.json"
+        result = coapt("evaluate", VALVE, wrong, absent)
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("wrong.json: /steps", result.stderr)
+        self.assertIn("absent.json", result.stderr)
+        self.assertEqual(result.stdout, "")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,40 @@
+#!/bin/bash
+# cmake/check_includes.sh passes this repository and finds each kind of wrong arrow.
+set -euo pipefail
+
+root="$(cd "$(dirname "$0")/../.." && pwd)"
+check="$root/cmake/check_includes.sh"
+tree="$(mktemp -d)"
+trap 'rm -rf "$tree"' EXIT
+
+"$check" "$root"
+
+# expect RESULT FILE LINE: a tree with only that line in that file passes or fails.
+expect() {
+  local expected=$1 file=$2 line=$3 got=passes
+  rm -rf "${tree:?}"/*
+  mkdir -p "$tree/$(dirname "$file")"
+  echo "$line" >"$tree/$file"
+  "$check" "$tree" 2>/dev/null || got=fails
+  [[ $got == "$expected" ]] || { echo "$file with $line $got" >&2; exit 1; }
+}
+
+expect passes core/closure/a.cpp '#include "core/valve/valve.h"'
+expect passes clients/cli/a.cpp '#include "io/json/valve_json.h"'
+expect passes server/endpoints/a.cpp '#include "server/answer.h"'
+expect fails core/valve/a.cpp '#include "core/closure/closure.h"'
+expect fails core/repair/a.h '  #  include "core/closure/closure.h"'
+expect fails core/closure/a.cpp '#include "core/metrics/measure.h"'
+expect fails core/metrics/a.cpp '#include "search/search.h"'
+expect fails search/a.cpp '#include "io/json/valve_json.h"'
+expect fails io/json/a.cpp '#include "server/http.h"'
+expect fails server/a.cpp '#include "clients/cli/files.h"'
+expect fails clients/cli/a.cpp '#include "server/http.h"'
+expect fails io/json/a.cpp '#include "tests/scenes/small_valve.h"'
+expect fails core/valve/a.cpp '#include "valve.h"'
+expect fails core/valve/a.cpp '#include <nlohmann/json.hpp>'
+expect fails search/a.cpp '#include <nlohmann/json.hpp>'
+expect fails io/json/a.cpp '#include <nlopt.hpp>'
+expect fails core/valve/a.cpp '#include <chrono>'
+expect fails core/valve/a.cpp '#pragma omp parallel for'
+expect passes search/parallel.h '#pragma omp parallel for'

@@ -1,0 +1,74 @@
+"""coapt plan."""
+
+import json
+import signal
+import subprocess
+import time
+import unittest
+
+from programs import COAPT, INTERRUPTED, NO_COMPETENT_PLAN, OK, ProgramTest, coapt
+
+VALVE = "human-functional-mr"
+SMALL = ["--evaluations", "12", "--seed", "3", "--plans", "2", "--region-points", "2"]
+
+
+def without_seconds(value):
+    """`value` without what depends on the machine."""
+    if isinstance(value, dict):
+        return {k: without_seconds(v) for k, v in value.items() if k not in ("seconds", "threads")}
+    if isinstance(value, list):
+        return [without_seconds(entry) for entry in value]
+    return value
+
+
+class Plan(ProgramTest):
+    def plan(self, *arguments):
+        result = coapt("plan", VALVE, *SMALL, *arguments, "--json")
+        self.assertIn(result.returncode, [OK, NO_COMPETENT_PLAN], result.stderr)
+        self.assertEqual(result.stderr, "")
+        return json.loads(result.stdout), result.returncode
+
+    def test_the_ranking_is_the_same_for_one_and_two_threads_and_can_be_closed_again(self):
+        one, code = self.plan("--threads", "1")
+        two, _ = self.plan("--threads", "2")
+        self.assertEqual(without_seconds(one), without_seconds(two))
+
+        self.assertGreater(one["before"]["orifice_area_mm2"], 5.0)
+        self.assertGreaterEqual(one["closures"], 12)
+        self.assertIsInstance(one["seconds"], (int, float))
+        self.assertEqual([plan["rank"] for plan in one["plans"]], [1, 2])
+        best = one["plans"][0]
+        self.assertEqual(set(best["orifice_area_mm2"]) & {"nominal", "mean", "sd"},
+                         {"nominal", "mean", "sd"})
+        competent = any(plan["orifice_area_mm2"]["nominal"] < 1.0 for plan in one["plans"])
+        self.assertLessEqual(code == OK, competent)
+
+        closed = coapt("close", VALVE, "--plan", self.write("plan.json", best["plan"]), "--json")
+        self.assertEqual(json.loads(closed.stdout)["orifice_area_mm2"],
+                         best["orifice_area_mm2"]["nominal"])
+
+    def test_the_report_is_one_page_with_the_pictures_in_it(self):
+        report = self.folder / "report.html"
+        self.plan("-o", report)
+        page = report.read_text()
+        self.assertIn("data:image/png;base64,", page)
+        self.assertNotIn('src="http', page)
+        self.assertIn("not a medical device", page)
+
+    def test_ctrl_c_prints_the_best_so_far(self):
+        command = [COAPT, "plan", VALVE, "--evaluations", "100000", "--json"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as search:
+            time.sleep(3)
+            search.send_signal(signal.SIGINT)
+            output, _ = search.communicate(timeout=60)
+        self.assertEqual(search.returncode, INTERRUPTED)
+        self.assertIn("before", json.loads(output))
+
+    def test_the_time_limit_ends_the_search(self):
+        result = coapt("plan", VALVE, "--evaluations", "100000", "--plans", "1", "--region-points", "1",
+                       "--seconds", "2", "--json")
+        self.assertLess(json.loads(result.stdout)["closures"], 100000)
+
+
+if __name__ == "__main__":
+    unittest.main()

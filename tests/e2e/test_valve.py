@@ -1,0 +1,162 @@
+"""coapt valve make | import | check | info | remodel."""
+
+import json
+import unittest
+
+import jsonschema
+from programs import BAD_INPUT, COAPT, FAILURE, OK, SOURCE, ProgramTest, coapt
+
+PRESETS = [f"porcine-{i}" for i in range(1, 6)] + [
+    "human-normal", "human-functional-mr", "human-p2-prolapse"]
+
+
+class CommandLine(ProgramTest):
+    def test_help_goes_to_stdout_and_tells_the_exit_codes_and_examples(self):
+        result = self.run_ok("--help")
+        self.assertIn("Exit codes: 0", result.stdout)
+        self.assertIn("Examples:", result.stdout)
+        self.assertEqual(result.stderr, "")
+
+    def test_every_command_has_help_with_an_example(self):
+        for command in ["valve make", "valve import", "valve check", "valve info", "valve remodel",
+                        "close", "evaluate", "plan"]:
+            with self.subTest(command):
+                help_text = self.run_ok(*command.split(), "--help").stdout
+                self.assertIn("Example", help_text)
+                self.assertIn(f"  coapt {command} ", help_text)
+
+    def test_version_carries_the_research_notice(self):
+        self.assertIn("research software, not a medical device", self.run_ok("--version").stdout)
+
+    def test_wrong_usage_is_2_with_nothing_on_stdout(self):
+        for arguments in [[], ["fly"], ["close"], ["close", "human-normal", "--method", "magic"],
+                          ["plan", "human-normal", "--evaluations", "0"],
+                          ["valve", "make", "no-such-preset", "-o", "-"],
+                          ["valve", "make", "human-normal", "--ap-mm", "30", "-o", "-"]]:
+            with self.subTest(arguments):
+                result = coapt(*arguments)
+                self.assertEqual(result.returncode, BAD_INPUT)
+                self.assertEqual(result.stdout, "")
+                self.assertNotEqual(result.stderr, "")
+
+
+class Make(ProgramTest):
+    def test_every_preset_passes_check_and_its_schema(self):
+        schema = json.loads((SOURCE / "io/schema/valve.schema.json").read_text())
+        validator = jsonschema.Draft202012Validator(schema)
+        for preset in PRESETS:
+            with self.subTest(preset):
+                path = self.make(preset)
+                result = self.run_ok("valve", "check", path, "--json")
+                self.assertEqual(json.loads(result.stdout), {"problems": []})
+                validator.validate(json.loads(path.read_text()))
+
+    def test_triangles_are_about_as_many_as_asked_for(self):
+        path = self.make("human-normal", "--triangles", 2600)
+        info = json.loads(self.run_ok("valve", "info", path, "--json").stdout)
+        self.assertAlmostEqual(info["triangles"], 2600, delta=260)
+
+    def test_dimensions_make_a_valve_of_these_dimensions(self):
+        path = self.folder / "valve.json"
+        self.run_ok("valve", "make", "--ap-mm", "31", "--al-pm-mm", "41", "--name", "mine", "-o", path)
+        info = json.loads(self.run_ok("valve", "info", path, "--json").stdout)
+        self.assertEqual(info["name"], "mine")
+        self.assertAlmostEqual(info["saddle_to_mid_posterior_mm"], 31.0, delta=2.0)
+
+    def test_an_impossible_dimension_is_named(self):
+        result = coapt("valve", "make", "--ap-mm", "-3", "-o", "-")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("/ap_mm", result.stderr)
+        self.assertEqual(result.stdout, "")
+
+    def test_an_output_that_cannot_be_written_is_1(self):
+        result = coapt("valve", "make", "human-normal", "-o", "/nowhere/valve.json")
+        self.assertEqual(result.returncode, FAILURE)
+        self.assertIn("/nowhere/valve.json", result.stderr)
+
+
+class Check(ProgramTest):
+    def check(self, valve):
+        result = coapt("valve", "check", "-", "--json", stdin=json.dumps(valve))
+        problems = json.loads(result.stdout)["problems"]
+        self.assertEqual(result.returncode, BAD_INPUT if problems else OK)
+        return {problem["path"]: problem["message"] for problem in problems}
+
+    def setUp(self):
+        super().setUp()
+        self.valve = json.loads(self.run_ok("valve", "make", "human-normal", "-o", "-").stdout)
+
+    def test_a_preset_read_from_stdin_has_no_problem(self):
+        self.assertEqual(self.check(self.valve), {})
+
+    def test_problems_are_all_listed_with_their_pointers(self):
+        self.valve["pressure_kpa"] = -1
+        self.valve["surprise"] = 1
+        del self.valve["faces"]
+        problems = self.check(self.valve)
+        self.assertIn("/pressure_kpa", problems)
+        self.assertIn("/surprise", problems)
+        self.assertTrue(any(path in ("/faces", "") for path in problems), problems)
+
+    def test_an_index_out_of_range_is_pointed_at(self):
+        self.valve["faces"][3][1] = 1000000
+        self.assertTrue(any(path.startswith("/faces/3") for path in self.check(self.valve)))
+
+    def test_deep_nesting_and_broken_text_are_problems_not_crashes(self):
+        for text in ["", "{", "[" * 100000, "\x00\xff", '{"pressure_kpa": NaN}', "null", "1e999"]:
+            with self.subTest(text[:10]):
+                result = coapt("valve", "check", "-", "--json", stdin=text)
+                self.assertEqual(result.returncode, BAD_INPUT)
+                self.assertGreater(len(json.loads(result.stdout)["problems"]), 0)
+
+    def test_a_file_that_is_not_there_is_bad_input(self):
+        for command in [["valve", "check"], ["valve", "info"], ["close"], ["plan"]]:
+            with self.subTest(command):
+                self.assertEqual(coapt(*command, "no-such-file.json").returncode, BAD_INPUT)
+
+    def test_a_directory_is_bad_input(self):
+        self.assertEqual(coapt("valve", "check", self.folder).returncode, BAD_INPUT)
+
+
+class Remodel(ProgramTest):
+    def info(self, path):
+        return json.loads(self.run_ok("valve", "info", path, "--json").stdout)
+
+    def test_dilation_widens_the_annulus_front_to_back_only(self):
+        normal, dilated = self.make("human-normal"), self.folder / "dilated.json"
+        self.run_ok("valve", "remodel", normal, "--ap-dilation", "20", "-o", dilated)
+        before, after = self.info(normal), self.info(dilated)
+        self.assertGreater(after["saddle_to_mid_posterior_mm"], 1.1 * before["saddle_to_mid_posterior_mm"])
+        self.assertAlmostEqual(after["commissures_mm"], before["commissures_mm"], delta=0.5)
+        self.assertAlmostEqual(after["leaflet_area_mm2"], before["leaflet_area_mm2"], places=6)
+
+    def test_displaced_tips_move_outwards_posterior_and_apical(self):
+        moved = self.folder / "moved.json"
+        self.run_ok("valve", "remodel", "human-normal", "--displace-al", "1,2,3",
+                    "--displace-pm", "-4,5,6", "-o", moved)
+        before = json.loads(self.run_ok("valve", "make", "human-normal", "-o", "-").stdout)
+        after = json.loads(moved.read_text())
+        for old, new in zip(before["papillary_heads"], after["papillary_heads"]):
+            # x to the posteromedial side, y anterior, z to the atrium.
+            expected = (-1, -2, -3) if old["side"] == "anterolateral" else (-4, -5, -6)
+            for axis in range(3):
+                shift = new["tip_mm"][axis] - old["tip_mm"][axis]
+                self.assertAlmostEqual(shift, expected[axis], places=9)
+
+
+class Import(ProgramTest):
+    DATA = SOURCE / "examples/valves/bodyparts3d"
+
+    def test_a_mesh_that_is_none_is_named(self):
+        mesh = self.write("leaflet.obj", "v 1 2\n")
+        points = self.write("annulus.csv", "0,0,0\n1,0,0\n0,1,0\n")
+        chordae = self.write("chordae.json", [])
+        result = coapt("valve", "import", "--leaflet", mesh, "--annulus", points,
+                       "--chordae", chordae, "-o", "-")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("leaflet.obj", result.stderr)
+        self.assertEqual(result.stdout, "")
+
+
+if __name__ == "__main__":
+    unittest.main()

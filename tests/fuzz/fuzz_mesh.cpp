@@ -1,0 +1,32 @@
+// Mesh and chordae files: the first byte chooses the reader.
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "io/mesh/import_valve.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  using namespace coapt;
+  if (size == 0) return 0;
+  const std::string_view text(reinterpret_cast<const char*>(bytes) + 1, size - 1);
+  constexpr std::string_view kMeshes[] = {"obj", "ply", "stl"};
+  switch (bytes[0] % 6) {
+    case 3:
+      (void)read_chordae(text, "csv");
+      return 0;
+    case 4:
+      (void)read_chordae(text, "json");
+      return 0;
+    case 5:
+      (void)read_points_csv(text);
+      return 0;
+    default:
+      break;
+  }
+  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 6]);
+  if (!mesh) return 0;
+  const bool indices =
+      mesh->faces.minCoeff() >= 0 && mesh->faces.maxCoeff() < mesh->vertices_mm.rows();
+  if (!indices || !mesh->vertices_mm.allFinite()) std::abort();
+  return 0;
+}

@@ -1,0 +1,84 @@
+#include "io/json/json_reader.h"
+#include "tests/io/json/found.h"
+
+namespace coapt {
+namespace {
+
+using enum ErrorCode;
+
+Found found(std::string_view text) { return problems_of(parse_json(text)); }
+
+std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
+
+TEST(ParseJson, GivesTheDocument) {
+  const auto json = parse_json(R"({"a": [1, -2, 0.5, -0.0, true, null, "x"], "b": {}})");
+  ASSERT_TRUE(json);
+  EXPECT_EQ(json->dump(), R"({"a":[1,-2,0.5,-0.0,true,null,"x"],"b":{}})");
+}
+
+TEST(ParseJson, NumbersThatJsonDoesNotKnowAreRefusedWhereTheyStand) {
+  EXPECT_EQ(found(R"({"a": [1, NaN]})"), (Found{{InvalidJson, "/a/1"}}));
+  EXPECT_EQ(found(R"({"a": {"b": Infinity}})"), (Found{{InvalidJson, "/a/b"}}));
+  EXPECT_EQ(found("[1, 2, +1]"), (Found{{InvalidJson, "/2"}}));
+  EXPECT_EQ(found(R"({"a": 1e400})"), (Found{{OutOfRange, "/a"}}));
+  EXPECT_EQ(found("-1e400"), (Found{{OutOfRange, ""}}));
+}
+
+TEST(ParseJson, WhatIsNotJsonIsRefused) {
+  EXPECT_EQ(found(""), (Found{{InvalidJson, ""}}));
+  EXPECT_EQ(found("{"), (Found{{InvalidJson, ""}}));
+  EXPECT_EQ(found("[] []"), (Found{{InvalidJson, ""}}));
+  EXPECT_EQ(found("// comment\n[]"), (Found{{InvalidJson, ""}}));
+  EXPECT_EQ(found("[\"\xff\xfe\"]"), (Found{{InvalidJson, "/0"}}));
+  EXPECT_EQ(found("[\"\xed\xa0\x80\"]"), (Found{{InvalidJson, "/0"}}));
+  EXPECT_EQ(found(R"(["\ud800"])"), (Found{{InvalidJson, "/0"}}));
+  EXPECT_EQ(found(std::string_view("[\0]", 3)), (Found{{InvalidJson, "/0"}}));
+}
+
+TEST(ParseJson, MessagesAreReadableWhateverTheInput) {
+  std::string text = "[\"";
+  for (int i = 0; i < 1000; ++i) text += static_cast<char>(0x80 + i % 128);
+  const auto json = parse_json(text);
+  ASSERT_FALSE(json);
+  const std::string& message = json.errors().front().message;
+  EXPECT_LE(message.size(), 203u);
+  for (const char c : message) EXPECT_TRUE(c >= ' ' && c <= '~');
+}
+
+TEST(ParseJson, ANameGivenTwiceIsNamed) {
+  EXPECT_EQ(found(R"({"a": 1, "b": [{"c": 1, "c": 2, "d/": 3, "d/": 4}], "a": 2})"),
+            (Found{{InvalidJson, "/b/0/c"}, {InvalidJson, "/b/0/d~1"}, {InvalidJson, "/a"}}));
+}
+
+TEST(ParseJson, NestingIsLimitedTo32Levels) {
+  EXPECT_TRUE(parse_json(nested(32)));
+  std::string path;
+  for (int i = 0; i < 32; ++i) path += "/0";
+  EXPECT_EQ(found(nested(33)), (Found{{InvalidJson, path}}));
+  EXPECT_EQ(found(nested(1'000'000)), (Found{{InvalidJson, path}}));
+  EXPECT_EQ(found(std::string(30'000'000, '[')), (Found{{InvalidJson, path}}));
+}
+
+TEST(ParseJson, SizeIsLimitedTo64MiB) {
+  const std::string nesting(100'000'000, '[');
+  EXPECT_EQ(found(nesting), (Found{{InvalidJson, ""}}));
+  EXPECT_TRUE(parse_json("1" + std::string((64u << 20) - 1, ' ')));
+  EXPECT_EQ(found("1" + std::string(64u << 20, ' ')), (Found{{InvalidJson, ""}}));
+}
+
+TEST(ParseJson, ValuesAreLimitedTo8Million) {
+  std::string text = "[1";
+  while (text.size() < 2 * 8'000'000) text += ",1";
+  const Found list = found(text + "]");
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].first, InvalidJson);
+}
+
+TEST(ParseJson, NamesAreLimitedTo256Bytes) {
+  const auto named = [](std::size_t size) { return "{\"" + std::string(size, 'a') + "\": 1}"; };
+  EXPECT_TRUE(parse_json(named(256)));
+  EXPECT_EQ(found(named(257)), (Found{{InvalidJson, ""}}));
+}
+
+}  // namespace
+}  // namespace coapt

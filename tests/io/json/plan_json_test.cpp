@@ -1,0 +1,115 @@
+#include "io/json/plan_json.h"
+
+#include "io/json/rings.h"
+#include "tests/io/json/found.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using enum ErrorCode;
+
+constexpr LeafletPoint kPoint = {Leaflet::Anterior, 0.25, 1.0};
+
+// One of each kind, and both forms of ring and anchor.
+RepairPlan full_plan() {
+  return {{Annuloplasty{"own", 0.0, 2}, Annuloplasty{"generic-classic", 30.0, 0},
+           Neochorda{"AL1", kPoint, 18.5}, ChordalLengthChange{"a", -1.25}, ChordalExcision{"b"},
+           ChordalTransfer{"c", kPoint},
+           PapillaryApproximation{Side::Anterolateral, Anchor::SaddlePeak, 0.25, 24.0},
+           PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0}}};
+}
+
+Found found(std::string_view steps) {
+  return problems_of(
+      read_plan(R"({"schema": "coapt.plan/1", "steps": )" + std::string(steps) + "}"));
+}
+
+TEST(PlanJson, RoundTripKeepsEveryStep) {
+  const std::string text = to_json(full_plan()).dump();
+  const auto plan = read_plan(text);
+  ASSERT_TRUE(plan);
+  ASSERT_EQ(plan->steps.size(), 8u);
+  EXPECT_EQ(to_json(*plan).dump(), text);
+  EXPECT_EQ(std::get<Annuloplasty>(plan->steps[0]).sizes_below, 2);
+  EXPECT_EQ(std::get<Annuloplasty>(plan->steps[1]).size_mm, 30.0);
+  EXPECT_EQ(std::get<Neochorda>(plan->steps[2]).insertion.along, 0.25);
+  EXPECT_EQ(std::get<ChordalLengthChange>(plan->steps[3]).change_mm, -1.25);
+  EXPECT_EQ(std::get<PapillaryApproximation>(plan->steps[7]).annulus_around, 0.9);
+}
+
+TEST(PlanJson, OnlyTheFieldsThatMatterAreWritten) {
+  const ordered_json plan = to_json(full_plan());
+  EXPECT_FALSE(plan["steps"][0].contains("size_mm"));
+  EXPECT_FALSE(plan["steps"][1].contains("sizes_below"));
+  EXPECT_FALSE(plan["steps"][6].contains("annulus_around"));
+}
+
+TEST(PlanJson, DoingNothingIsAPlan) { EXPECT_EQ(found("[]"), Found{}); }
+
+TEST(PlanJson, ProblemsOfAllStepsAreListed) {
+  EXPECT_EQ(found(R"([{"step": "annuloplasty", "shape": "own", "sizes_below": 7},
+                      {"step": "annuloplasty", "shape": "generic-classic", "size_mm": 31},
+                      {"step": "annuloplasty", "shape": "own", "size_mm": 30},
+                      {"step": "neochorda", "head": "AL1", "length_mm": 41,
+                       "insertion": {"leaflet": "middle", "along": 1.5, "height": "free edge"}},
+                      {"step": "resection"},
+                      {"chorda": "a"},
+                      7])"),
+            (Found{{OutOfRange, "/steps/0/sizes_below"},
+                   {OutOfRange, "/steps/1/size_mm"},
+                   {MissingField, "/steps/2/sizes_below"},
+                   {UnknownField, "/steps/2/size_mm"},
+                   {BadReference, "/steps/3/insertion/leaflet"},
+                   {OutOfRange, "/steps/3/insertion/along"},
+                   {WrongType, "/steps/3/insertion/height"},
+                   {OutOfRange, "/steps/3/length_mm"},
+                   {BadReference, "/steps/4/step"},
+                   {MissingField, "/steps/5/step"},
+                   {WrongType, "/steps/6"}}));
+}
+
+TEST(PlanJson, OnlyAnAnnulusPointHasAPlace) {
+  const std::string start =
+      R"([{"step": "papillary_approximation", "side": "posteromedial", "suture_length_mm": 24, )";
+  EXPECT_EQ(found(start + R"("anchor": "annulus_point"}])"),
+            (Found{{MissingField, "/steps/0/annulus_around"}}));
+  EXPECT_EQ(found(start + R"("anchor": "saddle_peak", "annulus_around": 0.5}])"),
+            (Found{{UnknownField, "/steps/0/annulus_around"}}));
+  EXPECT_EQ(found(start + R"("anchor": "apex"}])"), (Found{{BadReference, "/steps/0/anchor"}}));
+}
+
+TEST(PlanJson, AtMostAHundredSteps) {
+  json steps = json::array();
+  for (int i = 0; i < 100; ++i) steps.push_back({{"step", "chordal_excision"}, {"chorda", "a"}});
+  EXPECT_EQ(found(steps.dump()), Found{});
+  steps.push_back(steps[0]);
+  EXPECT_EQ(found(steps.dump()), (Found{{OutOfRange, "/steps"}}));
+}
+
+TEST(PlanJson, OtherSchemasAreNotSupported) {
+  EXPECT_EQ(problems_of(read_plan(R"({"schema": "coapt.valve/1", "steps": []})")),
+            (Found{{Unsupported, "/schema"}}));
+  EXPECT_EQ(problems_of(read_plan("not a plan")), (Found{{InvalidJson, ""}}));
+}
+
+TEST(Rings, TheCatalogueHoldsTheGenericShapes) {
+  const std::vector<RingShape>& rings = ring_catalogue();
+  ASSERT_EQ(rings.size(), 3u);
+  EXPECT_EQ(rings[0].name, "generic-classic");
+  EXPECT_EQ(rings[0].ap_over_transverse, 0.75);
+  EXPECT_EQ(rings[1].ap_over_transverse, 0.68);
+  EXPECT_EQ(rings[2].ap_over_transverse, 0.51);
+  EXPECT_EQ(rings[2].transverse_factor, 1.12);
+}
+
+TEST(Rings, ACatalogueIsReadStrictly) {
+  EXPECT_EQ(problems_of(read_rings(R"({"schema": "coapt.rings/1", "rings": [{"name": "round",
+              "ap_over_transverse": 1.1, "transverse_factor": 1, "note": ""}]})")),
+            (Found{{OutOfRange, "/rings/0/ap_over_transverse"},
+                   {MissingField, "/rings/0/saddle_over_transverse"}}));
+}
+
+}  // namespace
+}  // namespace coapt

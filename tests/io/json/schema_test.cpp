@@ -1,0 +1,195 @@
+// The JSON Schemas say what the readers do. `accepts` knows just the keywords that they use.
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "io/json/plan_json.h"
+#include "io/json/valve_json.h"
+#include "tests/io/json/found.h"
+#include "tests/scenes/small_valve.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::json;
+
+json schema_of(const std::string& name) {
+  std::ifstream file(COAPT_SOURCE_DIR "/io/schema/" + name + ".schema.json");
+  return json::parse(file);
+}
+
+bool has_type(const json& value, const std::string& type) {
+  if (type == "object") return value.is_object();
+  if (type == "array") return value.is_array();
+  if (type == "string") return value.is_string();
+  if (type == "boolean") return value.is_boolean();
+  if (type == "integer") return value.is_number_integer();
+  return type == "number" && value.is_number();
+}
+
+class Schema {
+ public:
+  explicit Schema(const std::string& name) : root_(schema_of(name)) {}
+
+  bool accepts(const json& value) const { return accepts(root_, value); }
+  const json& root() const { return root_; }
+
+ private:
+  bool accepts(const json& schema, const json& value) const {
+    return std::all_of(schema.items().begin(), schema.items().end(), [&](const auto& keyword) {
+      return obeys(schema, keyword.key(), keyword.value(), value);
+    });
+  }
+
+  bool obeys(const json& schema, const std::string& word, const json& argument,
+             const json& value) const {
+    const auto fits = [&](const json& branch) { return accepts(branch, value); };
+    if (word == "$ref") {
+      return fits(root_[json::json_pointer(argument.get<std::string>().substr(1))]);
+    }
+    if (word == "type") return has_type(value, argument);
+    if (word == "const") return value == argument;
+    if (word == "enum") return std::count(argument.begin(), argument.end(), value) == 1;
+    if (word == "oneOf") return std::count_if(argument.begin(), argument.end(), fits) == 1;
+    if (word == "not") return !fits(argument);
+    if (word == "minimum") return value.is_number() && value >= argument;
+    if (word == "maximum") return value.is_number() && value <= argument;
+    if (word == "multipleOf") return std::fmod(value.get<double>(), argument.get<double>()) == 0.0;
+    if (word == "minItems") return value.size() >= argument;
+    if (word == "maxItems") return value.size() <= argument;
+    if (word == "minLength") return value.is_string() && value != "";
+    if (word == "items") {
+      return std::all_of(value.begin(), value.end(),
+                         [&](const json& entry) { return accepts(argument, entry); });
+    }
+    if (word == "required") {
+      return std::all_of(argument.begin(), argument.end(), [&](const std::string& name) {
+        return value.is_object() && value.contains(name);
+      });
+    }
+    if (word == "properties" || word == "additionalProperties") {
+      const json& properties = schema["properties"];
+      return value.is_object() &&
+             std::all_of(value.items().begin(), value.items().end(), [&](const auto& member) {
+               if (!properties.contains(member.key())) return false;
+               return accepts(properties[member.key()], member.value());
+             });
+    }
+    const std::vector<std::string> words_without_force = {"$schema", "$id", "$defs", "title",
+                                                          "description"};
+    EXPECT_EQ(std::count(words_without_force.begin(), words_without_force.end(), word), 1) << word;
+    return true;
+  }
+
+  json root_;
+};
+
+json small_json() { return json::parse(write_valve(small_valve())); }
+
+json full_plan() {
+  const LeafletPoint point = {Leaflet::Posterior, 0.5, 1.0};
+  const RepairPlan plan = {
+      {Annuloplasty{"own", 0.0, 2}, Annuloplasty{"generic-classic", 30.0, 0},
+       Neochorda{"AL1", point, 18.5}, ChordalLengthChange{"a", -1.25}, ChordalExcision{"b"},
+       ChordalTransfer{"c", point},
+       PapillaryApproximation{Side::Anterolateral, Anchor::IpsilateralTrigone, 0.25, 24.0},
+       PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0}}};
+  return to_json(plan);
+}
+
+// Pointers to all objects inside `value`, itself included.
+std::vector<json::json_pointer> objects_in(const json& value,
+                                           const json::json_pointer& at = json::json_pointer()) {
+  std::vector<json::json_pointer> list;
+  if (value.is_object()) list.push_back(at);
+  if (!value.is_structured()) return list;
+  for (const auto& [name, member] : value.items()) {
+    const auto below = objects_in(
+        member, value.is_object() ? at / name : at / static_cast<std::size_t>(std::stoul(name)));
+    list.insert(list.end(), below.begin(), below.end());
+  }
+  return list;
+}
+
+// Takes each member away in turn, and adds one that nobody knows.
+template <class Reads>
+void expect_agreement_on_fields(const Schema& schema, const json& good, Reads reads) {
+  for (const auto& object : objects_in(good)) {
+    const json members = good[object];
+    for (const auto& [name, member] : members.items()) {
+      json poorer = good;
+      poorer[object].erase(name);
+      EXPECT_FALSE(schema.accepts(poorer)) << object / name;
+      EXPECT_FALSE(reads(poorer)) << object / name;
+    }
+    json richer = good;
+    richer[object]["unknown"] = 1;
+    EXPECT_FALSE(schema.accepts(richer)) << object;
+    EXPECT_FALSE(reads(richer)) << object;
+  }
+}
+
+// The ends of the schema's range are accepted, what lies beyond is not.
+template <class Reads>
+void expect_agreement_on_range(const json& range, const json& good, const std::string& at,
+                               Reads reads) {
+  for (const char* end : {"minimum", "maximum"}) {
+    json document = good;
+    json& number = document[json::json_pointer(at)];
+    number = range[end];
+    EXPECT_TRUE(reads(document)) << at << ' ' << end;
+    const double outwards = end == std::string("minimum") ? -1.0 : 1.0;
+    const double limit = range[end];
+    number = std::nextafter(limit, outwards * INFINITY);
+    EXPECT_FALSE(reads(document)) << at << ' ' << end;
+  }
+}
+
+bool reads_valve(const json& document) { return bool(read_valve(document.dump())); }
+bool reads_plan(const json& document) { return bool(read_plan(document.dump())); }
+
+TEST(ValveSchema, AcceptsWhatIsWritten) { EXPECT_TRUE(Schema("valve").accepts(small_json())); }
+
+TEST(ValveSchema, AgreesWithTheReaderOnEveryField) {
+  expect_agreement_on_fields(Schema("valve"), small_json(), reads_valve);
+}
+
+TEST(ValveSchema, AgreesWithTheReaderOnRanges) {
+  const Schema schema("valve");
+  const json& fields = schema.root()["properties"];
+  expect_agreement_on_range(fields["pressure_kpa"], small_json(), "/pressure_kpa", reads_valve);
+  for (const auto& [name, range] : fields["tissue"]["properties"].items()) {
+    expect_agreement_on_range(range, small_json(), "/tissue/" + name, reads_valve);
+  }
+  for (const std::string name : {"rest_length_mm", "diameter_mm"}) {
+    expect_agreement_on_range(schema.root()["$defs"]["segment"]["properties"][name], small_json(),
+                              "/chordae/0/segments/1/" + name, reads_valve);
+  }
+}
+
+TEST(PlanSchema, AcceptsWhatIsWritten) { EXPECT_TRUE(Schema("plan").accepts(full_plan())); }
+
+TEST(PlanSchema, AgreesWithTheReaderOnEveryField) {
+  expect_agreement_on_fields(Schema("plan"), full_plan(), reads_plan);
+}
+
+TEST(PlanSchema, AgreesWithTheReaderOnRanges) {
+  const Schema schema("plan");
+  const json& kinds = schema.root()["$defs"];
+  const auto check = [&](const char* kind, const char* field, const std::string& at) {
+    expect_agreement_on_range(kinds[kind]["properties"][field], full_plan(), at, reads_plan);
+  };
+  check("catalogue_ring", "size_mm", "/steps/1/size_mm");
+  check("neochorda", "length_mm", "/steps/2/length_mm");
+  check("leaflet_point", "along", "/steps/2/insertion/along");
+  check("leaflet_point", "height", "/steps/5/insertion/height");
+  check("chordal_length_change", "change_mm", "/steps/3/change_mm");
+  check("approximation_to_landmark", "suture_length_mm", "/steps/6/suture_length_mm");
+  check("approximation_to_point", "suture_length_mm", "/steps/7/suture_length_mm");
+  check("approximation_to_point", "annulus_around", "/steps/7/annulus_around");
+}
+
+}  // namespace
+}  // namespace coapt

@@ -1,0 +1,185 @@
+#include "io/mesh/import_valve.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "cone_scene.h"
+#include "core/valve/validate.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kFacet_mm = 0.01;  // the cone's facets of a degree are this far from the cone
+
+Valve imported(const ImportSource& source, const ImportOptions& options = {}) {
+  const Expected<Valve> valve = import_valve(source, options);
+  EXPECT_TRUE(valve) << valve.errors()[0].path << ": " << valve.errors()[0].message;
+  return valve ? *valve : Valve{};
+}
+
+double degrees(const Vec3& point) {
+  return std::atan2(point.y(), point.x()) * 180.0 / std::numbers::pi;
+}
+
+/// Every vertex lies at its row's place on the cone.
+void expect_cone(const Valve& valve) {
+  const auto stations = std::ssize(valve.annulus);
+  const auto rows = valve.rest_mm.rows() / stations - 1;
+  for (Eigen::Index v = 0; v < valve.rest_mm.rows(); ++v) {
+    const Vec3 point = valve.rest_mm.row(v);
+    const double share = static_cast<double>(v / stations) / static_cast<double>(rows);
+    EXPECT_LT((point - on_cone(degrees(point), share)).norm(), kFacet_mm) << v;
+  }
+}
+
+/// Boundary loops of a mesh: their numbers of edges.
+std::vector<int> boundary_loops(const Faces& faces) {
+  std::map<std::pair<int, int>, int> directed;
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) ++directed[{faces(f, k), faces(f, (k + 1) % 3)}];
+  }
+  std::map<int, int> next;
+  for (const auto& [edge, count] : directed) {
+    if (!directed.contains({edge.second, edge.first})) next[edge.first] = edge.second;
+  }
+  std::vector<int> loops;
+  while (!next.empty()) {
+    int edges = 0;
+    for (auto at = next.begin(); at != next.end(); ++edges) {
+      const int to = at->second;
+      next.erase(at);
+      at = next.find(to);
+    }
+    loops.push_back(edges);
+  }
+  return loops;
+}
+
+TEST(ImportValve, AConeIsGivenBack) {
+  const Valve valve = imported(cone_source());
+  EXPECT_EQ(valve.rest_mm.rows(), 60 * 7);
+  EXPECT_EQ(valve.faces.rows(), 720);
+  expect_cone(valve);
+  EXPECT_TRUE(validate(valve).empty());
+}
+
+TEST(ImportValve, GapsAtTheCommissuresAreClosed) {
+  const Valve valve = imported(cone_source_with_gaps());
+  expect_cone(valve);
+  EXPECT_EQ(boundary_loops(valve.faces), (std::vector<int>{60, 60}));
+  EXPECT_TRUE(validate(valve).empty());
+}
+
+TEST(ImportValve, CommissuresAreWhereTheSheetsMeet) {
+  const Valve valve = imported(cone_source_with_gaps());
+  const auto at = [&](int vertex) { return Vec3(valve.rest_mm.row(vertex)); };
+  EXPECT_NEAR(degrees(at(valve.landmarks.posteromedial_commissure)), 0.0, 0.5);
+  EXPECT_NEAR(std::abs(degrees(at(valve.landmarks.anterolateral_commissure))), 180.0, 3.0);
+  EXPECT_NEAR(degrees(at(valve.landmarks.saddle_peak)), 90.0, 3.0);
+  EXPECT_NEAR(degrees(at(valve.landmarks.mid_posterior)), -90.0, 3.0);
+  EXPECT_EQ(std::count(valve.segments.begin(), valve.segments.end(), Segment::A2), 120);
+  EXPECT_EQ(std::count(valve.segments.begin(), valve.segments.end(), Segment::P2), 120);
+}
+
+TEST(ImportValve, AnyResolutionIsMade) {
+  ImportOptions options;
+  for (const int triangles : {100, 1400, 2600, 10400}) {
+    options.triangles = triangles;
+    const Valve valve = imported(cone_source(), options);
+    EXPECT_NEAR(static_cast<double>(valve.faces.rows()), triangles, 0.1 * triangles);
+    expect_cone(valve);
+  }
+}
+
+TEST(ImportValve, FibresLieAlongTheAnnulus) {
+  const Valve valve = imported(cone_source());
+  for (Eigen::Index f = 0; f < valve.faces.rows(); ++f) {
+    EXPECT_NEAR(valve.fibre.row(f).norm(), 1.0, 1e-12);
+    EXPECT_NEAR(valve.fibre(f, 2), 0.0, 1e-3);
+  }
+}
+
+TEST(ImportValve, AStraightChordaIsAsLongAsItsDistanceTimesSlack) {
+  ImportOptions options;
+  options.branches = 1;
+  options.slack = 1.1;
+  const Valve valve = imported(cone_source(), options);
+  ASSERT_EQ(valve.chordae.size(), 2U);
+  ASSERT_EQ(valve.chordae[1].segments.size(), 1U);
+  // From (10, 0, -25) to (12, 0, -15).
+  EXPECT_NEAR(valve.chordae[1].segments[0].rest_length_mm, 1.1 * std::sqrt(104.0), 0.05);
+}
+
+TEST(ImportValve, AMarginalChordaBranchesWhereItIsTold) {
+  ImportOptions options;
+  options.branches = 3;
+  options.branch_at = 0.6;
+  const Valve valve = imported(cone_source(), options);
+  const Chorda& chorda = valve.chordae[1];
+  ASSERT_EQ(chorda.segments.size(), 4U);
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_EQ(chorda.segments[i].parent, 0);
+    const Vec3 end = position(chorda.segments[i].insertion, valve.faces, valve.rest_mm);
+    EXPECT_NEAR(end.z(), -kDepth_mm, kFacet_mm);
+    // A sixtieth of the circle to either side: 6 degrees.
+    EXPECT_NEAR(degrees(end), 6.0 * (static_cast<double>(i) - 2.0), 0.1);
+    mean += end / 3.0;
+  }
+  const Vec3 tip(10.0, 0.0, -25.0);
+  EXPECT_LT((chorda.segments[0].branch_point_mm - (tip + 0.6 * (mean - tip))).norm(), 1e-9);
+  EXPECT_NEAR(chorda.segments[0].rest_length_mm, 0.6 * (mean - tip).norm(), 1e-9);
+}
+
+TEST(ImportValve, AnInsertionFarFromTheFreeEdgeBecomesStrutOrBasal) {
+  ImportSource source = cone_source();
+  source.chordae.push_back(
+      {"s", Side::Anterolateral, ChordaKind::Marginal, on_cone(93.0, 0.5), {-10.0, 0.0, -25.0}});
+  source.chordae.push_back(
+      {"t", Side::Posteromedial, ChordaKind::Marginal, on_cone(-87.0, 0.5), {10.0, 0.0, -25.0}});
+  const Valve valve = imported(source);
+  EXPECT_EQ(valve.chordae[2].kind, ChordaKind::Strut);
+  EXPECT_EQ(valve.chordae[3].kind, ChordaKind::Basal);
+  ASSERT_EQ(valve.chordae[2].segments.size(), 1U);
+  const Vec3 end = position(valve.chordae[2].segments[0].insertion, valve.faces, valve.rest_mm);
+  EXPECT_LT((end - on_cone(93.0, 0.5)).norm(), 0.05);  // facets of six degrees
+}
+
+TEST(ImportValve, DistinctTipsBecomeHeadsOfTheirMuscle) {
+  ImportSource source = cone_source();
+  source.chordae.push_back(
+      {"c", Side::Posteromedial, ChordaKind::Marginal, on_cone(30.0, 1.0), {10.0, 3.0, -24.0}});
+  source.chordae.push_back(
+      {"d", Side::Posteromedial, ChordaKind::Marginal, on_cone(-30.0, 1.0), {10.0, 0.0, -25.0}});
+  source.chordae[0].tip_mm.y() = 1.5;  // keeps the mean tips level
+  const Valve valve = imported(source);
+  ASSERT_EQ(valve.heads.size(), 3U);
+  EXPECT_EQ(valve.heads[0].id, "AL1");
+  EXPECT_EQ(valve.heads[1].id, "PM1");
+  EXPECT_GT(valve.heads[1].tip_mm.y(), valve.heads[2].tip_mm.y());
+  EXPECT_EQ(valve.chordae[2].head, 1);
+  EXPECT_EQ(valve.chordae[1].head, 2);
+  EXPECT_EQ(valve.chordae[3].head, 2);
+}
+
+TEST(ImportValve, ChangesAreToldAfterTheSources) {
+  const Valve valve = imported(cone_source_with_gaps());
+  ASSERT_GE(valve.provenance.size(), 5U);
+  EXPECT_EQ(valve.provenance[0], "made by hand");
+  const auto told = [&](const char* words) {
+    return std::any_of(
+        valve.provenance.begin(), valve.provenance.end(),
+        [&](const std::string& line) { return line.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(told("re-framed"));
+  EXPECT_TRUE(told("60 stations"));
+  EXPECT_TRUE(told("stations without sheet interpolated"));
+  EXPECT_TRUE(told("2 marginal"));
+}
+
+}  // namespace
+}  // namespace coapt

@@ -1,0 +1,77 @@
+#include "io/picture/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/io/picture/decoded_png.h"
+#include "tests/scenes/sheets.h"
+#include "tests/scenes/small_valve.h"
+
+namespace coapt {
+namespace {
+
+ClosedValve closed(Valve valve) {
+  const ClosureResult closure = closed_at_rest(valve);
+  const ValveMeasure measured = measure(valve, closure);
+  return {std::move(valve), closure, measured};
+}
+
+TEST(ClosurePicture, ShowsAHoleInTheBlueOfOrificesAndASoundDiscWithout) {
+  const DecodedPng leaking = decode_png(closure_picture_png(closed(disc_with_hole(15.0, 5.0))));
+  ASSERT_EQ(leaking.width, 1600);
+  const DecodedPng sound = decode_png(closure_picture_png(closed(disc_with_hole(15.0, 0.4))));
+  EXPECT_EQ(blue_pixels(sound, 0, sound.width), 0);
+  // A hole of radius 5 less half a millimetre, at 20.5 pixels a millimetre: (700 - 84) / 30.
+  const double expected = std::numbers::pi * 4.5 * 4.5 * 20.533 * 20.533;
+  const auto blue = static_cast<double>(blue_pixels(leaking, 0, 960));
+  EXPECT_LT(blue, 1.1 * expected);
+  EXPECT_GT(blue, 0.8 * expected) << "label and leader cover some of it";
+}
+
+TEST(ClosurePicture, IsTheSameEveryTime) {
+  const ClosedValve valve = closed(small_valve());
+  EXPECT_EQ(closure_picture_png(valve), closure_picture_png(valve));
+}
+
+TEST(ClosurePicture, HostileNamesAndMissingChordaeDoNoHarm) {
+  ClosedValve valve = closed(small_valve());
+  const DecodedPng plain = decode_png(closure_picture_png(valve));
+  valve.valve.name = "\xFF\xC0 broken \n" + std::string(5000, 'W');
+  valve.closure.branch_points_mm.clear();
+  const DecodedPng hostile = decode_png(closure_picture_png(valve));
+  ASSERT_EQ(hostile.pixels.size(), plain.pixels.size());
+  // The caption and the notice, below the drawings, are still there and the same.
+  const auto bottom = [](const DecodedPng& png) {
+    return std::vector<std::uint32_t>(png.pixels.end() - 200 * png.width, png.pixels.end());
+  };
+  EXPECT_EQ(bottom(hostile), bottom(plain));
+}
+
+TEST(ClosurePicture, OfAClosureThatFlewApartSaysSo) {
+  ClosedValve valve = closed(disc_with_hole(15.0, 5.0));
+  valve.closure.status = ClosureStatus::Diverged;
+  valve.closure.closed_mm(3, 1) = std::numeric_limits<double>::infinity();
+  valve.measure = measure(valve.valve, valve.closure);
+  const DecodedPng picture = decode_png(closure_picture_png(valve));
+  EXPECT_FALSE(picture.pixels.empty());
+  EXPECT_EQ(blue_pixels(picture, 0, picture.width), 0);
+}
+
+TEST(ComparisonPicture, ShowsBeforeLeftAndAfterRightInOneScale) {
+  const ClosedValve leaking = closed(disc_with_hole(15.0, 5.0));
+  const ClosedValve sound = closed(disc_with_hole(15.0, 0.4));
+  const DecodedPng picture = decode_png(comparison_picture_png(leaking, sound));
+  EXPECT_GT(blue_pixels(picture, 0, 650), 1000);
+  EXPECT_EQ(blue_pixels(picture, 650, 1300), 0);
+  // The same hole is as large beside a larger valve as beside itself, if that sets the scale of
+  // both.
+  const ClosedValve large = closed(disc_with_hole(25.0, 5.0));
+  const DecodedPng twice = decode_png(comparison_picture_png(large, large));
+  const DecodedPng mixed = decode_png(comparison_picture_png(leaking, large));
+  const auto left = static_cast<double>(blue_pixels(mixed, 0, 650));
+  EXPECT_NEAR(left, static_cast<double>(blue_pixels(twice, 650, 1300)), 0.02 * left);
+}
+
+}  // namespace
+}  // namespace coapt

@@ -1,0 +1,52 @@
+#include "io/picture/text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace coapt {
+namespace {
+
+TEST(Text, NumbersHaveTheirPlacesAndNoMinusZero) {
+  EXPECT_EQ(fixed(12.345, 1), "12.3");
+  EXPECT_EQ(fixed(-2.5, 2), "-2.50");
+  EXPECT_EQ(fixed(-0.01, 1), "0.0");
+  EXPECT_EQ(fixed(1e300, 0).size(), 301u);
+  EXPECT_EQ(fixed(std::numeric_limits<double>::quiet_NaN(), 1), "n/a");
+  EXPECT_EQ(fixed(-std::numeric_limits<double>::infinity(), 1), "n/a");
+}
+
+TEST(Text, OneIsNotMany) {
+  EXPECT_EQ(counted(1, "plan"), "1 plan");
+  EXPECT_EQ(counted(0, "plan"), "0 plans");
+}
+
+TEST(Text, BrokenUtf8IsReplacedAndWholeUtf8Kept) {
+  const std::string replaced = "\xEF\xBF\xBD";
+  EXPECT_EQ(printable("mm² – 二尖瓣 🫀"), "mm² – 二尖瓣 🫀");
+  EXPECT_EQ(printable("a\xFF"
+                      "b"),
+            "a" + replaced + "b");
+  EXPECT_EQ(printable("cut \xE4\xBA"), "cut " + replaced + replaced);
+  EXPECT_EQ(printable("\xC0\xAF"), replaced + replaced) << "overlong";
+  EXPECT_EQ(printable("\xED\xA0\x80"), replaced + replaced + replaced) << "surrogate";
+  EXPECT_EQ(printable("\xF4\x90\x80\x80").size(), 12u) << "beyond U+10FFFF";
+  EXPECT_EQ(printable(std::string("a\nb\0c", 5)), "a b c");
+}
+
+TEST(Text, HtmlIsEscaped) {
+  EXPECT_EQ(escape_html("<a href=\"x\" id='y'>&</a>"),
+            "&lt;a href=&quot;x&quot; id=&#39;y&#39;&gt;&amp;&lt;/a&gt;");
+}
+
+TEST(Text, Base64AgreesWithTheVectorsOfRfc4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xFF\xFE"), "//4=");
+}
+
+}  // namespace
+}  // namespace coapt
