@@ -57,9 +57,9 @@ double cost(const Evaluation& evaluation, const Effort& effort, double thickness
            weights.movement_above_10 * excess(movement, kUsualMovement_mm);
   if (!trusted(evaluation)) sum += weights.untrusted;
   const ValveMeasure& measure = evaluation.measure;
-  const double orifice = measure.orifice.area_mm2;
+  const double leak = leak_mm2(measure);
   const double closed =
-      weights.orifice * orifice + weights.orifice_above_5 * excess(orifice, kGoodRepair_mm2) +
+      weights.leak * leak + weights.leak_above_5 * excess(leak, kGoodRepair_mm2) +
       weights.coaptation * excess(kCoaptationAim_mm, central_coaptation_mm(measure.coaptation)) +
       weights.gap * excess(measure.coaptation.distance_max_mm, thickness_mm) +
       weights.tension * excess(measure.tension_max_n, tension_before_n);

@@ -1,4 +1,4 @@
-// What a search minimises: one number per plan, in mm2 of orifice.
+// What a search minimises: one number per plan, in mm2 of leak (the larger of orifice and hidden gap).
 //
 // Competence first. Where the orifice is zero, and a picture of it says nothing more, the cost
 // still slopes: towards more coaptation, no hidden gap, less force in the chordae, and less
@@ -29,9 +29,8 @@ Effort effort(const Valve& before, const Valve& repaired, const RepairPlan& plan
 /// Prices in mm2. They are judgements, not measurements: competence may never be outbid by comfort,
 /// and between competent plans the lesser operation wins.
 struct CostWeights {
-  double orifice = 1.0;  ///< per mm2
-  double orifice_above_5 =
-      2.0;  ///< more, per mm2 above the thesis's limit of a good repair (4.2.3)
+  double leak = 1.0;          ///< per mm2
+  double leak_above_5 = 2.0;  ///< more, per mm2 above the thesis's limit of a good repair (4.2.3)
   double coaptation =
       0.5;                ///< per mm that the height of A2 with P2 falls short of 8; weak evidence
   double gap = 2.0;       ///< per mm by which leaflets are further apart than they are thick

@@ -57,17 +57,20 @@ RankedPlan ranked(const RankRequest& request, const Trial& trial,
   plan.ring_sizes_below = asked.sizes_below;
   plan.anterolateral_movement_mm = asked.anterolateral_movement_mm;
   plan.posteromedial_movement_mm = asked.posteromedial_movement_mm;
-  std::vector<double> areas;
+  std::vector<double> areas, leaks;
   plan.region_closures = 0;
   for (const std::optional<Evaluation>& evaluation : region) {
     if (!evaluation) continue;
     ++plan.region_closures;
-    if (trusted(*evaluation))
-      areas.push_back(evaluation->measure.orifice.area_mm2);
-    else
+    if (!trusted(*evaluation)) {
       ++plan.region_failures;
+      continue;
+    }
+    areas.push_back(evaluation->measure.orifice.area_mm2);
+    leaks.push_back(leak_mm2(evaluation->measure));
   }
   plan.orifice_area_mm2 = statistics(trial.evaluation.measure.orifice.area_mm2, areas);
+  plan.leak_mm2 = statistics(leak_mm2(trial.evaluation.measure), leaks);
   plan.warnings = plan_warnings(plan, request.valve, request.catalogue, request.before);
   return plan;
 }
@@ -76,12 +79,12 @@ bool is_better(const RankedPlan& a, const RankedPlan& b) {
   const auto failed = [](const RankedPlan& plan) {
     return plan.status != ClosureStatus::Converged || plan.crossing;
   };
-  const auto orifice_class = [](const RankedPlan& plan) {
-    return std::floor((plan.orifice_area_mm2.mean + plan.orifice_area_mm2.sd) / kClass_mm2);
+  const auto leak_class = [](const RankedPlan& plan) {
+    return std::floor((plan.leak_mm2.mean + plan.leak_mm2.sd) / kClass_mm2);
   };
   if (failed(a) != failed(b)) return failed(b);
   if (failed(a)) return a.cost < b.cost;
-  if (orifice_class(a) != orifice_class(b)) return orifice_class(a) < orifice_class(b);
+  if (leak_class(a) != leak_class(b)) return leak_class(a) < leak_class(b);
   return a.cost < b.cost;
 }
 

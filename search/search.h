@@ -35,6 +35,7 @@ struct RankedPlan {
   RepairPlan plan;
   std::vector<std::string> description;  ///< in surgical words, one line a step
   OrificeStatistics orifice_area_mm2;
+  OrificeStatistics leak_mm2;  ///< of leak_mm2(ValveMeasure): the ranking goes by it, gaps hidden from above included
   double cost = 0.0;
   ClosureStatus status = ClosureStatus::Converged;
   bool crossing = false;
@@ -51,7 +52,7 @@ enum class SearchStop { EvaluationLimit, TimeLimit, Cancelled };
 
 struct SearchProgress {
   int closures = 0, closures_planned = 0;
-  double best_orifice_mm2 = 0.0;
+  double best_leak_mm2 = 0.0;
 };
 
 struct SearchResult {

@@ -90,7 +90,7 @@ void about_closure(const RankedPlan& plan, const Evaluation& before, Lines& line
   if (apart > 0)
     lines.push_back("leaflets do not touch at " + std::to_string(apart) +
                     " of 9 sections (a projection can hide it)");
-  if (plan.orifice_area_mm2.worst > kGoodRepair_mm2)
+  if (plan.leak_mm2.worst > kGoodRepair_mm2)
     lines.push_back("leaks more than 5 mm2 somewhere in the region of interest");
   if (plan.region_failures > 0)
     lines.push_back(std::to_string(plan.region_failures) + " of " +

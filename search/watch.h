@@ -30,18 +30,18 @@ class Watch {
   /// Why the search ends: EvaluationLimit unless stopped() has ever been true.
   SearchStop stop() const { return stop_; }
 
-  /// @param is_plan of an undisturbed plan, whose orifice may be the best.
+  /// @param is_plan of an undisturbed plan, whose leak may be the best.
   void closed(const Evaluation& evaluation, bool is_plan) {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++closures_;
     if (evaluation.status != ClosureStatus::Converged) ++not_converged_;
     if (evaluation.crossing) ++crossed_;
-    const double orifice = evaluation.measure.orifice.area_mm2;
-    if (is_plan && trusted(evaluation) && (!any_ || orifice < best_orifice_mm2_)) {
-      best_orifice_mm2_ = orifice;
+    const double leak = leak_mm2(evaluation.measure);
+    if (is_plan && trusted(evaluation) && (!any_ || leak < best_leak_mm2_)) {
+      best_leak_mm2_ = leak;
       any_ = true;
     }
-    if (progress_) progress_({closures_, planned_, best_orifice_mm2_});
+    if (progress_) progress_({closures_, planned_, best_leak_mm2_});
   }
 
   int closures() const { return closures_; }
@@ -56,7 +56,7 @@ class Watch {
   std::atomic<SearchStop> stop_ = SearchStop::EvaluationLimit;
   std::mutex mutex_;
   int planned_ = 0, closures_ = 0, not_converged_ = 0, crossed_ = 0;
-  double best_orifice_mm2_ = 0.0;
+  double best_leak_mm2_ = 0.0;
   bool any_ = false;
 };
 

@@ -96,9 +96,10 @@ void set_up(httplib::Server& http, const Routes& routes) {
     const int yes = 1;
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
   });
-  http.set_exception_handler([](const auto&, httplib::Response& response, const std::exception_ptr&) {
-    send(refusal(500, ErrorCode::Unsupported, "the request could not be answered"), response);
-  });
+  http.set_exception_handler(
+      [](const auto&, httplib::Response& response, const std::exception_ptr&) {
+        send(refusal(500, ErrorCode::Unsupported, "the request could not be answered"), response);
+      });
   http.set_pre_routing_handler([&routes](const auto& request, httplib::Response& response) {
     if (request.method == "POST") return httplib::Server::HandlerResponse::Unhandled;
     answer_without_body(routes, request, response);

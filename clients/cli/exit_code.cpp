@@ -7,7 +7,7 @@ namespace {
 
 bool competent(const RankedPlan& plan) {
   return plan.status == ClosureStatus::Converged && !plan.crossing &&
-         plan.orifice_area_mm2.nominal < kCompetentMm2;
+         plan.leak_mm2.nominal < kCompetentMm2;
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ void add_plan(CLI::App& parent, int& status) {
   command->add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)");
   command->footer(
       "Ctrl-C stops the search and prints the best so far (exit code 130). Exit code 4 if no plan\n"
-      "converges without crossing to an orifice below 1 mm2.\n\n"
+      "converges without crossing to a leak (orifice and hidden gap) below 1 mm2.\n\n"
       "Examples:\n"
       "  coapt plan human-functional-mr --evaluations 300 --seed 1\n"
       "  coapt plan valve.json --plans 10 --json -o report.html > plans.json");

@@ -16,12 +16,12 @@ std::ostream& row(std::ostream& out, const char* label) {
 const char* crossing_words(bool crossing) { return crossing ? "leaflets cross" : "no crossing"; }
 
 void print_plan(std::ostream& out, const RankedPlan& plan) {
-  const OrificeStatistics& orifice = plan.orifice_area_mm2;
-  out << std::setw(4) << plan.rank << std::setw(9) << fixed(orifice.nominal, 1) << std::setw(7)
-      << fixed(orifice.mean, 1) << std::setw(6) << fixed(orifice.sd, 1) << std::setw(7)
-      << fixed(orifice.worst, 1) << std::setw(15)
-      << fixed(plan.measure.coaptation.height_mean_mm, 1) << std::setw(11)
-      << fixed(plan.measure.tension_max_n, 2) << '\n';
+  const OrificeStatistics& leak = plan.leak_mm2;
+  out << std::setw(4) << plan.rank << std::setw(9) << fixed(plan.orifice_area_mm2.nominal, 1)
+      << std::setw(6) << fixed(plan.measure.coaptation.gap_area_mm2, 1) << std::setw(9)
+      << fixed(leak.mean, 1) << std::setw(6) << fixed(leak.sd, 1) << std::setw(7)
+      << fixed(leak.worst, 1) << std::setw(15) << fixed(plan.measure.coaptation.height_mean_mm, 1)
+      << std::setw(11) << fixed(plan.measure.tension_max_n, 2) << '\n';
   for (const std::string& step : plan.description) out << "      " << printable(step) << '\n';
   if (plan.plan.steps.empty()) out << "      no repair\n";
   if (plan.status != ClosureStatus::Converged || plan.crossing) {
@@ -51,8 +51,9 @@ void print_measure(std::ostream& out, const ValveMeasure& measure) {
                                       [](const CoaptationSection& s) { return s.contact; });
   row(out, "coaptation") << "height min " << fixed(coaptation.height_min_mm, 1) << ", mean "
                          << fixed(coaptation.height_mean_mm, 1) << " mm; contact at " << touching
-                         << " of " << coaptation.sections.size() << " sections; widest gap "
-                         << fixed(coaptation.distance_max_mm, 2) << " mm\n";
+                         << " of " << coaptation.sections.size() << " sections; mid-surfaces up to "
+                         << fixed(coaptation.distance_max_mm, 2) << " mm apart; gap "
+                         << fixed(coaptation.gap_area_mm2, 1) << " mm2\n";
   const AnnulusMeasure& annulus = measure.annulus;
   row(out, "annulus") << "AP " << fixed(annulus.ap_mm, 1) << ", AL-PM "
                       << fixed(annulus.al_pm_mm, 1) << ", circumference "
@@ -70,11 +71,12 @@ void print_measure(std::ostream& out, const ValveMeasure& measure) {
 }
 
 void print_ranked(std::ostream& out, const SearchResult& result) {
-  out << "Before: orifice " << fixed(result.before.orifice.area_mm2, 1) << " mm2, coaptation "
+  out << "Before: orifice " << fixed(result.before.orifice.area_mm2, 1) << " mm2, hidden gap "
+      << fixed(result.before.coaptation.gap_area_mm2, 1) << " mm2, coaptation "
       << fixed(result.before.coaptation.height_mean_mm, 1) << " mm, "
       << to_string(result.before_status) << ", " << crossing_words(result.before_crossing) << "\n\n"
-      << "       orifice mm2: over the region    coaptation    tension\n"
-      << "rank  nominal   mean    sd  worst             mm          N\n";
+      << "      orifice   gap   leak over the region    coaptation    tension\n"
+      << "rank      mm2   mm2     mean    sd  worst             mm          N\n";
   for (const RankedPlan& plan : result.plans) print_plan(out, plan);
   out << '\n'
       << result.closures << " closures (" << result.closures_not_converged << " not converged, "

@@ -27,8 +27,8 @@ void ProgressBar::show(const SearchProgress& progress) const {
   const int filled = std::min(kWidth, kWidth * progress.closures / planned);
   std::cerr << kClearLine << '[' << std::string(static_cast<std::size_t>(filled), '#')
             << std::string(static_cast<std::size_t>(kWidth - filled), '.') << "] "
-            << progress.closures << " of " << planned << " closures, best orifice "
-            << fixed(progress.best_orifice_mm2, 1) << " mm2" << std::flush;
+            << progress.closures << " of " << planned << " closures, best leak "
+            << fixed(progress.best_leak_mm2, 1) << " mm2" << std::flush;
 }
 
 }  // namespace coapt

@@ -137,7 +137,6 @@ std::vector<std::pair<int, int>> overlapping(const Boxes& a, const Boxes& b) {
       ++n;
     }
   }
-  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 

@@ -42,7 +42,7 @@ struct Boxes {
   Points low_mm, high_mm;
 };
 
-/// All pairs (i, j) whose boxes a_i and b_j overlap, ascending. Sweep and prune along x.
+/// All pairs (i, j) whose boxes a_i and b_j overlap, in the order of a sweep along x (sweep and prune).
 std::vector<std::pair<int, int>> overlapping(const Boxes& a, const Boxes& b);
 
 /// The list of candidate pairs and where it was made.

@@ -64,8 +64,8 @@ struct ValveMeasure {
 /// Of a closure whose points are not finite only the annulus is known; all else is NaN.
 ValveMeasure measure(const Valve& valve, const ClosureResult& closure);
 
-/// The larger of the orifice in the atrial view and the gap in three dimensions, mm2: what a competent
-/// valve keeps near zero. NaN for a closure that flew apart.
+/// The larger of the orifice in the atrial view and the gap in three dimensions, mm2: what a
+/// competent valve keeps near zero. NaN for a closure that flew apart.
 double leak_mm2(const ValveMeasure& measure);
 
 }  // namespace coapt

@@ -16,10 +16,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <utility>
+
+#include "core/valve/turns.h"
 
 namespace coapt {
 namespace {
@@ -27,16 +28,7 @@ namespace {
 constexpr double kSmallestWeight = 0.05;  // an equilateral mesh has 0.577
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-using Vec2 = Eigen::Vector2d;
 using Weights = std::map<std::pair<int, int>, double>;  // of each edge, smaller vertex first
-
-/// Difference of two values of `around` by the shorter way, within half a turn.
-double wrapped(double difference) { return difference - std::round(difference); }
-
-double fraction(double around) {
-  const double f = around - std::floor(around);
-  return f < 1.0 ? f : 0.0;
-}
 
 Weights cotangent_weights(const Valve& valve) {
   Weights weights;
@@ -152,33 +144,6 @@ Eigen::VectorXd harmonic_around(const Valve& valve, const Weights& weights) {
   return angle + laplacian.solve(zero, source);
 }
 
-/// Weights of the point of triangle (a, b, c) nearest to the origin, in the plane.
-std::array<double, 3> nearest_weights(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const auto cross = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); };
-  const double twice_area = cross(b - a, c - a);
-  if (twice_area != 0.0) {
-    const std::array<double, 3> inside = {cross(b, c) / twice_area, cross(c, a) / twice_area,
-                                          cross(a, b) / twice_area};
-    if (*std::min_element(inside.begin(), inside.end()) >= 0.0) return inside;
-  }
-  const std::array<Vec2, 3> corner = {a, b, c};
-  std::array<double, 3> best{};
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2& p = corner[k];
-    const Vec2 side = corner[(k + 1) % 3] - p;
-    const double length2 = side.squaredNorm();
-    const double t = length2 > 0.0 ? std::clamp(-p.dot(side) / length2, 0.0, 1.0) : 0.0;
-    const double distance2 = (p + t * side).squaredNorm();
-    if (distance2 >= nearest) continue;
-    nearest = distance2;
-    best = {};
-    best[k] = 1.0 - t;
-    best[(k + 1) % 3] = t;
-  }
-  return best;
-}
-
 }  // namespace
 
 std::vector<double> annulus_around(const Valve& valve) {
@@ -214,61 +179,10 @@ LeafletCoordinates leaflet_coordinates(const Valve& valve) {
   const Eigen::VectorXd height = harmonic_height(valve, weights);
   LeafletCoordinates coordinates;
   for (Eigen::Index i = 0; i < around.size(); ++i) {
-    coordinates.around.push_back(fraction(around(i)));
+    coordinates.around.push_back(turn_fraction(around(i)));
     coordinates.height.push_back(std::clamp(height(i), 0.0, 1.0));
   }
   return coordinates;
-}
-
-double around(const LeafletPoint& point) {
-  switch (point.leaflet) {
-    case Leaflet::Anterior:
-      return fraction(0.5 - 0.5 * point.along);
-    case Leaflet::Posterior:
-      return fraction(0.5 + 0.5 * point.along);
-  }
-  return 0.0;
-}
-
-Insertion locate(const Valve& valve, const LeafletCoordinates& coordinates,
-                 const LeafletPoint& point) {
-  const double target = around(point);
-  Insertion best;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int f = 0; f < valve.faces.rows(); ++f) {
-    // Corners relative to the target; the face is kept whole where `around` jumps.
-    std::array<Vec2, 3> corner;
-    for (int k = 0; k < 3; ++k) {
-      const auto vertex = static_cast<std::size_t>(valve.faces(f, k));
-      const double from_first = coordinates.around[vertex] -
-                                coordinates.around[static_cast<std::size_t>(valve.faces(f, 0))];
-      const double across = k == 0 ? wrapped(coordinates.around[vertex] - target)
-                                   : corner[0].x() + wrapped(from_first);
-      corner[static_cast<std::size_t>(k)] = {across, coordinates.height[vertex] - point.height};
-    }
-    const std::array<double, 3> weights = nearest_weights(corner[0], corner[1], corner[2]);
-    const double distance2 =
-        (weights[0] * corner[0] + weights[1] * corner[1] + weights[2] * corner[2]).squaredNorm();
-    if (distance2 >= nearest) continue;
-    nearest = distance2;
-    best = {f, weights};
-  }
-  return best;
-}
-
-LeafletPoint leaflet_point(const Valve& valve, const LeafletCoordinates& coordinates,
-                           const Insertion& insertion) {
-  const auto first = static_cast<std::size_t>(valve.faces(insertion.face, 0));
-  double place = coordinates.around[first], height = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    const auto vertex = static_cast<std::size_t>(valve.faces(insertion.face, k));
-    const double weight = insertion.weights[static_cast<std::size_t>(k)];
-    place += weight * wrapped(coordinates.around[vertex] - coordinates.around[first]);
-    height += weight * coordinates.height[vertex];
-  }
-  place = fraction(place);
-  if (place < 0.5) return {Leaflet::Anterior, 1.0 - 2.0 * place, height};
-  return {Leaflet::Posterior, 2.0 * place - 1.0, height};
 }
 
 Vec3 annulus_point_mm(const Valve& valve, double around) {
@@ -276,14 +190,14 @@ Vec3 annulus_point_mm(const Valve& valve, double around) {
   std::size_t before = 0;
   double past = 1.0;
   for (std::size_t i = 0; i < arc.size(); ++i) {
-    const double here = fraction(around - arc[i]);
+    const double here = turn_fraction(around - arc[i]);
     if (here < past) {
       past = here;
       before = i;
     }
   }
   const std::size_t after = (before + 1) % arc.size();
-  const double t = std::min(1.0, past / fraction(arc[after] - arc[before]));
+  const double t = std::min(1.0, past / turn_fraction(arc[after] - arc[before]));
   return (1.0 - t) * valve.annulus_mm.row(static_cast<Eigen::Index>(before)) +
          t * valve.annulus_mm.row(static_cast<Eigen::Index>(after));
 }

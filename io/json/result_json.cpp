@@ -81,23 +81,24 @@ ordered_json annulus_json(const AnnulusMeasure& annulus) {
 }
 
 ordered_json ranked_json(const RankedPlan& ranked) {
-  const OrificeStatistics& area = ranked.orifice_area_mm2;
-  return {
-      {"rank", ranked.rank},
-      {"plan", to_json(ranked.plan)},
-      {"description", ranked.description},
-      {"orifice_area_mm2",
-       {{"nominal", area.nominal}, {"mean", area.mean}, {"sd", area.sd}, {"worst", area.worst}}},
-      {"cost", ranked.cost},
-      {"status", to_string(ranked.status)},
-      {"crossing", ranked.crossing},
-      {"measure", to_json(ranked.measure)},
-      {"ring_sizes_below", ranked.ring_sizes_below},
-      {"anterolateral_movement_mm", ranked.anterolateral_movement_mm},
-      {"posteromedial_movement_mm", ranked.posteromedial_movement_mm},
-      {"region_closures", ranked.region_closures},
-      {"region_failures", ranked.region_failures},
-      {"warnings", ranked.warnings}};
+  const auto statistics = [](const OrificeStatistics& s) {
+    return ordered_json{{"nominal", s.nominal}, {"mean", s.mean}, {"sd", s.sd}, {"worst", s.worst}};
+  };
+  return {{"rank", ranked.rank},
+          {"plan", to_json(ranked.plan)},
+          {"description", ranked.description},
+          {"orifice_area_mm2", statistics(ranked.orifice_area_mm2)},
+          {"leak_mm2", statistics(ranked.leak_mm2)},
+          {"cost", ranked.cost},
+          {"status", to_string(ranked.status)},
+          {"crossing", ranked.crossing},
+          {"measure", to_json(ranked.measure)},
+          {"ring_sizes_below", ranked.ring_sizes_below},
+          {"anterolateral_movement_mm", ranked.anterolateral_movement_mm},
+          {"posteromedial_movement_mm", ranked.posteromedial_movement_mm},
+          {"region_closures", ranked.region_closures},
+          {"region_failures", ranked.region_failures},
+          {"warnings", ranked.warnings}};
 }
 
 // `json` with the members of `more` after its own.

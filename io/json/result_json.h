@@ -19,17 +19,18 @@ std::string_view version();
 nlohmann::ordered_json to_json(const Errors& errors);  ///< [{"code","path","message"}, ...]
 nlohmann::ordered_json to_json(const ValveMeasure& measure);
 
-/// Keys that scripts rely on: status, crossing, orifice_area_mm2, orifice_area_raw_mm2, residual, steps,
-/// seconds, triangles; then every measure.
+/// Keys that scripts rely on: status, crossing, orifice_area_mm2, orifice_area_raw_mm2, residual,
+/// steps, seconds, triangles; then every measure.
 nlohmann::ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                                        const ValveMeasure& measure, double seconds);
 
-/// coapt.plans/1: before.orifice_area_mm2, plans[] with rank, plan, orifice_area_mm2.{nominal,mean,sd},
-/// closures, seconds.
+/// coapt.plans/1: before.orifice_area_mm2, plans[] with rank, plan,
+/// orifice_area_mm2.{nominal,mean,sd}, closures, seconds.
 nlohmann::ordered_json to_json(const SearchResult& result);
 
-/// The "search" object of a request: {"evaluations", "seed", "threads", "plans", "region_points", "seconds",
-/// "closure": {...}}, fields named and by default as in SearchOptions and ClosureOptions; unknown ones are errors.
+/// The "search" object of a request: {"evaluations", "seed", "threads", "plans", "region_points",
+/// "seconds", "closure": {...}}, fields named and by default as in SearchOptions and
+/// ClosureOptions; unknown ones are errors.
 Expected<SearchOptions> search_options_from_json(const nlohmann::json& json);
 
 }  // namespace coapt

@@ -10,7 +10,7 @@ namespace coapt {
 namespace {
 
 constexpr double kMargin = 32.0;
-constexpr double kCompetent_mm2 = 1.0;  // below it the atrial view shows no leak
+constexpr double kCompetent_mm2 = 1.0;  // below it there is no leak to speak of
 
 struct Line {
   std::string text;
@@ -33,9 +33,11 @@ std::vector<Line> caption(const ClosedValve& closed) {
                        std::to_string(touching) + " of 9 sections",
                    {15.0}});
   if (touching < 9) {
-    const bool hidden = measure.orifice.area_mm2 < kCompetent_mm2;
-    lines.push_back({"Leaflets up to " + fixed(coaptation.distance_max_mm, 1) + " mm apart" +
-                         (hidden ? ": a gap that the view from the atrium hides" : ""),
+    const bool hidden =
+        measure.orifice.area_mm2 < kCompetent_mm2 && coaptation.gap_area_mm2 > kCompetent_mm2;
+    lines.push_back({"Leaflets up to " + fixed(coaptation.distance_max_mm, 1) + " mm apart: gap " +
+                         fixed(coaptation.gap_area_mm2, 1) + " mm²" +
+                         (hidden ? ", hidden from the atrium" : ""),
                      {15.0, hidden ? palette::kWarning : palette::kInk, Align::Left, hidden}});
   }
   const bool converged = closed.closure.status == ClosureStatus::Converged;

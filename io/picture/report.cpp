@@ -38,14 +38,14 @@ std::string key_figure(const std::string& name, const std::string& value,
 }
 
 std::string key_figures(const ValveMeasure& before, const RankedPlan& best) {
-  const OrificeStatistics& orifice = best.orifice_area_mm2;
+  const OrificeStatistics& leak = best.leak_mm2;
   const ValveMeasure& after = best.measure;
   return "<dl>" +
-         key_figure("Orifice", fixed(orifice.nominal, 1) + " mm²",
+         key_figure("Orifice", fixed(after.orifice.area_mm2, 1) + " mm²",
                     "before: " + fixed(before.orifice.area_mm2, 1) + " mm²") +
-         key_figure("When the repair varies",
-                    fixed(orifice.mean, 1) + " ± " + fixed(orifice.sd, 1) + " mm²",
-                    "mean and sd; worst " + fixed(orifice.worst, 1) + " mm²") +
+         key_figure("Leak when the repair varies",
+                    fixed(leak.mean, 1) + " ± " + fixed(leak.sd, 1) + " mm²",
+                    "mean and sd; worst " + fixed(leak.worst, 1) + " mm²") +
          key_figure("Coaptation height", fixed(after.coaptation.height_mean_mm, 1) + " mm",
                     "before: " + fixed(before.coaptation.height_mean_mm, 1) + " mm") +
          key_figure("Highest chordal tension", fixed(after.tension_max_n, 2) + " N",
@@ -68,15 +68,16 @@ std::string best_plan(const ClosedValve& before, const ClosedValve* after, const
 }
 
 std::string table_row(const RankedPlan& plan) {
-  const OrificeStatistics& orifice = plan.orifice_area_mm2;
+  const OrificeStatistics& leak = plan.leak_mm2;
   std::vector<std::string> remarks = plan.warnings;
   if (plan.status != ClosureStatus::Converged)
     remarks.push_back(std::string("closure: ") + to_string(plan.status));
   if (plan.crossing) remarks.push_back("leaflets pass through each other");
   const auto cell = [](const std::string& text) { return "<td>" + text + "</td>"; };
   return "<tr>" + cell(std::to_string(plan.rank)) + "<td class=\"words\">" +
-         list_of(steps_of(plan)) + "</td>" + cell(fixed(orifice.nominal, 1)) +
-         cell(fixed(orifice.mean, 1)) + cell(fixed(orifice.sd, 1)) + cell(fixed(orifice.worst, 1)) +
+         list_of(steps_of(plan)) + "</td>" + cell(fixed(plan.measure.orifice.area_mm2, 1)) +
+         cell(fixed(plan.measure.coaptation.gap_area_mm2, 1)) + cell(fixed(leak.mean, 1)) +
+         cell(fixed(leak.sd, 1)) + cell(fixed(leak.worst, 1)) +
          cell(fixed(plan.measure.coaptation.height_mean_mm, 1)) +
          cell(fixed(plan.measure.tension_max_n, 2)) + "<td class=\"words warning\">" +
          (remarks.empty() ? "" : list_of(remarks)) + "</td></tr>\n";
@@ -85,13 +86,14 @@ std::string table_row(const RankedPlan& plan) {
 std::string ranked_table(const SearchResult& result) {
   std::string html =
       "<section><h2>All ranked plans</h2>\n<div class=\"scroll\"><table><thead><tr><th>Rank</th>"
-      "<th class=\"words\">Steps</th><th>Orifice<br>mm²</th><th>mean<br>mm²</th><th>sd<br>mm²</th>"
-      "<th>worst<br>mm²</th><th>Coaptation<br>mm</th><th>Tension<br>N</th>"
+      "<th class=\"words\">Steps</th><th>Orifice<br>mm²</th><th>Gap<br>mm²</th>"
+      "<th>Leak, mean<br>mm²</th><th>sd<br>mm²</th><th>worst<br>mm²</th><th>Coaptation<br>mm</th><th>Tension<br>N</th>"
       "<th class=\"words\">Warnings</th></tr></thead><tbody>\n";
   for (const RankedPlan& plan : result.plans) html += table_row(plan);
   return html +
-         "</tbody></table></div>\n<p class=\"small\">Orifice: as planned. Mean, sd, worst: over "
-         "small deviations of suture length and papillary position around the plan. Coaptation: "
+         "</tbody></table></div>\n<p class=\"small\">Orifice: as planned, seen from the "
+         "atrium. Gap: opening between the leaflets in three dimensions, which that view can hide. "
+         "Leak: the larger of the two, over small deviations of suture length and papillary position around the plan. Coaptation: "
          "mean height over nine sections. Tension: highest in any chorda. The orifice is anatomic, "
          "not an effective regurgitant orifice area.</p></section>\n";
 }
@@ -164,8 +166,10 @@ std::string plan_report_html(const ClosedValve& before, const std::vector<Closed
   html += tag("title", escape_html(title)) + tag("style", std::string(kReportStyle));
   html += "</head>\n<body>\n<main>\n" + tag("h1", escape_html(title));
   html += "<p class=\"lead\">" + counted(static_cast<long>(result.plans.size()), "plan") +
-          " ranked, best first. The valve leaks " + fixed(before.measure.orifice.area_mm2, 1) +
-          " mm² before repair.</p>\n";
+          " ranked, best first. Before repair: orifice " +
+          fixed(before.measure.orifice.area_mm2, 1) +
+          " mm² seen from the atrium, gap between the leaflets " +
+          fixed(before.measure.coaptation.gap_area_mm2, 1) + " mm².</p>\n";
   html += "<p class=\"notice\">" + escape_html(kResearchNotice) + "</p>\n";
   if (result.plans.empty())
     html += "<section><h2>No plan</h2><p>The search ended before any plan was scored.</p>" +

@@ -4,7 +4,7 @@ import json
 import unittest
 
 import jsonschema
-from programs import BAD_INPUT, COAPT, FAILURE, OK, SOURCE, ProgramTest, coapt
+from programs import BAD_INPUT, FAILURE, OK, SOURCE, ProgramTest, coapt
 
 PRESETS = [f"porcine-{i}" for i in range(1, 6)] + [
     "human-normal", "human-functional-mr", "human-p2-prolapse"]
@@ -145,7 +145,22 @@ class Remodel(ProgramTest):
 
 
 class Import(ProgramTest):
-    DATA = SOURCE / "examples/valves/bodyparts3d"
+    DATA = SOURCE / "examples/valves/source/bodyparts3d"
+
+    def test_the_real_valve_is_imported_with_its_provenance(self):
+        valve = self.folder / "valve.json"
+        self.run_ok("valve", "import", "--leaflet", self.DATA / "anterior_leaflet_sheet.obj",
+                    self.DATA / "posterior_leaflet_sheet.obj",
+                    "--annulus", self.DATA / "annulus_centerline.csv",
+                    "--chordae", self.DATA / "chordae.csv",
+                    "--triangles", "720", "--name", "real", "--provenance", "from BodyParts3D",
+                    "-o", valve)
+        self.run_ok("valve", "check", valve)
+        info = json.loads(self.run_ok("valve", "info", valve, "--json").stdout)
+        self.assertEqual(info["name"], "real")
+        self.assertAlmostEqual(info["triangles"], 720, delta=72)
+        self.assertEqual(sum(info["chordae"].values()), 24)
+        self.assertIn("from BodyParts3D", info["provenance"])
 
     def test_a_mesh_that_is_none_is_named(self):
         mesh = self.write("leaflet.obj", "v 1 2\n")

@@ -46,22 +46,24 @@ TEST(Choices, FewestStepsComeFirst) {
 
 TEST(Choices, AFunctionalValveStartsTwoSizesBelow) {
   for (const Choice& choice : sensible_choices(near_tips(), kCatalogue)) {
-    if (choice.ring->shape == "own") EXPECT_EQ(choice.ring->sizes_below, 2);
-    if (choice.ring->shape == "d") EXPECT_EQ(choice.ring->size_mm, 32.0);  // of 36
+    EXPECT_EQ(choice.ring->sizes_below, choice.ring->shape == "own" ? 2 : 0);
+    EXPECT_EQ(choice.ring->size_mm, choice.ring->shape == "d" ? 32.0 : 0.0);  // of 36
   }
 }
 
 TEST(Choices, RupturedChordaeBringNeochordaeAndATrueSizedRing) {
   const std::vector<Choice> choices = sensible_choices(with_rupture(), kCatalogue);
   EXPECT_EQ(choices.size(), 3u * 3u - 1u);  // rings x {0, 2, 4}
-  for (const Choice& choice : choices)
-    if (choice.ring && choice.ring->shape == "d") EXPECT_EQ(choice.ring->size_mm, 36.0);
+  for (const Choice& choice : choices) {
+    if (!choice.ring || choice.ring->shape == "own") continue;
+    EXPECT_EQ(choice.ring->size_mm, 36.0);
+  }
 }
 
 TEST(RingNeighbours, AreOneSizeUpAndDownWithinReason) {
   const auto sizes = [](const Annuloplasty& ring) {
     std::vector<double> found;
-    for (const Choice& choice : ring_neighbours(small_valve(), kCatalogue, {.ring = ring}))
+    for (const Choice& choice : ring_neighbours(small_valve(), kCatalogue, Choice{ring, {}, {}, 0}))
       found.push_back(ring.shape == "own" ? choice.ring->sizes_below : choice.ring->size_mm);
     return found;
   };
@@ -91,7 +93,7 @@ TEST(Strategy, EveryCornerOfItsLatticeIsPossible) {
 }
 
 TEST(Strategy, SuturesMoveTheMuscleByTwoToTenMillimetresInHalves) {
-  const Choice choice{.ring = {}, .anterolateral = Anchor::IpsilateralTrigone, .posteromedial = {}};
+  const Choice choice{{}, Anchor::IpsilateralTrigone, {}, 0};
   const Strategy strategy = *make_strategy(small_valve(), {}, choice);
   ASSERT_EQ(strategy.parameters.size(), 1u);
   const Parameter& parameter = strategy.parameters[0];

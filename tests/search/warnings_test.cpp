@@ -78,7 +78,7 @@ TEST(Warnings, OfClosures) {
   plan.measure.coaptation.sections[2].contact = false;
   expect_one(plan, "1 of 9");
   plan = quiet();
-  plan.orifice_area_mm2.worst = 5.1;
+  plan.leak_mm2.worst = 5.1;
   expect_one(plan, "5 mm2");
   plan = quiet();
   plan.region_failures = 2;

@@ -71,6 +71,7 @@ TEST(ResultJson, ASearchHasTheKeysThatScriptsRelyOn) {
   ranked.plan.steps = {ChordalExcision{"a"}};
   ranked.description = {"excise a"};
   ranked.orifice_area_mm2 = {1.0, 2.0, 0.5, 3.0};
+  ranked.leak_mm2 = {4.0, 5.0, 0.25, 6.0};
   ranked.warnings = {"tension"};
   search.plans = {ranked};
   const ordered_json result = to_json(search);
@@ -84,9 +85,10 @@ TEST(ResultJson, ASearchHasTheKeysThatScriptsRelyOn) {
   EXPECT_EQ(plan["rank"], 1);
   EXPECT_EQ(plan["plan"]["schema"], "coapt.plan/1");
   EXPECT_EQ(plan["orifice_area_mm2"].dump(), R"({"nominal":1.0,"mean":2.0,"sd":0.5,"worst":3.0})");
+  EXPECT_EQ(plan["leak_mm2"].dump(), R"({"nominal":4.0,"mean":5.0,"sd":0.25,"worst":6.0})");
   EXPECT_EQ(keys(plan),
-            (std::vector<std::string>{"rank", "plan", "description", "orifice_area_mm2", "cost",
-                                      "status", "crossing", "measure", "ring_sizes_below",
+            (std::vector<std::string>{"rank", "plan", "description", "orifice_area_mm2", "leak_mm2",
+                                      "cost", "status", "crossing", "measure", "ring_sizes_below",
                                       "anterolateral_movement_mm", "posteromedial_movement_mm",
                                       "region_closures", "region_failures", "warnings"}));
 }
