@@ -2,9 +2,8 @@
 // lie after all, as the ventricle goes on remodelling or a suture is tied a little long or short.
 //
 // A tip sits on a sphere about its anchor. Grid: 9 suture lengths (+-1 mm in 0.25 mm) x 11 x 11
-// angles
-// (+-5 degrees in 1 degree about both axes perpendicular to the suture) = 1,089 nodes. A muscle
-// without a suture swings about its ipsilateral trigone, so that every plan faces the same
+// angles (+-5 degrees in 1 degree about both axes perpendicular to the suture) = 1,089 nodes. A
+// muscle without a suture swings about its ipsilateral trigone, so that every plan faces the same
 // perturbations. Both muscles take the same node, mirrored: remodelling is global, both go outwards
 // together; and the grid stays at 1,089 nodes instead of their square.
 #pragma once

@@ -1,9 +1,8 @@
 // 1. Every sensible choice once, at its default lengths (half of the evaluations at most).
 // 2. The best rings one size up and down.
-// 3. Successive halving: the best strategies refine their lengths with equal quotas, the better
-// half goes
-//    on with what is left, and so to the last two (a pilot: 1,764 evaluations to within 0.1 mm2 of
-//    the best, against 70,036 for random search).
+// 3. Successive halving: the best strategies refine their lengths with equal quotas, the better half
+//    goes on with what is left, and so to the last two (a pilot: 1,764 evaluations to within 0.1 mm2
+//    of the best, against 70,036 for random search).
 // 4. Re-scoring over the region of interest (rank.h).
 //
 // Strategies run side by side, each one by itself in order, and every quota is fixed before it is

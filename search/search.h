@@ -35,7 +35,8 @@ struct RankedPlan {
   RepairPlan plan;
   std::vector<std::string> description;  ///< in surgical words, one line a step
   OrificeStatistics orifice_area_mm2;
-  OrificeStatistics leak_mm2;  ///< of leak_mm2(ValveMeasure): the ranking goes by it, gaps hidden from above included
+  OrificeStatistics
+      leak_mm2;  ///< of leak_mm2(ValveMeasure): the ranking goes by it, gaps hidden from above included
   double cost = 0.0;
   ClosureStatus status = ClosureStatus::Converged;
   bool crossing = false;

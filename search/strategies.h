@@ -1,13 +1,12 @@
 // What kinds of plans are worth trying on this valve: the discrete part of the search, by rules.
 //
-// | choice           | offered                                                        | source |
-// |------------------|----------------------------------------------------------------|-------------------|
-// | ring             | none; the own shape; each catalogue shape; 0 to 4 sizes below  | practice 2
-// to 4   | | papillary suture | to the trigone or the saddle peak, for a displaced muscle: tip
-// | 23.5 mm, sd 3.8,  | |                  | further from its trigone than mean + sd of normal
-// hearts       | 57 cadavers       | | neochordae       | none, 2 or 4, where marginal chordae are
-// ruptured              | 3.6 per patient   | A functional valve starts with a ring two sizes
-// below, one with ruptured chordae with a true-sized one.
+//   ring              none; the own shape; each catalogue shape; 0 to 4 sizes below
+//                     (in practice 2 to 4)
+//   papillary suture  to the trigone or the saddle peak, for a displaced muscle: its tip further
+//                     from its trigone than mean + sd of normal hearts (23.5, sd 3.8 mm; n = 57)
+//   neochordae        none, 2 or 4, where marginal chordae are ruptured (3.6 per patient)
+// A functional valve starts with a ring two sizes below, one with ruptured chordae with a true-sized
+// one.
 #pragma once
 
 #include <optional>

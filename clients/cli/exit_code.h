@@ -15,7 +15,7 @@ inline constexpr int kNoCompetentPlan = 4;  ///< no plan makes the valve compete
 inline constexpr int kInterrupted = 130;    ///< Ctrl-C; the best so far was printed
 }  // namespace exit_code
 
-/// Orifice with half thickness below which a closed valve counts as competent.
+/// Leak (orifice and hidden gap) below which a closed valve counts as competent.
 inline constexpr double kCompetentMm2 = 1.0;
 
 int exit_code_of(const ClosureResult& closure);

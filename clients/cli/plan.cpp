@@ -53,10 +53,10 @@ std::string report_html(const Valve& valve, const SearchResult& result,
 }
 
 int run(const Arguments& arguments) {
+  const std::atomic<bool>& interrupted = catch_interrupts();
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
 
-  const std::atomic<bool>& interrupted = catch_interrupts();
   const auto search = [&] {
     const ProgressBar bar;
     return search_plans(

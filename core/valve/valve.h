@@ -23,9 +23,9 @@ enum class ChordaKind { Marginal, Strut, Basal, Neochorda };
 struct Tissue {
   double density_g_per_mm3 = 1.06e-3;
   double thickness_mm = 1.0;
-  double circumferential_pre_kpa = 11.0;      ///< modulus below the transition strain
-  double circumferential_post_kpa = 2300.0;   ///< modulus above it
-  double circumferential_transition = 0.13;   ///< strain
+  double circumferential_pre_kpa = 11.0;     ///< modulus below the transition strain
+  double circumferential_post_kpa = 2300.0;  ///< modulus above it
+  double circumferential_transition = 0.13;  ///< strain
   double radial_pre_kpa = 3.3;
   double radial_post_kpa = 760.0;
   double radial_transition = 0.33;
@@ -62,8 +62,8 @@ struct ChordaSegment {
   int parent = -1;  ///< index into Chorda::segments, always smaller than its own
   double rest_length_mm = 0.0;
   double diameter_mm = 1.0;
-  bool inserts = false;             ///< ends in the leaflet (else in a branch point)
-  Insertion insertion;              ///< where, if it inserts
+  bool inserts = false;                 ///< ends in the leaflet (else in a branch point)
+  Insertion insertion;                  ///< where, if it inserts
   Vec3 branch_point_mm = Vec3::Zero();  ///< the branch point in the unpressurised valve, if not
 };
 
@@ -84,9 +84,10 @@ struct Valve {
   Points rest_mm;                       ///< |V| x 3, unstressed shape
   Faces faces;                          ///< |F| x 3, vertex indices
   std::vector<Segment> segments;        ///< |F|
-  Points fibre;                         ///< |F| x 3, unit circumferential direction in the face's plane
-  std::vector<int> annulus;  ///< |A| vertices, a boundary loop, counter-clockwise seen from the atrium
-  Points annulus_mm;         ///< |A| x 3, where the annulus sits under pressure
+  Points fibre;  ///< |F| x 3, unit circumferential direction in the face's plane
+  std::vector<int>
+      annulus;        ///< |A| vertices, a boundary loop, counter-clockwise seen from the atrium
+  Points annulus_mm;  ///< |A| x 3, where the annulus sits under pressure
   Landmarks landmarks;
   std::vector<PapillaryHead> heads;
   std::vector<Chorda> chordae;

@@ -87,15 +87,17 @@ std::string ranked_table(const SearchResult& result) {
   std::string html =
       "<section><h2>All ranked plans</h2>\n<div class=\"scroll\"><table><thead><tr><th>Rank</th>"
       "<th class=\"words\">Steps</th><th>Orifice<br>mm²</th><th>Gap<br>mm²</th>"
-      "<th>Leak, mean<br>mm²</th><th>sd<br>mm²</th><th>worst<br>mm²</th><th>Coaptation<br>mm</th><th>Tension<br>N</th>"
+      "<th>Leak, mean<br>mm²</th><th>sd<br>mm²</th><th>worst<br>mm²</th>"
+      "<th>Coaptation<br>mm</th><th>Tension<br>N</th>"
       "<th class=\"words\">Warnings</th></tr></thead><tbody>\n";
   for (const RankedPlan& plan : result.plans) html += table_row(plan);
   return html +
-         "</tbody></table></div>\n<p class=\"small\">Orifice: as planned, seen from the "
-         "atrium. Gap: opening between the leaflets in three dimensions, which that view can hide. "
-         "Leak: the larger of the two, over small deviations of suture length and papillary position around the plan. Coaptation: "
-         "mean height over nine sections. Tension: highest in any chorda. The orifice is anatomic, "
-         "not an effective regurgitant orifice area.</p></section>\n";
+         "</tbody></table></div>\n<p class=\"small\">Orifice: as planned, seen from the atrium. "
+         "Gap: opening between the leaflets in three dimensions, which that view can hide. Leak: "
+         "the larger of the two, over small deviations of suture length and papillary position "
+         "around the plan. Coaptation: mean height over nine sections. Tension: highest in any "
+         "chorda. The orifice is anatomic, not an effective regurgitant orifice "
+         "area.</p></section>\n";
 }
 
 std::string other_pictures(const std::vector<ClosedValve>& after, const SearchResult& result) {

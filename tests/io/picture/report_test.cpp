@@ -18,7 +18,7 @@ RankedPlan ranked_plan(int rank, const std::string& words) {
   RankedPlan plan;
   plan.rank = rank;
   plan.description = {words};
-  plan.orifice_area_mm2 = {1.25, 2.5, 0.75, 9.5};
+  plan.orifice_area_mm2 = plan.leak_mm2 = {1.25, 2.5, 0.75, 9.5};
   return plan;
 }
 
