@@ -26,20 +26,20 @@ build:  ## the release build in build/release
 
 format:  ## lay the sources out with clang-format
 	@cmake/install_packages.sh format
-	clang-format -i $(SOURCES)
+	@clang-format -i $(SOURCES)
 
 format-check:  ## fail if clang-format would change something
 	@cmake/install_packages.sh format
-	clang-format --dry-run --Werror $(SOURCES)
+	@clang-format --dry-run --Werror $(SOURCES)
 
 includes-check:  ## fail if an include goes against the arrows of ARCHITECTURE.md
 	cmake/check_includes.sh
 
-asan:  ## build and test with the address and undefined-behaviour sanitizers
+asan:  ## build and test with the address and undefined-behaviour sanitizers, but the long tests
 	@cmake/install_packages.sh build test
 	cmake --preset asan
 	cmake --build --preset asan
-	ctest --preset asan --parallel 2
+	ctest --preset asan --parallel 2 --label-exclude long
 
 fuzz:  ## 100,000 damaged valve and plan files through their readers, under the sanitizers
 	@cmake/install_packages.sh build fuzz

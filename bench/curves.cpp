@@ -75,7 +75,7 @@ std::vector<Curve> dilation(const std::string& name, const Valve& valve) {
   return {curve};
 }
 
-std::vector<Curve> displacement(const std::string& name, const Valve& valve) {
+std::vector<Curve> displacement(const Valve& valve) {
   const Vec3 none = Vec3::Zero(), lateral(1, 0, 0), apical(0, 0, 1);
   struct Kind {
     const char* label;
@@ -88,7 +88,7 @@ std::vector<Curve> displacement(const std::string& name, const Valve& valve) {
        {"both lateral + apical", lateral + apical, lateral + apical}}};
   std::vector<Curve> curves;
   for (const Kind& kind : kinds) {
-    Curve curve{name + ", " + kind.label, valve, {}, {}};
+    Curve curve{kind.label, valve, {}, {}};
     for (double mm = 0.0; mm <= 6.0; mm += 0.5) {
       Remodelling change;
       change.anterolateral_mm = mm * kind.anterolateral;
@@ -112,7 +112,8 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(directory);
   std::vector<std::string> names(argv + 2, argv + argc);
   if (names.empty()) names = {"porcine-1", "human-normal"};
-  std::vector<Curve> dilations, displacements;
+  bool trusted = true;
+  std::vector<Curve> dilations;
   for (const std::string& name : names) {
     const Expected<Valve> valve = make_preset(name);
     if (!valve) {
@@ -120,15 +121,13 @@ int main(int argc, char** argv) {
       return 2;
     }
     for (const Curve& curve : dilation(name, *valve)) dilations.push_back(curve);
-    for (const Curve& curve : displacement(name, *valve)) displacements.push_back(curve);
+    trusted &= draw(directory, "papillary-" + name,
+                    {"Papillary displacement, " + name, "displacement, mm", "orifice, mm²", {}},
+                    displacement(*valve));
   }
-  const bool first =
+  trusted &=
       draw(directory, "ap-dilation",
            {"Annular dilation", "anteroposterior dilation, %", "orifice, mm²", {}}, dilations);
-  const bool second =
-      draw(directory, "papillary-displacement",
-           {"Papillary displacement", "displacement, mm", "orifice, mm²", {}}, displacements);
-  if (!first || !second)
-    std::fprintf(stderr, "some closures did not converge or crossed: see the CSV\n");
-  return first && second ? 0 : 3;
+  if (!trusted) std::fprintf(stderr, "some closures did not converge or crossed: see the CSV\n");
+  return trusted ? 0 : 3;
 }

@@ -71,9 +71,9 @@ void print_measure(std::ostream& out, const ValveMeasure& measure) {
 }
 
 void print_ranked(std::ostream& out, const SearchResult& result) {
-  out << "Before: orifice " << fixed(result.before.orifice.area_mm2, 1) << " mm2, hidden gap "
-      << fixed(result.before.coaptation.gap_area_mm2, 1) << " mm2, coaptation "
-      << fixed(result.before.coaptation.height_mean_mm, 1) << " mm, "
+  out << "Before: orifice " << fixed(result.before.orifice.area_mm2, 1)
+      << " mm2, gap between the leaflets " << fixed(result.before.coaptation.gap_area_mm2, 1)
+      << " mm2, coaptation " << fixed(result.before.coaptation.height_mean_mm, 1) << " mm, "
       << to_string(result.before_status) << ", " << crossing_words(result.before_crossing) << "\n\n"
       << "      orifice   gap   leak over the region    coaptation    tension\n"
       << "rank      mm2   mm2     mean    sd  worst             mm          N\n";

@@ -3,7 +3,8 @@
 //
 // Frame of reference (everywhere in coapt, millimetres, right-handed): origin at the annulus centroid,
 // x to the posteromedial commissure, y anterior (to the saddle peak), z to the atrium. Seen from the
-// atrium (looking along -z) anterior is up, the anterolateral side is left.
+// atrium (looking along -z) anterior is up, the anterolateral side is left. Dilation and rings move the
+// annulus, not the frame: its centroid may lie up to 15 mm from the origin.
 #pragma once
 
 #include <array>
