@@ -2,7 +2,7 @@
 BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
-SOURCES := $(shell find core search io server clients tests bench -name '*.h' -o -name '*.cpp')
+SOURCES := $(shell find core search io server clients tests bench -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 .PHONY: help demo test build format format-check includes-check asan fuzz clean
 

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -17,7 +18,7 @@ namespace {
 
 struct Arguments {
   std::string valve, plan, picture;
-  std::string method = to_string(Method::Thesis);
+  Method method = Method::Fast;
   bool json = false;
 };
 
@@ -32,7 +33,8 @@ int run(const Arguments& arguments) {
   }
 
   const auto start = std::chrono::steady_clock::now();
-  const ClosureResult closure = close_valve(*valve, ClosureOptions{.method = Method::Thesis});
+  const ClosureResult closure =
+      close_valve(*valve, {.method = arguments.method, .samples = kThesisSamples});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   const ValveMeasure measured = measure(*valve, closure);
 
@@ -56,9 +58,13 @@ void add_close(CLI::App& parent, int& status) {
   CLI::App* command = parent.add_subcommand("close", "Close a valve and measure what leaks");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command->add_option("--plan", arguments->plan, "Repair plan (coapt.plan/1) to apply first");
-  command->add_option("--method", arguments->method, "How to close")
-      ->check(CLI::IsMember({to_string(Method::Thesis)}))
-      ->capture_default_str();
+  const std::map<std::string, Method> methods = {{to_string(Method::Fast), Method::Fast},
+                                                 {to_string(Method::Thesis), Method::Thesis}};
+  command
+      ->add_option("--method", arguments->method,
+                   "How to close: fast (default) or thesis, its reference")
+      ->transform(CLI::CheckedTransformer(methods))
+      ->option_text("METHOD");
   command->add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->footer(

@@ -1,122 +1,88 @@
-// Method thesis: springs, pressure and contact in double precision, symplectic Euler, viscous
-// damping. Plain on purpose: every faster method is compared with it.
-//
-// Start: the unstressed shape. Annulus and papillary tips travel to their places under pressure in
-// the first kBoundaryTravel_ms while the full pressure already acts; then they are fixed. A step
-// that would carry a node further than kLongestMove_mm is shortened to it, so that no leaflet jumps
-// over another. At rest means: rms free force / rms pressure force below the tolerance. If leaflets
-// have crossed by then, the closure is run again with contact between edges too, at half the speed,
-// then at a quarter.
+// The ladder: each method has settings from quick to careful. The first attempt that converges without
+// crossing is the result; if none does, the best of them is, and says so.
 
 #include "core/closure/closure.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
-#include "core/closure/contact.h"
 #include "core/closure/crossing.h"
 #include "core/closure/model.h"
+#include "core/closure/relaxation.h"
+#include "core/closure/thesis.h"
 
 namespace coapt {
 namespace {
 
-constexpr double kBoundaryTravel_ms = 4.0;
-constexpr double kLongestMove_mm = 0.1;  // a tenth of the contact thickness
-constexpr double kLongestStep_ms = 0.025;
-constexpr int kResidualEvery_steps = 20;
-constexpr int kReruns = 2;
 constexpr double kLost_mm = 1000.0;  // a node this far out: diverged
+constexpr int kFastSteps = 6000, kThesisSteps = 40000;
+// What single precision reaches: rounding of positions is 1e-4 of the pressure force.
+constexpr double kFloatResidual = 1e-3, kFloatWay_mm = 0.01;
 
-/// Positions, velocities and forces of one run.
-struct State {
-  Points x, v, force;
-  Contact contact;
-  double time_ms = 0.0;
+struct Rung {
+  const char* how;
+  std::function<ClosureRun()> run;
 };
 
-double rms_free(const ClosureModel& model, const Points& force, int nodes) {
-  double sum = 0.0;
-  int count = 0;
-  for (int i = 0; i < nodes; ++i) {
-    if (model.fixed[static_cast<std::size_t>(i)]) continue;
-    sum += force.row(i).squaredNorm();
-    ++count;
-  }
-  return std::sqrt(sum / std::max(1, count));
+std::vector<Rung> thesis_ladder(const ClosureModel& model, const ClosureOptions& options,
+                                const ContactLaw& contact) {
+  ThesisSettings plain;
+  plain.residual_tolerance = options.residual_tolerance;
+  plain.max_steps = options.max_steps > 0 ? options.max_steps : kThesisSteps;
+  plain.damping_per_ms = options.damping_per_ms;
+  plain.contact = contact;
+  plain.samples = options.samples;
+  ThesisSettings edges = plain;
+  edges.contact.edges = true;
+  ThesisSettings slow = edges;
+  slow.speed = 0.5;
+  return {{"thesis", [&model, plain] { return run_thesis(model, plain); }},
+          {"thesis, edge contact", [&model, edges] { return run_thesis(model, edges); }},
+          {"thesis, edge contact, half speed", [&model, slow] { return run_thesis(model, slow); }}};
 }
 
-void compute_forces(const ClosureModel& model, State& state) {
-  state.force.setZero();
-  add_elastic_forces(model, state.x, state.force);
-  add_pressure_forces(model, state.x, state.force);
-  state.contact.add_forces(model, state.x, state.force);
+/// In single precision as far as that carries, then in double from there.
+ClosureRun relax_to(const ClosureModel& model, const RelaxationSettings& settings) {
+  RelaxationSettings coarse = settings;
+  coarse.residual_tolerance = std::max(settings.residual_tolerance, kFloatResidual);
+  coarse.way_tolerance_mm = std::max(settings.way_tolerance_mm, kFloatWay_mm);
+  ClosureRun run = relax<float>(model, coarse);
+  if (run.status != ClosureStatus::Converged ||
+      (settings.residual_tolerance >= kFloatResidual && settings.way_tolerance_mm >= kFloatWay_mm))
+    return run;
+  ClosureRun exact = relax<double>(model, settings, &run.x_mm);
+  exact.steps += run.steps;
+  return exact;
 }
 
-double residual(const ClosureModel& model, const State& state) {
-  Points pressure = Points::Zero(state.x.rows(), 3);
-  add_pressure_forces(model, state.x, pressure);
-  const auto nodes = static_cast<int>(state.x.rows());
-  const double load = rms_free(model, pressure, model.vertices);
-  return load > 0.0 ? rms_free(model, state.force, nodes) / load
-                    : rms_free(model, state.force, nodes);
+std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& options,
+                              const ContactLaw& contact) {
+  RelaxationSettings plain;
+  plain.residual_tolerance = options.residual_tolerance;
+  plain.way_tolerance_mm = options.way_tolerance_mm;
+  plain.max_steps = options.max_steps > 0 ? options.max_steps : kFastSteps;
+  plain.contact = contact;
+  plain.samples = options.samples;
+  RelaxationSettings edges = plain;
+  edges.contact.edges = true;
+  RelaxationSettings slow = edges;
+  slow.keep = 0.88;
+  slow.longest_move_mm = 0.5 * plain.longest_move_mm;
+  RelaxationSettings slower = edges;
+  slower.keep = 0.9;
+  slower.longest_move_mm = 0.3 * plain.longest_move_mm;
+  return {
+      {"float", [&model, plain] { return relax_to(model, plain); }},
+      {"float, edge contact", [&model, edges] { return relax_to(model, edges); }},
+      {"float, edge contact, slow", [&model, slow] { return relax_to(model, slow); }},
+      {"double, edge contact, slow", [&model, slower] { return relax<double>(model, slower); }}};
 }
 
-void step(const ClosureModel& model, double dt, double damping_per_ms, double longest_move_mm,
-          State& state) {
-  compute_forces(model, state);
-  state.time_ms += dt;
-  const double travelled = std::min(1.0, state.time_ms / kBoundaryTravel_ms);
-  const double keep = std::exp(-damping_per_ms * dt);
-  for (Eigen::Index i = 0; i < state.x.rows(); ++i) {
-    if (model.fixed[static_cast<std::size_t>(i)]) {
-      state.x.row(i) =
-          model.rest_mm.row(i) + travelled * (model.target_mm.row(i) - model.rest_mm.row(i));
-      continue;
-    }
-    Vec3 v = keep * state.v.row(i) +
-             (dt / model.mass_g[static_cast<std::size_t>(i)]) * state.force.row(i);
-    const double move = dt * v.norm();
-    if (move > longest_move_mm) v *= longest_move_mm / move;
-    state.v.row(i) = v;
-    state.x.row(i) += dt * v;
-  }
-}
-
-bool lost(const State& state) {
-  return !state.x.allFinite() || state.x.cwiseAbs().maxCoeff() > kLost_mm;
-}
-
-ClosureResult run(const ClosureModel& model, const ClosureOptions& options, int attempt) {
-  const double speed = attempt < 2 ? 1.0 : 0.5;
-  State state{
-      model.rest_mm, Points::Zero(model.rest_mm.rows(), 3), Points::Zero(model.rest_mm.rows(), 3),
-      Contact({options.contact_thickness_mm, options.contact_stiffness_n_per_mm4, attempt > 0})};
-  const double dt = speed * std::min(kLongestStep_ms, model.stable_step_ms);
-  const double longest_move = speed * kLongestMove_mm * options.contact_thickness_mm;
-  ClosureResult result;
-  while (result.steps < options.max_steps) {
-    step(model, dt, options.damping_per_ms, longest_move, state);
-    ++result.steps;
-    if (result.steps % kResidualEvery_steps != 0) continue;
-    if (lost(state)) {
-      result.status = ClosureStatus::Diverged;
-      break;
-    }
-    result.residual = residual(model, state);
-    if (state.time_ms > kBoundaryTravel_ms && result.residual <= options.residual_tolerance) {
-      result.status = ClosureStatus::Converged;
-      break;
-    }
-  }
-  result.closed_mm = state.x;  // all nodes; trimmed below
-  result.samples_mm.push_back(state.x.topRows(model.vertices));
-  const int apart = std::max(1, static_cast<int>(std::lround(options.sample_interval_ms / dt)));
-  for (int s = 1; s < options.samples && result.status != ClosureStatus::Diverged; ++s) {
-    for (int k = 0; k < apart; ++k) step(model, dt, options.damping_per_ms, longest_move, state);
-    result.samples_mm.push_back(state.x.topRows(model.vertices));
-    result.steps += apart;
-  }
-  return result;
+/// Whether attempt `a` says more than `b`: converged before at the limit before diverged, then fewer
+/// crossings.
+bool is_better(const ClosureAttempt& a, const ClosureAttempt& b) {
+  return a.status != b.status ? a.status < b.status : a.crossing_pairs < b.crossing_pairs;
 }
 
 void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x,
@@ -138,27 +104,46 @@ void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x
 
 }  // namespace
 
+bool lost(const Points& x_mm) { return !x_mm.allFinite() || x_mm.cwiseAbs().maxCoeff() > kLost_mm; }
+
 ClosureResult close_valve(const Valve& valve, const ClosureOptions& options) {
   const ClosureModel model = make_closure_model(valve);
+  const double thickness = valve.tissue.thickness_mm;
+  const ContactLaw contact{thickness, options.contact_pressure_mpa / (thickness * thickness),
+                           false};
   ClosureResult result;
-  int steps = 0;
-  for (int attempt = 0; attempt <= kReruns; ++attempt) {
-    result = run(model, options, attempt);
-    steps += result.steps;
-    result.crossing_pairs = 0;
-    if (result.status == ClosureStatus::Diverged) continue;
-    result.crossing_pairs = static_cast<int>(crossing_pairs(model.faces, result.closed_mm).size());
-    if (result.crossing_pairs == 0) break;
+  ClosureRun best;
+  std::size_t best_attempt = 0;
+  for (const Rung& rung : options.method == Method::Fast ? fast_ladder(model, options, contact)
+                                                         : thesis_ladder(model, options, contact)) {
+    ClosureRun run = rung.run();
+    ClosureAttempt attempt{rung.how, run.status, 0, run.residual, run.steps};
+    if (run.status != ClosureStatus::Diverged)
+      attempt.crossing_pairs = static_cast<int>(crossing_pairs(model.faces, run.x_mm).size());
+    result.attempts.push_back(attempt);
+    result.steps += run.steps;
+    if (result.attempts.size() == 1 || is_better(attempt, result.attempts[best_attempt])) {
+      best = std::move(run);
+      best_attempt = result.attempts.size() - 1;
+    }
+    if (attempt.status == ClosureStatus::Converged && attempt.crossing_pairs == 0) break;
   }
-  result.steps = steps;
-  result.crossing = result.crossing_pairs > 0;
-  read_chordae(valve, model, result.closed_mm, result);
-  result.closed_mm.conservativeResize(model.vertices, 3);
+  const ClosureAttempt& chosen = result.attempts[best_attempt];
+  result.status = chosen.status;
+  result.residual = chosen.residual;
+  result.crossing_pairs = chosen.crossing_pairs;
+  result.crossing = chosen.crossing_pairs > 0 || chosen.status == ClosureStatus::Diverged;
+  result.closed_mm = best.x_mm.topRows(model.vertices);
+  result.samples_mm = std::move(best.samples_mm);
+  if (result.samples_mm.empty()) result.samples_mm.push_back(result.closed_mm);
+  read_chordae(valve, model, best.x_mm, result);
   return result;
 }
 
 const char* to_string(Method method) {
   switch (method) {
+    case Method::Fast:
+      return "fast";
     case Method::Thesis:
       return "thesis";
   }

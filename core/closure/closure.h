@@ -1,41 +1,57 @@
 // Closing a valve: from its unstressed shape to rest under systolic pressure, with self-contact.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/valve/valve.h"
 
 namespace coapt {
 
-enum class Method { Thesis };
+/// Fast: relaxation in single precision, SIMD (relaxation.h). Thesis: its reference (thesis.h).
+enum class Method { Fast, Thesis };
 enum class ClosureStatus { Converged, StepLimit, Diverged };
 
+/// End states that the thesis takes the mean of (4.2.1).
+inline constexpr int kThesisSamples = 5;
+
 struct ClosureOptions {
-  Method method = Method::Thesis;
+  Method method = Method::Fast;
   double residual_tolerance = 0.01;  ///< rms free force / rms pressure force
-  int max_steps = 40000;
-  double contact_thickness_mm = 1.0;  ///< distance of leaflet mid-surfaces at first touch
-  double contact_stiffness_n_per_mm4 =
-      0.74;                     ///< contact pressure = stiffness x (thickness - distance)^2
-  double damping_per_ms = 1.0;  ///< velocities decay by exp(-damping t); 0.5 to 1 settles fastest
-  int samples = 5;              ///< end states recorded (thesis 4.2.1)
-  double sample_interval_ms = 0.5;
+  double way_tolerance_mm = 0.1;     ///< Fast: predicted rms way of the leaflets to rest
+  int max_steps = 0;                 ///< of one attempt; 0: 6,000 (Fast), 40,000 (Thesis)
+  double contact_pressure_mpa =
+      0.74;                     ///< between leaflets at distance 0; it grows with the square of the
+                                ///< approach, from 0 where mid-surfaces are a thickness apart
+  double damping_per_ms = 1.0;  ///< Thesis: velocities decay by exp(-damping t)
+  int samples = 1;              ///< closely spaced end states recorded
+};
+
+/// One rung of the ladder that close_valve climbs until a closure is converged and uncrossed.
+struct ClosureAttempt {
+  std::string how;  ///< for instance "float, edge contact"
+  ClosureStatus status = ClosureStatus::StepLimit;
+  int crossing_pairs = 0;
+  double residual = 0.0;
+  int steps = 0;
 };
 
 /// All points are in the valve's frame, in millimetres.
 struct ClosureResult {
   ClosureStatus status = ClosureStatus::StepLimit;
   Points closed_mm;                ///< |V| x 3, order of Valve::rest_mm
-  std::vector<Points> samples_mm;  ///< closely spaced end states, the first equals closed_mm
+  std::vector<Points> samples_mm;  ///< end states, the first equals closed_mm; at least one
   std::vector<std::vector<double>> tension_n;  ///< [chorda][segment], >= 0
   std::vector<Points> branch_points_mm;        ///< [chorda]: one row per segment: its far end
   double residual = 0.0;
-  int steps = 0;
-  bool crossing = false;  ///< some leaflet triangle passes through another
+  int steps = 0;          ///< of all attempts
+  bool crossing = false;  ///< some leaflet triangle passes through another, or Diverged
   int crossing_pairs = 0;
+  std::vector<ClosureAttempt> attempts;  ///< in the order tried; the result is the best of them
 };
 
-/// Deterministic: the same valve and options give the same bits. Never throws on a valid valve.
+/// Deterministic: the same valve and options give the same bits, on any instruction set. Never throws
+/// on a valid valve.
 /// @pre validate(valve) is empty.
 ClosureResult close_valve(const Valve& valve, const ClosureOptions& options = {});
 

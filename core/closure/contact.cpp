@@ -140,13 +140,18 @@ std::vector<std::pair<int, int>> overlapping(const Boxes& a, const Boxes& b) {
   return pairs;
 }
 
-void Contact::add_candidate(const ClosureModel& model, const std::array<int, 4>& nodes,
-                            bool edges) {
-  ContactPair pair{nodes, 0.0, 0.0};
+double pair_thickness_mm(const ContactLaw& law, const ClosureModel& model,
+                         const std::array<int, 4>& nodes, bool edges) {
+  const ContactPair pair{nodes, 0.0, 0.0};
   const Weights w =
       edges ? edge_edge_weights(pair, model.rest_mm) : vertex_face_weights(pair, model.rest_mm);
-  const double at_rest = kRestShare * apart(pair, w, model.rest_mm).norm();
-  pair.thickness_mm = std::clamp(at_rest, kThinnestShare * law_.thickness_mm, law_.thickness_mm);
+  return std::clamp(kRestShare * apart(pair, w, model.rest_mm).norm(),
+                    kThinnestShare * law.thickness_mm, law.thickness_mm);
+}
+
+void Contact::add_candidate(const ClosureModel& model, const std::array<int, 4>& nodes,
+                            bool edges) {
+  ContactPair pair{nodes, pair_thickness_mm(law_, model, nodes, edges), 0.0};
   const auto area = [&](int n) { return model.area_mm2[static_cast<std::size_t>(n)]; };
   const double shared =
       edges ? 0.25 * (area(nodes[0]) + area(nodes[1]) + area(nodes[2]) + area(nodes[3]))

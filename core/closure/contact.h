@@ -45,6 +45,10 @@ struct Boxes {
 /// All pairs (i, j) whose boxes a_i and b_j overlap, in the order of a sweep along x (sweep and prune).
 std::vector<std::pair<int, int>> overlapping(const Boxes& a, const Boxes& b);
 
+/// A pair's own thickness: what the law says, but at most 0.8 of the distance at rest, mm.
+double pair_thickness_mm(const ContactLaw& law, const ClosureModel& model,
+                         const std::array<int, 4>& nodes, bool edges);
+
 /// The list of candidate pairs and where it was made.
 class Contact {
  public:

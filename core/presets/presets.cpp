@@ -51,7 +51,10 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
   coarse.triangles = kLengthTriangles;
   Expected<Valve> open = make_parametric_valve(coarse);
   if (!open) return open;
-  const ClosureResult closed = close_valve(*open);
+  ClosureOptions to_rest;
+  to_rest.residual_tolerance = 1e-4;
+  to_rest.way_tolerance_mm = 1e-3;
+  const ClosureResult closed = close_valve(*open, to_rest);
   if (closed.status == ClosureStatus::Diverged)
     return Error{
         ErrorCode::BadGeometry, "",

@@ -26,7 +26,7 @@ Answer PostClosures::operator()(std::string_view body) const {
   }
 
   const auto start = std::chrono::steady_clock::now();
-  const ClosureResult closure = close_valve(*repaired);
+  const ClosureResult closure = close_valve(*repaired, {.samples = kThesisSamples});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   return {200, closure_to_json(*repaired, closure, measure(*repaired, closure), seconds.count())};
 }

@@ -75,9 +75,19 @@ TEST(Closure, OfTheMirrorImageIsTheMirrorImage) {
   const Eigen::Matrix3d r = Vec3(-1, 1, 1).asDiagonal();
   ClosureOptions options;
   options.residual_tolerance = 1e-4;
+  options.method = Method::Thesis;
   const ClosureResult here = close_valve(valve, options);
   const ClosureResult there = close_valve(moved(valve, r, true), options);
   EXPECT_LT((there.closed_mm * r - here.closed_mm).rowwise().norm().maxCoeff(), 0.05);
+}
+
+TEST(Closure, OfTheMirrorImageMayDifferInSlackTissueOnlyWhenFast) {
+  // The order of sums differs, the way to rest with it, and slack edges may come to rest elsewhere.
+  const Valve valve = human();
+  const Eigen::Matrix3d r = Vec3(-1, 1, 1).asDiagonal();
+  const ClosureResult here = close_valve(valve), there = close_valve(moved(valve, r, true));
+  const Points apart = there.closed_mm * r - here.closed_mm;
+  EXPECT_LT(std::sqrt(apart.squaredNorm() / static_cast<double>(apart.rows())), 0.05);
 }
 
 TEST(Closure, OfTheSameValveGivesTheSameBits) {
@@ -98,7 +108,9 @@ TEST(Closure, KeepsAnnulusAndTipsWhereTheySitUnderPressure) {
 }
 
 TEST(Closure, SamplesStayCloseOnceTheValveIsAtRest) {
-  const ClosureResult closed = close_valve(human());
+  ClosureOptions options;
+  options.samples = 5;
+  const ClosureResult closed = close_valve(human(), options);
   ASSERT_EQ(closed.samples_mm.size(), 5u);
   EXPECT_EQ(closed.samples_mm.front(), closed.closed_mm);
   for (const Points& sample : closed.samples_mm)
@@ -115,13 +127,14 @@ TEST(Closure, ThatRunsOutOfStepsSaysSo) {
 
 TEST(Closure, ThatOverflowsIsDivergedAndNotAnAnswer) {
   ClosureOptions options;
-  options.contact_stiffness_n_per_mm4 = std::numeric_limits<double>::max();
+  options.method = Method::Thesis;
+  options.contact_pressure_mpa = std::numeric_limits<double>::max();
   EXPECT_EQ(close_valve(human(300), options).status, ClosureStatus::Diverged);
 }
 
 TEST(Closure, WithContactTooSoftIsCaughtCrossing) {
   ClosureOptions options;
-  options.contact_stiffness_n_per_mm4 = 1e-6;
+  options.contact_pressure_mpa = 1e-6;
   EXPECT_TRUE(close_valve(human(), options).crossing);
 }
 

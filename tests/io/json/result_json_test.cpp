@@ -97,15 +97,13 @@ TEST(SearchOptionsJson, NoFieldIsRequired) {
   const auto options = search_options_from_json(json::object());
   ASSERT_TRUE(options);
   EXPECT_EQ(options->evaluations, SearchOptions{}.evaluations);
-  EXPECT_EQ(options->closure.max_steps, ClosureOptions{}.max_steps);
+  EXPECT_EQ(options->closure.method, Method::Fast);
 }
 
 TEST(SearchOptionsJson, EveryFieldIsRead) {
   const auto options = search_options_from_json(json::parse(R"({"evaluations": 10,
       "seed": 18446744073709551615, "threads": 2, "plans": 3, "region_points": 5, "seconds": 1.5,
-      "closure": {"method": "thesis", "residual_tolerance": 0.02, "max_steps": 100,
-                  "contact_thickness_mm": 0.9, "contact_stiffness_n_per_mm4": 0.5,
-                  "damping_per_ms": 0.3, "samples": 4, "sample_interval_ms": 0.6}})"));
+      "closure": {"method": "thesis", "residual_tolerance": 0.02}})"));
   ASSERT_TRUE(options);
   EXPECT_EQ(options->evaluations, 10);
   EXPECT_EQ(options->seed, 18446744073709551615u);
@@ -114,18 +112,13 @@ TEST(SearchOptionsJson, EveryFieldIsRead) {
   EXPECT_EQ(options->region_points, 5);
   EXPECT_EQ(options->seconds, 1.5);
   EXPECT_EQ(options->closure.residual_tolerance, 0.02);
-  EXPECT_EQ(options->closure.max_steps, 100);
-  EXPECT_EQ(options->closure.contact_thickness_mm, 0.9);
-  EXPECT_EQ(options->closure.contact_stiffness_n_per_mm4, 0.5);
-  EXPECT_EQ(options->closure.damping_per_ms, 0.3);
-  EXPECT_EQ(options->closure.samples, 4);
-  EXPECT_EQ(options->closure.sample_interval_ms, 0.6);
+  EXPECT_EQ(options->closure.method, Method::Thesis);
 }
 
 TEST(SearchOptionsJson, ProblemsAreListed) {
   EXPECT_EQ(problems_of(search_options_from_json(json::parse(R"({"evaluations": 0, "seed": -1,
       "threads": 1.5, "plans": 51, "region_points": 1090, "seconds": -1, "speed": 3,
-      "closure": {"method": "fast", "samples": 0, "step": 1}})"))),
+      "closure": {"method": "faster", "residual_tolerance": 0, "step": 1}})"))),
             (Found{{OutOfRange, "/evaluations"},
                    {OutOfRange, "/seed"},
                    {WrongType, "/threads"},
@@ -133,7 +126,7 @@ TEST(SearchOptionsJson, ProblemsAreListed) {
                    {OutOfRange, "/region_points"},
                    {OutOfRange, "/seconds"},
                    {Unsupported, "/closure/method"},
-                   {OutOfRange, "/closure/samples"},
+                   {OutOfRange, "/closure/residual_tolerance"},
                    {UnknownField, "/closure/step"},
                    {UnknownField, "/speed"}}));
   EXPECT_EQ(problems_of(search_options_from_json(json::array())), (Found{{WrongType, ""}}));

@@ -1,0 +1,168 @@
+// What the kernels work on: plain arrays in blocks of sixteen lanes, laid out once per valve.
+//
+// Node numbers here are the kernels' own (relaxation_model.h has the permutation): free leaflet vertices,
+// branch points, fixed nodes, each group padded to whole blocks. Only plain types: the kernels are
+// compiled once per instruction set, and an inline function of a library that they shared with the
+// rest of the program could be linked in the wrong flavour.
+#pragma once
+
+namespace coapt::kernels {
+
+constexpr int kLanes = 16;
+
+/// Blocks of sixteen that hold `count` things.
+constexpr int blocks_for(unsigned long count) {
+  return static_cast<int>((count + kLanes - 1) / kLanes);
+}
+
+template <class R>
+struct alignas(64) Lane {
+  R at[kLanes] = {};
+};
+struct alignas(64) IndexLane {
+  int at[kLanes] = {};
+};
+/// x, y, z in mm and, where forces are summed, the stiffness that goes with them in N/mm.
+template <class R>
+struct alignas(4 * sizeof(R)) Quad {
+  R at[4] = {};
+};
+
+/// One neighbour of each node of a block: the spring to it, and the face between it and the
+/// neighbour before it.
+template <class R>
+struct FanSlot {
+  IndexLane neighbour;     ///< the node itself where there is none
+  Lane<R> rest_mm;         ///< rest length of the spring
+  Lane<R> knee_mm;         ///< length where its stiffness changes
+  Lane<R> pre_n_per_mm;    ///< stiffness below the knee
+  Lane<R> extra_n_per_mm;  ///< what is added above
+  Lane<R> load_mpa;        ///< a sixth of the pressure if that face exists, else 0
+};
+
+/// Sixteen nodes that move.
+template <class R>
+struct NodeBlock {
+  Lane<R> free;  ///< 1, or 0 for padding
+  Lane<R> velocity[3];
+  Lane<R> stiffness;  ///< of the last step, N/mm
+  Lane<R> listed_at[3];
+  int first_slot = 0, slots = 0;
+};
+
+/// Sixteen cables: node 0 is pulled towards the weighted mean of nodes 1 to 3.
+template <class R>
+struct CableBlock {
+  IndexLane node[4];
+  Lane<R> weight[3];
+  Lane<R> rest_mm;
+  Lane<R> stiffness_n_per_mm;  ///< 0 for padding
+};
+
+/// Sixteen pairs that may touch: vertex and face, or edge and edge.
+template <class R>
+struct PairBlock {
+  IndexLane node[4];
+  Lane<R> thickness_mm;     ///< negative for padding
+  Lane<R> force_n_per_mm2;  ///< contact force = this x (thickness - distance)^2
+  R asleep_until_mm = 0;    ///< no pair can touch before nodes have approached each other that far
+};
+
+/// Sixteen features (vertices, edges or faces) next to each other on the leaflets.
+template <class R>
+struct Cluster {
+  IndexLane node[3];  ///< vertices repeat their node, edges their second; padding repeats the last
+  Lane<R> low[3], high[3];  ///< boxes, mm
+  Lane<R> plane[4];         ///< faces: unit normal and offset
+  int count = 0;            ///< features that are not padding
+};
+
+/// Boxes of sixteen clusters.
+template <class R>
+struct ClusterBoxes {
+  Lane<R> low[3], high[3];
+};
+
+/// Features of one cluster that are near some feature already at rest.
+template <class R>
+struct NearAtRest {
+  int cluster = 0;
+  Lane<R> thickness_mm;  ///< of the pair; negative: they share a node, no contact
+};
+
+/// The features of one kind. Their number is 16 x cluster + lane.
+template <class R>
+struct Features {
+  Cluster<R>* clusters = nullptr;
+  ClusterBoxes<R>* boxes = nullptr;  ///< one per sixteen clusters
+  int count = 0;                     ///< clusters
+  const R* area_mm2 = nullptr;       ///< [number]: rest area that its contact pressure acts on
+};
+
+/// Pairs of feature numbers. Room for `capacity` and sixteen more.
+template <class R>
+struct PairList {
+  int* first = nullptr;
+  int* second = nullptr;
+  R* thickness_mm = nullptr;
+};
+
+constexpr int kBins = 4;  ///< of pairs by how far they are from touching
+
+/// Which pairs of features are looked for.
+template <class R>
+struct PairSearch {
+  Features<R> first, second;
+  bool faces = false;                   ///< vertices and faces, else edges with edges
+  const int* near_begin = nullptr;      ///< [number], one more at the end
+  const NearAtRest<R>* near = nullptr;  ///< in ascending order of cluster for each number
+  R thickness_mm = 0, stiffness_n_per_mm4 = 0;
+  R margin_mm = 0;  ///< pairs nearer than thickness + margin are listed
+  const Quad<R>* x = nullptr;
+  int* near_clusters = nullptr;           ///< scratch, one per second cluster
+  ClusterBoxes<R>* near_boxes = nullptr;  ///< scratch, their boxes
+  PairList<R> found, bins[kBins];         ///< scratch
+  int capacity = 0;                       ///< of each of them
+  PairBlock<R>* blocks = nullptr;         ///< result: capacity / 16 + kBins
+};
+
+struct PairCount {
+  int found = 0;   ///< if more than the capacity, nothing else was done
+  int blocks = 0;  ///< filled
+};
+
+template <class R>
+struct StepInput {
+  const Quad<R>* x = nullptr;  ///< where all nodes are
+  Quad<R>* next = nullptr;     ///< where the moving ones will be
+  Quad<R>* force = nullptr;    ///< of contact and cables, N, with their stiffness; set to 0
+  NodeBlock<R>* blocks = nullptr;
+  const FanSlot<R>* slots = nullptr;
+  int block_count = 0;
+  R keep = 0;             ///< share of the velocity that is kept
+  R longest_move_mm = 0;  ///< of any node
+  R mass_share = 0;       ///< mass = this x sum of stiffness
+  R lookahead_mm = 0;     ///< a spring this near to its knee counts as stiff
+  R load_mpa = 0;         ///< pressure
+};
+
+struct StepSums {
+  double force2_n2 = 0.0;  ///< sum over moving nodes
+  double pressure2_n2 = 0.0;
+  double longest_move2_mm2 = 0.0;
+  double from_list2_mm2 = 0.0;  ///< largest distance from where the pairs were listed
+};
+
+/// The same functions for one instruction set. All give the same bits.
+template <class R>
+struct Kernels {
+  StepSums (*advance)(const StepInput<R>&);
+  void (*pull_cables)(const CableBlock<R>*, int blocks, const Quad<R>* x, Quad<R>* force);
+  /// `approach_mm`: how far two nodes may have approached each other since the pairs were listed.
+  void (*push_faces)(PairBlock<R>*, int blocks, R approach_mm, const Quad<R>* x, Quad<R>* force);
+  void (*push_edges)(PairBlock<R>*, int blocks, R approach_mm, const Quad<R>* x, Quad<R>* force);
+  void (*box)(const Features<R>&, bool planes, const Quad<R>* x);
+  PairCount (*list_pairs)(const PairSearch<R>&);
+};
+
+}  // namespace coapt::kernels

@@ -1,0 +1,33 @@
+// Method fast: relaxation to rest. Each node weighs as much as its present stiffness asks for
+// (Gershgorin), so that all modes may take a step of the same length; heavy damping; SIMD kernels.
+//
+// The path to rest is not that of real time: only the end counts. Start: the unstressed shape under
+// full pressure, annulus and papillary tips travelling to their places. At rest means: rms free force
+// / rms pressure force below the tolerance and the predicted way to rest, from how fast the moves of
+// the last steps shrink, below its own.
+#pragma once
+
+#include "core/closure/contact.h"
+#include "core/closure/kernels/kernels.h"
+#include "core/closure/model.h"
+#include "core/closure/run.h"
+
+namespace coapt {
+
+struct RelaxationSettings {
+  double residual_tolerance = 0.01;
+  double way_tolerance_mm = 0.1;  ///< predicted rms way of the leaflets to rest
+  int max_steps = 6000;
+  double keep = 0.94;             ///< share of a velocity that is left after a step
+  double longest_move_mm = 0.15;  ///< of a node in a step; longer ones let leaflets jump through
+  ContactLaw contact;
+  int samples = 1;  ///< end states recorded, five steps apart
+  kernels::InstructionSet instructions = kernels::best_instruction_set();
+};
+
+/// R is float or double. `start` (|N| x 3): from there, boundary in place; null: from the unstressed shape.
+template <class R>
+ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
+                 const Points* start = nullptr);
+
+}  // namespace coapt

@@ -1,0 +1,183 @@
+#include "core/closure/relaxation_model.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+namespace coapt {
+namespace {
+
+using kernels::blocks_for;
+using kernels::kLanes;
+
+void bisect(const Points& centres, std::vector<int>& order, std::size_t begin, std::size_t end) {
+  const std::size_t count = end - begin;
+  if (count <= kLanes) return;
+  Vec3 low = centres.row(order[begin]), high = low;
+  for (std::size_t i = begin; i < end; ++i) {
+    low = low.cwiseMin(centres.row(order[i]).transpose());
+    high = high.cwiseMax(centres.row(order[i]).transpose());
+  }
+  Eigen::Index axis = 0;
+  (high - low).maxCoeff(&axis);
+  const std::size_t half = (count / kLanes + 1) / 2 * kLanes;
+  const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::sort(at(begin), at(end), [&](int i, int j) {
+    const double a = centres(i, axis), b = centres(j, axis);
+    return a < b || (a == b && i < j);
+  });
+  bisect(centres, order, begin, begin + half);
+  bisect(centres, order, begin + half, end);
+}
+
+/// A neighbour of a node in the order of the faces around it.
+struct FanEntry {
+  int neighbour = 0;
+  bool spring = true;  ///< false where a closed fan comes back to its first neighbour
+  bool face = false;   ///< a face lies between the entry before and this one
+};
+
+/// [vertex]: its neighbours, counter-clockwise, fan by fan.
+std::vector<std::vector<FanEntry>> fans(const ClosureModel& model) {
+  std::vector<std::vector<std::pair<int, int>>> sides(static_cast<std::size_t>(model.vertices));
+  for (Eigen::Index f = 0; f < model.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k)
+      sides[static_cast<std::size_t>(model.faces(f, k))].emplace_back(model.faces(f, (k + 1) % 3),
+                                                                      model.faces(f, (k + 2) % 3));
+  std::vector<std::vector<FanEntry>> all(sides.size());
+  for (std::size_t v = 0; v < sides.size(); ++v) {
+    auto& left = sides[v];
+    while (!left.empty()) {
+      // An open fan starts at the neighbour that no face of the fan leads to.
+      auto first = std::find_if(left.begin(), left.end(), [&](const auto& side) {
+        return std::none_of(left.begin(), left.end(),
+                            [&](const auto& other) { return other.second == side.first; });
+      });
+      if (first == left.end()) first = left.begin();
+      const int start = first->first;
+      all[v].push_back({start, true, false});
+      for (int at = start;;) {
+        const auto next = std::find_if(left.begin(), left.end(),
+                                       [&](const auto& side) { return side.first == at; });
+        if (next == left.end()) break;
+        at = next->second;
+        left.erase(next);
+        all[v].push_back({at, at != start, true});
+      }
+    }
+  }
+  return all;
+}
+
+const Spring& spring_between(const ClosureModel& model, int a, int b) {
+  const auto key = std::minmax(a, b);
+  return *std::lower_bound(model.springs.begin(), model.springs.end(), key,
+                           [](const Spring& s, const std::pair<const int&, const int&>& k) {
+                             return s.a < k.first || (s.a == k.first && s.b < k.second);
+                           });
+}
+
+template <class R>
+void number_nodes(const ClosureModel& model, RelaxationModel<R>& laid) {
+  const auto total = static_cast<int>(model.rest_mm.rows());
+  std::vector<int> moving, branch_points;
+  for (int i = 0; i < total; ++i) {
+    if (model.fixed[static_cast<std::size_t>(i)])
+      laid.fixed.push_back(i);
+    else
+      (i < model.vertices ? moving : branch_points).push_back(i);
+  }
+  Points centres(static_cast<Eigen::Index>(moving.size()), 3);
+  for (std::size_t i = 0; i < moving.size(); ++i)
+    centres.row(static_cast<Eigen::Index>(i)) = model.rest_mm.row(moving[i]);
+  laid.moving_vertices = static_cast<int>(moving.size());
+  laid.moving_nodes = static_cast<int>(moving.size() + branch_points.size());
+  laid.node_of.assign(static_cast<std::size_t>(total), 0);
+  int next = 0;
+  for (const int i : cluster_order(centres))
+    laid.node_of[static_cast<std::size_t>(moving[static_cast<std::size_t>(i)])] = next++;
+  next = kLanes * blocks_for(moving.size());
+  for (const int i : branch_points) laid.node_of[static_cast<std::size_t>(i)] = next++;
+  next = kLanes * (blocks_for(moving.size()) + blocks_for(branch_points.size()));
+  laid.blocks.resize(static_cast<std::size_t>(next / kLanes));
+  for (const int i : laid.fixed) laid.node_of[static_cast<std::size_t>(i)] = next++;
+  laid.nodes = next;
+}
+
+template <class R>
+void lay_springs(const ClosureModel& model, RelaxationModel<R>& laid) {
+  const auto around = fans(model);
+  std::vector<int> vertex_at(laid.blocks.size() * kLanes, -1);
+  for (int v = 0; v < static_cast<int>(model.rest_mm.rows()); ++v)
+    if (!model.fixed[static_cast<std::size_t>(v)])
+      vertex_at[static_cast<std::size_t>(laid.node_of[static_cast<std::size_t>(v)])] = v;
+  for (std::size_t b = 0; b < laid.blocks.size(); ++b) {
+    kernels::NodeBlock<R>& block = laid.blocks[b];
+    block.first_slot = static_cast<int>(laid.slots.size());
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const int v = vertex_at[b * kLanes + lane];
+      block.free.at[lane] = v < 0 ? R(0) : R(1);
+      if (v >= 0 && v < model.vertices)
+        block.slots =
+            std::max(block.slots, static_cast<int>(around[static_cast<std::size_t>(v)].size()));
+    }
+    for (std::size_t s = 0; s < static_cast<std::size_t>(block.slots); ++s) {
+      kernels::FanSlot<R> slot;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        slot.neighbour.at[lane] = static_cast<int>(b * kLanes + lane);
+        const int v = vertex_at[b * kLanes + lane];
+        if (v < 0 || v >= model.vertices || s >= around[static_cast<std::size_t>(v)].size())
+          continue;
+        const FanEntry& entry = around[static_cast<std::size_t>(v)][s];
+        slot.neighbour.at[lane] = laid.node_of[static_cast<std::size_t>(entry.neighbour)];
+        if (entry.face) slot.load_mpa.at[lane] = static_cast<R>(model.pressure_mpa / 6.0);
+        if (!entry.spring) continue;
+        const Spring& spring = spring_between(model, v, entry.neighbour);
+        slot.rest_mm.at[lane] = static_cast<R>(spring.rest_mm);
+        slot.knee_mm.at[lane] = static_cast<R>((1.0 + spring.transition) * spring.rest_mm);
+        slot.pre_n_per_mm.at[lane] = static_cast<R>(spring.pre_n_per_mm);
+        slot.extra_n_per_mm.at[lane] = static_cast<R>(spring.post_n_per_mm - spring.pre_n_per_mm);
+      }
+      laid.slots.push_back(slot);
+    }
+  }
+}
+
+template <class R>
+void lay_cables(const ClosureModel& model, RelaxationModel<R>& laid) {
+  laid.cables.resize(static_cast<std::size_t>(blocks_for(model.cables.size())));
+  for (std::size_t c = 0; c < model.cables.size(); ++c) {
+    const Cable& cable = model.cables[c];
+    kernels::CableBlock<R>& block = laid.cables[c / kLanes];
+    const std::size_t lane = c % kLanes;
+    block.node[0].at[lane] = laid.node_of[static_cast<std::size_t>(cable.start)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      block.node[k + 1].at[lane] = laid.node_of[static_cast<std::size_t>(cable.end[k])];
+      block.weight[k].at[lane] = static_cast<R>(cable.weights[k]);
+    }
+    block.rest_mm.at[lane] = static_cast<R>(cable.rest_mm);
+    block.stiffness_n_per_mm.at[lane] = static_cast<R>(cable.stiffness_n_per_mm);
+  }
+}
+
+}  // namespace
+
+std::vector<int> cluster_order(const Points& centres_mm) {
+  std::vector<int> order(static_cast<std::size_t>(centres_mm.rows()));
+  std::iota(order.begin(), order.end(), 0);
+  bisect(centres_mm, order, 0, order.size());
+  return order;
+}
+
+template <class R>
+RelaxationModel<R> make_relaxation_model(const ClosureModel& model) {
+  RelaxationModel<R> laid;
+  number_nodes(model, laid);
+  lay_springs(model, laid);
+  lay_cables(model, laid);
+  return laid;
+}
+template RelaxationModel<float> make_relaxation_model(const ClosureModel&);
+template RelaxationModel<double> make_relaxation_model(const ClosureModel&);
+
+}  // namespace coapt

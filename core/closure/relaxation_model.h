@@ -1,0 +1,31 @@
+// The closure model laid out for the kernels: moving nodes in blocks of sixteen that lie together on the
+// leaflets, springs as fans around their nodes, cables.
+#pragma once
+
+#include <vector>
+
+#include "core/closure/kernels/layout.h"
+#include "core/closure/model.h"
+
+namespace coapt {
+
+template <class R>
+struct RelaxationModel {
+  int nodes = 0;             ///< with padding
+  std::vector<int> node_of;  ///< [index in ClosureModel]
+  std::vector<int> fixed;  ///< indices in ClosureModel of the nodes that do not move by themselves
+  int moving_nodes = 0, moving_vertices = 0;
+  std::vector<kernels::NodeBlock<R>> blocks;
+  std::vector<kernels::FanSlot<R>> slots;
+  std::vector<kernels::CableBlock<R>> cables;
+};
+
+/// R is float or double.
+template <class R>
+RelaxationModel<R> make_relaxation_model(const ClosureModel& model);
+
+/// Indices of `centres_mm` (|n| x 3) ordered so that each sixteen in a row lie together: recursive
+/// bisection across the longest side of the box around them.
+std::vector<int> cluster_order(const Points& centres_mm);
+
+}  // namespace coapt

@@ -1,0 +1,21 @@
+// One attempt at closing: what every method returns to close_valve.
+#pragma once
+
+#include <vector>
+
+#include "core/closure/closure.h"
+
+namespace coapt {
+
+struct ClosureRun {
+  ClosureStatus status = ClosureStatus::StepLimit;
+  Points x_mm;                     ///< |N| x 3, all nodes, order of ClosureModel
+  std::vector<Points> samples_mm;  ///< |V| x 3 each: end states; empty unless converged
+  double residual = 0.0;
+  int steps = 0;
+};
+
+/// Whether a node has left the scene or is not a number any more.
+bool lost(const Points& x_mm);
+
+}  // namespace coapt

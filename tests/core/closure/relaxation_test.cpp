@@ -1,0 +1,138 @@
+#include "core/closure/relaxation.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/closure/closure.h"
+#include "core/closure/contact_pairs.h"
+#include "core/closure/relaxation_model.h"
+#include "core/presets/presets.h"
+
+namespace coapt {
+namespace {
+
+using kernels::InstructionSet;
+using kernels::Quad;
+
+std::vector<InstructionSet> instruction_sets() {
+  std::vector<InstructionSet> sets = {InstructionSet::Baseline};
+  for (const InstructionSet set : {InstructionSet::Avx2, InstructionSet::Avx512})
+    if (kernels::best_instruction_set() >= set) sets.push_back(set);
+  return sets;
+}
+
+/// A valve that is half closed, so that it touches itself in many places.
+Points half_closed(const ClosureModel& model) {
+  RelaxationSettings settings;
+  settings.max_steps = 120;
+  return relax<double>(model, settings).x_mm;
+}
+
+TEST(Relaxation, GivesTheSameBitsOnEveryInstructionSet) {
+  const ClosureModel model = make_closure_model(*make_preset("human-functional-mr", 300));
+  for (const bool edges : {false, true}) {
+    RelaxationSettings settings;
+    settings.contact.edges = edges;
+    settings.instructions = InstructionSet::Baseline;
+    const ClosureRun single = relax<float>(model, settings), twice = relax<double>(model, settings);
+    for (const InstructionSet set : instruction_sets()) {
+      settings.instructions = set;
+      const ClosureRun a = relax<float>(model, settings), b = relax<double>(model, settings);
+      EXPECT_EQ(a.x_mm, single.x_mm) << to_string(set);
+      EXPECT_EQ(a.steps, single.steps) << to_string(set);
+      EXPECT_EQ(b.x_mm, twice.x_mm) << to_string(set);
+    }
+  }
+}
+
+TEST(Relaxation, StaysWhereTheThesisMethodCameToRest) {
+  const Valve valve = *make_preset("human-normal", 300);
+  ClosureOptions options;
+  options.method = Method::Thesis;
+  options.residual_tolerance = 1e-5;
+  const ClosureResult thesis = close_valve(valve, options);
+  ASSERT_EQ(thesis.status, ClosureStatus::Converged);
+  const ClosureModel model = make_closure_model(valve);
+  Points start = model.target_mm;
+  start.topRows(model.vertices) = thesis.closed_mm;
+  int next = model.vertices;
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c)
+    for (std::size_t s = 0; s < valve.chordae[c].segments.size(); ++s)
+      if (!valve.chordae[c].segments[s].inserts)
+        start.row(next++) = thesis.branch_points_mm[c].row(static_cast<Eigen::Index>(s));
+  RelaxationSettings settings;
+  settings.residual_tolerance = 1e-5;
+  settings.way_tolerance_mm = 1e-4;
+  settings.contact.edges = thesis.attempts.size() > 1;
+  const ClosureRun run = relax<double>(model, settings, &start);
+  ASSERT_EQ(run.status, ClosureStatus::Converged);
+  EXPECT_LT((run.x_mm - start).rowwise().norm().maxCoeff(), 2e-3);
+}
+
+TEST(Relaxation, ThatIsAtRestHasForcesInBalance) {
+  const ClosureModel model = make_closure_model(*make_preset("human-normal", 300));
+  RelaxationSettings settings;
+  settings.residual_tolerance = 1e-6;
+  settings.way_tolerance_mm = 1e-5;
+  const ClosureRun run = relax<double>(model, settings);
+  ASSERT_EQ(run.status, ClosureStatus::Converged);
+  // By the plain functions of the model, not by the kernels.
+  Points force = Points::Zero(run.x_mm.rows(), 3);
+  add_elastic_forces(model, run.x_mm, force);
+  add_pressure_forces(model, run.x_mm, force);
+  Contact(settings.contact).add_forces(model, run.x_mm, force);
+  for (Eigen::Index i = 0; i < force.rows(); ++i) {
+    if (!model.fixed[static_cast<std::size_t>(i)]) {
+      EXPECT_LT(force.row(i).norm(), 1e-6) << i;
+    }
+  }
+}
+
+TEST(ContactPairs, PushLikeThePlainContact) {
+  const ClosureModel model = make_closure_model(*make_preset("porcine-5"));
+  const Points x = half_closed(model);
+  const RelaxationModel<double> laid = make_relaxation_model<double>(model);
+  std::vector<Quad<double>> at(static_cast<std::size_t>(laid.nodes)), force(at.size());
+  for (std::size_t i = 0; i < laid.node_of.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      at[static_cast<std::size_t>(laid.node_of[i])].at[k] = x(static_cast<Eigen::Index>(i), k);
+  const kernels::Kernels<double>& table = kernels::kernels<double>(kernels::best_instruction_set());
+  for (const bool edges : {false, true}) {
+    ContactLaw law;
+    law.edges = edges;
+    Points plain = Points::Zero(x.rows(), 3);
+    Contact(law).add_forces(model, x, plain);
+    ASSERT_GT(plain.rowwise().norm().maxCoeff(), 0.01);
+    std::fill(force.begin(), force.end(), Quad<double>{});
+    for (const PairKind kind : {PairKind::VertexFace, PairKind::EdgeEdge}) {
+      if (kind == PairKind::EdgeEdge && !edges) continue;
+      ContactPairs<double> pairs(model, laid.node_of, law, kind, table);
+      pairs.list(at, 0.3);
+      pairs.push(at, 0.0, force);
+    }
+    for (std::size_t i = 0; i < laid.node_of.size(); ++i)
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(force[static_cast<std::size_t>(laid.node_of[i])].at[k],
+                    plain(static_cast<Eigen::Index>(i), k), 1e-9)
+            << i;
+  }
+}
+
+TEST(ClusterOrder, IsAPermutationWhoseSixteensLieTogether) {
+  Points grid(256, 3);
+  for (int i = 0; i < 256; ++i) grid.row(i) << i % 16, i / 16, 0.0;
+  const std::vector<int> order = cluster_order(grid);
+  EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), 256u);
+  for (std::size_t first = 0; first < 256; first += 16) {
+    Vec3 low = Vec3::Constant(1e9), high = -low;
+    for (std::size_t i = first; i < first + 16; ++i) {
+      low = low.cwiseMin(grid.row(order[i]).transpose());
+      high = high.cwiseMax(grid.row(order[i]).transpose());
+    }
+    EXPECT_LE((high - low).maxCoeff(), 3.0);
+  }
+}
+
+}  // namespace
+}  // namespace coapt
