@@ -70,15 +70,12 @@ Expected<RepairPlan> read_plan_argument(const std::string& path) {
 }
 
 int write_output(const std::string& path, std::string_view bytes) {
-  const auto size = static_cast<std::streamsize>(bytes.size());
-  bool written = false;
   if (path == "-") {
-    written = static_cast<bool>(std::cout.write(bytes.data(), size).flush());
-  } else {
-    std::ofstream file(path, std::ios::binary);
-    written = file && file.write(bytes.data(), size).flush();
+    std::cout << bytes;
+    return exit_code::kOk;
   }
-  if (written) return exit_code::kOk;
+  std::ofstream file(path, std::ios::binary);
+  if (file && file << bytes << std::flush) return exit_code::kOk;
   std::cerr << "coapt: " << path << ": cannot be written\n";
   return exit_code::kFailure;
 }

@@ -23,8 +23,8 @@ Expected<Valve> read_valve_argument(const std::string& argument);
 /// A plan file or standard input ("-").
 Expected<RepairPlan> read_plan_argument(const std::string& path);
 
-/// Writes to a file, or to standard output if `path` is "-". Returns an exit code and says on
-/// standard error why it failed.
+/// Writes to a file, or to standard output if `path` is "-" (which main() tests at the end). Returns
+/// an exit code and says on standard error why it failed.
 int write_output(const std::string& path, std::string_view bytes);
 
 /// Prints every error to standard error as "coapt: SOURCE: POINTER: message"; returns kBadInput.

@@ -1,10 +1,11 @@
 """coapt valve make | import | check | info | remodel."""
 
 import json
+import subprocess
 import unittest
 
 import jsonschema
-from programs import BAD_INPUT, FAILURE, OK, SOURCE, ProgramTest, coapt
+from programs import BAD_INPUT, COAPT, FAILURE, OK, SOURCE, ProgramTest, coapt
 
 PRESETS = [f"porcine-{i}" for i in range(1, 6)] + [
     "human-normal", "human-functional-mr", "human-p2-prolapse"]
@@ -38,6 +39,24 @@ class CommandLine(ProgramTest):
                 self.assertEqual(result.returncode, BAD_INPUT)
                 self.assertEqual(result.stdout, "")
                 self.assertNotEqual(result.stderr, "")
+
+    PRINTING = ["--help", "--version", "valve info human-normal", "valve check human-normal --json",
+                "valve make human-normal -o -", "close human-normal --json"]
+
+    def test_a_result_that_is_lost_is_1_and_said(self):
+        for command in self.PRINTING:
+            for redirection in [">/dev/full", ">&-"]:
+                with self.subTest(command + redirection):
+                    result = subprocess.run(f"exec '{COAPT}' {command} {redirection}", shell=True,
+                                            stderr=subprocess.PIPE, text=True, timeout=60)
+                    self.assertEqual(result.returncode, FAILURE)
+                    self.assertEqual(result.stderr, "coapt: standard output: cannot be written\n")
+
+    def test_without_standard_output_files_hold_nothing_else(self):
+        picture = self.folder / "closed.png"
+        subprocess.run(f"exec '{COAPT}' close human-normal --render '{picture}' >&-", shell=True,
+                       stderr=subprocess.DEVNULL, timeout=60)
+        self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
 
 class Make(ProgramTest):
