@@ -30,6 +30,7 @@ int run(const Arguments& arguments) {
     valve = apply_plan(*valve, *plan, ring_catalogue());
     if (!valve) return report_errors(arguments.plan, valve.errors());
   }
+  if (const int failed = check_output(arguments.picture)) return failed;
 
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(*valve, ClosureOptions{.method = Method::Thesis});
@@ -59,7 +60,8 @@ void add_close(CLI::App& parent, int& status) {
   command->add_option("--method", arguments->method, "How to close")
       ->check(CLI::IsMember({to_string(Method::Thesis)}))
       ->capture_default_str();
-  command->add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)");
+  command->add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
+      ->check(CLI::Validator(refuse_standard_output, "FILE"));
   command->add_flag("--json", arguments->json, "Print JSON");
   command->footer(
       "Exit code 3 if the closure did not converge or leaflets cross; the result is printed all "

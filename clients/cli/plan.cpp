@@ -56,6 +56,7 @@ int run(const Arguments& arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
+  if (const int failed = check_output(arguments.report)) return failed;
 
   const auto search = [&] {
     const ProgressBar bar;
@@ -97,7 +98,8 @@ void add_plan(CLI::App& parent, int& status) {
       ->capture_default_str();
   add_region_options(*command, options);
   command->add_flag("--json", arguments->json, "Print JSON");
-  command->add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)");
+  command->add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
+      ->check(CLI::Validator(refuse_standard_output, "FILE"));
   command->footer(
       "Ctrl-C stops the search and prints the best so far (exit code 130). Exit code 4 if no plan\n"
       "converges without crossing to a leak (orifice and hidden gap) below 1 mm2.\n\n"

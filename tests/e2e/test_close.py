@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from programs import BAD_INPUT, NO_COMPETENT_PLAN, NOT_CLOSED, OK, ProgramTest, coapt
+from programs import BAD_INPUT, FAILURE, NO_COMPETENT_PLAN, NOT_CLOSED, OK, ProgramTest, coapt
 
 VALVE = "human-functional-mr"
 NOTHING = {"schema": "coapt.plan/1", "steps": []}
@@ -41,6 +41,23 @@ class Close(ProgramTest):
         picture = self.folder / "closed.png"
         self.close("human-normal", "--render", picture)
         self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_a_picture_is_refused_before_anything_is_closed_if_it_has_no_place(self):
+        result = coapt("close", "human-normal", "--render", "/nowhere/closed.png")
+        self.assertEqual((result.returncode, result.stdout), (FAILURE, ""))
+        self.assertIn("/nowhere/closed.png: cannot be written", result.stderr)
+        result = coapt("close", "human-normal", "--json", "--render", "-")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("--render", result.stderr)
+
+    def test_standard_input_is_read_once(self):
+        for command in [["close", "-", "--plan", "-"], ["evaluate", "-", "-"],
+                        ["evaluate", VALVE, "-", "-"]]:
+            with self.subTest(command):
+                valve = coapt("valve", "make", "human-normal", "-o", "-").stdout
+                result = coapt(*command, stdin=valve if command[1] == "-" else json.dumps(RING))
+                self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+                self.assertIn("standard input can be read once", result.stderr)
 
     def test_the_words_go_to_stdout_and_nothing_to_stderr(self):
         result = coapt("close", "human-normal")

@@ -6,7 +6,7 @@ import subprocess
 import time
 import unittest
 
-from programs import COAPT, INTERRUPTED, NO_COMPETENT_PLAN, OK, ProgramTest, coapt
+from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, ProgramTest, coapt
 
 VALVE = "human-functional-mr"
 SMALL = ["--evaluations", "12", "--seed", "3", "--plans", "2", "--region-points", "2"]
@@ -54,6 +54,23 @@ class Plan(ProgramTest):
         self.assertIn("data:image/png;base64,", page)
         self.assertNotIn('src="http', page)
         self.assertIn("not a medical device", page)
+
+    def test_a_report_without_a_place_is_refused_before_the_search(self):
+        for path, code in [("/nowhere/r.html", FAILURE), ("-", BAD_INPUT)]:
+            with self.subTest(path):
+                result = coapt("plan", VALVE, "--evaluations", "100000", "--json", "-o", path)
+                self.assertEqual((result.returncode, result.stdout), (code, ""))
+                self.assertIn(path, result.stderr)
+
+    def test_a_path_that_was_only_tested_is_left_as_it_was(self):
+        old, new = self.write("old.html", "old"), self.folder / "new.html"
+        for path in [old, new]:
+            with subprocess.Popen([COAPT, "plan", VALVE, "--evaluations", "100000", "-o", path],
+                                  stdout=subprocess.DEVNULL) as search:
+                time.sleep(1)
+                search.kill()
+        self.assertEqual(old.read_text(), "old")
+        self.assertFalse(new.exists())
 
     def test_ctrl_c_prints_the_best_so_far(self):
         command = [COAPT, "plan", VALVE, "--evaluations", "100000", "--json"]
