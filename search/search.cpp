@@ -36,7 +36,7 @@ Errors check(const SearchOptions& options) {
   check_range(problems, "/threads", options.threads, {0.0, 1024.0});
   check_range(problems, "/plans", options.plans, {1.0, 50.0});
   check_range(problems, "/region_points", options.region_points, {1.0, 1089.0});
-  check_range(problems, "/seconds", options.seconds, {0.0, 1e9});
+  check_range(problems, "/seconds", options.seconds, {0.0, 1e6});
   return std::move(problems).take();
 }
 

@@ -21,7 +21,7 @@ struct SearchOptions {
   int threads = 0;         ///< [0, 1024], 0: all cores. Does not change the result
   int plans = 5;           ///< how many ranked plans to report, [1, 50]
   int region_points = 17;  ///< [1, 1089] nodes of the region of interest, for each reported plan
-  double seconds = 0.0;    ///< stop earlier when this much time is gone; 0: no limit
+  double seconds = 0.0;    ///< [0, 1e6] stop earlier when this much time is gone; 0: no limit
   ClosureOptions closure;
 };
 

@@ -112,4 +112,17 @@ int report_errors(const std::string& source, const Errors& errors) {
   return exit_code::kBadInput;
 }
 
+int report_option_errors(const std::string& command, Errors errors,
+                         const std::map<std::string, std::string>& options) {
+  for (Error& error : errors) {
+    if (error.path.empty()) continue;
+    const std::string field = error.path.substr(0, error.path.find('/', 1));
+    const auto known = options.find(field);
+    std::string option = known != options.end() ? known->second : "--" + field.substr(1);
+    std::replace(option.begin(), option.end(), '_', '-');
+    error.path.replace(0, field.size(), option);
+  }
+  return report_errors(command, errors);
+}
+
 }  // namespace coapt

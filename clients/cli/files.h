@@ -1,6 +1,7 @@
 // What commands read and write: files, standard input and output, presets.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -37,5 +38,10 @@ int write_output(const std::string& path, std::string_view bytes);
 
 /// Prints every error to standard error as "coapt: SOURCE: POINTER: message"; returns kBadInput.
 int report_errors(const std::string& source, const Errors& errors);
+
+/// The same for values that came from options of `command`: "/ap_mm" is printed as "--ap-mm", and
+/// members of `options` as it says ({"/tips_mm", "--tips"}).
+int report_option_errors(const std::string& command, Errors errors,
+                         const std::map<std::string, std::string>& options = {});
 
 }  // namespace coapt

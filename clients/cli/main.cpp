@@ -5,6 +5,7 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
@@ -43,6 +44,12 @@ int run(int argc, char** argv) {
   add_plan(app, status);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    // CLI11 says what is missing before what it does not know, such as a misspelt command.
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!unknown.empty()) std::cerr << "coapt: unknown: " << unknown.front() << '\n';
+    app.exit(error);
+    return exit_code::kBadInput;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_code::kOk : exit_code::kBadInput;
   }

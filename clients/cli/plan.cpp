@@ -1,5 +1,7 @@
 #include <cassert>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -9,6 +11,7 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
+#include "clients/cli/number_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/progress_bar.h"
 #include "core/repair/apply_plan.h"
@@ -65,7 +68,7 @@ int run(const Arguments& arguments) {
         [&](const SearchProgress& progress) { bar.show(progress); }, &interrupted);
   };
   const Expected<SearchResult> result = search();
-  if (!result) return report_errors("plan", result.errors());
+  if (!result) return report_option_errors("plan", result.errors());
 
   if (arguments.json) {
     std::cout << to_json(*result).dump(2) << '\n';
@@ -87,14 +90,16 @@ void add_plan(CLI::App& parent, int& status) {
   CLI::App* command = parent.add_subcommand("plan", "Search repair plans and rank them");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command->add_option("--evaluations", options.evaluations, "Closures spent on searching")
-      ->check(CLI::Range(1, 1000000))
+      ->check(number_from(1, 1000000))
       ->capture_default_str();
-  command->add_option("--seed", options.seed, "Same seed, same plans")->capture_default_str();
+  command->add_option("--seed", options.seed, "Same seed, same plans")
+      ->check(number_from(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   command->add_option("--seconds", options.seconds, "Stop after this time; 0: no limit")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_from(0.0, 1e6))
       ->capture_default_str();
   command->add_option("--plans", options.plans, "How many ranked plans to print")
-      ->check(CLI::Range(1, 50))
+      ->check(number_from(1, 50))
       ->capture_default_str();
   add_region_options(*command, options);
   command->add_flag("--json", arguments->json, "Print JSON");

@@ -23,7 +23,13 @@ int run(Arguments arguments) {
   arguments.change.anterolateral_mm = Vec3(arguments.anterolateral_mm.data());
   arguments.change.posteromedial_mm = Vec3(arguments.posteromedial_mm.data());
   const Expected<Valve> remodelled = remodel(*valve, arguments.change);
-  if (!remodelled) return report_errors("valve remodel", remodelled.errors());
+  if (!remodelled) {
+    return report_option_errors("valve remodel", remodelled.errors(),
+                                {{"/ap_dilation_percent", "--ap-dilation"},
+                                 {"/annular_height_percent", "--annular-height"},
+                                 {"/anterolateral_mm", "--displace-al"},
+                                 {"/posteromedial_mm", "--displace-pm"}});
+  }
   return write_output(arguments.output, write_valve(*remodelled));
 }
 

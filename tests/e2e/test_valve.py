@@ -40,6 +40,20 @@ class CommandLine(ProgramTest):
                 self.assertEqual(result.stdout, "")
                 self.assertNotEqual(result.stderr, "")
 
+    def test_an_unknown_command_is_named(self):
+        for arguments in [["fly"], ["valve", "fly"]]:
+            self.assertIn("unknown: fly", coapt(*arguments).stderr)
+
+    def test_numbers_are_whole_and_in_range_and_their_option_is_named(self):
+        for option, values in {"--evaluations": ["0", "abc", "1e3", "12x", "9" * 30],
+                               "--seed": ["-1", "18446744073709551616", "1.5"],
+                               "--seconds": ["nan", "inf", "-1", "1000001"]}.items():
+            for value in values:
+                with self.subTest(option + value):
+                    result = coapt("plan", "human-normal", option, value)
+                    self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+                    self.assertIn(f"{option}: is {value}, must be a", result.stderr)
+
     PRINTING = ["--help", "--version", "valve info human-normal", "valve check human-normal --json",
                 "valve make human-normal -o -", "close human-normal --json"]
 
@@ -85,7 +99,7 @@ class Make(ProgramTest):
     def test_an_impossible_dimension_is_named(self):
         result = coapt("valve", "make", "--ap-mm", "-3", "-o", "-")
         self.assertEqual(result.returncode, BAD_INPUT)
-        self.assertIn("/ap_mm", result.stderr)
+        self.assertIn(" --ap-mm: ", result.stderr)
         self.assertEqual(result.stdout, "")
 
     def test_an_output_that_cannot_be_written_is_1(self):
@@ -161,6 +175,13 @@ class Remodel(ProgramTest):
             for axis in range(3):
                 shift = new["tip_mm"][axis] - old["tip_mm"][axis]
                 self.assertAlmostEqual(shift, expected[axis], places=9)
+
+    def test_values_out_of_range_are_named_by_their_options(self):
+        result = coapt("valve", "remodel", "human-normal", "--ap-dilation", "1000",
+                       "--displace-pm", "1,2,300", "-o", "-")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn(" --ap-dilation: ", result.stderr)
+        self.assertIn(" --displace-pm/2: ", result.stderr)
 
 
 class Import(ProgramTest):
