@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -26,12 +27,10 @@ std::string kind(const Choice& choice) {
 }
 
 OrificeStatistics statistics(double nominal, const std::vector<double>& areas) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  if (areas.size() < 2) return {nominal, kUnknown, kUnknown, kUnknown};
   OrificeStatistics result;
   result.nominal = result.worst = nominal;
-  if (areas.empty()) {
-    result.mean = nominal;
-    return result;
-  }
   for (const double area : areas) {
     result.mean += area / static_cast<double>(areas.size());
     result.worst = std::max(result.worst, area);
@@ -80,7 +79,8 @@ bool is_better(const RankedPlan& a, const RankedPlan& b) {
     return plan.status != ClosureStatus::Converged || plan.crossing;
   };
   const auto leak_class = [](const RankedPlan& plan) {
-    return std::floor((plan.leak_mm2.mean + plan.leak_mm2.sd) / kClass_mm2);
+    const OrificeStatistics& leak = plan.leak_mm2;
+    return std::floor((std::isnan(leak.mean) ? leak.nominal : leak.mean + leak.sd) / kClass_mm2);
   };
   if (failed(a) != failed(b)) return failed(b);
   if (failed(a)) return a.cost < b.cost;

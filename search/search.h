@@ -25,9 +25,10 @@ struct SearchOptions {
   ClosureOptions closure;
 };
 
-/// Over the region of interest, its undisturbed node included.
+/// Over the region of interest, its undisturbed node included; mm2, leaflets with half thickness.
+/// All but `nominal` are NaN if fewer than two nodes closed: that says nothing about a region.
 struct OrificeStatistics {
-  double nominal = 0.0, mean = 0.0, sd = 0.0, worst = 0.0;  ///< mm2, leaflets with half thickness
+  double nominal = 0.0, mean = 0.0, sd = 0.0, worst = 0.0;
 };
 
 struct RankedPlan {

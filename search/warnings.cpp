@@ -92,7 +92,7 @@ void about_closure(const RankedPlan& plan, const Evaluation& before, Lines& line
                     " of 9 sections (a projection can hide it)");
   if (plan.leak_mm2.worst > kGoodRepair_mm2)
     lines.push_back("leaks more than 5 mm2 somewhere in the region of interest");
-  if (plan.region_failures > 0)
+  if (plan.region_closures > 1 && plan.region_failures > 0)
     lines.push_back(std::to_string(plan.region_failures) + " of " +
                     std::to_string(plan.region_closures) +
                     " closures in the region of interest failed and are left out of its figures");

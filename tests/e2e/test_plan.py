@@ -81,6 +81,20 @@ class Plan(ProgramTest):
         self.assertEqual(search.returncode, INTERRUPTED)
         self.assertIn("before", json.loads(output))
 
+    def test_a_plan_that_was_not_re_scored_has_no_region(self):
+        arguments = ["plan", VALVE, "--evaluations", "3", "--plans", "1", "--region-points", "1"]
+        orifice = json.loads(coapt(*arguments, "--json").stdout)["plans"][0]["orifice_area_mm2"]
+        self.assertIsInstance(orifice["nominal"], float)
+        self.assertEqual([orifice[key] for key in ["mean", "sd", "worst"]], [None] * 3)
+        words = coapt(*arguments).stdout
+        self.assertRegex(words, r"\n +1 +\S+ +\S+ +- +- +- ")
+        self.assertNotIn("region of interest", words)
+
+    def test_without_any_plan_there_is_no_table(self):
+        words = coapt("plan", VALVE, "--seconds", "1e-9").stdout
+        self.assertIn("\nno plan yet\n", words)
+        self.assertNotIn("rank", words)
+
     def test_the_time_limit_ends_the_search(self):
         result = coapt("plan", VALVE, "--evaluations", "100000", "--plans", "1", "--region-points", "1",
                        "--seconds", "2", "--json")

@@ -84,6 +84,9 @@ TEST(Warnings, OfClosures) {
   plan.region_failures = 2;
   plan.region_closures = 17;
   expect_one(plan, "2 of 17");
+  plan = quiet();
+  plan.region_failures = plan.region_closures = 1;
+  EXPECT_TRUE(warnings(plan).empty()) << "the plan's own closure is no region";
 }
 
 }  // namespace
