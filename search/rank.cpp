@@ -70,7 +70,9 @@ RankedPlan ranked(const RankRequest& request, const Trial& trial,
   }
   plan.orifice_area_mm2 = statistics(trial.evaluation.measure.orifice.area_mm2, areas);
   plan.leak_mm2 = statistics(leak_mm2(trial.evaluation.measure), leaks);
-  plan.warnings = plan_warnings(plan, request.valve, request.catalogue, request.before);
+  plan.warnings = operation_warnings({trial.plan, request.valve, *repaired, request.catalogue});
+  for (std::string& line : closure_warnings(plan, request.before))
+    plan.warnings.push_back(std::move(line));
   return plan;
 }
 

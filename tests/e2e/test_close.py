@@ -65,6 +65,16 @@ class Close(ProgramTest):
         self.assertIn("mm2", result.stdout)
         self.assertEqual(result.stderr, "")
 
+    def test_an_absurd_ring_is_warned_about_in_words_and_in_json(self):
+        ring = {"step": "annuloplasty", "shape": "own", "sizes_below": 6}
+        plan = self.write("plan.json", {"schema": "coapt.plan/1", "steps": [ring]})
+        self.assertEqual(self.close(VALVE)["warnings"], [])
+        warnings = self.close(VALVE, "--plan", plan)["warnings"]
+        self.assertTrue(any("more than 4 ring sizes" in line for line in warnings), warnings)
+        words = coapt("close", VALVE, "--plan", plan).stdout
+        for line in warnings:
+            self.assertIn(f"  ! {line}\n", words)
+
     def test_a_wrong_plan_is_pointed_at(self):
         wrong = {"schema": "coapt.plan/1", "steps": [{"step": "chordal_excision", "chorda": "none"}]}
         result = coapt("close", "human-normal", "--plan", self.write("plan.json", wrong), "--json")
