@@ -5,10 +5,13 @@
 #include <iomanip>
 #include <ostream>
 
+#include "clients/cli/exit_code.h"
 #include "io/picture/text.h"
 
 namespace coapt {
 namespace {
+
+constexpr double kSmallestListed_mm2 = 0.05;  // less is shown as 0.0
 
 std::ostream& row(std::ostream& out, const char* label) {
   return out << "  " << std::left << std::setw(16) << label << std::right;
@@ -43,20 +46,28 @@ void print_closure(std::ostream& out, const std::string& name, const ClosureResu
 
 void print_measure(std::ostream& out, const ValveMeasure& measure) {
   const OrificeMeasure& orifice = measure.orifice;
+  const Coaptation& coaptation = measure.coaptation;
+  const double hidden = coaptation.gap_area_mm2 - orifice.area_mm2;
+  row(out, "leak") << fixed(leak_mm2(measure), 1) << " mm2, the larger of orifice and gap";
+  if (hidden > kCompetentMm2) {
+    out << "; the view from the atrium hides " << fixed(hidden, 1) << " mm2 of it";
+  }
+  out << '\n';
   row(out, "orifice") << fixed(orifice.area_mm2, 1) << " mm2 (raw "
                       << fixed(orifice.area_raw_mm2, 1) << ", mean of end states "
                       << fixed(orifice.area_mean_mm2, 1) << ")\n";
   for (const Orifice& opening : orifice.orifices) {
+    if (opening.area_mm2 < kSmallestListed_mm2) continue;
     row(out, "") << fixed(opening.area_mm2, 1) << " mm2 at " << to_string(opening.segment) << '\n';
   }
-  const Coaptation& coaptation = measure.coaptation;
+  row(out, "gap") << fixed(coaptation.gap_area_mm2, 1) << " mm2 between the leaflets, up to "
+                  << fixed(coaptation.distance_max_mm, 2)
+                  << " mm from mid-surface to mid-surface\n";
   const auto touching = std::count_if(coaptation.sections.begin(), coaptation.sections.end(),
                                       [](const CoaptationSection& s) { return s.contact; });
   row(out, "coaptation") << "height min " << fixed(coaptation.height_min_mm, 1) << ", mean "
                          << fixed(coaptation.height_mean_mm, 1) << " mm; contact at " << touching
-                         << " of " << coaptation.sections.size() << " sections; mid-surfaces up to "
-                         << fixed(coaptation.distance_max_mm, 2) << " mm apart; gap "
-                         << fixed(coaptation.gap_area_mm2, 1) << " mm2\n";
+                         << " of " << coaptation.sections.size() << " sections\n";
   const AnnulusMeasure& annulus = measure.annulus;
   row(out, "annulus") << "AP " << fixed(annulus.ap_mm, 1) << ", AL-PM "
                       << fixed(annulus.al_pm_mm, 1) << ", circumference "

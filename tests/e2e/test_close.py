@@ -65,6 +65,17 @@ class Close(ProgramTest):
         self.assertIn("mm2", result.stdout)
         self.assertEqual(result.stderr, "")
 
+    def test_the_words_begin_with_the_leak_even_where_the_orifice_hides_it(self):
+        words = coapt("close", "human-p2-prolapse").stdout
+        closure = self.close("human-p2-prolapse")
+        self.assertGreater(closure["leak_mm2"], 10.0 + closure["orifice_area_mm2"])
+        self.assertRegex(words.splitlines()[1], rf"^  leak +{closure['leak_mm2']:.1f} mm2.*hides")
+        self.assertIn(f"  gap             {closure['coaptation']['gap_area_mm2']:.1f} mm2", words)
+
+    def test_openings_too_small_to_show_are_left_to_json(self):
+        for valve in ["human-normal", VALVE, "human-p2-prolapse"]:
+            self.assertNotIn("  0.0 mm2 at", coapt("close", valve).stdout)
+
     def test_an_absurd_ring_is_warned_about_in_words_and_in_json(self):
         ring = {"step": "annuloplasty", "shape": "own", "sizes_below": 6}
         plan = self.write("plan.json", {"schema": "coapt.plan/1", "steps": [ring]})

@@ -147,6 +147,11 @@ class Check(ProgramTest):
             with self.subTest(command):
                 self.assertEqual(coapt(*command, "no-such-file.json").returncode, BAD_INPUT)
 
+    def test_a_problem_of_the_whole_file_names_it(self):
+        result = coapt("valve", "check", "human-norma")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("human-norma: no such file", result.stdout)
+
     def test_a_directory_is_bad_input(self):
         self.assertEqual(coapt("valve", "check", self.folder).returncode, BAD_INPUT)
 
