@@ -11,7 +11,7 @@ namespace coapt {
 namespace {
 
 struct Arguments {
-  std::string valve, output;
+  std::string valve, name, output;
   Remodelling change;
   std::vector<double> anterolateral_mm = {0.0, 0.0, 0.0};
   std::vector<double> posteromedial_mm = {0.0, 0.0, 0.0};
@@ -30,7 +30,9 @@ int run(Arguments arguments) {
                                  {"/anterolateral_mm", "--displace-al"},
                                  {"/posteromedial_mm", "--displace-pm"}});
   }
-  return write_output(arguments.output, write_valve(*remodelled));
+  Valve named = *remodelled;
+  named.name = arguments.name.empty() ? valve->name + " remodelled" : arguments.name;
+  return write_output(arguments.output, write_valve(named));
 }
 
 }  // namespace
@@ -55,6 +57,8 @@ void add_valve_remodel(CLI::App& parent, int& status) {
                "Anterolateral tip: outwards,posterior,apical in mm");
   displacement("--displace-pm", arguments->posteromedial_mm,
                "Posteromedial tip: outwards,posterior,apical in mm");
+  command->add_option("--name", arguments->name, "Name of the new valve")
+      ->default_str("the old name and \"remodelled\"");
   command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
       ->required();
   command->footer(

@@ -181,6 +181,14 @@ class Remodel(ProgramTest):
                 shift = new["tip_mm"][axis] - old["tip_mm"][axis]
                 self.assertAlmostEqual(shift, expected[axis], places=9)
 
+    def test_the_new_valve_has_a_name_of_its_own_and_says_where_it_comes_from(self):
+        worse, worst = self.folder / "worse.json", self.folder / "worst.json"
+        self.run_ok("valve", "remodel", "human-normal", "--ap-dilation", "15", "-o", worse)
+        self.assertEqual(self.info(worse)["name"], "human-normal remodelled")
+        self.assertIn("dilation 15 %", self.info(worse)["provenance"][-1])
+        self.run_ok("valve", "remodel", worse, "--name", "worst", "-o", worst)
+        self.assertEqual(self.info(worst)["name"], "worst")
+
     def test_values_out_of_range_are_named_by_their_options(self):
         result = coapt("valve", "remodel", "human-normal", "--ap-dilation", "1000",
                        "--displace-pm", "1,2,300", "-o", "-")
