@@ -185,6 +185,7 @@ Expected<SearchResult> search_plans_with(const Evaluator& evaluate, const Valve&
   result.best_cost_history = search.history();
   result.stop = watch.stop();
   result.closures = watch.closures();
+  result.evaluations = static_cast<int>(search.history().size());
   result.closures_not_converged = watch.not_converged();
   result.closures_crossed = watch.crossed();
   result.seconds = watch.seconds();

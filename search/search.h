@@ -15,8 +15,12 @@
 
 namespace coapt {
 
+/// Closures in all: one of the valve as it is, `evaluations` of the search, and the re-scoring over
+/// the region of interest (see ranking_closures() in rank.h): for P plans and R points at most
+/// 2 P (min(R, 5) - 1) + P (R - min(R, 5)), 100 by default.
 struct SearchOptions {
-  int evaluations = 300;  ///< closures spent on searching, [1, 1e6]
+  int evaluations =
+      300;  ///< closures spent on searching, [1, 1e6]; fewer if no plan is left to try
   std::uint64_t seed = 1;
   int threads = 0;         ///< [0, 1024], 0: all cores. Does not change the result
   int plans = 5;           ///< how many ranked plans to report, [1, 50]
@@ -65,7 +69,8 @@ struct SearchResult {
   std::vector<double> best_cost_history;  ///< best cost so far after each evaluation of the search,
                                           ///< in a fixed order
   SearchStop stop = SearchStop::EvaluationLimit;
-  int closures = 0;  ///< all of them, re-scoring included
+  int closures = 0;     ///< all of them, the valve as it is and re-scoring included
+  int evaluations = 0;  ///< of these: of plans as planned
   int closures_not_converged = 0, closures_crossed = 0;
   double seconds = 0.0;
 };

@@ -89,7 +89,9 @@ void add_plan(CLI::App& parent, int& status) {
   SearchOptions& options = arguments->options;
   CLI::App* command = parent.add_subcommand("plan", "Search repair plans and rank them");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
-  command->add_option("--evaluations", options.evaluations, "Closures spent on searching")
+  command
+      ->add_option("--evaluations", options.evaluations,
+                   "Closures spent on searching; ranking comes on top, see below")
       ->check(number_from(1, 1000000))
       ->capture_default_str();
   command->add_option("--seed", options.seed, "Same seed, same plans")
@@ -106,8 +108,17 @@ void add_plan(CLI::App& parent, int& status) {
   command->add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
       ->check(CLI::Validator(refuse_standard_output, "FILE"));
   command->footer(
-      "Ctrl-C stops the search and prints the best so far (exit code 130). Exit code 4 if no plan\n"
-      "converges without crossing to a leak (orifice and hidden gap) below 1 mm2.\n\n"
+      "Closures in all: 1 of the valve as it is, --evaluations on searching, and then for the "
+      "ranking\n"
+      "4 for each of twice --plans finalists and --region-points - 5 for each of the best --plans: "
+      "at\n"
+      "most 1 + 300 + 100 by default. A report closes the valve and each ranked plan once more.\n\n"
+      "Ctrl-C stops the search and prints the best so far (exit code 130) when the closures in\n"
+      "progress have ended. A second one ends coapt at once (130 in the shell): nothing is "
+      "printed.\n\n"
+      "Exit code 4 if no plan converges without crossing to a leak (orifice and hidden gap) below "
+      "1\n"
+      "mm2.\n\n"
       "Examples:\n"
       "  coapt plan human-functional-mr --evaluations 300 --seed 1\n"
       "  coapt plan valve.json --plans 10 --json -o report.html > plans.json");

@@ -6,7 +6,7 @@ import subprocess
 import time
 import unittest
 
-from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, ProgramTest, coapt
+from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, SOURCE, ProgramTest, coapt
 
 VALVE = "human-functional-mr"
 SMALL = ["--evaluations", "12", "--seed", "3", "--plans", "2", "--region-points", "2"]
@@ -47,6 +47,12 @@ class Plan(ProgramTest):
         self.assertEqual(json.loads(closed.stdout)["orifice_area_mm2"],
                          best["orifice_area_mm2"]["nominal"])
 
+    def test_the_closures_are_those_that_the_help_adds_up(self):
+        arguments = ["--evaluations", "40", "--plans", "1", "--region-points", "7", "--json"]
+        result = json.loads(coapt("plan", VALVE, *arguments).stdout)
+        self.assertEqual(result["evaluations"], 40)
+        self.assertEqual(result["closures"], 1 + 40 + 2 * 4 + 2)
+
     def test_the_report_is_one_page_with_the_pictures_in_it(self):
         report = self.folder / "report.html"
         self.plan("-o", report)
@@ -80,6 +86,17 @@ class Plan(ProgramTest):
             output, _ = search.communicate(timeout=60)
         self.assertEqual(search.returncode, INTERRUPTED)
         self.assertIn("before", json.loads(output))
+
+    def test_a_second_ctrl_c_ends_a_long_closure_at_once(self):
+        valve = SOURCE / "examples/valves/bodyparts3d-2600.json"
+        with subprocess.Popen([COAPT, "plan", valve], stdout=subprocess.PIPE, text=True) as search:
+            time.sleep(1)
+            search.send_signal(signal.SIGINT)
+            time.sleep(0.2)
+            self.assertIsNone(search.poll())
+            search.send_signal(signal.SIGINT)
+            output, _ = search.communicate(timeout=60)
+        self.assertEqual((search.returncode, output), (-signal.SIGINT, ""))
 
     def test_a_plan_that_was_not_re_scored_has_no_region(self):
         arguments = ["plan", VALVE, "--evaluations", "3", "--plans", "1", "--region-points", "1"]

@@ -93,6 +93,7 @@ TEST(Search, HoldsItsBudgetExactly) {
     options.evaluations = evaluations;
     const SearchResult result = searched(stub, options);
     EXPECT_EQ(result.best_cost_history.size(), static_cast<std::size_t>(evaluations));
+    EXPECT_EQ(result.evaluations, evaluations);
     EXPECT_EQ(result.stop, SearchStop::EvaluationLimit);
     if (evaluations < 90) continue;  // fewer finalists than are wanted
     // Before, the search, 2 x 3 plans at 4 nodes, 3 plans at the other 4 of 9.
