@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -26,12 +27,10 @@ std::string kind(const Choice& choice) {
 }
 
 OrificeStatistics statistics(double nominal, const std::vector<double>& areas) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  if (areas.size() < 2) return {nominal, kUnknown, kUnknown, kUnknown};
   OrificeStatistics result;
   result.nominal = result.worst = nominal;
-  if (areas.empty()) {
-    result.mean = nominal;
-    return result;
-  }
   for (const double area : areas) {
     result.mean += area / static_cast<double>(areas.size());
     result.worst = std::max(result.worst, area);
@@ -71,7 +70,9 @@ RankedPlan ranked(const RankRequest& request, const Trial& trial,
   }
   plan.orifice_area_mm2 = statistics(trial.evaluation.measure.orifice.area_mm2, areas);
   plan.leak_mm2 = statistics(leak_mm2(trial.evaluation.measure), leaks);
-  plan.warnings = plan_warnings(plan, request.valve, request.catalogue, request.before);
+  plan.warnings = operation_warnings({trial.plan, request.valve, *repaired, request.catalogue});
+  for (std::string& line : closure_warnings(plan, request.before))
+    plan.warnings.push_back(std::move(line));
   return plan;
 }
 
@@ -80,7 +81,8 @@ bool is_better(const RankedPlan& a, const RankedPlan& b) {
     return plan.status != ClosureStatus::Converged || plan.crossing;
   };
   const auto leak_class = [](const RankedPlan& plan) {
-    return std::floor((plan.leak_mm2.mean + plan.leak_mm2.sd) / kClass_mm2);
+    const OrificeStatistics& leak = plan.leak_mm2;
+    return std::floor((std::isnan(leak.mean) ? leak.nominal : leak.mean + leak.sd) / kClass_mm2);
   };
   if (failed(a) != failed(b)) return failed(b);
   if (failed(a)) return a.cost < b.cost;

@@ -36,7 +36,7 @@ Errors check(const SearchOptions& options) {
   check_range(problems, "/threads", options.threads, {0.0, 1024.0});
   check_range(problems, "/plans", options.plans, {1.0, 50.0});
   check_range(problems, "/region_points", options.region_points, {1.0, 1089.0});
-  check_range(problems, "/seconds", options.seconds, {0.0, 1e9});
+  check_range(problems, "/seconds", options.seconds, {0.0, 1e6});
   return std::move(problems).take();
 }
 
@@ -185,6 +185,7 @@ Expected<SearchResult> search_plans_with(const Evaluator& evaluate, const Valve&
   result.best_cost_history = search.history();
   result.stop = watch.stop();
   result.closures = watch.closures();
+  result.evaluations = static_cast<int>(search.history().size());
   result.closures_not_converged = watch.not_converged();
   result.closures_crossed = watch.crossed();
   result.seconds = watch.seconds();

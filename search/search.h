@@ -15,19 +15,24 @@
 
 namespace coapt {
 
+/// Closures in all: one of the valve as it is, `evaluations` of the search, and the re-scoring over
+/// the region of interest (see ranking_closures() in rank.h): for P plans and R points at most
+/// 2 P (min(R, 5) - 1) + P (R - min(R, 5)), 100 by default.
 struct SearchOptions {
-  int evaluations = 300;  ///< closures spent on searching, [1, 1e6]
+  int evaluations =
+      300;  ///< closures spent on searching, [1, 1e6]; fewer if no plan is left to try
   std::uint64_t seed = 1;
   int threads = 0;         ///< [0, 1024], 0: all cores. Does not change the result
   int plans = 5;           ///< how many ranked plans to report, [1, 50]
   int region_points = 17;  ///< [1, 1089] nodes of the region of interest, for each reported plan
-  double seconds = 0.0;    ///< stop earlier when this much time is gone; 0: no limit
+  double seconds = 0.0;    ///< [0, 1e6] stop earlier when this much time is gone; 0: no limit
   ClosureOptions closure;
 };
 
-/// Over the region of interest, its undisturbed node included.
+/// Over the region of interest, its undisturbed node included; mm2, leaflets with half thickness.
+/// All but `nominal` are NaN if fewer than two nodes closed: that says nothing about a region.
 struct OrificeStatistics {
-  double nominal = 0.0, mean = 0.0, sd = 0.0, worst = 0.0;  ///< mm2, leaflets with half thickness
+  double nominal = 0.0, mean = 0.0, sd = 0.0, worst = 0.0;
 };
 
 struct RankedPlan {
@@ -64,7 +69,8 @@ struct SearchResult {
   std::vector<double> best_cost_history;  ///< best cost so far after each evaluation of the search,
                                           ///< in a fixed order
   SearchStop stop = SearchStop::EvaluationLimit;
-  int closures = 0;  ///< all of them, re-scoring included
+  int closures = 0;     ///< all of them, the valve as it is and re-scoring included
+  int evaluations = 0;  ///< of these: of plans as planned
   int closures_not_converged = 0, closures_crossed = 0;
   double seconds = 0.0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/metrics/annulus.h"
 #include "core/repair/annuloplasty.h"
 #include "core/valve/annulus_frame.h"
 
@@ -10,8 +11,10 @@ namespace coapt {
 namespace {
 
 constexpr double kRingSize_mm = 2.0;
-constexpr double kMostSizesBelow = 4.0;    // more is rejected in practice
-constexpr double kStenoticRing_mm = 27.0;  // predicts functional stenosis
+constexpr double kMostSizesBelow = 4.0;  // more is rejected in practice
+constexpr double kRounding = 1e-6;
+constexpr double kSmallestCircumference_mm = 30.0;  // of any annulus that a valve file may have
+constexpr double kStenoticRing_mm = 27.0;           // predicts functional stenosis
 constexpr double kMuchMovement_mm = 10.0, kTooMuchMovement_mm = 15.0;
 constexpr Range kUsualNeochordaMm = {10.0, 30.0};
 constexpr double kTensionRise = 3.0;     // neochordae 5 % too short: no leak, three times the force
@@ -26,27 +29,36 @@ std::string mm(double value) {
 
 using Lines = std::vector<std::string>;
 
-void about(const Annuloplasty& ring, const Valve& valve, const std::vector<RingShape>& catalogue,
-           Lines& lines) {
+void about(const Annuloplasty& ring, const Operation& operation, Lines& lines) {
+  const Valve& valve = operation.valve;
   const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
-  const double width = ring.shape == "own"
-                           ? transverse - kRingSize_mm * ring.sizes_below
-                           : ring_width_mm(*find_ring(catalogue, ring.shape), ring.size_mm);
+  const double width =
+      ring.shape == "own"
+          ? transverse - kRingSize_mm * ring.sizes_below
+          : ring_width_mm(*find_ring(operation.catalogue, ring.shape), ring.size_mm);
   if (width > transverse)
     lines.push_back("ring wider than the annulus (" + mm(width) + " against " + mm(transverse) +
                     "): it would stretch it");
   if ((ring.shape == "own" ? width : ring.size_mm) <= kStenoticRing_mm)
     lines.push_back("ring of 27 mm or less predicts functional stenosis; filling is not simulated");
+  const double sizes =
+      std::max((transverse - width) / kRingSize_mm, ring_sizes_below(valve, operation.repaired));
+  if (sizes > kMostSizesBelow + kRounding)
+    lines.push_back(
+        "annulus made smaller by more than 4 ring sizes (of its width or area): rejected in "
+        "practice");
+  const double circumference = measure_annulus(operation.repaired).circumference_mm;
+  if (circumference < kSmallestCircumference_mm)
+    lines.push_back("annulus of " + mm(circumference) + " circumference: no valve is that small");
 }
 
-void about(const PapillaryApproximation& suture, const Valve&, const std::vector<RingShape>&,
-           Lines& lines) {
+void about(const PapillaryApproximation& suture, const Operation&, Lines& lines) {
   if (suture.anchor == Anchor::AnnulusPoint && suture.annulus_around > 0.5)
     lines.push_back("anchor on the posterior annulus impaired filling; filling is not simulated");
 }
 
-void about(const Neochorda& step, const Valve& valve, const std::vector<RingShape>&, Lines& lines) {
-  for (const PapillaryHead& head : valve.heads) {
+void about(const Neochorda& step, const Operation& operation, Lines& lines) {
+  for (const PapillaryHead& head : operation.valve.heads) {
     if (head.id != step.head) continue;
     const bool lateral_point = step.insertion.along < 0.5;
     const bool lateral_head = head.side == Side::Anterolateral;
@@ -57,9 +69,9 @@ void about(const Neochorda& step, const Valve& valve, const std::vector<RingShap
     lines.push_back("neochorda of " + mm(step.length_mm) + ": usual are 10 to 30 mm");
 }
 
-void about(const ChordalLengthChange&, const Valve&, const std::vector<RingShape>&, Lines&) {}
-void about(const ChordalExcision&, const Valve&, const std::vector<RingShape>&, Lines&) {}
-void about(const ChordalTransfer&, const Valve&, const std::vector<RingShape>&, Lines&) {}
+void about(const ChordalLengthChange&, const Operation&, Lines&) {}
+void about(const ChordalExcision&, const Operation&, Lines&) {}
+void about(const ChordalTransfer&, const Operation&, Lines&) {}
 
 void about_movement(double movement, const char* side, Lines& lines) {
   if (movement > kTooMuchMovement_mm)
@@ -70,13 +82,20 @@ void about_movement(double movement, const char* side, Lines& lines) {
                     ": more than 10 mm is unusual");
 }
 
-void about_size(double sizes_below, Lines& lines) {
-  if (sizes_below > kMostSizesBelow)
-    lines.push_back(
-        "annulus made smaller by more than 4 ring sizes (of its area): rejected in practice");
+}  // namespace
+
+std::vector<std::string> operation_warnings(const Operation& operation) {
+  Lines lines;
+  for (const RepairStep& step : operation.plan.steps)
+    std::visit([&](const auto& s) { about(s, operation, lines); }, step);
+  const Effort asked = effort(operation.valve, operation.repaired, operation.plan);
+  about_movement(asked.anterolateral_movement_mm, "anterolateral", lines);
+  about_movement(asked.posteromedial_movement_mm, "posteromedial", lines);
+  return lines;
 }
 
-void about_closure(const RankedPlan& plan, const Evaluation& before, Lines& lines) {
+std::vector<std::string> closure_warnings(const RankedPlan& plan, const Evaluation& before) {
+  Lines lines;
   if (plan.status != ClosureStatus::Converged)
     lines.push_back("the closure did not come to rest: figures are not to be trusted");
   if (plan.crossing)
@@ -92,24 +111,10 @@ void about_closure(const RankedPlan& plan, const Evaluation& before, Lines& line
                     " of 9 sections (a projection can hide it)");
   if (plan.leak_mm2.worst > kGoodRepair_mm2)
     lines.push_back("leaks more than 5 mm2 somewhere in the region of interest");
-  if (plan.region_failures > 0)
+  if (plan.region_closures > 1 && plan.region_failures > 0)
     lines.push_back(std::to_string(plan.region_failures) + " of " +
                     std::to_string(plan.region_closures) +
                     " closures in the region of interest failed and are left out of its figures");
-}
-
-}  // namespace
-
-std::vector<std::string> plan_warnings(const RankedPlan& plan, const Valve& valve,
-                                       const std::vector<RingShape>& catalogue,
-                                       const Evaluation& before) {
-  Lines lines;
-  for (const RepairStep& step : plan.plan.steps)
-    std::visit([&](const auto& s) { about(s, valve, catalogue, lines); }, step);
-  about_size(plan.ring_sizes_below, lines);
-  about_movement(plan.anterolateral_movement_mm, "anterolateral", lines);
-  about_movement(plan.posteromedial_movement_mm, "posteromedial", lines);
-  about_closure(plan, before, lines);
   return lines;
 }
 

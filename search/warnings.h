@@ -9,9 +9,18 @@
 
 namespace coapt {
 
-/// @param plan all but its warnings. @param before the unrepaired valve's closure.
-std::vector<std::string> plan_warnings(const RankedPlan& plan, const Valve& valve,
-                                       const std::vector<RingShape>& catalogue,
-                                       const Evaluation& before);
+struct Operation {
+  const RepairPlan& plan;
+  const Valve& valve;     ///< before
+  const Valve& repaired;  ///< apply_plan() of these
+  const std::vector<RingShape>& catalogue;
+};
+
+/// Of what is done, whether or not the valve then closes.
+std::vector<std::string> operation_warnings(const Operation& operation);
+
+/// Of how the repaired valve closes. @param plan all but its warnings. @param before the unrepaired
+/// valve's closure.
+std::vector<std::string> closure_warnings(const RankedPlan& plan, const Evaluation& before);
 
 }  // namespace coapt

@@ -17,6 +17,8 @@ const char* title(int status) {
       return "Length required";
     case 413:
       return "Content too large";
+    case 414:
+      return "URI too long";
     case 415:
       return "Unsupported media type";
     case 422:

@@ -78,6 +78,9 @@ void answer_with_body(const Routes& routes, const httplib::Request& request,
   }
   std::string body;
   const std::optional<Answer> refused = read_body(reader, body);
+  if (request.has_header("Content-Encoding")) {
+    return send(refusal(415, ErrorCode::Unsupported, "the body must not be encoded"), response);
+  }
   const Route* route = find_route(routes, request, response);
   if (route != nullptr) send(refused ? *refused : route->endpoint(body), response);
 }
@@ -100,10 +103,18 @@ void set_up(httplib::Server& http, const Routes& routes) {
       [](const auto&, httplib::Response& response, const std::exception_ptr&) {
         send(refusal(500, ErrorCode::Unsupported, "the request could not be answered"), response);
       });
+  // What cpp-httplib refuses by itself, such as a method it does not know, has no body.
+  using Handling = httplib::Server::HandlerResponse;
+  http.set_error_handler(httplib::Server::HandlerWithResponse([](const auto&, auto& response) {
+    if (!response.body.empty()) return Handling::Unhandled;
+    send(refusal(response.status, ErrorCode::Unsupported, "this request cannot be taken"),
+         response);
+    return Handling::Handled;
+  }));
   http.set_pre_routing_handler([&routes](const auto& request, httplib::Response& response) {
-    if (request.method == "POST") return httplib::Server::HandlerResponse::Unhandled;
+    if (request.method == "POST") return Handling::Unhandled;
     answer_without_body(routes, request, response);
-    return httplib::Server::HandlerResponse::Handled;
+    return Handling::Handled;
   });
   http.Post(kAnyPath, [&routes](const httplib::Request& request, httplib::Response& response,
                                 const httplib::ContentReader& reader) {

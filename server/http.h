@@ -8,7 +8,7 @@
 
 namespace coapt {
 
-/// Largest body of a request, after decompression.
+/// Largest body of a request.
 inline constexpr std::size_t kMaxBodyBytes = std::size_t{64} << 20;
 
 /// Serves on 127.0.0.1 until SIGINT or SIGTERM, which also sets `stopping`. Port 0 takes a free

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
@@ -12,6 +13,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/picture/picture.h"
+#include "search/warnings.h"
 
 namespace coapt {
 namespace {
@@ -23,29 +25,35 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments) {
-  Expected<Valve> valve = read_valve_argument(arguments.valve);
+  const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
-  if (!arguments.plan.empty()) {
-    const Expected<RepairPlan> plan = read_plan_argument(arguments.plan);
-    if (!plan) return report_errors(arguments.plan, plan.errors());
-    valve = apply_plan(*valve, *plan, ring_catalogue());
-    if (!valve) return report_errors(arguments.plan, valve.errors());
-  }
+  Expected<RepairPlan> plan = RepairPlan{};
+  if (!arguments.plan.empty()) plan = read_plan_argument(arguments.plan);
+  if (!plan) return report_errors(arguments.plan, plan.errors());
+  const Expected<Valve> repaired = apply_plan(*valve, *plan, ring_catalogue());
+  if (!repaired) return report_errors(arguments.plan, repaired.errors());
+  if (const int failed = check_output(arguments.picture)) return failed;
 
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure =
-      close_valve(*valve, {.method = arguments.method, .samples = kThesisSamples});
+      close_valve(*repaired, {.method = arguments.method, .samples = kThesisSamples});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const ValveMeasure measured = measure(*valve, closure);
+  const ValveMeasure measured = measure(*repaired, closure);
+
+  const std::vector<std::string> warnings =
+      operation_warnings({*plan, *valve, *repaired, ring_catalogue()});
 
   if (arguments.json) {
-    std::cout << closure_to_json(*valve, closure, measured, seconds.count()).dump(2) << '\n';
+    auto json = closure_to_json(*repaired, closure, measured, seconds.count());
+    json["warnings"] = warnings;
+    std::cout << json.dump(2) << '\n';
   } else {
-    print_closure(std::cout, valve->name, closure);
+    print_closure(std::cout, repaired->name, closure);
     print_measure(std::cout, measured);
+    for (const std::string& warning : warnings) std::cout << "  ! " << warning << '\n';
   }
   if (!arguments.picture.empty()) {
-    const std::string picture = closure_picture_png({*valve, closure, measured});
+    const std::string picture = closure_picture_png({*repaired, closure, measured});
     if (const int failed = write_output(arguments.picture, picture)) return failed;
   }
   return exit_code_of(closure);

@@ -72,6 +72,7 @@ SearchResult score(const Valve& valve, const std::vector<NamedPlan>& plans,
   result.before_crossing = before.crossing;
   result.plans = rank_plans(request, trials, watch);
   result.closures = watch.closures();
+  result.evaluations = static_cast<int>(trials.size());
   result.closures_not_converged = watch.not_converged();
   result.closures_crossed = watch.crossed();
   result.seconds = watch.seconds();

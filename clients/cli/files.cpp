@@ -1,5 +1,6 @@
 #include "clients/cli/files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -39,10 +40,18 @@ bool is_preset(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+int report_unwritable(const std::string& path) {
+  std::cerr << "coapt: " << path << ": cannot be written\n";
+  return exit_code::kFailure;
+}
+
 }  // namespace
 
 Expected<std::string> read_input(const std::string& path) {
-  if (path == "-") return read_stream(std::cin);
+  if (path == "-") {
+    if (std::cin.eof()) return Error{ErrorCode::InputOutput, "", "standard input can be read once"};
+    return read_stream(std::cin);
+  }
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
     return Error{ErrorCode::InputOutput, "", "is a directory"};
   }
@@ -69,18 +78,29 @@ Expected<RepairPlan> read_plan_argument(const std::string& path) {
   return read_plan(*text);
 }
 
+std::string refuse_standard_output(const std::string& path) {
+  return path == "-" ? "standard output carries the result, so this needs a file" : "";
+}
+
+int check_output(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::file_status before = fs::status(path, ignored);
+  // Opening and closing a pipe would end it for its reader.
+  if (path.empty() || fs::is_fifo(before)) return exit_code::kOk;
+  if (!std::ofstream(path, std::ios::app)) return report_unwritable(path);
+  if (!fs::exists(before)) fs::remove(path, ignored);
+  return exit_code::kOk;
+}
+
 int write_output(const std::string& path, std::string_view bytes) {
-  const auto size = static_cast<std::streamsize>(bytes.size());
-  bool written = false;
   if (path == "-") {
-    written = static_cast<bool>(std::cout.write(bytes.data(), size).flush());
-  } else {
-    std::ofstream file(path, std::ios::binary);
-    written = file && file.write(bytes.data(), size).flush();
+    std::cout << bytes;
+    return exit_code::kOk;
   }
-  if (written) return exit_code::kOk;
-  std::cerr << "coapt: " << path << ": cannot be written\n";
-  return exit_code::kFailure;
+  std::ofstream file(path, std::ios::binary);
+  if (file && file << bytes << std::flush) return exit_code::kOk;
+  return report_unwritable(path);
 }
 
 int report_errors(const std::string& source, const Errors& errors) {
@@ -90,6 +110,19 @@ int report_errors(const std::string& source, const Errors& errors) {
     std::cerr << error.message << '\n';
   }
   return exit_code::kBadInput;
+}
+
+int report_option_errors(const std::string& command, Errors errors,
+                         const std::map<std::string, std::string>& options) {
+  for (Error& error : errors) {
+    if (error.path.empty()) continue;
+    const std::string field = error.path.substr(0, error.path.find('/', 1));
+    const auto known = options.find(field);
+    std::string option = known != options.end() ? known->second : "--" + field.substr(1);
+    std::replace(option.begin(), option.end(), '_', '-');
+    error.path.replace(0, field.size(), option);
+  }
+  return report_errors(command, errors);
 }
 
 }  // namespace coapt

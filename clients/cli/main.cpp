@@ -1,7 +1,11 @@
 // coapt: the command line.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
@@ -40,17 +44,39 @@ int run(int argc, char** argv) {
   add_plan(app, status);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    // CLI11 says what is missing before what it does not know, such as a misspelt command.
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!unknown.empty()) std::cerr << "coapt: unknown: " << unknown.front() << '\n';
+    app.exit(error);
+    return exit_code::kBadInput;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_code::kOk : exit_code::kBadInput;
   }
   return status;
 }
 
+/// Puts a file that takes no output where a standard stream is closed, lest a file opened later
+/// become standard output.
+void occupy_standard_streams() {
+  int file = 0;
+  while (file >= 0 && file <= STDERR_FILENO) file = open("/dev/null", O_RDONLY);
+  if (file >= 0) close(file);
+}
+
+/// `status`, or kFailure if what was printed did not arrive.
+int after_output(int status) {
+  if (std::cout.flush()) return status;
+  std::cerr << "coapt: standard output: cannot be written\n";
+  return coapt::exit_code::kFailure;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  occupy_standard_streams();
   try {
-    return run(argc, argv);
+    return after_output(run(argc, argv));
   } catch (const std::exception& error) {
     std::cerr << "coapt: " << error.what() << '\n';
     return coapt::exit_code::kFailure;

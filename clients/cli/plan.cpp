@@ -1,5 +1,7 @@
 #include <cassert>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -9,6 +11,7 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
+#include "clients/cli/number_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/progress_bar.h"
 #include "core/repair/apply_plan.h"
@@ -56,6 +59,7 @@ int run(const Arguments& arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
+  if (const int failed = check_output(arguments.report)) return failed;
 
   const auto search = [&] {
     const ProgressBar bar;
@@ -64,7 +68,7 @@ int run(const Arguments& arguments) {
         [&](const SearchProgress& progress) { bar.show(progress); }, &interrupted);
   };
   const Expected<SearchResult> result = search();
-  if (!result) return report_errors("plan", result.errors());
+  if (!result) return report_option_errors("plan", result.errors());
 
   if (arguments.json) {
     std::cout << to_json(*result).dump(2) << '\n';
@@ -85,22 +89,36 @@ void add_plan(CLI::App& parent, int& status) {
   SearchOptions& options = arguments->options;
   CLI::App* command = parent.add_subcommand("plan", "Search repair plans and rank them");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
-  command->add_option("--evaluations", options.evaluations, "Closures spent on searching")
-      ->check(CLI::Range(1, 1000000))
+  command
+      ->add_option("--evaluations", options.evaluations,
+                   "Closures spent on searching; ranking comes on top, see below")
+      ->check(number_from(1, 1000000))
       ->capture_default_str();
-  command->add_option("--seed", options.seed, "Same seed, same plans")->capture_default_str();
+  command->add_option("--seed", options.seed, "Same seed, same plans")
+      ->check(number_from(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   command->add_option("--seconds", options.seconds, "Stop after this time; 0: no limit")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_from(0.0, 1e6))
       ->capture_default_str();
   command->add_option("--plans", options.plans, "How many ranked plans to print")
-      ->check(CLI::Range(1, 50))
+      ->check(number_from(1, 50))
       ->capture_default_str();
   add_region_options(*command, options);
   command->add_flag("--json", arguments->json, "Print JSON");
-  command->add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)");
+  command->add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
+      ->check(CLI::Validator(refuse_standard_output, "FILE"));
   command->footer(
-      "Ctrl-C stops the search and prints the best so far (exit code 130). Exit code 4 if no plan\n"
-      "converges without crossing to a leak (orifice and hidden gap) below 1 mm2.\n\n"
+      "Closures in all: 1 of the valve as it is, --evaluations on searching, and then for the "
+      "ranking\n"
+      "4 for each of twice --plans finalists and --region-points - 5 for each of the best --plans: "
+      "at\n"
+      "most 1 + 300 + 100 by default. A report closes the valve and each ranked plan once more.\n\n"
+      "Ctrl-C stops the search and prints the best so far (exit code 130) when the closures in\n"
+      "progress have ended. A second one ends coapt at once (130 in the shell): nothing is "
+      "printed.\n\n"
+      "Exit code 4 if no plan converges without crossing to a leak (orifice and hidden gap) below "
+      "1\n"
+      "mm2.\n\n"
       "Examples:\n"
       "  coapt plan human-functional-mr --evaluations 300 --seed 1\n"
       "  coapt plan valve.json --plans 10 --json -o report.html > plans.json");

@@ -13,7 +13,8 @@ namespace coapt {
 void print_closure(std::ostream& out, const std::string& name, const ClosureResult& closure);
 void print_measure(std::ostream& out, const ValveMeasure& measure);
 
-/// The state before, then one row per plan with its steps and warnings below.
+/// The state before, then one row per plan with its steps and warnings below; "-" where the region
+/// is not known.
 void print_ranked(std::ostream& out, const SearchResult& result);
 
 }  // namespace coapt

@@ -22,7 +22,8 @@ int run(const Arguments& arguments) {
     std::cout << nlohmann::ordered_json{{"problems", to_json(problems)}}.dump(2) << '\n';
   } else {
     for (const Error& problem : problems) {
-      std::cout << (problem.path.empty() ? "/" : problem.path) << ": " << problem.message << '\n';
+      std::cout << (problem.path.empty() ? arguments.valve : problem.path) << ": "
+                << problem.message << '\n';
     }
     if (problems.empty()) std::cerr << arguments.valve << ": no problems\n";
   }
@@ -37,7 +38,7 @@ void add_valve_check(CLI::App& parent, int& status) {
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command->add_flag("--json", arguments->json, "{\"problems\": [{\"path\", \"message\"}]}");
   command->footer(
-      "Exit code 2 if there is any problem; path is a JSON pointer.\n\n"
+      "Exit code 2 if there is any problem; path is a JSON pointer, empty for the whole file.\n\n"
       "Examples:\n"
       "  coapt valve check valve.json\n"
       "  coapt valve make human-normal -o - | coapt valve check - --json");

@@ -8,6 +8,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "clients/cli/number_option.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/import_valve.h"
 
@@ -59,7 +60,10 @@ int run(const Arguments& arguments) {
   }
   if (const int failed = read_part(arguments.chordae, read_chordae, source.chordae)) return failed;
   const Expected<Valve> valve = import_valve(source, arguments.options);
-  if (!valve) return report_errors("valve import", valve.errors());
+  if (!valve) {
+    return report_option_errors("valve import", valve.errors(),
+                                {{"/leaflets", "--leaflet"}, {"/annulus_mm", "--annulus"}});
+  }
   return write_output(arguments.output, write_valve(*valve));
 }
 
@@ -84,10 +88,10 @@ void add_valve_import(CLI::App& parent, int& status) {
       ->required();
   command->add_option("--triangles", options.triangles, "About how many triangles")
       ->capture_default_str()
-      ->check(CLI::Range(100, 100000));
+      ->check(number_from(100, 100000));
   command->add_option("--branches", options.branches, "Insertions per chorda")
       ->capture_default_str()
-      ->check(CLI::Range(1, 5));
+      ->check(number_from(1, 5));
   command->add_option("--branch-at", options.branch_at, "Share of the way from tip to insertion")
       ->capture_default_str();
   command->add_option("--slack", options.slack, "Chordae lengths over straight distances")

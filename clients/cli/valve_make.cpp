@@ -4,6 +4,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "clients/cli/number_option.h"
 #include "core/presets/presets.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/import_valve.h"
@@ -40,7 +41,10 @@ int run(Arguments arguments) {
   const Expected<Valve> valve = arguments.preset.empty()
                                     ? make_taut_valve(dimensions)
                                     : make_preset(arguments.preset, arguments.triangles);
-  if (!valve) return report_errors("valve make", valve.errors());
+  if (!valve) {
+    return report_option_errors("valve make", valve.errors(),
+                                {{"/annulus_mm", "--annulus"}, {"/tips_mm", "--tips"}});
+  }
   return write_output(arguments.output, write_valve(*valve));
 }
 
@@ -62,7 +66,7 @@ void add_valve_make(CLI::App& parent, int& status) {
   command->add_option("preset", arguments->preset, "Name of a preset")
       ->check(CLI::IsMember(preset_names()));
   command->add_option("--triangles", arguments->triangles, "About how many triangles")
-      ->check(CLI::Range(100, 100000));
+      ->check(number_from(100, 50000));
   command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
       ->required();
 

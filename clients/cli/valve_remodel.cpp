@@ -11,7 +11,7 @@ namespace coapt {
 namespace {
 
 struct Arguments {
-  std::string valve, output;
+  std::string valve, name, output;
   Remodelling change;
   std::vector<double> anterolateral_mm = {0.0, 0.0, 0.0};
   std::vector<double> posteromedial_mm = {0.0, 0.0, 0.0};
@@ -23,8 +23,16 @@ int run(Arguments arguments) {
   arguments.change.anterolateral_mm = Vec3(arguments.anterolateral_mm.data());
   arguments.change.posteromedial_mm = Vec3(arguments.posteromedial_mm.data());
   const Expected<Valve> remodelled = remodel(*valve, arguments.change);
-  if (!remodelled) return report_errors("valve remodel", remodelled.errors());
-  return write_output(arguments.output, write_valve(*remodelled));
+  if (!remodelled) {
+    return report_option_errors("valve remodel", remodelled.errors(),
+                                {{"/ap_dilation_percent", "--ap-dilation"},
+                                 {"/annular_height_percent", "--annular-height"},
+                                 {"/anterolateral_mm", "--displace-al"},
+                                 {"/posteromedial_mm", "--displace-pm"}});
+  }
+  Valve named = *remodelled;
+  named.name = arguments.name.empty() ? valve->name + " remodelled" : arguments.name;
+  return write_output(arguments.output, write_valve(named));
 }
 
 }  // namespace
@@ -49,6 +57,8 @@ void add_valve_remodel(CLI::App& parent, int& status) {
                "Anterolateral tip: outwards,posterior,apical in mm");
   displacement("--displace-pm", arguments->posteromedial_mm,
                "Posteromedial tip: outwards,posterior,apical in mm");
+  command->add_option("--name", arguments->name, "Name of the new valve")
+      ->default_str("the old name and \"remodelled\"");
   command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
       ->required();
   command->footer(

@@ -26,4 +26,4 @@ import bodyparts3d-2600 2600 "$out/bodyparts3d-2600.json"
 # backwards and apically, the posteromedial one more.
 import bodyparts3d-leaking 720 - |
   "$coapt" valve remodel - --ap-dilation 15 --displace-al 1,1,1 --displace-pm 3,4,4 \
-    -o "$out/bodyparts3d-leaking.json"
+    --name bodyparts3d-leaking -o "$out/bodyparts3d-leaking.json"

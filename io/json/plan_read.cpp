@@ -9,8 +9,8 @@ namespace {
 constexpr std::size_t kMaxSteps = 100;
 constexpr Range kRingSizeMm = {24.0, 40.0};
 constexpr Range kNeochordaMm = {5.0, 40.0};
-constexpr Range kLengthChangeMm = {-30.0, 30.0};
-constexpr Range kSutureMm = {0.5, 100.0};
+constexpr Range kLengthChangeMm = {-20.0, 20.0};
+constexpr Range kSutureMm = {12.0, 100.0};
 constexpr Range kShare = {0.0, 1.0};
 constexpr int kMaxSizesBelow = 6;
 

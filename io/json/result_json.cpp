@@ -166,6 +166,7 @@ ordered_json to_json(const SearchResult& result) {
           {"best_cost_history", result.best_cost_history},
           {"stop", name_of(result.stop)},
           {"closures", result.closures},
+          {"evaluations", result.evaluations},
           {"closures_not_converged", result.closures_not_converged},
           {"closures_crossed", result.closures_crossed},
           {"seconds", result.seconds}};

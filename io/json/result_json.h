@@ -25,7 +25,9 @@ nlohmann::ordered_json closure_to_json(const Valve& valve, const ClosureResult& 
                                        const ValveMeasure& measure, double seconds);
 
 /// coapt.plans/1: before.orifice_area_mm2, plans[] with rank, plan,
-/// orifice_area_mm2.{nominal,mean,sd}, closures, seconds.
+/// orifice_area_mm2.{nominal,mean,sd}, closures (all of them), evaluations (those of the search),
+/// seconds. What is not known (mean, sd and worst of a
+/// plan that was not re-scored, measures of a valve that flew apart) is null.
 nlohmann::ordered_json to_json(const SearchResult& result);
 
 /// The "search" object of a request: {"evaluations", "seed", "threads", "plans", "region_points",

@@ -6,6 +6,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
+#include "search/warnings.h"
 #include "server/request.h"
 
 namespace coapt {
@@ -28,7 +29,9 @@ Answer PostClosures::operator()(std::string_view body) const {
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(*repaired, {.samples = kThesisSamples});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  return {200, closure_to_json(*repaired, closure, measure(*repaired, closure), seconds.count())};
+  auto json = closure_to_json(*repaired, closure, measure(*repaired, closure), seconds.count());
+  json["warnings"] = operation_warnings({plan, valve, *repaired, catalogue});
+  return {200, std::move(json)};
 }
 
 }  // namespace coapt

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from programs import BAD_INPUT, NO_COMPETENT_PLAN, NOT_CLOSED, OK, ProgramTest, coapt
+from programs import BAD_INPUT, FAILURE, NO_COMPETENT_PLAN, NOT_CLOSED, OK, ProgramTest, coapt
 
 VALVE = "human-functional-mr"
 NOTHING = {"schema": "coapt.plan/1", "steps": []}
@@ -42,11 +42,49 @@ class Close(ProgramTest):
         self.close("human-normal", "--render", picture)
         self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
+    def test_a_picture_is_refused_before_anything_is_closed_if_it_has_no_place(self):
+        result = coapt("close", "human-normal", "--render", "/nowhere/closed.png")
+        self.assertEqual((result.returncode, result.stdout), (FAILURE, ""))
+        self.assertIn("/nowhere/closed.png: cannot be written", result.stderr)
+        result = coapt("close", "human-normal", "--json", "--render", "-")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("--render", result.stderr)
+
+    def test_standard_input_is_read_once(self):
+        for command in [["close", "-", "--plan", "-"], ["evaluate", "-", "-"],
+                        ["evaluate", VALVE, "-", "-"]]:
+            with self.subTest(command):
+                valve = coapt("valve", "make", "human-normal", "-o", "-").stdout
+                result = coapt(*command, stdin=valve if command[1] == "-" else json.dumps(RING))
+                self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+                self.assertIn("standard input can be read once", result.stderr)
+
     def test_the_words_go_to_stdout_and_nothing_to_stderr(self):
         result = coapt("close", "human-normal")
         self.assertIn("human-normal: ", result.stdout)
         self.assertIn("mm2", result.stdout)
         self.assertEqual(result.stderr, "")
+
+    def test_the_words_begin_with_the_leak_even_where_the_orifice_hides_it(self):
+        words = coapt("close", "human-p2-prolapse").stdout
+        closure = self.close("human-p2-prolapse")
+        self.assertGreater(closure["leak_mm2"], 10.0 + closure["orifice_area_mm2"])
+        self.assertRegex(words.splitlines()[1], rf"^  leak +{closure['leak_mm2']:.1f} mm2.*hides")
+        self.assertIn(f"  gap             {closure['coaptation']['gap_area_mm2']:.1f} mm2", words)
+
+    def test_openings_too_small_to_show_are_left_to_json(self):
+        for valve in ["human-normal", VALVE, "human-p2-prolapse"]:
+            self.assertNotIn("  0.0 mm2 at", coapt("close", valve).stdout)
+
+    def test_an_absurd_ring_is_warned_about_in_words_and_in_json(self):
+        ring = {"step": "annuloplasty", "shape": "own", "sizes_below": 6}
+        plan = self.write("plan.json", {"schema": "coapt.plan/1", "steps": [ring]})
+        self.assertEqual(self.close(VALVE)["warnings"], [])
+        warnings = self.close(VALVE, "--plan", plan)["warnings"]
+        self.assertTrue(any("more than 4 ring sizes" in line for line in warnings), warnings)
+        words = coapt("close", VALVE, "--plan", plan).stdout
+        for line in warnings:
+            self.assertIn(f"  ! {line}\n", words)
 
     def test_a_wrong_plan_is_pointed_at(self):
         wrong = {"schema": "coapt.plan/1", "steps": [{"step": "chordal_excision", "chorda": "none"}]}

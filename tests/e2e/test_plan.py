@@ -6,7 +6,7 @@ import subprocess
 import time
 import unittest
 
-from programs import COAPT, INTERRUPTED, NO_COMPETENT_PLAN, OK, ProgramTest, coapt
+from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, SOURCE, ProgramTest, coapt
 
 VALVE = "human-functional-mr"
 SMALL = ["--evaluations", "12", "--seed", "3", "--plans", "2", "--region-points", "2"]
@@ -47,6 +47,12 @@ class Plan(ProgramTest):
         self.assertEqual(json.loads(closed.stdout)["orifice_area_mm2"],
                          best["orifice_area_mm2"]["nominal"])
 
+    def test_the_closures_are_those_that_the_help_adds_up(self):
+        arguments = ["--evaluations", "40", "--plans", "1", "--region-points", "7", "--json"]
+        result = json.loads(coapt("plan", VALVE, *arguments).stdout)
+        self.assertEqual(result["evaluations"], 40)
+        self.assertEqual(result["closures"], 1 + 40 + 2 * 4 + 2)
+
     def test_the_report_is_one_page_with_the_pictures_in_it(self):
         report = self.folder / "report.html"
         self.plan("-o", report)
@@ -54,6 +60,23 @@ class Plan(ProgramTest):
         self.assertIn("data:image/png;base64,", page)
         self.assertNotIn('src="http', page)
         self.assertIn("not a medical device", page)
+
+    def test_a_report_without_a_place_is_refused_before_the_search(self):
+        for path, code in [("/nowhere/r.html", FAILURE), ("-", BAD_INPUT)]:
+            with self.subTest(path):
+                result = coapt("plan", VALVE, "--evaluations", "100000", "--json", "-o", path)
+                self.assertEqual((result.returncode, result.stdout), (code, ""))
+                self.assertIn(path, result.stderr)
+
+    def test_a_path_that_was_only_tested_is_left_as_it_was(self):
+        old, new = self.write("old.html", "old"), self.folder / "new.html"
+        for path in [old, new]:
+            with subprocess.Popen([COAPT, "plan", VALVE, "--evaluations", "100000", "-o", path],
+                                  stdout=subprocess.DEVNULL) as search:
+                time.sleep(1)
+                search.kill()
+        self.assertEqual(old.read_text(), "old")
+        self.assertFalse(new.exists())
 
     def test_ctrl_c_prints_the_best_so_far(self):
         command = [COAPT, "plan", VALVE, "--evaluations", "100000", "--json"]
@@ -63,6 +86,31 @@ class Plan(ProgramTest):
             output, _ = search.communicate(timeout=60)
         self.assertEqual(search.returncode, INTERRUPTED)
         self.assertIn("before", json.loads(output))
+
+    def test_a_second_ctrl_c_ends_a_long_closure_at_once(self):
+        valve = SOURCE / "examples/valves/bodyparts3d-2600.json"
+        with subprocess.Popen([COAPT, "plan", valve], stdout=subprocess.PIPE, text=True) as search:
+            time.sleep(1)
+            search.send_signal(signal.SIGINT)
+            time.sleep(0.2)
+            self.assertIsNone(search.poll())
+            search.send_signal(signal.SIGINT)
+            output, _ = search.communicate(timeout=60)
+        self.assertEqual((search.returncode, output), (-signal.SIGINT, ""))
+
+    def test_a_plan_that_was_not_re_scored_has_no_region(self):
+        arguments = ["plan", VALVE, "--evaluations", "3", "--plans", "1", "--region-points", "1"]
+        orifice = json.loads(coapt(*arguments, "--json").stdout)["plans"][0]["orifice_area_mm2"]
+        self.assertIsInstance(orifice["nominal"], float)
+        self.assertEqual([orifice[key] for key in ["mean", "sd", "worst"]], [None] * 3)
+        words = coapt(*arguments).stdout
+        self.assertRegex(words, r"\n +1 +\S+ +\S+ +- +- +- ")
+        self.assertNotIn("region of interest", words)
+
+    def test_without_any_plan_there_is_no_table(self):
+        words = coapt("plan", VALVE, "--seconds", "1e-9").stdout
+        self.assertIn("\nno plan yet\n", words)
+        self.assertNotIn("rank", words)
 
     def test_the_time_limit_ends_the_search(self):
         result = coapt("plan", VALVE, "--evaluations", "100000", "--plans", "1", "--region-points", "1",

@@ -1,5 +1,6 @@
 """coapt-server, asked by curl."""
 
+import gzip
 import json
 import re
 import signal
@@ -100,6 +101,17 @@ class Server(ProgramTest):
     def test_a_body_without_length_or_in_parts_is_refused(self):
         self.assert_problem(self.curl("/v1/plans", "-X", "POST"), 411)
         self.assert_problem(self.curl("/v1/plans", "-F", "valve=1"), 415)
+
+    def test_an_encoded_body_is_415_whether_it_is_or_not(self):
+        for body in [gzip.compress(b'{"valve": {}}'), b"{}"]:
+            file = self.folder / "body.gz"
+            file.write_bytes(body)
+            answer = self.curl("/v1/closures", "-H", "Content-Encoding: gzip", "--data-binary", f"@{file}")
+            self.assert_problem(answer, 415)
+
+    def test_what_the_library_refuses_is_answered_in_json(self):
+        self.assert_problem(self.curl("/v1/plans", "-X", "BREW"), 400)
+        self.assert_problem(self.curl("/" + "v" * 9000), 414)
 
     def test_a_second_server_on_the_same_port_fails(self):
         port = self.url.rpartition(":")[2]

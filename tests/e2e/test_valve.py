@@ -1,10 +1,11 @@
 """coapt valve make | import | check | info | remodel."""
 
 import json
+import subprocess
 import unittest
 
 import jsonschema
-from programs import BAD_INPUT, FAILURE, OK, SOURCE, ProgramTest, coapt
+from programs import BAD_INPUT, COAPT, FAILURE, OK, SOURCE, ProgramTest, coapt
 
 PRESETS = [f"porcine-{i}" for i in range(1, 6)] + [
     "human-normal", "human-functional-mr", "human-p2-prolapse"]
@@ -39,6 +40,38 @@ class CommandLine(ProgramTest):
                 self.assertEqual(result.stdout, "")
                 self.assertNotEqual(result.stderr, "")
 
+    def test_an_unknown_command_is_named(self):
+        for arguments in [["fly"], ["valve", "fly"]]:
+            self.assertIn("unknown: fly", coapt(*arguments).stderr)
+
+    def test_numbers_are_whole_and_in_range_and_their_option_is_named(self):
+        for option, values in {"--evaluations": ["0", "abc", "1e3", "12x", "9" * 30],
+                               "--seed": ["-1", "18446744073709551616", "1.5"],
+                               "--seconds": ["nan", "inf", "-1", "1000001"]}.items():
+            for value in values:
+                with self.subTest(option + value):
+                    result = coapt("plan", "human-normal", option, value)
+                    self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+                    self.assertIn(f"{option}: is {value}, must be a", result.stderr)
+
+    PRINTING = ["--help", "--version", "valve info human-normal", "valve check human-normal --json",
+                "valve make human-normal -o -", "close human-normal --json"]
+
+    def test_a_result_that_is_lost_is_1_and_said(self):
+        for command in self.PRINTING:
+            for redirection in [">/dev/full", ">&-"]:
+                with self.subTest(command + redirection):
+                    result = subprocess.run(f"exec '{COAPT}' {command} {redirection}", shell=True,
+                                            stderr=subprocess.PIPE, text=True, timeout=60)
+                    self.assertEqual(result.returncode, FAILURE)
+                    self.assertEqual(result.stderr, "coapt: standard output: cannot be written\n")
+
+    def test_without_standard_output_files_hold_nothing_else(self):
+        picture = self.folder / "closed.png"
+        subprocess.run(f"exec '{COAPT}' close human-normal --render '{picture}' >&-", shell=True,
+                       stderr=subprocess.DEVNULL, timeout=60)
+        self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
 
 class Make(ProgramTest):
     def test_every_preset_passes_check_and_its_schema(self):
@@ -66,7 +99,7 @@ class Make(ProgramTest):
     def test_an_impossible_dimension_is_named(self):
         result = coapt("valve", "make", "--ap-mm", "-3", "-o", "-")
         self.assertEqual(result.returncode, BAD_INPUT)
-        self.assertIn("/ap_mm", result.stderr)
+        self.assertIn(" --ap-mm: ", result.stderr)
         self.assertEqual(result.stdout, "")
 
     def test_an_output_that_cannot_be_written_is_1(self):
@@ -114,6 +147,11 @@ class Check(ProgramTest):
             with self.subTest(command):
                 self.assertEqual(coapt(*command, "no-such-file.json").returncode, BAD_INPUT)
 
+    def test_a_problem_of_the_whole_file_names_it(self):
+        result = coapt("valve", "check", "human-norma")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("human-norma: no such file", result.stdout)
+
     def test_a_directory_is_bad_input(self):
         self.assertEqual(coapt("valve", "check", self.folder).returncode, BAD_INPUT)
 
@@ -142,6 +180,21 @@ class Remodel(ProgramTest):
             for axis in range(3):
                 shift = new["tip_mm"][axis] - old["tip_mm"][axis]
                 self.assertAlmostEqual(shift, expected[axis], places=9)
+
+    def test_the_new_valve_has_a_name_of_its_own_and_says_where_it_comes_from(self):
+        worse, worst = self.folder / "worse.json", self.folder / "worst.json"
+        self.run_ok("valve", "remodel", "human-normal", "--ap-dilation", "15", "-o", worse)
+        self.assertEqual(self.info(worse)["name"], "human-normal remodelled")
+        self.assertIn("dilation 15 %", self.info(worse)["provenance"][-1])
+        self.run_ok("valve", "remodel", worse, "--name", "worst", "-o", worst)
+        self.assertEqual(self.info(worst)["name"], "worst")
+
+    def test_values_out_of_range_are_named_by_their_options(self):
+        result = coapt("valve", "remodel", "human-normal", "--ap-dilation", "1000",
+                       "--displace-pm", "1,2,300", "-o", "-")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn(" --ap-dilation: ", result.stderr)
+        self.assertIn(" --displace-pm/2: ", result.stderr)
 
 
 class Import(ProgramTest):

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <mutex>
 
@@ -44,6 +46,9 @@ SearchResult searched(const Evaluator& evaluate, const SearchOptions& options) {
   return *result;
 }
 
+/// NaN equals itself.
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
 void expect_same(const SearchResult& a, const SearchResult& b) {
   EXPECT_EQ(a.best_cost_history, b.best_cost_history);
   EXPECT_EQ(a.closures, b.closures);
@@ -51,8 +56,10 @@ void expect_same(const SearchResult& a, const SearchResult& b) {
   for (std::size_t i = 0; i < a.plans.size(); ++i) {
     EXPECT_EQ(a.plans[i].description, b.plans[i].description);
     EXPECT_EQ(a.plans[i].cost, b.plans[i].cost);
-    EXPECT_EQ(a.plans[i].orifice_area_mm2.mean, b.plans[i].orifice_area_mm2.mean);
-    EXPECT_EQ(a.plans[i].orifice_area_mm2.sd, b.plans[i].orifice_area_mm2.sd);
+    const OrificeStatistics &p = a.plans[i].orifice_area_mm2, &q = b.plans[i].orifice_area_mm2;
+    EXPECT_EQ(p.nominal, q.nominal);
+    EXPECT_EQ(bits(p.mean), bits(q.mean));
+    EXPECT_EQ(bits(p.sd), bits(q.sd));
   }
 }
 
@@ -86,6 +93,7 @@ TEST(Search, HoldsItsBudgetExactly) {
     options.evaluations = evaluations;
     const SearchResult result = searched(stub, options);
     EXPECT_EQ(result.best_cost_history.size(), static_cast<std::size_t>(evaluations));
+    EXPECT_EQ(result.evaluations, evaluations);
     EXPECT_EQ(result.stop, SearchStop::EvaluationLimit);
     if (evaluations < 90) continue;  // fewer finalists than are wanted
     // Before, the search, 2 x 3 plans at 4 nodes, 3 plans at the other 4 of 9.
@@ -168,6 +176,27 @@ TEST(Search, CancelledItReturnsTheBestSoFar) {
   EXPECT_EQ(result->closures, 20);
   ASSERT_FALSE(result->plans.empty());
   EXPECT_EQ(result->plans[0].region_closures, 1);
+}
+
+TEST(Search, SaysNothingOfARegionThatWasNotClosed) {
+  // Every plan leaks 8 mm2: more than is good, at any node.
+  const Evaluator evaluate = [](const Valve& valve) {
+    Evaluation evaluation = stub(valve);
+    evaluation.measure.orifice.area_mm2 = 8.0;
+    return evaluation;
+  };
+  SearchOptions options = small_search();
+  options.region_points = 1;
+  for (const RankedPlan& plan : searched(evaluate, options).plans) {
+    EXPECT_EQ(plan.leak_mm2.nominal, 8.0);
+    for (const OrificeStatistics& region : {plan.leak_mm2, plan.orifice_area_mm2}) {
+      EXPECT_TRUE(std::isnan(region.mean) && std::isnan(region.sd) && std::isnan(region.worst));
+    }
+    for (const std::string& warning : plan.warnings)
+      EXPECT_EQ(warning.find("region"), std::string::npos) << warning;
+  }
+  options.region_points = 2;
+  EXPECT_EQ(searched(evaluate, options).plans.at(0).leak_mm2.mean, 8.0);
 }
 
 TEST(Search, OutOfTimeItReturnsWhatThereIs) {

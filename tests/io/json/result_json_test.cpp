@@ -93,6 +93,14 @@ TEST(ResultJson, ASearchHasTheKeysThatScriptsRelyOn) {
                                       "region_closures", "region_failures", "warnings"}));
 }
 
+TEST(ResultJson, ARegionThatIsNotKnownIsNull) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  SearchResult search;
+  search.plans.emplace_back().orifice_area_mm2 = {1.5, kUnknown, kUnknown, kUnknown};
+  EXPECT_EQ(to_json(search)["plans"][0]["orifice_area_mm2"].dump(),
+            R"({"nominal":1.5,"mean":null,"sd":null,"worst":null})");
+}
+
 TEST(SearchOptionsJson, NoFieldIsRequired) {
   const auto options = search_options_from_json(json::object());
   ASSERT_TRUE(options);

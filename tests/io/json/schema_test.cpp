@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/repair/apply_plan.h"
 #include "io/json/plan_json.h"
 #include "io/json/valve_json.h"
 #include "tests/io/json/found.h"
@@ -169,6 +170,35 @@ TEST(ValveSchema, AgreesWithTheReaderOnRanges) {
   }
 }
 
+// Where one number alone cannot be at the end of its range: the reader may find other faults, but
+// does not call it out of range.
+void expect_range_is_known(const json& range, const std::string& at) {
+  for (const char* end : {"minimum", "maximum"}) {
+    const double limit = range[end];
+    const double outwards = end == std::string("minimum") ? -1.0 : 1.0;
+    for (const double number : {limit, std::nextafter(limit, outwards * INFINITY)}) {
+      json document = small_json();
+      document[json::json_pointer(at)] = number;
+      const Found found = problems_of(read_valve(document.dump()));
+      const auto here =
+          std::count(found.begin(), found.end(), std::pair(ErrorCode::OutOfRange, at));
+      EXPECT_EQ(here, number == limit ? 0 : 1) << at << ' ' << end;
+    }
+  }
+}
+
+TEST(ValveSchema, AgreesWithTheReaderOnPlacesAndWeights) {
+  const Schema schema("valve");
+  const json& kinds = schema.root()["$defs"];
+  for (const std::string at :
+       {"/vertices_mm/9/0", "/annulus/positions_mm/2/1", "/papillary_heads/0/rest_mm/2",
+        "/papillary_heads/1/tip_mm/0", "/chordae/0/segments/0/branch_point_mm/1"}) {
+    expect_range_is_known(kinds["point"]["items"], at);
+  }
+  const json& insertion = kinds["segment"]["properties"]["insertion"]["properties"];
+  expect_range_is_known(insertion["weights"]["items"], "/chordae/0/segments/1/insertion/weights/0");
+}
+
 TEST(PlanSchema, AcceptsWhatIsWritten) { EXPECT_TRUE(Schema("plan").accepts(full_plan())); }
 
 TEST(PlanSchema, AgreesWithTheReaderOnEveryField) {
@@ -189,6 +219,49 @@ TEST(PlanSchema, AgreesWithTheReaderOnRanges) {
   check("approximation_to_landmark", "suture_length_mm", "/steps/6/suture_length_mm");
   check("approximation_to_point", "suture_length_mm", "/steps/7/suture_length_mm");
   check("approximation_to_point", "annulus_around", "/steps/7/annulus_around");
+}
+
+TEST(PlanSchema, AgreesWithTheReaderOnRingSizesBelow) {
+  const Schema schema("plan");
+  json plan = full_plan();
+  for (const int sizes : {-1, 0, 6, 7}) {
+    plan["steps"][0]["sizes_below"] = sizes;
+    EXPECT_EQ(schema.accepts(plan), sizes >= 0 && sizes <= 6);
+    EXPECT_EQ(reads_plan(plan), sizes >= 0 && sizes <= 6);
+  }
+}
+
+// What is read may be impossible on a valve, but is in range for the step.
+TEST(PlanSchema, AgreesWithTheStepsOnRanges) {
+  const json kinds = Schema("plan").root()["$defs"];
+  const LeafletPoint point = {Leaflet::Posterior, 0.5, 1.0};
+  const auto refusals = [](const RepairStep& step) {
+    return problems_of(apply_plan(small_valve(), {{step}}, ring_catalogue()));
+  };
+  const auto check = [&](const char* kind, const char* field, const auto& step_with) {
+    const json& range = kinds[kind]["properties"][field];
+    for (const double number : {range["minimum"].get<double>(), range["maximum"].get<double>()}) {
+      for (const auto& [code, path] : refusals(step_with(number)))
+        EXPECT_NE(code, ErrorCode::OutOfRange) << path << ' ' << number;
+    }
+    const double below = std::nextafter(range["minimum"].get<double>(), -INFINITY);
+    const double above = std::nextafter(range["maximum"].get<double>(), INFINITY);
+    EXPECT_NE(refusals(step_with(below)), Found{}) << field;
+    EXPECT_NE(refusals(step_with(above)), Found{}) << field;
+  };
+  check("catalogue_ring", "size_mm", [](double size) {
+    return Annuloplasty{"generic-classic", size, 0};
+  });
+  check("neochorda", "length_mm", [&](double length) { return Neochorda{"AL1", point, length}; });
+  check("chordal_length_change", "change_mm", [](double change) {
+    return ChordalLengthChange{"AL1-P1-marginal-1", change};
+  });
+  check("approximation_to_landmark", "suture_length_mm", [](double length) {
+    return PapillaryApproximation{Side::Anterolateral, Anchor::SaddlePeak, 0.25, length};
+  });
+  check("approximation_to_point", "annulus_around", [](double around) {
+    return PapillaryApproximation{Side::Anterolateral, Anchor::AnnulusPoint, around, 24.0};
+  });
 }
 
 }  // namespace
