@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <set>
 
@@ -75,15 +76,17 @@ RankedPlan ranked(const RankRequest& request, const Trial& trial,
   return plan;
 }
 
+bool failed(const RankedPlan& plan) { return !trusted({plan.status, plan.crossing, plan.measure}); }
+
 bool is_better(const RankedPlan& a, const RankedPlan& b) {
-  const auto failed = [](const RankedPlan& plan) {
-    return plan.status != ClosureStatus::Converged || plan.crossing;
-  };
   const auto leak_class = [](const RankedPlan& plan) {
     return std::floor((plan.leak_mm2.mean + plan.leak_mm2.sd) / kClass_mm2);
   };
   if (failed(a) != failed(b)) return failed(b);
   if (failed(a)) return a.cost < b.cost;
+  const auto share_a = std::int64_t{a.region_failures} * b.region_closures;
+  const auto share_b = std::int64_t{b.region_failures} * a.region_closures;
+  if (share_a != share_b) return share_a < share_b;
   if (leak_class(a) != leak_class(b)) return leak_class(a) < leak_class(b);
   return a.cost < b.cost;
 }
@@ -121,6 +124,15 @@ void close_nodes(const RankRequest& request, const std::vector<Perturbation>& no
 }
 
 }  // namespace
+
+bool closes_robustly(const RankedPlan& plan) {
+  return !failed(plan) && plan.region_failures == 0 && plan.region_closures > 1 &&
+         plan.leak_mm2.mean + plan.leak_mm2.sd < kCompetentLeak_mm2;
+}
+
+bool closes_robustly(const SearchResult& result) {
+  return !result.plans.empty() && closes_robustly(result.plans.front());
+}
 
 int ranking_closures(const SearchOptions& options) {
   const int first = first_nodes(options);

@@ -45,9 +45,18 @@ struct RankedPlan {
   double anterolateral_movement_mm = 0.0;  ///< of the papillary muscle
   double posteromedial_movement_mm = 0.0;
   int region_closures = 1;  ///< nodes of the region of interest that were closed
-  int region_failures = 0;  ///< of these: not converged or crossed, left out of the statistics
+  int region_failures = 0;  ///< of these: not trusted (evaluator.h), left out of the statistics
   std::vector<std::string> warnings;
 };
+
+/// Leak (orifice and hidden gap) below which a closed valve counts as competent.
+inline constexpr double kCompetentLeak_mm2 = 1.0;
+
+/// Whether the plan closes the valve also when the surgeon's hand varies: it converges without
+/// crossing, so does every closure over its region of interest (region_failures is 0), and mean + sd
+/// of the leak, by which plans are ranked, is below kCompetentLeak_mm2. False where nothing of the
+/// region but the plan itself was closed: cancelled, out of time, or region_points 1.
+bool closes_robustly(const RankedPlan& plan);
 
 enum class SearchStop { EvaluationLimit, TimeLimit, Cancelled };
 
@@ -68,6 +77,9 @@ struct SearchResult {
   int closures_not_converged = 0, closures_crossed = 0;
   double seconds = 0.0;
 };
+
+/// Whether the best-ranked plan does; false without plans.
+bool closes_robustly(const SearchResult& result);
 
 /// Errors point into the options ("/evaluations").
 /// @param progress called now and then, from one thread at a time; may be empty.
