@@ -21,7 +21,8 @@ struct SearchOptions {
   int threads = 0;         ///< [0, 1024], 0: all cores. Does not change the result
   int plans = 5;           ///< how many ranked plans to report, [1, 50]
   int region_points = 17;  ///< [1, 1089] nodes of the region of interest, for each reported plan
-  double seconds = 0.0;    ///< stop earlier when this much time is gone; 0: no limit
+  double seconds = 0.0;  ///< stop earlier when this much time is gone, the last 40 % of it spent on
+                         ///< ranking; 0: no limit
   ClosureOptions closure;
 };
 
@@ -44,7 +45,8 @@ struct RankedPlan {
   double ring_sizes_below = 0.0;  ///< of the annulus's area, 0 without a ring (objective.h)
   double anterolateral_movement_mm = 0.0;  ///< of the papillary muscle
   double posteromedial_movement_mm = 0.0;
-  int region_closures = 1;  ///< nodes of the region of interest that were closed
+  int region_closures = 1;  ///< nodes of the region of interest that were closed, the plan's own
+                            ///< included; the same for all plans of a result
   int region_failures = 0;  ///< of these: not trusted (evaluator.h), left out of the statistics
   std::vector<std::string> warnings;
 };

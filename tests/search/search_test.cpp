@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
-#include <mutex>
+#include <thread>
 
 #include "core/repair/apply_plan.h"
 #include "core/valve/annulus_frame.h"
@@ -228,6 +229,41 @@ TEST(Search, CancelledItReturnsTheBestSoFar) {
   EXPECT_EQ(result->closures, 20);
   ASSERT_FALSE(result->plans.empty());
   EXPECT_EQ(result->plans[0].region_closures, 1);
+}
+
+TEST(Search, StoppedWhileRankingItComparesAllPlansOverTheSameNodes) {
+  // After 91 closures, 6 finalists at nodes 1 to 4, then 3 of them at nodes 5 to 8. The third plan
+  // has not been closed at the last node.
+  for (const auto& [closures, nodes] : {std::pair(91 + 8, 2), std::pair(91 + 24 + 5, 6)}) {
+    std::atomic<bool> cancelled = false;
+    std::atomic<int> done = 0;
+    const Evaluator evaluate = [&, last = closures](const Valve& valve) {
+      if (++done == last) cancelled = true;
+      return stub(valve);
+    };
+    SearchOptions options = small_search();
+    options.threads = 1;
+    const Expected<SearchResult> result =
+        search_plans_with(evaluate, small_valve(), options, kCatalogue, {}, &cancelled);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->closures, closures);
+    ASSERT_EQ(result->plans.size(), 3u);
+    for (const RankedPlan& plan : result->plans) EXPECT_EQ(plan.region_closures, nodes);
+  }
+}
+
+TEST(Search, WithLittleTimeItStillClosesTheRegionOfItsPlans) {
+  const Evaluator evaluate = [](const Valve& valve) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return stub(valve);
+  };
+  SearchOptions options = small_search();
+  options.evaluations = 100000;
+  options.seconds = 0.5;
+  const SearchResult result = searched(evaluate, options);
+  EXPECT_EQ(result.stop, SearchStop::TimeLimit);
+  ASSERT_EQ(result.plans.size(), 3u);
+  for (const RankedPlan& plan : result.plans) EXPECT_GT(plan.region_closures, 1);
 }
 
 TEST(Search, OutOfTimeItReturnsWhatThereIs) {
