@@ -4,19 +4,15 @@
 #include <cstdio>
 
 #include "core/repair/annuloplasty.h"
+#include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
 
 namespace coapt {
 namespace {
 
-constexpr double kRingSize_mm = 2.0;
-constexpr double kMostSizesBelow = 4.0;    // more is rejected in practice
 constexpr double kStenoticRing_mm = 27.0;  // predicts functional stenosis
-constexpr double kMuchMovement_mm = 10.0, kTooMuchMovement_mm = 15.0;
-constexpr Range kUsualNeochordaMm = {10.0, 30.0};
 constexpr double kTensionRise = 3.0;     // neochordae 5 % too short: no leak, three times the force
 constexpr double kTensionFloor_n = 0.2;  // below it a rise means nothing
-constexpr double kGoodRepair_mm2 = 5.0;  // thesis 4.2.3
 
 std::string mm(double value) {
   char text[32];
@@ -30,7 +26,7 @@ void about(const Annuloplasty& ring, const Valve& valve, const std::vector<RingS
            Lines& lines) {
   const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
   const double width = ring.shape == "own"
-                           ? transverse - kRingSize_mm * ring.sizes_below
+                           ? transverse - kRingSizeStep_mm * ring.sizes_below
                            : ring_width_mm(*find_ring(catalogue, ring.shape), ring.size_mm);
   if (width > transverse)
     lines.push_back("ring wider than the annulus (" + mm(width) + " against " + mm(transverse) +
@@ -62,10 +58,10 @@ void about(const ChordalExcision&, const Valve&, const std::vector<RingShape>&, 
 void about(const ChordalTransfer&, const Valve&, const std::vector<RingShape>&, Lines&) {}
 
 void about_movement(double movement, const char* side, Lines& lines) {
-  if (movement > kTooMuchMovement_mm)
+  if (movement > kRejectedMovement_mm)
     lines.push_back(std::string(side) + " muscle moved by " + mm(movement) +
                     ": more than 15 mm is rejected in practice");
-  else if (movement > kMuchMovement_mm)
+  else if (movement > kUsualMovement_mm)
     lines.push_back(std::string(side) + " muscle moved by " + mm(movement) +
                     ": more than 10 mm is unusual");
 }
