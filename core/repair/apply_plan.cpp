@@ -33,7 +33,7 @@ void place_ring(const RepairPlan& plan, const std::vector<RingShape>& catalogue,
   for (std::size_t k = 1; k < rings.size(); ++k)
     refuse_second(step_path(rings[k]), "ring", rings[0], problems);
   const auto& step = std::get<Annuloplasty>(plan.steps[rings[0]]);
-  if (check_annuloplasty(step, catalogue, step_path(rings[0]), problems))
+  if (check_annuloplasty(step, valve, catalogue, step_path(rings[0]), problems))
     apply_annuloplasty(step, catalogue, valve);
 }
 
