@@ -83,6 +83,11 @@ std::vector<std::optional<Annuloplasty>> rings(const Valve& valve,
   return offered;
 }
 
+bool is_possible(const Valve& ringed, PapillaryApproximation suture, double length_mm) {
+  suture.suture_length_mm = length_mm;
+  return bool(apply_plan(ringed, {{suture}}, {}));
+}
+
 /// Adds the suture with its parameter. False if the muscle cannot be pulled.
 bool add_suture(const Valve& ringed, Side side, Anchor anchor, Strategy& strategy) {
   PapillaryApproximation suture{.side = side, .anchor = anchor};
@@ -95,6 +100,10 @@ bool add_suture(const Valve& ringed, Side side, Anchor anchor, Strategy& strateg
   parameter.lattice_mm = kSutureLattice_mm;
   parameter.lower_mm = kSutureLattice_mm * std::ceil(least / kSutureLattice_mm);
   parameter.upper_mm = kSutureLattice_mm * std::floor(most / kSutureLattice_mm);
+  // Tips move along a line, so that all lengths above one that is possible are.
+  while (parameter.lower_mm <= parameter.upper_mm &&
+         !is_possible(ringed, suture, parameter.lower_mm))
+    parameter.lower_mm += parameter.lattice_mm;
   if (parameter.upper_mm < parameter.lower_mm) return false;
   parameter.start_mm =
       std::clamp(kSutureLattice_mm * std::round((distance - kFirstMovement_mm) / kSutureLattice_mm),
