@@ -122,7 +122,7 @@ bool check_points(const Points& points, const std::string& path, ProblemList& pr
   return good;
 }
 
-Errors validate(const Valve& valve) {
+ProblemList problems_in(const Valve& valve) {
   ProblemList problems;
   check_range(problems, "/pressure_kpa", valve.pressure_kpa, kPressureKpa, " kPa");
   check_tissue(valve.tissue, problems);
@@ -131,7 +131,9 @@ Errors validate(const Valve& valve) {
   check_annulus(valve, mesh, problems);
   check_heads(valve, problems);
   check_chordae(valve, problems);
-  return std::move(problems).take();
+  return problems;
 }
+
+Errors validate(const Valve& valve) { return problems_in(valve).take(); }
 
 }  // namespace coapt
