@@ -206,6 +206,19 @@ TEST(ValidateMesh, AreNotTooManyFaces) {
   EXPECT_TRUE(contains(found(fill(100001)), OutOfRange, "/faces"));
 }
 
+TEST(ValidateMesh, EachLeafletHasItsThreeSegments) {
+  const auto paint = [](Segment from, Segment to) {
+    return [from, to](Valve& v) { std::replace(v.segments.begin(), v.segments.end(), from, to); };
+  };
+  EXPECT_EQ(found(paint(Segment::A2, Segment::A1)), (Found{{BadTopology, "/segments"}}));
+  const auto all_p2 = [](Valve& v) {
+    std::fill(v.segments.begin(), v.segments.end(), Segment::P2);
+  };
+  EXPECT_EQ(found(all_p2), (Found{{BadTopology, "/segments"}}));
+  EXPECT_EQ(first_message(all_p2).find("has no face of A1 A2 A3 P1 P3;"), 0u);
+  EXPECT_EQ(found([](Valve& v) { v.segments[0] = Segment::PC; }), Found{});
+}
+
 TEST(ValidateMesh, FibresAreUnitVectorsInTheirFaces) {
   EXPECT_EQ(found([](Valve& v) { v.fibre.row(4) *= 1.01; }), (Found{{OutOfRange, "/fibre/4"}}));
   EXPECT_EQ(found([](Valve& v) { v.fibre(4, 0) = kNan; }), (Found{{OutOfRange, "/fibre/4"}}));
