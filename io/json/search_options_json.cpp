@@ -14,29 +14,6 @@ JsonField integer(std::string_view name, int& target, int min, int max) {
   return {name, into(target, read), false};
 }
 
-Method read_method(const JsonPlace& place) {
-  const std::string known = to_string(Method::Thesis);
-  if (read_string(place) != known && place.value.is_string()) {
-    add_problem(place, ErrorCode::Unsupported, "is not a method, must be \"" + known + '"');
-  }
-  return Method::Thesis;
-}
-
-ClosureOptions read_closure_options(const JsonPlace& place) {
-  ClosureOptions options;
-  read_fields(place,
-              {{"method", into(options.method, read_method), false},
-               number("residual_tolerance", options.residual_tolerance, {1e-6, 1.0}),
-               integer("max_steps", options.max_steps, 1, 10'000'000),
-               number("contact_thickness_mm", options.contact_thickness_mm, {0.01, 5.0}, " mm"),
-               number("contact_stiffness_n_per_mm4", options.contact_stiffness_n_per_mm4,
-                      {1e-3, 100.0}, " N/mm4"),
-               number("damping_per_ms", options.damping_per_ms, {0.0, 10.0}, " /ms"),
-               integer("samples", options.samples, 1, 100),
-               number("sample_interval_ms", options.sample_interval_ms, {0.01, 100.0}, " ms")});
-  return options;
-}
-
 }  // namespace
 
 Expected<SearchOptions> search_options_from_json(const nlohmann::json& json) {
@@ -47,8 +24,7 @@ Expected<SearchOptions> search_options_from_json(const nlohmann::json& json) {
                                  integer("threads", options.threads, 0, 1024),
                                  integer("plans", options.plans, 1, 50),
                                  integer("region_points", options.region_points, 1, 1089),
-                                 number("seconds", options.seconds, {0.0, 1e6}, " s"),
-                                 {"closure", into(options.closure, read_closure_options), false}});
+                                 number("seconds", options.seconds, {0.0, 1e6}, " s")});
   if (!problems.empty()) return std::move(problems).take();
   return options;
 }
