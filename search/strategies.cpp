@@ -180,6 +180,7 @@ std::optional<Strategy> make_strategy(const Valve& valve, const std::vector<Ring
       !add_suture(*ringed, Side::Posteromedial, *choice.posteromedial, strategy))
     return std::nullopt;
   if (choice.neochordae > 0) add_neochordae(valve, choice.neochordae, strategy);
+  if (!apply_plan(valve, strategy.plan, catalogue)) return std::nullopt;  // too many chordae
   return strategy;
 }
 

@@ -126,6 +126,18 @@ TEST(Strategy, SuturesKeepEveryHeadBelowTheAnnulus) {
   EXPECT_FALSE(apply_plan(valve, shorter, {}));
 }
 
+TEST(Strategy, IsNoneWhereTheValveTakesNoMoreChordae) {
+  Valve valve = with_rupture();
+  Choice choice;
+  choice.neochordae = 2;
+  EXPECT_TRUE(make_strategy(valve, {}, choice));
+  for (int i = 3; i <= 1999; ++i) {
+    valve.chordae.push_back(valve.chordae[1]);
+    valve.chordae.back().id = std::to_string(i);
+  }
+  EXPECT_FALSE(make_strategy(valve, {}, choice));
+}
+
 TEST(Neochordae, GoToTheLesionFromTheirOwnHalf) {
   // Chorda 0 inserts at vertices 20 and 21 of the free edge: in P1, near the anterolateral
   // commissure.
