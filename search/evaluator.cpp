@@ -1,5 +1,7 @@
 #include "search/evaluator.h"
 
+#include <cmath>
+
 namespace coapt {
 
 Evaluator closing_evaluator(const ClosureOptions& options) {
@@ -10,7 +12,8 @@ Evaluator closing_evaluator(const ClosureOptions& options) {
 }
 
 bool trusted(const Evaluation& evaluation) {
-  return evaluation.status == ClosureStatus::Converged && !evaluation.crossing;
+  return evaluation.status == ClosureStatus::Converged && !evaluation.crossing &&
+         std::isfinite(leak_mm2(evaluation.measure));
 }
 
 }  // namespace coapt

@@ -19,7 +19,8 @@ using Evaluator = std::function<Evaluation(const Valve&)>;
 
 Evaluator closing_evaluator(const ClosureOptions& options);
 
-/// Converged, without leaflets through each other: only then do the measures mean anything.
+/// Converged, without leaflets through each other, its leak a number: only then do the measures mean
+/// anything.
 bool trusted(const Evaluation& evaluation);
 
 }  // namespace coapt

@@ -7,6 +7,8 @@
 namespace coapt {
 namespace {
 
+constexpr double kMostOfRange = 0.49;
+
 struct Context {
   const BoundedProblem& problem;
   const PointCost& cost;
@@ -35,20 +37,25 @@ void minimise(const BoundedProblem& problem, const PointCost& cost, std::uint64_
       static_cast<unsigned long>(seed));  // its generator is per thread, seeded by the clock
   nlopt::opt optimizer(nlopt::LN_BOBYQA, static_cast<unsigned>(problem.start.size()));
   Context context{problem, cost, optimizer, nullptr};
-  std::vector<double> tolerance = problem.first_step;
+  // BOBYQA takes no first step beyond half a range, and calls nothing then.
+  std::vector<double> first_step = problem.first_step;
+  for (std::size_t k = 0; k < first_step.size(); ++k)
+    if (const double range = problem.upper[k] - problem.lower[k]; range > 0.0)
+      first_step[k] = std::min(first_step[k], kMostOfRange * range);
+  std::vector<double> tolerance = first_step;
   for (double& t : tolerance) t *= problem.tolerance;
   optimizer.set_min_objective(call, &context);
   optimizer.set_lower_bounds(problem.lower);
   optimizer.set_upper_bounds(problem.upper);
-  optimizer.set_initial_step(problem.first_step);
+  optimizer.set_initial_step(first_step);
   optimizer.set_xtol_abs(tolerance);
   optimizer.set_maxeval(problem.most_calls);
   std::vector<double> point = problem.start;
   double value = 0.0;
   try {
     optimizer.optimize(point, value);
-  } catch (const std::exception&) {
-    // Forced stop, rounding limit on a plateau: the caller has what was evaluated.
+  } catch (const nlopt::forced_stop&) {
+  } catch (const nlopt::roundoff_limited&) {  // on a plateau: the caller has what was evaluated
   }
   if (context.thrown) std::rethrow_exception(context.thrown);
 }

@@ -11,7 +11,8 @@ namespace coapt {
 
 struct BoundedProblem {
   std::vector<double> lower, upper, start;  ///< |n|, start within the bounds
-  std::vector<double> first_step;           ///< |n|, > 0: where the optimiser first looks
+  std::vector<double> first_step;           ///< |n|, > 0: where the optimiser first looks; cut to
+                                            ///< 0.49 of the range
   double tolerance = 0.1;  ///< stop when steps are shorter than this share of the first
   int most_calls = 100;
 };
@@ -20,7 +21,7 @@ struct BoundedProblem {
 using PointCost = std::function<std::optional<double>(const std::vector<double>&)>;
 
 /// Calls `cost` until it is satisfied, told to stop, or out of calls; whoever calls keeps the best.
-/// NLopt's own failures (rounding on a plateau) are an end like any other.
+/// Rounding on a plateau is an end like any other; what else NLopt throws is thrown on: a bug here.
 void minimise(const BoundedProblem& problem, const PointCost& cost, std::uint64_t seed);
 
 }  // namespace coapt

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
 
 namespace coapt {
 namespace {
 
-constexpr double kGoodRepair_mm2 = 5.0;     // thesis 4.2.3
-constexpr double kCoaptationAim_mm = 8.0;   // an aim of surgeons, evidence is weak
-constexpr double kUsualMovement_mm = 10.0;  // papillary relocation: more is a warning
-constexpr double kRingSize_mm = 2.0;
-constexpr double kMostSizesBelow = 4.0;  // more is rejected in practice
+constexpr double kCoaptationAim_mm = 8.0;  // an aim of surgeons, evidence is weak
 constexpr double kHealthyProportion =
     0.75;  // AP over transverse: 29 / 39 (PMC7368231), classic rings
 
@@ -38,7 +35,7 @@ double ring_sizes_below(const Valve& before, const Valve& repaired) {
   const double width = transverse_diameter_mm(before, native);
   const double share = ap_diameter_mm(repaired, ringed) * transverse_diameter_mm(repaired, ringed) /
                        (kHealthyProportion * width * width);
-  return excess((1.0 - std::sqrt(share)) * width, 0.0) / kRingSize_mm;
+  return excess((1.0 - std::sqrt(share)) * width, 0.0) / kRingSizeStep_mm;
 }
 
 Effort effort(const Valve& before, const Valve& repaired, const RepairPlan& plan) {

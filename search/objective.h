@@ -10,6 +10,9 @@
 
 namespace coapt {
 
+/// Leak that a good repair leaves at most (thesis 4.2.3).
+inline constexpr double kGoodRepair_mm2 = 5.0;
+
 /// What a plan asks of the patient.
 struct Effort {
   double anterolateral_movement_mm = 0.0;  ///< of the papillary muscle

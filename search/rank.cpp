@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "core/repair/apply_plan.h"
 #include "search/objective.h"
@@ -42,8 +44,9 @@ OrificeStatistics statistics(double nominal, const std::vector<double>& areas) {
   return result;
 }
 
+/// @param region its first `nodes` are closed; the others do not count.
 RankedPlan ranked(const RankRequest& request, const Trial& trial,
-                  const std::vector<std::optional<Evaluation>>& region) {
+                  const std::vector<std::optional<Evaluation>>& region, std::size_t nodes) {
   RankedPlan plan;
   plan.plan = trial.plan;
   plan.description = describe(request.valve, trial.plan);
@@ -57,10 +60,8 @@ RankedPlan ranked(const RankRequest& request, const Trial& trial,
   plan.anterolateral_movement_mm = asked.anterolateral_movement_mm;
   plan.posteromedial_movement_mm = asked.posteromedial_movement_mm;
   std::vector<double> areas, leaks;
-  plan.region_closures = 0;
-  for (const std::optional<Evaluation>& evaluation : region) {
-    if (!evaluation) continue;
-    ++plan.region_closures;
+  plan.region_closures = static_cast<int>(nodes);
+  for (const std::optional<Evaluation>& evaluation : std::span(region).first(nodes)) {
     if (!trusted(*evaluation)) {
       ++plan.region_failures;
       continue;
@@ -76,16 +77,18 @@ RankedPlan ranked(const RankRequest& request, const Trial& trial,
   return plan;
 }
 
+bool failed(const RankedPlan& plan) { return !trusted({plan.status, plan.crossing, plan.measure}); }
+
 bool is_better(const RankedPlan& a, const RankedPlan& b) {
-  const auto failed = [](const RankedPlan& plan) {
-    return plan.status != ClosureStatus::Converged || plan.crossing;
-  };
   const auto leak_class = [](const RankedPlan& plan) {
     const OrificeStatistics& leak = plan.leak_mm2;
     return std::floor((std::isnan(leak.mean) ? leak.nominal : leak.mean + leak.sd) / kClass_mm2);
   };
   if (failed(a) != failed(b)) return failed(b);
   if (failed(a)) return a.cost < b.cost;
+  const auto share_a = std::int64_t{a.region_failures} * b.region_closures;
+  const auto share_b = std::int64_t{b.region_failures} * a.region_closures;
+  if (share_a != share_b) return share_a < share_b;
   if (leak_class(a) != leak_class(b)) return leak_class(a) < leak_class(b);
   return a.cost < b.cost;
 }
@@ -102,8 +105,18 @@ int first_nodes(const SearchOptions& options) {
   return std::min(kFirstNodes, options.region_points);
 }
 
+/// Nodes that all finalists have closed, counted from the first.
+std::size_t common_nodes(const std::vector<Finalist>& finalists) {
+  std::size_t common = std::numeric_limits<std::size_t>::max();
+  for (const Finalist& finalist : finalists) {
+    const auto open = std::find(finalist.region.begin(), finalist.region.end(), std::nullopt);
+    common = std::min(common, static_cast<std::size_t>(open - finalist.region.begin()));
+  }
+  return common;
+}
+
 /// Closes all finalists at nodes [first, last) and puts them in order. Node by node, so that an
-/// early stop leaves every plan with the same nodes, as far as it goes.
+/// early stop leaves as many nodes as possible that all have closed; only those are compared.
 void close_nodes(const RankRequest& request, const std::vector<Perturbation>& nodes, int first,
                  int last, std::vector<Finalist>& finalists, Watch& watch) {
   const int count = static_cast<int>(finalists.size());
@@ -116,13 +129,23 @@ void close_nodes(const RankRequest& request, const std::vector<Perturbation>& no
     finalist.region[n] = request.evaluate(perturb(*repaired, plan, nodes[n]));
     watch.closed(*finalist.region[n], false);
   });
+  const std::size_t common = common_nodes(finalists);
   for (Finalist& finalist : finalists)
-    finalist.plan = ranked(request, finalist.trial, finalist.region);
+    finalist.plan = ranked(request, finalist.trial, finalist.region, common);
   std::stable_sort(finalists.begin(), finalists.end(),
                    [](const Finalist& a, const Finalist& b) { return is_better(a.plan, b.plan); });
 }
 
 }  // namespace
+
+bool closes_robustly(const RankedPlan& plan) {
+  return !failed(plan) && plan.region_failures == 0 && plan.region_closures > 1 &&
+         plan.leak_mm2.mean + plan.leak_mm2.sd < kCompetentLeak_mm2;
+}
+
+bool closes_robustly(const SearchResult& result) {
+  return !result.plans.empty() && closes_robustly(result.plans.front());
+}
 
 int ranking_closures(const SearchOptions& options) {
   const int first = first_nodes(options);
@@ -151,7 +174,11 @@ std::vector<RankedPlan> rank_plans(const RankRequest& request, const std::vector
   const SearchOptions& options = request.options;
   const std::vector<Perturbation> nodes = region_of_interest();
   std::vector<Finalist> finalists;
+  const double most =
+      std::max(std::floor(watch.affordable() / std::max(1, first_nodes(options) - 1)),
+               static_cast<double>(options.plans));
   for (const Trial& trial : trials) {
+    if (static_cast<double>(finalists.size()) >= most) break;
     finalists.push_back({trial, {}, {}});
     finalists.back().region.resize(static_cast<std::size_t>(options.region_points));
     finalists.back().region[0] = trial.evaluation;  // the undisturbed node

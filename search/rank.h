@@ -27,10 +27,12 @@ int ranking_closures(const SearchOptions& options);
 std::vector<Trial> finalists(const std::vector<StrategySearch>& searches,
                              const SearchOptions& options);
 
-/// By mean + sd of the leak over the region in classes of 0.5 mm2 (closer ones cannot be told
-/// apart: equilibria of one valve differ by up to 0.25; of its own leak where the region is not
-/// known), then by cost, then by the order given.
-/// Plans whose own closure failed come last.
+/// By the share of closures over the region that failed (they have no leak to count), then by mean +
+/// sd of the leak over the region in classes of 0.5 mm2 (closer ones cannot be told apart: equilibria
+/// of one valve differ by up to 0.25; of its own leak where the region is not known), then by cost,
+/// then by the order given. Plans whose own closure failed come last. Stopped early, all plans are
+/// compared over the nodes that all of them have closed. Where time is short, fewer than twice as
+/// many plans as are reported start: the first.
 std::vector<RankedPlan> rank_plans(const RankRequest& request, const std::vector<Trial>& trials,
                                    Watch& watch);
 

@@ -51,7 +51,7 @@ class PlanSearch {
     for (int round = 0; round < kRingRounds; ++round) start(better_rings(), left_ / 6);
     int count = std::clamp(left_ / kTrialsPerRefined, 1, kMostRefined);
     for (; count > 2; count /= 2) refine_best(count, left_ / rounds_from(count));
-    while (left_ > 0 && !watch_.stopped() && refine_best(count, left_)) {
+    while (left_ > 0 && !watch_.search_stopped() && refine_best(count, left_)) {
     }
   }
 
@@ -63,7 +63,7 @@ class PlanSearch {
   static int rounds_from(int count) { return count > 2 ? 1 + rounds_from(count / 2) : 1; }
 
   std::optional<Trial> try_point(const Strategy& strategy, const std::vector<int>& at) {
-    if (watch_.stopped()) return std::nullopt;
+    if (watch_.search_stopped()) return std::nullopt;
     Trial trial;
     trial.plan = plan_at(strategy, at);
     const Expected<Valve> repaired = apply_plan(request_.valve, trial.plan, request_.catalogue);

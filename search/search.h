@@ -25,7 +25,8 @@ struct SearchOptions {
   int threads = 0;         ///< [0, 1024], 0: all cores. Does not change the result
   int plans = 5;           ///< how many ranked plans to report, [1, 50]
   int region_points = 17;  ///< [1, 1089] nodes of the region of interest, for each reported plan
-  double seconds = 0.0;    ///< [0, 1e6] stop earlier when this much time is gone; 0: no limit
+  double seconds = 0.0;  ///< [0, 1e6] stop earlier when this much time is gone, the last 40 % of it
+                         ///< spent on ranking; 0: no limit
   ClosureOptions closure;
 };
 
@@ -49,10 +50,20 @@ struct RankedPlan {
   double ring_sizes_below = 0.0;  ///< of the annulus's area, 0 without a ring (objective.h)
   double anterolateral_movement_mm = 0.0;  ///< of the papillary muscle
   double posteromedial_movement_mm = 0.0;
-  int region_closures = 1;  ///< nodes of the region of interest that were closed
-  int region_failures = 0;  ///< of these: not converged or crossed, left out of the statistics
+  int region_closures = 1;  ///< nodes of the region of interest that were closed, the plan's own
+                            ///< included; the same for all plans of a result
+  int region_failures = 0;  ///< of these: not trusted (evaluator.h), left out of the statistics
   std::vector<std::string> warnings;
 };
+
+/// Leak (orifice and hidden gap) below which a closed valve counts as competent.
+inline constexpr double kCompetentLeak_mm2 = 1.0;
+
+/// Whether the plan closes the valve also when the surgeon's hand varies: it converges without
+/// crossing, so does every closure over its region of interest (region_failures is 0), and mean + sd
+/// of the leak, by which plans are ranked, is below kCompetentLeak_mm2. False where nothing of the
+/// region but the plan itself was closed: cancelled, out of time, or region_points 1.
+bool closes_robustly(const RankedPlan& plan);
 
 enum class SearchStop { EvaluationLimit, TimeLimit, Cancelled };
 
@@ -74,6 +85,9 @@ struct SearchResult {
   int closures_not_converged = 0, closures_crossed = 0;
   double seconds = 0.0;
 };
+
+/// Whether the best-ranked plan does; false without plans.
+bool closes_robustly(const SearchResult& result);
 
 /// Errors point into the options ("/evaluations").
 /// @param progress called now and then, from one thread at a time; may be empty.

@@ -6,22 +6,18 @@
 #include "core/repair/annuloplasty.h"
 #include "core/repair/apply_plan.h"
 #include "core/repair/approximation.h"
+#include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
 #include "search/neochordae.h"
 
 namespace coapt {
 namespace {
 
-constexpr double kRingSize_mm = 2.0;
-constexpr int kMostSizesBelow = 4;  // more is rejected in practice
-constexpr Range kRingSizesMm = {24.0, 40.0};
 constexpr double kNormalTipToTrigone_mm = 23.5 + 3.8;  // mean + sd, 57 cadavers
-constexpr double kMostMovement_mm = 10.0;              // papillary relocation: more is a warning
 constexpr double kLeastMovement_mm = 2.0;              // less is not worth a suture
 constexpr double kFirstMovement_mm = 5.0;
 constexpr double kSutureLattice_mm = 0.5;
 constexpr double kNeochordaLattice_mm = 1.0;
-constexpr Range kNeochordaMm = {10.0, 30.0};
 constexpr double kNeochordaScope_mm = 8.0;  // either side of the usual length
 
 bool has_ruptured_marginal(const Valve& valve) {
@@ -44,7 +40,8 @@ bool is_sensible(const Annuloplasty& ring, const std::vector<RingShape>& catalog
   if (ring.shape == "own") return ring.sizes_below >= 1 && ring.sizes_below <= kMostSizesBelow;
   if (ring.size_mm < kRingSizesMm.min || ring.size_mm > kRingSizesMm.max) return false;
   const double below =
-      (transverse - ring_width_mm(*find_ring(catalogue, ring.shape), ring.size_mm)) / kRingSize_mm;
+      (transverse - ring_width_mm(*find_ring(catalogue, ring.shape), ring.size_mm)) /
+      kRingSizeStep_mm;
   return below >= 0.0 && below <= kMostSizesBelow;
 }
 
@@ -54,9 +51,9 @@ std::optional<Annuloplasty> ring_near(const RingShape& shape,
                                       double below) {
   std::optional<Annuloplasty> best;
   double nearest = 1e9;
-  for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSize_mm) {
+  for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
     const Annuloplasty ring{.shape = shape.name, .size_mm = size};
-    const double off = std::abs(transverse - kRingSize_mm * below - ring_width_mm(shape, size));
+    const double off = std::abs(transverse - kRingSizeStep_mm * below - ring_width_mm(shape, size));
     if (!is_sensible(ring, catalogue, transverse) || off >= nearest) continue;
     nearest = off;
     best = ring;
@@ -86,17 +83,27 @@ std::vector<std::optional<Annuloplasty>> rings(const Valve& valve,
   return offered;
 }
 
+bool is_possible(const Valve& ringed, PapillaryApproximation suture, double length_mm) {
+  suture.suture_length_mm = length_mm;
+  return bool(apply_plan(ringed, {{suture}}, {}));
+}
+
 /// Adds the suture with its parameter. False if the muscle cannot be pulled.
 bool add_suture(const Valve& ringed, Side side, Anchor anchor, Strategy& strategy) {
   PapillaryApproximation suture{.side = side, .anchor = anchor};
   const double distance = anchor_distance_mm(ringed, suture);
-  const double least = std::max(suture_range_mm(distance).min, distance - kMostMovement_mm);
+  const Range accepted = suture_range_mm(distance);
+  const double least = std::max(accepted.min, distance - kUsualMovement_mm);
+  const double most = std::min(accepted.max, distance - kLeastMovement_mm);
   Parameter parameter;
   parameter.steps = {strategy.plan.steps.size()};
   parameter.lattice_mm = kSutureLattice_mm;
   parameter.lower_mm = kSutureLattice_mm * std::ceil(least / kSutureLattice_mm);
-  parameter.upper_mm =
-      kSutureLattice_mm * std::floor((distance - kLeastMovement_mm) / kSutureLattice_mm);
+  parameter.upper_mm = kSutureLattice_mm * std::floor(most / kSutureLattice_mm);
+  // Tips move along a line, so that all lengths above one that is possible are.
+  while (parameter.lower_mm <= parameter.upper_mm &&
+         !is_possible(ringed, suture, parameter.lower_mm))
+    parameter.lower_mm += parameter.lattice_mm;
   if (parameter.upper_mm < parameter.lower_mm) return false;
   parameter.start_mm =
       std::clamp(kSutureLattice_mm * std::round((distance - kFirstMovement_mm) / kSutureLattice_mm),
@@ -112,9 +119,9 @@ void add_neochordae(const Valve& valve, int count, Strategy& strategy) {
     Parameter parameter;
     parameter.lattice_mm = kNeochordaLattice_mm;
     const double usual =
-        std::clamp(std::round(group.length_mm), kNeochordaMm.min, kNeochordaMm.max);
-    parameter.lower_mm = std::max(kNeochordaMm.min, usual - kNeochordaScope_mm);
-    parameter.upper_mm = std::min(kNeochordaMm.max, usual + kNeochordaScope_mm);
+        std::clamp(std::round(group.length_mm), kUsualNeochordaMm.min, kUsualNeochordaMm.max);
+    parameter.lower_mm = std::max(kUsualNeochordaMm.min, usual - kNeochordaScope_mm);
+    parameter.upper_mm = std::min(kUsualNeochordaMm.max, usual + kNeochordaScope_mm);
     parameter.start_mm = usual;
     for (Neochorda step : group.steps) {
       step.length_mm = usual;
@@ -153,7 +160,7 @@ std::vector<Choice> ring_neighbours(const Valve& valve, const std::vector<RingSh
     if (choice.ring->shape == "own")
       neighbour.ring->sizes_below -= direction;
     else
-      neighbour.ring->size_mm += direction * kRingSize_mm;
+      neighbour.ring->size_mm += direction * kRingSizeStep_mm;
     if (is_sensible(*neighbour.ring, catalogue, transverse)) neighbours.push_back(neighbour);
   }
   return neighbours;
@@ -173,6 +180,7 @@ std::optional<Strategy> make_strategy(const Valve& valve, const std::vector<Ring
       !add_suture(*ringed, Side::Posteromedial, *choice.posteromedial, strategy))
     return std::nullopt;
   if (choice.neochordae > 0) add_neochordae(valve, choice.neochordae, strategy);
+  if (!apply_plan(valve, strategy.plan, catalogue)) return std::nullopt;  // too many chordae
   return strategy;
 }
 

@@ -44,7 +44,8 @@ std::vector<Choice> sensible_choices(const Valve& valve, const std::vector<RingS
 std::vector<Choice> ring_neighbours(const Valve& valve, const std::vector<RingShape>& catalogue,
                                     const Choice& choice);
 
-/// The choice with its lengths; nothing if a suture has no room to pull.
+/// The choice with its lengths, all of which are possible; nothing if the ring does not fit, a suture
+/// has no room to pull or the valve takes no more chordae.
 std::optional<Strategy> make_strategy(const Valve& valve, const std::vector<RingShape>& catalogue,
                                       const Choice& choice);
 

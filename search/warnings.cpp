@@ -5,21 +5,17 @@
 
 #include "core/metrics/annulus.h"
 #include "core/repair/annuloplasty.h"
+#include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
 
 namespace coapt {
 namespace {
 
-constexpr double kRingSize_mm = 2.0;
-constexpr double kMostSizesBelow = 4.0;  // more is rejected in practice
 constexpr double kRounding = 1e-6;
 constexpr double kSmallestCircumference_mm = 30.0;  // of any annulus that a valve file may have
 constexpr double kStenoticRing_mm = 27.0;           // predicts functional stenosis
-constexpr double kMuchMovement_mm = 10.0, kTooMuchMovement_mm = 15.0;
-constexpr Range kUsualNeochordaMm = {10.0, 30.0};
 constexpr double kTensionRise = 3.0;     // neochordae 5 % too short: no leak, three times the force
 constexpr double kTensionFloor_n = 0.2;  // below it a rise means nothing
-constexpr double kGoodRepair_mm2 = 5.0;  // thesis 4.2.3
 
 std::string mm(double value) {
   char text[32];
@@ -34,7 +30,7 @@ void about(const Annuloplasty& ring, const Operation& operation, Lines& lines) {
   const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
   const double width =
       ring.shape == "own"
-          ? transverse - kRingSize_mm * ring.sizes_below
+          ? transverse - kRingSizeStep_mm * ring.sizes_below
           : ring_width_mm(*find_ring(operation.catalogue, ring.shape), ring.size_mm);
   if (width > transverse)
     lines.push_back("ring wider than the annulus (" + mm(width) + " against " + mm(transverse) +
@@ -74,10 +70,10 @@ void about(const ChordalExcision&, const Operation&, Lines&) {}
 void about(const ChordalTransfer&, const Operation&, Lines&) {}
 
 void about_movement(double movement, const char* side, Lines& lines) {
-  if (movement > kTooMuchMovement_mm)
+  if (movement > kRejectedMovement_mm)
     lines.push_back(std::string(side) + " muscle moved by " + mm(movement) +
                     ": more than 15 mm is rejected in practice");
-  else if (movement > kMuchMovement_mm)
+  else if (movement > kUsualMovement_mm)
     lines.push_back(std::string(side) + " muscle moved by " + mm(movement) +
                     ": more than 10 mm is unusual");
 }

@@ -1,9 +1,11 @@
 // Counts closures, tells when to stop and reports progress. Shared by the threads of a search.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <mutex>
 
 #include "search/search.h"
@@ -21,14 +23,16 @@ class Watch {
   void plan(int closures) { planned_ = closures; }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
   /// Whether to go no further. Once true, always true.
-  bool stopped() {
-    if (cancelled_ != nullptr && cancelled_->load()) stop_ = SearchStop::Cancelled;
-    if (stop_ == SearchStop::EvaluationLimit && seconds_ > 0.0 && seconds() >= seconds_)
-      stop_ = SearchStop::TimeLimit;
-    return stop_ != SearchStop::EvaluationLimit;
-  }
-  /// Why the search ends: EvaluationLimit unless stopped() has ever been true.
+  bool stopped() { return cancelled() || past(1.0); }
+  /// Whether to try no more plans: the rest of the time is for ranking those there are.
+  bool search_stopped() { return cancelled() || past(1.0 - kRankingShare); }
+  /// Why the search ends: EvaluationLimit unless one of them has ever been true.
   SearchStop stop() const { return stop_; }
+  /// How many more closures the time allows, at the pace so far.
+  double affordable() const {
+    if (seconds_ <= 0.0) return std::numeric_limits<double>::infinity();
+    return std::max(0.0, seconds_ / seconds() - 1.0) * closures_;
+  }
 
   /// @param is_plan of an undisturbed plan, whose leak may be the best.
   void closed(const Evaluation& evaluation, bool is_plan) {
@@ -49,6 +53,20 @@ class Watch {
   int crossed() const { return crossed_; }
 
  private:
+  static constexpr double kRankingShare = 0.4;  // of the time: the default search spends a quarter
+
+  bool cancelled() {
+    if (cancelled_ == nullptr || !cancelled_->load()) return false;
+    stop_ = SearchStop::Cancelled;
+    return true;
+  }
+  bool past(double share) {
+    if (seconds_ <= 0.0 || seconds() < share * seconds_) return false;
+    SearchStop none = SearchStop::EvaluationLimit;
+    stop_.compare_exchange_strong(none, SearchStop::TimeLimit);
+    return true;
+  }
+
   Clock::time_point started_ = Clock::now();
   double seconds_;
   const std::atomic<bool>* cancelled_;

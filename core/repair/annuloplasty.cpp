@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
 #include "core/valve/contour.h"
 
 namespace coapt {
 namespace {
-
-constexpr double kSizeStep_mm = 2.0;  // one ring size, of the transverse dimension
-constexpr Range kSizesMm = {24.0, 40.0};
-constexpr Range kSizesBelow = {0.0, 6.0};
 
 Vec3 row(const Points& points, std::size_t i) { return points.row(static_cast<Eigen::Index>(i)); }
 
@@ -76,6 +73,24 @@ void suture_to(const Points& contour_mm, Valve& valve) {
   valve.annulus_mm = sutured;
 }
 
+bool check_own_ring(const Annuloplasty& step, const Valve& valve, const std::string& path,
+                    ProblemList& problems) {
+  bool possible = check_range(problems, path + "/sizes_below", step.sizes_below, kSizesBelow);
+  if (step.size_mm != 0.0) {
+    problems.add(ErrorCode::OutOfRange, path + "/size_mm",
+                 "is for catalogue shapes; shape \"own\" takes its size from the annulus");
+    possible = false;
+  }
+  const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
+  const double most = (1.0 - kLeastOwnRing) * transverse / kRingSizeStep_mm;
+  if (!possible || step.sizes_below <= most) return possible;
+  problems.add(ErrorCode::ImpossibleStep, path + "/sizes_below",
+               "is " + std::to_string(step.sizes_below) + ", must be from 0 to " +
+                   shown(std::floor(most)) + ": half of this annulus's transverse diameter of " +
+                   shown(transverse) + " mm must remain");
+  return false;
+}
+
 }  // namespace
 
 const RingShape* find_ring(const std::vector<RingShape>& catalogue, const std::string& name) {
@@ -94,22 +109,17 @@ Points ring_contour_mm(const RingShape& ring, double size_mm) {
                                  ring.saddle_over_transverse * width);
 }
 
-bool check_annuloplasty(const Annuloplasty& step, const std::vector<RingShape>& catalogue,
-                        const std::string& path, ProblemList& problems) {
-  if (step.shape == "own") {
-    bool possible = check_range(problems, path + "/sizes_below", step.sizes_below, kSizesBelow);
-    if (step.size_mm == 0.0) return possible;
-    problems.add(ErrorCode::OutOfRange, path + "/size_mm",
-                 "is for catalogue shapes; shape \"own\" takes its size from the annulus");
-    return false;
-  }
+bool check_annuloplasty(const Annuloplasty& step, const Valve& valve,
+                        const std::vector<RingShape>& catalogue, const std::string& path,
+                        ProblemList& problems) {
+  if (step.shape == "own") return check_own_ring(step, valve, path, problems);
   if (find_ring(catalogue, step.shape) == nullptr) {
     problems.add(ErrorCode::BadReference, path + "/shape",
                  "is '" + step.shape + "', known shapes: " + names(catalogue));
     return false;
   }
-  bool possible = check_range(problems, path + "/size_mm", step.size_mm, kSizesMm, " mm");
-  if (possible && std::fmod(step.size_mm, kSizeStep_mm) != 0.0) {
+  bool possible = check_range(problems, path + "/size_mm", step.size_mm, kRingSizesMm, " mm");
+  if (possible && std::fmod(step.size_mm, kRingSizeStep_mm) != 0.0) {
     problems.add(ErrorCode::OutOfRange, path + "/size_mm",
                  "is " + shown(step.size_mm) + ", rings come in steps of 2 mm from 24 to 40");
     possible = false;
@@ -126,7 +136,7 @@ void apply_annuloplasty(const Annuloplasty& step, const std::vector<RingShape>& 
                         Valve& valve) {
   if (step.shape == "own") {
     const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
-    shrink((transverse - kSizeStep_mm * step.sizes_below) / transverse, valve);
+    shrink((transverse - kRingSizeStep_mm * step.sizes_below) / transverse, valve);
   } else {
     suture_to(ring_contour_mm(*find_ring(catalogue, step.shape), step.size_mm), valve);
   }

@@ -25,9 +25,10 @@ double ring_width_mm(const RingShape& ring, double size_mm);
 /// saddle: an assumption that stands for any closed, rigid ring; no manufacturer's drawing.
 Points ring_contour_mm(const RingShape& ring, double size_mm);
 
-/// Whether the step can be done; lists why not.
-bool check_annuloplasty(const Annuloplasty& step, const std::vector<RingShape>& catalogue,
-                        const std::string& path, ProblemList& problems);
+/// Whether the step can be done on this valve; lists why not.
+bool check_annuloplasty(const Annuloplasty& step, const Valve& valve,
+                        const std::vector<RingShape>& catalogue, const std::string& path,
+                        ProblemList& problems);
 
 /// Catalogue rings are sutured evenly: between saddle peak and mid-posterior, on either side, each
 /// annulus vertex goes to the same share of the ring's arc. Shape "own" shrinks towards the saddle

@@ -11,6 +11,7 @@
 #include "core/repair/annuloplasty.h"
 #include "core/repair/approximation.h"
 #include "core/repair/chordal.h"
+#include "core/valve/validate.h"
 
 namespace coapt {
 namespace {
@@ -33,7 +34,7 @@ void place_ring(const RepairPlan& plan, const std::vector<RingShape>& catalogue,
   for (std::size_t k = 1; k < rings.size(); ++k)
     refuse_second(step_path(rings[k]), "ring", rings[0], problems);
   const auto& step = std::get<Annuloplasty>(plan.steps[rings[0]]);
-  if (check_annuloplasty(step, catalogue, step_path(rings[0]), problems))
+  if (check_annuloplasty(step, valve, catalogue, step_path(rings[0]), problems))
     apply_annuloplasty(step, catalogue, valve);
 }
 
@@ -99,6 +100,52 @@ class ChordalPass {
   std::vector<Neochorda> neochordae_;
 };
 
+bool is_in(const std::string& path, const char* list, std::size_t index) {
+  return path.starts_with(std::string(list) + '/' + std::to_string(index) + '/');
+}
+
+bool is_of_chorda(const std::string& path, const std::string& id, const Valve& valve) {
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c)
+    if (valve.chordae[c].id == id && is_in(path, "/chordae", c)) return true;
+  return false;
+}
+
+// Whether a step changes what lies at `path` in the repaired valve.
+bool changes(const Annuloplasty&, const std::string& path, const Valve&) {
+  return path.starts_with("/annulus") || path.starts_with("/landmarks");
+}
+bool changes(const PapillaryApproximation& step, const std::string& path, const Valve& valve) {
+  for (std::size_t h = 0; h < valve.heads.size(); ++h)
+    if (valve.heads[h].side == step.side && is_in(path, "/papillary_heads", h)) return true;
+  return false;
+}
+bool changes(const Neochorda&, const std::string& path, const Valve&) { return path == "/chordae"; }
+bool changes(const ChordalLengthChange& step, const std::string& path, const Valve& valve) {
+  return is_of_chorda(path, step.chorda, valve);
+}
+bool changes(const ChordalExcision& step, const std::string& path, const Valve& valve) {
+  return is_of_chorda(path, step.chorda, valve);
+}
+bool changes(const ChordalTransfer& step, const std::string& path, const Valve& valve) {
+  return is_of_chorda(path, step.chorda, valve);
+}
+
+/// What is wrong with the repaired valve, laid to the first step that can have done it ("" if none
+/// can: then the valve was none before).
+Errors check_result(const Valve& repaired, const RepairPlan& plan) {
+  ProblemList problems;
+  for (const Error& error : validate(repaired)) {
+    std::string step;
+    for (std::size_t i = 0; i < plan.steps.size() && step.empty(); ++i)
+      if (std::visit([&](const auto& s) { return changes(s, error.path, repaired); },
+                     plan.steps[i]))
+        step = step_path(i);
+    problems.add(ErrorCode::ImpossibleStep, step,
+                 "leaves no valid valve: " + error.path + ' ' + error.message);
+  }
+  return std::move(problems).take();
+}
+
 bool needs_coordinates(const RepairPlan& plan) {
   return std::any_of(plan.steps.begin(), plan.steps.end(), [](const RepairStep& step) {
     return std::holds_alternative<Neochorda>(step) || std::holds_alternative<ChordalTransfer>(step);
@@ -121,6 +168,7 @@ Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan,
     std::visit([&](const auto& step) { chordae.treat(step, i); }, plan.steps[i]);
   chordae.append_neochordae();
   if (!problems.empty()) return std::move(problems).take();
+  if (Errors errors = check_result(repaired, plan); !errors.empty()) return errors;
   std::vector<std::string> lines = describe(valve, plan);
   std::sort(lines.begin(), lines.end());
   for (const std::string& line : lines) repaired.provenance.push_back("repaired: " + line);

@@ -10,7 +10,8 @@ namespace coapt {
 /// appended in the order of their text. The result does not depend on the order of the steps: rings
 /// act first, then sutures, then chordae. Errors point into the plan ("/steps/2/suture_length_mm")
 /// and list every impossible step (slack suture, unknown chorda or ring, two steps on one chorda,
-/// two rings, ...).
+/// two rings, ...) or else the steps that leave a valve that validate() refuses.
+/// @pre the valve is valid.
 Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan,
                            const std::vector<RingShape>& catalogue);
 

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
+#include "core/repair/limits.h"
+
 namespace coapt {
 namespace {
-
-constexpr double kShortest_mm = 12.0;
-constexpr double kShortestShare = 0.5;
-constexpr Range kAroundRange = {0.0, 1.0};
 
 bool has_heads(const Valve& valve, Side side) {
   return std::any_of(valve.heads.begin(), valve.heads.end(),
@@ -17,7 +15,8 @@ bool has_heads(const Valve& valve, Side side) {
 }  // namespace
 
 Range suture_range_mm(double distance_mm) {
-  return {std::max(kShortest_mm, kShortestShare * distance_mm), distance_mm};
+  return {std::max(kSutureMm.min, kLeastSutureShare * distance_mm),
+          std::min(kSutureMm.max, distance_mm)};
 }
 
 double anchor_distance_mm(const Valve& valve, const PapillaryApproximation& step) {
@@ -34,7 +33,7 @@ bool check_approximation(const PapillaryApproximation& step, const Valve& valve,
     return false;
   }
   if (step.anchor == Anchor::AnnulusPoint &&
-      !check_range(problems, path + "/annulus_around", step.annulus_around, kAroundRange))
+      !check_range(problems, path + "/annulus_around", step.annulus_around, kShare))
     return false;
   const double distance = anchor_distance_mm(valve, step);
   const Range accepted = suture_range_mm(distance);

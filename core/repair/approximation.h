@@ -8,8 +8,8 @@
 
 namespace coapt {
 
-/// Suture lengths that a muscle at this distance from its anchor can take: not slack, not below 12
-/// mm nor half the distance.
+/// Suture lengths that a muscle at this distance from its anchor can take: within kSutureMm, not
+/// slack, not below half the distance.
 Range suture_range_mm(double distance_mm);
 
 /// From the muscle's mean tip to the anchor; 0 if that side has no heads.

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/repair/limits.h"
+
 namespace coapt {
 namespace {
 
-constexpr Range kUnit = {0.0, 1.0};
-constexpr Range kNeochordaMm = {5.0, 40.0};
-constexpr Range kChangeMm = {-20.0, 20.0};
 constexpr double kShortestTrunk_mm = 1.0;
 constexpr double kNeochordaDiameter_mm = 1.0;
 
@@ -27,8 +26,8 @@ std::string ids(const Items& items) {
 }
 
 bool check_point(const LeafletPoint& point, const std::string& path, ProblemList& problems) {
-  const bool along = check_range(problems, path + "/along", point.along, kUnit);
-  return check_range(problems, path + "/height", point.height, kUnit) && along;
+  const bool along = check_range(problems, path + "/along", point.along, kShare);
+  return check_range(problems, path + "/height", point.height, kShare) && along;
 }
 
 /// Lists a problem unless the chorda is there and intact.
@@ -72,7 +71,8 @@ bool check_neochorda(const Neochorda& step, const Valve& valve, const std::strin
 
 bool check_length_change(const ChordalLengthChange& step, const Valve& valve,
                          const std::string& path, ProblemList& problems) {
-  const bool range = check_range(problems, path + "/change_mm", step.change_mm, kChangeMm, " mm");
+  const bool range =
+      check_range(problems, path + "/change_mm", step.change_mm, kLengthChangeMm, " mm");
   if (!check_chorda(step.chorda, valve, path, problems) || !range) return false;
   for (const ChordaSegment& segment : find_by_id(valve.chordae, step.chorda)->segments) {
     if (segment.parent >= 0 || segment.rest_length_mm + step.change_mm > kShortestTrunk_mm)

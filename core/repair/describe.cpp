@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "core/repair/apply_plan.h"
+#include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
 #include "core/valve/problem_list.h"
 
@@ -49,8 +50,8 @@ std::string words(const Valve& valve, const Annuloplasty& step) {
            one_decimal(transverse) + " mm)";
   return "annuloplasty: ring of the annulus's own shape, " + std::to_string(step.sizes_below) +
          (step.sizes_below == 1 ? " size" : " sizes") + " below it (transverse " +
-         one_decimal(transverse) + " to " + one_decimal(transverse - 2.0 * step.sizes_below) +
-         " mm)";
+         one_decimal(transverse) + " to " +
+         one_decimal(transverse - kRingSizeStep_mm * step.sizes_below) + " mm)";
 }
 
 std::string words(const Valve& valve, const Neochorda& step) {

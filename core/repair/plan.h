@@ -1,4 +1,4 @@
-// A repair plan: what a surgeon does, in terms that do not depend on the mesh.
+// A repair plan: what a surgeon does, in terms that do not depend on the mesh. Ranges: limits.h.
 #pragma once
 
 #include <string>
@@ -28,7 +28,7 @@ struct Neochorda {
 
 struct ChordalLengthChange {
   std::string chorda;      ///< Chorda::id
-  double change_mm = 0.0;  ///< of its trunk; negative shortens
+  double change_mm = 0.0;  ///< -20 to 20, of its trunk; negative shortens
 };
 
 struct ChordalExcision {
@@ -48,8 +48,8 @@ enum class Anchor { IpsilateralTrigone, SaddlePeak, AnnulusPoint };
 struct PapillaryApproximation {
   Side side = Side::Anterolateral;
   Anchor anchor = Anchor::IpsilateralTrigone;
-  double annulus_around = 0.25;  ///< AnnulusPoint only, as LeafletCoordinates::around
-  double suture_length_mm = 0.0;
+  double annulus_around = 0.25;   ///< AnnulusPoint only, as LeafletCoordinates::around
+  double suture_length_mm = 0.0;  ///< 12 to 100
 };
 
 using RepairStep = std::variant<Annuloplasty, Neochorda, ChordalLengthChange, ChordalExcision,

@@ -30,21 +30,45 @@ struct Site {
 
 struct Group {
   ChordaKind kind = ChordaKind::Marginal;
-  int head = 0;  // 0 anterior, 1 middle, 2 posterior
+  int head = 0;     // 0 anterior, 1 middle, 2 posterior
+  Segment segment;  // that holds its middle; named here, because cells end elsewhere on every mesh
   std::vector<Site> sites;
 };
 
 /// The posteromedial half of the valve; `around` of 0 is its commissure, positive anterior.
 std::vector<Group> posteromedial_groups() {
   using enum ChordaKind;
-  return {{Marginal, 0, {{0.233, 1.0}, {0.200, 1.0}, {0.167, 1.0}}},
-          {Marginal, 0, {{0.133, 1.0}, {0.100, 1.0}, {0.067, 1.0}}},
-          {Marginal, 1, {{0.033, 1.0}, {0.0, 1.0}, {-0.033, 1.0}}},
-          {Marginal, 2, {{-0.067, 1.0}, {-0.100, 1.0}, {-0.133, 1.0}}},
-          {Marginal, 2, {{-0.167, 1.0}, {-0.200, 1.0}, {-0.233, 1.0}}},
-          {Strut, 0, {{0.175, 0.55}, {0.145, 0.55}}},
-          {Basal, 2, {{-0.085, 0.5}}},
-          {Basal, 2, {{-0.185, 0.5}}}};
+  using enum Segment;
+  return {{Marginal, 0, A2, {{0.233, 1.0}, {0.200, 1.0}, {0.167, 1.0}}},
+          {Marginal, 0, A3, {{0.133, 1.0}, {0.100, 1.0}, {0.067, 1.0}}},
+          {Marginal, 1, PC, {{0.033, 1.0}, {0.0, 1.0}, {-0.033, 1.0}}},
+          {Marginal, 2, P3, {{-0.067, 1.0}, {-0.100, 1.0}, {-0.133, 1.0}}},
+          {Marginal, 2, P2, {{-0.167, 1.0}, {-0.200, 1.0}, {-0.233, 1.0}}},
+          {Strut, 0, A2, {{0.175, 0.55}, {0.145, 0.55}}},
+          {Basal, 2, P3, {{-0.085, 0.5}}},
+          {Basal, 2, P2, {{-0.185, 0.5}}}};
+}
+
+/// The same on the anterolateral side.
+Segment mirrored(Segment segment) {
+  switch (segment) {
+    case Segment::A1:
+      return Segment::A3;
+    case Segment::A3:
+      return Segment::A1;
+    case Segment::P1:
+      return Segment::P3;
+    case Segment::P3:
+      return Segment::P1;
+    case Segment::AC:
+      return Segment::PC;
+    case Segment::PC:
+      return Segment::AC;
+    case Segment::A2:
+    case Segment::P2:
+      return segment;
+  }
+  return segment;
 }
 
 double wrap(double around) { return around - std::floor(around); }
@@ -172,8 +196,7 @@ void add_parametric_chordae(const SkirtGrid& grid, const Points& tips_mm, Valve&
       for (Site& site : group.sites) site.around = wrap(site.around);
       const std::size_t last = heads.size() - 1;
       const int head = heads[group.head == 0 ? 0 : group.head == 2 ? last : last / 2];
-      const Segment at =
-          valve.segments[static_cast<std::size_t>(insertion_at(grid, valve, group.sites[0]).face)];
+      const Segment at = side == Side::Anterolateral ? mirrored(group.segment) : group.segment;
       ++number;
       valve.chordae.push_back(make_chorda(grid, valve, group, head,
                                           valve.heads[static_cast<std::size_t>(head)].id + "-" +

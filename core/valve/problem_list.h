@@ -24,8 +24,12 @@ class ProblemList {
     }
   }
 
+  /// Problems found elsewhere and not listed there.
+  void add_unlisted(std::size_t count) { unlisted_ += count; }
+
   bool empty() const { return listed_.empty(); }
   const Errors& listed() const { return listed_; }
+  std::size_t unlisted() const { return unlisted_; }
   /// So many that it is no use to look for more.
   bool crowded() const { return unlisted_ >= kMaxCounted; }
 

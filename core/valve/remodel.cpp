@@ -6,6 +6,7 @@
 
 #include "core/valve/annulus_frame.h"
 #include "core/valve/problem_list.h"
+#include "core/valve/validate.h"
 
 namespace coapt {
 namespace {
@@ -66,6 +67,18 @@ void displace(const Remodelling& change, Valve& valve) {
   }
 }
 
+/// The field of Remodelling that changes what lies at `path` in the valve, "" if none does.
+std::string field_behind(const std::string& path, const Remodelling& change, const Valve& valve) {
+  for (std::size_t h = 0; h < valve.heads.size(); ++h) {
+    const std::string tip = "/papillary_heads/" + std::to_string(h) + "/tip_mm";
+    if (!path.starts_with(tip + '/')) continue;
+    const bool anterolateral = valve.heads[h].side == Side::Anterolateral;
+    return (anterolateral ? "/anterolateral_mm" : "/posteromedial_mm") + path.substr(tip.size());
+  }
+  if (!path.starts_with("/annulus") && !path.starts_with("/landmarks")) return "";
+  return change.ap_dilation_percent != 0.0 ? "/ap_dilation_percent" : "/annular_height_percent";
+}
+
 std::string in_words(const Remodelling& change) {
   const auto tips = [](const Vec3& d) {
     return shown(d.x()) + " outwards, " + shown(d.y()) + " posterior, " + shown(d.z()) + " apical";
@@ -97,6 +110,10 @@ Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
   scale_height(frame, change.annular_height_percent / 100.0, remodelled);
   dilate(frame, line, share, remodelled);
   displace(change, remodelled);
+  for (const Error& error : validate(remodelled))
+    problems.add(error.code, field_behind(error.path, change, valve),
+                 "leaves no valid valve: " + error.path + ' ' + error.message);
+  if (!problems.empty()) return std::move(problems).take();
   remodelled.provenance.push_back(in_words(change));
   return remodelled;
 }

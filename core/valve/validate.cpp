@@ -1,6 +1,7 @@
 #include "core/valve/validate.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <set>
 
 #include "core/valve/validate_parts.h"
@@ -48,6 +49,20 @@ void check_below_annulus(const Vec3& point, const std::string& path, ProblemList
   }
 }
 
+// Both leaflets in three parts; without one of them nothing can be measured between the two.
+void check_segments(const Valve& valve, ProblemList& problems) {
+  std::string missing;
+  for (const Segment segment :
+       {Segment::A1, Segment::A2, Segment::A3, Segment::P1, Segment::P2, Segment::P3}) {
+    const auto& all = valve.segments;
+    if (std::find(all.begin(), all.end(), segment) == all.end())
+      missing += std::string(" ") + to_string(segment);
+  }
+  if (missing.empty()) return;
+  problems.add(ErrorCode::BadTopology, "/segments",
+               "has no face of" + missing + "; each of A1, A2, A3, P1, P2, P3 must have one");
+}
+
 void check_fibre(const Valve& valve, const MeshCheck& mesh, ProblemList& problems) {
   const auto faces = valve.faces.rows();
   const auto one_per_face = [&](const char* path, std::ptrdiff_t rows) {
@@ -58,7 +73,7 @@ void check_fibre(const Valve& valve, const MeshCheck& mesh, ProblemList& problem
     return false;
   };
   if (faces == 0) return;
-  one_per_face("/segments", std::ssize(valve.segments));
+  if (one_per_face("/segments", std::ssize(valve.segments))) check_segments(valve, problems);
   if (!one_per_face("/fibre", valve.fibre.rows())) return;
   for (int face = 0; face < faces; ++face) {
     const Vec3 fibre = valve.fibre.row(face);
@@ -122,7 +137,7 @@ bool check_points(const Points& points, const std::string& path, ProblemList& pr
   return good;
 }
 
-Errors validate(const Valve& valve) {
+ProblemList problems_in(const Valve& valve) {
   ProblemList problems;
   check_range(problems, "/pressure_kpa", valve.pressure_kpa, kPressureKpa, " kPa");
   check_tissue(valve.tissue, problems);
@@ -131,7 +146,9 @@ Errors validate(const Valve& valve) {
   check_annulus(valve, mesh, problems);
   check_heads(valve, problems);
   check_chordae(valve, problems);
-  return std::move(problems).take();
+  return problems;
 }
+
+Errors validate(const Valve& valve) { return problems_in(valve).take(); }
 
 }  // namespace coapt

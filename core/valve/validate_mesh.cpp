@@ -6,14 +6,18 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/valve/validate_parts.h"
 
 namespace coapt {
 namespace {
 
-constexpr int kMaxVertices = 200000;
-constexpr int kMaxFaces = 400000;
+// Ten times the finest mesh in use. More, or shorter edges, and one closure takes days: time steps
+// shrink with the edge, pairs in contact grow with the square of the density.
+constexpr int kMaxVertices = 100000;
+constexpr int kMaxFaces = 100000;
+constexpr double kMinEdge_mm = 0.02;         // a 50th of the leaflet's thickness
 constexpr double kMinHeightOverEdge = 1e-3;  // below it spring constants (edge over height) explode
 
 struct Edge {
@@ -170,6 +174,33 @@ bool check_indices(const Valve& valve, ProblemList& problems) {
   return usable;
 }
 
+double shortest_edge_mm(const Valve& valve, int face) {
+  const auto corners = valve.faces.row(face);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k)
+    shortest = std::min(
+        shortest, (valve.rest_mm.row(corners[(k + 1) % 3]) - valve.rest_mm.row(corners[k])).norm());
+  return shortest;
+}
+
+// One problem for all edges that are too short: in a file in metres every edge is.
+void check_edges(const Valve& valve, ProblemList& problems) {
+  int shortest_face = 0, count = 0;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int face = 0; face < valve.faces.rows(); ++face) {
+    const double length = shortest_edge_mm(valve, face);
+    if (length < kMinEdge_mm) ++count;
+    if (length >= shortest) continue;
+    shortest = length;
+    shortest_face = face;
+  }
+  if (count == 0) return;
+  problems.add(ErrorCode::BadGeometry, at("/faces", shortest_face),
+               "has an edge of " + shown(shortest) + " mm, the shortest of " +
+                   std::to_string(count) + (count == 1 ? " face" : " faces") +
+                   " with edges below 0.02 mm; edges must be 0.02 mm or longer");
+}
+
 // Lists faces without an area; false if some face has the same vertex twice.
 bool check_shapes(const Valve& valve, bool vertices_usable, ProblemList& problems) {
   bool distinct = true;
@@ -211,6 +242,7 @@ MeshCheck check_mesh(const Valve& valve, ProblemList& problems) {
   if (!count("/faces", valve.faces.rows(), 6, kMaxFaces) || !some_vertices) return mesh;
   mesh.faces_usable = check_indices(valve, problems);
   if (!mesh.faces_usable || !check_shapes(valve, mesh.vertices_usable, problems)) return mesh;
+  if (mesh.vertices_usable) check_edges(valve, problems);
   const Surface surface = join(valve.faces, problems);
   if (!surface.manifold || !check_sheet(surface.neighbours, problems)) return mesh;
   mesh.next_on_boundary = follow_boundary(valve, surface.boundary, problems);

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/repair/limits.h"
 #include "io/json/json_reader.h"
 #include "io/json/plan_json.h"
 
@@ -7,12 +8,6 @@ namespace coapt {
 namespace {
 
 constexpr std::size_t kMaxSteps = 100;
-constexpr Range kRingSizeMm = {24.0, 40.0};
-constexpr Range kNeochordaMm = {5.0, 40.0};
-constexpr Range kLengthChangeMm = {-20.0, 20.0};
-constexpr Range kSutureMm = {12.0, 100.0};
-constexpr Range kShare = {0.0, 1.0};
-constexpr int kMaxSizesBelow = 6;
 
 std::function<void(const JsonPlace&)> number_into(double& target, Range range,
                                                   const char* unit = "") {
@@ -46,8 +41,9 @@ LeafletPoint read_leaflet_point(const JsonPlace& place) {
 }
 
 double read_ring_size(const JsonPlace& place) {
-  const double size = read_number_in(place, kRingSizeMm, " mm");
-  if (size >= kRingSizeMm.min && size <= kRingSizeMm.max && std::fmod(size, 2.0) != 0.0) {
+  const double size = read_number_in(place, kRingSizesMm, " mm");
+  if (size >= kRingSizesMm.min && size <= kRingSizesMm.max &&
+      std::fmod(size, kRingSizeStep_mm) != 0.0) {
     add_problem(place, ErrorCode::OutOfRange,
                 "is " + shown(size) + ", must be 24 to 40 in steps of 2 mm");
   }
@@ -61,7 +57,8 @@ RepairStep read_annuloplasty(const JsonPlace& place) {
   step.shape = read_string(*shape);
   if (step.shape == "own") {
     const auto read_sizes = [](const JsonPlace& sizes) {
-      return read_integer_in(sizes, 0, kMaxSizesBelow);
+      return read_integer_in(sizes, static_cast<int>(kSizesBelow.min),
+                             static_cast<int>(kSizesBelow.max));
     };
     read_fields(place,
                 {tag("step"), tag("shape"), {"sizes_below", into(step.sizes_below, read_sizes)}});

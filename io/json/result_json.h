@@ -31,8 +31,8 @@ nlohmann::ordered_json closure_to_json(const Valve& valve, const ClosureResult& 
 nlohmann::ordered_json to_json(const SearchResult& result);
 
 /// The "search" object of a request: {"evaluations", "seed", "threads", "plans", "region_points",
-/// "seconds", "closure": {...}}, fields named and by default as in SearchOptions and
-/// ClosureOptions; unknown ones are errors.
+/// "seconds"}, named and by default as in SearchOptions; unknown ones are errors. How a valve is closed
+/// is not asked: a request could make each closure a thousand times as long, on top of their number.
 Expected<SearchOptions> search_options_from_json(const nlohmann::json& json);
 
 }  // namespace coapt

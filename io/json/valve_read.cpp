@@ -157,7 +157,8 @@ Expected<Valve> valve_from_json(const nlohmann::json& json) {
   ProblemList problems;
   const Valve valve = read_form({json, problems});
   const Errors form = problems.listed();
-  for (const Error& error : validate(valve)) {
+  const ProblemList meaning = problems_in(valve);
+  for (const Error& error : meaning.listed()) {
     const auto overlaps = [&](const Error& earlier) {
       return within(error.path, earlier.path) || within(earlier.path, error.path);
     };
@@ -165,6 +166,7 @@ Expected<Valve> valve_from_json(const nlohmann::json& json) {
       problems.add(error.code, error.path, error.message);
     }
   }
+  problems.add_unlisted(meaning.unlisted());
   if (!problems.empty()) return std::move(problems).take();
   return valve;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/valve/contour.h"
 #include "core/valve/problem_list.h"
@@ -73,15 +74,18 @@ struct Commissures {
 /// Walks from the front of the annulus to the first cut that begins with the posterior sheet; the
 /// answer lies midway between that and the last cut that begins with the anterior one. Negative
 /// steps walk clockwise.
-double find_commissure(const FramedSource& source, const ArcLength& arc, double step_mm) {
+std::optional<double> find_commissure(const FramedSource& source, const ArcLength& arc,
+                                      double step_mm) {
   const double front = arc.crossing_mm(true);
   int last = -1;
   for (int i = 0; i < kScan; ++i) {
     const int sheet = cut_leaflets(source.leaflets, arc.at(front + i * step_mm)).sheet;
     if (sheet == 0) last = i;
-    if (sheet == 1) return last < 0 ? -1.0 : front + 0.5 * (last + i) * step_mm;
+    if (sheet != 1) continue;
+    if (last < 0) return std::nullopt;
+    return front + 0.5 * (last + i) * step_mm;
   }
-  return -1.0;
+  return std::nullopt;
 }
 
 Expected<Commissures> find_commissures(const FramedSource& source, const ArcLength& arc) {
@@ -90,10 +94,13 @@ Expected<Commissures> find_commissures(const FramedSource& source, const ArcLeng
     const double half = 0.5 * kAnteriorArc * total;
     return Commissures{front - half, front + half, false};
   }
-  const Commissures found{find_commissure(source, arc, -total / kScan) + total,
-                          find_commissure(source, arc, total / kScan) + total, true};
-  const double anterior = found.lateral_mm - found.medial_mm;
-  if (anterior > 0.1 * total && anterior < 0.9 * total) return found;
+  const std::optional<double> medial = find_commissure(source, arc, -total / kScan);
+  const std::optional<double> lateral = find_commissure(source, arc, total / kScan);
+  if (medial && lateral) {
+    const Commissures found{*medial + total, *lateral + total, true};
+    const double anterior = found.lateral_mm - found.medial_mm;
+    if (anterior > 0.1 * total && anterior < 0.9 * total) return found;
+  }
   return Error{
       ErrorCode::BadGeometry, "/leaflets",
       "must meet at two commissures: the anterior sheet in front, the posterior sheet behind, "

@@ -45,6 +45,24 @@ TEST(Minimise, WorksInOneDimension) {
   EXPECT_LT(lowest, 0.05);
 }
 
+TEST(Minimise, TakesRangesThatAreShorterThanTheFirstStep) {
+  for (const double range : {0.0, 0.5, 3.0}) {
+    int calls = 0;
+    double lowest = 1e9;
+    minimise(
+        {{1.0, 0.0}, {1.0 + range, 10.0}, {1.0, 5.0}, {2.0, 2.0}, 0.01, 100},
+        [&](const std::vector<double>& x) -> std::optional<double> {
+          ++calls;
+          const double value = std::pow(x[0] - 1.0 - range, 2) + std::pow(x[1] - 3.0, 2);
+          lowest = std::min(lowest, value);
+          return value;
+        },
+        1);
+    EXPECT_GT(calls, 5) << range;
+    EXPECT_LT(lowest, 0.01) << range;
+  }
+}
+
 TEST(Minimise, EndsOnAPlateauWithoutAnException) {
   int calls = 0;
   minimise(

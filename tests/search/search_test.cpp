@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <mutex>
+#include <thread>
 
 #include "core/repair/apply_plan.h"
 #include "core/valve/annulus_frame.h"
@@ -146,6 +147,66 @@ TEST(Search, NeverTrustsFailedClosures) {
   EXPECT_FALSE(result.plans.at(0).crossing);
 }
 
+TEST(Search, RanksAPlanThatFailsInItsRegionBehindOneThatDoesNot) {
+  // Rings close the valve, but only where the tips are just so; sutures leave a leak, everywhere.
+  const Valve valve = small_valve();
+  const Vec3 tip = papillary_tip_mm(valve, Side::Posteromedial);
+  const auto moved_mm = [&](const Valve& v) {
+    return (papillary_tip_mm(v, Side::Posteromedial) - tip).norm();
+  };
+  const Evaluator evaluate = [&](const Valve& v) {
+    Evaluation evaluation = stub(v);
+    const bool ring = v.annulus_mm != valve.annulus_mm, sutured = moved_mm(v) > 2.9;
+    evaluation.measure.orifice.area_mm2 = sutured ? 2.0 : ring ? 0.0 : 30.0;
+    evaluation.crossing = ring && !sutured && moved_mm(v) > 0.0;
+    return evaluation;
+  };
+  SearchOptions options = small_search();
+  options.plans = 5;
+  const SearchResult result = searched(evaluate, options);
+  ASSERT_EQ(result.plans.size(), 5u);
+  const auto share = [](const RankedPlan& plan) {
+    return static_cast<double>(plan.region_failures) / plan.region_closures;
+  };
+  EXPECT_EQ(share(result.plans.front()), 0.0);
+  EXPECT_EQ(result.plans.front().leak_mm2.nominal, 2.0);
+  EXPECT_GT(share(result.plans.back()), 0.5);
+  EXPECT_EQ(result.plans.back().leak_mm2.nominal, 0.0);
+  for (std::size_t i = 1; i < result.plans.size(); ++i)
+    EXPECT_LE(share(result.plans[i - 1]), share(result.plans[i]));
+  EXPECT_FALSE(closes_robustly(result)) << "the best leaks 2 mm2";
+}
+
+TEST(Search, ALeakThatIsNoNumberIsAFailure) {
+  Evaluation evaluation;
+  EXPECT_TRUE(trusted(evaluation));
+  evaluation.measure.coaptation.gap_area_mm2 = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(trusted(evaluation));
+}
+
+TEST(Search, APlanClosesRobustlyIfItsRegionDoes) {
+  const auto with = [](double mean, double sd, int failures, int closures) {
+    RankedPlan plan;
+    plan.leak_mm2 = {0.0, mean, sd, mean + sd};
+    plan.region_failures = failures;
+    plan.region_closures = closures;
+    return plan;
+  };
+  EXPECT_TRUE(closes_robustly(with(0.5, 0.4, 0, 17)));
+  EXPECT_FALSE(closes_robustly(with(0.5, 0.6, 0, 17)));
+  EXPECT_FALSE(closes_robustly(with(0.0, 0.0, 1, 17)));
+  EXPECT_FALSE(closes_robustly(with(0.0, 0.0, 0, 1)));
+  RankedPlan crossed = with(0.0, 0.0, 0, 17);
+  crossed.crossing = true;
+  EXPECT_FALSE(closes_robustly(crossed));
+  SearchResult result;
+  EXPECT_FALSE(closes_robustly(result));
+  result.plans = {with(0.0, 0.0, 0, 17), crossed};
+  EXPECT_TRUE(closes_robustly(result));
+  result.plans = {crossed, with(0.0, 0.0, 0, 17)};
+  EXPECT_FALSE(closes_robustly(result));
+}
+
 TEST(Search, SurvivesAValveThatNeverCloses) {
   const Evaluator evaluate = [](const Valve&) {
     Evaluation evaluation;
@@ -197,6 +258,41 @@ TEST(Search, SaysNothingOfARegionThatWasNotClosed) {
   }
   options.region_points = 2;
   EXPECT_EQ(searched(evaluate, options).plans.at(0).leak_mm2.mean, 8.0);
+}
+
+TEST(Search, StoppedWhileRankingItComparesAllPlansOverTheSameNodes) {
+  // After 91 closures, 6 finalists at nodes 1 to 4, then 3 of them at nodes 5 to 8. The third plan
+  // has not been closed at the last node.
+  for (const auto& [closures, nodes] : {std::pair(91 + 8, 2), std::pair(91 + 24 + 5, 6)}) {
+    std::atomic<bool> cancelled = false;
+    std::atomic<int> done = 0;
+    const Evaluator evaluate = [&, last = closures](const Valve& valve) {
+      if (++done == last) cancelled = true;
+      return stub(valve);
+    };
+    SearchOptions options = small_search();
+    options.threads = 1;
+    const Expected<SearchResult> result =
+        search_plans_with(evaluate, small_valve(), options, kCatalogue, {}, &cancelled);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->closures, closures);
+    ASSERT_EQ(result->plans.size(), 3u);
+    for (const RankedPlan& plan : result->plans) EXPECT_EQ(plan.region_closures, nodes);
+  }
+}
+
+TEST(Search, WithLittleTimeItStillClosesTheRegionOfItsPlans) {
+  const Evaluator evaluate = [](const Valve& valve) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return stub(valve);
+  };
+  SearchOptions options = small_search();
+  options.evaluations = 100000;
+  options.seconds = 0.5;
+  const SearchResult result = searched(evaluate, options);
+  EXPECT_EQ(result.stop, SearchStop::TimeLimit);
+  ASSERT_EQ(result.plans.size(), 3u);
+  for (const RankedPlan& plan : result.plans) EXPECT_GT(plan.region_closures, 1);
 }
 
 TEST(Search, OutOfTimeItReturnsWhatThereIs) {

@@ -108,6 +108,36 @@ TEST(Strategy, SuturesMoveTheMuscleByTwoToTenMillimetresInHalves) {
             20.5);
 }
 
+TEST(Strategy, SuturesKeepEveryHeadBelowTheAnnulus) {
+  // With a second head 3 mm below the annulus a muscle is lifted by less than that.
+  Valve valve = small_valve();
+  PapillaryHead high = valve.heads[1];
+  high.id = "PM2";
+  high.tip_mm.z() = -3.0;
+  valve.heads.push_back(high);
+  Choice choice;
+  choice.posteromedial = Anchor::SaddlePeak;
+  const Strategy strategy = *make_strategy(valve, {}, choice);
+  const Parameter& suture = strategy.parameters.at(0);
+  for (int at = 0; at < lattice_size(suture); ++at)
+    EXPECT_TRUE(apply_plan(valve, plan_at(strategy, {at}), {}));
+  RepairPlan shorter = plan_at(strategy, {0});
+  std::get<PapillaryApproximation>(shorter.steps[0]).suture_length_mm -= 0.5;
+  EXPECT_FALSE(apply_plan(valve, shorter, {}));
+}
+
+TEST(Strategy, IsNoneWhereTheValveTakesNoMoreChordae) {
+  Valve valve = with_rupture();
+  Choice choice;
+  choice.neochordae = 2;
+  EXPECT_TRUE(make_strategy(valve, {}, choice));
+  for (int i = 3; i <= 1999; ++i) {
+    valve.chordae.push_back(valve.chordae[1]);
+    valve.chordae.back().id = std::to_string(i);
+  }
+  EXPECT_FALSE(make_strategy(valve, {}, choice));
+}
+
 TEST(Neochordae, GoToTheLesionFromTheirOwnHalf) {
   // Chorda 0 inserts at vertices 20 and 21 of the free edge: in P1, near the anterolateral
   // commissure.

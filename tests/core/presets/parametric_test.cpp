@@ -56,6 +56,24 @@ TEST(ParametricValve, HasTheLeafletHeightsAndResolutionAskedFor) {
   }
 }
 
+TEST(ParametricValve, NamesItsChordaeAlikeAtEveryResolution) {
+  const auto ids = [](int triangles) {
+    ParametricValve d;
+    d.triangles = triangles;
+    std::vector<std::string> list;
+    const Valve valve = *make_parametric_valve(d);
+    for (const Chorda& chorda : valve.chordae) list.push_back(chorda.id);
+    return list;
+  };
+  const std::vector<std::string> expected = {
+      "AL1-A2-marginal-1", "AL1-A1-marginal-2", "AL2-AC-marginal-3", "AL3-P1-marginal-4",
+      "AL3-P2-marginal-5", "AL1-A2-strut-6",    "AL3-P1-basal-7",    "AL3-P2-basal-8",
+      "PM1-A2-marginal-1", "PM1-A3-marginal-2", "PM2-PC-marginal-3", "PM3-P3-marginal-4",
+      "PM3-P2-marginal-5", "PM1-A2-strut-6",    "PM3-P3-basal-7",    "PM3-P2-basal-8"};
+  for (const int triangles : {300, 650, 1000, 2000, 2600, 10400})
+    EXPECT_EQ(ids(triangles), expected) << triangles;
+}
+
 TEST(ParametricValve, NamesEveryDimensionOutsideItsRange) {
   ParametricValve d;
   d.ap_mm = std::numeric_limits<double>::quiet_NaN();

@@ -57,6 +57,16 @@ TEST(Preset, HasTheSameChordaeLengthsAtEveryResolution) {
                 fine.chordae[c].segments[s].rest_length_mm);
 }
 
+TEST(Preset, OfAProlapseHasTwoRupturedChordae) {
+  for (const int triangles : {0, 1000, 2000}) {
+    std::vector<std::string> ruptured;
+    const Valve valve = *make_preset("human-p2-prolapse", triangles);
+    for (const Chorda& chorda : valve.chordae)
+      if (chorda.ruptured) ruptured.push_back(chorda.id);
+    EXPECT_EQ(ruptured, (std::vector<std::string>{"AL3-P2-marginal-5", "PM3-P2-marginal-5"}));
+  }
+}
+
 TEST(Preset, LeaksMoreTheFurtherTheAnnulusDilatesOrTheTipsDescend) {
   const Valve valve = *make_preset("porcine-1");
   const auto orifice = [&](const Remodelling& change) {

@@ -108,6 +108,26 @@ TEST(Annuloplasty, CommutesWithRigidMotions) {
   }
 }
 
+TEST(Annuloplasty, LeavesAtLeastHalfOfTheTransverseDiameter) {
+  // A transverse diameter of 12 mm: three sizes leave 6, four are too many.
+  Valve narrow = small_valve();
+  narrow.annulus_mm.col(0) /= 3.0;
+  const auto ring = [&narrow](int sizes_below) {
+    return apply_plan(narrow, {{Annuloplasty{.shape = "own", .sizes_below = sizes_below}}},
+                      kCatalogue);
+  };
+  ASSERT_TRUE(ring(3));
+  EXPECT_NEAR(transverse_diameter_mm(*ring(3), annulus_frame(*ring(3))), 6.0, 1e-9);
+  for (const int sizes : {4, 6}) {
+    const Expected<Valve> refused = ring(sizes);
+    ASSERT_FALSE(refused);
+    ASSERT_EQ(refused.errors().size(), 1u);
+    EXPECT_EQ(refused.errors()[0].code, ErrorCode::ImpossibleStep);
+    EXPECT_EQ(refused.errors()[0].path, "/steps/0/sizes_below");
+    EXPECT_NE(refused.errors()[0].message.find("from 0 to 3"), std::string::npos);
+  }
+}
+
 TEST(Annuloplasty, RefusesWhatIsNotMade) {
   EXPECT_EQ(refusal({.shape = "round", .size_mm = 30.0}), "/steps/0/shape");
   EXPECT_EQ(refusal({.shape = "d", .size_mm = 31.0}), "/steps/0/size_mm");

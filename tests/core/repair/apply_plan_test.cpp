@@ -104,6 +104,28 @@ TEST(ApplyPlan, CommutesWithRigidMotions) {
   EXPECT_EQ(a.chordae[3].segments[0].insertion.face, b.chordae[3].segments[0].insertion.face);
 }
 
+TEST(ApplyPlan, RefusesStepsThatLeaveNoValidValve) {
+  // A second head just below the annulus, which a suture of both would draw through it; a chorda of
+  // 95 mm, which may be 100 mm long.
+  Valve valve = small_valve();
+  PapillaryHead high = valve.heads[1];
+  high.id = "PM2";
+  high.tip_mm = Vec3(12.0, -2.0, -2.0);
+  valve.heads.push_back(high);
+  valve.chordae[1].segments[0].rest_length_mm = 95.0;
+  ASSERT_TRUE(validate(valve).empty());
+  const PapillaryApproximation suture{.side = Side::Posteromedial, .suture_length_mm = 12.0};
+  const RepairPlan plan{
+      {ChordalExcision{"AL1-P1-marginal-1"}, ChordalLengthChange{"PM1-A2-strut-1", 6.0}, suture}};
+  const Expected<Valve> refused = apply_plan(valve, plan, kCatalogue);
+  ASSERT_FALSE(refused);
+  ASSERT_EQ(refused.errors().size(), 2u);
+  EXPECT_EQ(refused.errors()[0].path, "/steps/2");
+  EXPECT_EQ(refused.errors()[1].path, "/steps/1");
+  for (const Error& error : refused.errors()) EXPECT_EQ(error.code, ErrorCode::ImpossibleStep);
+  EXPECT_NE(refused.errors()[0].message.find("/papillary_heads/2/tip_mm/2"), std::string::npos);
+}
+
 TEST(ApplyPlan, ListsEveryImpossibleStep) {
   const RepairPlan plan{{
       Annuloplasty{.shape = "own", .sizes_below = 1},

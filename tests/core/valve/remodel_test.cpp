@@ -89,6 +89,21 @@ TEST(Remodel, ListsEveryValueOutsideItsRange) {
   for (const Error& error : refused.errors()) EXPECT_EQ(error.code, ErrorCode::OutOfRange);
 }
 
+TEST(Remodel, RefusesWhatLeavesNoValve) {
+  // Tips 26 mm below the annulus, lifted by 30; a circumference of nearly 400 mm, which is the most.
+  const Expected<Valve> lifted =
+      remodel(small_valve(), {.anterolateral_mm = Vec3(0.0, 0.0, -30.0)});
+  ASSERT_FALSE(lifted);
+  ASSERT_EQ(lifted.errors().size(), 1u);
+  EXPECT_EQ(lifted.errors()[0].path, "/anterolateral_mm/2");
+  EXPECT_EQ(lifted.errors()[0].code, ErrorCode::BadGeometry);
+  Valve large = small_valve();
+  large.annulus_mm *= 3.95;
+  const Expected<Valve> dilated = remodel(large, {.ap_dilation_percent = 50.0});
+  ASSERT_FALSE(dilated);
+  for (const Error& error : dilated.errors()) EXPECT_EQ(error.path, "/ap_dilation_percent");
+}
+
 TEST(Remodel, RefusesAShrinkageThatPassesTheTrigones) {
   // Trigones moved to the middle: 40 % of 28 mm is more than the 10 mm between them and
   // mid-posterior.

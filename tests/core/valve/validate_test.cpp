@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -182,6 +183,42 @@ TEST(ValidateMesh, DegenerateFacesAreRefused) {
             (Found{{BadGeometry, "/faces/2"}}));
 }
 
+TEST(ValidateMesh, EdgesAreNotTooShort) {
+  // The shortest ones lie on the free edge, beside +-x; vertices 16 and 17 of face 3 are the first.
+  const double edge = std::hypot(9.0 - 9.0 * std::sqrt(0.5), 7.0 * std::sqrt(0.5));
+  const auto shrink = [edge](double shortest_mm) {
+    return [scale = shortest_mm / edge](Valve& v) { v.rest_mm *= scale; };
+  };
+  EXPECT_EQ(found(shrink(0.0201)), (Found{{BadGeometry, "/vertices_mm"}}));
+  EXPECT_EQ(found(shrink(0.0199)),
+            (Found{{BadGeometry, "/faces/3"}, {BadGeometry, "/vertices_mm"}}));
+  EXPECT_EQ(
+      first_message(shrink(0.0199)),
+      "has an edge of 0.0199 mm, the shortest of 4 faces with edges below 0.02 mm; edges must "
+      "be 0.02 mm or longer");
+}
+
+TEST(ValidateMesh, AreNotTooManyFaces) {
+  const auto fill = [](int faces) {
+    return [faces](Valve& v) { v.faces = v.faces.row(0).replicate(faces, 1).eval(); };
+  };
+  EXPECT_FALSE(contains(found(fill(100000)), OutOfRange, "/faces"));
+  EXPECT_TRUE(contains(found(fill(100001)), OutOfRange, "/faces"));
+}
+
+TEST(ValidateMesh, EachLeafletHasItsThreeSegments) {
+  const auto paint = [](Segment from, Segment to) {
+    return [from, to](Valve& v) { std::replace(v.segments.begin(), v.segments.end(), from, to); };
+  };
+  EXPECT_EQ(found(paint(Segment::A2, Segment::A1)), (Found{{BadTopology, "/segments"}}));
+  const auto all_p2 = [](Valve& v) {
+    std::fill(v.segments.begin(), v.segments.end(), Segment::P2);
+  };
+  EXPECT_EQ(found(all_p2), (Found{{BadTopology, "/segments"}}));
+  EXPECT_EQ(first_message(all_p2).find("has no face of A1 A2 A3 P1 P3;"), 0u);
+  EXPECT_EQ(found([](Valve& v) { v.segments[0] = Segment::PC; }), Found{});
+}
+
 TEST(ValidateMesh, FibresAreUnitVectorsInTheirFaces) {
   EXPECT_EQ(found([](Valve& v) { v.fibre.row(4) *= 1.01; }), (Found{{OutOfRange, "/fibre/4"}}));
   EXPECT_EQ(found([](Valve& v) { v.fibre(4, 0) = kNan; }), (Found{{OutOfRange, "/fibre/4"}}));
@@ -234,9 +271,12 @@ TEST(ValidateAnnulus, MetresAreRecognised) {
     v.rest_mm *= 1e-3;
     v.annulus_mm *= 1e-3;
   };
-  EXPECT_EQ(found(in_metres),
-            (Found{{BadGeometry, "/annulus/positions_mm"}, {BadGeometry, "/vertices_mm"}}));
-  EXPECT_NE(first_message(in_metres).find("looks like metres"), std::string::npos);
+  EXPECT_EQ(found(in_metres), (Found{{BadGeometry, "/faces/3"},
+                                     {BadGeometry, "/annulus/positions_mm"},
+                                     {BadGeometry, "/vertices_mm"}}));
+  Valve valve = small_valve();
+  in_metres(valve);
+  EXPECT_NE(validate(valve)[1].message.find("looks like metres"), std::string::npos);
   const auto in_tenths = [](Valve& v) { v.annulus_mm *= 10.0; };
   EXPECT_EQ(found(in_tenths), (Found{{BadGeometry, "/annulus/positions_mm"}}));
   EXPECT_EQ(first_message(in_tenths).find("looks like metres"), std::string::npos);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/repair/apply_plan.h"
+#include "core/repair/limits.h"
 #include "io/json/plan_json.h"
 #include "io/json/valve_json.h"
 #include "tests/io/json/found.h"
@@ -203,6 +204,25 @@ TEST(PlanSchema, AcceptsWhatIsWritten) { EXPECT_TRUE(Schema("plan").accepts(full
 
 TEST(PlanSchema, AgreesWithTheReaderOnEveryField) {
   expect_agreement_on_fields(Schema("plan"), full_plan(), reads_plan);
+}
+
+TEST(PlanSchema, HasTheLimitsOfTheRepairSteps) {
+  const json steps = schema_of("plan")["$defs"];
+  const auto range = [&](const char* step, const char* field) {
+    const json& limits = steps[step]["properties"][field];
+    return std::pair(limits["minimum"].get<double>(), limits["maximum"].get<double>());
+  };
+  const auto pair = [](Range limits) { return std::pair(limits.min, limits.max); };
+  EXPECT_EQ(range("own_ring", "sizes_below"), pair(kSizesBelow));
+  EXPECT_EQ(range("catalogue_ring", "size_mm"), pair(kRingSizesMm));
+  EXPECT_EQ(steps["catalogue_ring"]["properties"]["size_mm"]["multipleOf"], kRingSizeStep_mm);
+  EXPECT_EQ(range("neochorda", "length_mm"), pair(kNeochordaMm));
+  EXPECT_EQ(range("chordal_length_change", "change_mm"), pair(kLengthChangeMm));
+  EXPECT_EQ(range("approximation_to_landmark", "suture_length_mm"), pair(kSutureMm));
+  EXPECT_EQ(range("approximation_to_point", "suture_length_mm"), pair(kSutureMm));
+  EXPECT_EQ(range("approximation_to_point", "annulus_around"), pair(kShare));
+  EXPECT_EQ(range("leaflet_point", "along"), pair(kShare));
+  EXPECT_EQ(range("leaflet_point", "height"), pair(kShare));
 }
 
 TEST(PlanSchema, AgreesWithTheReaderOnRanges) {

@@ -176,6 +176,27 @@ TEST(ValveJson, MillionsOfProblemsAreNotAllCounted) {
   EXPECT_EQ(read.errors().back().message, "at least 10000 more problems, not listed");
 }
 
+TEST(ValveJson, ProblemsThatAreNotListedAreCountedBesideProblemsOfForm) {
+  // One wrong type, and 251 chordae without a head: 200 are listed.
+  const auto spoil = [](json& d) {
+    d["name"] = 7;
+    json chorda = d["chordae"][1];
+    chorda["head"] = 9;
+    d["chordae"] = json::array();
+    for (int i = 0; i < 251; ++i) {
+      chorda["id"] = std::to_string(i);
+      d["chordae"].push_back(chorda);
+    }
+  };
+  json document = small_json();
+  spoil(document);
+  const auto read = read_valve(document.dump());
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.errors().size(), 201u);
+  EXPECT_EQ(read.errors().front().path, "/name");
+  EXPECT_EQ(read.errors().back().message, "52 more problems, not listed");
+}
+
 TEST(ValveJson, EveryPrefixOfAFileIsRefused) {
   const std::string text = small_json().dump();
   for (std::size_t size = 0; size < text.size(); size += 7) {

@@ -76,6 +76,15 @@ TEST(ImportErrors, SheetsThatDoNotReachTheAnnulusAreRefused) {
   EXPECT_EQ(problem(source).path, "/leaflets");
 }
 
+TEST(ImportErrors, ACommissureOnOneSideOnlyIsRefused) {
+  // The front, at 90 degrees, is bare; clockwise from there the posterior sheet comes first.
+  ImportSource source = cone_source();
+  source.leaflets = {cone(100, 170), cone(190, 440)};
+  const Error error = problem(source);
+  EXPECT_EQ(error.path, "/leaflets");
+  EXPECT_NE(error.message.find("two commissures"), std::string::npos) << error.message;
+}
+
 TEST(ImportErrors, HostileNumbersAreRefused) {
   ImportSource source = cone_source();
   source.leaflets[0].faces(3, 1) = 1 << 30;

@@ -1,0 +1,27 @@
+// What repair steps accept, and what practice accepts of them: each number once, for the steps, the
+// readers of plans, the search and its warnings. io/schema/plan.schema.json says the same (a test
+// compares).
+#pragma once
+
+#include "core/valve/problem_list.h"
+
+namespace coapt {
+
+// Accepted; outside, a step is refused.
+inline constexpr Range kRingSizesMm = {24.0, 40.0};  ///< labelled, catalogue shapes
+inline constexpr double kRingSizeStep_mm = 2.0;      ///< one size, of the transverse dimension
+inline constexpr Range kSizesBelow = {0.0, 6.0};     ///< shape "own"
+inline constexpr double kLeastOwnRing = 0.5;         ///< of the transverse diameter must remain
+inline constexpr Range kNeochordaMm = {5.0, 40.0};
+inline constexpr Range kLengthChangeMm = {-20.0, 20.0};
+inline constexpr Range kSutureMm = {12.0, 100.0};  ///< papillary approximation
+inline constexpr double kLeastSutureShare = 0.5;   ///< of the present distance, at least
+inline constexpr Range kShare = {0.0, 1.0};        ///< leaflet coordinates, place on the annulus
+
+// Usual; outside, the search does not look and a plan is warned of.
+inline constexpr double kMostSizesBelow = 4.0;  ///< more is rejected in practice
+inline constexpr Range kUsualNeochordaMm = {10.0, 30.0};
+inline constexpr double kUsualMovement_mm = 10.0;     ///< papillary relocation: more is unusual
+inline constexpr double kRejectedMovement_mm = 15.0;  ///< more is rejected in practice
+
+}  // namespace coapt
