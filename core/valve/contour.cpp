@@ -72,7 +72,8 @@ MeasuredSkeleton into_valve_frame(const Points& annulus_mm, const Points& tips_m
   Vec3 y = z.cross(x);
   const Points centred = annulus_mm.rowwise() - origin.transpose();
   const Eigen::VectorXd across = centred * y;
-  if (across.maxCoeff() > -across.minCoeff()) {
+  const double bulge = across.maxCoeff() + across.minCoeff();  // > 0 if y is the rounder side
+  if (bulge + y.dot(tips_mean - origin) > 0.0) {
     x = -x;
     y = -y;
   }

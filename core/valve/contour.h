@@ -19,7 +19,9 @@ struct MeasuredSkeleton {
 
 /// Moves a measured contour and its papillary tips (any frame, n x 3 and m x 3) into the valve's
 /// frame: plane by least squares, atrium away from the tips, x along the line between the two
-/// clusters of tips, anterior where the contour is flatter (its smaller extent from the centroid).
+/// clusters of tips. Two signs tell anterior, added in mm: the tips lie behind the centre, and the
+/// contour is flatter in front (its smaller extent from the centroid). A posterior displacement of
+/// the tips outweighs the shape of an irregular contour.
 MeasuredSkeleton into_valve_frame(const Points& annulus_mm, const Points& tips_mm);
 
 /// Point at a share of the arc length of a closed contour, from its first point; wraps.

@@ -38,6 +38,30 @@ TEST(ArcLength, OfASquareWalksItsSides) {
   EXPECT_DOUBLE_EQ(arc.crossing_mm(false), 7.0);
 }
 
+TEST(IntoValveFrame, TakesTheSideOfTheTipsForPosteriorWhereTheContourSaysLittle) {
+  Points ellipse(24, 3);
+  for (int i = 0; i < 24; ++i)
+    ellipse.row(i) << 20.0 * std::cos(i * 0.2618), 15.0 * std::sin(i * 0.2618), 0.0;
+  Points tips(2, 3);
+  for (const double side : {1.0, -1.0}) {
+    tips << -12.0, side * 5.0, -24.0, 12.0, side * 5.0, -24.0;
+    EXPECT_NEAR(into_valve_frame(ellipse, tips).tips_mm(0, 1), -5.0, 1e-6);
+  }
+  // A bulge of 2 mm on the anterior side does not outweigh tips 20 mm behind.
+  for (int i = 0; i < 24; ++i)
+    if (ellipse(i, 1) > 14.0) ellipse(i, 1) += 2.0;
+  tips << -12.0, -20.0, -24.0, 12.0, -20.0, -24.0;
+  EXPECT_LT(into_valve_frame(ellipse, tips).tips_mm(0, 1), -19.0);
+}
+
+TEST(IntoValveFrame, TakesTheFlatterSideForAnteriorWhereTheTipsSayNothing) {
+  const Points contour = generic_annulus_contour(29.0, 39.0, 0.0);
+  Points tips(2, 3);
+  tips << -12.0, 0.0, -24.0, 12.0, 0.0, -24.0;
+  const Points framed = into_valve_frame(contour, tips).annulus_mm;
+  EXPECT_NEAR(framed.col(1).maxCoeff(), contour.col(1).maxCoeff(), 1e-6);
+}
+
 TEST(ParametricValve, HasTheLeafletHeightsAndResolutionAskedFor) {
   for (const int triangles : {650, 2600, 10400}) {
     ParametricValve d;
