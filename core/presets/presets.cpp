@@ -6,6 +6,7 @@
 #include "core/closure/closure.h"
 #include "core/closure/tauten.h"
 #include "core/valve/remodel.h"
+#include "core/valve/validate.h"
 
 namespace coapt {
 namespace {
@@ -51,6 +52,7 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
   coarse.triangles = kLengthTriangles;
   Expected<Valve> open = make_parametric_valve(coarse);
   if (!open) return open;
+  if (Errors errors = validate(*open); !errors.empty()) return errors;
   const ClosureResult closed = close_valve(*open);
   if (closed.status == ClosureStatus::Diverged)
     return Error{
@@ -62,6 +64,7 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
       made->chordae[c].segments[s].rest_length_mm = taut.chordae[c].segments[s].rest_length_mm;
   made->provenance.push_back("chordae lengths: distances in the closed, pressurised valve times " +
                              std::to_string(dimensions.slack));
+  if (Errors errors = validate(*made); !errors.empty()) return errors;
   return made;
 }
 

@@ -67,7 +67,8 @@ MeasuredSkeleton into_valve_frame(const Points& annulus_mm, const Points& tips_m
   const Vec3 tips_mean = tips_mm.colwise().mean();
   Vec3 z = main_direction(annulus_mm, 0);
   if (z.dot(tips_mean - origin) > 0.0) z = -z;
-  Vec3 x = main_direction(tips_mm, 2);
+  const Points tips_in_plane = tips_mm - tips_mm * z * z.transpose();
+  Vec3 x = main_direction(tips_in_plane, 2);
   x = (x - x.dot(z) * z).normalized();
   Vec3 y = z.cross(x);
   const Points centred = annulus_mm.rowwise() - origin.transpose();

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/valve/contour.h"
+#include "core/valve/measured_skeleton.h"
 #include "core/valve/parametric_chordae.h"
 
 namespace coapt {
@@ -155,12 +155,10 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
   tips << -0.5 * d.tip_spread_mm, -d.tip_posterior_mm, -d.tip_depth_mm,  //
       0.5 * d.tip_spread_mm, -d.tip_posterior_mm, -d.tip_depth_mm;
   if (d.annulus_mm) {
-    const MeasuredSkeleton skeleton = into_valve_frame(*d.annulus_mm, *d.tips_mm);
-    contour = skeleton.annulus_mm;
-    tips = skeleton.tips_mm;
-    if (tips.col(0).minCoeff() >= 0.0 || tips.col(0).maxCoeff() <= 0.0)
-      return Error{ErrorCode::BadGeometry, "/tips_mm",
-                   "all tips lie on one side of the annulus; accepted: both"};
+    const Expected<MeasuredSkeleton> skeleton = measured_skeleton(*d.annulus_mm, *d.tips_mm);
+    if (!skeleton) return skeleton.errors();
+    contour = skeleton->annulus_mm;
+    tips = skeleton->tips_mm;
   }
   const ArcLength arc(contour);
   const std::vector<Station> stations = place_stations(arc, d, grid);

@@ -69,6 +69,13 @@ class Make(ProgramTest):
         self.assertIn("/ap_mm", result.stderr)
         self.assertEqual(result.stdout, "")
 
+    def test_an_annulus_in_place_of_the_tips_is_refused_at_once(self):
+        ring = SOURCE / "examples/valves/source/kaiser/normal_1_annulus.csv"
+        result = coapt("valve", "make", "--annulus", ring, "--tips", ring, "-o", "-")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("/tips_mm", result.stderr)
+        self.assertEqual(result.stdout, "")
+
     def test_an_output_that_cannot_be_written_is_1(self):
         result = coapt("valve", "make", "human-normal", "-o", "/nowhere/valve.json")
         self.assertEqual(result.returncode, FAILURE)
