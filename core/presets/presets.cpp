@@ -106,7 +106,9 @@ Expected<Valve> make_preset(const std::string& name, int triangles) {
     d.al_pm_mm = 44.0;
     d.anterior_height_mm = 23.0;
     d.posterior_height_mm = 13.0;
-
+    d.lateral_height_mm = 11.0;
+    d.commissure_height_mm = 8.0;
+    d.saddle_height_mm = 6.8;
     d.tip_spread_mm = 27.0;
     Expected<Valve> valve = taut(d);
     if (!valve) return valve;

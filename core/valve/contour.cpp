@@ -56,8 +56,16 @@ Points generic_annulus_contour(double ap_mm, double al_pm_mm, double saddle_heig
     const double depth = ap_mm * (anterior ? kAnteriorShare : 1.0 - kAnteriorShare);
     const double x = 0.5 * al_pm_mm * signed_power(std::cos(t), exponent);
     const double y = depth * signed_power(std::sin(t), exponent);
-    const double phi = std::atan2(x, y);
-    contour.row(i) << x, y, 0.5 * saddle_height_mm * std::cos(2.0 * phi);
+    contour.row(i) << x, y, 0.0;
+  }
+  return with_saddle(contour, saddle_height_mm);
+}
+
+Points with_saddle(const Points& planar_mm, double height_mm) {
+  Points contour = planar_mm;
+  for (Eigen::Index i = 0; i < contour.rows(); ++i) {
+    const double phi = std::atan2(contour(i, 0), contour(i, 1));
+    contour(i, 2) = 0.5 * height_mm * std::cos(2.0 * phi);
   }
   return contour.rowwise() - centroid(contour).transpose();
 }

@@ -80,6 +80,20 @@ TEST(ParametricValve, HasTheLeafletHeightsAndResolutionAskedFor) {
   }
 }
 
+TEST(ParametricValve, LeftOutHeightsFollowTheDiametersAndGivenOnesStay) {
+  ParametricValve d;
+  d.lateral_height_mm = 12.0;
+  const Proportions of_human = proportions(d, 29.0, 39.0);
+  EXPECT_EQ(of_human.anterior_height_mm, 22.0);
+  EXPECT_EQ(of_human.saddle_height_mm, 6.8);
+  const Proportions twice = proportions(d, 58.0, 39.0);
+  EXPECT_EQ(twice.anterior_height_mm, 44.0);
+  EXPECT_EQ(twice.posterior_height_mm, 26.0);
+  EXPECT_EQ(twice.lateral_height_mm, 12.0);
+  EXPECT_EQ(twice.commissure_height_mm, 8.0);
+  EXPECT_EQ(proportions(d, 29.0, 78.0).commissure_height_mm, 16.0);
+}
+
 TEST(ParametricValve, NamesEveryDimensionOutsideItsRange) {
   ParametricValve d;
   d.ap_mm = std::numeric_limits<double>::quiet_NaN();
@@ -108,6 +122,27 @@ TEST(ParametricValve, FromAMeasuredContourDoesNotDependOnTheFrameOfTheMeasuremen
   const Valve there = *make_parametric_valve(d);
   EXPECT_LT((here.rest_mm - there.rest_mm).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_TRUE(validate(here).empty());
+}
+
+TEST(ParametricValve, OnAPlanarContourGetsTheSaddleItIsAskedFor) {
+  ParametricValve d;
+  d.annulus_mm = generic_annulus_contour(29.0, 39.0, 0.0);
+  Points tips(2, 3);
+  tips << -12, -2, -23.5, 12, -2, -23.5;
+  d.tips_mm = tips;
+  const auto height = [&d] {
+    const Eigen::VectorXd z = make_parametric_valve(d)->annulus_mm.col(2);
+    return z.maxCoeff() - z.minCoeff();
+  };
+  EXPECT_NEAR(height(), 6.8, 0.1);
+  d.saddle_height_mm = 3.0;
+  EXPECT_NEAR(height(), 3.0, 0.1);
+  d.saddle_height_mm = 0.0;
+  EXPECT_NEAR(height(), 0.0, 1e-9);
+  d.annulus_mm = generic_annulus_contour(29.0, 39.0, 6.8);
+  EXPECT_EQ(make_parametric_valve(d).errors()[0].path, "/saddle_height_mm");
+  d.saddle_height_mm.reset();
+  EXPECT_NEAR(height(), 7.4, 0.1) << "its own, over its own plane";
 }
 
 TEST(ParametricValve, WithAMeasuredAnnulusButNoTipsSaysWhatIsMissing) {
