@@ -36,6 +36,8 @@ int run(Arguments arguments) {
   if (!arguments.annulus.empty()) {
     if (const int failed = read_contour(arguments.annulus, dimensions.annulus_mm)) return failed;
     if (const int failed = read_contour(arguments.tips, dimensions.tips_mm)) return failed;
+    dimensions.annulus_source = arguments.annulus;
+    dimensions.tips_source = arguments.tips;
   }
   const Expected<Valve> valve = arguments.preset.empty()
                                     ? make_taut_valve(dimensions)

@@ -7,6 +7,7 @@
 
 #include "core/valve/measured_skeleton.h"
 #include "core/valve/parametric_chordae.h"
+#include "core/valve/problem_list.h"
 
 namespace coapt {
 namespace {
@@ -148,6 +149,28 @@ std::vector<Station> place_stations(const ArcLength& arc, const ParametricValve&
   return stations;
 }
 
+/// "440 measured points of annulus.csv"
+std::string measured(const Points& points_mm, const std::string& source) {
+  return std::to_string(points_mm.rows()) + " measured points" +
+         (source.empty() ? "" : " of " + source);
+}
+
+std::string rounded(double mm) { return shown(std::round(100.0 * mm) / 100.0); }
+
+std::vector<std::string> provenance(const ParametricValve& d, const Proportions& heights,
+                                    bool saddle_added) {
+  if (!d.annulus_mm) return {"parametric valve made by coapt from anatomical dimensions"};
+  std::string annulus = "annulus: " + measured(*d.annulus_mm, d.annulus_source);
+  if (saddle_added)
+    annulus += ", planar; saddle of " + rounded(heights.saddle_height_mm) + " mm added by coapt";
+  return {"parametric valve made by coapt on a measured annulus", annulus,
+          "papillary tips: " + measured(*d.tips_mm, d.tips_source),
+          "leaflets: not measured; heights " + rounded(heights.anterior_height_mm) + " (A2), " +
+              rounded(heights.posterior_height_mm) + " (P2), " +
+              rounded(heights.lateral_height_mm) + " (P1, P3), " +
+              rounded(heights.commissure_height_mm) + " mm (commissures)"};
+}
+
 }  // namespace
 
 Proportions proportions(const ParametricValve& d, double ap_mm, double al_pm_mm) {
@@ -168,6 +191,7 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
   Points tips(2, 3);
   tips << -0.5 * d.tip_spread_mm, -d.tip_posterior_mm, -d.tip_depth_mm,  //
       0.5 * d.tip_spread_mm, -d.tip_posterior_mm, -d.tip_depth_mm;
+  bool saddle_added = false;
   if (d.annulus_mm) {
     const Expected<MeasuredSkeleton> skeleton = measured_skeleton(*d.annulus_mm, *d.tips_mm);
     if (!skeleton) return skeleton.errors();
@@ -179,7 +203,8 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
     if (!planar && d.saddle_height_mm)
       return Error{ErrorCode::OutOfRange, "/saddle_height_mm",
                    "the measured annulus has its own height; accepted with a planar one only"};
-    if (planar) contour = with_saddle(contour, heights.saddle_height_mm);
+    saddle_added = planar && heights.saddle_height_mm > 0.0;
+    if (saddle_added) contour = with_saddle(contour, heights.saddle_height_mm);
     tips = skeleton->tips_mm;
   }
   const ArcLength arc(contour);
@@ -187,7 +212,7 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
 
   Valve valve;
   valve.name = d.name;
-  valve.provenance.push_back("parametric valve made by coapt from anatomical dimensions");
+  valve.provenance = provenance(d, heights, saddle_added);
   const int n = grid.stations;
   valve.rest_mm.resize(n * (grid.rows + 1), 3);
   const double tilt = d.inclination_deg * kPi / 180.0;

@@ -37,6 +37,7 @@ struct ParametricValve {
   /// annulus under pressure is a saddle) is given the saddle height; 0 leaves it planar.
   std::optional<Points> annulus_mm;
   std::optional<Points> tips_mm;  ///< measured papillary attachments, required with annulus_mm
+  std::string annulus_source, tips_source;  ///< files they come from, for the provenance
 };
 
 struct Proportions {

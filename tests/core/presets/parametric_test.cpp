@@ -145,6 +145,23 @@ TEST(ParametricValve, OnAPlanarContourGetsTheSaddleItIsAskedFor) {
   EXPECT_NEAR(height(), 7.4, 0.1) << "its own, over its own plane";
 }
 
+TEST(ParametricValve, OnAMeasuredContourNamesItsFilesAndTheSaddleItWasGiven) {
+  ParametricValve d;
+  d.annulus_mm = generic_annulus_contour(29.0, 39.0, 0.0);
+  Points tips(2, 3);
+  tips << -12, -2, -23.5, 12, -2, -23.5;
+  d.tips_mm = tips;
+  d.annulus_source = "ring.csv";
+  d.tips_source = "tips.csv";
+  const std::vector<std::string> provenance = make_parametric_valve(d)->provenance;
+  ASSERT_EQ(provenance.size(), 4u);
+  EXPECT_EQ(provenance[1],
+            "annulus: 720 measured points of ring.csv, planar; saddle of 6.8 mm added by coapt");
+  EXPECT_EQ(provenance[2], "papillary tips: 2 measured points of tips.csv");
+  d.saddle_height_mm = 0.0;
+  EXPECT_EQ(make_parametric_valve(d)->provenance[1], "annulus: 720 measured points of ring.csv");
+}
+
 TEST(ParametricValve, WithAMeasuredAnnulusButNoTipsSaysWhatIsMissing) {
   ParametricValve d;
   d.annulus_mm = generic_annulus_contour(29.0, 39.0, 0.0);
