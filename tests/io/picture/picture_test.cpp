@@ -54,6 +54,19 @@ TEST(SectionMap, HoldsLeafletsThatBillowAndTipsThatLieAside) {
     }
 }
 
+TEST(ClosurePicture, NamesAGapThatTheAtrialViewHidesInItsHeadline) {
+  ClosedValve valve = closed(disc_with_hole(15.0, 0.4));
+  const auto headline = [&valve] {
+    const DecodedPng png = decode_png(closure_picture_png(valve));
+    return std::vector<std::uint32_t>(png.pixels.begin() + 640 * png.width,
+                                      png.pixels.begin() + 684 * png.width);
+  };
+  valve.measure.coaptation.gap_area_mm2 = 0.0;
+  const std::vector<std::uint32_t> sound = headline();
+  valve.measure.coaptation.gap_area_mm2 = 30.2;
+  EXPECT_NE(headline(), sound);
+}
+
 TEST(ClosurePicture, IsTheSameEveryTime) {
   const ClosedValve valve = closed(small_valve());
   EXPECT_EQ(closure_picture_png(valve), closure_picture_png(valve));
