@@ -37,8 +37,8 @@ void about(const Annuloplasty& ring, const Operation& operation, Lines& lines) {
                     "): it would stretch it");
   if ((ring.shape == "own" ? width : ring.size_mm) <= kStenoticRing_mm)
     lines.push_back("ring of 27 mm or less predicts functional stenosis; filling is not simulated");
-  const double sizes =
-      std::max((transverse - width) / kRingSize_mm, ring_sizes_below(valve, operation.repaired));
+  const double sizes = std::max((transverse - width) / kRingSizeStep_mm,
+                                ring_sizes_below(valve, operation.repaired));
   if (sizes > kMostSizesBelow + kRounding)
     lines.push_back(
         "annulus made smaller by more than 4 ring sizes (of its width or area): rejected in "

@@ -37,6 +37,8 @@ int run(Arguments arguments) {
   if (!arguments.annulus.empty()) {
     if (const int failed = read_contour(arguments.annulus, dimensions.annulus_mm)) return failed;
     if (const int failed = read_contour(arguments.tips, dimensions.tips_mm)) return failed;
+    dimensions.annulus_source = arguments.annulus;
+    dimensions.tips_source = arguments.tips;
   }
   const Expected<Valve> valve = arguments.preset.empty()
                                     ? make_taut_valve(dimensions)
@@ -73,14 +75,22 @@ void add_valve_make(CLI::App& parent, int& status) {
   const auto dimension = [&](const char* name, auto& value, const char* help) {
     return command->add_option(name, value, help)->group(kDimensions)->capture_default_str();
   };
+  const auto proportion = [&](const char* name, std::optional<double>& value, const char* help) {
+    return command->add_option(name, value, help)->group(kDimensions);
+  };
   dimension("--name", dimensions.name, "Name of the valve");
   dimension("--ap-mm", dimensions.ap_mm, "Annulus, anteroposterior");
   dimension("--al-pm-mm", dimensions.al_pm_mm, "Annulus, transverse");
-  dimension("--saddle-height-mm", dimensions.saddle_height_mm, "Annulus, height of the saddle");
-  dimension("--anterior-height-mm", dimensions.anterior_height_mm, "Leaflet at A2");
-  dimension("--posterior-height-mm", dimensions.posterior_height_mm, "Leaflet at P2");
-  dimension("--lateral-height-mm", dimensions.lateral_height_mm, "Leaflet at P1 and P3");
-  dimension("--commissure-height-mm", dimensions.commissure_height_mm, "Leaflet at a commissure");
+  proportion("--saddle-height-mm", dimensions.saddle_height_mm,
+             "Annulus, height of the saddle (6.8 on 39 mm al-pm, in proportion)");
+  proportion("--anterior-height-mm", dimensions.anterior_height_mm,
+             "Leaflet at A2 (22 on 29 mm ap, in proportion)");
+  proportion("--posterior-height-mm", dimensions.posterior_height_mm,
+             "Leaflet at P2 (13 on 29 mm ap, in proportion)");
+  proportion("--lateral-height-mm", dimensions.lateral_height_mm,
+             "Leaflet at P1 and P3 (11 on 39 mm al-pm, in proportion)");
+  proportion("--commissure-height-mm", dimensions.commissure_height_mm,
+             "Leaflet at a commissure (8 on 39 mm al-pm, in proportion)");
   dimension("--cleft-depth-mm", dimensions.cleft_depth_mm, "Between posterior scallops");
   dimension("--anterior-arc", dimensions.anterior_arc, "Anterior share of the annulus");
   dimension("--inclination-deg", dimensions.inclination_deg, "Leaflets from the vertical");
@@ -97,7 +107,7 @@ void add_valve_make(CLI::App& parent, int& status) {
       "Examples:\n"
       "  coapt valve make human-normal -o normal.json\n"
       "  coapt valve make porcine-1 --triangles 2600 -o porcine-1.json\n"
-      "  coapt valve make --ap-mm 34 --tip-depth-mm 26 -o dilated.json");
+      "  coapt valve make --ap-mm 34 --tip-depth-mm 26 -o large.json");
   command->callback([=, &status] {
     if (!arguments->preset.empty()) refuse_dimensions(*command);
     status = run(*arguments);

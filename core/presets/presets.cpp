@@ -6,6 +6,7 @@
 #include "core/closure/closure.h"
 #include "core/closure/tauten.h"
 #include "core/valve/remodel.h"
+#include "core/valve/validate.h"
 
 namespace coapt {
 namespace {
@@ -51,20 +52,22 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
   coarse.triangles = kLengthTriangles;
   Expected<Valve> open = make_parametric_valve(coarse);
   if (!open) return open;
+  if (Errors errors = validate(*open); !errors.empty()) return errors;
   ClosureOptions to_rest;
   to_rest.residual_tolerance = 1e-4;
   to_rest.way_tolerance_mm = 1e-3;
   const ClosureResult closed = close_valve(*open, to_rest);
-  if (closed.status == ClosureStatus::Diverged)
-    return Error{
-        ErrorCode::BadGeometry, "",
-        "a valve of these dimensions does not close: chordae lengths cannot be taken from it"};
+  if (closed.status != ClosureStatus::Converged || closed.crossing)
+    return Error{ErrorCode::BadGeometry, "",
+                 "a valve of these dimensions does not come to rest without leaflets through each "
+                 "other: chordae lengths cannot be taken from it"};
   const Valve taut = tauten(*open, closed, dimensions.slack);
   for (std::size_t c = 0; c < taut.chordae.size(); ++c)
     for (std::size_t s = 0; s < taut.chordae[c].segments.size(); ++s)
       made->chordae[c].segments[s].rest_length_mm = taut.chordae[c].segments[s].rest_length_mm;
   made->provenance.push_back("chordae lengths: distances in the closed, pressurised valve times " +
                              std::to_string(dimensions.slack));
+  if (Errors errors = validate(*made); !errors.empty()) return errors;
   return made;
 }
 
@@ -106,7 +109,9 @@ Expected<Valve> make_preset(const std::string& name, int triangles) {
     d.al_pm_mm = 44.0;
     d.anterior_height_mm = 23.0;
     d.posterior_height_mm = 13.0;
-
+    d.lateral_height_mm = 11.0;
+    d.commissure_height_mm = 8.0;
+    d.saddle_height_mm = 6.8;
     d.tip_spread_mm = 27.0;
     Expected<Valve> valve = taut(d);
     if (!valve) return valve;

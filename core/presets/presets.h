@@ -10,7 +10,8 @@
 namespace coapt {
 
 /// A parametric valve whose chordae are taut in its closed state (times dimensions.slack). The
-/// lengths come from the mesh of about 650 triangles and are the same at every resolution.
+/// lengths come from the mesh of about 650 triangles and are the same at every resolution. What validate() would refuse
+/// is refused here, before anything is closed.
 Expected<Valve> make_taut_valve(const ParametricValve& dimensions);
 
 const std::vector<std::string>& preset_names();

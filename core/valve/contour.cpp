@@ -56,8 +56,16 @@ Points generic_annulus_contour(double ap_mm, double al_pm_mm, double saddle_heig
     const double depth = ap_mm * (anterior ? kAnteriorShare : 1.0 - kAnteriorShare);
     const double x = 0.5 * al_pm_mm * signed_power(std::cos(t), exponent);
     const double y = depth * signed_power(std::sin(t), exponent);
-    const double phi = std::atan2(x, y);
-    contour.row(i) << x, y, 0.5 * saddle_height_mm * std::cos(2.0 * phi);
+    contour.row(i) << x, y, 0.0;
+  }
+  return with_saddle(contour, saddle_height_mm);
+}
+
+Points with_saddle(const Points& planar_mm, double height_mm) {
+  Points contour = planar_mm;
+  for (Eigen::Index i = 0; i < contour.rows(); ++i) {
+    const double phi = std::atan2(contour(i, 0), contour(i, 1));
+    contour(i, 2) = 0.5 * height_mm * std::cos(2.0 * phi);
   }
   return contour.rowwise() - centroid(contour).transpose();
 }
@@ -67,12 +75,14 @@ MeasuredSkeleton into_valve_frame(const Points& annulus_mm, const Points& tips_m
   const Vec3 tips_mean = tips_mm.colwise().mean();
   Vec3 z = main_direction(annulus_mm, 0);
   if (z.dot(tips_mean - origin) > 0.0) z = -z;
-  Vec3 x = main_direction(tips_mm, 2);
+  const Points tips_in_plane = tips_mm - tips_mm * z * z.transpose();
+  Vec3 x = main_direction(tips_in_plane, 2);
   x = (x - x.dot(z) * z).normalized();
   Vec3 y = z.cross(x);
   const Points centred = annulus_mm.rowwise() - origin.transpose();
   const Eigen::VectorXd across = centred * y;
-  if (across.maxCoeff() > -across.minCoeff()) {
+  const double bulge = across.maxCoeff() + across.minCoeff();  // > 0 if y is the rounder side
+  if (bulge + y.dot(tips_mean - origin) > 0.0) {
     x = -x;
     y = -y;
   }

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/valve/contour.h"
+#include "core/valve/measured_skeleton.h"
 #include "core/valve/parametric_chordae.h"
+#include "core/valve/problem_list.h"
 
 namespace coapt {
 namespace {
@@ -14,6 +15,8 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kTrigone =
     0.66;  // of the way from saddle peak to commissure: 29 mm apart in a human annulus
+constexpr double kHumanAp_mm = 29.0, kHumanAlPm_mm = 39.0;  // controls, PMC7368231
+constexpr double kPlanar_mm = 0.5;         // a contour less high than this is a projection
 constexpr double kCommissureAlong = 0.07;  // share of a leaflet's arc that counts as commissure
 
 struct Grid {
@@ -53,12 +56,12 @@ double interpolate(const std::array<std::pair<double, double>, N>& knots, double
   return knots[N - 1].second;
 }
 
-double leaflet_height_mm(const ParametricValve& d, double around) {
+double leaflet_height_mm(const Proportions& d, double cleft_depth_mm, double around) {
   if (around <= 0.5) {
     const double lobe = std::sin(2.0 * kPi * around);
     return d.commissure_height_mm + (d.anterior_height_mm - d.commissure_height_mm) * lobe;
   }
-  const double cleft = std::min(d.posterior_height_mm, d.lateral_height_mm) - d.cleft_depth_mm;
+  const double cleft = std::min(d.posterior_height_mm, d.lateral_height_mm) - cleft_depth_mm;
   const std::array<std::pair<double, double>, 7> knots = {{{0.0, d.commissure_height_mm},
                                                            {0.17, d.lateral_height_mm},
                                                            {0.33, cleft},
@@ -80,13 +83,14 @@ Segment segment_at(double around) {
   return anterior ? front[static_cast<std::size_t>(third)] : back[static_cast<std::size_t>(third)];
 }
 
-struct Range {
+struct Accepted {
   const char* path;
-  double value, low, high;
+  std::optional<double> value;
+  double low, high;
 };
 
 Errors check(const ParametricValve& d) {
-  const std::array<Range, 14> ranges = {
+  const std::array<Accepted, 14> ranges = {
       {{"/ap_mm", d.ap_mm, 8, 80},
        {"/al_pm_mm", d.al_pm_mm, 8, 100},
        {"/saddle_height_mm", d.saddle_height_mm, 0, 20},
@@ -102,10 +106,10 @@ Errors check(const ParametricValve& d) {
        {"/slack", d.slack, 0.8, 1.5},
        {"/triangles", static_cast<double>(d.triangles), 100, 50000}}};
   Errors errors;
-  for (const Range& r : ranges)
-    if (!(r.value >= r.low && r.value <= r.high))
+  for (const Accepted& r : ranges)
+    if (r.value && !(*r.value >= r.low && *r.value <= r.high))
       errors.push_back({ErrorCode::OutOfRange, r.path,
-                        "is " + std::to_string(r.value) + ", accepted: " + std::to_string(r.low) +
+                        "is " + std::to_string(*r.value) + ", accepted: " + std::to_string(r.low) +
                             " to " + std::to_string(r.high)});
   if (!(std::abs(d.tip_posterior_mm) <= 20.0))
     errors.push_back({ErrorCode::OutOfRange, "/tip_posterior_mm", "accepted: -20 to 20"});
@@ -145,29 +149,70 @@ std::vector<Station> place_stations(const ArcLength& arc, const ParametricValve&
   return stations;
 }
 
+/// "440 measured points of annulus.csv"
+std::string measured(const Points& points_mm, const std::string& source) {
+  return std::to_string(points_mm.rows()) + " measured points" +
+         (source.empty() ? "" : " of " + source);
+}
+
+std::string rounded(double mm) { return shown(std::round(100.0 * mm) / 100.0); }
+
+std::vector<std::string> provenance(const ParametricValve& d, const Proportions& heights,
+                                    bool saddle_added) {
+  if (!d.annulus_mm) return {"parametric valve made by coapt from anatomical dimensions"};
+  std::string annulus = "annulus: " + measured(*d.annulus_mm, d.annulus_source);
+  if (saddle_added)
+    annulus += ", planar; saddle of " + rounded(heights.saddle_height_mm) + " mm added by coapt";
+  return {"parametric valve made by coapt on a measured annulus", annulus,
+          "papillary tips: " + measured(*d.tips_mm, d.tips_source),
+          "leaflets: not measured; heights " + rounded(heights.anterior_height_mm) + " (A2), " +
+              rounded(heights.posterior_height_mm) + " (P2), " +
+              rounded(heights.lateral_height_mm) + " (P1, P3), " +
+              rounded(heights.commissure_height_mm) + " mm (commissures)"};
+}
+
 }  // namespace
+
+Proportions proportions(const ParametricValve& d, double ap_mm, double al_pm_mm) {
+  const Proportions human;
+  const double ap = ap_mm / kHumanAp_mm, across = al_pm_mm / kHumanAlPm_mm;
+  return {d.saddle_height_mm.value_or(across * human.saddle_height_mm),
+          d.anterior_height_mm.value_or(ap * human.anterior_height_mm),
+          d.posterior_height_mm.value_or(ap * human.posterior_height_mm),
+          d.lateral_height_mm.value_or(across * human.lateral_height_mm),
+          d.commissure_height_mm.value_or(across * human.commissure_height_mm)};
+}
 
 Expected<Valve> make_parametric_valve(const ParametricValve& d) {
   if (Errors errors = check(d); !errors.empty()) return errors;
   const Grid grid = choose_grid(d);
-  Points contour = generic_annulus_contour(d.ap_mm, d.al_pm_mm, d.saddle_height_mm);
+  Proportions heights = proportions(d, d.ap_mm, d.al_pm_mm);
+  Points contour = generic_annulus_contour(d.ap_mm, d.al_pm_mm, heights.saddle_height_mm);
   Points tips(2, 3);
   tips << -0.5 * d.tip_spread_mm, -d.tip_posterior_mm, -d.tip_depth_mm,  //
       0.5 * d.tip_spread_mm, -d.tip_posterior_mm, -d.tip_depth_mm;
+  bool saddle_added = false;
   if (d.annulus_mm) {
-    const MeasuredSkeleton skeleton = into_valve_frame(*d.annulus_mm, *d.tips_mm);
-    contour = skeleton.annulus_mm;
-    tips = skeleton.tips_mm;
-    if (tips.col(0).minCoeff() >= 0.0 || tips.col(0).maxCoeff() <= 0.0)
-      return Error{ErrorCode::BadGeometry, "/tips_mm",
-                   "all tips lie on one side of the annulus; accepted: both"};
+    const Expected<MeasuredSkeleton> skeleton = measured_skeleton(*d.annulus_mm, *d.tips_mm);
+    if (!skeleton) return skeleton.errors();
+    contour = skeleton->annulus_mm;
+    const ArcLength flat(contour);
+    const double ap = (flat.at(flat.crossing_mm(true)) - flat.at(flat.crossing_mm(false))).norm();
+    heights = proportions(d, ap, contour.col(0).maxCoeff() - contour.col(0).minCoeff());
+    const bool planar = contour.col(2).maxCoeff() - contour.col(2).minCoeff() < kPlanar_mm;
+    if (!planar && d.saddle_height_mm)
+      return Error{ErrorCode::OutOfRange, "/saddle_height_mm",
+                   "the measured annulus has its own height; accepted with a planar one only"};
+    saddle_added = planar && heights.saddle_height_mm > 0.0;
+    if (saddle_added) contour = with_saddle(contour, heights.saddle_height_mm);
+    tips = skeleton->tips_mm;
   }
   const ArcLength arc(contour);
   const std::vector<Station> stations = place_stations(arc, d, grid);
 
   Valve valve;
   valve.name = d.name;
-  valve.provenance.push_back("parametric valve made by coapt from anatomical dimensions");
+  valve.provenance = provenance(d, heights, saddle_added);
   const int n = grid.stations;
   valve.rest_mm.resize(n * (grid.rows + 1), 3);
   const double tilt = d.inclination_deg * kPi / 180.0;
@@ -179,7 +224,7 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
       const double share = static_cast<double>(row) / grid.rows;
       const Vec3 down = std::sin(tilt) * inwards - std::cos(tilt) * Vec3::UnitZ();
       valve.rest_mm.row(row * n + i) =
-          arc.at(s.arc_mm) + share * leaflet_height_mm(d, s.around) * down;
+          arc.at(s.arc_mm) + share * leaflet_height_mm(heights, d.cleft_depth_mm, s.around) * down;
     }
   valve.faces.resize(2 * n * grid.rows, 3);
   valve.fibre.resize(valve.faces.rows(), 3);

@@ -19,11 +19,12 @@ struct ParametricValve {
   std::string name = "parametric";
   double ap_mm = 29.0;     ///< anteroposterior diameter of the annulus under pressure
   double al_pm_mm = 39.0;  ///< transverse diameter
-  double saddle_height_mm = 6.8;
-  double anterior_height_mm = 22.0;   ///< unstressed, A2
-  double posterior_height_mm = 13.0;  ///< P2
-  double lateral_height_mm = 11.0;    ///< P1, P3
-  double commissure_height_mm = 8.0;
+  // Left out, these are a human valve's, in proportion to the annulus: see proportions().
+  std::optional<double> saddle_height_mm;
+  std::optional<double> anterior_height_mm;   ///< unstressed, A2
+  std::optional<double> posterior_height_mm;  ///< P2
+  std::optional<double> lateral_height_mm;    ///< P1, P3
+  std::optional<double> commissure_height_mm;
   double cleft_depth_mm = 1.5;    ///< between the posterior scallops
   double anterior_arc = 0.38;     ///< share of the annulus from commissure to commissure
   double inclination_deg = 20.0;  ///< of the unstressed leaflets, inwards from the vertical
@@ -32,9 +33,25 @@ struct ParametricValve {
   double tip_posterior_mm = 2.0;  ///< tips behind the annulus centre
   double slack = 1.0;   ///< chordae lengths over their lengths in the closed, pressurised valve
   int triangles = 650;  ///< aimed at; the nearest structured mesh is made
-  std::optional<Points> annulus_mm;  ///< a measured contour instead of the dimensions, any frame
-  std::optional<Points> tips_mm;     ///< measured papillary attachments, required with annulus_mm
+  /// A measured contour instead of the diameters, any frame. A planar one (a projection: the
+  /// annulus under pressure is a saddle) is given the saddle height; 0 leaves it planar.
+  std::optional<Points> annulus_mm;
+  std::optional<Points> tips_mm;  ///< measured papillary attachments, required with annulus_mm
+  std::string annulus_source, tips_source;  ///< files they come from, for the provenance
 };
+
+struct Proportions {
+  double saddle_height_mm = 6.8;
+  double anterior_height_mm = 22.0;
+  double posterior_height_mm = 13.0;
+  double lateral_height_mm = 11.0;
+  double commissure_height_mm = 8.0;
+};
+
+/// The heights that are given, and for the others a human valve's of 29 x 39 mm (the defaults of
+/// Proportions): A2 and P2 scale with the anteroposterior diameter that they close, the rest with
+/// the transverse one.
+Proportions proportions(const ParametricValve& dimensions, double ap_mm, double al_pm_mm);
 
 /// Errors with pointers into the dimensions ("/ap_mm", ...) and accepted ranges.
 Expected<Valve> make_parametric_valve(const ParametricValve& dimensions);

@@ -20,6 +20,9 @@ constexpr double kBranchAt = 0.75;    // of the way from tip to insertions (thre
 constexpr double kBasalSlack = 1.15;  // first length over unstressed distance, strut and basal
 constexpr double kLineBehind =
     0.22;  // line of coaptation, behind the centre, share of the AP diameter
+constexpr double kLineBeforeTips = 0.15;  // the line lies at most so far in front of the tips: the
+                                          // free edge swings until it is above them
+constexpr double kLineFarthest = 0.68;  // from the saddle peak: no anterior leaflet reaches farther
 constexpr double kLineDepth = 0.36;   // free edge below the annulus there, share of the AP diameter
 constexpr double kLineWidth = 0.8;    // of the half-width of the annulus at the commissures
 constexpr double kDiameter_mm = 1.0;  // thesis table 2.1
@@ -110,26 +113,31 @@ Insertion insertion_at(const SkirtGrid& grid, const Valve& valve, const Site& si
 }
 
 /// Where a free-edge point is expected in the closed valve: on a smile-shaped line behind the
-/// centre.
-Vec3 closed_free_edge(const Valve& valve, const Site& site) {
+/// centre, farther behind if the tips are. Expected in front of its muscle it would get a chorda so
+/// long that it swings back and up to the annulus, and the leaflet billows.
+Vec3 closed_free_edge(const Valve& valve, const Site& site, const Vec3& muscle) {
   const Vec3 medial = annulus_position_mm(valve, valve.landmarks.posteromedial_commissure);
   const Vec3 lateral = annulus_position_mm(valve, valve.landmarks.anterolateral_commissure);
-  const double ap = (annulus_position_mm(valve, valve.landmarks.saddle_peak) -
-                     annulus_position_mm(valve, valve.landmarks.mid_posterior))
-                        .norm();
+  const Vec3 peak = annulus_position_mm(valve, valve.landmarks.saddle_peak);
+  const double ap = (peak - annulus_position_mm(valve, valve.landmarks.mid_posterior)).norm();
   const double from_commissure =
       std::min({wrap(site.around), std::abs(wrap(site.around) - 0.5), 1.0 - wrap(site.around)}) /
       0.25;  // 0 commissure, 1 midline
   const bool medial_half = wrap(site.around + 0.25) < 0.5;
   const double towards = 0.5 - (medial_half ? 0.5 : -0.5) * kLineWidth * (1.0 - from_commissure);
   const double bow = std::sin(0.5 * 3.14159265358979323846 * from_commissure);
-  return medial + towards * (lateral - medial) -
-         ap * Vec3(0.0, kLineBehind * bow, kLineDepth * (0.55 + 0.45 * bow));
+  Vec3 edge = medial + towards * (lateral - medial) -
+              ap * Vec3(0.0, kLineBehind * bow, kLineDepth * (0.55 + 0.45 * bow));
+  const double line = 0.5 * (medial.y() + lateral.y()) - kLineBehind * ap;
+  const double allowed = std::max(muscle.y() + kLineBeforeTips * ap, peak.y() - kLineFarthest * ap);
+  edge.y() -= bow * std::max(0.0, line - allowed);
+  return edge;
 }
 
 Chorda make_chorda(const SkirtGrid& grid, const Valve& valve, const Group& group, int head,
                    const std::string& id) {
   const Vec3 tip = valve.heads[static_cast<std::size_t>(head)].tip_mm;
+  const Vec3 muscle = papillary_tip_mm(valve, valve.heads[static_cast<std::size_t>(head)].side);
   Chorda chorda{id, group.kind, head, false, {}};
   std::vector<Insertion> insertions;
   std::vector<Vec3> ends;
@@ -137,7 +145,7 @@ Chorda make_chorda(const SkirtGrid& grid, const Valve& valve, const Group& group
   for (const Site& site : group.sites) {
     insertions.push_back(insertion_at(grid, valve, site));
     const Vec3 rest = position(insertions.back(), valve.faces, valve.rest_mm);
-    ends.push_back(group.kind == ChordaKind::Marginal ? closed_free_edge(valve, site)
+    ends.push_back(group.kind == ChordaKind::Marginal ? closed_free_edge(valve, site, muscle)
                                                       : tip + kBasalSlack * (rest - tip));
     rest_mean += rest / static_cast<double>(group.sites.size());
     mean += ends.back() / static_cast<double>(group.sites.size());

@@ -34,7 +34,10 @@ void check_size(const Points& loop, const std::string& path, ProblemList& proble
   if (length >= kCircumferenceMm.min && length <= kCircumferenceMm.max) return;
   problems.add(ErrorCode::BadGeometry, path,
                "gives the annulus a circumference of " + shown(length) + " mm" +
-                   (length < 1.0 ? ", looks like metres;" : ",") + " must be from 30 to 400 mm");
+                   (length == 0.0  ? ": all points are the same;"
+                    : length < 1.0 ? ", looks like metres;"
+                                   : ",") +
+                   " must be from 30 to 400 mm");
 }
 
 bool check_indices(const Valve& valve, ProblemList& problems) {

@@ -79,7 +79,8 @@ void check_annulus(const Points& annulus, ProblemList& problems) {
   }
   const double length = ArcLength(annulus).total_mm();
   if (length >= kCircumferenceMm.min && length <= kCircumferenceMm.max) return;
-  const char* unit = length < 1.0    ? ", looks like metres;"
+  const char* unit = length == 0.0   ? ": all points are the same;"
+                     : length < 1.0  ? ", looks like metres;"
                      : length < 20.0 ? ", looks like centimetres;"
                                      : ",";
   problems.add(

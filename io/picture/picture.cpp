@@ -22,9 +22,12 @@ std::vector<Line> caption(const ClosedValve& closed) {
   const Coaptation& coaptation = measure.coaptation;
   const auto touching = std::count_if(coaptation.sections.begin(), coaptation.sections.end(),
                                       [](const CoaptationSection& s) { return s.contact; });
+  const bool gap = coaptation.gap_area_mm2 > kCompetent_mm2;
+  const bool hidden = gap && measure.orifice.area_mm2 < kCompetent_mm2;
   std::vector<Line> lines;
-  lines.push_back({"Orifice " + fixed(measure.orifice.area_mm2, 1) + " mm²",
-                   {24.0, palette::kInk, Align::Left, true}});
+  lines.push_back({"Orifice " + fixed(measure.orifice.area_mm2, 1) + " mm²" +
+                       (gap ? ", gap " + fixed(coaptation.gap_area_mm2, 1) + " mm²" : ""),
+                   {24.0, hidden ? palette::kWarning : palette::kInk, Align::Left, true}});
   lines.push_back({"leaflets with their half thickness; bare mid-surfaces " +
                        fixed(measure.orifice.area_raw_mm2, 1) + " mm²",
                    {14.0, palette::kMuted}});
@@ -32,14 +35,10 @@ std::vector<Line> caption(const ClosedValve& closed) {
                        fixed(coaptation.height_min_mm, 1) + " mm least; contact in " +
                        std::to_string(touching) + " of 9 sections",
                    {15.0}});
-  if (touching < 9) {
-    const bool hidden =
-        measure.orifice.area_mm2 < kCompetent_mm2 && coaptation.gap_area_mm2 > kCompetent_mm2;
-    lines.push_back({"Leaflets up to " + fixed(coaptation.distance_max_mm, 1) + " mm apart: gap " +
-                         fixed(coaptation.gap_area_mm2, 1) + " mm²" +
-                         (hidden ? ", hidden from the atrium" : ""),
+  if (touching < 9)
+    lines.push_back({"Leaflets up to " + fixed(coaptation.distance_max_mm, 1) + " mm apart" +
+                         (hidden ? ": the gap is hidden from the atrium" : ""),
                      {15.0, hidden ? palette::kWarning : palette::kInk, Align::Left, hidden}});
-  }
   const bool converged = closed.closure.status == ClosureStatus::Converged;
   lines.push_back({std::string("Closure ") + to_string(closed.closure.status) + ", residual " +
                        fixed(closed.closure.residual, 3),

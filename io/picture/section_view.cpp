@@ -3,51 +3,24 @@
 #include <cmath>
 
 #include "core/metrics/coaptation.h"
+#include "io/picture/section_map.h"
 #include "io/picture/text.h"
-#include "io/picture/views.h"
 
 namespace coapt {
 namespace {
 
+constexpr double kBillow_mm = 2.0;  // above the annular line; less is the belly of any leaflet
 constexpr double kChordaReach_mm = 10.0;  // chordae that insert farther off the plane are left out
-
-/// Section coordinates in pixels: right is posterior, up is atrial.
-struct SectionMap {
-  Vec3 origin_mm, right, up, out;
-  Vec2 origin_px;
-  double pixels_per_mm;
-  Vec2 operator()(const Vec3& point) const {
-    const Vec3 offset = point - origin_mm;
-    return {origin_px.x() + pixels_per_mm * offset.dot(right),
-            origin_px.y() - pixels_per_mm * offset.dot(up)};
-  }
-  double off_plane_mm(const Vec3& point) const { return std::abs((point - origin_mm).dot(out)); }
-};
-
-SectionMap make_map(const ViewFrame& frame, const Valve& valve) {
-  const Box& box = frame.box;
-  const SectionPlane plane = mid_valve_plane(valve);
-  const Vec3 up = annular_plane(valve).normal;
-  const Vec3 middle_mm = 0.5 * (annulus_position_mm(valve, valve.landmarks.saddle_peak) +
-                                annulus_position_mm(valve, valve.landmarks.mid_posterior));
-  return {middle_mm,
-          plane.normal.cross(up),
-          up,
-          plane.normal,
-          Vec2(box.x + 0.5 * box.width, box.y + 0.2 * box.height),
-          frame.pixels_per_mm};
-}
 
 void line(const Canvas& canvas, const Vec2& from, const Vec2& to) {
   cairo_move_to(canvas.context.get(), from.x(), from.y());
   cairo_line_to(canvas.context.get(), to.x(), to.y());
 }
 
-void draw_leaflets(const Canvas& canvas, const ClosedValve& closed, const SectionMap& map) {
+void draw_leaflets(const Canvas& canvas, const ClosedValve& closed,
+                   const std::vector<SectionLine>& lines, const SectionMap& map) {
   cairo_t* cairo = canvas.context.get();
   const std::vector<Leaflet> sides = leaflet_sides(closed.valve);
-  const std::vector<SectionLine> lines =
-      cut(closed.valve.faces, closed.closure.closed_mm, mid_valve_plane(closed.valve));
   const double width = closed.valve.tissue.thickness_mm * map.pixels_per_mm;
   const auto stroke = [&](Leaflet side, double stroke_width, const Colour& colour) {
     for (const SectionLine& section : lines)
@@ -99,7 +72,7 @@ void draw_chordae(const Canvas& canvas, const ClosedValve& closed, const Section
   }
 }
 
-void draw_tips(const Canvas& canvas, const Valve& valve, const SectionMap& map) {
+void draw_tips(const Canvas& canvas, const Valve& valve, const SectionMap& map, const Box& box) {
   if (valve.heads.empty()) return;
   Vec2 lowest = map(valve.heads.front().tip_mm);
   for (const PapillaryHead& head : valve.heads) {
@@ -107,28 +80,65 @@ void draw_tips(const Canvas& canvas, const Valve& valve, const SectionMap& map) 
     if (at.y() > lowest.y()) lowest = at;
     fill_circle(canvas, at, 6.0, palette::kPapillary);
   }
-  draw_text(canvas, lowest + Vec2(0.0, 24.0), "papillary tips",
-            {13.0, palette::kMuted, Align::Centre});
+  const TextStyle style{13.0, palette::kMuted, Align::Centre};
+  const double half_width = 0.5 * text_width(canvas, "papillary tips", style) + 4.0;
+  const double x = std::clamp(lowest.x(), box.x + half_width, box.x + box.width - half_width);
+  draw_text(canvas, {x, lowest.y() + 24.0}, "papillary tips", style);
 }
 
-void draw_tenting(const Canvas& canvas, const Tenting& tenting, const SectionMap& map,
-                  const Vec2& saddle_peak, const Vec2& mid_posterior) {
+/// The annular line on the panel.
+struct AnnularLine {
+  Vec2 saddle_peak, mid_posterior;
+  Vec2 along() const { return (mid_posterior - saddle_peak).normalized(); }
+  Vec2 foot(const Vec2& point) const {
+    return saddle_peak + (point - saddle_peak).dot(along()) * along();
+  }
+  /// > 0 on the atrial side.
+  double above(const Vec2& point) const {
+    const Vec2 offset = point - saddle_peak;
+    return along().y() * offset.x() - along().x() * offset.y();
+  }
+};
+
+void draw_height(const Canvas& canvas, const AnnularLine& annulus, const Vec2& point) {
   cairo_t* cairo = canvas.context.get();
-  const Vec2 point = map(tenting.coaptation_point_mm);
-  const Vec2 along = (mid_posterior - saddle_peak).normalized();
-  const Vec2 foot = saddle_peak + (point - saddle_peak).dot(along) * along;
   const double dashes[] = {5.0, 5.0};
   cairo_set_dash(cairo, dashes, 2, 0.0);
   cairo_set_line_width(cairo, 1.8);
   set_colour(canvas, palette::kInk);
-  line(canvas, foot, point);
+  line(canvas, annulus.foot(point), point);
   cairo_stroke(cairo);
   cairo_set_dash(cairo, nullptr, 0, 0.0);
   fill_circle(canvas, point, 4.0, palette::kInk);
-  const bool billows = tenting.height_mm < 0.0;
-  draw_text(canvas, foot + Vec2(0.0, billows ? 24.0 : -12.0),
-            (billows ? "billow " : "tenting ") + fixed(std::abs(tenting.height_mm), 1) + " mm",
-            {13.0, palette::kInk, Align::Centre, false, 3.0});
+}
+
+/// The height of the coaptation point, named above the leaflets, and that of the highest point of
+/// the leaflets if it counts as a billow, named under the annular line.
+void draw_heights(const Canvas& canvas, const Tenting& tenting,
+                  const std::vector<SectionLine>& lines, const AnnularLine& annulus,
+                  const SectionMap& map) {
+  const TextStyle style{13.0, palette::kInk, Align::Centre, false, 3.0};
+  const Vec2 coaptation = map(tenting.coaptation_point_mm);
+  const std::string text = tenting.height_mm < -0.05
+                               ? (tenting.contact ? "coaptation " : "free edge ") +
+                                     fixed(-tenting.height_mm, 1) + " mm above the annulus"
+                               : "tenting " + fixed(std::max(0.0, tenting.height_mm), 1) + " mm";
+  const double half_width = 0.5 * text_width(canvas, text, style) + 8.0;
+  Vec2 highest = annulus.saddle_peak;
+  double top = annulus.foot(coaptation).y();
+  for (const SectionLine& section : lines)
+    for (const Vec3& point_mm : section.points_mm) {
+      const Vec2 point = map(point_mm);
+      if (annulus.above(point) > annulus.above(highest)) highest = point;
+      if (std::abs(point.x() - coaptation.x()) < half_width) top = std::min(top, point.y());
+    }
+  draw_height(canvas, annulus, coaptation);
+  draw_text(canvas, {coaptation.x(), top - 14.0}, text, style);
+  const double billow_mm = annulus.above(highest) / map.pixels_per_mm;
+  if (billow_mm < kBillow_mm) return;
+  draw_height(canvas, annulus, highest);
+  draw_text(canvas, annulus.foot(highest) + Vec2(0.0, 20.0),
+            "billow " + fixed(billow_mm, 1) + " mm", style);
 }
 
 }  // namespace
@@ -139,8 +149,10 @@ void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const Close
   const Box& box = frame.box;
   const Vec3 saddle_peak_mm = annulus_position_mm(valve, valve.landmarks.saddle_peak);
   const Vec3 mid_posterior_mm = annulus_position_mm(valve, valve.landmarks.mid_posterior);
-  const SectionMap map = make_map(frame, valve);
-  const Vec2 saddle_peak = map(saddle_peak_mm), mid_posterior = map(mid_posterior_mm);
+  const SectionMap map = section_map(frame, closed);
+  const AnnularLine annulus{map(saddle_peak_mm), map(mid_posterior_mm)};
+  const std::vector<SectionLine> lines =
+      cut(valve.faces, closed.closure.closed_mm, mid_valve_plane(valve));
   const Tenting tenting = measure_tenting(valve, closed.closure.closed_mm);
 
   cairo_t* cairo = canvas.context.get();
@@ -148,34 +160,31 @@ void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const Close
   cairo_rectangle(cairo, box.x, box.y, box.width, box.height);
   cairo_clip(cairo);
   draw_chordae(canvas, closed, map);
-  draw_tips(canvas, valve, map);
-  draw_leaflets(canvas, closed, map);
+  draw_tips(canvas, valve, map, box);
+  draw_leaflets(canvas, closed, lines, map);
   set_colour(canvas, palette::kAnnulus);
   cairo_set_line_width(cairo, 1.8);
-  line(canvas, saddle_peak, mid_posterior);
+  line(canvas, annulus.saddle_peak, annulus.mid_posterior);
   cairo_stroke(cairo);
-  for (const Vec2& end : {saddle_peak, mid_posterior})
+  for (const Vec2& end : {annulus.saddle_peak, annulus.mid_posterior})
     fill_circle(canvas, end, 5.0, palette::kAnnulus);
-  draw_tenting(canvas, tenting, map, saddle_peak, mid_posterior);
-  draw_text(canvas, saddle_peak + Vec2(-14.0, 5.0), "anterior",
+  draw_heights(canvas, tenting, lines, annulus, map);
+  double left = annulus.saddle_peak.x(), right = annulus.mid_posterior.x();
+  for (const SectionLine& section : lines)
+    for (const Vec3& point : section.points_mm) {
+      left = std::min(left, map(point).x());
+      right = std::max(right, map(point).x());
+    }
+  draw_text(canvas, {left - 14.0, annulus.saddle_peak.y() + 5.0}, "anterior",
             {13.0, palette::kMuted, Align::Right});
-  draw_text(canvas, mid_posterior + Vec2(14.0, 5.0), "posterior", {13.0, palette::kMuted});
+  draw_text(canvas, {right + 14.0, annulus.mid_posterior.y() + 5.0}, "posterior",
+            {13.0, palette::kMuted});
   draw_text(canvas, Vec2(box.x + 0.5 * box.width, box.y + 22.0), "left atrium",
             {14.0, palette::kMuted, Align::Centre});
   draw_text(canvas, Vec2(box.x + box.width - 16.0, box.y + box.height - 18.0), "left ventricle",
             {14.0, palette::kMuted, Align::Right});
   cairo_restore(cairo);
   draw_scale_bar(canvas, frame);
-}
-
-double section_scale(const Box& box, const ClosedValve& closed) {
-  constexpr double kLabels = 85.0, kBelow = 44.0;  // pixels beside the annulus, and under the tips
-  const SectionMap map = make_map({box, 1.0}, closed.valve);
-  double depth_mm = 12.0;
-  for (const PapillaryHead& head : closed.valve.heads)
-    depth_mm = std::max(depth_mm, map(head.tip_mm).y() - map.origin_px.y());
-  return std::min((box.width - 2.0 * kLabels) / closed.measure.annulus.ap_mm,
-                  (box.y + box.height - map.origin_px.y() - kBelow) / depth_mm);
 }
 
 }  // namespace coapt

@@ -102,6 +102,28 @@ class Make(ProgramTest):
         self.assertIn(" --ap-mm: ", result.stderr)
         self.assertEqual(result.stdout, "")
 
+    def test_measured_skeletons_with_default_leaflets_close_like_healthy_valves(self):
+        kaiser = SOURCE / "examples/valves/source/kaiser"
+        for ring, tips in [("normal_1_annulus", "normal_1_papillary"),
+                           ("hcm_d_annulus_early_systole", "hcm_d_papillary_early_systole")]:
+            with self.subTest(ring):
+                path = self.folder / f"{ring}.json"
+                self.run_ok("valve", "make", "--annulus", kaiser / f"{ring}.csv",
+                            "--tips", kaiser / f"{tips}.csv", "-o", path)
+                closed = json.loads(self.run_ok("close", path, "--json").stdout)
+                self.assertEqual(closed["status"], "converged")
+                self.assertFalse(closed["crossing"])
+                self.assertLess(closed["leak_mm2"], 1.0)
+                self.assertGreater(closed["tenting_height_mm"], 2.0)
+                self.assertTrue(all(s["contact"] for s in closed["coaptation"]["sections"]))
+
+    def test_an_annulus_in_place_of_the_tips_is_refused_at_once(self):
+        ring = SOURCE / "examples/valves/source/kaiser/normal_1_annulus.csv"
+        result = coapt("valve", "make", "--annulus", ring, "--tips", ring, "-o", "-")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("/tips_mm", result.stderr)
+        self.assertEqual(result.stdout, "")
+
     def test_an_output_that_cannot_be_written_is_1(self):
         result = coapt("valve", "make", "human-normal", "-o", "/nowhere/valve.json")
         self.assertEqual(result.returncode, FAILURE)

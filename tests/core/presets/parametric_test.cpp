@@ -38,6 +38,30 @@ TEST(ArcLength, OfASquareWalksItsSides) {
   EXPECT_DOUBLE_EQ(arc.crossing_mm(false), 7.0);
 }
 
+TEST(IntoValveFrame, TakesTheSideOfTheTipsForPosteriorWhereTheContourSaysLittle) {
+  Points ellipse(24, 3);
+  for (int i = 0; i < 24; ++i)
+    ellipse.row(i) << 20.0 * std::cos(i * 0.2618), 15.0 * std::sin(i * 0.2618), 0.0;
+  Points tips(2, 3);
+  for (const double side : {1.0, -1.0}) {
+    tips << -12.0, side * 5.0, -24.0, 12.0, side * 5.0, -24.0;
+    EXPECT_NEAR(into_valve_frame(ellipse, tips).tips_mm(0, 1), -5.0, 1e-6);
+  }
+  // A bulge of 2 mm on the anterior side does not outweigh tips 20 mm behind.
+  for (int i = 0; i < 24; ++i)
+    if (ellipse(i, 1) > 14.0) ellipse(i, 1) += 2.0;
+  tips << -12.0, -20.0, -24.0, 12.0, -20.0, -24.0;
+  EXPECT_LT(into_valve_frame(ellipse, tips).tips_mm(0, 1), -19.0);
+}
+
+TEST(IntoValveFrame, TakesTheFlatterSideForAnteriorWhereTheTipsSayNothing) {
+  const Points contour = generic_annulus_contour(29.0, 39.0, 0.0);
+  Points tips(2, 3);
+  tips << -12.0, 0.0, -24.0, 12.0, 0.0, -24.0;
+  const Points framed = into_valve_frame(contour, tips).annulus_mm;
+  EXPECT_NEAR(framed.col(1).maxCoeff(), contour.col(1).maxCoeff(), 1e-6);
+}
+
 TEST(ParametricValve, HasTheLeafletHeightsAndResolutionAskedFor) {
   for (const int triangles : {650, 2600, 10400}) {
     ParametricValve d;
@@ -74,6 +98,20 @@ TEST(ParametricValve, NamesItsChordaeAlikeAtEveryResolution) {
     EXPECT_EQ(ids(triangles), expected) << triangles;
 }
 
+TEST(ParametricValve, LeftOutHeightsFollowTheDiametersAndGivenOnesStay) {
+  ParametricValve d;
+  d.lateral_height_mm = 12.0;
+  const Proportions of_human = proportions(d, 29.0, 39.0);
+  EXPECT_EQ(of_human.anterior_height_mm, 22.0);
+  EXPECT_EQ(of_human.saddle_height_mm, 6.8);
+  const Proportions twice = proportions(d, 58.0, 39.0);
+  EXPECT_EQ(twice.anterior_height_mm, 44.0);
+  EXPECT_EQ(twice.posterior_height_mm, 26.0);
+  EXPECT_EQ(twice.lateral_height_mm, 12.0);
+  EXPECT_EQ(twice.commissure_height_mm, 8.0);
+  EXPECT_EQ(proportions(d, 29.0, 78.0).commissure_height_mm, 16.0);
+}
+
 TEST(ParametricValve, NamesEveryDimensionOutsideItsRange) {
   ParametricValve d;
   d.ap_mm = std::numeric_limits<double>::quiet_NaN();
@@ -102,6 +140,44 @@ TEST(ParametricValve, FromAMeasuredContourDoesNotDependOnTheFrameOfTheMeasuremen
   const Valve there = *make_parametric_valve(d);
   EXPECT_LT((here.rest_mm - there.rest_mm).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_TRUE(validate(here).empty());
+}
+
+TEST(ParametricValve, OnAPlanarContourGetsTheSaddleItIsAskedFor) {
+  ParametricValve d;
+  d.annulus_mm = generic_annulus_contour(29.0, 39.0, 0.0);
+  Points tips(2, 3);
+  tips << -12, -2, -23.5, 12, -2, -23.5;
+  d.tips_mm = tips;
+  const auto height = [&d] {
+    const Eigen::VectorXd z = make_parametric_valve(d)->annulus_mm.col(2);
+    return z.maxCoeff() - z.minCoeff();
+  };
+  EXPECT_NEAR(height(), 6.8, 0.1);
+  d.saddle_height_mm = 3.0;
+  EXPECT_NEAR(height(), 3.0, 0.1);
+  d.saddle_height_mm = 0.0;
+  EXPECT_NEAR(height(), 0.0, 1e-9);
+  d.annulus_mm = generic_annulus_contour(29.0, 39.0, 6.8);
+  EXPECT_EQ(make_parametric_valve(d).errors()[0].path, "/saddle_height_mm");
+  d.saddle_height_mm.reset();
+  EXPECT_NEAR(height(), 7.4, 0.1) << "its own, over its own plane";
+}
+
+TEST(ParametricValve, OnAMeasuredContourNamesItsFilesAndTheSaddleItWasGiven) {
+  ParametricValve d;
+  d.annulus_mm = generic_annulus_contour(29.0, 39.0, 0.0);
+  Points tips(2, 3);
+  tips << -12, -2, -23.5, 12, -2, -23.5;
+  d.tips_mm = tips;
+  d.annulus_source = "ring.csv";
+  d.tips_source = "tips.csv";
+  const std::vector<std::string> provenance = make_parametric_valve(d)->provenance;
+  ASSERT_EQ(provenance.size(), 4u);
+  EXPECT_EQ(provenance[1],
+            "annulus: 720 measured points of ring.csv, planar; saddle of 6.8 mm added by coapt");
+  EXPECT_EQ(provenance[2], "papillary tips: 2 measured points of tips.csv");
+  d.saddle_height_mm = 0.0;
+  EXPECT_EQ(make_parametric_valve(d)->provenance[1], "annulus: 720 measured points of ring.csv");
 }
 
 TEST(ParametricValve, WithAMeasuredAnnulusButNoTipsSaysWhatIsMissing) {

@@ -280,6 +280,8 @@ TEST(ValidateAnnulus, MetresAreRecognised) {
   const auto in_tenths = [](Valve& v) { v.annulus_mm *= 10.0; };
   EXPECT_EQ(found(in_tenths), (Found{{BadGeometry, "/annulus/positions_mm"}}));
   EXPECT_EQ(first_message(in_tenths).find("looks like metres"), std::string::npos);
+  const auto in_one_point = [](Valve& v) { v.annulus_mm *= 0.0; };
+  EXPECT_NE(first_message(in_one_point).find("all points are the same"), std::string::npos);
 }
 
 TEST(ValidateAnnulus, TheFrameIsCentredOnTheAnnulus) {

@@ -23,6 +23,15 @@ TEST(ImportErrors, MetresAreCalledMetres) {
   EXPECT_NE(error.message.find("looks like metres"), std::string::npos) << error.message;
 }
 
+TEST(ImportErrors, AnAnnulusOfOnePointIsNotCalledMetres) {
+  ImportSource source = cone_source();
+  source.annulus_mm *= 0.0;
+  const Error error = problem(source);
+  EXPECT_EQ(error.path, "/annulus_mm");
+  EXPECT_NE(error.message.find("all points are the same"), std::string::npos) << error.message;
+  EXPECT_EQ(error.message.find("metres"), std::string::npos) << error.message;
+}
+
 TEST(ImportErrors, SheetsInTheWrongOrderAreRefused) {
   ImportSource source = cone_source_with_gaps();
   std::swap(source.leaflets[0], source.leaflets[1]);

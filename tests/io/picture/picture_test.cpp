@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "core/metrics/coaptation.h"
+#include "io/picture/section_map.h"
 #include "tests/io/picture/decoded_png.h"
 #include "tests/scenes/sheets.h"
 #include "tests/scenes/small_valve.h"
@@ -27,6 +29,42 @@ TEST(ClosurePicture, ShowsAHoleInTheBlueOfOrificesAndASoundDiscWithout) {
   const auto blue = static_cast<double>(blue_pixels(leaking, 0, 960));
   EXPECT_LT(blue, 1.1 * expected);
   EXPECT_GT(blue, 0.8 * expected) << "label and leader cover some of it";
+}
+
+TEST(SectionMap, HoldsLeafletsThatBillowAndTipsThatLieAside) {
+  ClosedValve valve = closed(small_valve());
+  const Box box{960.0, 110.0, 608.0, 510.0};
+  for (const double billow_mm : {0.0, 30.0})
+    for (const double aside_mm : {-60.0, 0.0, 60.0}) {
+      ClosedValve moved = valve;
+      moved.closure.closed_mm.col(2).array() += billow_mm;
+      for (PapillaryHead& head : moved.valve.heads) head.tip_mm.y() += aside_mm;
+      const SectionMap map = section_map({box, section_scale(box, moved)}, moved);
+      std::vector<Vec3> points;
+      for (const SectionLine& line :
+           cut(moved.valve.faces, moved.closure.closed_mm, mid_valve_plane(moved.valve)))
+        points.insert(points.end(), line.points_mm.begin(), line.points_mm.end());
+      for (const PapillaryHead& head : moved.valve.heads) points.push_back(head.tip_mm);
+      for (const Vec3& point : points) {
+        EXPECT_GT(map(point).x(), box.x + 6.0);
+        EXPECT_LT(map(point).x(), box.x + box.width - 6.0);
+        EXPECT_GT(map(point).y(), box.y + 40.0);
+        EXPECT_LT(map(point).y(), box.y + box.height - 60.0);
+      }
+    }
+}
+
+TEST(ClosurePicture, NamesAGapThatTheAtrialViewHidesInItsHeadline) {
+  ClosedValve valve = closed(disc_with_hole(15.0, 0.4));
+  const auto headline = [&valve] {
+    const DecodedPng png = decode_png(closure_picture_png(valve));
+    return std::vector<std::uint32_t>(png.pixels.begin() + 640 * png.width,
+                                      png.pixels.begin() + 684 * png.width);
+  };
+  valve.measure.coaptation.gap_area_mm2 = 0.0;
+  const std::vector<std::uint32_t> sound = headline();
+  valve.measure.coaptation.gap_area_mm2 = 30.2;
+  EXPECT_NE(headline(), sound);
 }
 
 TEST(ClosurePicture, IsTheSameEveryTime) {
