@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/metrics/annulus.h"
 #include "core/repair/annuloplasty.h"
 #include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
@@ -12,8 +11,7 @@ namespace coapt {
 namespace {
 
 constexpr double kRounding = 1e-6;
-constexpr double kSmallestCircumference_mm = 30.0;  // of any annulus that a valve file may have
-constexpr double kStenoticRing_mm = 27.0;           // predicts functional stenosis
+constexpr double kStenoticRing_mm = 27.0;  // predicts functional stenosis
 constexpr double kTensionRise = 3.0;     // neochordae 5 % too short: no leak, three times the force
 constexpr double kTensionFloor_n = 0.2;  // below it a rise means nothing
 
@@ -43,9 +41,6 @@ void about(const Annuloplasty& ring, const Operation& operation, Lines& lines) {
     lines.push_back(
         "annulus made smaller by more than 4 ring sizes (of its width or area): rejected in "
         "practice");
-  const double circumference = measure_annulus(operation.repaired).circumference_mm;
-  if (circumference < kSmallestCircumference_mm)
-    lines.push_back("annulus of " + mm(circumference) + " circumference: no valve is that small");
 }
 
 void about(const PapillaryApproximation& suture, const Operation&, Lines& lines) {

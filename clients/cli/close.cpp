@@ -73,7 +73,8 @@ void add_close(CLI::App& parent, int& status) {
                    "How to close: fast (default) or thesis, its reference")
       ->transform(CLI::CheckedTransformer(methods))
       ->option_text("METHOD");
-  command->add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)");
+  command->add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
+      ->check(CLI::Validator(refuse_standard_output, "FILE"));
   command->add_flag("--json", arguments->json, "Print JSON");
   command->footer(
       "Exit code 3 if the closure did not converge or leaflets cross; the result is printed all "

@@ -1,16 +1,6 @@
 #include "clients/cli/exit_code.h"
 
-#include <algorithm>
-
 namespace coapt {
-namespace {
-
-bool competent(const RankedPlan& plan) {
-  return plan.status == ClosureStatus::Converged && !plan.crossing &&
-         plan.leak_mm2.nominal < kCompetentMm2;
-}
-
-}  // namespace
 
 int exit_code_of(const ClosureResult& closure) {
   const bool closed = closure.status == ClosureStatus::Converged && !closure.crossing;
@@ -19,8 +9,7 @@ int exit_code_of(const ClosureResult& closure) {
 
 int exit_code_of(const SearchResult& result) {
   if (result.stop == SearchStop::Cancelled) return exit_code::kInterrupted;
-  const bool any = std::any_of(result.plans.begin(), result.plans.end(), competent);
-  return any ? exit_code::kOk : exit_code::kNoCompetentPlan;
+  return closes_robustly(result) ? exit_code::kOk : exit_code::kNoRobustPlan;
 }
 
 }  // namespace coapt

@@ -116,9 +116,8 @@ void add_plan(CLI::App& parent, int& status) {
       "Ctrl-C stops the search and prints the best so far (exit code 130) when the closures in\n"
       "progress have ended. A second one ends coapt at once (130 in the shell): nothing is "
       "printed.\n\n"
-      "Exit code 4 if no plan converges without crossing to a leak (orifice and hidden gap) below "
-      "1\n"
-      "mm2.\n\n"
+      "Exit code 4 unless the best plan closes the valve robustly: all closures over its region\n"
+      "converge without crossing, and mean + sd of the leak stay below 1 mm2.\n\n"
       "Examples:\n"
       "  coapt plan human-functional-mr --evaluations 300 --seed 1\n"
       "  coapt plan valve.json --plans 10 --json -o report.html > plans.json");

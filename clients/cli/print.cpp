@@ -5,7 +5,6 @@
 #include <iomanip>
 #include <ostream>
 
-#include "clients/cli/exit_code.h"
 #include "io/picture/text.h"
 
 namespace coapt {
@@ -42,6 +41,10 @@ void print_closure(std::ostream& out, const std::string& name, const ClosureResu
   out << printable(name) << ": " << to_string(closure.status) << " after " << closure.steps
       << " steps, residual " << fixed(closure.residual, 4) << ", "
       << crossing_words(closure.crossing) << '\n';
+  if (closure.attempts.size() < 2) return;
+  for (const ClosureAttempt& attempt : closure.attempts)
+    out << "  tried " << attempt.how << ": " << to_string(attempt.status) << " after "
+        << attempt.steps << " steps, " << attempt.crossing_pairs << " crossings\n";
 }
 
 void print_measure(std::ostream& out, const ValveMeasure& measure) {
@@ -49,7 +52,7 @@ void print_measure(std::ostream& out, const ValveMeasure& measure) {
   const Coaptation& coaptation = measure.coaptation;
   const double hidden = coaptation.gap_area_mm2 - orifice.area_mm2;
   row(out, "leak") << fixed(leak_mm2(measure), 1) << " mm2, the larger of orifice and gap";
-  if (hidden > kCompetentMm2) {
+  if (hidden > kCompetentLeak_mm2) {
     out << "; the view from the atrium hides " << fixed(hidden, 1) << " mm2 of it";
   }
   out << '\n';

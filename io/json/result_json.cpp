@@ -139,6 +139,13 @@ ordered_json to_json(const ValveMeasure& measure) {
 
 ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                              const ValveMeasure& measure, double seconds) {
+  ordered_json attempts = ordered_json::array();
+  for (const ClosureAttempt& attempt : closure.attempts)
+    attempts.push_back({{"how", attempt.how},
+                        {"status", to_string(attempt.status)},
+                        {"crossing_pairs", attempt.crossing_pairs},
+                        {"residual", attempt.residual},
+                        {"steps", attempt.steps}});
   return joined({{"schema", "coapt.closure/1"},
                  {"version", version()},
                  {"notice", kResearchNotice},
@@ -149,7 +156,8 @@ ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                  {"steps", closure.steps},
                  {"seconds", seconds},
                  {"crossing", closure.crossing},
-                 {"crossing_pairs", closure.crossing_pairs}},
+                 {"crossing_pairs", closure.crossing_pairs},
+                 {"attempts", std::move(attempts)}},
                 to_json(measure));
 }
 

@@ -121,7 +121,7 @@ class Make(ProgramTest):
         ring = SOURCE / "examples/valves/source/kaiser/normal_1_annulus.csv"
         result = coapt("valve", "make", "--annulus", ring, "--tips", ring, "-o", "-")
         self.assertEqual(result.returncode, BAD_INPUT)
-        self.assertIn("/tips_mm", result.stderr)
+        self.assertIn("--tips", result.stderr)
         self.assertEqual(result.stdout, "")
 
     def test_an_output_that_cannot_be_written_is_1(self):

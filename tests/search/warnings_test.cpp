@@ -67,15 +67,6 @@ TEST(Warnings, OfRings) {
   EXPECT_TRUE(any(warnings(ring(26.0)), "4 ring sizes"));
 }
 
-TEST(Warnings, OfAnAnnulusThatNoValveHas) {
-  // 36 mm wide with a circumference of about 100 mm: half of that is 18 mm and 50 mm, and the ring
-  // six sizes below it 6 mm and 17 mm.
-  Valve small = small_valve();
-  EXPECT_FALSE(any(warnings(own_ring(6), small), "circumference"));
-  small.annulus_mm *= 0.5;
-  EXPECT_TRUE(any(warnings(own_ring(6), small), "circumference"));
-}
-
 TEST(Warnings, OfNeochordaeAndSutures) {
   expect_one(RepairStep(Neochorda{"AL1", {Leaflet::Posterior, 0.6, 1.0}, 20.0}), "other half");
   expect_one(RepairStep(Neochorda{"PM1", {Leaflet::Anterior, 0.6, 1.0}, 31.0}), "10 to 30");
