@@ -12,7 +12,7 @@ help:  ## this list
 demo: build  ## ranked repair plans for a leaking valve of real human anatomy, with pictures
 	@mkdir -p out
 	$(BIN)/coapt close $(VALVE) --render out/leaking.png || [ $$? -eq 3 ]
-	$(BIN)/coapt plan $(VALVE) --evaluations 150 --seed 1 --plans 3 -o out/report.html || [ $$? -eq 4 ]
+	$(BIN)/coapt plan $(VALVE) --evaluations 600 --seed 1 --plans 3 -o out/report.html || [ $$? -eq 4 ]
 	@echo "Pictures: out/leaking.png and out/report.html (open it in a browser)"
 
 test: build  ## build and run every test

@@ -9,6 +9,12 @@
 namespace coapt {
 namespace {
 
+CoaptationOptions with_contact_distance(CoaptationOptions options, const Valve& valve) {
+  if (options.contact_distance_mm == 0.0)
+    options.contact_distance_mm = 1.25 * valve.tissue.thickness_mm;
+  return options;
+}
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Surface surface_of(const Valve& valve, const Points& closed_mm, const std::vector<Leaflet>& sides,
@@ -163,7 +169,8 @@ std::vector<Leaflet> leaflet_sides(const Valve& valve) {
 }
 
 Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
-                              const CoaptationOptions& options) {
+                              const CoaptationOptions& asked) {
+  const CoaptationOptions options = with_contact_distance(asked, valve);
   const std::vector<Leaflet> sides = leaflet_sides(valve);
   const Surface posterior = surface_of(valve, closed_mm, sides, Leaflet::Posterior);
   const std::array<SectionPlane, 9> planes = coaptation_planes(valve);
@@ -194,7 +201,8 @@ Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
 }
 
 Tenting measure_tenting(const Valve& valve, const Points& closed_mm,
-                        const CoaptationOptions& options) {
+                        const CoaptationOptions& asked) {
+  const CoaptationOptions options = with_contact_distance(asked, valve);
   const std::vector<Leaflet> sides = leaflet_sides(valve);
   const Vec3 saddle_peak = annulus_position_mm(valve, valve.landmarks.saddle_peak);
   const Vec3 mid_posterior = annulus_position_mm(valve, valve.landmarks.mid_posterior);

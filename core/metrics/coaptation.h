@@ -12,9 +12,9 @@
 namespace coapt {
 
 struct CoaptationOptions {
-  /// Mid-surfaces nearer than this are in contact. Leaflets pressed together rest at 0.85 to 1 mm,
-  /// the contact thickness of the closure; a quarter more allows for the facets of a coarse mesh.
-  double contact_distance_mm = 1.25;
+  /// Mid-surfaces nearer than this are in contact. 0: 1.25 x the tissue's thickness, since leaflets
+  /// pressed together rest at 0.85 to 1 times it, and coarse meshes have facets.
+  double contact_distance_mm = 0.0;
   double sample_mm = 0.1;  ///< largest distance of points along a cut
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/closure/tauten.h"
 #include "core/metrics/measure.h"
 #include "core/valve/remodel.h"
 #include "core/valve/validate.h"
@@ -88,6 +89,22 @@ TEST(Preset, LeaksMoreTheFurtherTheAnnulusDilatesOrTheTipsDescend) {
     const double area = orifice(change);
     EXPECT_GT(area, before) << apical_mm << " mm";
     before = area;
+  }
+}
+
+TEST(Presets, HumanNormalOfThinnerOrThickerTissueTouchesAtItsOwnThickness) {
+  for (const double thickness : {0.6, 1.4}) {
+    ParametricValve dimensions;
+    Valve valve = *make_parametric_valve(dimensions);
+    valve.tissue.thickness_mm = thickness;
+    const ClosureResult open = close_valve(valve);
+    const Valve taut = tauten(valve, open, 1.0);
+    const ClosureResult closed = close_valve(taut);
+    const ValveMeasure measured = measure(taut, closed);
+    EXPECT_FALSE(closed.crossing) << thickness;
+    EXPECT_LT(measured.orifice.area_mm2, 1.0) << thickness;
+    for (const CoaptationSection& section : measured.coaptation.sections)
+      EXPECT_TRUE(section.contact) << thickness << ' ' << section.along;
   }
 }
 
