@@ -175,7 +175,7 @@ void Contact::renew(const ClosureModel& model, const Points& x) {
     if (n[0] != v && n[1] != v && n[2] != v) add_candidate(model, {v, n[0], n[1], n[2]}, false);
   }
   if (!law_.edges) return;
-  for (const Spring& s : model.springs) edges.push_back({s.a, s.b, s.b});
+  for (const auto& [a, b] : model.edges) edges.push_back({a, b, b});
   const Boxes boxes = boxes_around(edges, x, reach);
   for (const auto& [i, j] : overlapping(boxes, boxes)) {
     const auto &e = edges[static_cast<std::size_t>(i)], &g = edges[static_cast<std::size_t>(j)];

@@ -22,7 +22,7 @@ ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>&
     first_ = gather(model, node_of, first, 0.5);
     second_ = gather(model, node_of, second, 0.0);
   } else {
-    for (const Spring& s : model.springs) first.push_back({s.a, s.b, s.b});
+    for (const auto& [a, b] : model.edges) first.push_back({a, b, b});
     first_ = gather(model, node_of, first, 0.25);
   }
   near_clusters_.resize(this->second().clusters.size());

@@ -62,6 +62,7 @@ void add_membrane(const Valve& valve, ClosureModel& model) {
     spring.post_n_per_mm = post * kMpaPerKpa * per_modulus;
     spring.transition =
         orthotropic(tissue.circumferential_transition, tissue.radial_transition, edge.cos2_theta);
+    model.edges.push_back({spring.a, spring.b});
     model.springs.push_back(spring);
   }
   for (int f = 0; f < valve.faces.rows(); ++f) {

@@ -41,8 +41,9 @@ struct ClosureModel {
   std::vector<bool> fixed;  ///< |N|
   std::vector<double> mass_g;    ///< |N|
   std::vector<double> area_mm2;  ///< |V|, a third of the rest area of the faces around a vertex
-  std::vector<Spring> springs;
-  std::vector<Cable> cables;  ///< of chordae that are not ruptured
+  std::vector<std::array<int, 2>> edges;  ///< of the faces, each once, in ascending order
+  std::vector<Spring> springs;            ///< one per edge
+  std::vector<Cable> cables;              ///< of chordae that are not ruptured
   double pressure_mpa = 0.0;
   double stable_step_ms = 0.0;  ///< Gershgorin bound of the symplectic Euler step without contact
 };

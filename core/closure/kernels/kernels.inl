@@ -5,30 +5,36 @@ template <class R>
 constexpr R kTiny_mm2 = R(1e-20);
 constexpr double kLeastStiffness_n_per_mm = 1e-3;  // of a node that nothing holds
 
+template <class R>
+using Quad4 = typename Registers<R>::Quad4;
+template <class R>
+COAPT_INLINE Quad4<R> load_quad(const Quad<R>& quad) {
+  Quad4<R> result;
+  __builtin_memcpy(&result, &quad.at, sizeof result);
+  return result;
+}
+template <class R>
+COAPT_INLINE void add_quad(const typename Registers<R>::Quad4& more, Quad<R>& quad) {
+  const Quad4<R> sum = load_quad(quad) + more;
+  __builtin_memcpy(&quad.at, &sum, sizeof sum);
+}
+
 /// Adds force `f` with `stiffness` to node 0 of the active lanes and what balances it to the others.
 template <class R>
 COAPT_INLINE void scatter(const IndexLane* node, unsigned active, const Vec3x<R>& f,
                           const Vec<R>& stiffness, const Vec<R>* weight, int weights,
                           Quad<R>* force) {
-  using Quad4 = typename Registers<R>::Quad4;
   Quad<R> quads[kLanes];
   Lane<R> share[3];
   store_quads(Vec4x<R>{f.x, f.y, f.z, stiffness}, quads);
   for (int k = 0; k < weights; ++k) store(weight[k], share[k]);
-  const Quad4 against = {-1, -1, -1, 1};
-  const auto add = [&](int n, const Quad4& q) {
-    Quad4 sum;
-    __builtin_memcpy(&sum, &force[n].at, sizeof sum);
-    sum += q;
-    __builtin_memcpy(&force[n].at, &sum, sizeof sum);
-  };
+  const Quad4<R> against = {-1, -1, -1, 1};
   for (; active != 0; active &= active - 1) {
     const int lane = __builtin_ctz(active);
-    Quad4 q;
-    __builtin_memcpy(&q, &quads[lane].at, sizeof q);
-    add(node[0].at[lane], q);
+    Quad4<R> q = load_quad(quads[lane]);
+    add_quad(q, force[node[0].at[lane]]);
     q *= against;
-    for (int k = 0; k < weights; ++k) add(node[k + 1].at[lane], q * share[k].at[lane]);
+    for (int k = 0; k < weights; ++k) add_quad(q * share[k].at[lane], force[node[k + 1].at[lane]]);
   }
 }
 
@@ -213,7 +219,6 @@ void push_faces(PairBlock<R>* blocks, int count, R approach_mm, const Quad<R>* x
 
 template <class R>
 void push_edges(PairBlock<R>* blocks, int count, R approach_mm, const Quad<R>* x, Quad<R>* force) {
-  using Quad4 = typename Registers<R>::Quad4;
   for (int i = 0; i < count; ++i) {
     PairBlock<R>& pairs = blocks[i];
     if (approach_mm < pairs.asleep_until_mm) continue;
@@ -225,22 +230,15 @@ void push_edges(PairBlock<R>* blocks, int count, R approach_mm, const Quad<R>* x
     Lane<R> first, second;
     store_quads(Vec4x<R>{pushed.force.x, pushed.force.y, pushed.force.z, pushed.stiffness}, quads);
     store(apart.s, first), store(apart.t, second);
-    const Quad4 against = {-1, -1, -1, 1};
-    const auto add = [&](int n, const Quad4& q) {
-      Quad4 sum;
-      __builtin_memcpy(&sum, &force[n].at, sizeof sum);
-      sum += q;
-      __builtin_memcpy(&force[n].at, &sum, sizeof sum);
-    };
+    const Quad4<R> against = {-1, -1, -1, 1};
     for (unsigned active = pushed.active; active != 0; active &= active - 1) {
       const int lane = __builtin_ctz(active);
-      Quad4 q;
-      __builtin_memcpy(&q, &quads[lane].at, sizeof q);
-      add(pairs.node[0].at[lane], q * (R(1) - first.at[lane]));
-      add(pairs.node[1].at[lane], q * first.at[lane]);
+      Quad4<R> q = load_quad(quads[lane]);
+      add_quad(q * (R(1) - first.at[lane]), force[pairs.node[0].at[lane]]);
+      add_quad(q * first.at[lane], force[pairs.node[1].at[lane]]);
       q *= against;
-      add(pairs.node[2].at[lane], q * (R(1) - second.at[lane]));
-      add(pairs.node[3].at[lane], q * second.at[lane]);
+      add_quad(q * (R(1) - second.at[lane]), force[pairs.node[2].at[lane]]);
+      add_quad(q * second.at[lane], force[pairs.node[3].at[lane]]);
     }
   }
 }

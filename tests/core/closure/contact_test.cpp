@@ -132,8 +132,7 @@ TEST(Contact, BetweenCrossedEdgesPushesThemApart) {
   model.rest_mm.resize(4, 3);
   model.rest_mm << -5, 0, 0, 5, 0, 0, 0, -5, 9, 0, 5, 9;
   model.area_mm2 = {1.0, 1.0, 1.0, 1.0};
-  model.springs.push_back({0, 1, 10.0, 0.1, 0.0, 0.0});
-  model.springs.push_back({2, 3, 10.0, 0.1, 0.0, 0.0});
+  model.edges = {{0, 1}, {2, 3}};
   Points x = model.rest_mm;
   x(2, 2) = x(3, 2) = 0.5;
   Points force = Points::Zero(4, 3);
