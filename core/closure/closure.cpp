@@ -107,7 +107,7 @@ void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x
 bool lost(const Points& x_mm) { return !x_mm.allFinite() || x_mm.cwiseAbs().maxCoeff() > kLost_mm; }
 
 ClosureResult close_valve(const Valve& valve, const ClosureOptions& options) {
-  const ClosureModel model = make_closure_model(valve);
+  const ClosureModel model = make_closure_model(valve, options.membrane);
   const double thickness = valve.tissue.thickness_mm;
   const ContactLaw contact{thickness, options.contact_pressure_mpa / (thickness * thickness),
                            false};
@@ -146,6 +146,16 @@ const char* to_string(Method method) {
       return "fast";
     case Method::Thesis:
       return "thesis";
+  }
+  return "";
+}
+
+const char* to_string(Membrane membrane) {
+  switch (membrane) {
+    case Membrane::Springs:
+      return "springs";
+    case Membrane::Continuum:
+      return "continuum";
   }
   return "";
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/closure/membrane.h"
 #include "core/valve/valve.h"
 
 namespace coapt {
@@ -17,6 +18,7 @@ inline constexpr int kThesisSamples = 5;
 
 struct ClosureOptions {
   Method method = Method::Fast;
+  Membrane membrane = Membrane::Springs;
   double residual_tolerance = 0.01;  ///< rms free force / rms pressure force
   double way_tolerance_mm = 0.1;     ///< Fast: predicted rms way of the leaflets to rest
   int max_steps = 0;                 ///< of one attempt; 0: 6,000 (Fast), 40,000 (Thesis)

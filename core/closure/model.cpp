@@ -24,8 +24,10 @@ double orthotropic(double circumferential, double radial, double cos2) {
   return std::sqrt(circumferential * circumferential * cos2 + radial * radial * (1.0 - cos2));
 }
 
-std::map<std::pair<int, int>, Edge> collect_edges(const Valve& valve) {
-  std::map<std::pair<int, int>, Edge> edges;
+using Edges = std::map<std::pair<int, int>, Edge>;
+
+Edges collect_edges(const Valve& valve) {
+  Edges edges;
   for (int f = 0; f < valve.faces.rows(); ++f) {
     const Vec3 a = vertex(valve.rest_mm, valve.faces(f, 0));
     const Vec3 b = vertex(valve.rest_mm, valve.faces(f, 1));
@@ -45,9 +47,9 @@ std::map<std::pair<int, int>, Edge> collect_edges(const Valve& valve) {
   return edges;
 }
 
-void add_membrane(const Valve& valve, ClosureModel& model) {
+void add_springs(const Valve& valve, const Edges& edges, ClosureModel& model) {
   const Tissue& tissue = valve.tissue;
-  for (const auto& [key, edge] : collect_edges(valve)) {
+  for (const auto& [key, edge] : edges) {
     Spring spring;
     spring.a = key.first;
     spring.b = key.second;
@@ -62,8 +64,22 @@ void add_membrane(const Valve& valve, ClosureModel& model) {
     spring.post_n_per_mm = post * kMpaPerKpa * per_modulus;
     spring.transition =
         orthotropic(tissue.circumferential_transition, tissue.radial_transition, edge.cos2_theta);
-    model.edges.push_back({spring.a, spring.b});
     model.springs.push_back(spring);
+  }
+}
+
+void add_membrane(const Valve& valve, Membrane membrane, ClosureModel& model) {
+  const Tissue& tissue = valve.tissue;
+  const Edges edges = collect_edges(valve);
+  for (const auto& [key, edge] : edges) model.edges.push_back({key.first, key.second});
+  switch (membrane) {
+    case Membrane::Springs:
+      add_springs(valve, edges, model);
+      break;
+    case Membrane::Continuum:
+      model.law = sheet_law(tissue);
+      model.sheets = make_sheets(valve);
+      break;
   }
   for (int f = 0; f < valve.faces.rows(); ++f) {
     const Vec3 a = vertex(valve.rest_mm, valve.faces(f, 0));
@@ -119,12 +135,16 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
   }
 }
 
-/// omega_max^2 <= max over nodes of (sum over springs of 2 k) / m; the step bound is 2 / omega_max.
+/// omega_max^2 <= max over nodes of row sum / m, 2 k for each spring; the step bound is 2 / omega_max.
 double stable_step_ms(const ClosureModel& model) {
   std::vector<double> row_sum(model.mass_g.size(), 0.0);
   for (const Spring& s : model.springs) {
     row_sum[static_cast<std::size_t>(s.a)] += 2.0 * s.post_n_per_mm;
     row_sum[static_cast<std::size_t>(s.b)] += 2.0 * s.post_n_per_mm;
+  }
+  for (const Sheet& sheet : model.sheets) {
+    const auto sums = stiffest_row_sums(model.law, sheet);
+    for (std::size_t k = 0; k < 3; ++k) row_sum[static_cast<std::size_t>(sheet.node[k])] += sums[k];
   }
   for (const Cable& c : model.cables) {
     row_sum[static_cast<std::size_t>(c.start)] += 2.0 * c.stiffness_n_per_mm;
@@ -139,7 +159,7 @@ double stable_step_ms(const ClosureModel& model) {
 
 }  // namespace
 
-ClosureModel make_closure_model(const Valve& valve) {
+ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
   ClosureModel model;
   model.vertices = static_cast<int>(valve.rest_mm.rows());
   model.faces = valve.faces;
@@ -166,7 +186,7 @@ ClosureModel make_closure_model(const Valve& valve) {
     model.rest_mm.row(node) = valve.heads[h].rest_mm;
     model.target_mm.row(node) = valve.heads[h].tip_mm;
   }
-  add_membrane(valve, model);
+  add_membrane(valve, membrane, model);
   add_chordae(valve, model);
   model.stable_step_ms = stable_step_ms(model);
   return model;
@@ -189,6 +209,7 @@ void add_elastic_forces(const ClosureModel& model, const Points& x, Points& forc
     force.row(s.a) += f;
     force.row(s.b) -= f;
   }
+  for (const Sheet& sheet : model.sheets) add_sheet_forces(model.law, sheet, x, force);
   for (const Cable& c : model.cables) {
     const Vec3 d = end_position(c, x) - vertex(x, c.start);
     const double length = d.norm();

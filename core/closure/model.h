@@ -1,13 +1,15 @@
-// A valve as masses, springs and cables: everything that does not change while it closes.
+// A valve as masses, membrane and cables: everything that does not change while it closes.
 //
 // Membrane: one spring per edge, stiffness after van Gelder (thesis equation 2.2), bilinear and
-// orthotropic (2.3, 2.4). Chordae: tension-only cables with free branch points. Units inside the
-// closure: mm, g, ms, hence N and MPa.
+// orthotropic (2.3, 2.4); or constant-strain triangles (continuum.h). Chordae: tension-only cables
+// with free branch points. Units inside the closure: mm, g, ms, hence N and MPa.
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include "core/closure/continuum.h"
+#include "core/closure/membrane.h"
 #include "core/valve/valve.h"
 
 namespace coapt {
@@ -42,14 +44,16 @@ struct ClosureModel {
   std::vector<double> mass_g;    ///< |N|
   std::vector<double> area_mm2;  ///< |V|, a third of the rest area of the faces around a vertex
   std::vector<std::array<int, 2>> edges;  ///< of the faces, each once, in ascending order
-  std::vector<Spring> springs;            ///< one per edge
-  std::vector<Cable> cables;              ///< of chordae that are not ruptured
+  std::vector<Spring> springs;            ///< one per edge, or none
+  SheetLaw law;
+  std::vector<Sheet> sheets;  ///< one per face, or none
+  std::vector<Cable> cables;  ///< of chordae that are not ruptured
   double pressure_mpa = 0.0;
   double stable_step_ms = 0.0;  ///< Gershgorin bound of the symplectic Euler step without contact
 };
 
 /// @pre validate(valve) is empty.
-ClosureModel make_closure_model(const Valve& valve);
+ClosureModel make_closure_model(const Valve& valve, Membrane membrane = Membrane::Springs);
 
 /// Far end of a cable.
 inline Vec3 end_position(const Cable& cable, const Points& x) {
@@ -60,7 +64,7 @@ inline Vec3 end_position(const Cable& cable, const Points& x) {
 /// Tension of a cable, N, never negative.
 double tension_n(const Cable& cable, const Points& x);
 
-/// Adds spring and cable forces, N.
+/// Adds the forces of springs, sheets and cables, N.
 void add_elastic_forces(const ClosureModel& model, const Points& x, Points& force);
 
 /// Adds the pressure on each face, a third to each of its vertices, along the present face normal,

@@ -61,6 +61,7 @@ class Relaxation {
     if (std::max(from_list_mm_, fixed_from_list_mm_) >= margin_mm_) list();
     kernels_.pull_cables(laid_.cables.data(), static_cast<int>(laid_.cables.size()), x_.data(),
                          force_.data());
+    pull_sheets();
     for (ContactPairs<R>& pairs : contacts_) pairs.push(x_, approach_mm_, force_);
     kernels::StepInput<R> input;
     input.x = x_.data();
@@ -110,6 +111,17 @@ class Relaxation {
   }
 
  private:
+  void pull_sheets() {
+    kernels::SheetInput<R> input;
+    input.blocks = laid_.sheets.data();
+    input.block_count = static_cast<int>(laid_.sheets.size());
+    input.law = laid_.sheet_law;
+    input.lookahead_mm = static_cast<R>(longest_move_mm_);
+    input.x = x_.data();
+    input.force = force_.data();
+    kernels_.pull_sheets(input);
+  }
+
   void place(std::size_t i, const Vec3& p) {
     const auto node = static_cast<std::size_t>(laid_.node_of[i]);
     for (int k = 0; k < 3; ++k) x_[node].at[k] = next_[node].at[k] = static_cast<R>(p[k]);

@@ -131,7 +131,7 @@ void lay_springs(const ClosureModel& model, RelaxationModel<R>& laid) {
         const FanEntry& entry = around[static_cast<std::size_t>(v)][s];
         slot.neighbour.at[lane] = laid.node_of[static_cast<std::size_t>(entry.neighbour)];
         if (entry.face) slot.load_mpa.at[lane] = static_cast<R>(model.pressure_mpa / 6.0);
-        if (!entry.spring) continue;
+        if (!entry.spring || model.springs.empty()) continue;
         const Spring& spring = spring_between(model, v, entry.neighbour);
         slot.rest_mm.at[lane] = static_cast<R>(spring.rest_mm);
         slot.knee_mm.at[lane] = static_cast<R>((1.0 + spring.transition) * spring.rest_mm);
@@ -140,6 +140,36 @@ void lay_springs(const ClosureModel& model, RelaxationModel<R>& laid) {
       }
       laid.slots.push_back(slot);
     }
+  }
+}
+
+template <class R>
+void lay_sheets(const ClosureModel& model, RelaxationModel<R>& laid) {
+  const auto real = [](double value) { return static_cast<R>(value); };
+  const auto fibres = [&](const Fibres& f) {
+    return kernels::SheetFibres<R>{real(f.straight), real(f.mpa)};
+  };
+  const SheetLaw& law = model.law;
+  laid.sheet_law = {real(law.along_mpa), real(law.across_mpa), real(law.coupling_mpa),
+                    real(law.shear_mpa), fibres(law.along),    fibres(law.across),
+                    fibres(law.diagonal)};
+  Points centres(static_cast<Eigen::Index>(model.sheets.size()), 3);
+  for (std::size_t f = 0; f < model.sheets.size(); ++f)
+    centres.row(static_cast<Eigen::Index>(f)) =
+        model.rest_mm(model.sheets[f].node, Eigen::all).colwise().mean();
+  laid.sheets.resize(static_cast<std::size_t>(blocks_for(model.sheets.size())));
+  std::size_t next = 0;
+  for (const int f : cluster_order(centres)) {
+    const Sheet& sheet = model.sheets[static_cast<std::size_t>(f)];
+    kernels::SheetBlock<R>& block = laid.sheets[next / kLanes];
+    const std::size_t lane = next++ % kLanes;
+    for (std::size_t k = 0; k < 3; ++k)
+      block.node[k].at[lane] = laid.node_of[static_cast<std::size_t>(sheet.node[k])];
+    for (int k = 0; k < 2; ++k) {
+      block.along[k].at[lane] = real(sheet.per_mm(k, 0));
+      block.across[k].at[lane] = real(sheet.per_mm(k, 1));
+    }
+    block.volume_mm3.at[lane] = real(sheet.volume_mm3);
   }
 }
 
@@ -174,6 +204,7 @@ RelaxationModel<R> make_relaxation_model(const ClosureModel& model) {
   RelaxationModel<R> laid;
   number_nodes(model, laid);
   lay_springs(model, laid);
+  lay_sheets(model, laid);
   lay_cables(model, laid);
   return laid;
 }

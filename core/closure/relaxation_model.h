@@ -1,5 +1,5 @@
 // The closure model laid out for the kernels: moving nodes in blocks of sixteen that lie together on the
-// leaflets, springs as fans around their nodes, cables.
+// leaflets, springs as fans around their nodes, sheets, cables.
 #pragma once
 
 #include <vector>
@@ -18,6 +18,8 @@ struct RelaxationModel {
   std::vector<kernels::NodeBlock<R>> blocks;
   std::vector<kernels::FanSlot<R>> slots;
   std::vector<kernels::CableBlock<R>> cables;
+  std::vector<kernels::SheetBlock<R>> sheets;
+  kernels::SheetModuli<R> sheet_law;
 };
 
 /// R is float or double.

@@ -437,6 +437,8 @@ PairCount list_pairs(const PairSearch<R>& in) {
   return result;
 }
 
+#include "core/closure/kernels/sheets.inl"
+
 template <class R>
-constexpr Kernels<R> kTable = {advance<R>,    pull_cables<R>, push_faces<R>,
+constexpr Kernels<R> kTable = {advance<R>,    pull_cables<R>, pull_sheets<R>, push_faces<R>,
                                push_edges<R>, box<R>,         list_pairs<R>};

@@ -59,6 +59,27 @@ struct CableBlock {
   Lane<R> stiffness_n_per_mm;  ///< 0 for padding
 };
 
+/// Sixteen faces of the continuum membrane (continuum.h has the symbols).
+template <class R>
+struct SheetBlock {
+  IndexLane node[3];
+  Lane<R> along[2], across[2];  ///< f1 and f2 = first x (x1 - x0) + second x (x2 - x0)
+  Lane<R> volume_mm3;           ///< 0 for padding
+};
+
+template <class R>
+struct SheetFibres {
+  R straight = 1;
+  R mpa = 0;
+};
+
+/// Their law.
+template <class R>
+struct SheetModuli {
+  R along_mpa = 0, across_mpa = 0, coupling_mpa = 0, shear_mpa = 0;
+  SheetFibres<R> along, across, diagonal;
+};
+
 /// Sixteen pairs that may touch: vertex and face, or edge and edge.
 template <class R>
 struct PairBlock {
@@ -132,10 +153,20 @@ struct PairCount {
 };
 
 template <class R>
+struct SheetInput {
+  const SheetBlock<R>* blocks = nullptr;
+  int block_count = 0;
+  SheetModuli<R> law;
+  R lookahead_mm = 0;  ///< fibres that nodes could straighten by moving so far count as straight
+  const Quad<R>* x = nullptr;
+  Quad<R>* force = nullptr;  ///< added to
+};
+
+template <class R>
 struct StepInput {
   const Quad<R>* x = nullptr;  ///< where all nodes are
   Quad<R>* next = nullptr;     ///< where the moving ones will be
-  Quad<R>* force = nullptr;    ///< of contact and cables, N, with their stiffness; set to 0
+  Quad<R>* force = nullptr;    ///< of contact, cables and sheets, N, with their stiffness; set to 0
   NodeBlock<R>* blocks = nullptr;
   const FanSlot<R>* slots = nullptr;
   int block_count = 0;
@@ -158,6 +189,7 @@ template <class R>
 struct Kernels {
   StepSums (*advance)(const StepInput<R>&);
   void (*pull_cables)(const CableBlock<R>*, int blocks, const Quad<R>* x, Quad<R>* force);
+  void (*pull_sheets)(const SheetInput<R>&);
   /// `approach_mm`: how far two nodes may have approached each other since the pairs were listed.
   void (*push_faces)(PairBlock<R>*, int blocks, R approach_mm, const Quad<R>* x, Quad<R>* force);
   void (*push_edges)(PairBlock<R>*, int blocks, R approach_mm, const Quad<R>* x, Quad<R>* force);

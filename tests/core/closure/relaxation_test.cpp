@@ -29,21 +29,29 @@ Points half_closed(const ClosureModel& model) {
   return relax<double>(model, settings).x_mm;
 }
 
+/// A preset's model with either membrane.
+std::vector<ClosureModel> models(const std::string& preset) {
+  const Valve valve = *make_preset(preset, 300);
+  return {make_closure_model(valve, Membrane::Springs),
+          make_closure_model(valve, Membrane::Continuum)};
+}
+
 TEST(Relaxation, GivesTheSameBitsOnEveryInstructionSet) {
-  const ClosureModel model = make_closure_model(*make_preset("human-functional-mr", 300));
-  for (const bool edges : {false, true}) {
-    RelaxationSettings settings;
-    settings.contact.edges = edges;
-    settings.instructions = InstructionSet::Baseline;
-    const ClosureRun single = relax<float>(model, settings), twice = relax<double>(model, settings);
-    for (const InstructionSet set : instruction_sets()) {
-      settings.instructions = set;
-      const ClosureRun a = relax<float>(model, settings), b = relax<double>(model, settings);
-      EXPECT_EQ(a.x_mm, single.x_mm) << to_string(set);
-      EXPECT_EQ(a.steps, single.steps) << to_string(set);
-      EXPECT_EQ(b.x_mm, twice.x_mm) << to_string(set);
+  for (const ClosureModel& model : models("human-functional-mr"))
+    for (const bool edges : {false, true}) {
+      RelaxationSettings settings;
+      settings.contact.edges = edges;
+      settings.instructions = InstructionSet::Baseline;
+      const ClosureRun single = relax<float>(model, settings);
+      const ClosureRun twice = relax<double>(model, settings);
+      for (const InstructionSet set : instruction_sets()) {
+        settings.instructions = set;
+        const ClosureRun a = relax<float>(model, settings), b = relax<double>(model, settings);
+        EXPECT_EQ(a.x_mm, single.x_mm) << to_string(set);
+        EXPECT_EQ(a.steps, single.steps) << to_string(set);
+        EXPECT_EQ(b.x_mm, twice.x_mm) << to_string(set);
+      }
     }
-  }
 }
 
 TEST(Relaxation, StaysWhereTheThesisMethodCameToRest) {
@@ -71,21 +79,54 @@ TEST(Relaxation, StaysWhereTheThesisMethodCameToRest) {
 }
 
 TEST(Relaxation, ThatIsAtRestHasForcesInBalance) {
-  const ClosureModel model = make_closure_model(*make_preset("human-normal", 300));
-  RelaxationSettings settings;
-  settings.residual_tolerance = 1e-6;
-  settings.way_tolerance_mm = 1e-5;
-  const ClosureRun run = relax<double>(model, settings);
-  ASSERT_EQ(run.status, ClosureStatus::Converged);
-  // By the plain functions of the model, not by the kernels.
-  Points force = Points::Zero(run.x_mm.rows(), 3);
-  add_elastic_forces(model, run.x_mm, force);
-  add_pressure_forces(model, run.x_mm, force);
-  Contact(settings.contact).add_forces(model, run.x_mm, force);
-  for (Eigen::Index i = 0; i < force.rows(); ++i) {
-    if (!model.fixed[static_cast<std::size_t>(i)]) {
-      EXPECT_LT(force.row(i).norm(), 1e-6) << i;
+  for (const ClosureModel& model : models("human-normal")) {
+    RelaxationSettings settings;
+    settings.residual_tolerance = 1e-6;
+    settings.way_tolerance_mm = 1e-5;
+    const ClosureRun run = relax<double>(model, settings);
+    ASSERT_EQ(run.status, ClosureStatus::Converged);
+    // By the plain functions of the model, not by the kernels.
+    Points force = Points::Zero(run.x_mm.rows(), 3);
+    add_elastic_forces(model, run.x_mm, force);
+    add_pressure_forces(model, run.x_mm, force);
+    Contact(settings.contact).add_forces(model, run.x_mm, force);
+    for (Eigen::Index i = 0; i < force.rows(); ++i) {
+      if (!model.fixed[static_cast<std::size_t>(i)]) {
+        EXPECT_LT(force.row(i).norm(), 1e-6) << i;
+      }
     }
+  }
+}
+
+TEST(PullSheets, PullsLikeThePlainSheetsWithHalfTheirRowSums) {
+  const ClosureModel model =
+      make_closure_model(*make_preset("human-normal", 300), Membrane::Continuum);
+  const Points x = half_closed(model);
+  const RelaxationModel<double> laid = make_relaxation_model<double>(model);
+  std::vector<Quad<double>> at(static_cast<std::size_t>(laid.nodes)), force(at.size());
+  for (std::size_t i = 0; i < laid.node_of.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      at[static_cast<std::size_t>(laid.node_of[i])].at[k] = x(static_cast<Eigen::Index>(i), k);
+  kernels::SheetInput<double> input;
+  input.blocks = laid.sheets.data();
+  input.block_count = static_cast<int>(laid.sheets.size());
+  input.law = laid.sheet_law;
+  input.x = at.data();
+  input.force = force.data();
+  kernels::kernels<double>(kernels::best_instruction_set()).pull_sheets(input);
+  Points plain = Points::Zero(x.rows(), 3);
+  std::vector<double> rows(static_cast<std::size_t>(x.rows()), 0.0);
+  for (const Sheet& sheet : model.sheets) {
+    add_sheet_forces(model.law, sheet, x, plain);
+    const auto sums = row_sums(model.law, sheet, x);
+    for (std::size_t k = 0; k < 3; ++k) rows[static_cast<std::size_t>(sheet.node[k])] += sums[k];
+  }
+  ASSERT_GT(plain.rowwise().norm().maxCoeff(), 0.01);
+  for (std::size_t i = 0; i < laid.node_of.size(); ++i) {
+    const Quad<double>& quad = force[static_cast<std::size_t>(laid.node_of[i])];
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(quad.at[k], plain(static_cast<Eigen::Index>(i), k), 1e-11) << i;
+    EXPECT_NEAR(quad.at[3], 0.5 * rows[i], 1e-11 * rows[i]) << i;
   }
 }
 
