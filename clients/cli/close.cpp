@@ -21,6 +21,7 @@ namespace {
 struct Arguments {
   std::string valve, plan, picture;
   Method method = Method::Fast;
+  Membrane membrane = Membrane::Springs;
   bool json = false;
 };
 
@@ -35,8 +36,9 @@ int run(const Arguments& arguments) {
   if (const int failed = check_output(arguments.picture)) return failed;
 
   const auto start = std::chrono::steady_clock::now();
-  const ClosureResult closure =
-      close_valve(*repaired, {.method = arguments.method, .samples = kThesisSamples});
+  const ClosureResult closure = close_valve(
+      *repaired,
+      {.method = arguments.method, .membrane = arguments.membrane, .samples = kThesisSamples});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   const ValveMeasure measured = measure(*repaired, closure);
 
@@ -73,6 +75,15 @@ void add_close(CLI::App& parent, int& status) {
                    "How to close: fast (default) or thesis, its reference")
       ->transform(CLI::CheckedTransformer(methods))
       ->option_text("METHOD");
+  const std::map<std::string, Membrane> membranes = {
+      {to_string(Membrane::Springs), Membrane::Springs},
+      {to_string(Membrane::Continuum), Membrane::Continuum}};
+  command
+      ->add_option("--membrane", arguments->membrane,
+                   "What carries the leaflets' tension: springs (default) or continuum, triangles "
+                   "that converge under refinement")
+      ->transform(CLI::CheckedTransformer(membranes))
+      ->option_text("MEMBRANE");
   command->add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
       ->check(CLI::Validator(refuse_standard_output, "FILE"));
   command->add_flag("--json", arguments->json, "Print JSON");

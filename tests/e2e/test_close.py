@@ -37,6 +37,18 @@ class Close(ProgramTest):
         after = self.close(VALVE, "--plan", plan)
         self.assertLess(after["orifice_area_mm2"], before["orifice_area_mm2"])
 
+    def test_the_membrane_can_be_chosen_with_either_method(self):
+        springs = self.close(VALVE)
+        self.assertEqual(self.close(VALVE, "--membrane", "springs")["orifice_area_mm2"],
+                         springs["orifice_area_mm2"])
+        for method in ["fast", "thesis"]:
+            continuum = self.close(VALVE, "--membrane", "continuum", "--method", method)
+            self.assertNotEqual(continuum["orifice_area_mm2"], springs["orifice_area_mm2"])
+            self.assertAlmostEqual(continuum["orifice_area_mm2"], springs["orifice_area_mm2"], delta=10.0)
+        result = coapt("close", VALVE, "--membrane", "cheese")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("--membrane", result.stderr)
+
     def test_the_picture_is_a_png_and_stdout_is_still_json(self):
         picture = self.folder / "closed.png"
         self.close("human-normal", "--render", picture)
