@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   add_close(app, status);
   add_evaluate(app, status);
   add_plan(app, status);
+  add_bench(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {

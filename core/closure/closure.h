@@ -23,6 +23,7 @@ struct ClosureOptions {
   double contact_pressure_mpa =
       0.74;                     ///< between leaflets at distance 0; it grows with the square of the
                                 ///< approach, from 0 where mid-surfaces are a thickness apart
+  double speed = 1.0;           ///< of moves, (0, 1]: less is slower and takes another way to rest
   double damping_per_ms = 1.0;  ///< Thesis: velocities decay by exp(-damping t)
   int samples = 1;              ///< closely spaced end states recorded
 };
