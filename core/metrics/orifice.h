@@ -19,6 +19,11 @@ struct PixelRun {
   int orifice = 0;  ///< index into OrificeView::orifices
 };
 
+/// Pixels; the thesis's by default.
+struct ImageSize {
+  int width = 800, height = 600;
+};
+
 /// The atrial view: columns run posteromedially, rows posteriorly.
 struct OrificeView {
   int width = 800, height = 600;
@@ -37,7 +42,8 @@ Vec2 from_pixels(const OrificeView& view, const Vec2& pixels);
 
 /// @param closed_mm |V| x 3, finite.
 /// @param half_thickness_mm by which the leaflets' mid-surfaces are grown in the view, >= 0.
-OrificeView view_orifices(const Valve& valve, const Points& closed_mm, double half_thickness_mm);
+OrificeView view_orifices(const Valve& valve, const Points& closed_mm, double half_thickness_mm,
+                          const ImageSize& size = {});
 
 OrificeMeasure measure_orifice(const Valve& valve, const ClosureResult& closure);
 
