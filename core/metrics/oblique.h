@@ -9,7 +9,7 @@
 // from the atrium hides: beside a prolapsing posterior leaflet lines are free that lean anteriorly,
 // as the jet of such a valve does. An opening without any straight passage stays unseen.
 //
-// Cost: one exact orifice for each of 49 directions, 15 ms on a valve of 650 triangles.
+// Cost: one exact orifice for each of 49 directions, 15 to 20 ms on a valve of 650 triangles.
 #pragma once
 
 #include "core/metrics/projection.h"
