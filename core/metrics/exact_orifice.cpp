@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/metrics/outline.h"
 
@@ -176,6 +177,23 @@ ExactOrifice exact_orifice(const Valve& valve, const Projection& projection,
 ExactOrifice exact_orifice(const Valve& valve, const Points& closed_mm, double half_thickness_mm) {
   return exact_orifice(valve, project_valve(valve, closed_mm, annular_plane(valve)),
                        half_thickness_mm);
+}
+
+OrificeMeasure measure_orifice(const Valve& valve, const ClosureResult& closure) {
+  const double half_thickness_mm = 0.5 * valve.tissue.thickness_mm;
+  const AnnularPlane plane = annular_plane(valve);
+  const auto seen = [&](const Points& closed_mm) {
+    return exact_orifice(valve, project_valve(valve, closed_mm, plane), half_thickness_mm);
+  };
+  ExactOrifice end = seen(closure.closed_mm);
+  OrificeMeasure measure{end.area_mm2, end.area_raw_mm2, end.area_mm2, std::move(end.orifices)};
+  if (closure.samples_mm.empty()) return measure;
+  measure.area_mean_mm2 = 0.0;
+  for (const Points& sample_mm : closure.samples_mm)
+    measure.area_mean_mm2 +=
+        sample_mm == closure.closed_mm ? measure.area_mm2 : seen(sample_mm).area_mm2;
+  measure.area_mean_mm2 /= static_cast<double>(closure.samples_mm.size());
+  return measure;
 }
 
 }  // namespace coapt

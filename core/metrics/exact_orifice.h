@@ -1,4 +1,4 @@
-// The orifice as geometry instead of pixels: the annulus polygon minus the union of the projected
+// The regurgitant orifice as geometry instead of pixels: the annulus polygon minus the union of the projected
 // leaflets (thesis 4.2.1 without its image).
 //
 // Corners are rounded to a grid of 2^-20 mm, on which unions are exact up to the rounding of where
@@ -29,5 +29,8 @@ ExactOrifice exact_orifice(const Valve& valve, const Projection& projection,
 
 /// The same on the annulus's plane of best fit.
 ExactOrifice exact_orifice(const Valve& valve, const Points& closed_mm, double half_thickness_mm);
+
+/// On that plane, with the tissue's thickness, and the mean over the end states.
+OrificeMeasure measure_orifice(const Valve& valve, const ClosureResult& closure);
 
 }  // namespace coapt

@@ -86,7 +86,7 @@ Sheet draw_annulus(const Projection& projection, const ImageSize& size) {
 }
 
 /// What the leaflets leave open of the sheet, without its orifices.
-OrificeView draw_leaflets(Sheet sheet, const Projection& projection, double half_thickness_mm) {
+OrificeView draw_leaflets(Sheet&& sheet, const Projection& projection, double half_thickness_mm) {
   OrificeView& view = sheet.view;
   std::vector<Triangle> faces_px = projection.faces;
   for (Triangle& face : faces_px)
@@ -94,13 +94,6 @@ OrificeView draw_leaflets(Sheet sheet, const Projection& projection, double half
   cover_triangles(sheet.mask, faces_px, half_thickness_mm / view.mm_per_pixel);
   view.runs = runs_of(sheet.mask);
   return std::move(view);
-}
-
-double open_area_mm2(const OrificeView& view) {
-  double area_mm2 = 0.0;
-  for (const PixelRun& run : view.runs)
-    area_mm2 += (run.last - run.first + 1) * view.pixel_area_mm2;
-  return area_mm2;
 }
 
 /// Turns the runs of `view` into orifices, largest first.
@@ -158,30 +151,6 @@ OrificeView view_orifices(const Valve& valve, const Points& closed_mm, double ha
   OrificeView view = draw_leaflets(draw_annulus(projection, size), projection, half_thickness_mm);
   collect_orifices(valve, projection, view);
   return view;
-}
-
-OrificeMeasure measure_orifice(const Valve& valve, const ClosureResult& closure) {
-  const double half_thickness_mm = 0.5 * valve.tissue.thickness_mm;
-  const Projection projection = project_valve(valve, closure.closed_mm, annular_plane(valve));
-  const Sheet sheet = draw_annulus(projection, {});
-  OrificeView view = draw_leaflets(sheet, projection, half_thickness_mm);
-  collect_orifices(valve, projection, view);
-  OrificeMeasure measure;
-  measure.orifices = view.orifices;
-  measure.area_mm2 = open_area_mm2(view);
-  measure.area_raw_mm2 = open_area_mm2(draw_leaflets(sheet, projection, 0.0));
-  if (closure.samples_mm.empty()) {
-    measure.area_mean_mm2 = measure.area_mm2;
-    return measure;
-  }
-  for (const Points& sample_mm : closure.samples_mm)
-    measure.area_mean_mm2 +=
-        sample_mm == closure.closed_mm
-            ? measure.area_mm2
-            : open_area_mm2(draw_leaflets(sheet, project_valve(valve, sample_mm, projection.plane),
-                                          half_thickness_mm));
-  measure.area_mean_mm2 /= static_cast<double>(closure.samples_mm.size());
-  return measure;
 }
 
 }  // namespace coapt
