@@ -18,6 +18,7 @@ clients/cli   : io search core
 # Pattern of what only one folder may include, then that folder.
 readonly reserved='
 nlopt           : search
+clipper[.]hpp   : core/metrics
 cairo           : io/picture
 httplib[.]h     : server
 CLI/            : clients/cli server

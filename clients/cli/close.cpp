@@ -2,6 +2,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/print.h"
+#include "core/metrics/oblique.h"
 #include "core/repair/apply_plan.h"
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
@@ -22,7 +24,7 @@ struct Arguments {
   std::string valve, plan, picture;
   Method method = Method::Fast;
   Membrane membrane = Membrane::Springs;
-  bool json = false;
+  bool json = false, oblique = false;
 };
 
 int run(const Arguments& arguments) {
@@ -42,16 +44,23 @@ int run(const Arguments& arguments) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   const ValveMeasure measured = measure(*repaired, closure);
 
+  std::optional<ObliqueOrifice> oblique;
+  if (arguments.oblique && closure.closed_mm.allFinite())
+    oblique = oblique_orifice(*repaired, closure.closed_mm, 0.5 * repaired->tissue.thickness_mm);
+
   const std::vector<std::string> warnings =
       operation_warnings({*plan, *valve, *repaired, ring_catalogue()});
 
   if (arguments.json) {
     auto json = closure_to_json(*repaired, closure, measured, seconds.count());
+    if (arguments.oblique)
+      json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : nlohmann::ordered_json();
     json["warnings"] = warnings;
     std::cout << json.dump(2) << '\n';
   } else {
     print_closure(std::cout, repaired->name, closure);
     print_measure(std::cout, measured);
+    if (oblique) print_oblique(std::cout, *oblique);
     for (const std::string& warning : warnings) std::cout << "  ! " << warning << '\n';
   }
   if (!arguments.picture.empty()) {
@@ -86,6 +95,8 @@ void add_close(CLI::App& parent, int& status) {
       ->option_text("MEMBRANE");
   command->add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
       ->check(CLI::Validator(refuse_standard_output, "FILE"));
+  command->add_flag("--oblique", arguments->oblique,
+                    "Also find the direction with the widest straight passage (eccentric jets)");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->footer(
       "Exit code 3 if the closure did not converge or leaflets cross; the result is printed all "
@@ -93,6 +104,7 @@ void add_close(CLI::App& parent, int& status) {
       "same. Areas are anatomic, from geometry: not an EROA.\n\n"
       "Examples:\n"
       "  coapt close human-functional-mr --render leaking.png\n"
+      "  coapt close human-p2-prolapse --oblique\n"
       "  coapt close valve.json --plan plan.json --json");
   command->callback([arguments, &status] { status = run(*arguments); });
 }

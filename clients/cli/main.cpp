@@ -24,7 +24,8 @@ int run(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done; 1 coapt failed; 2 bad input or usage; 3 closure not converged or "
       "leaflets\n"
-      "cross; 4 the best plan is not known to close the valve robustly; 130 interrupted, best so far printed.\n\n"
+      "cross; 4 the best plan is not known to close the valve robustly; 130 interrupted, best so "
+      "far printed.\n\n"
       "Examples:\n"
       "  coapt valve make human-functional-mr -o valve.json\n"
       "  coapt close valve.json --render closed.png\n"
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
   add_close(app, status);
   add_evaluate(app, status);
   add_plan(app, status);
+  add_bench(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {

@@ -87,6 +87,12 @@ void print_measure(std::ostream& out, const ValveMeasure& measure) {
                              << " %\n";
 }
 
+void print_oblique(std::ostream& out, const ObliqueOrifice& widest) {
+  row(out, "widest passage") << fixed(widest.area_mm2, 1) << " mm2, " << fixed(widest.tilt_deg, 0)
+                             << " degrees from the annulus's normal, azimuth "
+                             << fixed(widest.azimuth_deg, 0) << " (0 posteromedial, 90 anterior)\n";
+}
+
 void print_ranked(std::ostream& out, const SearchResult& result) {
   out << "Before: orifice " << fixed(result.before.orifice.area_mm2, 1)
       << " mm2, gap between the leaflets " << fixed(result.before.coaptation.gap_area_mm2, 1)

@@ -6,12 +6,14 @@
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
+#include "core/metrics/oblique.h"
 #include "search/search.h"
 
 namespace coapt {
 
 void print_closure(std::ostream& out, const std::string& name, const ClosureResult& closure);
 void print_measure(std::ostream& out, const ValveMeasure& measure);
+void print_oblique(std::ostream& out, const ObliqueOrifice& widest);
 
 /// The state before, then one row per plan with its steps and warnings below; "-" where the region
 /// is not known.

@@ -31,12 +31,13 @@ std::vector<Rung> thesis_ladder(const ClosureModel& model, const ClosureOptions&
   plain.residual_tolerance = options.residual_tolerance;
   plain.max_steps = options.max_steps > 0 ? options.max_steps : kThesisSteps;
   plain.damping_per_ms = options.damping_per_ms;
+  plain.speed = options.speed;
   plain.contact = contact;
   plain.samples = options.samples;
   ThesisSettings edges = plain;
   edges.contact.edges = true;
   ThesisSettings slow = edges;
-  slow.speed = 0.5;
+  slow.speed = 0.5 * plain.speed;
   return {{"thesis", [&model, plain] { return run_thesis(model, plain); }},
           {"thesis, edge contact", [&model, edges] { return run_thesis(model, edges); }},
           {"thesis, edge contact, half speed", [&model, slow] { return run_thesis(model, slow); }}};
@@ -62,6 +63,7 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
   plain.residual_tolerance = options.residual_tolerance;
   plain.way_tolerance_mm = options.way_tolerance_mm;
   plain.max_steps = options.max_steps > 0 ? options.max_steps : kFastSteps;
+  plain.longest_move_mm *= options.speed;
   plain.contact = contact;
   plain.samples = options.samples;
   RelaxationSettings edges = plain;

@@ -19,12 +19,13 @@ inline constexpr int kThesisSamples = 5;
 struct ClosureOptions {
   Method method = Method::Fast;
   Membrane membrane = Membrane::Springs;
-  double residual_tolerance = 0.01;  ///< rms free force / rms pressure force
-  double way_tolerance_mm = 0.1;     ///< Fast: predicted rms way of the leaflets to rest
-  int max_steps = 0;                 ///< of one attempt; 0: 6,000 (Fast), 40,000 (Thesis)
+  double residual_tolerance = 0.005;  ///< rms free force / rms pressure force
+  double way_tolerance_mm = 0.02;     ///< Fast: predicted rms way of the leaflets to rest
+  int max_steps = 0;                  ///< of one attempt; 0: 6,000 (Fast), 40,000 (Thesis)
   double contact_pressure_mpa =
       0.74;                     ///< between leaflets at distance 0; it grows with the square of the
                                 ///< approach, from 0 where mid-surfaces are a thickness apart
+  double speed = 1.0;           ///< of moves, (0, 1]: less is slower and takes another way to rest
   double damping_per_ms = 1.0;  ///< Thesis: velocities decay by exp(-damping t)
   int samples = 1;              ///< closely spaced end states recorded
 };

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kMargin_mm = 0.6;  // how far ahead the list looks; larger: longer, rarer lists
 constexpr double kRestShare = 0.8;  // of the rest distance: neighbours do not touch at rest
+constexpr double kEdgeShare = 0.5;  // of the thickness, for pairs of edges
 constexpr double kThinnestShare = 0.05;  // of the thickness: a rest shape that touches itself
 
 Vec3 node(const Points& x, int i) { return x.row(i); }
@@ -59,6 +60,10 @@ Boxes boxes_around(const std::vector<std::array<int, 3>>& features, const Points
 }
 
 }  // namespace
+
+ContactLaw edge_law(const ContactLaw& law) {
+  return {kEdgeShare * law.thickness_mm, law.stiffness_n_per_mm4 / (kEdgeShare * kEdgeShare), true};
+}
 
 Vec3 closest_point_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
@@ -151,12 +156,13 @@ double pair_thickness_mm(const ContactLaw& law, const ClosureModel& model,
 
 void Contact::add_candidate(const ClosureModel& model, const std::array<int, 4>& nodes,
                             bool edges) {
-  ContactPair pair{nodes, pair_thickness_mm(law_, model, nodes, edges), 0.0};
+  const ContactLaw law = edges ? edge_law(law_) : law_;
+  ContactPair pair{nodes, pair_thickness_mm(law, model, nodes, edges), 0.0};
   const auto area = [&](int n) { return model.area_mm2[static_cast<std::size_t>(n)]; };
   const double shared =
       edges ? 0.25 * (area(nodes[0]) + area(nodes[1]) + area(nodes[2]) + area(nodes[3]))
             : area(nodes[0]);
-  pair.force_n_per_mm2 = law_.stiffness_n_per_mm4 * shared * law_.thickness_mm / pair.thickness_mm;
+  pair.force_n_per_mm2 = law.stiffness_n_per_mm4 * shared * law.thickness_mm / pair.thickness_mm;
   (edges ? edges_ : faces_).push_back(pair);
 }
 
@@ -176,7 +182,7 @@ void Contact::renew(const ClosureModel& model, const Points& x) {
   }
   if (!law_.edges) return;
   for (const auto& [a, b] : model.edges) edges.push_back({a, b, b});
-  const Boxes boxes = boxes_around(edges, x, reach);
+  const Boxes boxes = boxes_around(edges, x, 0.5 * (edge_law(law_).thickness_mm + kMargin_mm));
   for (const auto& [i, j] : overlapping(boxes, boxes)) {
     const auto &e = edges[static_cast<std::size_t>(i)], &g = edges[static_cast<std::size_t>(j)];
     if (i < j && e[0] != g[0] && e[0] != g[1] && e[1] != g[0] && e[1] != g[1])

@@ -4,8 +4,8 @@
 // valid until some node has moved half its margin (temporal coherence, thesis 2.2.3). Narrow phase:
 // exact closest point; contact pressure stiffness x (h - d)^2 on the vertex's rest area for d < h,
 // every pair in range, equal and opposite on the triangle. With `edges` also pairs of edges, on the
-// area around both: it stops the sharp folds of surplus tissue from passing through each other edge
-// by edge, for twice the cost; the closure asks for it when needed. Only pairs that share a vertex
+// area around both and from half the thickness on: it stops the sharp folds of surplus tissue from
+// passing through each other edge by edge, for twice the cost; the closure asks for it when needed. Only pairs that share a vertex
 // are left out. Near neighbours would touch already at rest: a pair's thickness is at most 0.8 of
 // its rest distance, and its stiffness grows by the same factor. Leaving pairs out by rest distance
 // instead lets the leaflets cross at the commissures.
@@ -22,6 +22,10 @@ struct ContactLaw {
   double stiffness_n_per_mm4 = 0.74;
   bool edges = false;
 };
+
+/// The law between edges: only a net under that of vertices and faces, at a share of its thickness and
+/// with the same largest pressure.
+ContactLaw edge_law(const ContactLaw& law);
 
 /// Closest point of triangle (a, b, c) to p, as barycentric weights (Ericson 2005, 5.1.5).
 Vec3 closest_point_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);

@@ -13,7 +13,7 @@ template <class R>
 ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>& node_of,
                               const ContactLaw& law, PairKind kind,
                               const kernels::Kernels<R>& kernels)
-    : law_(law), kind_(kind), kernels_(kernels) {
+    : law_(kind == PairKind::EdgeEdge ? edge_law(law) : law), kind_(kind), kernels_(kernels) {
   Nodes first, second;
   if (kind == PairKind::VertexFace) {
     for (int v = 0; v < model.vertices; ++v) first.push_back({v, v, v});
@@ -35,7 +35,7 @@ ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>&
       rest[static_cast<std::size_t>(node_of[i])].at[k] =
           static_cast<R>(model.rest_mm(static_cast<Eigen::Index>(i), k));
   const int found =
-      search(rest, 0.3 * law.thickness_mm).found;  // 0.25: where the rest distance counts
+      search(rest, 0.3 * law_.thickness_mm).found;  // 0.25: where the rest distance counts
   find_near_at_rest(model, found, first, kind == PairKind::VertexFace ? second : first);
 }
 

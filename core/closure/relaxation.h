@@ -15,8 +15,8 @@
 namespace coapt {
 
 struct RelaxationSettings {
-  double residual_tolerance = 0.01;
-  double way_tolerance_mm = 0.1;  ///< predicted rms way of the leaflets to rest
+  double residual_tolerance = 0.005;
+  double way_tolerance_mm = 0.02;  ///< predicted rms way of the leaflets to rest
   int max_steps = 6000;
   double keep = 0.94;             ///< share of a velocity that is left after a step
   double longest_move_mm = 0.15;  ///< of a node in a step; longer ones let leaflets jump through

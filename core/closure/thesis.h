@@ -14,7 +14,7 @@
 namespace coapt {
 
 struct ThesisSettings {
-  double residual_tolerance = 0.01;
+  double residual_tolerance = 0.005;
   int max_steps = 40000;
   double damping_per_ms = 1.0;  ///< velocities decay by exp(-damping t); 0.5 to 1 settles fastest
   double speed = 1.0;           ///< of the time step and the longest move

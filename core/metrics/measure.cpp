@@ -5,8 +5,8 @@
 
 #include "core/metrics/annulus.h"
 #include "core/metrics/coaptation.h"
+#include "core/metrics/exact_orifice.h"
 #include "core/metrics/loads.h"
-#include "core/metrics/orifice.h"
 #include "core/metrics/quantile.h"
 
 namespace coapt {

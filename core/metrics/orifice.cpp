@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <numeric>
 
-#include "core/metrics/raster.h"
+#include "core/metrics/projection.h"
 
 namespace coapt {
 namespace {
 
-constexpr double kMarginPixels = 20.0;  // room for the leaflets' thickness and for billowing
+constexpr double kMargin =
+    0.025;  // of the width: room for the leaflets' thickness and for billowing
 
 /// Maximal runs of set pixels, in reading order; `orifice` is their own index.
 std::vector<PixelRun> runs_of(const Mask& mask) {
@@ -55,37 +55,19 @@ void connect(std::vector<PixelRun>& runs) {
   for (PixelRun& run : runs) run.orifice = root(run.orifice);
 }
 
-double squared_distance_to_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double length_squared = along.squaredNorm();
-  const double t =
-      length_squared > 0.0 ? std::clamp((point - a).dot(along) / length_squared, 0.0, 1.0) : 0.0;
-  return (point - a - t * along).squaredNorm();
-}
-
-double squared_distance_to_triangle(const Vec2& point, const Triangle& triangle) {
-  double nearest = std::numeric_limits<double>::infinity();
-  int left = 0, right = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec2 &a = triangle[i], &b = triangle[(i + 1) % 3];
-    const double turn = (b - a).x() * (point - a).y() - (b - a).y() * (point - a).x();
-    ++(turn > 0.0 ? left : right);
-    nearest = std::min(nearest, squared_distance_to_segment(point, a, b));
-  }
-  return left == 3 || right == 3 ? 0.0 : nearest;
-}
-
 /// The annulus drawn white, before any leaflet.
 struct Sheet {
   OrificeView view;
   Mask mask;
 };
 
-Sheet draw_annulus(const Valve& valve) {
+Sheet draw_annulus(const Projection& projection, const ImageSize& size) {
   Sheet sheet;
   OrificeView& view = sheet.view;
-  view.plane = annular_plane(valve);
-  std::vector<Vec2> annulus = annulus_polygon(valve, view.plane);
+  view.width = size.width;
+  view.height = size.height;
+  view.plane = projection.plane;
+  std::vector<Vec2> annulus = projection.annulus;
   const double area_mm2 = polygon_area(annulus);
   Vec2 low = annulus.front(), high = annulus.front();
   for (const Vec2& point : annulus) {
@@ -93,8 +75,9 @@ Sheet draw_annulus(const Valve& valve) {
     high = high.cwiseMax(point);
   }
   view.centre_mm = 0.5 * (low + high);
-  view.mm_per_pixel = std::max((high - low).x() / (view.width - 2.0 * kMarginPixels),
-                               (high - low).y() / (view.height - 2.0 * kMarginPixels));
+  const double margin_px = kMargin * view.width;
+  view.mm_per_pixel = std::max((high - low).x() / (view.width - 2.0 * margin_px),
+                               (high - low).y() / (view.height - 2.0 * margin_px));
   sheet.mask = {view.width, view.height,
                 std::vector<std::uint8_t>(static_cast<std::size_t>(view.width * view.height), 0)};
   for (Vec2& point : annulus) point = to_pixels(view, point);
@@ -102,52 +85,19 @@ Sheet draw_annulus(const Valve& valve) {
   return sheet;
 }
 
-/// What the leaflets leave open: `view` has runs, and no orifices yet.
-struct Drawing {
-  OrificeView view;
-  std::vector<Triangle> faces_px;
-  double open_area_mm2 = 0.0;
-};
-
-Drawing draw_leaflets(Sheet sheet, const Valve& valve, const Points& closed_mm,
-                      double half_thickness_mm) {
-  Drawing drawing;
-  OrificeView& view = drawing.view;
-  view = std::move(sheet.view);
-  std::vector<Vec2> vertices_px(static_cast<std::size_t>(closed_mm.rows()));
-  for (std::size_t i = 0; i < vertices_px.size(); ++i)
-    vertices_px[i] = to_pixels(
-        view, project(view.plane, closed_mm.row(static_cast<Eigen::Index>(i)).transpose()));
-  drawing.faces_px.reserve(static_cast<std::size_t>(valve.faces.rows()));
-  for (Eigen::Index f = 0; f < valve.faces.rows(); ++f) {
-    const auto corner = [&](int k) {
-      return vertices_px[static_cast<std::size_t>(valve.faces(f, k))];
-    };
-    drawing.faces_px.push_back({corner(0), corner(1), corner(2)});
-  }
-  cover_triangles(sheet.mask, drawing.faces_px, half_thickness_mm / view.mm_per_pixel);
+/// What the leaflets leave open of the sheet, without its orifices.
+OrificeView draw_leaflets(Sheet&& sheet, const Projection& projection, double half_thickness_mm) {
+  OrificeView& view = sheet.view;
+  std::vector<Triangle> faces_px = projection.faces;
+  for (Triangle& face : faces_px)
+    for (Vec2& corner : face) corner = to_pixels(view, corner);
+  cover_triangles(sheet.mask, faces_px, half_thickness_mm / view.mm_per_pixel);
   view.runs = runs_of(sheet.mask);
-  for (const PixelRun& run : view.runs)
-    drawing.open_area_mm2 += (run.last - run.first + 1) * view.pixel_area_mm2;
-  return drawing;
+  return std::move(view);
 }
 
-Segment nearest_segment(const Valve& valve, const Drawing& drawing, const Vec2& point_px) {
-  double nearest = std::numeric_limits<double>::infinity();
-  Segment segment = Segment::A2;
-  for (std::size_t f = 0; f < drawing.faces_px.size(); ++f) {
-    const double distance = squared_distance_to_triangle(point_px, drawing.faces_px[f]);
-    if (distance < nearest) {
-      nearest = distance;
-      segment = valve.segments[f];
-    }
-  }
-  return segment;
-}
-
-/// Turns the runs of `drawing.view` into orifices, largest first.
-void collect_orifices(const Valve& valve, Drawing& drawing) {
-  OrificeView& view = drawing.view;
+/// Turns the runs of `view` into orifices, largest first.
+void collect_orifices(const Valve& valve, const Projection& projection, OrificeView& view) {
   connect(view.runs);
   struct Region {
     int first_run = 0;
@@ -174,10 +124,10 @@ void collect_orifices(const Valve& valve, Drawing& drawing) {
   for (const Region& region : regions) {
     orifice_of_first_run[static_cast<std::size_t>(region.first_run)] =
         static_cast<int>(view.orifices.size());
-    const Vec2 centroid_px = region.sum_px / region.pixels;
+    const Vec2 centroid_mm = from_pixels(view, region.sum_px / region.pixels);
     view.orifices.push_back({region.pixels * view.pixel_area_mm2,
-                             unproject(view.plane, from_pixels(view, centroid_px)),
-                             nearest_segment(valve, drawing, centroid_px)});
+                             unproject(view.plane, centroid_mm),
+                             nearest_segment(valve, projection, centroid_mm)});
   }
   for (PixelRun& run : view.runs)
     run.orifice = orifice_of_first_run[static_cast<std::size_t>(run.orifice)];
@@ -195,32 +145,12 @@ Vec2 from_pixels(const OrificeView& view, const Vec2& pixels) {
          view.mm_per_pixel * Vec2(pixels.x() - 0.5 * view.width, 0.5 * view.height - pixels.y());
 }
 
-OrificeView view_orifices(const Valve& valve, const Points& closed_mm, double half_thickness_mm) {
-  Drawing drawing = draw_leaflets(draw_annulus(valve), valve, closed_mm, half_thickness_mm);
-  collect_orifices(valve, drawing);
-  return std::move(drawing.view);
-}
-
-OrificeMeasure measure_orifice(const Valve& valve, const ClosureResult& closure) {
-  const double half_thickness_mm = 0.5 * valve.tissue.thickness_mm;
-  const Sheet sheet = draw_annulus(valve);
-  Drawing drawing = draw_leaflets(sheet, valve, closure.closed_mm, half_thickness_mm);
-  collect_orifices(valve, drawing);
-  OrificeMeasure measure;
-  measure.orifices = drawing.view.orifices;
-  measure.area_mm2 = drawing.open_area_mm2;
-  measure.area_raw_mm2 = draw_leaflets(sheet, valve, closure.closed_mm, 0.0).open_area_mm2;
-  if (closure.samples_mm.empty()) {
-    measure.area_mean_mm2 = measure.area_mm2;
-    return measure;
-  }
-  for (const Points& sample_mm : closure.samples_mm)
-    measure.area_mean_mm2 +=
-        sample_mm == closure.closed_mm
-            ? measure.area_mm2
-            : draw_leaflets(sheet, valve, sample_mm, half_thickness_mm).open_area_mm2;
-  measure.area_mean_mm2 /= static_cast<double>(closure.samples_mm.size());
-  return measure;
+OrificeView view_orifices(const Valve& valve, const Points& closed_mm, double half_thickness_mm,
+                          const ImageSize& size) {
+  const Projection projection = project_valve(valve, closed_mm, annular_plane(valve));
+  OrificeView view = draw_leaflets(draw_annulus(projection, size), projection, half_thickness_mm);
+  collect_orifices(valve, projection, view);
+  return view;
 }
 
 }  // namespace coapt

@@ -1,4 +1,5 @@
-// The regurgitant orifice: what the atrial view shows open inside the annulus (thesis 4.2.1).
+// The image of the regurgitant orifice: what the atrial view shows open inside the annulus (thesis
+// 4.2.1), for pictures, and to compare with: what is reported is the exact area (exact_orifice.h).
 //
 // The annulus polygon, projected on its plane of best fit, is drawn white into 800 x 600 pixels and
 // every leaflet face black over it; connected white regions are orifices. A pixel is worth the
@@ -19,6 +20,11 @@ struct PixelRun {
   int orifice = 0;  ///< index into OrificeView::orifices
 };
 
+/// Pixels; the thesis's by default.
+struct ImageSize {
+  int width = 800, height = 600;
+};
+
 /// The atrial view: columns run posteromedially, rows posteriorly.
 struct OrificeView {
   int width = 800, height = 600;
@@ -37,8 +43,7 @@ Vec2 from_pixels(const OrificeView& view, const Vec2& pixels);
 
 /// @param closed_mm |V| x 3, finite.
 /// @param half_thickness_mm by which the leaflets' mid-surfaces are grown in the view, >= 0.
-OrificeView view_orifices(const Valve& valve, const Points& closed_mm, double half_thickness_mm);
-
-OrificeMeasure measure_orifice(const Valve& valve, const ClosureResult& closure);
+OrificeView view_orifices(const Valve& valve, const Points& closed_mm, double half_thickness_mm,
+                          const ImageSize& size = {});
 
 }  // namespace coapt

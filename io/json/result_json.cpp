@@ -137,6 +137,11 @@ ordered_json to_json(const ValveMeasure& measure) {
           {"strain_radial_max", measure.strain_radial_max}};
 }
 
+ordered_json to_json(const ObliqueOrifice& widest) {
+  return {
+      {"max", widest.area_mm2}, {"tilt_deg", widest.tilt_deg}, {"azimuth_deg", widest.azimuth_deg}};
+}
+
 ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                              const ValveMeasure& measure, double seconds) {
   ordered_json attempts = ordered_json::array();

@@ -6,6 +6,7 @@
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
+#include "core/metrics/oblique.h"
 #include "search/search.h"
 
 namespace coapt {
@@ -18,6 +19,9 @@ std::string_view version();
 
 nlohmann::ordered_json to_json(const Errors& errors);  ///< [{"code","path","message"}, ...]
 nlohmann::ordered_json to_json(const ValveMeasure& measure);
+
+nlohmann::ordered_json to_json(
+    const ObliqueOrifice& widest);  ///< {"max", "tilt_deg", "azimuth_deg"}
 
 /// Keys that scripts rely on: status, crossing, orifice_area_mm2, orifice_area_raw_mm2, residual,
 /// steps, seconds, triangles; then every measure.

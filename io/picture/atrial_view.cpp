@@ -91,18 +91,19 @@ void draw_segment_names(const Canvas& canvas, const Valve& valve, const AnnularP
 
 /// A pill with the area, led out of the orifice towards the annulus, by turns anterior and
 /// posterior.
-void label_orifices(const Canvas& canvas, const OrificeView& view, const Mapping& map) {
+void label_orifices(const Canvas& canvas, const ClosedValve& closed, const Mapping& map) {
+  const AnnularPlane plane = annular_plane(closed.valve);
   constexpr std::size_t kMost = 6;
   cairo_t* cairo = canvas.context.get();
   std::vector<Orifice> labelled;
-  for (const Orifice& orifice : view.orifices)
+  for (const Orifice& orifice : closed.measure.orifice.orifices)
     if (orifice.area_mm2 >= kLabelled_mm2 && labelled.size() < kMost) labelled.push_back(orifice);
   std::stable_sort(labelled.begin(), labelled.end(), [&](const Orifice& a, const Orifice& b) {
-    return project(view.plane, a.centroid_mm).x() < project(view.plane, b.centroid_mm).x();
+    return project(plane, a.centroid_mm).x() < project(plane, b.centroid_mm).x();
   });
   const TextStyle style{15.0, palette::kPaper, Align::Centre, true};
   for (std::size_t i = 0; i < labelled.size(); ++i) {
-    const Vec2 from = map(project(view.plane, labelled[i].centroid_mm));
+    const Vec2 from = map(project(plane, labelled[i].centroid_mm));
     const Vec2 to = from + Vec2(0.0, (i % 2 ? 5.5 : -5.5) * map.pixels_per_mm);
     set_colour(canvas, palette::kOrifice);
     cairo_set_line_width(cairo, 2.0);
@@ -181,7 +182,7 @@ void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const Closed
   draw_segment_names(canvas, valve, view.plane, map);
   draw_annulus(canvas, annulus_mm, map);
   draw_landmarks(canvas, valve, view.plane, map);
-  label_orifices(canvas, view, map);
+  label_orifices(canvas, closed, map);
   draw_scale_bar(canvas, frame);
 }
 

@@ -31,6 +31,17 @@ class Close(ProgramTest):
         self.assertLess(self.close("human-normal")["orifice_area_mm2"], 1.0)
         self.assertGreater(self.close(VALVE)["orifice_area_mm2"], 5.0)
 
+    def test_a_prolapse_is_seen_along_an_oblique_direction_that_leans_anteriorly(self):
+        closure = self.close("human-p2-prolapse", "--oblique")
+        oblique = closure["orifice_oblique_mm2"]
+        self.assertLess(closure["orifice_area_mm2"], 1.0)
+        self.assertGreater(oblique["max"], 10.0)
+        self.assertEqual(oblique["azimuth_deg"], 90.0)
+        self.assertTrue(30.0 <= oblique["tilt_deg"] <= 60.0)
+        self.assertNotIn("orifice_oblique_mm2", self.close("human-p2-prolapse"))
+        text = coapt("close", "human-p2-prolapse", "--oblique").stdout
+        self.assertIn("widest passage", text)
+
     def test_a_ring_makes_the_orifice_of_the_functional_valve_smaller(self):
         plan = self.write("plan.json", RING)
         before = self.close(VALVE)

@@ -88,11 +88,12 @@ class Plan(ProgramTest):
         self.assertIn("before", json.loads(output))
 
     def test_a_second_ctrl_c_ends_a_long_closure_at_once(self):
-        valve = SOURCE / "examples/valves/bodyparts3d-2600.json"
+        valve = self.folder / "fine.json"
+        coapt("valve", "make", "human-functional-mr", "--triangles", "10400", "-o", valve)
         with subprocess.Popen([COAPT, "plan", valve], stdout=subprocess.PIPE, text=True) as search:
             time.sleep(1)
             search.send_signal(signal.SIGINT)
-            time.sleep(0.2)
+            time.sleep(0.05)
             self.assertIsNone(search.poll())
             search.send_signal(signal.SIGINT)
             output, _ = search.communicate(timeout=60)

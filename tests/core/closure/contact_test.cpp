@@ -134,10 +134,12 @@ TEST(Contact, BetweenCrossedEdgesPushesThemApart) {
   model.area_mm2 = {1.0, 1.0, 1.0, 1.0};
   model.edges = {{0, 1}, {2, 3}};
   Points x = model.rest_mm;
-  x(2, 2) = x(3, 2) = 0.5;
+  x(2, 2) = x(3, 2) = 0.25;
   Points force = Points::Zero(4, 3);
   Contact(ContactLaw{1.0, 0.8, true}).add_forces(model, x, force);
-  const double expected = 0.8 * 1.0 * 0.25;  // on a quarter of the four vertex areas
+  // On a quarter of the four vertex areas. From 0.5 mm on and four times as stiff: half way in, a
+  // quarter of the pressure at distance 0, as between a vertex and a face.
+  const double expected = 0.25 * 0.8;
   EXPECT_NEAR(force(2, 2) + force(3, 2), expected, 1e-12);
   EXPECT_NEAR(force(0, 2), -0.5 * expected, 1e-12);
 }

@@ -137,18 +137,5 @@ TEST(Orifice, PixelsAndMillimetresConvertBackAndForth) {
   EXPECT_LT(to_pixels(view, {0.0, 5.0}).y(), to_pixels(view, {0.0, 0.0}).y()) << "anterior is up";
 }
 
-TEST(Orifice, TheMeanIsTakenOverTheEndStates) {
-  const Valve valve = disc_with_hole(15.0, 3.0);
-  ClosureResult closure = closed_at_rest(valve);
-  Points narrower = valve.rest_mm;  // the hole's rim, the last ring, drawn in to 2 mm
-  narrower.bottomRows(128) *= 2.0 / 3.0;
-  closure.samples_mm = {narrower, valve.rest_mm};
-  const OrificeMeasure measure = measure_orifice(valve, closure);
-  EXPECT_NEAR(measure.area_mean_mm2, 0.5 * std::numbers::pi * (2.5 * 2.5 + 1.5 * 1.5), 0.1);
-  EXPECT_NEAR(measure.area_raw_mm2, std::numbers::pi * 9.0, 0.1);
-  closure.samples_mm.clear();
-  EXPECT_EQ(measure_orifice(valve, closure).area_mean_mm2, measure.area_mm2);
-}
-
 }  // namespace
 }  // namespace coapt

@@ -1,0 +1,96 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "clients/cli/number_option.h"
+#include "core/metrics/quantile.h"
+#include "io/json/plan_json.h"
+#include "io/json/study_json.h"
+
+namespace coapt {
+namespace {
+
+struct Arguments {
+  std::string valve;
+  ClosureStudyOptions study;
+  bool no_accuracy = false, json = false;
+};
+
+void print(std::ostream& out, const ClosureStudy& study, bool accuracy) {
+  std::vector<double> rms, orifice;
+  for (const SceneOutcome& scene : study.scenes) {
+    if (!scene.compared) continue;
+    rms.push_back(scene.from_end.rms_mm);
+    orifice.push_back(std::abs(scene.from_end.orifice_mm2));
+  }
+  out << study.scenes.size() << " closures: median " << study.median_ms << " ms, 90 % below "
+      << study.p90_ms << " ms, " << study.closures_per_second_per_core << " a second and core\n"
+      << study.unconverged << " not converged, " << study.crossed << " crossed, " << study.retried
+      << " tried more than once\n";
+  if (!accuracy) return;
+  out << "From their own end (residual 1e-6): rms median " << quantile(rms, 0.5) << ", 90 % below "
+      << quantile(rms, 0.9) << " mm; orifice 90 % below " << quantile(orifice, 0.9) << " mm2\n"
+      << study.other_equilibria << " come to rest elsewhere (0.05 mm rms or more) on another way\n";
+}
+
+int run(const Arguments& arguments) {
+  const Expected<Valve> valve = read_valve_argument(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  ClosureStudyOptions options = arguments.study;
+  options.accuracy = !arguments.no_accuracy;
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const ClosureStudy study = study_closures(*valve, ring_catalogue(), options, [&](int done) {
+    if (terminal) std::fprintf(stderr, "\r%d of %d closures ", done, options.count);
+  });
+  if (terminal) std::fprintf(stderr, "\r\033[K");
+  if (arguments.json)
+    std::cout << to_json(options, study).dump(2) << '\n';
+  else
+    print(std::cout, study, options.accuracy);
+  return study.unconverged + study.crossed == 0 ? exit_code::kOk : exit_code::kNotClosed;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& parent, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* bench =
+      parent.add_subcommand("bench", "Measure speed and accuracy")->require_subcommand(1);
+  CLI::App* command = bench->add_subcommand("closures", "Close many varied scenes of a valve");
+  ClosureStudyOptions& study = arguments->study;
+  command->add_option("valve", arguments->valve, kValveHelp)->required();
+  command->add_option("--count", study.count, "Scenes")
+      ->check(number_from(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--seed", study.seed, "Of the scenes")
+      ->check(number_from<std::uint64_t>(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  command->add_option("--threads", study.threads, "0: all cores; does not change the closures")
+      ->check(number_from(0, 1024))
+      ->capture_default_str();
+  const std::map<std::string, Method> methods = {{to_string(Method::Fast), Method::Fast},
+                                                 {to_string(Method::Thesis), Method::Thesis}};
+  command->add_option("--method", study.method, "fast (default) or thesis")
+      ->transform(CLI::CheckedTransformer(methods))
+      ->option_text("METHOD");
+  command->add_flag("--no-accuracy", arguments->no_accuracy,
+                    "Do not close each scene to its end and on another way as well");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->footer(
+      "Scenes: AP dilation 0 to 30 %, annular height 80 to 120 %, tips displaced by up to 6 mm,\n"
+      "rings and papillary sutures on 40 % each. Times are of whole closures from the open state,\n"
+      "reruns and crossing tests included. Exit code 3 if one did not converge or crossed.\n\n"
+      "Examples:\n"
+      "  coapt bench closures human-normal --count 200\n"
+      "  coapt bench closures porcine-1 --count 20 --method thesis --json");
+  command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace coapt

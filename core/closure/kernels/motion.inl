@@ -1,0 +1,118 @@
+// Part of kernels.inl: cables, springs, pressure, and the step of all nodes.
+
+/// Largest relative difference of neighbouring leaflet points that still counts as apart, mm2.
+template <class R>
+constexpr R kTiny_mm2 = R(1e-20);
+constexpr double kLeastStiffness_n_per_mm = 1e-3;  // of a node that nothing holds
+
+template <class R>
+using Quad4 = typename Registers<R>::Quad4;
+template <class R>
+COAPT_INLINE Quad4<R> load_quad(const Quad<R>& quad) {
+  Quad4<R> result;
+  __builtin_memcpy(&result, &quad.at, sizeof result);
+  return result;
+}
+template <class R>
+COAPT_INLINE void add_quad(const typename Registers<R>::Quad4& more, Quad<R>& quad) {
+  const Quad4<R> sum = load_quad(quad) + more;
+  __builtin_memcpy(&quad.at, &sum, sizeof sum);
+}
+
+/// Adds force `f` with `stiffness` to the first `plus` nodes of the active lanes, by their weights, and what
+/// balances it to the others.
+template <class R>
+COAPT_INLINE void scatter(const IndexLane* node, unsigned active, const Vec3x<R>& f,
+                          const Vec<R>& stiffness, const Vec<R> (&weight)[4], int plus,
+                          Quad<R>* force) {
+  Quad<R> quads[kLanes];
+  Lane<R> share[4];
+  store_quads(Vec4x<R>{f.x, f.y, f.z, stiffness}, quads);
+  for (int k = 0; k < 4; ++k) store(weight[k], share[k]);
+  const Quad4<R> against = {-1, -1, -1, 1};
+  for (; active != 0; active &= active - 1) {
+    const int lane = __builtin_ctz(active);
+    Quad4<R> q = load_quad(quads[lane]);
+    for (int k = 0; k < 4; ++k) {
+      if (k == plus) q *= against;
+      add_quad(q * share[k].at[lane], force[node[k].at[lane]]);
+    }
+  }
+}
+
+template <class R>
+void pull_cables(const CableBlock<R>* cables, int blocks, const Quad<R>* x, Quad<R>* force) {
+  for (int b = 0; b < blocks; ++b) {
+    const CableBlock<R>& c = cables[b];
+    const Vec<R> w[4] = {all(R(1)), load(c.weight[0]), load(c.weight[1]), load(c.weight[2])};
+    const Vec3x<R> end = w[1] * xyz(gather(x, c.node[1])) + w[2] * xyz(gather(x, c.node[2])) +
+                         w[3] * xyz(gather(x, c.node[3]));
+    const Vec3x<R> d = end - xyz(gather(x, c.node[0]));
+    const Vec<R> stiffness = load(c.stiffness_n_per_mm);
+    const Vec<R> length2 = dot(d, d) + all(kTiny_mm2<R>);
+    const Vec<R> inverse = inverse_sqrt(length2);
+    const Vec<R> stretch = largest(length2 * inverse - load(c.rest_mm), all(R(0)));
+    // A slack cable weighs as much as a taut one: else its end rattles between the two.
+    scatter(c.node, bits(all(R(0)) < stiffness), (stiffness * stretch * inverse) * d, stiffness, w,
+            1, force);
+  }
+}
+
+template <class R>
+StepSums advance(const StepInput<R>& in) {
+  const Vec<R> zero = all(R(0)), one = all(R(1));
+  const Vec<R> least_stiffness = all(static_cast<R>(kLeastStiffness_n_per_mm));
+  const Vec<R> per_mass = all(R(1) / in.mass_share);
+  const Vec<R> longest2 = all(in.longest_move_mm * in.longest_move_mm);
+  Vec<R> force2 = zero, pressure2 = zero, move2 = zero, from_list2 = zero;
+  for (int b = 0; b < in.block_count; ++b) {
+    NodeBlock<R>& block = in.blocks[b];
+    const Vec3x<R> x = xyz(load_quads(in.x + kLanes * b));
+    const Vec4x<R> pushed = load_quads(in.force + kLanes * b);
+    store_quads(Vec4x<R>{zero, zero, zero, zero}, in.force + kLanes * b);
+    Vec3x<R> elastic = {zero, zero, zero}, pressure = elastic, before = elastic;
+    Vec<R> stiffness = pushed.w;
+    for (int s = 0; s < block.slots; ++s) {
+      const FanSlot<R>& slot = in.slots[block.first_slot + s];
+      const Vec3x<R> d = xyz(gather(in.x, slot.neighbour)) - x;
+      const Vec<R> length2 = dot(d, d) + all(kTiny_mm2<R>);
+      const Vec<R> inverse = inverse_sqrt(length2);
+      const Vec<R> length = length2 * inverse;
+      const Vec<R> knee = load(slot.knee_mm), pre = load(slot.pre_n_per_mm),
+                   extra = load(slot.extra_n_per_mm), load_mpa = load(slot.load_mpa);
+      const Vec<R> pull =
+          (pre * (length - load(slot.rest_mm)) + extra * largest(length - knee, zero)) * inverse;
+      elastic = elastic + pull * d;
+      pressure = pressure + load_mpa * cross(before, d);
+      before = d;
+      const Vec<R> tangent = pre + select(knee < length + all(in.lookahead_mm), extra, zero);
+      stiffness = stiffness + largest(tangent, magnitude(pull)) + (load_mpa + load_mpa) * length;
+    }
+    const Vec<R> free = load(block.free);
+    const Vec3x<R> force = free * (elastic + pressure + xyz(pushed));
+    force2 = force2 + dot(force, force);
+    pressure2 = pressure2 + free * dot(pressure, pressure);
+    // Mass goes with stiffness. A node that becomes heavier keeps its momentum, not its speed: else the
+    // knee of the springs would feed it energy.
+    const Vec<R> held = largest(stiffness, least_stiffness);
+    const Vec<R> inverse = one / held;
+    const Vec<R> keep = all(in.keep) * least(one, load(block.stiffness) * inverse);
+    store(held, block.stiffness);
+    const Vec3x<R> old = {load(block.velocity[0]), load(block.velocity[1]),
+                          load(block.velocity[2])};
+    Vec3x<R> v = keep * old + (inverse * per_mass) * force;
+    const Vec<R> v2 = dot(v, v);
+    const Vec<R> shorten =
+        select(longest2 < v2, all(in.longest_move_mm) * inverse_sqrt(largest(v2, longest2)), one);
+    v = shorten * v;
+    move2 = largest(least(v2, longest2), move2);
+    store(v.x, block.velocity[0]), store(v.y, block.velocity[1]), store(v.z, block.velocity[2]);
+    const Vec3x<R> next = x + v;
+    store_quads(Vec4x<R>{next.x, next.y, next.z, zero}, in.next + kLanes * b);
+    const Vec3x<R> moved = next - Vec3x<R>{load(block.listed_at[0]), load(block.listed_at[1]),
+                                           load(block.listed_at[2])};
+    from_list2 = largest(free * dot(moved, moved), from_list2);
+  }
+  return {sum(force2), sum(pressure2), static_cast<double>(largest_of(move2)),
+          static_cast<double>(largest_of(from_list2))};
+}

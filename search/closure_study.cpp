@@ -1,0 +1,96 @@
+#include "search/closure_study.h"
+
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include "core/metrics/measure.h"
+#include "core/metrics/quantile.h"
+#include "search/parallel.h"
+#include "search/varied_scenes.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kOtherEquilibrium_mm = 0.05;  // rms, between two ends
+constexpr double kOtherSpeed = 0.5;
+
+bool trusted(const ClosureResult& closure) {
+  return closure.status == ClosureStatus::Converged && !closure.crossing;
+}
+
+SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  SceneOutcome outcome;
+  ClosureOptions plain;
+  plain.method = options.method;
+  const auto start = Clock::now();
+  const ClosureResult closed = close_valve(scene, plain);
+  outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  outcome.status = closed.status;
+  outcome.crossing = closed.crossing;
+  outcome.steps = closed.steps;
+  outcome.attempts = static_cast<int>(closed.attempts.size());
+  if (!options.accuracy || !trusted(closed)) return outcome;
+  const ClosureResult end = close_valve(scene, to_the_end(options.method));
+  const ClosureResult other = close_valve(scene, to_the_end(options.method, kOtherSpeed));
+  outcome.compared = trusted(end) && trusted(other);
+  if (!outcome.compared) return outcome;
+  outcome.from_end = closure_error(scene, closed, end);
+  outcome.from_other = closure_error(scene, end, other);
+  outcome.other_equilibrium = outcome.from_other.rms_mm > kOtherEquilibrium_mm;
+  return outcome;
+}
+
+}  // namespace
+
+ClosureOptions to_the_end(Method method, double speed) {
+  ClosureOptions options;
+  options.method = method;
+  options.residual_tolerance = 1e-6;
+  options.way_tolerance_mm = 1e-4;
+  options.max_steps = 100000;
+  options.speed = speed;
+  return options;
+}
+
+ClosureError closure_error(const Valve& valve, const ClosureResult& a, const ClosureResult& b) {
+  const Eigen::VectorXd apart = (a.closed_mm - b.closed_mm).rowwise().norm();
+  const ValveMeasure of_a = measure(valve, a), of_b = measure(valve, b);
+  return {std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size())), apart.maxCoeff(),
+          of_a.orifice.area_mm2 - of_b.orifice.area_mm2,
+          of_a.coaptation.height_mean_mm - of_b.coaptation.height_mean_mm};
+}
+
+ClosureStudy study_closures(const Valve& valve, const std::vector<RingShape>& catalogue,
+                            const ClosureStudyOptions& options,
+                            const std::function<void(int)>& progress) {
+  ClosureStudy study;
+  study.scenes.resize(static_cast<std::size_t>(options.count));
+  std::mutex mutex;
+  int done = 0;
+  for_each_index(options.count, options.threads, [&](int i) {
+    study.scenes[static_cast<std::size_t>(i)] =
+        close_scene(varied_scene(valve, catalogue, options.seed, i), options);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (progress) progress(++done);
+  });
+  std::vector<double> ms, steps;
+  double seconds = 0.0;
+  for (const SceneOutcome& scene : study.scenes) {
+    ms.push_back(1e3 * scene.seconds);
+    steps.push_back(scene.steps);
+    seconds += scene.seconds;
+    study.unconverged += scene.status != ClosureStatus::Converged;
+    study.crossed += scene.crossing;
+    study.retried += scene.attempts > 1;
+    study.other_equilibria += scene.other_equilibrium;
+  }
+  study.closures_per_second_per_core = seconds > 0.0 ? options.count / seconds : 0.0;
+  study.median_ms = quantile(ms, 0.5);
+  study.p90_ms = quantile(ms, 0.9);
+  study.median_steps = quantile(steps, 0.5);
+  return study;
+}
+
+}  // namespace coapt

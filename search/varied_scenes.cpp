@@ -1,0 +1,90 @@
+#include "search/varied_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/repair/annuloplasty.h"
+#include "core/repair/apply_plan.h"
+#include "core/repair/limits.h"
+#include "core/valve/annulus_frame.h"
+#include "core/valve/remodel.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kMostDilation_percent = 30.0;
+constexpr double kMostDisplacement_mm = 6.0;
+constexpr double kRepairShare = 0.4;  // of the scenes
+constexpr double kMostShortening_mm = 8.0;
+
+class Dice {
+ public:
+  Dice(std::uint64_t seed, int index) {
+    std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                           static_cast<std::uint32_t>(index)};
+    engine_.seed(sequence);
+  }
+  /// In [0, 1), the same with every standard library.
+  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+Remodelling disease(Dice& dice) {
+  Remodelling change;
+  change.ap_dilation_percent = kMostDilation_percent * dice();
+  change.annular_height_percent = 80.0 + 40.0 * dice();
+  for (Vec3* tip : {&change.anterolateral_mm, &change.posteromedial_mm}) {
+    const double length = kMostDisplacement_mm * dice();
+    Vec3 direction;
+    for (int k = 0; k < 3; ++k) direction[k] = dice();
+    *tip = length / std::max(1e-3, direction.norm()) * direction;
+  }
+  return change;
+}
+
+RepairPlan repair(const Valve& valve, const std::vector<RingShape>& catalogue, Dice& dice) {
+  RepairPlan plan;
+  if (dice() < kRepairShare && !catalogue.empty()) {
+    Annuloplasty ring;
+    ring.shape =
+        catalogue[static_cast<std::size_t>(dice() * static_cast<double>(catalogue.size()))].name;
+    const double width = transverse_diameter_mm(valve, annulus_frame(valve));
+    const double below = kRingSizeStep_mm * std::floor((kMostSizesBelow + 1.0) * dice());
+    ring.size_mm = std::clamp(kRingSizeStep_mm * std::floor(width / kRingSizeStep_mm) - below,
+                              kRingSizesMm.min, kRingSizesMm.max);
+    plan.steps.push_back(ring);
+  }
+  for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
+    if (dice() >= kRepairShare) continue;
+    PapillaryApproximation suture;
+    suture.side = side;
+    suture.anchor = dice() < 0.5 ? Anchor::IpsilateralTrigone : Anchor::SaddlePeak;
+    const int anchor = suture.anchor == Anchor::SaddlePeak ? valve.landmarks.saddle_peak
+                       : side == Side::Anterolateral       ? valve.landmarks.anterolateral_trigone
+                                                           : valve.landmarks.posteromedial_trigone;
+    const double distance =
+        (annulus_position_mm(valve, anchor) - papillary_tip_mm(valve, side)).norm();
+    suture.suture_length_mm = distance - kMostShortening_mm * dice();
+    plan.steps.push_back(suture);
+  }
+  return plan;
+}
+
+}  // namespace
+
+Valve varied_scene(const Valve& valve, const std::vector<RingShape>& catalogue, std::uint64_t seed,
+                   int index) {
+  Dice dice(seed, index);
+  const Expected<Valve> diseased = remodel(valve, disease(dice));
+  Valve scene = diseased ? *diseased : valve;
+  for (const RepairStep& step : repair(scene, catalogue, dice).steps) {
+    const Expected<Valve> repaired = apply_plan(scene, {{step}}, catalogue);
+    if (repaired) scene = *repaired;
+  }
+  return scene;
+}
+
+}  // namespace coapt

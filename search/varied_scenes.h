@@ -1,0 +1,19 @@
+// Many different closures of one valve, for studies of how well and how fast it closes: dilated,
+// displaced, with and without a ring and papillary sutures.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/repair/annuloplasty.h"
+
+namespace coapt {
+
+/// Scene `index` of a valve: AP dilation 0 to 30 %, annular height 80 to 120 %, each tip displaced by up
+/// to 6 mm outwards, backwards and apically; with probability 0.4 a catalogue ring 0 to 4 sizes below
+/// the valve's own width, with 0.4 a suture on either side, 0 to 8 mm shorter than the present distance.
+/// Steps that the valve does not allow are left out. The same arguments give the same valve.
+Valve varied_scene(const Valve& valve, const std::vector<RingShape>& catalogue, std::uint64_t seed,
+                   int index);
+
+}  // namespace coapt
