@@ -4,7 +4,7 @@ VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
 SOURCES := $(shell find core search io server clients tests bench -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
-.PHONY: help demo test build format format-check includes-check asan fuzz clean
+.PHONY: help demo test chart build format format-check includes-check asan fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -18,6 +18,9 @@ demo: build  ## ranked repair plans for a leaking valve of real human anatomy, w
 test: build  ## build and run every test
 	@cmake/install_packages.sh test
 	ctest --preset release --parallel 2
+
+chart: build  ## accuracy of a closure against its time, into docs/images
+	$(BIN)/coapt chart speed-accuracy -o docs/images
 
 build:  ## the release build in build/release
 	@cmake/install_packages.sh build

@@ -17,6 +17,7 @@ void add_valve_remodel(CLI::App& parent, int& status);
 void add_close(CLI::App& parent, int& status);
 void add_evaluate(CLI::App& parent, int& status);
 void add_bench(CLI::App& parent, int& status);
+void add_chart(CLI::App& parent, int& status);
 void add_plan(CLI::App& parent, int& status);
 
 /// --threads and --region-points.

@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
   add_evaluate(app, status);
   add_plan(app, status);
   add_bench(app, status);
+  add_chart(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {

@@ -57,6 +57,13 @@ Axis axis_of(const Chart& chart, std::vector<double> Series::*values) {
   return make_axis(low, high);
 }
 
+/// Whole decades that hold every finite value, which are logarithms already.
+Axis decades_of(const Chart& chart) {
+  const Axis tight = axis_of(chart, &Series::x);
+  return {std::floor(tight.low), std::max(std::ceil(tight.high), std::floor(tight.low) + 1.0), 1.0,
+          0};
+}
+
 double to_x(const Axis& axis, double value) {
   return kLeft + (value - axis.low) / (axis.high - axis.low) * (kWidth - kLeft - kRight);
 }
@@ -91,8 +98,10 @@ std::string draw_axes(const Chart& chart, const Axis& x_axis, const Axis& y_axis
   for (int i = 0; i <= ticks(x_axis); ++i) {
     const double value = x_axis.low + i * x_axis.step, x = to_x(x_axis, value);
     svg += line_at("axis", x, bottom, x, bottom + 5.0);
-    svg += text_at(x, bottom + 20.0, "class=\"tick\" text-anchor=\"middle\"",
-                   fixed(value, x_axis.decimals));
+    const std::string label =
+        chart.log_x ? fixed(std::pow(10.0, value), std::max(0, -static_cast<int>(value)))
+                    : fixed(value, x_axis.decimals);
+    svg += text_at(x, bottom + 20.0, "class=\"tick\" text-anchor=\"middle\"", label);
   }
   svg += line_at("axis", kLeft, bottom, right, bottom);
   svg += text_at(0.5 * (kLeft + right), kHeight - 14.0, "text-anchor=\"middle\"", chart.x_label);
@@ -117,9 +126,10 @@ std::string draw_series(const Series& series, const std::string& colour, const A
     const std::string y = fixed(to_y(y_axis, series.y[i]), 2);
     path += (pen_down ? "L" : "M") + x + " " + y;
     pen_down = true;
-    if (count <= kMarkersUpTo)
+    if (count <= kMarkersUpTo || !series.line)
       markers += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"3.2\" fill=\"" + colour + "\"/>\n";
   }
+  if (!series.line) return markers;
   return "<path class=\"line\" stroke=\"" + colour + "\" d=\"" + path + "\"/>\n" + markers;
 }
 
@@ -141,8 +151,13 @@ std::string draw_legend(const Chart& chart) {
 
 }  // namespace
 
-std::string chart_svg(const Chart& chart) {
-  const Axis x_axis = axis_of(chart, &Series::x), y_axis = axis_of(chart, &Series::y);
+std::string chart_svg(const Chart& given) {
+  Chart chart = given;
+  if (chart.log_x)
+    for (Series& series : chart.series)
+      for (double& x : series.x) x = std::log10(x);
+  const Axis x_axis = chart.log_x ? decades_of(chart) : axis_of(chart, &Series::x);
+  const Axis y_axis = axis_of(chart, &Series::y);
   std::string svg =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"coapt-chart\" viewBox=\"0 0 " +
       fixed(kWidth, 0) + " " + fixed(kHeight, 0) + "\" role=\"img\" aria-label=\"" +

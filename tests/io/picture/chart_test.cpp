@@ -24,6 +24,15 @@ TEST(Chart, AxesEndAtRoundNumbersAndTheLineRunsFromEndToEnd) {
   EXPECT_EQ(count(svg, "<circle"), 3u);
 }
 
+TEST(Chart, DecadesAreEvenlySpacedAndMarkersCanStandAlone) {
+  Chart chart{"t", "x", "y", {{"s", {1.0, 10.0, 100.0}, {0.0, 4.0, 10.0}, false}}, true};
+  const std::string svg = chart_svg(chart);
+  for (const char* decade : {">1</text>", ">10</text>", ">100</text>"})
+    EXPECT_GE(count(svg, decade), 1u) << decade;
+  EXPECT_EQ(count(svg, "<path"), 0u);
+  EXPECT_NE(svg.find("<circle cx=\"406.00\" cy=\"226.40\""), std::string::npos);
+}
+
 TEST(Chart, SeveralSeriesHaveALegendAndOneHasNone) {
   const Series series{"label of a series", {0.0, 1.0}, {0.0, 1.0}};
   EXPECT_EQ(count(chart_svg({"t", "x", "y", {series}}), "label of a series"), 0u);
