@@ -9,6 +9,7 @@
 #include "core/presets/presets.h"
 #include "core/valve/leaflet_coordinates.h"
 #include "search/closure_study.h"
+#include "search/evaluator.h"
 
 namespace coapt {
 namespace {
@@ -33,7 +34,7 @@ Reference make_reference(const std::string& preset, int triangles) {
   reference.coordinates = leaflet_coordinates(reference.valve);
   reference.closed_mm = closed.closed_mm;
   reference.orifice_mm2 = measure(reference.valve, closed).orifice.area_mm2;
-  if (closed.status != ClosureStatus::Converged || closed.crossing) {
+  if (!trusted(closed)) {
     // Nothing can be told against it.
     reference.closed_mm.setConstant(std::numeric_limits<double>::quiet_NaN());
     reference.orifice_mm2 = std::numeric_limits<double>::quiet_NaN();

@@ -6,6 +6,7 @@
 
 #include "core/metrics/measure.h"
 #include "core/metrics/quantile.h"
+#include "search/evaluator.h"
 #include "search/parallel.h"
 #include "search/varied_scenes.h"
 
@@ -14,10 +15,6 @@ namespace {
 
 constexpr double kOtherEquilibrium_mm = 0.05;  // rms, between two ends
 constexpr double kOtherSpeed = 0.5;
-
-bool trusted(const ClosureResult& closure) {
-  return closure.status == ClosureStatus::Converged && !closure.crossing;
-}
 
 SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options) {
   using Clock = std::chrono::steady_clock;

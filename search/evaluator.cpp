@@ -11,6 +11,10 @@ Evaluator closing_evaluator(const ClosureOptions& options) {
   };
 }
 
+bool trusted(const ClosureResult& closure) {
+  return closure.status == ClosureStatus::Converged && !closure.crossing;
+}
+
 bool trusted(const Evaluation& evaluation) {
   return evaluation.status == ClosureStatus::Converged && !evaluation.crossing &&
          std::isfinite(leak_mm2(evaluation.measure));

@@ -19,6 +19,9 @@ using Evaluator = std::function<Evaluation(const Valve&)>;
 
 Evaluator closing_evaluator(const ClosureOptions& options);
 
+/// Converged, without leaflets through each other.
+bool trusted(const ClosureResult& closure);
+
 /// Converged, without leaflets through each other, its leak a number: only then do the measures mean
 /// anything.
 bool trusted(const Evaluation& evaluation);

@@ -1,8 +1,4 @@
-#include <unistd.h>
-
-#include <cstdio>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -10,6 +6,7 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/number_option.h"
+#include "clients/cli/progress_bar.h"
 #include "core/metrics/quantile.h"
 #include "io/json/plan_json.h"
 #include "io/json/study_json.h"
@@ -45,11 +42,11 @@ int run(const Arguments& arguments) {
   if (!valve) return report_errors(arguments.valve, valve.errors());
   ClosureStudyOptions options = arguments.study;
   options.accuracy = !arguments.no_accuracy;
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const ClosureStudy study = study_closures(*valve, ring_catalogue(), options, [&](int done) {
-    if (terminal) std::fprintf(stderr, "\r%d of %d closures ", done, options.count);
-  });
-  if (terminal) std::fprintf(stderr, "\r\033[K");
+  const ClosureStudy study = [&] {
+    const ProgressBar bar;
+    return study_closures(*valve, ring_catalogue(), options,
+                          [&](int done) { bar.show(done, options.count, "scenes"); });
+  }();
   if (arguments.json)
     std::cout << to_json(options, study).dump(2) << '\n';
   else
@@ -75,11 +72,7 @@ void add_bench(CLI::App& parent, int& status) {
   command->add_option("--threads", study.threads, "0: all cores; does not change the closures")
       ->check(number_from(0, 1024))
       ->capture_default_str();
-  const std::map<std::string, Method> methods = {{to_string(Method::Fast), Method::Fast},
-                                                 {to_string(Method::Thesis), Method::Thesis}};
-  command->add_option("--method", study.method, "fast (default) or thesis")
-      ->transform(CLI::CheckedTransformer(methods))
-      ->option_text("METHOD");
+  add_method_option(*command, study.method);
   command->add_flag("--no-accuracy", arguments->no_accuracy,
                     "Do not close each scene to its end and on another way as well");
   command->add_flag("--json", arguments->json, "Print JSON");

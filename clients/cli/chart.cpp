@@ -1,6 +1,3 @@
-#include <unistd.h>
-
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,6 +6,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "clients/cli/progress_bar.h"
 #include "io/picture/accuracy_chart.h"
 
 namespace coapt {
@@ -19,11 +17,10 @@ int run_speed_accuracy(const std::string& directory) {
   std::filesystem::create_directories(directory, failed);
   const std::filesystem::path base = std::filesystem::path(directory) / "speed-accuracy";
   if (const int error = check_output(base.string() + ".csv")) return error;
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const std::vector<AccuracyPoint> points = study_accuracy({}, [&](int done, int planned) {
-    if (terminal) std::fprintf(stderr, "\r%d of %d cases ", done, planned);
-  });
-  if (terminal) std::fprintf(stderr, "\r\033[K");
+  const std::vector<AccuracyPoint> points = [] {
+    const ProgressBar bar;
+    return study_accuracy({}, [&](int done, int planned) { bar.show(done, planned, "cases"); });
+  }();
   for (const auto& [file, text] :
        {std::pair(base.string() + ".csv", accuracy_csv(points)),
         std::pair(base.string() + ".svg", accuracy_svg(points)),

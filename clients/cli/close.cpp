@@ -77,13 +77,7 @@ void add_close(CLI::App& parent, int& status) {
   CLI::App* command = parent.add_subcommand("close", "Close a valve and measure what leaks");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command->add_option("--plan", arguments->plan, "Repair plan (coapt.plan/1) to apply first");
-  const std::map<std::string, Method> methods = {{to_string(Method::Fast), Method::Fast},
-                                                 {to_string(Method::Thesis), Method::Thesis}};
-  command
-      ->add_option("--method", arguments->method,
-                   "How to close: fast (default) or thesis, its reference")
-      ->transform(CLI::CheckedTransformer(methods))
-      ->option_text("METHOD");
+  add_method_option(*command, arguments->method);
   const std::map<std::string, Membrane> membranes = {
       {to_string(Membrane::Springs), Membrane::Springs},
       {to_string(Membrane::Continuum), Membrane::Continuum}};

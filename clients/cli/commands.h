@@ -20,6 +20,9 @@ void add_bench(CLI::App& parent, int& status);
 void add_chart(CLI::App& parent, int& status);
 void add_plan(CLI::App& parent, int& status);
 
+/// --method.
+void add_method_option(CLI::App& command, Method& method);
+
 /// --threads and --region-points.
 void add_region_options(CLI::App& command, SearchOptions& options);
 

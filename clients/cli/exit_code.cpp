@@ -1,10 +1,11 @@
 #include "clients/cli/exit_code.h"
 
+#include "search/evaluator.h"
+
 namespace coapt {
 
 int exit_code_of(const ClosureResult& closure) {
-  const bool closed = closure.status == ClosureStatus::Converged && !closure.crossing;
-  return closed ? exit_code::kOk : exit_code::kNotClosed;
+  return trusted(closure) ? exit_code::kOk : exit_code::kNotClosed;
 }
 
 int exit_code_of(const SearchResult& result) {

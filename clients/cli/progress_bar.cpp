@@ -22,13 +22,16 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::show(const SearchProgress& progress) const {
+  show(progress.closures, progress.closures_planned,
+       "closures, best leak " + fixed(progress.best_leak_mm2, 1) + " mm2");
+}
+
+void ProgressBar::show(int done, int planned, const std::string& what) const {
   if (!terminal_) return;
-  const int planned = std::max(progress.closures_planned, 1);
-  const int filled = std::min(kWidth, kWidth * progress.closures / planned);
+  const int filled = std::min(kWidth, kWidth * done / std::max(planned, 1));
   std::cerr << kClearLine << '[' << std::string(static_cast<std::size_t>(filled), '#')
-            << std::string(static_cast<std::size_t>(kWidth - filled), '.') << "] "
-            << progress.closures << " of " << planned << " closures, best leak "
-            << fixed(progress.best_leak_mm2, 1) << " mm2" << std::flush;
+            << std::string(static_cast<std::size_t>(kWidth - filled), '.') << "] " << done << " of "
+            << std::max(planned, 1) << ' ' << what << std::flush;
 }
 
 }  // namespace coapt

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <string>
+
 #include "search/search.h"
 
 namespace coapt {
 
-/// One line on standard error that shows how far a search is; nothing if that is not a terminal.
+/// One line on standard error that shows how far something is; nothing if that is not a terminal.
 /// The line is gone when the bar is destroyed.
 class ProgressBar {
  public:
@@ -14,6 +16,8 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   void show(const SearchProgress& progress) const;
+  /// `what` follows the numbers: "3 of 10 closures".
+  void show(int done, int planned, const std::string& what) const;
 
  private:
   bool terminal_;

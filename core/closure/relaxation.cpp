@@ -18,7 +18,8 @@ constexpr int kTravelSteps = 60;
 constexpr double kLongestTravel_mm = 0.15;  // in one step
 // Pairs are listed so far ahead that the list lasts about this many steps. It is renewed when a node has
 // moved by the margin: two that move towards each other could then be closer than the margin allows
-// for, but not through each other; the last step has a list of its own that allows for everything.
+// for, but not through each other (pairs asleep are woken by the same rule); the last step has a list of
+// its own that allows for everything.
 constexpr double kListSteps = 12.0;
 constexpr double kLeastMargin_mm = 0.04, kLargestMargin_mm = 0.5;
 constexpr int kWindow_steps = 15;        // between two looks at how fast the moves shrink

@@ -22,6 +22,15 @@ std::vector<InstructionSet> instruction_sets() {
   return sets;
 }
 
+/// The same points in the order of the kernels.
+std::vector<Quad<double>> kernel_points(const RelaxationModel<double>& laid, const Points& x) {
+  std::vector<Quad<double>> points(static_cast<std::size_t>(laid.nodes));
+  for (std::size_t i = 0; i < laid.node_of.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      points[static_cast<std::size_t>(laid.node_of[i])].at[k] = x(static_cast<Eigen::Index>(i), k);
+  return points;
+}
+
 /// A valve that is half closed, so that it touches itself in many places.
 Points half_closed(const ClosureModel& model) {
   RelaxationSettings settings;
@@ -109,10 +118,8 @@ TEST(PullSheets, PullsLikeThePlainSheetsWithHalfTheirRowSums) {
       make_closure_model(*make_preset("human-normal", 300), Membrane::Continuum);
   const Points x = half_closed(model);
   const RelaxationModel<double> laid = make_relaxation_model<double>(model);
-  std::vector<Quad<double>> at(static_cast<std::size_t>(laid.nodes)), force(at.size());
-  for (std::size_t i = 0; i < laid.node_of.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      at[static_cast<std::size_t>(laid.node_of[i])].at[k] = x(static_cast<Eigen::Index>(i), k);
+  const std::vector<Quad<double>> at = kernel_points(laid, x);
+  std::vector<Quad<double>> force(at.size());
   kernels::SheetInput<double> input;
   input.blocks = laid.sheets.data();
   input.block_count = static_cast<int>(laid.sheets.size());
@@ -140,10 +147,8 @@ TEST(ContactPairs, PushLikeThePlainContact) {
   const ClosureModel model = make_closure_model(*make_preset("porcine-5"));
   const Points x = half_closed(model);
   const RelaxationModel<double> laid = make_relaxation_model<double>(model);
-  std::vector<Quad<double>> at(static_cast<std::size_t>(laid.nodes)), force(at.size());
-  for (std::size_t i = 0; i < laid.node_of.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      at[static_cast<std::size_t>(laid.node_of[i])].at[k] = x(static_cast<Eigen::Index>(i), k);
+  const std::vector<Quad<double>> at = kernel_points(laid, x);
+  std::vector<Quad<double>> force(at.size());
   const kernels::Kernels<double>& table = kernels::kernels<double>(kernels::best_instruction_set());
   for (const bool edges : {false, true}) {
     ContactLaw law;
