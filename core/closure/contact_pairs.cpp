@@ -9,6 +9,12 @@ namespace coapt {
 using kernels::blocks_for;
 using kernels::kLanes;
 
+namespace {
+// Share of the thickness beyond it: pairs that are further apart at rest have the full thickness (0.25).
+constexpr double kNearAtRest = 0.3;
+constexpr std::size_t kFirstRoom = 4096;
+}  // namespace
+
 template <class R>
 ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>& node_of,
                               const ContactLaw& law, PairKind kind,
@@ -28,15 +34,7 @@ ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>&
   near_clusters_.resize(this->second().clusters.size());
   near_boxes_.resize(this->second().boxes.size());
   near_begin_.assign(first_.index.size() + 1, 0);
-  std::vector<kernels::Quad<R>> rest(
-      static_cast<std::size_t>(*std::max_element(node_of.begin(), node_of.end())) + 1);
-  for (std::size_t i = 0; i < node_of.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      rest[static_cast<std::size_t>(node_of[i])].at[k] =
-          static_cast<R>(model.rest_mm(static_cast<Eigen::Index>(i), k));
-  const int found =
-      search(rest, 0.3 * law_.thickness_mm).found;  // 0.25: where the rest distance counts
-  find_near_at_rest(model, found, first, kind == PairKind::VertexFace ? second : first);
+  find_near_at_rest(model, node_of, first, kind == PairKind::VertexFace ? second : first);
 }
 
 template <class R>
@@ -56,13 +54,12 @@ typename ContactPairs<R>::Clusters ContactPairs<R>::gather(const ClosureModel& m
   result.clusters.resize(static_cast<std::size_t>(blocks_for(features.size())));
   result.boxes.resize(static_cast<std::size_t>(blocks_for(result.clusters.size())));
   result.index.assign(result.clusters.size() * kLanes, -1);
-  result.area_mm2.resize(result.index.size());
   for (std::size_t at = 0; at < result.index.size(); ++at) {
     kernels::Cluster<R>& cluster = result.clusters[at / kLanes];
     const auto& n = features[static_cast<std::size_t>(order[std::min(at, order.size() - 1)])];
     for (std::size_t k = 0; k < 3; ++k)
       cluster.node[k].at[at % kLanes] = node_of[static_cast<std::size_t>(n[k])];
-    result.area_mm2[at] =
+    cluster.area_mm2.at[at % kLanes] =
         static_cast<R>(area_share * (model.area_mm2[static_cast<std::size_t>(n[0])] +
                                      model.area_mm2[static_cast<std::size_t>(n[1])]));
     if (at >= order.size()) continue;
@@ -72,15 +69,32 @@ typename ContactPairs<R>::Clusters ContactPairs<R>::gather(const ClosureModel& m
   return result;
 }
 
-/// Gives the pairs in `numbers_` that share a node or lie near at rest their own thickness.
+/// Gives the pairs that share a node or lie near at rest their own thickness.
 template <class R>
-void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, int found, const Nodes& first,
-                                        const Nodes& second) {
+void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, const std::vector<int>& node_of,
+                                        const Nodes& first, const Nodes& second) {
   const bool edges = kind_ == PairKind::EdgeEdge;
-  const kernels::PairList<R> pairs = scratch(0);
+  std::vector<kernels::Quad<R>> rest(
+      static_cast<std::size_t>(*std::max_element(node_of.begin(), node_of.end())) + 1);
+  for (std::size_t i = 0; i < node_of.size(); ++i) {
+    kernels::Quad<R>& quad = rest[static_cast<std::size_t>(node_of[i])];
+    for (int k = 0; k < 3; ++k)
+      quad.at[k] = static_cast<R>(model.rest_mm(static_cast<Eigen::Index>(i), k));
+    quad.at[3] = static_cast<R>(kNearAtRest * law_.thickness_mm);
+  }
+  const kernels::PairSearch<R> near = search(rest);
+  std::vector<int> i_of(kFirstRoom), j_of(kFirstRoom);
+  int found = 0;
+  for (;;) {
+    const auto room = static_cast<int>(i_of.size());
+    found = kernels_.number_pairs(near, i_of.data(), j_of.data(), room);
+    if (found <= room) break;
+    i_of.resize(static_cast<std::size_t>(found));
+    j_of.resize(static_cast<std::size_t>(found));
+  }
   int number = 0;
-  for (int p = 0; p < found; ++p) {
-    const int i = pairs.first[p], j = pairs.second[p];
+  for (std::size_t p = 0; p < static_cast<std::size_t>(found); ++p) {
+    const int i = i_of[p], j = j_of[p];
     for (; number < i; ++number)
       near_begin_[static_cast<std::size_t>(number) + 1] = static_cast<int>(near_.size());
     const auto& a = first[static_cast<std::size_t>(first_.index[static_cast<std::size_t>(i)])];
@@ -106,21 +120,11 @@ void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, int found, co
 }
 
 template <class R>
-kernels::Features<R> ContactPairs<R>::features(Clusters& clusters) const {
-  return {clusters.clusters.data(), clusters.boxes.data(),
-          static_cast<int>(clusters.clusters.size()), clusters.area_mm2.data()};
-}
-
-template <class R>
-kernels::PairList<R> ContactPairs<R>::scratch(int list) {
-  const auto room = static_cast<std::size_t>(capacity_ + kLanes);
-  const std::size_t at = static_cast<std::size_t>(list) * room;
-  return {numbers_.data() + 2 * at, numbers_.data() + 2 * at + room, thicknesses_.data() + at};
-}
-
-template <class R>
-kernels::PairCount ContactPairs<R>::search(const std::vector<kernels::Quad<R>>& x,
-                                           double margin_mm) {
+kernels::PairSearch<R> ContactPairs<R>::search(const std::vector<kernels::Quad<R>>& listed) {
+  const auto features = [](Clusters& clusters) {
+    return kernels::Features<R>{clusters.clusters.data(), clusters.boxes.data(),
+                                static_cast<int>(clusters.clusters.size())};
+  };
   kernels::PairSearch<R> search;
   search.first = features(first_);
   search.second = features(second());
@@ -129,37 +133,30 @@ kernels::PairCount ContactPairs<R>::search(const std::vector<kernels::Quad<R>>& 
   search.near = near_.data();
   search.thickness_mm = static_cast<R>(law_.thickness_mm);
   search.stiffness_n_per_mm4 = static_cast<R>(law_.stiffness_n_per_mm4);
-  search.margin_mm = static_cast<R>(margin_mm);
-  search.x = x.data();
+  search.listed = listed.data();
   search.near_clusters = near_clusters_.data();
   search.near_boxes = near_boxes_.data();
-  kernels_.box(search.first, false, x.data());
-  if (kind_ == PairKind::VertexFace) kernels_.box(search.second, true, x.data());
+  kernels_.box(search.first, false, listed.data());
+  if (kind_ == PairKind::VertexFace) kernels_.box(search.second, true, listed.data());
+  return search;
+}
+
+template <class R>
+void ContactPairs<R>::list(const std::vector<kernels::Quad<R>>& listed) {
+  const kernels::PairSearch<R> near = search(listed);
   for (;;) {
-    const auto room = static_cast<std::size_t>(capacity_ + kLanes) * (kernels::kBins + 1);
-    numbers_.resize(2 * room);
-    thicknesses_.resize(room);
-    blocks_.resize(static_cast<std::size_t>(capacity_ / kLanes + kernels::kBins));
-    search.capacity = capacity_;
-    search.found = scratch(0);
-    for (int b = 0; b < kernels::kBins; ++b) search.bins[b] = scratch(b + 1);
-    search.blocks = blocks_.data();
-    const kernels::PairCount count = kernels_.list_pairs(search);
-    if (count.found <= capacity_) return count;
-    capacity_ = count.found + count.found / 4;
+    const auto room = static_cast<int>(blocks_.size());
+    block_count_ = kernels_.list_pairs(near, blocks_.data(), room);
+    if (block_count_ <= room) return;
+    blocks_.resize(static_cast<std::size_t>(block_count_ + block_count_ / 4));
   }
 }
 
 template <class R>
-void ContactPairs<R>::list(const std::vector<kernels::Quad<R>>& x, double margin_mm) {
-  block_count_ = search(x, margin_mm).blocks;
-}
-
-template <class R>
-void ContactPairs<R>::push(const std::vector<kernels::Quad<R>>& x, double approach_mm,
+void ContactPairs<R>::push(const std::vector<kernels::Quad<R>>& x, double used,
                            std::vector<kernels::Quad<R>>& force) {
   const auto push = kind_ == PairKind::VertexFace ? kernels_.push_faces : kernels_.push_edges;
-  push(blocks_.data(), block_count_, static_cast<R>(approach_mm), x.data(), force.data());
+  push(blocks_.data(), block_count_, static_cast<R>(used), x.data(), force.data());
 }
 
 template class ContactPairs<float>;

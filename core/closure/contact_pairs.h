@@ -20,31 +20,29 @@ class ContactPairs {
   ContactPairs(const ClosureModel& model, const std::vector<int>& node_of, const ContactLaw& law,
                PairKind kind, const kernels::Kernels<R>& kernels);
 
-  /// Lists the pairs that are nearer than their thickness and `margin_mm`.
-  void list(const std::vector<kernels::Quad<R>>& x, double margin_mm);
+  /// Lists the pairs that are nearer than their thickness and margin. `listed`: positions and, as fourth,
+  /// margins of all nodes, mm; that of a pair is the largest of its nodes.
+  void list(const std::vector<kernels::Quad<R>>& listed);
 
   /// Adds the contact forces and stiffness of the listed pairs. Those that cannot touch before nodes have
-  /// approached each other by `approach_mm` since they were listed are passed over.
-  void push(const std::vector<kernels::Quad<R>>& x, double approach_mm,
+  /// used up that share of their margins are passed over.
+  void push(const std::vector<kernels::Quad<R>>& x, double used,
             std::vector<kernels::Quad<R>>& force);
 
  private:
   struct Clusters {
     std::vector<kernels::Cluster<R>> clusters;
     std::vector<kernels::ClusterBoxes<R>> boxes;
-    std::vector<int> index;   // [16 x cluster + lane]: of the feature, -1 for padding
-    std::vector<R> area_mm2;  // likewise: rest area that contact pressure acts on
+    std::vector<int> index;  // [16 x cluster + lane]: of the feature, -1 for padding
   };
   using Nodes = std::vector<std::array<int, 3>>;  // vertices thrice, edges their second twice
 
   static Clusters gather(const ClosureModel& model, const std::vector<int>& node_of,
                          const Nodes& features, double area_share);
-  void find_near_at_rest(const ClosureModel& model, int found, const Nodes& first,
-                         const Nodes& second);
-  kernels::Features<R> features(Clusters& clusters) const;
+  void find_near_at_rest(const ClosureModel& model, const std::vector<int>& node_of,
+                         const Nodes& first, const Nodes& second);
   Clusters& second() { return kind_ == PairKind::VertexFace ? second_ : first_; }
-  kernels::PairList<R> scratch(int list);
-  kernels::PairCount search(const std::vector<kernels::Quad<R>>& x, double margin_mm);
+  kernels::PairSearch<R> search(const std::vector<kernels::Quad<R>>& listed);
 
   ContactLaw law_;
   PairKind kind_;
@@ -52,10 +50,8 @@ class ContactPairs {
   Clusters first_, second_;  // edges are in first_ only
   std::vector<int> near_begin_;
   std::vector<kernels::NearAtRest<R>> near_;
-  std::vector<int> near_clusters_, numbers_;
+  std::vector<int> near_clusters_;
   std::vector<kernels::ClusterBoxes<R>> near_boxes_;
-  std::vector<R> thicknesses_;
-  int capacity_ = 4096;
   std::vector<kernels::PairBlock<R>> blocks_;
   int block_count_ = 0;
 };

@@ -58,16 +58,18 @@ class Relaxation {
 
   /// `fixed_move_mm`: how far fixed nodes have moved since the last step.
   kernels::StepSums step(double fixed_move_mm) {
-    fixed_from_list_mm_ += fixed_move_mm;
-    if (std::max(from_list_mm_, fixed_from_list_mm_) >= margin_mm_) list();
+    fixed_move_mm_ = fixed_move_mm;
+    fixed_share_ += fixed_move_mm / fixed_margin_mm_;
+    if (std::max(listed_share_, fixed_share_) >= 1.0) list();
     kernels_.pull_cables(laid_.cables.data(), static_cast<int>(laid_.cables.size()), x_.data(),
                          force_.data());
     pull_sheets();
-    for (ContactPairs<R>& pairs : contacts_) pairs.push(x_, approach_mm_, force_);
+    for (ContactPairs<R>& pairs : contacts_) pairs.push(x_, used_share_, force_);
     kernels::StepInput<R> input;
     input.x = x_.data();
     input.next = next_.data();
     input.force = force_.data();
+    input.listed = listed_.data();
     input.blocks = laid_.blocks.data();
     input.slots = laid_.slots.data();
     input.block_count = static_cast<int>(laid_.blocks.size());
@@ -77,20 +79,33 @@ class Relaxation {
     input.lookahead_mm = static_cast<R>(longest_move_mm_);
     const kernels::StepSums sums = kernels_.advance(input);
     longest_move_mm_ = std::sqrt(sums.longest_move2_mm2);
-    from_list_mm_ = std::sqrt(sums.from_list2_mm2);
-    approach_mm_ += std::max(longest_move_mm_, fixed_move_mm);
+    listed_share_ = std::sqrt(sums.listed_share2);
+    used_share_ += std::max(std::sqrt(sums.step_share2), fixed_move_mm / fixed_margin_mm_);
     x_.swap(next_);
     return sums;
   }
 
+  /// Lists the pairs that are near; each block of nodes has a margin that goes with its speed.
   void list() {
-    margin_mm_ = std::clamp(kListSteps * longest_move_mm_, kLeastMargin_mm, kLargestMargin_mm);
-    for (std::size_t b = 0; b < laid_.blocks.size(); ++b)
-      for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t lane = 0; lane < kLanes; ++lane)
-          laid_.blocks[b].listed_at[k].at[lane] = x_[b * kLanes + lane].at[k];
-    from_list_mm_ = fixed_from_list_mm_ = approach_mm_ = 0.0;
-    for (ContactPairs<R>& pairs : contacts_) pairs.list(x_, margin_mm_);
+    listed_ = x_;
+    for (std::size_t b = 0; b < laid_.blocks.size(); ++b) {
+      const kernels::NodeBlock<R>& block = laid_.blocks[b];
+      double move2 = 0.0;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        double v2 = 0.0;
+        for (const auto& v : block.velocity) v2 += static_cast<double>(v.at[lane] * v.at[lane]);
+        move2 = std::max(move2, v2);
+      }
+      const double margin = margin_mm(started_ ? std::sqrt(move2) : longest_move_mm_);
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        listed_[b * kLanes + lane].at[3] = static_cast<R>(margin);
+    }
+    fixed_margin_mm_ = margin_mm(started_ ? fixed_move_mm_ : longest_move_mm_);
+    for (std::size_t i = laid_.blocks.size() * kLanes; i < listed_.size(); ++i)
+      listed_[i].at[3] = static_cast<R>(fixed_margin_mm_);
+    started_ = true;
+    listed_share_ = fixed_share_ = used_share_ = 0.0;
+    for (ContactPairs<R>& pairs : contacts_) pairs.list(listed_);
   }
 
   /// Fixed nodes to the last bit where the model has them.
@@ -132,12 +147,19 @@ class Relaxation {
   const RelaxationSettings& settings_;
   const kernels::Kernels<R>& kernels_;
   RelaxationModel<R> laid_;
+  static double margin_mm(double move_mm) {
+    return std::clamp(kListSteps * move_mm, kLeastMargin_mm, kLargestMargin_mm);
+  }
+
   std::vector<kernels::Quad<R>> x_, next_, force_;
+  std::vector<kernels::Quad<R>> listed_;  // where nodes were when pairs were listed, and margins
   std::vector<ContactPairs<R>> contacts_;
   double travelled_ = 0.0;
-  double margin_mm_ = 0.0;                                // of the present list
-  double from_list_mm_ = 0.0, fixed_from_list_mm_ = 0.0;  // moved since it was made, at most
-  double approach_mm_ = 0.0;
+  bool started_ = false;
+  // Shares of the margins that nodes have used up since pairs were listed: as the crow flies, at most on
+  // the way, and the fixed nodes.
+  double listed_share_ = 1.0, used_share_ = 0.0, fixed_share_ = 1.0;
+  double fixed_margin_mm_ = 1.0, fixed_move_mm_ = 0.0;
   double longest_move_mm_ = 0.0;  // in the last step
 };
 

@@ -8,7 +8,7 @@ struct Push {
   Vec<R> stiffness;
 };
 template <class R>
-COAPT_INLINE Push<R> push(PairBlock<R>& pairs, R approach_mm, const Vec3x<R>& d) {
+COAPT_INLINE Push<R> push(PairBlock<R>& pairs, R used, const Vec3x<R>& d) {
   const Vec<R> thickness = load(pairs.thickness_mm), law = load(pairs.force_n_per_mm2);
   const Vec<R> distance2 = dot(d, d);
   const Mask<R> near =
@@ -16,7 +16,8 @@ COAPT_INLINE Push<R> push(PairBlock<R>& pairs, R approach_mm, const Vec3x<R>& d)
   const Vec<R> inverse = inverse_sqrt(largest(distance2, all(kTiny_mm2<R>)));
   const unsigned active = bits(near);
   if (active == 0) {
-    pairs.asleep_until_mm = approach_mm + least_of(distance2 * inverse - thickness);
+    const Vec<R> room = distance2 * inverse - thickness;
+    pairs.asleep_until = used + least_of(room * load(pairs.per_margin_mm));
     return {0, d, thickness};
   }
   const Vec<R> gap = largest(thickness - distance2 * inverse, all(R(0)));
@@ -90,12 +91,12 @@ COAPT_INLINE EdgesApart<R> edges_apart(const IndexLane* node, const Quad<R>* x) 
 }
 
 template <class R>
-void push_faces(PairBlock<R>* blocks, int count, R approach_mm, const Quad<R>* x, Quad<R>* force) {
+void push_faces(PairBlock<R>* blocks, int count, R used, const Quad<R>* x, Quad<R>* force) {
   for (int b = 0; b < count; ++b) {
     PairBlock<R>& pairs = blocks[b];
-    if (approach_mm < pairs.asleep_until_mm) continue;
+    if (used < pairs.asleep_until) continue;
     const FaceApart<R> apart = face_apart(pairs.node, x);
-    const Push<R> pushed = push(pairs, approach_mm, apart.d);
+    const Push<R> pushed = push(pairs, used, apart.d);
     if (pushed.active == 0) continue;
     const Vec<R> one = all(R(1));
     const Vec<R> weight[4] = {one, one - apart.wb - apart.wc, apart.wb, apart.wc};
@@ -104,12 +105,12 @@ void push_faces(PairBlock<R>* blocks, int count, R approach_mm, const Quad<R>* x
 }
 
 template <class R>
-void push_edges(PairBlock<R>* blocks, int count, R approach_mm, const Quad<R>* x, Quad<R>* force) {
+void push_edges(PairBlock<R>* blocks, int count, R used, const Quad<R>* x, Quad<R>* force) {
   for (int b = 0; b < count; ++b) {
     PairBlock<R>& pairs = blocks[b];
-    if (approach_mm < pairs.asleep_until_mm) continue;
+    if (used < pairs.asleep_until) continue;
     const EdgesApart<R> apart = edges_apart(pairs.node, x);
-    const Push<R> pushed = push(pairs, approach_mm, apart.d);
+    const Push<R> pushed = push(pairs, used, apart.d);
     if (pushed.active == 0) continue;
     const Vec<R> one = all(R(1));
     const Vec<R> weight[4] = {one - apart.s, apart.s, one - apart.t, apart.t};

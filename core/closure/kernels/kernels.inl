@@ -7,5 +7,5 @@
 #include "core/closure/kernels/sheets.inl"
 
 template <class R>
-constexpr Kernels<R> kTable = {advance<R>,    pull_cables<R>, pull_sheets<R>, push_faces<R>,
-                               push_edges<R>, box<R>,         list_pairs<R>};
+constexpr Kernels<R> kTable = {advance<R>,    pull_cables<R>, pull_sheets<R>,  push_faces<R>,
+                               push_edges<R>, box<R>,         list_pairs<R>,   number_pairs<R>};

@@ -177,14 +177,6 @@ COAPT_INLINE unsigned bits(const Mask<double>& mask) {
 }
 
 /// Stores the lanes that have a bit next to each other; may write sixteen in all.
-COAPT_INLINE void compress(const Lane<float>& lanes, unsigned chosen, float* out) {
-#if defined(__AVX512F__)
-  _mm512_storeu_ps(
-      out, _mm512_maskz_compress_ps(static_cast<__mmask16>(chosen), _mm512_load_ps(lanes.at)));
-#else
-  for (; chosen != 0; chosen &= chosen - 1) *out++ = lanes.at[__builtin_ctz(chosen)];
-#endif
-}
 COAPT_INLINE void compress(const IndexLane& lanes, unsigned chosen, int* out) {
 #if defined(__AVX512F__)
   _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen),
@@ -193,7 +185,17 @@ COAPT_INLINE void compress(const IndexLane& lanes, unsigned chosen, int* out) {
   for (; chosen != 0; chosen &= chosen - 1) *out++ = lanes.at[__builtin_ctz(chosen)];
 #endif
 }
-COAPT_INLINE void compress(const Lane<double>& lanes, unsigned chosen, double* out) {
+template <class R>
+COAPT_INLINE void compress(const Vec<R>& v, unsigned chosen, R* out) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(R) == sizeof(float)) {
+    _mm512_storeu_ps(
+        out, _mm512_maskz_compress_ps(static_cast<__mmask16>(chosen), (__m512)v.part[0]));
+    return;
+  }
+#endif
+  Lane<R> lanes;
+  store(v, lanes);
   for (; chosen != 0; chosen &= chosen - 1) *out++ = lanes.at[__builtin_ctz(chosen)];
 }
 

@@ -46,7 +46,6 @@ struct NodeBlock {
   Lane<R> free;  ///< 1, or 0 for padding
   Lane<R> velocity[3];
   Lane<R> stiffness;  ///< of the last step, N/mm
-  Lane<R> listed_at[3];
   int first_slot = 0, slots = 0;
 };
 
@@ -86,14 +85,17 @@ struct PairBlock {
   IndexLane node[4];
   Lane<R> thickness_mm;     ///< negative for padding
   Lane<R> force_n_per_mm2;  ///< contact force = this x (thickness - distance)^2
-  R asleep_until_mm = 0;    ///< no pair can touch before nodes have approached each other that far
+  Lane<R> per_margin_mm;    ///< 1 / margin of the pair
+  R asleep_until = 0;       ///< no pair can touch before that share of the margins is used up
 };
 
 /// Sixteen features (vertices, edges or faces) next to each other on the leaflets.
 template <class R>
 struct Cluster {
   IndexLane node[3];  ///< vertices repeat their node, edges their second; padding repeats the last
+  Lane<R> area_mm2;   ///< rest area that its contact pressure acts on
   Lane<R> low[3], high[3];  ///< boxes, mm
+  Lane<R> margin_mm;        ///< of its nodes, at most
   Lane<R> plane[4];         ///< faces: unit normal and offset
   int count = 0;            ///< features that are not padding
 };
@@ -101,7 +103,7 @@ struct Cluster {
 /// Boxes of sixteen clusters.
 template <class R>
 struct ClusterBoxes {
-  Lane<R> low[3], high[3];
+  Lane<R> low[3], high[3], margin_mm;
 };
 
 /// Features of one cluster that are near some feature already at rest.
@@ -117,20 +119,10 @@ struct Features {
   Cluster<R>* clusters = nullptr;
   ClusterBoxes<R>* boxes = nullptr;  ///< one per sixteen clusters
   int count = 0;                     ///< clusters
-  const R* area_mm2 = nullptr;       ///< [number]: rest area that its contact pressure acts on
 };
 
-/// Pairs of feature numbers. Room for `capacity` and sixteen more.
-template <class R>
-struct PairList {
-  int* first = nullptr;
-  int* second = nullptr;
-  R* thickness_mm = nullptr;
-};
-
-constexpr int kBins = 4;  ///< of pairs by how far they are from touching
-
-/// Which pairs of features are looked for.
+/// Which pairs of features are looked for: those nearer than their thickness and margin, which is that
+/// of the faster of the two.
 template <class R>
 struct PairSearch {
   Features<R> first, second;
@@ -138,18 +130,9 @@ struct PairSearch {
   const int* near_begin = nullptr;      ///< [number], one more at the end
   const NearAtRest<R>* near = nullptr;  ///< in ascending order of cluster for each number
   R thickness_mm = 0, stiffness_n_per_mm4 = 0;
-  R margin_mm = 0;  ///< pairs nearer than thickness + margin are listed
-  const Quad<R>* x = nullptr;
+  const Quad<R>* listed = nullptr;        ///< positions and, as fourth, margin of all nodes
   int* near_clusters = nullptr;           ///< scratch, one per second cluster
   ClusterBoxes<R>* near_boxes = nullptr;  ///< scratch, their boxes
-  PairList<R> found, bins[kBins];         ///< scratch
-  int capacity = 0;                       ///< of each of them
-  PairBlock<R>* blocks = nullptr;         ///< result: capacity / 16 + kBins
-};
-
-struct PairCount {
-  int found = 0;   ///< if more than the capacity, nothing else was done
-  int blocks = 0;  ///< filled
 };
 
 template <class R>
@@ -167,6 +150,7 @@ struct StepInput {
   const Quad<R>* x = nullptr;  ///< where all nodes are
   Quad<R>* next = nullptr;     ///< where the moving ones will be
   Quad<R>* force = nullptr;    ///< of contact, cables and sheets, N, with their stiffness; set to 0
+  const Quad<R>* listed = nullptr;  ///< where nodes were when pairs were listed, and their margins
   NodeBlock<R>* blocks = nullptr;
   const FanSlot<R>* slots = nullptr;
   int block_count = 0;
@@ -181,7 +165,8 @@ struct StepSums {
   double force2_n2 = 0.0;  ///< sum over moving nodes
   double pressure2_n2 = 0.0;
   double longest_move2_mm2 = 0.0;
-  double from_list2_mm2 = 0.0;  ///< largest distance from where the pairs were listed
+  // Largest squares of shares of a node's margin: of this step, of all since the pairs were listed.
+  double step_share2 = 0.0, listed_share2 = 0.0;
 };
 
 /// The same functions for one instruction set. All give the same bits.
@@ -190,11 +175,14 @@ struct Kernels {
   StepSums (*advance)(const StepInput<R>&);
   void (*pull_cables)(const CableBlock<R>*, int blocks, const Quad<R>* x, Quad<R>* force);
   void (*pull_sheets)(const SheetInput<R>&);
-  /// `approach_mm`: how far two nodes may have approached each other since the pairs were listed.
-  void (*push_faces)(PairBlock<R>*, int blocks, R approach_mm, const Quad<R>* x, Quad<R>* force);
-  void (*push_edges)(PairBlock<R>*, int blocks, R approach_mm, const Quad<R>* x, Quad<R>* force);
-  void (*box)(const Features<R>&, bool planes, const Quad<R>* x);
-  PairCount (*list_pairs)(const PairSearch<R>&);
+  /// `used`: share of the margins that nodes may have used up since the pairs were listed.
+  void (*push_faces)(PairBlock<R>*, int blocks, R used, const Quad<R>* x, Quad<R>* force);
+  void (*push_edges)(PairBlock<R>*, int blocks, R used, const Quad<R>* x, Quad<R>* force);
+  void (*box)(const Features<R>&, bool planes, const Quad<R>* listed);
+  /// Fills blocks as long as there is room; the number of blocks that are needed.
+  int (*list_pairs)(const PairSearch<R>&, PairBlock<R>* blocks, int room);
+  /// Numbers of the features of each pair, likewise.
+  int (*number_pairs)(const PairSearch<R>&, int* first, int* second, int room);
 };
 
 }  // namespace coapt::kernels

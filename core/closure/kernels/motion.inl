@@ -64,7 +64,7 @@ StepSums advance(const StepInput<R>& in) {
   const Vec<R> least_stiffness = all(static_cast<R>(kLeastStiffness_n_per_mm));
   const Vec<R> per_mass = all(R(1) / in.mass_share);
   const Vec<R> longest2 = all(in.longest_move_mm * in.longest_move_mm);
-  Vec<R> force2 = zero, pressure2 = zero, move2 = zero, from_list2 = zero;
+  Vec<R> force2 = zero, pressure2 = zero, move2 = zero, step_share2 = zero, listed_share2 = zero;
   for (int b = 0; b < in.block_count; ++b) {
     NodeBlock<R>& block = in.blocks[b];
     const Vec3x<R> x = xyz(load_quads(in.x + kLanes * b));
@@ -109,10 +109,13 @@ StepSums advance(const StepInput<R>& in) {
     store(v.x, block.velocity[0]), store(v.y, block.velocity[1]), store(v.z, block.velocity[2]);
     const Vec3x<R> next = x + v;
     store_quads(Vec4x<R>{next.x, next.y, next.z, zero}, in.next + kLanes * b);
-    const Vec3x<R> moved = next - Vec3x<R>{load(block.listed_at[0]), load(block.listed_at[1]),
-                                           load(block.listed_at[2])};
-    from_list2 = largest(free * dot(moved, moved), from_list2);
+    const Vec4x<R> listed = load_quads(in.listed + kLanes * b);
+    const Vec3x<R> moved = next - xyz(listed);
+    const Vec<R> per_margin2 = free / (listed.w * listed.w);
+    step_share2 = largest(per_margin2 * dot(v, v), step_share2);
+    listed_share2 = largest(per_margin2 * dot(moved, moved), listed_share2);
   }
   return {sum(force2), sum(pressure2), static_cast<double>(largest_of(move2)),
-          static_cast<double>(largest_of(from_list2))};
+          static_cast<double>(largest_of(step_share2)),
+          static_cast<double>(largest_of(listed_share2))};
 }

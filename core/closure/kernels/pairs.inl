@@ -1,15 +1,17 @@
 // Part of kernels.inl: finding the pairs that may touch soon.
 
 template <class R>
-void box(const Features<R>& features, bool planes, const Quad<R>* x) {
+void box(const Features<R>& features, bool planes, const Quad<R>* listed) {
   for (int i = 0; i < features.count; ++i) {
     Cluster<R>& cluster = features.clusters[i];
-    const Vec3x<R> a = xyz(gather(x, cluster.node[0])), b = xyz(gather(x, cluster.node[1])),
-                   c = xyz(gather(x, cluster.node[2]));
+    const Vec4x<R> qa = gather(listed, cluster.node[0]), qb = gather(listed, cluster.node[1]),
+                   qc = gather(listed, cluster.node[2]);
+    const Vec3x<R> a = xyz(qa), b = xyz(qb), c = xyz(qc);
     const Vec3x<R> low = {least(a.x, least(b.x, c.x)), least(a.y, least(b.y, c.y)),
                           least(a.z, least(b.z, c.z))};
     const Vec3x<R> high = {largest(a.x, largest(b.x, c.x)), largest(a.y, largest(b.y, c.y)),
                            largest(a.z, largest(b.z, c.z))};
+    const Vec<R> margin = largest(qa.w, largest(qb.w, qc.w));
     ClusterBoxes<R>& boxes = features.boxes[i / kLanes];
     const Vec<R> lows[3] = {low.x, low.y, low.z}, highs[3] = {high.x, high.y, high.z};
     for (int k = 0; k < 3; ++k) {
@@ -17,6 +19,8 @@ void box(const Features<R>& features, bool planes, const Quad<R>* x) {
       boxes.low[k].at[i % kLanes] = least_of(lows[k]);
       boxes.high[k].at[i % kLanes] = largest_of(highs[k]);
     }
+    store(margin, cluster.margin_mm);
+    boxes.margin_mm.at[i % kLanes] = largest_of(margin);
     if (!planes) continue;
     const Vec3x<R> normal = cross(b - a, c - a);
     const Vec3x<R> unit = inverse_sqrt(dot(normal, normal) + all(kTiny_mm2<R>)) * normal;
@@ -25,14 +29,32 @@ void box(const Features<R>& features, bool planes, const Quad<R>* x) {
   }
 }
 
-/// Which of sixteen boxes are nearer than `reach` to [low, high] in each direction.
+/// A box and the margin of what is in it.
 template <class R>
-COAPT_INLINE Mask<R> meet(const Lane<R>* lows, const Lane<R>* highs, const R* low, const R* high,
-                          const Vec<R>& reach) {
-  Mask<R> mask = (load(lows[0]) - reach <= all(high[0])) & (all(low[0]) <= load(highs[0]) + reach);
-  for (int k = 1; k < 3; ++k)
-    mask = mask & (load(lows[k]) - reach <= all(high[k])) & (all(low[k]) <= load(highs[k]) + reach);
-  return mask;
+struct Box {
+  R low[3], high[3], margin_mm;
+};
+template <class R, class Boxes>  // Cluster or ClusterBoxes
+COAPT_INLINE Box<R> box_of(const Boxes& boxes, int lane) {
+  Box<R> result;
+  for (int k = 0; k < 3; ++k)
+    result.low[k] = boxes.low[k].at[lane], result.high[k] = boxes.high[k].at[lane];
+  result.margin_mm = boxes.margin_mm.at[lane];
+  return result;
+}
+
+/// Which of sixteen boxes are nearer than `reach` to a box in each direction.
+template <class R, class Boxes>
+COAPT_INLINE Mask<R> meet(const Boxes& boxes, const Box<R>& box, const Vec<R>& reach) {
+  const auto along = [&](int k) {
+    return (load(boxes.low[k]) - reach <= all(box.high[k])) &
+           (all(box.low[k]) <= load(boxes.high[k]) + reach);
+  };
+  return along(0) & along(1) & along(2);
+}
+template <class R, class Boxes>
+COAPT_INLINE Vec<R> margin_of(const Boxes& boxes, const Box<R>& box) {
+  return largest(load(boxes.margin_mm), all(box.margin_mm));
 }
 
 COAPT_INLINE unsigned first_lanes(int count) {
@@ -41,15 +63,12 @@ COAPT_INLINE unsigned first_lanes(int count) {
 
 /// The clusters of `in.second` near cluster `c`, with their boxes; their number.
 template <class R>
-COAPT_INLINE int near_clusters(const PairSearch<R>& in, int c, const Vec<R>& reach) {
-  const ClusterBoxes<R>& own = in.first.boxes[c / kLanes];
-  R low[3], high[3];
-  for (int k = 0; k < 3; ++k)
-    low[k] = own.low[k].at[c % kLanes], high[k] = own.high[k].at[c % kLanes];
+COAPT_INLINE int near_clusters(const PairSearch<R>& in, int c) {
+  const Box<R> own = box_of<R>(in.first.boxes[c / kLanes], c % kLanes);
   int count = 0;
   for (int g = in.faces ? 0 : c / kLanes; g * kLanes < in.second.count; ++g) {
     const ClusterBoxes<R>& boxes = in.second.boxes[g];
-    unsigned hits = bits(meet(boxes.low, boxes.high, low, high, reach)) &
+    unsigned hits = bits(meet(boxes, own, all(in.thickness_mm) + margin_of(boxes, own))) &
                     first_lanes(in.second.count - g * kLanes);
     for (; hits != 0; hits &= hits - 1) {
       const int lane = __builtin_ctz(hits), other = g * kLanes + lane;
@@ -59,137 +78,184 @@ COAPT_INLINE int near_clusters(const PairSearch<R>& in, int c, const Vec<R>& rea
         near.low[k].at[count % kLanes] = boxes.low[k].at[lane];
         near.high[k].at[count % kLanes] = boxes.high[k].at[lane];
       }
+      near.margin_mm.at[count % kLanes] = boxes.margin_mm.at[lane];
       in.near_clusters[count++] = other;
     }
   }
   return count;
 }
 
-/// All pairs whose boxes (and, for faces, planes) are near enough, in order of their numbers.
-template <class R>
-COAPT_INLINE int find_pairs(const PairSearch<R>& in) {
-  const Vec<R> reach = all(in.thickness_mm + in.margin_mm), zero = all(R(0));
-  IndexLane lane_number;
-  for (int i = 0; i < kLanes; ++i) lane_number.at[i] = i;
-  int found = 0;
+/// Calls take(first cluster, lane, second cluster, lanes, thickness, margin) for all pairs whose boxes (and,
+/// for faces, planes) are near enough, in order of their numbers.
+template <class R, class Take>
+COAPT_INLINE void find_pairs(const PairSearch<R>& in, Take take) {
+  const Vec<R> zero = all(R(0)), full = all(in.thickness_mm);
   for (int c = 0; c < in.first.count; ++c) {
-    const int near_count = near_clusters(in, c, reach);
+    const int near_count = near_clusters(in, c);
     const Cluster<R>& one = in.first.clusters[c];
     for (int i = 0; i < one.count; ++i) {
-      const int number = kLanes * c + i;
-      R low[3], high[3];
-      for (int k = 0; k < 3; ++k) low[k] = one.low[k].at[i], high[k] = one.high[k].at[i];
-      int near = in.near_begin[number];
-      const int near_end = in.near_begin[number + 1];
+      const Box<R> own = box_of<R>(one, i);
+      int near = in.near_begin[kLanes * c + i];
+      const int near_end = in.near_begin[kLanes * c + i + 1];
       for (int g = 0; g * kLanes < near_count; ++g) {
         const ClusterBoxes<R>& boxes = in.near_boxes[g];
-        unsigned met = bits(meet(boxes.low, boxes.high, low, high, reach)) &
+        unsigned met = bits(meet(boxes, own, full + margin_of(boxes, own))) &
                        first_lanes(near_count - g * kLanes);
         for (; met != 0; met &= met - 1) {
           const int other_number = in.near_clusters[g * kLanes + __builtin_ctz(met)];
           const Cluster<R>& other = in.second.clusters[other_number];
           while (near < near_end && in.near[near].cluster < other_number) ++near;
           const bool special = near < near_end && in.near[near].cluster == other_number;
-          const Vec<R> thickness =
-              special ? load(in.near[near].thickness_mm) : all(in.thickness_mm);
-          const Vec<R> own_reach = thickness + all(in.margin_mm);
-          Mask<R> mask = meet(other.low, other.high, low, high, own_reach) & (zero < thickness);
+          const Vec<R> thickness = special ? load(in.near[near].thickness_mm) : full;
+          const Vec<R> margin = margin_of(other, own), reach = thickness + margin;
+          Mask<R> mask = meet(other, own, reach) & (zero < thickness);
           if (in.faces) {
-            const Vec<R> height = load(other.plane[0]) * all(low[0]) +
-                                  load(other.plane[1]) * all(low[1]) +
-                                  load(other.plane[2]) * all(low[2]) - load(other.plane[3]);
-            mask = mask & (magnitude(height) <= own_reach);
+            const Vec<R> height = load(other.plane[0]) * all(own.low[0]) +
+                                  load(other.plane[1]) * all(own.low[1]) +
+                                  load(other.plane[2]) * all(own.low[2]) - load(other.plane[3]);
+            mask = mask & (magnitude(height) <= reach);
           }
           unsigned hits = bits(mask) & first_lanes(other.count);
           if (!in.faces && other_number == c) hits &= ~((2u << i) - 1u);
-          if (hits == 0) continue;
-          if (found + kLanes <= in.capacity) {
-            IndexLane first, second;
-            Lane<R> thicknesses;
-            for (int k = 0; k < kLanes; ++k) {
-              first.at[k] = number;
-              second.at[k] = kLanes * other_number + lane_number.at[k];
-            }
-            store(thickness, thicknesses);
-            compress(first, hits, in.found.first + found);
-            compress(second, hits, in.found.second + found);
-            compress(thicknesses, hits, in.found.thickness_mm + found);
-          }
-          found += __builtin_popcount(hits);
+          if (hits != 0) take(c, i, other_number, hits, thickness, margin);
         }
       }
     }
   }
-  return found + kLanes <= in.capacity ? found : found + kLanes;
 }
 
-/// The four nodes of sixteen pairs; beyond `count` the last pair is repeated.
+/// Pairs that wait until there are sixteen.
 template <class R>
-COAPT_INLINE void pair_nodes(const PairSearch<R>& in, const PairList<R>& list, int begin, int count,
-                             IndexLane* node) {
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const int pair = begin + (lane < count ? lane : count - 1);
-    const int i = list.first[pair], j = list.second[pair];
-    const Cluster<R>&one = in.first.clusters[i / kLanes], &other = in.second.clusters[j / kLanes];
-    node[0].at[lane] = one.node[0].at[i % kLanes];
-    node[1].at[lane] = in.faces ? other.node[0].at[j % kLanes] : one.node[1].at[i % kLanes];
-    node[2].at[lane] = in.faces ? other.node[1].at[j % kLanes] : other.node[0].at[j % kLanes];
-    node[3].at[lane] = in.faces ? other.node[2].at[j % kLanes] : other.node[1].at[j % kLanes];
-  }
-}
+struct Waiting {
+  int node[4][2 * kLanes];
+  R thickness_mm[2 * kLanes], area_mm2[2 * kLanes], margin_mm[2 * kLanes];
+  int count = 0;
 
-/// Lists pairs that may touch soon, those that are nearest to it first: so that whole blocks touch
-/// or sleep.
+  COAPT_INLINE void add(const IndexLane* const* nodes, const Vec<R>& thickness, const Vec<R>& area,
+                        const Vec<R>& margin, unsigned chosen) {
+    for (int k = 0; k < 4; ++k) compress(*nodes[k], chosen, node[k] + count);
+    compress(thickness, chosen, thickness_mm + count);
+    compress(area, chosen, area_mm2 + count);
+    compress(margin, chosen, margin_mm + count);
+    count += __builtin_popcount(chosen);
+  }
+  /// Drops the first sixteen.
+  COAPT_INLINE void drop() {
+    for (int k = 0; k < 4; ++k) __builtin_memcpy(node[k], node[k] + kLanes, sizeof(int) * kLanes);
+    __builtin_memcpy(thickness_mm, thickness_mm + kLanes, sizeof(R) * kLanes);
+    __builtin_memcpy(area_mm2, area_mm2 + kLanes, sizeof(R) * kLanes);
+    __builtin_memcpy(margin_mm, margin_mm + kLanes, sizeof(R) * kLanes);
+    count -= kLanes;
+  }
+  /// The nodes of the first sixteen; where there are fewer, the first is repeated.
+  COAPT_INLINE void first_nodes(IndexLane* nodes) {
+    for (int k = 0; k < 4; ++k) {
+      for (int i = count; i < kLanes; ++i) node[k][i] = node[k][0];
+      __builtin_memcpy(nodes[k].at, node[k], sizeof nodes[k].at);
+    }
+  }
+};
 template <class R>
-PairCount list_pairs(const PairSearch<R>& in) {
-  PairCount result;
-  result.found = find_pairs(in);
-  if (result.found > in.capacity) return result;
-  // Room before touching at which a bin ends, as a share of the margin.
-  const R ends[kBins] = {R(0.1) * in.margin_mm, R(0.3) * in.margin_mm, R(0.6) * in.margin_mm,
-                         in.margin_mm};
-  int size[kBins] = {};
-  for (int begin = 0; begin < result.found; begin += kLanes) {
-    const int count = result.found - begin < kLanes ? result.found - begin : kLanes;
-    IndexLane node[4], first, second;
-    Lane<R> thickness;
-    pair_nodes(in, in.found, begin, count, node);
-    for (int lane = 0; lane < kLanes; ++lane) {
-      first.at[lane] = in.found.first[begin + lane];
-      second.at[lane] = in.found.second[begin + lane];
-      thickness.at[lane] = in.found.thickness_mm[begin + lane];
-    }
-    const Vec3x<R> d = in.faces ? face_apart(node, in.x).d : edges_apart(node, in.x).d;
-    const Vec<R> distance2 = largest(dot(d, d), all(kTiny_mm2<R>));
-    const Vec<R> room = distance2 * inverse_sqrt(distance2) - load(thickness);
-    unsigned left = first_lanes(count);
-    for (int b = 0; b < kBins; ++b) {
-      const unsigned chosen = bits(room <= all(ends[b])) & left;
-      left &= ~chosen;
-      compress(first, chosen, in.bins[b].first + size[b]);
-      compress(second, chosen, in.bins[b].second + size[b]);
-      compress(thickness, chosen, in.bins[b].thickness_mm + size[b]);
-      size[b] += __builtin_popcount(chosen);
-    }
-  }
-  for (int b = 0; b < kBins; ++b) {
-    for (int begin = 0; begin < size[b]; begin += kLanes) {
-      const int count = size[b] - begin < kLanes ? size[b] - begin : kLanes;
-      PairBlock<R>& block = in.blocks[result.blocks++];
-      pair_nodes(in, in.bins[b], begin, count, block.node);
-      block.asleep_until_mm = b == 0 ? R(0) : ends[b - 1];
-      for (int lane = 0; lane < kLanes; ++lane) {
-        block.thickness_mm.at[lane] = R(-1e6);  // padding: never near
-        block.force_n_per_mm2.at[lane] = R(0);
-        if (lane >= count) continue;
-        const R thickness = in.bins[b].thickness_mm[begin + lane];
-        R area = in.first.area_mm2[in.bins[b].first[begin + lane]];
-        if (!in.faces) area += in.second.area_mm2[in.bins[b].second[begin + lane]];
-        block.thickness_mm.at[lane] = thickness;
-        block.force_n_per_mm2.at[lane] =
-            in.stiffness_n_per_mm4 * area * in.thickness_mm / thickness;
-      }
-    }
-  }
+COAPT_INLINE Vec<R> load_first(const R* at) {
+  Vec<R> result;
+  __builtin_memcpy(&result, at, sizeof result);
   return result;
+}
+
+/// Packs pairs into blocks, those of like room to move together, so that whole blocks touch or sleep.
+template <class R>
+struct Packer {
+  static constexpr int kBins = 4;
+  /// Where a bin ends: room before touching as a share of the margin.
+  static constexpr R kEnds[kBins] = {R(0.1), R(0.3), R(0.6), R(1)};
+
+  const PairSearch<R>& in;
+  PairBlock<R>* blocks;
+  int room, used = 0;
+  Waiting<R> found, bins[kBins];
+
+  COAPT_INLINE void sort_found() {
+    IndexLane node[4];
+    const int count = found.count < kLanes ? found.count : kLanes;
+    found.first_nodes(node);
+    const Vec3x<R> d =
+        in.faces ? face_apart(node, in.listed).d : edges_apart(node, in.listed).d;
+    const Vec<R> distance2 = largest(dot(d, d), all(kTiny_mm2<R>));
+    const Vec<R> thickness = load_first(found.thickness_mm), margin = load_first(found.margin_mm);
+    const Vec<R> space = distance2 * inverse_sqrt(distance2) - thickness;
+    const IndexLane* nodes[4] = {&node[0], &node[1], &node[2], &node[3]};
+    unsigned left = first_lanes(count);
+    for (int b = 0; b < kBins && left != 0; ++b) {
+      const unsigned chosen = bits(space <= all(kEnds[b]) * margin) & left;
+      left &= ~chosen;
+      if (chosen == 0) continue;
+      bins[b].add(nodes, thickness, load_first(found.area_mm2), margin, chosen);
+      if (bins[b].count >= kLanes) pack(b);
+    }
+    if (found.count > kLanes)
+      found.drop();
+    else
+      found.count = 0;
+  }
+  COAPT_INLINE void pack(int b) {
+    Waiting<R>& bin = bins[b];
+    if (used++ < room) {
+      PairBlock<R>& block = blocks[used - 1];
+      bin.first_nodes(block.node);
+      block.asleep_until = b == 0 ? R(0) : kEnds[b - 1];
+      for (int i = bin.count; i < kLanes; ++i) {
+        bin.thickness_mm[i] = R(-1e6);  // padding: never near
+        bin.area_mm2[i] = R(0);
+        bin.margin_mm[i] = R(1);
+      }
+      const Vec<R> thickness = load_first(bin.thickness_mm);
+      store(thickness, block.thickness_mm);
+      store(all(in.stiffness_n_per_mm4 * in.thickness_mm) * load_first(bin.area_mm2) / thickness,
+            block.force_n_per_mm2);
+      store(all(R(1)) / load_first(bin.margin_mm), block.per_margin_mm);
+    }
+    if (bin.count > kLanes)
+      bin.drop();
+    else
+      bin.count = 0;
+  }
+};
+
+template <class R>
+int list_pairs(const PairSearch<R>& in, PairBlock<R>* blocks, int room) {
+  Packer<R> packer{in, blocks, room, 0, {}, {}};
+  IndexLane own[2];
+  int own_number = -1;
+  find_pairs(in, [&](int c, int i, int other_number, unsigned hits, const Vec<R>& thickness,
+                     const Vec<R>& margin) {
+    const Cluster<R>&one = in.first.clusters[c], &other = in.second.clusters[other_number];
+    if (own_number != kLanes * c + i) {
+      own_number = kLanes * c + i;
+      for (int k = 0; k < 2; ++k)
+        for (int lane = 0; lane < kLanes; ++lane) own[k].at[lane] = one.node[k].at[i];
+    }
+    const IndexLane* nodes[4] = {&own[0], in.faces ? &other.node[0] : &own[1],
+                                 in.faces ? &other.node[1] : &other.node[0],
+                                 in.faces ? &other.node[2] : &other.node[1]};
+    const Vec<R> area = all(one.area_mm2.at[i]) + load(other.area_mm2);
+    packer.found.add(nodes, thickness, area, margin, hits);
+    if (packer.found.count >= kLanes) packer.sort_found();
+  });
+  if (packer.found.count > 0) packer.sort_found();
+  for (int b = 0; b < Packer<R>::kBins; ++b)
+    if (packer.bins[b].count > 0) packer.pack(b);
+  return packer.used;
+}
+
+template <class R>
+int number_pairs(const PairSearch<R>& in, int* first, int* second, int room) {
+  int count = 0;
+  find_pairs(in, [&](int c, int i, int other_number, unsigned hits, const Vec<R>&, const Vec<R>&) {
+    for (; hits != 0; hits &= hits - 1, ++count) {
+      if (count >= room) continue;
+      first[count] = kLanes * c + i;
+      second[count] = kLanes * other_number + __builtin_ctz(hits);
+    }
+  });
+  return count;
 }
