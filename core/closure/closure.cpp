@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 
-#include "core/closure/crossing.h"
 #include "core/closure/model.h"
 #include "core/closure/relaxation.h"
 #include "core/closure/thesis.h"
@@ -52,7 +51,7 @@ ClosureRun relax_to(const ClosureModel& model, const RelaxationSettings& setting
   if (run.status != ClosureStatus::Converged ||
       (settings.residual_tolerance >= kFloatResidual && settings.way_tolerance_mm >= kFloatWay_mm))
     return run;
-  ClosureRun exact = relax<double>(model, settings, &run.x_mm);
+  ClosureRun exact = relax<double>(model, settings, &run);
   exact.steps += run.steps;
   return exact;
 }
@@ -119,9 +118,7 @@ ClosureResult close_valve(const Valve& valve, const ClosureOptions& options) {
   for (const Rung& rung : options.method == Method::Fast ? fast_ladder(model, options, contact)
                                                          : thesis_ladder(model, options, contact)) {
     ClosureRun run = rung.run();
-    ClosureAttempt attempt{rung.how, run.status, 0, run.residual, run.steps};
-    if (run.status != ClosureStatus::Diverged)
-      attempt.crossing_pairs = static_cast<int>(crossing_pairs(model.faces, run.x_mm).size());
+    const ClosureAttempt attempt{rung.how, run.status, run.crossing_pairs, run.residual, run.steps};
     result.attempts.push_back(attempt);
     result.steps += run.steps;
     if (result.attempts.size() == 1 || is_better(attempt, result.attempts[best_attempt])) {

@@ -2,34 +2,39 @@
 
 #include <algorithm>
 
-#include "core/closure/relaxation_model.h"
-
 namespace coapt {
 
-using kernels::blocks_for;
 using kernels::kLanes;
 
 namespace {
 // Share of the thickness beyond it: pairs that are further apart at rest have the full thickness (0.25).
 constexpr double kNearAtRest = 0.3;
 constexpr std::size_t kFirstRoom = 4096;
+constexpr double kRounding_mm = 1e-4;  // of positions in single precision, amply
 }  // namespace
 
 template <class R>
 ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>& node_of,
                               const ContactLaw& law, PairKind kind,
-                              const kernels::Kernels<R>& kernels)
+                              const kernels::Kernels<R>& kernels,
+                              const std::vector<std::array<int, 2>>& edges)
     : law_(kind == PairKind::EdgeEdge ? edge_law(law) : law), kind_(kind), kernels_(kernels) {
-  Nodes first, second;
+  std::vector<FeatureNodes> first, second;
   if (kind == PairKind::VertexFace) {
     for (int v = 0; v < model.vertices; ++v) first.push_back({v, v, v});
     for (Eigen::Index f = 0; f < model.faces.rows(); ++f)
       second.push_back({model.faces(f, 0), model.faces(f, 1), model.faces(f, 2)});
-    first_ = gather(model, node_of, first, 0.5);
-    second_ = gather(model, node_of, second, 0.0);
+    second_ = make_clusters<R>(model.rest_mm, second, node_of);
   } else {
-    for (const auto& [a, b] : model.edges) first.push_back({a, b, b});
-    first_ = gather(model, node_of, first, 0.25);
+    for (const auto& [a, b] : edges) first.push_back({a, b, b});
+  }
+  first_ = make_clusters<R>(model.rest_mm, first, node_of);
+  for (std::size_t at = 0; at < first_.index.size(); ++at) {
+    if (first_.index[at] < 0) continue;
+    const FeatureNodes& n = first[static_cast<std::size_t>(first_.index[at])];
+    const auto area = [&](int node) { return model.area_mm2[static_cast<std::size_t>(node)]; };
+    first_.clusters[at / kLanes].area_mm2.at[at % kLanes] = static_cast<R>(
+        kind == PairKind::VertexFace ? area(n[0]) : 0.25 * (area(n[0]) + area(n[1])));
   }
   near_clusters_.resize(this->second().clusters.size());
   near_boxes_.resize(this->second().boxes.size());
@@ -37,42 +42,11 @@ ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>&
   find_near_at_rest(model, node_of, first, kind == PairKind::VertexFace ? second : first);
 }
 
-template <class R>
-typename ContactPairs<R>::Clusters ContactPairs<R>::gather(const ClosureModel& model,
-                                                           const std::vector<int>& node_of,
-                                                           const Nodes& features,
-                                                           double area_share) {
-  const auto count = static_cast<Eigen::Index>(features.size());
-  Points centres(count, 3);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto& n = features[static_cast<std::size_t>(i)];
-    centres.row(i) =
-        (model.rest_mm.row(n[0]) + model.rest_mm.row(n[1]) + model.rest_mm.row(n[2])) / 3.0;
-  }
-  const std::vector<int> order = cluster_order(centres);
-  Clusters result;
-  result.clusters.resize(static_cast<std::size_t>(blocks_for(features.size())));
-  result.boxes.resize(static_cast<std::size_t>(blocks_for(result.clusters.size())));
-  result.index.assign(result.clusters.size() * kLanes, -1);
-  for (std::size_t at = 0; at < result.index.size(); ++at) {
-    kernels::Cluster<R>& cluster = result.clusters[at / kLanes];
-    const auto& n = features[static_cast<std::size_t>(order[std::min(at, order.size() - 1)])];
-    for (std::size_t k = 0; k < 3; ++k)
-      cluster.node[k].at[at % kLanes] = node_of[static_cast<std::size_t>(n[k])];
-    cluster.area_mm2.at[at % kLanes] =
-        static_cast<R>(area_share * (model.area_mm2[static_cast<std::size_t>(n[0])] +
-                                     model.area_mm2[static_cast<std::size_t>(n[1])]));
-    if (at >= order.size()) continue;
-    ++cluster.count;
-    result.index[at] = order[at];
-  }
-  return result;
-}
-
 /// Gives the pairs that share a node or lie near at rest their own thickness.
 template <class R>
 void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, const std::vector<int>& node_of,
-                                        const Nodes& first, const Nodes& second) {
+                                        const std::vector<FeatureNodes>& first,
+                                        const std::vector<FeatureNodes>& second) {
   const bool edges = kind_ == PairKind::EdgeEdge;
   std::vector<kernels::Quad<R>> rest(
       static_cast<std::size_t>(*std::max_element(node_of.begin(), node_of.end())) + 1);
@@ -121,13 +95,9 @@ void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, const std::ve
 
 template <class R>
 kernels::PairSearch<R> ContactPairs<R>::search(const std::vector<kernels::Quad<R>>& listed) {
-  const auto features = [](Clusters& clusters) {
-    return kernels::Features<R>{clusters.clusters.data(), clusters.boxes.data(),
-                                static_cast<int>(clusters.clusters.size())};
-  };
   kernels::PairSearch<R> search;
-  search.first = features(first_);
-  search.second = features(second());
+  search.first = first_.features();
+  search.second = second().features();
   search.faces = kind_ == PairKind::VertexFace;
   search.near_begin = near_begin_.data();
   search.near = near_.data();
@@ -157,6 +127,35 @@ void ContactPairs<R>::push(const std::vector<kernels::Quad<R>>& x, double used,
                            std::vector<kernels::Quad<R>>& force) {
   const auto push = kind_ == PairKind::VertexFace ? kernels_.push_faces : kernels_.push_edges;
   push(blocks_.data(), block_count_, static_cast<R>(used), x.data(), force.data());
+}
+
+template <class R>
+std::vector<std::pair<int, int>> ContactPairs<R>::straddling(
+    const std::vector<kernels::Quad<R>>& x) {
+  const kernels::PairSearch<R> faces = [&] {
+    kernels::PairSearch<R> search;
+    search.first = search.second = second_.features();
+    search.listed = x.data();
+    search.thickness_mm = static_cast<R>(kRounding_mm);
+    search.near_clusters = near_clusters_.data();
+    search.near_boxes = near_boxes_.data();
+    kernels_.box(search.second, true, x.data());
+    return search;
+  }();
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<int> f(kFirstRoom), g(kFirstRoom);
+  for (;;) {
+    const auto room = static_cast<int>(f.size());
+    const int found = kernels_.straddling_faces(faces, f.data(), g.data(), room);
+    if (found <= room) {
+      for (std::size_t p = 0; p < static_cast<std::size_t>(found); ++p)
+        pairs.emplace_back(second_.index[static_cast<std::size_t>(f[p])],
+                           second_.index[static_cast<std::size_t>(g[p])]);
+      return pairs;
+    }
+    f.resize(static_cast<std::size_t>(found));
+    g.resize(static_cast<std::size_t>(found));
+  }
 }
 
 template class ContactPairs<float>;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/closure/clusters.h"
 #include "core/closure/contact.h"
 #include "core/closure/kernels/kernels.h"
 #include "core/closure/model.h"
@@ -16,9 +17,10 @@ enum class PairKind { VertexFace, EdgeEdge };
 template <class R>
 class ContactPairs {
  public:
-  /// `node_of`: the kernels' node numbers.
+  /// `node_of`: the kernels' node numbers. `edges`: those between which pairs are looked for.
   ContactPairs(const ClosureModel& model, const std::vector<int>& node_of, const ContactLaw& law,
-               PairKind kind, const kernels::Kernels<R>& kernels);
+               PairKind kind, const kernels::Kernels<R>& kernels,
+               const std::vector<std::array<int, 2>>& edges = {});
 
   /// Lists the pairs that are nearer than their thickness and margin. `listed`: positions and, as fourth,
   /// margins of all nodes, mm; that of a pair is the largest of its nodes.
@@ -29,25 +31,21 @@ class ContactPairs {
   void push(const std::vector<kernels::Quad<R>>& x, double used,
             std::vector<kernels::Quad<R>>& force);
 
- private:
-  struct Clusters {
-    std::vector<kernels::Cluster<R>> clusters;
-    std::vector<kernels::ClusterBoxes<R>> boxes;
-    std::vector<int> index;  // [16 x cluster + lane]: of the feature, -1 for padding
-  };
-  using Nodes = std::vector<std::array<int, 3>>;  // vertices thrice, edges their second twice
+  /// Ordered pairs (f, g) of faces of which f may pierce g (crossing.h); every pair that does is among
+  /// them. @pre The kind is VertexFace.
+  std::vector<std::pair<int, int>> straddling(const std::vector<kernels::Quad<R>>& x);
 
-  static Clusters gather(const ClosureModel& model, const std::vector<int>& node_of,
-                         const Nodes& features, double area_share);
+ private:
   void find_near_at_rest(const ClosureModel& model, const std::vector<int>& node_of,
-                         const Nodes& first, const Nodes& second);
-  Clusters& second() { return kind_ == PairKind::VertexFace ? second_ : first_; }
+                         const std::vector<FeatureNodes>& first,
+                         const std::vector<FeatureNodes>& second);
+  Clusters<R>& second() { return kind_ == PairKind::VertexFace ? second_ : first_; }
   kernels::PairSearch<R> search(const std::vector<kernels::Quad<R>>& listed);
 
   ContactLaw law_;
   PairKind kind_;
   const kernels::Kernels<R>& kernels_;
-  Clusters first_, second_;  // edges are in first_ only
+  Clusters<R> first_, second_;  // edges are in first_ only
   std::vector<int> near_begin_;
   std::vector<kernels::NearAtRest<R>> near_;
   std::vector<int> near_clusters_;

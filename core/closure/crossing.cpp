@@ -23,7 +23,8 @@ bool has_vertex(const Faces& faces, int f, int v) {
   return faces(f, 0) == v || faces(f, 1) == v || faces(f, 2) == v;
 }
 
-/// Whether an edge of f that has no vertex in g pierces g.
+}  // namespace
+
 bool edge_pierces(const Faces& faces, const Points& x, int f, int g) {
   for (int k = 0; k < 3; ++k) {
     const int i = faces(f, k), j = faces(f, (k + 1) % 3);
@@ -33,8 +34,6 @@ bool edge_pierces(const Faces& faces, const Points& x, int f, int g) {
   }
   return false;
 }
-
-}  // namespace
 
 std::vector<std::pair<int, int>> crossing_pairs(const Faces& faces, const Points& x) {
   Points low(faces.rows(), 3), high(faces.rows(), 3);

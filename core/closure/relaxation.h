@@ -5,6 +5,10 @@
 // full pressure, annulus and papillary tips travelling to their places. At rest means: rms free force
 // / rms pressure force below the tolerance and the predicted way to rest, from how fast the moves of
 // the last steps shrink, below its own.
+//
+// Contact of vertices and faces lets sharp folds pass through each other edge by edge; contact of all
+// edges costs as much again. So crossings are looked for on the way: where there are some, the relaxation
+// goes back to when there were none and on with contact of the edges around them (guards).
 #pragma once
 
 #include "core/closure/contact.h"
@@ -21,13 +25,15 @@ struct RelaxationSettings {
   double keep = 0.94;             ///< share of a velocity that is left after a step
   double longest_move_mm = 0.15;  ///< of a node in a step; longer ones let leaflets jump through
   ContactLaw contact;
-  int samples = 1;  ///< end states recorded, five steps apart
+  bool guards = true;             ///< see above; without, crossings are only reported
+  int samples = 1;                ///< end states recorded, five steps apart
   kernels::InstructionSet instructions = kernels::best_instruction_set();
 };
 
-/// R is float or double. `start` (|N| x 3): from there, boundary in place; null: from the unstressed shape.
+/// R is float or double. `start`: from its end and with its guards, boundary in place; null: from the
+/// unstressed shape.
 template <class R>
 ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
-                 const Points* start = nullptr);
+                 const ClosureRun* start = nullptr);
 
 }  // namespace coapt

@@ -2,33 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
+
+#include "core/closure/clusters.h"
 
 namespace coapt {
 namespace {
 
 using kernels::blocks_for;
 using kernels::kLanes;
-
-void bisect(const Points& centres, std::vector<int>& order, std::size_t begin, std::size_t end) {
-  const std::size_t count = end - begin;
-  if (count <= kLanes) return;
-  Vec3 low = centres.row(order[begin]), high = low;
-  for (std::size_t i = begin; i < end; ++i) {
-    low = low.cwiseMin(centres.row(order[i]).transpose());
-    high = high.cwiseMax(centres.row(order[i]).transpose());
-  }
-  Eigen::Index axis = 0;
-  (high - low).maxCoeff(&axis);
-  const std::size_t half = (count / kLanes + 1) / 2 * kLanes;
-  const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::sort(at(begin), at(end), [&](int i, int j) {
-    const double a = centres(i, axis), b = centres(j, axis);
-    return a < b || (a == b && i < j);
-  });
-  bisect(centres, order, begin, begin + half);
-  bisect(centres, order, begin + half, end);
-}
 
 /// A neighbour of a node in the order of the faces around it.
 struct FanEntry {
@@ -191,13 +172,6 @@ void lay_cables(const ClosureModel& model, RelaxationModel<R>& laid) {
 }
 
 }  // namespace
-
-std::vector<int> cluster_order(const Points& centres_mm) {
-  std::vector<int> order(static_cast<std::size_t>(centres_mm.rows()));
-  std::iota(order.begin(), order.end(), 0);
-  bisect(centres_mm, order, 0, order.size());
-  return order;
-}
 
 template <class R>
 RelaxationModel<R> make_relaxation_model(const ClosureModel& model) {

@@ -26,8 +26,4 @@ struct RelaxationModel {
 template <class R>
 RelaxationModel<R> make_relaxation_model(const ClosureModel& model);
 
-/// Indices of `centres_mm` (|n| x 3) ordered so that each sixteen in a row lie together: recursive
-/// bisection across the longest side of the box around them.
-std::vector<int> cluster_order(const Points& centres_mm);
-
 }  // namespace coapt

@@ -13,6 +13,8 @@ struct ClosureRun {
   std::vector<Points> samples_mm;  ///< |V| x 3 each: end states; empty unless converged
   double residual = 0.0;
   int steps = 0;
+  int crossing_pairs = 0;  ///< of faces, that pass through each other at the end, unless diverged
+  std::vector<int> guarded_faces;  ///< Fast: where edge contact was taken up on the way
 };
 
 /// Whether a node has left the scene or is not a number any more.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/closure/crossing.h"
+
 namespace coapt {
 namespace {
 
@@ -92,6 +94,8 @@ ClosureRun run_thesis(const ClosureModel& model, const ThesisSettings& settings)
         run.residual <= settings.residual_tolerance)
       run.status = ClosureStatus::Converged;
   }
+  if (run.status != ClosureStatus::Diverged)
+    run.crossing_pairs = static_cast<int>(crossing_pairs(model.faces, run.x_mm).size());
   if (run.status != ClosureStatus::Converged) return run;
   const Points closed = run.x_mm;
   run.samples_mm.push_back(closed.topRows(model.vertices));

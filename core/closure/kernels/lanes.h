@@ -107,6 +107,10 @@ COAPT_INLINE Mask<R> operator&(const Mask<R>& a, const Mask<R>& b) {
   return each_bits<R>([&](int i) { return a.part[i] & b.part[i]; });
 }
 template <class R>
+COAPT_INLINE Mask<R> operator|(const Mask<R>& a, const Mask<R>& b) {
+  return each_bits<R>([&](int i) { return a.part[i] | b.part[i]; });
+}
+template <class R>
 COAPT_INLINE Vec<R> select(const Mask<R>& mask, const Vec<R>& yes, const Vec<R>& no) {
   return each<R>([&](int i) { return mask.part[i] ? yes.part[i] : no.part[i]; });
 }

@@ -183,6 +183,9 @@ struct Kernels {
   int (*list_pairs)(const PairSearch<R>&, PairBlock<R>* blocks, int room);
   /// Numbers of the features of each pair, likewise.
   int (*number_pairs)(const PairSearch<R>&, int* first, int* second, int room);
+  /// Pairs (f, g) of in.second, whose boxes meet and of which nodes of f that are not nodes of g lie on both
+  /// sides of the plane of g, likewise. Nearer than the thickness to it is on both sides.
+  int (*straddling_faces)(const PairSearch<R>&, int* first, int* second, int room);
 };
 
 }  // namespace coapt::kernels

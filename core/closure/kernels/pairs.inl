@@ -61,18 +61,18 @@ COAPT_INLINE unsigned first_lanes(int count) {
   return count >= kLanes ? 0xFFFFu : (1u << count) - 1u;
 }
 
-/// The clusters of `in.second` near cluster `c`, with their boxes; their number.
+/// The clusters of `in.second`, from `from` on, near cluster `c` of the first, with their boxes; their number.
 template <class R>
-COAPT_INLINE int near_clusters(const PairSearch<R>& in, int c) {
+COAPT_INLINE int near_clusters(const PairSearch<R>& in, int c, int from) {
   const Box<R> own = box_of<R>(in.first.boxes[c / kLanes], c % kLanes);
   int count = 0;
-  for (int g = in.faces ? 0 : c / kLanes; g * kLanes < in.second.count; ++g) {
+  for (int g = from / kLanes; g * kLanes < in.second.count; ++g) {
     const ClusterBoxes<R>& boxes = in.second.boxes[g];
     unsigned hits = bits(meet(boxes, own, all(in.thickness_mm) + margin_of(boxes, own))) &
                     first_lanes(in.second.count - g * kLanes);
     for (; hits != 0; hits &= hits - 1) {
       const int lane = __builtin_ctz(hits), other = g * kLanes + lane;
-      if (!in.faces && other < c) continue;
+      if (other < from) continue;
       ClusterBoxes<R>& near = in.near_boxes[count / kLanes];
       for (int k = 0; k < 3; ++k) {
         near.low[k].at[count % kLanes] = boxes.low[k].at[lane];
@@ -91,7 +91,7 @@ template <class R, class Take>
 COAPT_INLINE void find_pairs(const PairSearch<R>& in, Take take) {
   const Vec<R> zero = all(R(0)), full = all(in.thickness_mm);
   for (int c = 0; c < in.first.count; ++c) {
-    const int near_count = near_clusters(in, c);
+    const int near_count = near_clusters(in, c, in.faces ? 0 : c);
     const Cluster<R>& one = in.first.clusters[c];
     for (int i = 0; i < one.count; ++i) {
       const Box<R> own = box_of<R>(one, i);

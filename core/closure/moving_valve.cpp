@@ -1,0 +1,175 @@
+#include "core/closure/moving_valve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/closure/crossing.h"
+
+namespace coapt {
+namespace {
+
+using kernels::kLanes;
+
+// The guaranteed bound is half the sum of stiffness; contact and damping take a little more.
+constexpr double kMassShare = 0.55;
+// Pairs are listed so far ahead that the list lasts about this many steps. It is renewed when a node has
+// moved by the margin: two that move towards each other could then be closer than the margin allows
+// for, but not through each other (pairs asleep are woken by the same rule); the last step has a list of
+// its own that allows for everything.
+constexpr double kListSteps = 12.0;
+constexpr double kLeastMargin_mm = 0.04, kLargestMargin_mm = 0.5;
+
+double margin_mm(double move_mm) {
+  return std::clamp(kListSteps * move_mm, kLeastMargin_mm, kLargestMargin_mm);
+}
+
+}  // namespace
+
+template <class R>
+MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings& settings,
+                            const Points& start)
+    : model_(model),
+      settings_(settings),
+      kernels_(kernels::kernels<R>(settings.instructions)),
+      laid_(make_relaxation_model<R>(model)),
+      x_(static_cast<std::size_t>(laid_.nodes)),
+      next_(x_.size()),
+      force_(x_.size()),
+      faces_(model, laid_.node_of, settings.contact, PairKind::VertexFace, kernels_),
+      longest_move_mm_(settings.longest_move_mm) {
+  if (settings.contact.edges) guard(model.edges);
+  for (Eigen::Index i = 0; i < start.rows(); ++i)
+    place(static_cast<std::size_t>(i), start.row(i));
+}
+
+template <class R>
+void MovingValve<R>::place_fixed(double travelled) {
+  travelled_ = travelled;
+  for (const int i : laid_.fixed) {
+    const Vec3 way = model_.target_mm.row(i) - model_.rest_mm.row(i);
+    const Vec3 at = model_.rest_mm.row(i).transpose() + travelled * way;
+    place(static_cast<std::size_t>(i), at);
+  }
+}
+
+template <class R>
+kernels::StepSums MovingValve<R>::step(double fixed_move_mm) {
+  fixed_move_mm_ = fixed_move_mm;
+  fixed_share_ += fixed_move_mm / fixed_margin_mm_;
+  if (std::max(listed_share_, fixed_share_) >= 1.0) list();
+  kernels_.pull_cables(laid_.cables.data(), static_cast<int>(laid_.cables.size()), x_.data(),
+                       force_.data());
+  pull_sheets();
+  faces_.push(x_, used_share_, force_);
+  if (edges_) edges_->push(x_, used_share_, force_);
+  kernels::StepInput<R> input;
+  input.x = x_.data();
+  input.next = next_.data();
+  input.force = force_.data();
+  input.listed = listed_.data();
+  input.blocks = laid_.blocks.data();
+  input.slots = laid_.slots.data();
+  input.block_count = static_cast<int>(laid_.blocks.size());
+  input.keep = static_cast<R>(settings_.keep);
+  input.longest_move_mm = static_cast<R>(settings_.longest_move_mm);
+  input.mass_share = static_cast<R>(kMassShare);
+  input.lookahead_mm = static_cast<R>(longest_move_mm_);
+  const kernels::StepSums sums = kernels_.advance(input);
+  longest_move_mm_ = std::sqrt(sums.longest_move2_mm2);
+  listed_share_ = std::sqrt(sums.listed_share2);
+  used_share_ += std::max(std::sqrt(sums.step_share2), fixed_move_mm / fixed_margin_mm_);
+  x_.swap(next_);
+  return sums;
+}
+
+template <class R>
+void MovingValve<R>::list() {
+  listed_ = x_;
+  for (std::size_t b = 0; b < laid_.blocks.size(); ++b) {
+    const kernels::NodeBlock<R>& block = laid_.blocks[b];
+    double move2 = 0.0;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      double v2 = 0.0;
+      for (const auto& v : block.velocity) v2 += static_cast<double>(v.at[lane] * v.at[lane]);
+      move2 = std::max(move2, v2);
+    }
+    const double margin = margin_mm(started_ ? std::sqrt(move2) : longest_move_mm_);
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      listed_[b * kLanes + lane].at[3] = static_cast<R>(margin);
+  }
+  fixed_margin_mm_ = margin_mm(started_ ? fixed_move_mm_ : longest_move_mm_);
+  for (std::size_t i = laid_.blocks.size() * kLanes; i < listed_.size(); ++i)
+    listed_[i].at[3] = static_cast<R>(fixed_margin_mm_);
+  started_ = true;
+  listed_share_ = fixed_share_ = used_share_ = 0.0;
+  faces_.list(listed_);
+  if (edges_) edges_->list(listed_);
+}
+
+template <class R>
+Points MovingValve<R>::positions() const {
+  Points x(model_.rest_mm.rows(), 3);
+  for (Eigen::Index i = 0; i < x.rows(); ++i)
+    for (int k = 0; k < 3; ++k)
+      x(i, k) = static_cast<double>(
+          x_[static_cast<std::size_t>(laid_.node_of[static_cast<std::size_t>(i)])].at[k]);
+  if (travelled_ == 1.0)
+    for (const int i : laid_.fixed) x.row(i) = model_.target_mm.row(i);
+  return x;
+}
+
+template <class R>
+double MovingValve<R>::residual(const kernels::StepSums& sums) const {
+  const double force = std::sqrt(sums.force2_n2 / std::max(1, laid_.moving_nodes));
+  const double load = std::sqrt(sums.pressure2_n2 / std::max(1, laid_.moving_vertices));
+  return load > 0.0 ? force / load : force;
+}
+
+template <class R>
+std::vector<std::pair<int, int>> MovingValve<R>::crossings() {
+  const Points x = positions();
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& [f, g] : faces_.straddling(x_))
+    if (edge_pierces(model_.faces, x, f, g)) pairs.push_back(std::minmax(f, g));
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+template <class R>
+void MovingValve<R>::guard(const std::vector<std::array<int, 2>>& edges) {
+  edges_.emplace(model_, laid_.node_of, settings_.contact, PairKind::EdgeEdge, kernels_, edges);
+  listed_share_ = 1.0;
+}
+
+template <class R>
+void MovingValve<R>::return_to(const Moment& moment) {
+  x_ = next_ = moment.x;
+  laid_.blocks = moment.blocks;
+  longest_move_mm_ = moment.longest_move_mm;
+  travelled_ = moment.travelled;
+  listed_share_ = 1.0;
+}
+
+template <class R>
+void MovingValve<R>::pull_sheets() {
+  kernels::SheetInput<R> input;
+  input.blocks = laid_.sheets.data();
+  input.block_count = static_cast<int>(laid_.sheets.size());
+  input.law = laid_.sheet_law;
+  input.lookahead_mm = static_cast<R>(longest_move_mm_);
+  input.x = x_.data();
+  input.force = force_.data();
+  kernels_.pull_sheets(input);
+}
+
+template <class R>
+void MovingValve<R>::place(std::size_t i, const Vec3& p) {
+  const auto node = static_cast<std::size_t>(laid_.node_of[i]);
+  for (int k = 0; k < 3; ++k) x_[node].at[k] = next_[node].at[k] = static_cast<R>(p[k]);
+}
+
+template class MovingValve<float>;
+template class MovingValve<double>;
+
+}  // namespace coapt

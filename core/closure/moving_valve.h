@@ -1,0 +1,71 @@
+// The state of a relaxation: where the nodes are and how they move, one step at a time.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/closure/contact_pairs.h"
+#include "core/closure/relaxation.h"
+#include "core/closure/relaxation_model.h"
+
+namespace coapt {
+
+template <class R>
+class MovingValve {
+ public:
+  /// What can be returned to.
+  struct Moment {
+    std::vector<kernels::Quad<R>> x;
+    std::vector<kernels::NodeBlock<R>> blocks;
+    double longest_move_mm = 0.0, travelled = 0.0;
+  };
+
+  /// `start`: |N| x 3.
+  MovingValve(const ClosureModel& model, const RelaxationSettings& settings, const Points& start);
+
+  /// Places the nodes that do not move by themselves, `travelled` (0 to 1) of their way.
+  void place_fixed(double travelled);
+
+  /// `fixed_move_mm`: how far fixed nodes have moved since the last step.
+  kernels::StepSums step(double fixed_move_mm);
+
+  /// Lists the pairs that are near; each block of nodes has a margin that goes with its speed.
+  void list();
+
+  /// |N| x 3, mm; fixed nodes to the last bit where the model has them.
+  Points positions() const;
+
+  double residual(const kernels::StepSums& sums) const;
+
+  /// Faces that pass through each other.
+  std::vector<std::pair<int, int>> crossings();
+
+  /// From now on these edges, and no others, have contact.
+  void guard(const std::vector<std::array<int, 2>>& edges);
+
+  Moment moment() const { return {x_, laid_.blocks, longest_move_mm_, travelled_}; }
+  void return_to(const Moment& moment);
+
+ private:
+  void pull_sheets();
+  void place(std::size_t i, const Vec3& p);
+
+  const ClosureModel& model_;
+  const RelaxationSettings& settings_;
+  const kernels::Kernels<R>& kernels_;
+  RelaxationModel<R> laid_;
+  std::vector<kernels::Quad<R>> x_, next_, force_;
+  std::vector<kernels::Quad<R>> listed_;  // where nodes were when pairs were listed, and margins
+  ContactPairs<R> faces_;                 // with vertices
+  std::optional<ContactPairs<R>> edges_;  // with edges
+  double travelled_ = 0.0;
+  bool started_ = false;
+  // Shares of the margins that nodes have used up since pairs were listed: as the crow flies, at most on
+  // the way, and the fixed nodes.
+  double listed_share_ = 1.0, used_share_ = 0.0, fixed_share_ = 1.0;
+  double fixed_margin_mm_ = 1.0, fixed_move_mm_ = 0.0;
+  double longest_move_mm_ = 0.0;  // in the last step
+};
+
+}  // namespace coapt
