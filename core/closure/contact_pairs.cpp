@@ -37,8 +37,7 @@ ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>&
         kind == PairKind::VertexFace ? area(n[0]) : 0.25 * (area(n[0]) + area(n[1])));
   }
   near_clusters_.resize(this->second().clusters.size());
-  near_boxes_.resize(this->second().boxes.size());
-  near_begin_.assign(first_.index.size() + 1, 0);
+  near_begin_.assign(first_.clusters.size() + 1, 0);
   find_near_at_rest(model, node_of, first, kind == PairKind::VertexFace ? second : first);
 }
 
@@ -66,11 +65,11 @@ void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, const std::ve
     i_of.resize(static_cast<std::size_t>(found));
     j_of.resize(static_cast<std::size_t>(found));
   }
-  int number = 0;
+  int own = 0;
   for (std::size_t p = 0; p < static_cast<std::size_t>(found); ++p) {
     const int i = i_of[p], j = j_of[p];
-    for (; number < i; ++number)
-      near_begin_[static_cast<std::size_t>(number) + 1] = static_cast<int>(near_.size());
+    for (; own < i / kLanes; ++own)
+      near_begin_[static_cast<std::size_t>(own) + 1] = static_cast<int>(near_.size());
     const auto& a = first[static_cast<std::size_t>(first_.index[static_cast<std::size_t>(i)])];
     const auto& b =
         second[static_cast<std::size_t>(this->second().index[static_cast<std::size_t>(j)])];
@@ -82,15 +81,15 @@ void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, const std::ve
                      law_, model,
                      {a[0], edges ? a[1] : b[0], edges ? b[0] : b[1], edges ? b[1] : b[2]}, edges);
     if (thickness >= law_.thickness_mm) continue;
-    if (static_cast<int>(near_.size()) == near_begin_[static_cast<std::size_t>(i)] ||
-        near_.back().cluster != j / kLanes) {
-      near_.push_back({j / kLanes, {}});
+    if (static_cast<int>(near_.size()) == near_begin_[static_cast<std::size_t>(own)] ||
+        near_.back().cluster != j / kLanes || near_.back().lane != i % kLanes) {
+      near_.push_back({j / kLanes, i % kLanes, {}});
       for (R& t : near_.back().thickness_mm.at) t = static_cast<R>(law_.thickness_mm);
     }
     near_.back().thickness_mm.at[j % kLanes] = static_cast<R>(thickness);
   }
-  for (; number + 1 < static_cast<int>(near_begin_.size()); ++number)
-    near_begin_[static_cast<std::size_t>(number) + 1] = static_cast<int>(near_.size());
+  for (; own + 1 < static_cast<int>(near_begin_.size()); ++own)
+    near_begin_[static_cast<std::size_t>(own) + 1] = static_cast<int>(near_.size());
 }
 
 template <class R>
@@ -105,7 +104,6 @@ kernels::PairSearch<R> ContactPairs<R>::search(const std::vector<kernels::Quad<R
   search.stiffness_n_per_mm4 = static_cast<R>(law_.stiffness_n_per_mm4);
   search.listed = listed.data();
   search.near_clusters = near_clusters_.data();
-  search.near_boxes = near_boxes_.data();
   kernels_.box(search.first, false, listed.data());
   if (kind_ == PairKind::VertexFace) kernels_.box(search.second, true, listed.data());
   return search;
@@ -138,7 +136,6 @@ std::vector<std::pair<int, int>> ContactPairs<R>::straddling(
     search.listed = x.data();
     search.thickness_mm = static_cast<R>(kRounding_mm);
     search.near_clusters = near_clusters_.data();
-    search.near_boxes = near_boxes_.data();
     kernels_.box(search.second, true, x.data());
     return search;
   }();

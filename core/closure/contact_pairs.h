@@ -49,7 +49,6 @@ class ContactPairs {
   std::vector<int> near_begin_;
   std::vector<kernels::NearAtRest<R>> near_;
   std::vector<int> near_clusters_;
-  std::vector<kernels::ClusterBoxes<R>> near_boxes_;
   std::vector<kernels::PairBlock<R>> blocks_;
   int block_count_ = 0;
 };

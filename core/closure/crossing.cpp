@@ -1,6 +1,7 @@
 #include "core/closure/crossing.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace coapt {
@@ -10,15 +11,6 @@ double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   return (b - a).cross(c - a).dot(d - a);
 }
 
-/// Whether the open segment pq passes through the interior of the triangle.
-bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double above = signed_volume(a, b, c, p), below = signed_volume(a, b, c, q);
-  if ((above > 0.0) == (below > 0.0) || above == 0.0 || below == 0.0) return false;
-  const double u = signed_volume(p, q, a, b), v = signed_volume(p, q, b, c),
-               w = signed_volume(p, q, c, a);
-  return (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
-}
-
 bool has_vertex(const Faces& faces, int f, int v) {
   return faces(f, 0) == v || faces(f, 1) == v || faces(f, 2) == v;
 }
@@ -26,11 +18,21 @@ bool has_vertex(const Faces& faces, int f, int v) {
 }  // namespace
 
 bool edge_pierces(const Faces& faces, const Points& x, int f, int g) {
+  const Vec3 a = x.row(faces(g, 0)), b = x.row(faces(g, 1)), c = x.row(faces(g, 2));
+  const Vec3 normal = (b - a).cross(c - a);
+  std::array<double, 3> height;
+  for (int k = 0; k < 3; ++k)
+    height[static_cast<std::size_t>(k)] = normal.dot(Vec3(x.row(faces(f, k))) - a);
   for (int k = 0; k < 3; ++k) {
     const int i = faces(f, k), j = faces(f, (k + 1) % 3);
+    const double above = height[static_cast<std::size_t>(k)],
+                 below = height[static_cast<std::size_t>((k + 1) % 3)];
+    if ((above > 0.0) == (below > 0.0) || above == 0.0 || below == 0.0) continue;
     if (has_vertex(faces, g, i) || has_vertex(faces, g, j)) continue;
-    if (pierces(x.row(i), x.row(j), x.row(faces(g, 0)), x.row(faces(g, 1)), x.row(faces(g, 2))))
-      return true;
+    const Vec3 p = x.row(i), q = x.row(j);
+    const double u = signed_volume(p, q, a, b), v = signed_volume(p, q, b, c),
+                 w = signed_volume(p, q, c, a);
+    if ((u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0)) return true;
   }
   return false;
 }

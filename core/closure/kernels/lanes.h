@@ -152,6 +152,21 @@ COAPT_INLINE Vec<double> inverse_sqrt(const Vec<double>& a) {
   });
 }
 
+/// Where the lanes have that value.
+template <class R>
+COAPT_INLINE Mask<R> lanes_with(const IndexLane& lanes, int value) {
+  using Bits = typename Registers<R>::Bits;
+  return each_bits<R>([&](int i) {
+    Bits part = {};
+    if constexpr (sizeof(R) == sizeof(int)) {
+      __builtin_memcpy(&part, lanes.at + i * kWidth<R>, sizeof part);
+    } else {
+      for (int k = 0; k < kWidth<R>; ++k) part[k] = lanes.at[i * kWidth<R> + k];
+    }
+    return part == value;
+  });
+}
+
 /// One bit per lane.
 COAPT_INLINE unsigned bits(const Mask<float>& mask) {
 #if defined(__AVX512F__)

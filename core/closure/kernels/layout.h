@@ -106,10 +106,11 @@ struct ClusterBoxes {
   Lane<R> low[3], high[3], margin_mm;
 };
 
-/// Features of one cluster that are near some feature already at rest.
+/// A feature and the features of a cluster that are near it already at rest.
 template <class R>
 struct NearAtRest {
-  int cluster = 0;
+  int cluster = 0;  ///< of the others
+  int lane = 0;     ///< of the feature in its own
   Lane<R> thickness_mm;  ///< of the pair; negative: they share a node, no contact
 };
 
@@ -127,12 +128,11 @@ template <class R>
 struct PairSearch {
   Features<R> first, second;
   bool faces = false;                   ///< vertices and faces, else edges with edges
-  const int* near_begin = nullptr;      ///< [number], one more at the end
-  const NearAtRest<R>* near = nullptr;  ///< in ascending order of cluster for each number
+  const int* near_begin = nullptr;      ///< [first cluster], one more at the end
+  const NearAtRest<R>* near = nullptr;  ///< of each, in ascending order of other cluster, then lane
   R thickness_mm = 0, stiffness_n_per_mm4 = 0;
-  const Quad<R>* listed = nullptr;        ///< positions and, as fourth, margin of all nodes
-  int* near_clusters = nullptr;           ///< scratch, one per second cluster
-  ClusterBoxes<R>* near_boxes = nullptr;  ///< scratch, their boxes
+  const Quad<R>* listed = nullptr;  ///< positions and, as fourth, margin of all nodes
+  int* near_clusters = nullptr;  ///< scratch, one per second cluster
 };
 
 template <class R>

@@ -61,7 +61,7 @@ COAPT_INLINE unsigned first_lanes(int count) {
   return count >= kLanes ? 0xFFFFu : (1u << count) - 1u;
 }
 
-/// The clusters of `in.second`, from `from` on, near cluster `c` of the first, with their boxes; their number.
+/// The clusters of `in.second`, from `from` on, near cluster `c` of the first; their number.
 template <class R>
 COAPT_INLINE int near_clusters(const PairSearch<R>& in, int c, int from) {
   const Box<R> own = box_of<R>(in.first.boxes[c / kLanes], c % kLanes);
@@ -71,54 +71,46 @@ COAPT_INLINE int near_clusters(const PairSearch<R>& in, int c, int from) {
     unsigned hits = bits(meet(boxes, own, all(in.thickness_mm) + margin_of(boxes, own))) &
                     first_lanes(in.second.count - g * kLanes);
     for (; hits != 0; hits &= hits - 1) {
-      const int lane = __builtin_ctz(hits), other = g * kLanes + lane;
-      if (other < from) continue;
-      ClusterBoxes<R>& near = in.near_boxes[count / kLanes];
-      for (int k = 0; k < 3; ++k) {
-        near.low[k].at[count % kLanes] = boxes.low[k].at[lane];
-        near.high[k].at[count % kLanes] = boxes.high[k].at[lane];
-      }
-      near.margin_mm.at[count % kLanes] = boxes.margin_mm.at[lane];
-      in.near_clusters[count++] = other;
+      const int other = g * kLanes + __builtin_ctz(hits);
+      if (other >= from) in.near_clusters[count++] = other;
     }
   }
   return count;
 }
 
-/// Calls take(first cluster, lane, second cluster, lanes, thickness, margin) for all pairs whose boxes (and,
-/// for faces, planes) are near enough, in order of their numbers.
+/// Calls take(cluster, lane, other cluster, lanes, thickness, margin) for all pairs whose boxes (and, for
+/// faces, planes) are near enough, in order of the clusters.
 template <class R, class Take>
 COAPT_INLINE void find_pairs(const PairSearch<R>& in, Take take) {
   const Vec<R> zero = all(R(0)), full = all(in.thickness_mm);
   for (int c = 0; c < in.first.count; ++c) {
-    const int near_count = near_clusters(in, c, in.faces ? 0 : c);
     const Cluster<R>& one = in.first.clusters[c];
-    for (int i = 0; i < one.count; ++i) {
-      const Box<R> own = box_of<R>(one, i);
-      int near = in.near_begin[kLanes * c + i];
-      const int near_end = in.near_begin[kLanes * c + i + 1];
-      for (int g = 0; g * kLanes < near_count; ++g) {
-        const ClusterBoxes<R>& boxes = in.near_boxes[g];
-        unsigned met = bits(meet(boxes, own, full + margin_of(boxes, own))) &
-                       first_lanes(near_count - g * kLanes);
-        for (; met != 0; met &= met - 1) {
-          const int other_number = in.near_clusters[g * kLanes + __builtin_ctz(met)];
-          const Cluster<R>& other = in.second.clusters[other_number];
-          while (near < near_end && in.near[near].cluster < other_number) ++near;
-          const bool special = near < near_end && in.near[near].cluster == other_number;
-          const Vec<R> thickness = special ? load(in.near[near].thickness_mm) : full;
-          const Vec<R> margin = margin_of(other, own), reach = thickness + margin;
-          Mask<R> mask = meet(other, own, reach) & (zero < thickness);
-          if (in.faces) {
-            const Vec<R> height = load(other.plane[0]) * all(own.low[0]) +
-                                  load(other.plane[1]) * all(own.low[1]) +
-                                  load(other.plane[2]) * all(own.low[2]) - load(other.plane[3]);
-            mask = mask & (magnitude(height) <= reach);
-          }
-          unsigned hits = bits(mask) & first_lanes(other.count);
-          if (!in.faces && other_number == c) hits &= ~((2u << i) - 1u);
-          if (hits != 0) take(c, i, other_number, hits, thickness, margin);
+    const NearAtRest<R>*near = in.near + in.near_begin[c], *near_end = in.near + in.near_begin[c + 1];
+    const int near_count = near_clusters(in, c, in.faces ? 0 : c);
+    for (int n = 0; n < near_count; ++n) {
+      const int o = in.near_clusters[n];
+      const Cluster<R>& other = in.second.clusters[o];
+      const Box<R> around = box_of<R>(in.second.boxes[o / kLanes], o % kLanes);
+      while (near != near_end && near->cluster < o) ++near;
+      unsigned met =
+          bits(meet(one, around, full + margin_of(one, around))) & first_lanes(one.count);
+      for (; met != 0; met &= met - 1) {
+        const int i = __builtin_ctz(met);
+        const Box<R> own = box_of<R>(one, i);
+        while (near != near_end && near->cluster == o && near->lane < i) ++near;
+        const bool special = near != near_end && near->cluster == o && near->lane == i;
+        const Vec<R> thickness = special ? load(near->thickness_mm) : full;
+        const Vec<R> margin = margin_of(other, own), reach = thickness + margin;
+        Mask<R> mask = meet(other, own, reach) & (zero < thickness);
+        if (in.faces) {
+          const Vec<R> height = load(other.plane[0]) * all(own.low[0]) +
+                                load(other.plane[1]) * all(own.low[1]) +
+                                load(other.plane[2]) * all(own.low[2]) - load(other.plane[3]);
+          mask = mask & (magnitude(height) <= reach);
         }
+        unsigned hits = bits(mask) & first_lanes(other.count);
+        if (!in.faces && o == c) hits &= ~((2u << i) - 1u);
+        if (hits != 0) take(c, i, o, hits, thickness, margin);
       }
     }
   }
@@ -131,9 +123,15 @@ struct Waiting {
   R thickness_mm[2 * kLanes], area_mm2[2 * kLanes], margin_mm[2 * kLanes];
   int count = 0;
 
-  COAPT_INLINE void add(const IndexLane* const* nodes, const Vec<R>& thickness, const Vec<R>& area,
-                        const Vec<R>& margin, unsigned chosen) {
-    for (int k = 0; k < 4; ++k) compress(*nodes[k], chosen, node[k] + count);
+  COAPT_INLINE void add_node(int k, const IndexLane& lanes, unsigned chosen) {
+    compress(lanes, chosen, node[k] + count);
+  }
+  COAPT_INLINE void add_node(int k, int everywhere) {
+    for (int i = 0; i < kLanes; ++i) node[k][count + i] = everywhere;
+  }
+  /// After its nodes.
+  COAPT_INLINE void add(const Vec<R>& thickness, const Vec<R>& area, const Vec<R>& margin,
+                        unsigned chosen) {
     compress(thickness, chosen, thickness_mm + count);
     compress(area, chosen, area_mm2 + count);
     compress(margin, chosen, margin_mm + count);
@@ -183,13 +181,13 @@ struct Packer {
     const Vec<R> distance2 = largest(dot(d, d), all(kTiny_mm2<R>));
     const Vec<R> thickness = load_first(found.thickness_mm), margin = load_first(found.margin_mm);
     const Vec<R> space = distance2 * inverse_sqrt(distance2) - thickness;
-    const IndexLane* nodes[4] = {&node[0], &node[1], &node[2], &node[3]};
     unsigned left = first_lanes(count);
     for (int b = 0; b < kBins && left != 0; ++b) {
       const unsigned chosen = bits(space <= all(kEnds[b]) * margin) & left;
       left &= ~chosen;
       if (chosen == 0) continue;
-      bins[b].add(nodes, thickness, load_first(found.area_mm2), margin, chosen);
+      for (int k = 0; k < 4; ++k) bins[b].add_node(k, node[k], chosen);
+      bins[b].add(thickness, load_first(found.area_mm2), margin, chosen);
       if (bins[b].count >= kLanes) pack(b);
     }
     if (found.count > kLanes)
@@ -224,22 +222,19 @@ struct Packer {
 template <class R>
 int list_pairs(const PairSearch<R>& in, PairBlock<R>* blocks, int room) {
   Packer<R> packer{in, blocks, room, 0, {}, {}};
-  IndexLane own[2];
-  int own_number = -1;
-  find_pairs(in, [&](int c, int i, int other_number, unsigned hits, const Vec<R>& thickness,
+  find_pairs(in, [&](int c, int i, int o, unsigned hits, const Vec<R>& thickness,
                      const Vec<R>& margin) {
-    const Cluster<R>&one = in.first.clusters[c], &other = in.second.clusters[other_number];
-    if (own_number != kLanes * c + i) {
-      own_number = kLanes * c + i;
-      for (int k = 0; k < 2; ++k)
-        for (int lane = 0; lane < kLanes; ++lane) own[k].at[lane] = one.node[k].at[i];
+    const Cluster<R>&one = in.first.clusters[c], &other = in.second.clusters[o];
+    Waiting<R>& found = packer.found;
+    found.add_node(0, one.node[0].at[i]);
+    if (in.faces) {
+      for (int k = 0; k < 3; ++k) found.add_node(k + 1, other.node[k], hits);
+    } else {
+      found.add_node(1, one.node[1].at[i]);
+      for (int k = 0; k < 2; ++k) found.add_node(k + 2, other.node[k], hits);
     }
-    const IndexLane* nodes[4] = {&own[0], in.faces ? &other.node[0] : &own[1],
-                                 in.faces ? &other.node[1] : &other.node[0],
-                                 in.faces ? &other.node[2] : &other.node[1]};
-    const Vec<R> area = all(one.area_mm2.at[i]) + load(other.area_mm2);
-    packer.found.add(nodes, thickness, area, margin, hits);
-    if (packer.found.count >= kLanes) packer.sort_found();
+    found.add(thickness, all(one.area_mm2.at[i]) + load(other.area_mm2), margin, hits);
+    if (found.count >= kLanes) packer.sort_found();
   });
   if (packer.found.count > 0) packer.sort_found();
   for (int b = 0; b < Packer<R>::kBins; ++b)
@@ -250,11 +245,11 @@ int list_pairs(const PairSearch<R>& in, PairBlock<R>* blocks, int room) {
 template <class R>
 int number_pairs(const PairSearch<R>& in, int* first, int* second, int room) {
   int count = 0;
-  find_pairs(in, [&](int c, int i, int other_number, unsigned hits, const Vec<R>&, const Vec<R>&) {
+  find_pairs(in, [&](int c, int i, int o, unsigned hits, const Vec<R>&, const Vec<R>&) {
     for (; hits != 0; hits &= hits - 1, ++count) {
       if (count >= room) continue;
       first[count] = kLanes * c + i;
-      second[count] = kLanes * other_number + __builtin_ctz(hits);
+      second[count] = kLanes * o + __builtin_ctz(hits);
     }
   });
   return count;
