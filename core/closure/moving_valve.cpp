@@ -31,6 +31,7 @@ MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings&
     : model_(model),
       settings_(settings),
       kernels_(kernels::kernels<R>(settings.instructions)),
+      start_mm_(start),
       laid_(make_relaxation_model<R>(model)),
       x_(static_cast<std::size_t>(laid_.nodes)),
       next_(x_.size()),
@@ -46,8 +47,8 @@ template <class R>
 void MovingValve<R>::place_fixed(double travelled) {
   travelled_ = travelled;
   for (const int i : laid_.fixed) {
-    const Vec3 way = model_.target_mm.row(i) - model_.rest_mm.row(i);
-    const Vec3 at = model_.rest_mm.row(i).transpose() + travelled * way;
+    const Vec3 way = model_.target_mm.row(i) - start_mm_.row(i);
+    const Vec3 at = start_mm_.row(i).transpose() + travelled * way;
     place(static_cast<std::size_t>(i), at);
   }
 }

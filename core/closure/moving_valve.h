@@ -24,7 +24,7 @@ class MovingValve {
   /// `start`: |N| x 3.
   MovingValve(const ClosureModel& model, const RelaxationSettings& settings, const Points& start);
 
-  /// Places the nodes that do not move by themselves, `travelled` (0 to 1) of their way.
+  /// Places the nodes that do not move by themselves, `travelled` (0 to 1) of their way from the start.
   void place_fixed(double travelled);
 
   /// `fixed_move_mm`: how far fixed nodes have moved since the last step.
@@ -54,6 +54,7 @@ class MovingValve {
   const ClosureModel& model_;
   const RelaxationSettings& settings_;
   const kernels::Kernels<R>& kernels_;
+  const Points start_mm_;
   RelaxationModel<R> laid_;
   std::vector<kernels::Quad<R>> x_, next_, force_;
   std::vector<kernels::Quad<R>> listed_;  // where nodes were when pairs were listed, and margins

@@ -18,8 +18,12 @@ constexpr int kMostGuards = 20;             // times that the relaxation goes ba
 constexpr int kMostReturns = 2;             // to one moment, before the one before it is taken
 constexpr int kSampleInterval_steps = 5;
 
-double longest_way_mm(const ClosureModel& model) {
-  return (model.target_mm - model.rest_mm).rowwise().norm().maxCoeff();
+double longest_way_mm(const ClosureModel& model, const Points& start_mm) {
+  double longest = 0.0;
+  for (Eigen::Index i = 0; i < start_mm.rows(); ++i)
+    if (model.fixed[static_cast<std::size_t>(i)])
+      longest = std::max(longest, (model.target_mm.row(i) - start_mm.row(i)).norm());
+  return longest;
 }
 
 /// The faces whose edges have contact.
@@ -91,15 +95,16 @@ struct Moment {
 template <class R>
 ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
                  const ClosureRun* start) {
-  MovingValve<R> valve(model, settings, start ? start->x_mm : model.rest_mm);
+  const Points& start_mm = start ? start->x_mm : model.rest_mm;
+  MovingValve<R> valve(model, settings, start_mm);
   Guards guards(model, start ? start->guarded_faces : std::vector<int>{});
   if (start && !start->guarded_faces.empty()) valve.guard(guards.edges());
-  const int travel =
-      start ? 1
-            : std::max(kTravelSteps, static_cast<int>(longest_way_mm(model) / kLongestTravel_mm));
-  const double fixed_move = longest_way_mm(model) / travel;
+  const double longest_way = longest_way_mm(model, start_mm);
+  const int travel = std::max(start ? 1 : kTravelSteps,
+                              static_cast<int>(longest_way / kLongestTravel_mm));
+  const double fixed_move = longest_way / travel;
   ClosureRun run;
-  Progress now{0, start ? start->x_mm : model.rest_mm, 0.0};
+  Progress now{0, start_mm, 0.0};
   std::vector<Moment<R>> moments{{valve.moment(), now, 0}};
   int guards_left = settings.guards && !settings.contact.edges ? kMostGuards : 0;
   // Looks for crossings; whether the relaxation went back because of them.

@@ -30,8 +30,8 @@ struct RelaxationSettings {
   kernels::InstructionSet instructions = kernels::best_instruction_set();
 };
 
-/// R is float or double. `start`: from its end and with its guards, boundary in place; null: from the
-/// unstressed shape.
+/// R is float or double. `start`: from its end and with its guards; null: from the unstressed shape.
+/// Annulus and tips travel from where they are there.
 template <class R>
 ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
                  const ClosureRun* start = nullptr);
