@@ -68,10 +68,10 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
   RelaxationSettings edges = plain;
   edges.contact.edges = true;
   RelaxationSettings slow = edges;
-  slow.keep = 0.88;
+  slow.damping = 0.12;
   slow.longest_move_mm = 0.5 * plain.longest_move_mm;
   RelaxationSettings slower = edges;
-  slower.keep = 0.9;
+  slower.damping = 0.1;
   slower.longest_move_mm = 0.3 * plain.longest_move_mm;
   return {
       {"float", [&model, plain] { return relax_to(model, plain); }},

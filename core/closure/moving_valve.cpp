@@ -18,6 +18,15 @@ constexpr double kMassShare = 0.55;
 // its own that allows for everything.
 constexpr double kListSteps = 12.0;
 constexpr double kLeastMargin_mm = 0.04, kLargestMargin_mm = 0.5;
+// The slowest modes set the damping, and they are slower the finer the mesh: 1 - 0.94, 0.965 and 0.98 are
+// best at 650, 2,600 and 10,400 triangles; 0.94 at 10,400 takes six times as many steps.
+constexpr double kDampedTriangles = 650.0, kDampingPower = -0.4, kMostDamping = 0.2;
+
+double share_kept(const ClosureModel& model, double damping) {
+  const auto faces = static_cast<double>(model.faces.rows());
+  return 1.0 -
+         std::min(kMostDamping, damping * std::pow(faces / kDampedTriangles, kDampingPower));
+}
 
 double margin_mm(double move_mm) {
   return std::clamp(kListSteps * move_mm, kLeastMargin_mm, kLargestMargin_mm);
@@ -71,7 +80,7 @@ kernels::StepSums MovingValve<R>::step(double fixed_move_mm) {
   input.blocks = laid_.blocks.data();
   input.slots = laid_.slots.data();
   input.block_count = static_cast<int>(laid_.blocks.size());
-  input.keep = static_cast<R>(settings_.keep);
+  input.keep = static_cast<R>(share_kept(model_, settings_.damping));
   input.longest_move_mm = static_cast<R>(settings_.longest_move_mm);
   input.mass_share = static_cast<R>(kMassShare);
   input.lookahead_mm = static_cast<R>(longest_move_mm_);

@@ -22,7 +22,7 @@ struct RelaxationSettings {
   double residual_tolerance = 0.005;
   double way_tolerance_mm = 0.02;  ///< predicted rms way of the leaflets to rest
   int max_steps = 6000;
-  double keep = 0.94;             ///< share of a velocity that is left after a step
+  double damping = 0.06;  ///< share of a velocity lost in a step at 650 triangles (relaxation.cpp)
   double longest_move_mm = 0.15;  ///< of a node in a step; longer ones let leaflets jump through
   ContactLaw contact;
   bool guards = true;             ///< see above; without, crossings are only reported
