@@ -14,7 +14,10 @@ constexpr double kLongestTravel_mm = 0.15;  // in one step
 constexpr int kWindow_steps = 15;           // between two looks at how fast the moves shrink
 constexpr double kSlowestShrink = 0.97;     // of moves from window to window, assumed at most
 constexpr int kLook_steps = 90;             // between two looks for crossings: whole windows
-constexpr int kMostGuards = 20;             // times that the relaxation goes back
+// A relaxation goes back so often, with guards on such a share of the faces: more of them catch folds half
+// way, and it is better to start again with contact of all edges.
+constexpr int kMostGuards = 8;
+constexpr int kGuardedShare = 8;  // of 1 / that many
 constexpr int kMostReturns = 2;             // to one moment, before the one before it is taken
 constexpr int kSampleInterval_steps = 5;
 
@@ -52,6 +55,10 @@ class Guards {
       for (int k = 0; k < 3; ++k)
         if (touched[static_cast<std::size_t>(model_.faces(f, k))])
           guarded_[static_cast<std::size_t>(f)] = true;
+  }
+  bool too_many() const {
+    return std::count(guarded_.begin(), guarded_.end(), true) * kGuardedShare >
+           static_cast<std::ptrdiff_t>(guarded_.size());
   }
   std::vector<int> faces() const {
     std::vector<int> result;
@@ -106,21 +113,21 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
   ClosureRun run;
   Progress now{0, start_mm, 0.0};
   std::vector<Moment<R>> moments{{valve.moment(), now, 0}};
-  int guards_left = settings.guards && !settings.contact.edges ? kMostGuards : 0;
-  // Looks for crossings; whether the relaxation went back because of them.
+  const bool guarded = settings.guards && !settings.contact.edges;
+  int times_back = 0;
+  bool gave_up = false;
+  // Looks for crossings; whether the relaxation went back because of them or gave up.
   const auto went_back = [&] {
-    if (guards_left == 0) return false;
+    if (!guarded) return false;
     const auto crossings = valve.crossings();
     if (crossings.empty()) {
       moments.push_back({valve.moment(), now, 0});
       return false;
     }
-    while (!moments.empty() && moments.back().returns == kMostReturns) moments.pop_back();
-    if (--guards_left == 0 || moments.empty()) {
-      guards_left = 0;
-      return false;
-    }
     guards.add(crossings);
+    while (!moments.empty() && moments.back().returns == kMostReturns) moments.pop_back();
+    gave_up = ++times_back > kMostGuards || moments.empty() || guards.too_many();
+    if (gave_up) return true;
     valve.guard(guards.edges());
     ++moments.back().returns;
     valve.return_to(moments.back().valve);
@@ -128,7 +135,7 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
     return true;
   };
   bool settled = false;  // in the last look; the step after it is taken with a fresh list
-  while (run.steps < settings.max_steps) {
+  while (run.steps < settings.max_steps && !gave_up) {
     ++run.steps, ++now.step;
     const bool travelling = now.step <= travel;
     if (travelling) valve.place_fixed(static_cast<double>(now.step) / travel);
