@@ -4,7 +4,7 @@ VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
 SOURCES := $(shell find core search io server clients tests bench -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
-.PHONY: help demo test chart build format format-check includes-check asan fuzz clean
+.PHONY: help demo test chart bench instructions build format format-check includes-check asan fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -21,6 +21,13 @@ test: build  ## build and run every test
 
 chart: build  ## accuracy of a closure against its time, into docs/images
 	$(BIN)/coapt chart speed-accuracy -o docs/images
+
+bench: build  ## time of the parts of a closure, and of whole ones against method thesis
+	$(BIN)/closure_benchmark
+
+instructions: build  ## machine instructions of a closure by function, where clocks are noisy
+	@cmake/install_packages.sh profile
+	bench/instructions.sh
 
 build:  ## the release build in build/release
 	@cmake/install_packages.sh build

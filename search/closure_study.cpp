@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 #include "core/metrics/measure.h"
 #include "core/metrics/quantile.h"
@@ -16,21 +17,25 @@ namespace {
 constexpr double kOtherEquilibrium_mm = 0.05;  // rms, between two ends
 constexpr double kOtherSpeed = 0.5;
 
-SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options) {
+SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options, int index) {
   using Clock = std::chrono::steady_clock;
   SceneOutcome outcome;
   ClosureOptions plain;
   plain.method = options.method;
+  std::optional<ClosureResult> neighbour;
+  if (options.warm) neighbour = close_valve(neighbour_of(scene, options.seed, index), plain);
+  const ClosureResult* from = neighbour ? &*neighbour : nullptr;
   const auto start = Clock::now();
-  const ClosureResult closed = close_valve(scene, plain);
+  const ClosureResult closed = close_valve(scene, plain, from);
   outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   outcome.status = closed.status;
   outcome.crossing = closed.crossing;
   outcome.steps = closed.steps;
   outcome.attempts = static_cast<int>(closed.attempts.size());
   if (!options.accuracy || !trusted(closed)) return outcome;
-  const ClosureResult end = close_valve(scene, to_the_end(options.method));
-  const ClosureResult other = close_valve(scene, to_the_end(options.method, kOtherSpeed));
+  const ClosureResult end = close_valve(scene, to_the_end(options.method), from);
+  const ClosureResult other =
+      close_valve(scene, to_the_end(options.method, options.warm ? 1.0 : kOtherSpeed));
   outcome.compared = trusted(end) && trusted(other);
   if (!outcome.compared) return outcome;
   outcome.from_end = closure_error(scene, closed, end);
@@ -68,7 +73,7 @@ ClosureStudy study_closures(const Valve& valve, const std::vector<RingShape>& ca
   int done = 0;
   for_each_index(options.count, options.threads, [&](int i) {
     study.scenes[static_cast<std::size_t>(i)] =
-        close_scene(varied_scene(valve, catalogue, options.seed, i), options);
+        close_scene(varied_scene(valve, catalogue, options.seed, i), options, i);
     const std::lock_guard<std::mutex> lock(mutex);
     if (progress) progress(++done);
   });

@@ -16,6 +16,7 @@ struct ClosureStudyOptions {
   std::uint64_t seed = 1;  ///< of varied_scene
   int threads = 0;         ///< 0: all cores
   bool accuracy = true;    ///< also close each scene to the end, and once more on another way
+  bool warm = false;       ///< close each scene from the closure of a neighbour (neighbour_of)
 };
 
 /// Distances over the leaflet vertices.
@@ -32,7 +33,8 @@ struct SceneOutcome {
   double seconds = 0.0;            ///< of the closure, reruns and crossing tests included
   bool compared = false;           ///< the closures compared with have converged uncrossed, too
   ClosureError from_end;           ///< from the same closure carried on to residual 1e-6 in double
-  ClosureError from_other;         ///< of that end from the end of a closure at half the speed
+  ClosureError from_other;  ///< of that end from the end of a closure at half the speed; warm: from
+                            ///< the end of a cold start
   bool other_equilibrium = false;  ///< the two ends are more than 0.05 mm rms apart
 };
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kMostDilation_percent = 30.0;
 constexpr double kMostDisplacement_mm = 6.0;
+constexpr double kNeighbour_mm = 1.0;
 constexpr double kRepairShare = 0.4;  // of the scenes
 constexpr double kMostShortening_mm = 8.0;
 
@@ -85,6 +86,19 @@ Valve varied_scene(const Valve& valve, const std::vector<RingShape>& catalogue, 
     if (repaired) scene = *repaired;
   }
   return scene;
+}
+
+Valve neighbour_of(const Valve& scene, std::uint64_t seed, int index) {
+  Dice dice(~seed, index);
+  Remodelling change;
+  for (Vec3* tip : {&change.anterolateral_mm, &change.posteromedial_mm}) {
+    const double length = kNeighbour_mm * dice();
+    Vec3 direction;
+    for (int k = 0; k < 3; ++k) direction[k] = 2.0 * dice() - 1.0;
+    *tip = length / std::max(1e-3, direction.norm()) * direction;
+  }
+  const Expected<Valve> moved = remodel(scene, change);
+  return moved ? *moved : scene;
 }
 
 }  // namespace coapt

@@ -16,4 +16,7 @@ namespace coapt {
 Valve varied_scene(const Valve& valve, const std::vector<RingShape>& catalogue, std::uint64_t seed,
                    int index);
 
+/// A neighbour of that scene: its tips moved once more, by up to 1 mm each, in any direction.
+Valve neighbour_of(const Valve& scene, std::uint64_t seed, int index);
+
 }  // namespace coapt

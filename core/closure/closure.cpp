@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "core/closure/model.h"
 #include "core/closure/relaxation.h"
@@ -43,11 +44,12 @@ std::vector<Rung> thesis_ladder(const ClosureModel& model, const ClosureOptions&
 }
 
 /// In single precision as far as that carries, then in double from there.
-ClosureRun relax_to(const ClosureModel& model, const RelaxationSettings& settings) {
+ClosureRun relax_to(const ClosureModel& model, const RelaxationSettings& settings,
+                    const ClosureRun* start = nullptr) {
   RelaxationSettings coarse = settings;
   coarse.residual_tolerance = std::max(settings.residual_tolerance, kFloatResidual);
   coarse.way_tolerance_mm = std::max(settings.way_tolerance_mm, kFloatWay_mm);
-  ClosureRun run = relax<float>(model, coarse);
+  ClosureRun run = relax<float>(model, coarse, start);
   if (run.status != ClosureStatus::Converged ||
       (settings.residual_tolerance >= kFloatResidual && settings.way_tolerance_mm >= kFloatWay_mm))
     return run;
@@ -57,7 +59,7 @@ ClosureRun relax_to(const ClosureModel& model, const RelaxationSettings& setting
 }
 
 std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& options,
-                              const ContactLaw& contact) {
+                              const ContactLaw& contact, const ClosureRun* start) {
   RelaxationSettings plain;
   plain.residual_tolerance = options.residual_tolerance;
   plain.way_tolerance_mm = options.way_tolerance_mm;
@@ -73,11 +75,39 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
   RelaxationSettings slower = edges;
   slower.damping = 0.1;
   slower.longest_move_mm = 0.3 * plain.longest_move_mm;
-  return {
+  std::vector<Rung> ladder;
+  if (start)
+    ladder.push_back({"float, from a neighbour",
+                      [&model, plain, start] { return relax_to(model, plain, start); }});
+  const std::vector<Rung> cold = {
       {"float", [&model, plain] { return relax_to(model, plain); }},
       {"float, edge contact", [&model, edges] { return relax_to(model, edges); }},
       {"float, edge contact, slow", [&model, slow] { return relax_to(model, slow); }},
       {"double, edge contact, slow", [&model, slower] { return relax<double>(model, slower); }}};
+  ladder.insert(ladder.end(), cold.begin(), cold.end());
+  return ladder;
+}
+
+/// The neighbour's end as a start for this valve, whose tips are in place at once.
+std::optional<ClosureRun> start_from(const Valve& valve, const ClosureModel& model,
+                                     const ClosureResult& neighbour) {
+  if (neighbour.status != ClosureStatus::Converged || neighbour.crossing ||
+      neighbour.closed_mm.rows() != model.vertices)
+    return std::nullopt;
+  ClosureRun start;
+  start.x_mm = model.target_mm;
+  start.x_mm.topRows(model.vertices) = neighbour.closed_mm;
+  start.guarded_faces = neighbour.guarded_faces;
+  int next = model.vertices;
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c)
+    for (std::size_t s = 0; s < valve.chordae[c].segments.size(); ++s) {
+      if (valve.chordae[c].segments[s].inserts) continue;
+      const int node = next++;
+      if (!model.fixed[static_cast<std::size_t>(node)] && c < neighbour.branch_points_mm.size() &&
+          static_cast<Eigen::Index>(s) < neighbour.branch_points_mm[c].rows())
+        start.x_mm.row(node) = neighbour.branch_points_mm[c].row(static_cast<Eigen::Index>(s));
+    }
+  return start;
 }
 
 /// Whether attempt `a` says more than `b`: converged before at the limit before diverged, then fewer
@@ -107,16 +137,20 @@ void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x
 
 bool lost(const Points& x_mm) { return !x_mm.allFinite() || x_mm.cwiseAbs().maxCoeff() > kLost_mm; }
 
-ClosureResult close_valve(const Valve& valve, const ClosureOptions& options) {
+ClosureResult close_valve(const Valve& valve, const ClosureOptions& options,
+                          const ClosureResult* neighbour) {
   const ClosureModel model = make_closure_model(valve, options.membrane);
   const double thickness = valve.tissue.thickness_mm;
   const ContactLaw contact{thickness, options.contact_pressure_mpa / (thickness * thickness),
                            false};
+  const std::optional<ClosureRun> start =
+      neighbour ? start_from(valve, model, *neighbour) : std::nullopt;
   ClosureResult result;
   ClosureRun best;
   std::size_t best_attempt = 0;
-  for (const Rung& rung : options.method == Method::Fast ? fast_ladder(model, options, contact)
-                                                         : thesis_ladder(model, options, contact)) {
+  for (const Rung& rung : options.method == Method::Fast
+                            ? fast_ladder(model, options, contact, start ? &*start : nullptr)
+                            : thesis_ladder(model, options, contact)) {
     ClosureRun run = rung.run();
     const ClosureAttempt attempt{rung.how, run.status, run.crossing_pairs, run.residual, run.steps};
     result.attempts.push_back(attempt);
@@ -132,6 +166,7 @@ ClosureResult close_valve(const Valve& valve, const ClosureOptions& options) {
   result.residual = chosen.residual;
   result.crossing_pairs = chosen.crossing_pairs;
   result.crossing = chosen.crossing_pairs > 0 || chosen.status == ClosureStatus::Diverged;
+  result.guarded_faces = std::move(best.guarded_faces);
   result.closed_mm = best.x_mm.topRows(model.vertices);
   result.samples_mm = std::move(best.samples_mm);
   if (result.samples_mm.empty()) result.samples_mm.push_back(result.closed_mm);

@@ -50,13 +50,18 @@ struct ClosureResult {
   int steps = 0;          ///< of all attempts
   bool crossing = false;  ///< some leaflet triangle passes through another, or Diverged
   int crossing_pairs = 0;
+  std::vector<int> guarded_faces;  ///< Fast: whose edges have contact, too (relaxation.h)
   std::vector<ClosureAttempt> attempts;  ///< in the order tried; the result is the best of them
 };
 
 /// Deterministic: the same valve and options give the same bits, on any instruction set. Never throws
 /// on a valid valve.
-/// @pre validate(valve) is empty.
-ClosureResult close_valve(const Valve& valve, const ClosureOptions& options = {});
+/// `neighbour`: a closure of a valve with the same mesh, for a warm start of method fast: from there, its
+/// annulus travelling to this valve's. What comes of it may be another equilibrium than from the open
+/// state. If it does not converge uncrossed, or the neighbour did not, the closure starts from the open state.
+/// @pre validate(valve) is empty; the neighbour's valve has the same faces.
+ClosureResult close_valve(const Valve& valve, const ClosureOptions& options = {},
+                          const ClosureResult* neighbour = nullptr);
 
 const char* to_string(Method method);
 const char* to_string(ClosureStatus status);

@@ -41,6 +41,7 @@ ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& stu
   ordered_json json = {{"method", to_string(options.method)},
                        {"count", options.count},
                        {"seed", options.seed},
+                       {"warm", options.warm},
                        {"closures_per_second_per_core", study.closures_per_second_per_core},
                        {"median_ms", study.median_ms},
                        {"p90_ms", study.p90_ms},

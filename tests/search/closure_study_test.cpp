@@ -59,5 +59,18 @@ TEST(ClosureStudy, CountsClosuresNearTheirOwnEnd) {
   }
 }
 
+TEST(ClosureStudy, OfWarmStartsTakesFewerStepsAndSaysHowFarFromAColdOne) {
+  ClosureStudyOptions options;
+  options.count = 8;
+  const Valve valve = *make_preset("human-normal");
+  const ClosureStudy cold = study_closures(valve, kCatalogue, options);
+  options.warm = true;
+  const ClosureStudy warm = study_closures(valve, kCatalogue, options);
+  EXPECT_EQ(warm.unconverged + warm.crossed, 0);
+  EXPECT_LT(warm.median_steps, cold.median_steps);
+  for (const SceneOutcome& scene : warm.scenes)
+    EXPECT_EQ(scene.other_equilibrium, scene.from_other.rms_mm > 0.05);
+}
+
 }  // namespace
 }  // namespace coapt

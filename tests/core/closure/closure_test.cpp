@@ -95,6 +95,30 @@ TEST(Closure, OfTheTurnedOrMirroredValveMayDifferInSlackTissueOnlyWhenFast) {
   }
 }
 
+TEST(Closure, FromItsOwnClosureStaysThere) {
+  const Valve valve = human();
+  const ClosureResult cold = close_valve(valve);
+  const ClosureResult warm = close_valve(valve, {}, &cold);
+  ASSERT_EQ(warm.status, ClosureStatus::Converged);
+  EXPECT_EQ(warm.attempts.front().how, "float, from a neighbour");
+  EXPECT_LT(warm.steps, cold.steps / 2);
+  const Points apart = warm.closed_mm - cold.closed_mm;
+  EXPECT_LT(std::sqrt(apart.squaredNorm() / static_cast<double>(apart.rows())), 0.02);
+}
+
+TEST(Closure, StartsFromTheOpenStateIfTheNeighbourIsUnfit) {
+  const Valve valve = human(300);
+  const ClosureResult cold = close_valve(valve);
+  ClosureResult neighbour = cold;
+  neighbour.status = ClosureStatus::StepLimit;
+  EXPECT_EQ(close_valve(valve, {}, &neighbour).closed_mm, cold.closed_mm);
+  neighbour = cold;
+  neighbour.crossing = true;
+  EXPECT_EQ(close_valve(valve, {}, &neighbour).closed_mm, cold.closed_mm);
+  const ClosureResult finer = close_valve(human(650));
+  EXPECT_EQ(close_valve(valve, {}, &finer).closed_mm, cold.closed_mm);
+}
+
 TEST(Closure, OfTheSameValveGivesTheSameBits) {
   const Valve valve = human(300);
   const ClosureResult a = close_valve(valve), b = close_valve(valve);
