@@ -81,7 +81,7 @@ void Layout(benchmark::State& state) {
   const RelaxationSettings settings = settings_for(of);
   for (auto _ : state) {
     MovingValve<float> moving(model, settings, model.rest_mm);
-    benchmark::DoNotOptimize(moving);
+    benchmark::DoNotOptimize(&moving);
   }
 }
 
