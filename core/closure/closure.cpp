@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kLost_mm = 1000.0;  // a node this far out: diverged
 constexpr int kFastSteps = 6000, kThesisSteps = 40000;
+constexpr double kPartResidual = 0.05, kPartWay_mm = 0.2;  // of a part of the load
 // What single precision reaches: rounding of positions is 1e-4 of the pressure force.
 constexpr double kFloatResidual = 1e-3, kFloatWay_mm = 0.01;
 
@@ -58,6 +59,25 @@ ClosureRun relax_to(const ClosureModel& model, const RelaxationSettings& setting
   return exact;
 }
 
+/// The pressure in four parts, each from where the one before came near its rest.
+ClosureRun relax_in_parts(const ClosureModel& model, const RelaxationSettings& settings) {
+  RelaxationSettings loose = settings;
+  loose.residual_tolerance = std::max(settings.residual_tolerance, kPartResidual);
+  loose.way_tolerance_mm = std::max(settings.way_tolerance_mm, kPartWay_mm);
+  ClosureModel part = model;
+  ClosureRun run;
+  int steps = 0;
+  for (int quarter = 1; quarter <= 4; ++quarter) {
+    part.pressure_mpa = 0.25 * quarter * model.pressure_mpa;
+    const ClosureRun start = std::move(run);
+    run = relax<double>(part, quarter < 4 ? loose : settings, quarter > 1 ? &start : nullptr);
+    steps += run.steps;
+    if (run.status == ClosureStatus::Diverged) break;
+  }
+  run.steps = steps;
+  return run;
+}
+
 std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& options,
                               const ContactLaw& contact, const ClosureRun* start) {
   RelaxationSettings plain;
@@ -83,7 +103,9 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
       {"float", [&model, plain] { return relax_to(model, plain); }},
       {"float, edge contact", [&model, edges] { return relax_to(model, edges); }},
       {"float, edge contact, slow", [&model, slow] { return relax_to(model, slow); }},
-      {"double, edge contact, slow", [&model, slower] { return relax<double>(model, slower); }}};
+      {"double, edge contact, slow", [&model, slower] { return relax<double>(model, slower); }},
+      {"double, edge contact, slow, load in parts",
+       [&model, slower] { return relax_in_parts(model, slower); }}};
   ladder.insert(ladder.end(), cold.begin(), cold.end());
   return ladder;
 }

@@ -95,6 +95,22 @@ TEST(Closure, OfTheTurnedOrMirroredValveMayDifferInSlackTissueOnlyWhenFast) {
   }
 }
 
+TEST(Closure, ClimbsTheWholeLadderBeforeItSaysThatItDidNotConverge) {
+  ClosureOptions options;
+  options.max_steps = 40;
+  const ClosureResult closed = close_valve(human(300), options);
+  EXPECT_EQ(closed.status, ClosureStatus::StepLimit);
+  std::vector<std::string> tried;
+  for (const ClosureAttempt& attempt : closed.attempts) {
+    EXPECT_EQ(attempt.status, ClosureStatus::StepLimit);
+    tried.push_back(attempt.how);
+  }
+  EXPECT_EQ(tried, (std::vector<std::string>{"float", "float, edge contact",
+                                             "float, edge contact, slow",
+                                             "double, edge contact, slow",
+                                             "double, edge contact, slow, load in parts"}));
+}
+
 TEST(Closure, FromItsOwnClosureStaysThere) {
   const Valve valve = human();
   const ClosureResult cold = close_valve(valve);
