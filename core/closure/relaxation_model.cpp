@@ -50,13 +50,28 @@ std::vector<std::vector<FanEntry>> fans(const ClosureModel& model) {
   return all;
 }
 
-const Spring& spring_between(const ClosureModel& model, int a, int b) {
-  const auto key = std::minmax(a, b);
-  return *std::lower_bound(model.springs.begin(), model.springs.end(), key,
-                           [](const Spring& s, const std::pair<const int&, const int&>& k) {
-                             return s.a < k.first || (s.a == k.first && s.b < k.second);
-                           });
-}
+/// Springs by their ends; they are in ascending order of these.
+class SpringsBetween {
+ public:
+  explicit SpringsBetween(const ClosureModel& model)
+      : springs_(model.springs), first_(static_cast<std::size_t>(model.vertices) + 1) {
+    std::size_t next = 0;
+    for (std::size_t v = 0; v < first_.size(); ++v) {
+      while (next < springs_.size() && springs_[next].a < static_cast<int>(v)) ++next;
+      first_[v] = next;
+    }
+  }
+  const Spring& operator()(int i, int j) const {
+    const auto [a, b] = std::minmax(i, j);
+    std::size_t at = first_[static_cast<std::size_t>(a)];
+    while (springs_[at].b != b) ++at;
+    return springs_[at];
+  }
+
+ private:
+  const std::vector<Spring>& springs_;
+  std::vector<std::size_t> first_;
+};
 
 template <class R>
 void number_nodes(const ClosureModel& model, RelaxationModel<R>& laid) {
@@ -88,6 +103,7 @@ void number_nodes(const ClosureModel& model, RelaxationModel<R>& laid) {
 template <class R>
 void lay_springs(const ClosureModel& model, RelaxationModel<R>& laid) {
   const auto around = fans(model);
+  const SpringsBetween spring_between(model);
   std::vector<int> vertex_at(laid.blocks.size() * kLanes, -1);
   for (int v = 0; v < static_cast<int>(model.rest_mm.rows()); ++v)
     if (!model.fixed[static_cast<std::size_t>(v)])
@@ -113,7 +129,7 @@ void lay_springs(const ClosureModel& model, RelaxationModel<R>& laid) {
         slot.neighbour.at[lane] = laid.node_of[static_cast<std::size_t>(entry.neighbour)];
         if (entry.face) slot.load_mpa.at[lane] = static_cast<R>(model.pressure_mpa / 6.0);
         if (!entry.spring || model.springs.empty()) continue;
-        const Spring& spring = spring_between(model, v, entry.neighbour);
+        const Spring& spring = spring_between(v, entry.neighbour);
         slot.rest_mm.at[lane] = static_cast<R>(spring.rest_mm);
         slot.knee_mm.at[lane] = static_cast<R>((1.0 + spring.transition) * spring.rest_mm);
         slot.pre_n_per_mm.at[lane] = static_cast<R>(spring.pre_n_per_mm);
