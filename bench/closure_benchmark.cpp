@@ -162,10 +162,16 @@ void Orifice(benchmark::State& state) {
 
 BENCHMARK(Model)->Arg(650)->Arg(2600)->Unit(benchmark::kMicrosecond);
 BENCHMARK(Layout)->Arg(650)->Arg(2600)->Unit(benchmark::kMicrosecond);
-BENCHMARK(ListOfPairs)->ArgsProduct({{650, 2600, 10400}, {100, 250}})->Unit(benchmark::kMicrosecond);
-BENCHMARK(LookForCrossings)->ArgsProduct({{650, 2600, 10400}, {250}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(ListOfPairs)
+    ->ArgsProduct({{650, 2600, 10400}, {100, 250}})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(LookForCrossings)
+    ->ArgsProduct({{650, 2600, 10400}, {250}})
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(TenSteps)->ArgsProduct({{650, 2600, 10400}, {100, 250}})->Unit(benchmark::kMicrosecond);
-BENCHMARK(TenStepsWithoutContact)->ArgsProduct({{650, 2600, 10400}, {100}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(TenStepsWithoutContact)
+    ->ArgsProduct({{650, 2600, 10400}, {100}})
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(Closure, fast, Method::Fast)->Arg(650)->Arg(2600)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(Closure, thesis, Method::Thesis)->Arg(650)->Unit(benchmark::kMillisecond);
 BENCHMARK(WarmClosure)->Arg(650)->Unit(benchmark::kMillisecond);

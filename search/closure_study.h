@@ -30,9 +30,9 @@ struct SceneOutcome {
   ClosureStatus status = ClosureStatus::StepLimit;
   bool crossing = false;
   int steps = 0, attempts = 0;
-  double seconds = 0.0;            ///< of the closure, reruns and crossing tests included
-  bool compared = false;           ///< the closures compared with have converged uncrossed, too
-  ClosureError from_end;           ///< from the same closure carried on to residual 1e-6 in double
+  double seconds = 0.0;     ///< of the closure, reruns and crossing tests included
+  bool compared = false;    ///< the closures compared with have converged uncrossed, too
+  ClosureError from_end;    ///< from the same closure carried on to residual 1e-6 in double
   ClosureError from_other;  ///< of that end from the end of a closure at half the speed; warm: from
                             ///< the end of a cold start
   bool other_equilibrium = false;  ///< the two ends are more than 0.05 mm rms apart

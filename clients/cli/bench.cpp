@@ -75,9 +75,10 @@ void add_bench(CLI::App& parent, int& status) {
   add_method_option(*command, study.method);
   command->add_flag("--no-accuracy", arguments->no_accuracy,
                     "Do not close each scene to its end and on another way as well");
-  command->add_flag("--warm", study.warm,
-                    "Start each closure from that of a neighbour, tips within 1 mm; compared with a "
-                    "cold start instead of another way");
+  command->add_flag(
+      "--warm", study.warm,
+      "Start each closure from that of a neighbour, tips within 1 mm; compared with a "
+      "cold start instead of another way");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->footer(
       "Scenes: AP dilation 0 to 30 %, annular height 80 to 120 %, tips displaced by up to 6 mm,\n"

@@ -171,8 +171,8 @@ ClosureResult close_valve(const Valve& valve, const ClosureOptions& options,
   ClosureRun best;
   std::size_t best_attempt = 0;
   for (const Rung& rung : options.method == Method::Fast
-                            ? fast_ladder(model, options, contact, start ? &*start : nullptr)
-                            : thesis_ladder(model, options, contact)) {
+                              ? fast_ladder(model, options, contact, start ? &*start : nullptr)
+                              : thesis_ladder(model, options, contact)) {
     ClosureRun run = rung.run();
     const ClosureAttempt attempt{rung.how, run.status, run.crossing_pairs, run.residual, run.steps};
     result.attempts.push_back(attempt);

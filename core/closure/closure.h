@@ -50,7 +50,7 @@ struct ClosureResult {
   int steps = 0;          ///< of all attempts
   bool crossing = false;  ///< some leaflet triangle passes through another, or Diverged
   int crossing_pairs = 0;
-  std::vector<int> guarded_faces;  ///< Fast: whose edges have contact, too (relaxation.h)
+  std::vector<int> guarded_faces;        ///< Fast: whose edges have contact, too (relaxation.h)
   std::vector<ClosureAttempt> attempts;  ///< in the order tried; the result is the best of them
 };
 

@@ -48,8 +48,7 @@ Clusters<R> make_clusters(const Points& rest_mm, const std::vector<FeatureNodes>
                           const std::vector<int>& node_of) {
   Points centres(static_cast<Eigen::Index>(features.size()), 3);
   for (std::size_t i = 0; i < features.size(); ++i)
-    centres.row(static_cast<Eigen::Index>(i)) =
-        rest_mm(features[i], Eigen::all).colwise().mean();
+    centres.row(static_cast<Eigen::Index>(i)) = rest_mm(features[i], Eigen::all).colwise().mean();
   const std::vector<int> order = cluster_order(centres);
   Clusters<R> result;
   result.clusters.resize(static_cast<std::size_t>(blocks_for(features.size())));

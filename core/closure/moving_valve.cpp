@@ -24,8 +24,7 @@ constexpr double kDampedTriangles = 650.0, kDampingPower = -0.4, kMostDamping = 
 
 double share_kept(const ClosureModel& model, double damping) {
   const auto faces = static_cast<double>(model.faces.rows());
-  return 1.0 -
-         std::min(kMostDamping, damping * std::pow(faces / kDampedTriangles, kDampingPower));
+  return 1.0 - std::min(kMostDamping, damping * std::pow(faces / kDampedTriangles, kDampingPower));
 }
 
 double margin_mm(double move_mm) {
@@ -48,8 +47,7 @@ MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings&
       faces_(model, laid_.node_of, settings.contact, PairKind::VertexFace, kernels_),
       longest_move_mm_(settings.longest_move_mm) {
   if (settings.contact.edges) guard(model.edges);
-  for (Eigen::Index i = 0; i < start.rows(); ++i)
-    place(static_cast<std::size_t>(i), start.row(i));
+  for (Eigen::Index i = 0; i < start.rows(); ++i) place(static_cast<std::size_t>(i), start.row(i));
 }
 
 template <class R>

@@ -18,7 +18,7 @@ constexpr int kLook_steps = 90;             // between two looks for crossings: 
 // way, and it is better to start again with contact of all edges.
 constexpr int kMostGuards = 8;
 constexpr int kGuardedShare = 8;  // of 1 / that many
-constexpr int kMostReturns = 2;             // to one moment, before the one before it is taken
+constexpr int kMostReturns = 2;   // to one moment, before the one before it is taken
 constexpr int kSampleInterval_steps = 5;
 
 double longest_way_mm(const ClosureModel& model, const Points& start_mm) {
@@ -107,8 +107,8 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
   Guards guards(model, start ? start->guarded_faces : std::vector<int>{});
   if (start && !start->guarded_faces.empty()) valve.guard(guards.edges());
   const double longest_way = longest_way_mm(model, start_mm);
-  const int travel = std::max(start ? 1 : kTravelSteps,
-                              static_cast<int>(longest_way / kLongestTravel_mm));
+  const int travel =
+      std::max(start ? 1 : kTravelSteps, static_cast<int>(longest_way / kLongestTravel_mm));
   const double fixed_move = longest_way / travel;
   ClosureRun run;
   Progress now{0, start_mm, 0.0};
@@ -162,8 +162,8 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
     now.last_way_mm = way;
     now.before = x;
     if (now.step % kLook_steps == 0 && went_back()) continue;
-    settled = now.step >= travel + kWindow_steps &&
-              run.residual <= settings.residual_tolerance && left <= settings.way_tolerance_mm;
+    settled = now.step >= travel + kWindow_steps && run.residual <= settings.residual_tolerance &&
+              left <= settings.way_tolerance_mm;
   }
   run.x_mm = valve.positions();
   run.guarded_faces = guards.faces();

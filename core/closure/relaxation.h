@@ -25,8 +25,8 @@ struct RelaxationSettings {
   double damping = 0.06;  ///< share of a velocity lost in a step at 650 triangles (relaxation.cpp)
   double longest_move_mm = 0.15;  ///< of a node in a step; longer ones let leaflets jump through
   ContactLaw contact;
-  bool guards = true;             ///< see above; without, crossings are only reported
-  int samples = 1;                ///< end states recorded, five steps apart
+  bool guards = true;  ///< see above; without, crossings are only reported
+  int samples = 1;     ///< end states recorded, five steps apart
   kernels::InstructionSet instructions = kernels::best_instruction_set();
 };
 

@@ -3,11 +3,11 @@
 #include "core/closure/kernels/motion.inl"
 // after motion.inl, whose scatter they use
 #include "core/closure/kernels/contact.inl"
-#include "core/closure/kernels/pairs.inl"
 #include "core/closure/kernels/crossing.inl"
+#include "core/closure/kernels/pairs.inl"
 #include "core/closure/kernels/sheets.inl"
 
 template <class R>
-constexpr Kernels<R> kTable = {advance<R>,      pull_cables<R>,     pull_sheets<R>,
-                               push_faces<R>,   push_edges<R>,      box<R>,
-                               list_pairs<R>,   number_pairs<R>,    straddling_faces<R>};
+constexpr Kernels<R> kTable = {advance<R>,    pull_cables<R>,  pull_sheets<R>,
+                               push_faces<R>, push_edges<R>,   box<R>,
+                               list_pairs<R>, number_pairs<R>, straddling_faces<R>};

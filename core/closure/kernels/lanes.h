@@ -208,8 +208,8 @@ template <class R>
 COAPT_INLINE void compress(const Vec<R>& v, unsigned chosen, R* out) {
 #if defined(__AVX512F__)
   if constexpr (sizeof(R) == sizeof(float)) {
-    _mm512_storeu_ps(
-        out, _mm512_maskz_compress_ps(static_cast<__mmask16>(chosen), (__m512)v.part[0]));
+    _mm512_storeu_ps(out,
+                     _mm512_maskz_compress_ps(static_cast<__mmask16>(chosen), (__m512)v.part[0]));
     return;
   }
 #endif

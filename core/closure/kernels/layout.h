@@ -109,8 +109,8 @@ struct ClusterBoxes {
 /// A feature and the features of a cluster that are near it already at rest.
 template <class R>
 struct NearAtRest {
-  int cluster = 0;  ///< of the others
-  int lane = 0;     ///< of the feature in its own
+  int cluster = 0;       ///< of the others
+  int lane = 0;          ///< of the feature in its own
   Lane<R> thickness_mm;  ///< of the pair; negative: they share a node, no contact
 };
 
@@ -132,7 +132,7 @@ struct PairSearch {
   const NearAtRest<R>* near = nullptr;  ///< of each, in ascending order of other cluster, then lane
   R thickness_mm = 0, stiffness_n_per_mm4 = 0;
   const Quad<R>* listed = nullptr;  ///< positions and, as fourth, margin of all nodes
-  int* near_clusters = nullptr;  ///< scratch, one per second cluster
+  int* near_clusters = nullptr;     ///< scratch, one per second cluster
 };
 
 template <class R>

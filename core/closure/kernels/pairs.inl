@@ -85,7 +85,8 @@ COAPT_INLINE void find_pairs(const PairSearch<R>& in, Take take) {
   const Vec<R> zero = all(R(0)), full = all(in.thickness_mm);
   for (int c = 0; c < in.first.count; ++c) {
     const Cluster<R>& one = in.first.clusters[c];
-    const NearAtRest<R>*near = in.near + in.near_begin[c], *near_end = in.near + in.near_begin[c + 1];
+    const NearAtRest<R>*near = in.near + in.near_begin[c],
+          *near_end = in.near + in.near_begin[c + 1];
     const int near_count = near_clusters(in, c, in.faces ? 0 : c);
     for (int n = 0; n < near_count; ++n) {
       const int o = in.near_clusters[n];
@@ -176,8 +177,7 @@ struct Packer {
     IndexLane node[4];
     const int count = found.count < kLanes ? found.count : kLanes;
     found.first_nodes(node);
-    const Vec3x<R> d =
-        in.faces ? face_apart(node, in.listed).d : edges_apart(node, in.listed).d;
+    const Vec3x<R> d = in.faces ? face_apart(node, in.listed).d : edges_apart(node, in.listed).d;
     const Vec<R> distance2 = largest(dot(d, d), all(kTiny_mm2<R>));
     const Vec<R> thickness = load_first(found.thickness_mm), margin = load_first(found.margin_mm);
     const Vec<R> space = distance2 * inverse_sqrt(distance2) - thickness;
@@ -222,20 +222,20 @@ struct Packer {
 template <class R>
 int list_pairs(const PairSearch<R>& in, PairBlock<R>* blocks, int room) {
   Packer<R> packer{in, blocks, room, 0, {}, {}};
-  find_pairs(in, [&](int c, int i, int o, unsigned hits, const Vec<R>& thickness,
-                     const Vec<R>& margin) {
-    const Cluster<R>&one = in.first.clusters[c], &other = in.second.clusters[o];
-    Waiting<R>& found = packer.found;
-    found.add_node(0, one.node[0].at[i]);
-    if (in.faces) {
-      for (int k = 0; k < 3; ++k) found.add_node(k + 1, other.node[k], hits);
-    } else {
-      found.add_node(1, one.node[1].at[i]);
-      for (int k = 0; k < 2; ++k) found.add_node(k + 2, other.node[k], hits);
-    }
-    found.add(thickness, all(one.area_mm2.at[i]) + load(other.area_mm2), margin, hits);
-    if (found.count >= kLanes) packer.sort_found();
-  });
+  find_pairs(
+      in, [&](int c, int i, int o, unsigned hits, const Vec<R>& thickness, const Vec<R>& margin) {
+        const Cluster<R>&one = in.first.clusters[c], &other = in.second.clusters[o];
+        Waiting<R>& found = packer.found;
+        found.add_node(0, one.node[0].at[i]);
+        if (in.faces) {
+          for (int k = 0; k < 3; ++k) found.add_node(k + 1, other.node[k], hits);
+        } else {
+          found.add_node(1, one.node[1].at[i]);
+          for (int k = 0; k < 2; ++k) found.add_node(k + 2, other.node[k], hits);
+        }
+        found.add(thickness, all(one.area_mm2.at[i]) + load(other.area_mm2), margin, hits);
+        if (found.count >= kLanes) packer.sort_found();
+      });
   if (packer.found.count > 0) packer.sort_found();
   for (int b = 0; b < Packer<R>::kBins; ++b)
     if (packer.bins[b].count > 0) packer.pack(b);

@@ -105,10 +105,9 @@ TEST(Closure, ClimbsTheWholeLadderBeforeItSaysThatItDidNotConverge) {
     EXPECT_EQ(attempt.status, ClosureStatus::StepLimit);
     tried.push_back(attempt.how);
   }
-  EXPECT_EQ(tried, (std::vector<std::string>{"float", "float, edge contact",
-                                             "float, edge contact, slow",
-                                             "double, edge contact, slow",
-                                             "double, edge contact, slow, load in parts"}));
+  EXPECT_EQ(tried, (std::vector<std::string>{
+                       "float", "float, edge contact", "float, edge contact, slow",
+                       "double, edge contact, slow", "double, edge contact, slow, load in parts"}));
 }
 
 TEST(Closure, FromItsOwnClosureStaysThere) {
