@@ -67,7 +67,7 @@ class Close(ProgramTest):
         self.assertGreater(loose["residual_tolerance"], tight["residual_tolerance"])
         self.assertLessEqual(tight["orifice_error_p99_mm2"], 0.01)
         self.assertNotIn("accuracy", self.close(VALVE))
-        end = self.close(VALVE, "--accuracy", "0.0055")["orifice_area_mm2"]
+        end = self.close(VALVE, "--accuracy", "0.0087")["orifice_area_mm2"]
         near = self.close(VALVE, "--accuracy", "0.4")
         self.assertAlmostEqual(near["orifice_area_mm2"], end, delta=near["accuracy"]["orifice_error_max_mm2"])
         words = coapt("close", VALVE, "--accuracy", "0.4", "--membrane", "continuum")
@@ -78,7 +78,7 @@ class Close(ProgramTest):
     def test_an_accuracy_that_was_never_measured_is_refused_with_the_range(self):
         result = coapt("close", VALVE, "--accuracy", "0.0001")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
-        self.assertIn("--accuracy: is 0.0001, must be at least 0.0055 mm2", result.stderr)
+        self.assertIn("--accuracy: is 0.0001, must be at least 0.0087 mm2", result.stderr)
         result = coapt("close", VALVE, "--accuracy", "1", "--method", "thesis")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         self.assertIn("method fast only", result.stderr)

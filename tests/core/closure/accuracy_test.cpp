@@ -45,17 +45,17 @@ TEST(AccuracyTiers, WhatNoTierKeepsIsAnErrorThatNamesTheRange) {
     ASSERT_FALSE(chosen) << wanted;
     EXPECT_EQ(chosen.errors().front().code, ErrorCode::OutOfRange);
     EXPECT_EQ(chosen.errors().front().path, "/accuracy");
-    EXPECT_NE(chosen.errors().front().message.find("must be at least 0.0055 mm2"),
+    EXPECT_NE(chosen.errors().front().message.find("must be at least 0.0087 mm2"),
               std::string::npos)
         << chosen.errors().front().message;
   }
 }
 
 TEST(AccuracyTiers, TheDefaultTolerancesAreOneOfThem) {
-  const ClosureOptions plain = at_tier({}, *choose_tier(0.36, Membrane::Springs));
+  const ClosureOptions plain = at_tier({}, *choose_tier(0.24, Membrane::Springs));
   EXPECT_EQ(plain.residual_tolerance, ClosureOptions{}.residual_tolerance);
   EXPECT_EQ(plain.way_tolerance_mm, ClosureOptions{}.way_tolerance_mm);
-  EXPECT_EQ(error_of(*choose_tier(0.36, Membrane::Springs), Membrane::Springs).relative_time, 1.0);
+  EXPECT_EQ(error_of(*choose_tier(0.24, Membrane::Springs), Membrane::Springs).relative_time, 1.0);
 }
 
 TEST(AccuracyTiers, KeepWhatTheyPromiseOnPresets) {
