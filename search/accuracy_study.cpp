@@ -7,9 +7,9 @@
 #include "core/metrics/measure.h"
 #include "core/metrics/quantile.h"
 #include "core/presets/presets.h"
-#include "core/valve/leaflet_coordinates.h"
 #include "search/closure_study.h"
 #include "search/evaluator.h"
+#include "search/matching_points.h"
 
 namespace coapt {
 namespace {
@@ -19,43 +19,24 @@ constexpr int kRepeats = 3;
 constexpr double kLong_seconds = 1.0;
 
 struct Reference {
-  Valve valve;
-  LeafletCoordinates coordinates;
-  Points closed_mm;
+  ClosedMesh mesh;
   double orifice_mm2 = 0.0;
 };
 
 Reference make_reference(const std::string& preset, int triangles) {
   Reference reference;
-  reference.valve = *make_preset(preset, triangles);
-  ClosureOptions options = to_the_end(Method::Fast);
-  options.membrane = Membrane::Continuum;
-  const ClosureResult closed = close_valve(reference.valve, options);
-  reference.coordinates = leaflet_coordinates(reference.valve);
-  reference.closed_mm = closed.closed_mm;
-  reference.orifice_mm2 = measure(reference.valve, closed).orifice.area_mm2;
+  reference.mesh.valve = *make_preset(preset, triangles);
+  const ClosureResult closed =
+      close_valve(reference.mesh.valve, to_the_end({.membrane = Membrane::Continuum}));
+  reference.mesh.coordinates = leaflet_coordinates(reference.mesh.valve);
+  reference.mesh.closed_mm = closed.closed_mm;
+  reference.orifice_mm2 = measure(reference.mesh.valve, closed).orifice.area_mm2;
   if (!trusted(closed)) {
     // Nothing can be told against it.
-    reference.closed_mm.setConstant(std::numeric_limits<double>::quiet_NaN());
+    reference.mesh.closed_mm.setConstant(std::numeric_limits<double>::quiet_NaN());
     reference.orifice_mm2 = std::numeric_limits<double>::quiet_NaN();
   }
   return reference;
-}
-
-/// |V| x 3: where the reference has each vertex of `valve`.
-Points on_reference(const Valve& valve, const Reference& reference) {
-  const LeafletCoordinates coordinates = leaflet_coordinates(valve);
-  Points points = Points::Zero(valve.rest_mm.rows(), 3);
-  for (Eigen::Index f = 0; f < valve.faces.rows(); ++f)
-    for (std::size_t k = 0; k < 3; ++k) {
-      Insertion corner{static_cast<int>(f), {0.0, 0.0, 0.0}};
-      corner.weights[k] = 1.0;
-      const LeafletPoint point = leaflet_point(valve, coordinates, corner);
-      const Insertion there = locate(reference.valve, reference.coordinates, point);
-      points.row(valve.faces(f, static_cast<Eigen::Index>(k))) =
-          position(there, reference.valve.faces, reference.closed_mm);
-    }
-  return points;
 }
 
 std::vector<AccuracyCase> cases(const AccuracyStudyOptions& options) {
@@ -118,12 +99,11 @@ std::vector<AccuracyPoint> study_accuracy(const AccuracyStudyOptions& options,
     for (const AccuracyCase& of : all) {
       if (last == nullptr || last->triangles != of.triangles) {
         valve = *make_preset(preset, of.triangles);
-        there = on_reference(valve, reference);
+        there = matching_points_mm(valve, reference.mesh);
       }
       if (last == nullptr || last->triangles != of.triangles || last->method != of.method ||
           last->membrane != of.membrane) {
-        ClosureOptions to_end = to_the_end(of.method);
-        to_end.membrane = of.membrane;
+        ClosureOptions to_end = to_the_end({.method = of.method, .membrane = of.membrane});
         if (of.method == Method::Thesis) to_end.residual_tolerance = 1e-5;
         end = close_valve(valve, to_end);
       }

@@ -20,22 +20,22 @@ constexpr double kOtherSpeed = 0.5;
 SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options, int index) {
   using Clock = std::chrono::steady_clock;
   SceneOutcome outcome;
-  ClosureOptions plain;
-  plain.method = options.method;
   std::optional<ClosureResult> neighbour;
-  if (options.warm) neighbour = close_valve(neighbour_of(scene, options.seed, index), plain);
+  if (options.warm)
+    neighbour = close_valve(neighbour_of(scene, options.seed, index), options.closure);
   const ClosureResult* from = neighbour ? &*neighbour : nullptr;
   const auto start = Clock::now();
-  const ClosureResult closed = close_valve(scene, plain, from);
+  const ClosureResult closed = close_valve(scene, options.closure, from);
   outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   outcome.status = closed.status;
   outcome.crossing = closed.crossing;
   outcome.steps = closed.steps;
   outcome.attempts = static_cast<int>(closed.attempts.size());
   if (!options.accuracy || !trusted(closed)) return outcome;
-  const ClosureResult end = close_valve(scene, to_the_end(options.method), from);
-  const ClosureResult other =
-      close_valve(scene, to_the_end(options.method, options.warm ? 1.0 : kOtherSpeed));
+  ClosureOptions to_end = to_the_end(options.closure);
+  const ClosureResult end = close_valve(scene, to_end, from);
+  if (!options.warm) to_end.speed *= kOtherSpeed;
+  const ClosureResult other = close_valve(scene, to_end);
   outcome.compared = trusted(end) && trusted(other);
   if (!outcome.compared) return outcome;
   outcome.from_end = closure_error(scene, closed, end);
@@ -46,13 +46,10 @@ SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options,
 
 }  // namespace
 
-ClosureOptions to_the_end(Method method, double speed) {
-  ClosureOptions options;
-  options.method = method;
+ClosureOptions to_the_end(ClosureOptions options) {
   options.residual_tolerance = 1e-6;
   options.way_tolerance_mm = 1e-4;
   options.max_steps = 100000;
-  options.speed = speed;
   return options;
 }
 

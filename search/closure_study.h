@@ -11,7 +11,7 @@
 namespace coapt {
 
 struct ClosureStudyOptions {
-  Method method = Method::Fast;
+  ClosureOptions closure;
   int count = 100;         ///< scenes
   std::uint64_t seed = 1;  ///< of varied_scene
   int threads = 0;         ///< 0: all cores
@@ -46,8 +46,8 @@ struct ClosureStudy {
   double median_steps = 0.0;
 };
 
-/// The end of a closure: to residual 1e-6 and 1e-4 mm of predicted way. `speed`: see ClosureOptions.
-ClosureOptions to_the_end(Method method, double speed = 1.0);
+/// The end of such a closure: to residual 1e-6 and 1e-4 mm of predicted way.
+ClosureOptions to_the_end(ClosureOptions closure);
 
 /// Error of closure `a` against closure `b` of the same valve.
 ClosureError closure_error(const Valve& valve, const ClosureResult& a, const ClosureResult& b);

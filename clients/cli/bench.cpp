@@ -9,6 +9,7 @@
 #include "clients/cli/progress_bar.h"
 #include "core/metrics/quantile.h"
 #include "io/json/plan_json.h"
+#include "io/json/result_json.h"
 #include "io/json/study_json.h"
 
 namespace coapt {
@@ -17,6 +18,7 @@ namespace {
 struct Arguments {
   std::string valve;
   ClosureStudyOptions study;
+  std::optional<double> accuracy_mm2;
   bool no_accuracy = false, json = false;
 };
 
@@ -42,15 +44,20 @@ int run(const Arguments& arguments) {
   if (!valve) return report_errors(arguments.valve, valve.errors());
   ClosureStudyOptions options = arguments.study;
   options.accuracy = !arguments.no_accuracy;
+  const auto accuracy = apply_accuracy(arguments.accuracy_mm2, options.closure);
+  if (!accuracy) return report_option_errors("bench closures", accuracy.errors());
   const ClosureStudy study = [&] {
     const ProgressBar bar;
     return study_closures(*valve, ring_catalogue(), options,
                           [&](int done) { bar.show(done, options.count, "scenes"); });
   }();
-  if (arguments.json)
-    std::cout << to_json(options, study).dump(2) << '\n';
-  else
+  if (arguments.json) {
+    auto json = to_json(options, study);
+    if (*accuracy) json["accuracy"] = to_json(**accuracy, options.closure.membrane);
+    std::cout << json.dump(2) << '\n';
+  } else {
     print(std::cout, study, options.accuracy);
+  }
   return study.unconverged + study.crossed == 0 ? exit_code::kOk : exit_code::kNotClosed;
 }
 
@@ -72,7 +79,9 @@ void add_bench(CLI::App& parent, int& status) {
   command->add_option("--threads", study.threads, "0: all cores; does not change the closures")
       ->check(number_from(0, 1024))
       ->capture_default_str();
-  add_method_option(*command, study.method);
+  add_method_option(*command, study.closure.method);
+  add_membrane_option(*command, study.closure.membrane);
+  add_accuracy_option(*command, arguments->accuracy_mm2);
   command->add_flag("--no-accuracy", arguments->no_accuracy,
                     "Do not close each scene to its end and on another way as well");
   command->add_flag(

@@ -1,6 +1,5 @@
 #include <chrono>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,12 +21,14 @@ namespace {
 
 struct Arguments {
   std::string valve, plan, picture;
-  Method method = Method::Fast;
-  Membrane membrane = Membrane::Springs;
+  ClosureOptions closure;
+  std::optional<double> accuracy_mm2;
   bool json = false, oblique = false;
 };
 
 int run(const Arguments& arguments) {
+  ClosureOptions options = arguments.closure;
+  options.samples = kThesisSamples;
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   Expected<RepairPlan> plan = RepairPlan{};
@@ -36,11 +37,11 @@ int run(const Arguments& arguments) {
   const Expected<Valve> repaired = apply_plan(*valve, *plan, ring_catalogue());
   if (!repaired) return report_errors(arguments.plan, repaired.errors());
   if (const int failed = check_output(arguments.picture)) return failed;
+  const auto accuracy = apply_accuracy(arguments.accuracy_mm2, options);
+  if (!accuracy) return report_option_errors("close", accuracy.errors());
 
   const auto start = std::chrono::steady_clock::now();
-  const ClosureResult closure = close_valve(
-      *repaired,
-      {.method = arguments.method, .membrane = arguments.membrane, .samples = kThesisSamples});
+  const ClosureResult closure = close_valve(*repaired, options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   const ValveMeasure measured = measure(*repaired, closure);
 
@@ -55,6 +56,7 @@ int run(const Arguments& arguments) {
     auto json = closure_to_json(*repaired, closure, measured, seconds.count());
     if (arguments.oblique)
       json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : nlohmann::ordered_json();
+    if (*accuracy) json["accuracy"] = to_json(**accuracy, options.membrane);
     json["warnings"] = warnings;
     std::cout << json.dump(2) << '\n';
   } else {
@@ -77,16 +79,9 @@ void add_close(CLI::App& parent, int& status) {
   CLI::App* command = parent.add_subcommand("close", "Close a valve and measure what leaks");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command->add_option("--plan", arguments->plan, "Repair plan (coapt.plan/1) to apply first");
-  add_method_option(*command, arguments->method);
-  const std::map<std::string, Membrane> membranes = {
-      {to_string(Membrane::Springs), Membrane::Springs},
-      {to_string(Membrane::Continuum), Membrane::Continuum}};
-  command
-      ->add_option("--membrane", arguments->membrane,
-                   "What carries the leaflets' tension: springs (default) or continuum, triangles "
-                   "that converge under refinement")
-      ->transform(CLI::CheckedTransformer(membranes))
-      ->option_text("MEMBRANE");
+  add_method_option(*command, arguments->closure.method);
+  add_membrane_option(*command, arguments->closure.membrane);
+  add_accuracy_option(*command, arguments->accuracy_mm2);
   command->add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
       ->check(CLI::Validator(refuse_standard_output, "FILE"));
   command->add_flag("--oblique", arguments->oblique,
@@ -99,6 +94,7 @@ void add_close(CLI::App& parent, int& status) {
       "Examples:\n"
       "  coapt close human-functional-mr --render leaking.png\n"
       "  coapt close human-p2-prolapse --oblique\n"
+      "  coapt close valve.json --accuracy 0.05\n"
       "  coapt close valve.json --plan plan.json --json");
   command->callback([arguments, &status] { status = run(*arguments); });
 }

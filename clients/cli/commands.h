@@ -2,7 +2,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
+#include "core/closure/accuracy.h"
 #include "search/search.h"
 
 namespace coapt {
@@ -22,6 +24,17 @@ void add_plan(CLI::App& parent, int& status);
 
 /// --method.
 void add_method_option(CLI::App& command, Method& method);
+
+/// --membrane.
+void add_membrane_option(CLI::App& command, Membrane& membrane);
+
+/// --accuracy.
+void add_accuracy_option(CLI::App& command, std::optional<double>& accuracy_mm2);
+
+/// Puts the tolerances for --accuracy, if it was given, into `closure` and says on standard error which
+/// they are. Errors point to "/accuracy".
+Expected<std::optional<AccuracyTier>> apply_accuracy(std::optional<double> accuracy_mm2,
+                                                     ClosureOptions& closure);
 
 /// --threads and --region-points.
 void add_region_options(CLI::App& command, SearchOptions& options);

@@ -13,4 +13,16 @@ void add_method_option(CLI::App& command, Method& method) {
       ->option_text("METHOD");
 }
 
+void add_membrane_option(CLI::App& command, Membrane& membrane) {
+  const std::map<std::string, Membrane> membranes = {
+      {to_string(Membrane::Springs), Membrane::Springs},
+      {to_string(Membrane::Continuum), Membrane::Continuum}};
+  command
+      .add_option("--membrane", membrane,
+                  "What carries the leaflets' tension: springs (default) or continuum, triangles "
+                  "that converge under refinement")
+      ->transform(CLI::CheckedTransformer(membranes))
+      ->option_text("MEMBRANE");
+}
+
 }  // namespace coapt

@@ -163,16 +163,20 @@ ClosureResult close_valve(const Valve& valve, const ClosureOptions& options,
                           const ClosureResult* neighbour) {
   const ClosureModel model = make_closure_model(valve, options.membrane);
   const double thickness = valve.tissue.thickness_mm;
-  const ContactLaw contact{thickness, options.contact_pressure_mpa / (thickness * thickness),
-                           false};
+  const ContactLaw contact{thickness, options.contact_pressure_mpa / (thickness * thickness), false,
+                           options.self_contact};
   const std::optional<ClosureRun> start =
-      neighbour ? start_from(valve, model, *neighbour) : std::nullopt;
+      neighbour && !options.edge_contact ? start_from(valve, model, *neighbour) : std::nullopt;
   ClosureResult result;
+  result.method = options.method;
+  result.membrane = options.membrane;
   ClosureRun best;
   std::size_t best_attempt = 0;
-  for (const Rung& rung : options.method == Method::Fast
-                              ? fast_ladder(model, options, contact, start ? &*start : nullptr)
-                              : thesis_ladder(model, options, contact)) {
+  std::vector<Rung> ladder = options.method == Method::Fast
+                                 ? fast_ladder(model, options, contact, start ? &*start : nullptr)
+                                 : thesis_ladder(model, options, contact);
+  if (options.edge_contact) ladder.erase(ladder.begin());
+  for (const Rung& rung : ladder) {
     ClosureRun run = rung.run();
     const ClosureAttempt attempt{rung.how, run.status, run.crossing_pairs, run.residual, run.steps};
     result.attempts.push_back(attempt);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/closure/membrane.h"
+#include "core/closure/self_contact.h"
 #include "core/valve/valve.h"
 
 namespace coapt {
@@ -28,6 +29,9 @@ struct ClosureOptions {
   double speed = 1.0;           ///< of moves, (0, 1]: less is slower and takes another way to rest
   double damping_per_ms = 1.0;  ///< Thesis: velocities decay by exp(-damping t)
   int samples = 1;              ///< closely spaced end states recorded
+  bool edge_contact = false;    ///< in the first attempt already (always from the open state);
+                                ///< else only where leaflets would cross
+  SelfContact self_contact = SelfContact::All;
 };
 
 /// One rung of the ladder that close_valve climbs until a closure is converged and uncrossed.
@@ -41,6 +45,8 @@ struct ClosureAttempt {
 
 /// All points are in the valve's frame, in millimetres.
 struct ClosureResult {
+  Method method = Method::Fast;
+  Membrane membrane = Membrane::Springs;
   ClosureStatus status = ClosureStatus::StepLimit;
   Points closed_mm;                ///< |V| x 3, order of Valve::rest_mm
   std::vector<Points> samples_mm;  ///< end states, the first equals closed_mm; at least one

@@ -65,6 +65,44 @@ ContactLaw edge_law(const ContactLaw& law) {
   return {kEdgeShare * law.thickness_mm, law.stiffness_n_per_mm4 / (kEdgeShare * kEdgeShare), true};
 }
 
+std::vector<ContactSides> contact_sides(SelfContact self) {
+  switch (self) {
+    case SelfContact::All:
+      return {ContactSides{}};
+    case SelfContact::NotAnterior:
+      return {{{true, false, false}, {false, true, true}},
+              {{false, true, true}, {true, true, true}}};
+    case SelfContact::None:
+      return {{{true, false, false}, {false, true, true}},
+              {{false, true, false}, {true, false, true}},
+              {{false, false, true}, {true, true, false}}};
+  }
+  return {};
+}
+
+std::vector<int> vertices_of(const ClosureModel& model, const ContactSides& sides) {
+  std::vector<int> first(static_cast<std::size_t>(model.vertices), kLeaflets - 1);
+  for (std::size_t f = 0; f < model.leaflet.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      int& leaflet = first[static_cast<std::size_t>(model.faces(static_cast<Eigen::Index>(f), k))];
+      leaflet = std::min(leaflet, model.leaflet[f]);
+    }
+  std::vector<int> vertices;
+  for (int v = 0; v < model.vertices; ++v)
+    if (sides.vertices[static_cast<std::size_t>(first[static_cast<std::size_t>(v)])])
+      vertices.push_back(v);
+  return vertices;
+}
+
+std::vector<int> faces_of(const ClosureModel& model, const ContactSides& sides) {
+  std::vector<int> faces;
+  for (int f = 0; f < static_cast<int>(model.faces.rows()); ++f)
+    if (model.leaflet.empty() ||
+        sides.faces[static_cast<std::size_t>(model.leaflet[static_cast<std::size_t>(f)])])
+      faces.push_back(f);
+  return faces;
+}
+
 Vec3 closest_point_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -170,17 +208,22 @@ void Contact::renew(const ClosureModel& model, const Points& x) {
   listed_at_ = x.topRows(model.vertices);
   faces_.clear();
   edges_.clear();
-  std::vector<std::array<int, 3>> vertices, faces, edges;
-  for (int v = 0; v < model.vertices; ++v) vertices.push_back({v, v, v});
-  for (Eigen::Index f = 0; f < model.faces.rows(); ++f)
-    faces.push_back({model.faces(f, 0), model.faces(f, 1), model.faces(f, 2)});
   const double reach = 0.5 * (law_.thickness_mm + kMargin_mm);
-  for (const auto& [v, f] :
-       overlapping(boxes_around(vertices, x, reach), boxes_around(faces, x, reach))) {
-    const auto& n = faces[static_cast<std::size_t>(f)];
-    if (n[0] != v && n[1] != v && n[2] != v) add_candidate(model, {v, n[0], n[1], n[2]}, false);
+  for (const ContactSides& sides : contact_sides(law_.self)) {
+    const std::vector<int> vertex = vertices_of(model, sides), face = faces_of(model, sides);
+    std::vector<std::array<int, 3>> vertices, faces;
+    for (const int v : vertex) vertices.push_back({v, v, v});
+    for (const int f : face)
+      faces.push_back({model.faces(f, 0), model.faces(f, 1), model.faces(f, 2)});
+    for (const auto& [i, j] :
+         overlapping(boxes_around(vertices, x, reach), boxes_around(faces, x, reach))) {
+      const int v = vertex[static_cast<std::size_t>(i)];
+      const auto& n = faces[static_cast<std::size_t>(j)];
+      if (n[0] != v && n[1] != v && n[2] != v) add_candidate(model, {v, n[0], n[1], n[2]}, false);
+    }
   }
   if (!law_.edges) return;
+  std::vector<std::array<int, 3>> edges;
   for (const auto& [a, b] : model.edges) edges.push_back({a, b, b});
   const Boxes boxes = boxes_around(edges, x, 0.5 * (edge_law(law_).thickness_mm + kMargin_mm));
   for (const auto& [i, j] : overlapping(boxes, boxes)) {

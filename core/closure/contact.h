@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/closure/model.h"
+#include "core/closure/self_contact.h"
 
 namespace coapt {
 
@@ -21,7 +22,12 @@ struct ContactLaw {
   double thickness_mm = 1.0;
   double stiffness_n_per_mm4 = 0.74;
   bool edges = false;
+  SelfContact self = SelfContact::All;
 };
+
+/// The vertices of those leaflets (each of the first that has it) and the faces, in ascending order.
+std::vector<int> vertices_of(const ClosureModel& model, const ContactSides& sides);
+std::vector<int> faces_of(const ClosureModel& model, const ContactSides& sides);
 
 /// The law between edges: only a net under that of vertices and faces, at a share of its thickness and
 /// with the same largest pressure.

@@ -17,12 +17,13 @@ template <class R>
 ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>& node_of,
                               const ContactLaw& law, PairKind kind,
                               const kernels::Kernels<R>& kernels,
-                              const std::vector<std::array<int, 2>>& edges)
+                              const std::vector<std::array<int, 2>>& edges,
+                              const ContactSides& sides)
     : law_(kind == PairKind::EdgeEdge ? edge_law(law) : law), kind_(kind), kernels_(kernels) {
   std::vector<FeatureNodes> first, second;
   if (kind == PairKind::VertexFace) {
-    for (int v = 0; v < model.vertices; ++v) first.push_back({v, v, v});
-    for (Eigen::Index f = 0; f < model.faces.rows(); ++f)
+    for (const int v : vertices_of(model, sides)) first.push_back({v, v, v});
+    for (const int f : faces_of(model, sides))
       second.push_back({model.faces(f, 0), model.faces(f, 1), model.faces(f, 2)});
     second_ = make_clusters<R>(model.rest_mm, second, node_of);
   } else {

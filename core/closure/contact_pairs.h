@@ -17,10 +17,11 @@ enum class PairKind { VertexFace, EdgeEdge };
 template <class R>
 class ContactPairs {
  public:
-  /// `node_of`: the kernels' node numbers. `edges`: those between which pairs are looked for.
+  /// `node_of`: the kernels' node numbers. `edges`: those between which pairs are looked for;
+  /// `sides`: the vertices and faces, likewise.
   ContactPairs(const ClosureModel& model, const std::vector<int>& node_of, const ContactLaw& law,
                PairKind kind, const kernels::Kernels<R>& kernels,
-               const std::vector<std::array<int, 2>>& edges = {});
+               const std::vector<std::array<int, 2>>& edges = {}, const ContactSides& sides = {});
 
   /// Lists the pairs that are nearer than their thickness and margin. `listed`: positions and, as fourth,
   /// margins of all nodes, mm; that of a pair is the largest of its nodes.

@@ -135,6 +135,23 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
   }
 }
 
+int leaflet_of(Segment segment) {
+  switch (segment) {
+    case Segment::A1:
+    case Segment::A2:
+    case Segment::A3:
+      return 0;
+    case Segment::P1:
+    case Segment::P2:
+    case Segment::P3:
+      return 1;
+    case Segment::AC:
+    case Segment::PC:
+      return 2;
+  }
+  return 0;
+}
+
 /// omega_max^2 <= max over nodes of row sum / m, 2 k for each spring; the step bound is 2 / omega_max.
 double stable_step_ms(const ClosureModel& model) {
   std::vector<double> row_sum(model.mass_g.size(), 0.0);
@@ -163,6 +180,7 @@ ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
   ClosureModel model;
   model.vertices = static_cast<int>(valve.rest_mm.rows());
   model.faces = valve.faces;
+  for (const Segment segment : valve.segments) model.leaflet.push_back(leaflet_of(segment));
   model.pressure_mpa = valve.pressure_kpa * kMpaPerKpa;
   int branch_points = 0;
   for (const Chorda& chorda : valve.chordae)

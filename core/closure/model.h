@@ -38,9 +38,10 @@ struct Cable {
 struct ClosureModel {
   int vertices = 0;
   Faces faces;
-  Points rest_mm;           ///< |N| x 3, where nodes start
-  Points target_mm;         ///< |N| x 3, where fixed nodes end (annulus and heads under pressure)
-  std::vector<bool> fixed;  ///< |N|
+  std::vector<int> leaflet;  ///< |F|, one of kLeaflets (self_contact.h)
+  Points rest_mm;            ///< |N| x 3, where nodes start
+  Points target_mm;          ///< |N| x 3, where fixed nodes end (annulus and heads under pressure)
+  std::vector<bool> fixed;   ///< |N|
   std::vector<double> mass_g;    ///< |N|
   std::vector<double> area_mm2;  ///< |V|, a third of the rest area of the faces around a vertex
   std::vector<std::array<int, 2>> edges;  ///< of the faces, each once, in ascending order

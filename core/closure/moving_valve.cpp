@@ -46,6 +46,10 @@ MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings&
       force_(x_.size()),
       faces_(model, laid_.node_of, settings.contact, PairKind::VertexFace, kernels_),
       longest_move_mm_(settings.longest_move_mm) {
+  if (settings.contact.self != SelfContact::All)
+    for (const ContactSides& sides : contact_sides(settings.contact.self))
+      parted_.emplace_back(model, laid_.node_of, settings.contact, PairKind::VertexFace, kernels_,
+                           std::vector<std::array<int, 2>>(), sides);
   if (settings.contact.edges) guard(model.edges);
   for (Eigen::Index i = 0; i < start.rows(); ++i) place(static_cast<std::size_t>(i), start.row(i));
 }
@@ -68,7 +72,8 @@ kernels::StepSums MovingValve<R>::step(double fixed_move_mm) {
   kernels_.pull_cables(laid_.cables.data(), static_cast<int>(laid_.cables.size()), x_.data(),
                        force_.data());
   pull_sheets();
-  faces_.push(x_, used_share_, force_);
+  if (parted_.empty()) faces_.push(x_, used_share_, force_);
+  for (ContactPairs<R>& pairs : parted_) pairs.push(x_, used_share_, force_);
   if (edges_) edges_->push(x_, used_share_, force_);
   kernels::StepInput<R> input;
   input.x = x_.data();
@@ -110,7 +115,8 @@ void MovingValve<R>::list() {
     listed_[i].at[3] = static_cast<R>(fixed_margin_mm_);
   started_ = true;
   listed_share_ = fixed_share_ = used_share_ = 0.0;
-  faces_.list(listed_);
+  if (parted_.empty()) faces_.list(listed_);
+  for (ContactPairs<R>& pairs : parted_) pairs.list(listed_);
   if (edges_) edges_->list(listed_);
 }
 

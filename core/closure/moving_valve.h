@@ -59,6 +59,7 @@ class MovingValve {
   std::vector<kernels::Quad<R>> x_, next_, force_;
   std::vector<kernels::Quad<R>> listed_;  // where nodes were when pairs were listed, and margins
   ContactPairs<R> faces_;                 // with vertices
+  std::vector<ContactPairs<R>> parted_;   // the same, where some leaflets do not touch themselves
   std::optional<ContactPairs<R>> edges_;  // with edges
   double travelled_ = 0.0;
   bool started_ = false;

@@ -142,6 +142,16 @@ ordered_json to_json(const ObliqueOrifice& widest) {
       {"max", widest.area_mm2}, {"tilt_deg", widest.tilt_deg}, {"azimuth_deg", widest.azimuth_deg}};
 }
 
+ordered_json to_json(const AccuracyTier& tier, Membrane membrane) {
+  const TierError& error = error_of(tier, membrane);
+  return {{"residual_tolerance", tier.residual_tolerance},
+          {"way_tolerance_mm", tier.way_tolerance_mm},
+          {"orifice_error_p99_mm2", error.p99_mm2},
+          {"orifice_error_max_mm2", error.max_mm2},
+          {"scenes", kAccuracyScenes},
+          {"of", "stopping early on this mesh; not of the mesh"}};
+}
+
 ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                              const ValveMeasure& measure, double seconds) {
   ordered_json attempts = ordered_json::array();
@@ -156,6 +166,8 @@ ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                  {"notice", kResearchNotice},
                  {"valve", valve.name},
                  {"triangles", valve.faces.rows()},
+                 {"method", to_string(closure.method)},
+                 {"membrane", to_string(closure.membrane)},
                  {"status", to_string(closure.status)},
                  {"residual", closure.residual},
                  {"steps", closure.steps},

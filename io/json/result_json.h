@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/closure/accuracy.h"
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
 #include "core/metrics/oblique.h"
@@ -23,7 +24,11 @@ nlohmann::ordered_json to_json(const ValveMeasure& measure);
 nlohmann::ordered_json to_json(
     const ObliqueOrifice& widest);  ///< {"max", "tilt_deg", "azimuth_deg"}
 
-/// Keys that scripts rely on: status, crossing, orifice_area_mm2, orifice_area_raw_mm2, residual,
+/// {"residual_tolerance", "way_tolerance_mm", "orifice_error_p99_mm2", "orifice_error_max_mm2",
+/// "scenes", "of"}: the tolerances of a tier and the errors that were measured for them.
+nlohmann::ordered_json to_json(const AccuracyTier& tier, Membrane membrane);
+
+/// Keys that scripts rely on: method, membrane, status, crossing, orifice_area_mm2, orifice_area_raw_mm2, residual,
 /// steps, seconds, triangles; then every measure.
 nlohmann::ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                                        const ValveMeasure& measure, double seconds);

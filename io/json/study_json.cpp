@@ -38,7 +38,8 @@ ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& stu
     if (scene.compared) from_end.push_back(scene.from_end);
     if (scene.other_equilibrium) of_other.push_back(scene.from_other);
   }
-  ordered_json json = {{"method", to_string(options.method)},
+  ordered_json json = {{"method", to_string(options.closure.method)},
+                       {"membrane", to_string(options.closure.membrane)},
                        {"count", options.count},
                        {"seed", options.seed},
                        {"warm", options.warm},

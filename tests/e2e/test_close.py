@@ -21,6 +21,7 @@ class Close(ProgramTest):
     def test_json_has_the_keys_that_scripts_rely_on(self):
         closure = self.close("human-normal")
         self.assertIn(closure["status"], ["converged", "step_limit", "diverged"])
+        self.assertEqual((closure["method"], closure["membrane"]), ("fast", "springs"))
         self.assertIsInstance(closure["crossing"], bool)
         self.assertIsInstance(closure["steps"], int)
         self.assertIsInstance(closure["triangles"], int)
@@ -54,11 +55,34 @@ class Close(ProgramTest):
                          springs["orifice_area_mm2"])
         for method in ["fast", "thesis"]:
             continuum = self.close(VALVE, "--membrane", "continuum", "--method", method)
+            self.assertEqual((continuum["method"], continuum["membrane"]), (method, "continuum"))
             self.assertNotEqual(continuum["orifice_area_mm2"], springs["orifice_area_mm2"])
             self.assertAlmostEqual(continuum["orifice_area_mm2"], springs["orifice_area_mm2"], delta=10.0)
         result = coapt("close", VALVE, "--membrane", "cheese")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         self.assertIn("--membrane", result.stderr)
+
+    def test_an_accuracy_chooses_tolerances_and_says_which(self):
+        loose, tight = (self.close(VALVE, "--accuracy", mm2)["accuracy"] for mm2 in ["100", "0.01"])
+        self.assertGreater(loose["residual_tolerance"], tight["residual_tolerance"])
+        self.assertLessEqual(tight["orifice_error_p99_mm2"], 0.01)
+        self.assertNotIn("accuracy", self.close(VALVE))
+        end = self.close(VALVE, "--accuracy", "0.0087")["orifice_area_mm2"]
+        near = self.close(VALVE, "--accuracy", "0.4")
+        self.assertAlmostEqual(near["orifice_area_mm2"], end, delta=near["accuracy"]["orifice_error_max_mm2"])
+        words = coapt("close", VALVE, "--accuracy", "0.4", "--membrane", "continuum")
+        self.assertRegex(words.stderr, r"^coapt: accuracy: residual \S+, .*continuum.* mesh is another\n$")
+        bench = coapt("bench", "closures", VALVE, "--count", "1", "--no-accuracy", "--json", "--accuracy", "5.6")
+        self.assertEqual(json.loads(bench.stdout)["accuracy"]["residual_tolerance"], 0.1)
+
+    def test_an_accuracy_that_was_never_measured_is_refused_with_the_range(self):
+        result = coapt("close", VALVE, "--accuracy", "0.0001")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("--accuracy: is 0.0001, must be at least 0.0087 mm2", result.stderr)
+        result = coapt("close", VALVE, "--accuracy", "1", "--method", "thesis")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("method fast only", result.stderr)
+        self.assertEqual(coapt("close", VALVE, "--accuracy", "-1").returncode, BAD_INPUT)
 
     def test_the_picture_is_a_png_and_stdout_is_still_json(self):
         picture = self.folder / "closed.png"

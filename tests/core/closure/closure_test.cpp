@@ -182,6 +182,24 @@ TEST(Closure, WithContactTooSoftIsCaughtCrossing) {
   EXPECT_TRUE(close_valve(human(), options).crossing);
 }
 
+TEST(Closure, WithEdgeContactLeavesOutTheAttemptWithout) {
+  for (const Method method : {Method::Fast, Method::Thesis}) {
+    const ClosureResult closed = close_valve(human(300), {.method = method, .edge_contact = true});
+    EXPECT_EQ(closed.status, ClosureStatus::Converged);
+    EXPECT_NE(closed.attempts.front().how.find("edge contact"), std::string::npos);
+    EXPECT_EQ(closed.method, method);
+    EXPECT_EQ(closed.membrane, Membrane::Springs);
+  }
+}
+
+TEST(Closure, HardlyChangesIfTheAnteriorLeafletCannotTouchItself) {
+  const Valve valve = human();
+  const Points apart = close_valve(valve).closed_mm -
+                       close_valve(valve, {.self_contact = SelfContact::NotAnterior}).closed_mm;
+  EXPECT_GT(apart.norm(), 0.0);
+  EXPECT_LT(std::sqrt(apart.squaredNorm() / static_cast<double>(apart.rows())), 0.2);
+}
+
 TEST(Closure, OfSurplusLeafletFallsBackOnEdgeContactAndEndsUncrossed) {
   // Heights a fifth over porcine-1: tight folds that vertex-face contact alone lets cross.
   ParametricValve d;

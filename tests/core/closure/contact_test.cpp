@@ -100,6 +100,30 @@ TEST(Contact, PressureIsStiffnessTimesSquaredDepthOnTheVertexArea) {
   EXPECT_NEAR(force.colwise().sum().norm(), 0.0, 1e-12);
 }
 
+TEST(Contact, OfALeafletWithItselfCanBeLeftOut) {
+  ClosureModel model = vertex_over_triangle();
+  model.faces.conservativeResize(2, 3);
+  model.faces.row(1) << 3, 4, 5;  // another triangle, 5 mm above at rest
+  model.vertices = 6;
+  model.rest_mm.conservativeResize(6, 3);
+  model.rest_mm.bottomRows(2) << 13, 3, 5, 3, 13, 5;
+  model.area_mm2.resize(6, 2.0);
+  Points x = model.rest_mm;
+  x(3, 2) = 0.6;
+  const auto touches = [&](int below, int above, SelfContact self) {
+    model.leaflet = {below, above};
+    Points force = Points::Zero(6, 3);
+    Contact(ContactLaw{1.0, 0.5, false, self}).add_forces(model, x, force);
+    return force(3, 2) > 0.0;
+  };
+  for (int below = 0; below < kLeaflets; ++below)
+    for (int above = 0; above < kLeaflets; ++above) {
+      EXPECT_TRUE(touches(below, above, SelfContact::All));
+      EXPECT_EQ(touches(below, above, SelfContact::NotAnterior), below != above || below != 0);
+      EXPECT_EQ(touches(below, above, SelfContact::None), below != above);
+    }
+}
+
 TEST(Contact, IsNothingAtItsThicknessAndGrowsFromThereWithoutAStep) {
   const ClosureModel model = vertex_over_triangle();
   for (const auto& [height, expected] : {std::pair{1.0, 0.0}, {0.999, 1e-6}, {1.4, 0.0}}) {

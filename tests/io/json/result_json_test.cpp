@@ -38,6 +38,8 @@ TEST(ResultJson, EveryErrorCodeHasItsOwnName) {
 
 TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
   ClosureResult closure;
+  closure.method = Method::Thesis;
+  closure.membrane = Membrane::Continuum;
   closure.status = ClosureStatus::StepLimit;
   closure.residual = 0.02;
   closure.steps = 40000;
@@ -45,6 +47,8 @@ TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
   ValveMeasure measure;
   measure.orifice = {12.5, 30.0, 12.0, {{12.5, Vec3(1.0, 2.0, 3.0), Segment::P2}}};
   const ordered_json result = closure_to_json(small_valve(), closure, measure, 1.5);
+  EXPECT_EQ(result["method"], "thesis");
+  EXPECT_EQ(result["membrane"], "continuum");
   EXPECT_EQ(result["status"], "step_limit");
   EXPECT_EQ(result["crossing"], true);
   EXPECT_EQ(result["orifice_area_mm2"], 12.5);
@@ -58,6 +62,14 @@ TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
   EXPECT_EQ(result["orifices"][0].dump(),
             R"({"area_mm2":12.5,"centroid_mm":[1.0,2.0,3.0],"segment":"P2"})");
   EXPECT_EQ(result["coaptation"]["sections"].size(), 9u);
+}
+
+TEST(ResultJson, ATierOfAccuracyHasItsTolerancesAndTheErrorsOfTheMembrane) {
+  const AccuracyTier tier{0.1, 0.4, {2.0, 3.0, 1.0}, {4.0, 5.0, 1.0}};
+  EXPECT_EQ(to_json(tier, Membrane::Continuum).dump(),
+            R"({"residual_tolerance":0.1,"way_tolerance_mm":0.4,"orifice_error_p99_mm2":4.0,)"
+            R"("orifice_error_max_mm2":5.0,"scenes":500,)"
+            R"("of":"stopping early on this mesh; not of the mesh"})");
 }
 
 TEST(ResultJson, ASearchHasTheKeysThatScriptsRelyOn) {
