@@ -3,9 +3,10 @@
 #include "core/closure/kernels/motion.inl"
 // after motion.inl, whose scatter they use
 #include "core/closure/kernels/contact.inl"
-#include "core/closure/kernels/crossing.inl"
 #include "core/closure/kernels/pairs.inl"
 #include "core/closure/kernels/sheets.inl"
+// after pairs.inl, whose boxes it uses
+#include "core/closure/kernels/crossing.inl"
 
 template <class R>
 constexpr Kernels<R> kTable = {advance<R>,    pull_cables<R>,  pull_sheets<R>,
