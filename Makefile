@@ -19,8 +19,9 @@ test: build  ## build and run every test
 	@cmake/install_packages.sh test
 	ctest --preset release --parallel 2
 
-chart: build  ## accuracy against time, and what the model's ingredients buy, into docs/images
+chart: build  ## accuracy against time, where methods fail, what the model's ingredients buy, into docs/images
 	$(BIN)/coapt chart speed-accuracy -o docs/images
+	$(BIN)/coapt chart stability -o docs/images
 	$(BIN)/coapt chart ablation -o docs/images
 
 bench: build  ## time of the parts of a closure, and of whole ones against method thesis

@@ -13,7 +13,8 @@ core/presets  : core/closure core/valve
 search        : core
 io            : search core
 server        : io search core
-clients/cli   : io search core
+clients/cli   : io search core bench/comparators
+bench/comparators : core
 '
 # Pattern of what only one folder may include, then that folder.
 readonly reserved='
@@ -24,7 +25,7 @@ httplib[.]h     : server
 CLI/            : clients/cli server
 nlohmann/       : io server clients/cli
 '
-# core is pure: no threads, clock, randomness, files or streams.
+# core and the comparators are pure: no threads, clock, randomness, files or streams.
 readonly impure='^(thread|mutex|atomic|future|condition_variable|chrono|ctime|time[.]h|random|filesystem|fstream|iostream|omp[.]h)$'
 
 # within FILE FOLDER...: whether FILE lies in one of the folders.
@@ -62,18 +63,19 @@ while IFS=: read -r pattern owners; do
     [[ $text =~ \<($pattern[^>]*)\> ]] || continue
     within "$file" "${owners[@]}" ||
       complain "$file:$line: only ${owners[*]} may include <${BASH_REMATCH[1]}>"
-  done < <(for root in core search io server clients; do [[ -d $root ]] && includes "$root"; done)
+  done < <(for root in core search io server clients bench/comparators; do [[ -d $root ]] && includes "$root"; done)
 done < <(grep : <<<"$reserved")
 
-if [[ -d core ]]; then
+for root in core bench/comparators; do
+  [[ -d $root ]] || continue
   while IFS=: read -r file line text; do
     [[ $text =~ \<([^>]+)\> ]] || continue
     [[ ! ${BASH_REMATCH[1]} =~ $impure ]] ||
-      complain "$file:$line: core may not include <${BASH_REMATCH[1]}>"
-  done < <(includes core)
-fi
+      complain "$file:$line: $root may not include <${BASH_REMATCH[1]}>"
+  done < <(includes "$root")
+done
 
-for root in core search io server clients; do
+for root in core search io server clients bench; do
   [[ -d $root ]] || continue
   while IFS=: read -r file line _; do
     [[ $file == search/parallel.h ]] || complain "$file:$line: OpenMP only in search/parallel.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace coapt {
 namespace {
@@ -36,13 +37,13 @@ Vec3 apart(const ContactPair& pair, const Weights& w, const Points& x) {
          w[2] * node(x, pair.nodes[2]) + w[3] * node(x, pair.nodes[3]);
 }
 
-void push(const ContactPair& pair, const Weights& w, const Points& x, Points& force) {
+std::optional<Touch> touch(const ContactPair& pair, const Weights& w, const Points& x) {
   const Vec3 between = apart(pair, w, x);
   const double distance = between.norm();
-  if (distance >= pair.thickness_mm || distance == 0.0) return;
-  const double gap = pair.thickness_mm - distance;
-  const Vec3 f = (pair.force_n_per_mm2 * gap * gap / distance) * between;
-  for (std::size_t k = 0; k < 4; ++k) force.row(pair.nodes[k]) += w[k] * f;
+  if (distance >= pair.thickness_mm || distance == 0.0) return std::nullopt;
+  return Touch{
+      pair.nodes,          w, between / distance, pair.thickness_mm, pair.thickness_mm - distance,
+      pair.force_n_per_mm2};
 }
 
 Boxes boxes_around(const std::vector<std::array<int, 3>>& features, const Points& x,
@@ -204,6 +205,19 @@ void Contact::add_candidate(const ClosureModel& model, const std::array<int, 4>&
   (edges ? edges_ : faces_).push_back(pair);
 }
 
+std::vector<std::array<int, 2>> Contact::edges_of(const ClosureModel& model) const {
+  if (law_.edges) return model.edges;
+  std::vector<std::array<int, 2>> edges;
+  for (const int f : guarded_faces_)
+    for (int k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(model.faces(f, k), model.faces(f, (k + 1) % 3));
+      edges.push_back({a, b});
+    }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 void Contact::renew(const ClosureModel& model, const Points& x) {
   listed_at_ = x.topRows(model.vertices);
   faces_.clear();
@@ -222,9 +236,9 @@ void Contact::renew(const ClosureModel& model, const Points& x) {
       if (n[0] != v && n[1] != v && n[2] != v) add_candidate(model, {v, n[0], n[1], n[2]}, false);
     }
   }
-  if (!law_.edges) return;
   std::vector<std::array<int, 3>> edges;
-  for (const auto& [a, b] : model.edges) edges.push_back({a, b, b});
+  for (const auto& [a, b] : edges_of(model)) edges.push_back({a, b, b});
+  if (edges.empty()) return;
   const Boxes boxes = boxes_around(edges, x, 0.5 * (edge_law(law_).thickness_mm + kMargin_mm));
   for (const auto& [i, j] : overlapping(boxes, boxes)) {
     const auto &e = edges[static_cast<std::size_t>(i)], &g = edges[static_cast<std::size_t>(j)];
@@ -233,20 +247,40 @@ void Contact::renew(const ClosureModel& model, const Points& x) {
   }
 }
 
-void Contact::add_forces(const ClosureModel& model, const Points& x, Points& force) {
+void Contact::renew_if_old(const ClosureModel& model, const Points& x) {
   if (listed_at_.rows() == 0 ||
       (x.topRows(model.vertices) - listed_at_).rowwise().squaredNorm().maxCoeff() >
           0.25 * kMargin_mm * kMargin_mm)
     renew(model, x);
+}
+
+template <class Function>
+void Contact::for_each_touch(const Points& x, const Function& function) const {
   for (const ContactPair& pair : faces_) {
     const Vec3 a = node(x, pair.nodes[1]);
     const Vec3 normal = (node(x, pair.nodes[2]) - a).cross(node(x, pair.nodes[3]) - a);
     const double offset = normal.dot(node(x, pair.nodes[0]) - a);
     // The plane is nearer than the triangle: most candidates end here.
     if (offset * offset >= pair.thickness_mm * pair.thickness_mm * normal.squaredNorm()) continue;
-    push(pair, vertex_face_weights(pair, x), x, force);
+    if (const auto found = touch(pair, vertex_face_weights(pair, x), x)) function(*found);
   }
-  for (const ContactPair& pair : edges_) push(pair, edge_edge_weights(pair, x), x, force);
+  for (const ContactPair& pair : edges_)
+    if (const auto found = touch(pair, edge_edge_weights(pair, x), x)) function(*found);
+}
+
+void Contact::add_forces(const ClosureModel& model, const Points& x, Points& force) {
+  renew_if_old(model, x);
+  for_each_touch(x, [&](const Touch& t) {
+    const Vec3 f = (t.force_n_per_mm2 * t.gap_mm * t.gap_mm) * t.direction;
+    for (std::size_t k = 0; k < 4; ++k) force.row(t.nodes[k]) += t.weights[k] * f;
+  });
+}
+
+std::vector<Touch> Contact::touches(const ClosureModel& model, const Points& x) {
+  renew_if_old(model, x);
+  std::vector<Touch> all;
+  for_each_touch(x, [&](const Touch& t) { all.push_back(t); });
+  return all;
 }
 
 }  // namespace coapt

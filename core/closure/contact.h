@@ -11,6 +11,7 @@
 // instead lets the leaflets cross at the commissures.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/closure/model.h"
@@ -59,18 +60,40 @@ std::vector<std::pair<int, int>> overlapping(const Boxes& a, const Boxes& b);
 double pair_thickness_mm(const ContactLaw& law, const ClosureModel& model,
                          const std::array<int, 4>& nodes, bool edges);
 
+/// A pair nearer than its thickness. Moving node k by d moves the first feature off the second one by
+/// weights[k] x d . direction.
+struct Touch {
+  std::array<int, 4> nodes = {0, 0, 0, 0};
+  std::array<double, 4> weights = {0.0, 0.0, 0.0, 0.0};  ///< signed
+  Vec3 direction = Vec3::Zero();                         ///< unit, from second to first feature
+  double thickness_mm = 0.0;
+  double gap_mm = 0.0;           ///< thickness - distance
+  double force_n_per_mm2 = 0.0;  ///< force = this x gap^2
+};
+
 /// The list of candidate pairs and where it was made.
 class Contact {
  public:
-  explicit Contact(const ContactLaw& law) : law_(law) {}
+  /// `guarded_faces`: their edges have contact among each other where the law has none of edges.
+  explicit Contact(const ContactLaw& law, std::vector<int> guarded_faces = {})
+      : law_(law), guarded_faces_(std::move(guarded_faces)) {}
   /// Adds contact forces, N; renews the candidates when they may be out of date.
   void add_forces(const ClosureModel& model, const Points& x, Points& force);
+  /// The pairs that push, in the order of add_forces; renews the candidates likewise.
+  std::vector<Touch> touches(const ClosureModel& model, const Points& x);
 
  private:
+  void renew_if_old(const ClosureModel& model, const Points& x);
   void renew(const ClosureModel& model, const Points& x);
+  template <class Function>
+  void for_each_touch(const Points& x, const Function& function) const;
   void add_candidate(const ClosureModel& model, const std::array<int, 4>& nodes, bool edges);
 
+  /// Those that have contact.
+  std::vector<std::array<int, 2>> edges_of(const ClosureModel& model) const;
+
   ContactLaw law_;
+  std::vector<int> guarded_faces_;
   Points listed_at_;  // |V| x 3, empty before the first list
   std::vector<ContactPair> faces_, edges_;
 };

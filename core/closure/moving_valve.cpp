@@ -10,8 +10,6 @@ namespace {
 
 using kernels::kLanes;
 
-// The guaranteed bound is half the sum of stiffness; contact and damping take a little more.
-constexpr double kMassShare = 0.55;
 // Pairs are listed so far ahead that the list lasts about this many steps. It is renewed when a node has
 // moved by the margin: two that move towards each other could then be closer than the margin allows
 // for, but not through each other (pairs asleep are woken by the same rule); the last step has a list of
@@ -85,7 +83,7 @@ kernels::StepSums MovingValve<R>::step(double fixed_move_mm) {
   input.block_count = static_cast<int>(laid_.blocks.size());
   input.keep = static_cast<R>(share_kept(model_, settings_.damping));
   input.longest_move_mm = static_cast<R>(settings_.longest_move_mm);
-  input.mass_share = static_cast<R>(kMassShare);
+  input.mass_share = static_cast<R>(settings_.mass_share);
   input.lookahead_mm = static_cast<R>(longest_move_mm_);
   const kernels::StepSums sums = kernels_.advance(input);
   longest_move_mm_ = std::sqrt(sums.longest_move2_mm2);

@@ -24,6 +24,9 @@ struct RelaxationSettings {
   int max_steps = 6000;
   double damping = 0.06;  ///< share of a velocity lost in a step at 650 triangles (relaxation.cpp)
   double longest_move_mm = 0.15;  ///< of a node in a step; longer ones let leaflets jump through
+  /// A node's mass over the sum of its stiffness. The guaranteed bound is half of that sum; contact and
+  /// damping take a little more. Less is a longer step, without guarantee.
+  double mass_share = 0.55;
   ContactLaw contact;
   bool guards = true;  ///< see above; without, crossings are only reported
   int samples = 1;     ///< end states recorded, five steps apart

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/closure/crossing.h"
+#include "core/closure/residual.h"
 
 namespace coapt {
 namespace {
@@ -20,31 +21,11 @@ struct State {
   double time_ms = 0.0;
 };
 
-double rms_free(const ClosureModel& model, const Points& force, int nodes) {
-  double sum = 0.0;
-  int count = 0;
-  for (int i = 0; i < nodes; ++i) {
-    if (model.fixed[static_cast<std::size_t>(i)]) continue;
-    sum += force.row(i).squaredNorm();
-    ++count;
-  }
-  return std::sqrt(sum / std::max(1, count));
-}
-
 void compute_forces(const ClosureModel& model, State& state) {
   state.force.setZero();
   add_elastic_forces(model, state.x, state.force);
   add_pressure_forces(model, state.x, state.force);
   state.contact.add_forces(model, state.x, state.force);
-}
-
-double residual(const ClosureModel& model, const State& state) {
-  Points pressure = Points::Zero(state.x.rows(), 3);
-  add_pressure_forces(model, state.x, pressure);
-  const auto nodes = static_cast<int>(state.x.rows());
-  const double load = rms_free(model, pressure, model.vertices);
-  return load > 0.0 ? rms_free(model, state.force, nodes) / load
-                    : rms_free(model, state.force, nodes);
 }
 
 /// False, and no step, once the state is lost.
@@ -76,7 +57,8 @@ bool step(const ClosureModel& model, double dt, double damping_per_ms, double lo
 ClosureRun run_thesis(const ClosureModel& model, const ThesisSettings& settings) {
   const Points zero = Points::Zero(model.rest_mm.rows(), 3);
   State state{model.rest_mm, zero, zero, Contact(settings.contact)};
-  const double dt = settings.speed * std::min(kLongestStep_ms, model.stable_step_ms);
+  const double dt =
+      settings.speed * settings.step * std::min(kLongestStep_ms, model.stable_step_ms);
   const double longest_move = settings.speed * kLongestMove * settings.contact.thickness_mm;
   ClosureRun run;
   const auto steps = [&](int count) {
@@ -89,7 +71,7 @@ ClosureRun run_thesis(const ClosureModel& model, const ThesisSettings& settings)
   };
   while (run.status == ClosureStatus::StepLimit && run.steps < settings.max_steps) {
     steps(kResidualEvery_steps);
-    run.residual = residual(model, state);
+    run.residual = residual(model, state.x, state.force);
     if (run.status == ClosureStatus::StepLimit && state.time_ms > kBoundaryTravel_ms &&
         run.residual <= settings.residual_tolerance)
       run.status = ClosureStatus::Converged;

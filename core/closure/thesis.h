@@ -18,6 +18,7 @@ struct ThesisSettings {
   int max_steps = 40000;
   double damping_per_ms = 1.0;  ///< velocities decay by exp(-damping t); 0.5 to 1 settles fastest
   double speed = 1.0;           ///< of the time step and the longest move
+  double step = 1.0;            ///< of the time step alone; above 1.4 the bound is left behind
   ContactLaw contact;
   int samples = 1;  ///< end states recorded, 0.5 ms apart (thesis 4.2.1), if so many steps are left
 };

@@ -4,7 +4,7 @@ import csv
 import unittest
 import xml.etree.ElementTree
 
-from programs import BAD_INPUT, ProgramTest, coapt
+from programs import BAD_INPUT, FAILURE, ProgramTest, coapt
 
 
 class Ablation(ProgramTest):
@@ -26,6 +26,28 @@ class Ablation(ProgramTest):
         result = coapt("chart", "ablation", "--variations", "-1")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         self.assertIn("--variations", result.stderr)
+
+
+class Stability(ProgramTest):
+    def test_one_axis_gives_a_table_and_a_picture_of_all_methods(self):
+        result = self.run_ok("chart", "stability", "--scene", "human-normal", "--axis", "pressure",
+                             "-o", self.folder / "new")
+        self.assertEqual(result.stdout, "")
+        with open(self.folder / "new" / "stability.csv", newline="") as file:
+            cells = list(csv.DictReader(file))
+        methods = ["thesis", "unguarded", "fast", "newton", "xpbd", "coapt"]
+        self.assertEqual([cell["method"] for cell in cells], [m for m in methods for _ in range(6)])
+        self.assertEqual({cell["axis"] for cell in cells}, {"pressure"})
+        self.assertEqual([cell["level"] for cell in cells if cell["nominal"] == "true"], ["16"] * 6)
+        for cell in cells:
+            if cell["method"] == "coapt":
+                self.assertEqual(cell["crossing_pairs"], "0", cell)
+        svg = xml.etree.ElementTree.parse(self.folder / "new" / "stability.svg")
+        self.assertIn("pressure, kPa", [text.text for text in svg.iter() if text.tag.endswith("}text")])
+
+    def test_what_is_unknown_or_has_no_place_is_refused_before_anything_is_closed(self):
+        self.assertEqual(coapt("chart", "stability", "--axis", "weather").returncode, BAD_INPUT)
+        self.assertEqual(coapt("chart", "stability", "-o", "/proc/nowhere").returncode, FAILURE)
 
 
 if __name__ == "__main__":

@@ -124,6 +124,26 @@ TEST(Contact, OfALeafletWithItselfCanBeLeftOut) {
     }
 }
 
+TEST(Contact, TouchesAddUpToTheForces) {
+  const ClosureModel model = vertex_over_triangle();
+  Points x = model.rest_mm;
+  x.row(3) << 3.0, 4.0, 0.3;
+  Points force = Points::Zero(4, 3), sum = force;
+  Contact contact(ContactLaw{1.0, 0.5, false});
+  contact.add_forces(model, x, force);
+  const std::vector<Touch> touches = contact.touches(model, x);
+  ASSERT_EQ(touches.size(), 1u);
+  const Touch& touch = touches.front();
+  EXPECT_NEAR(touch.gap_mm, 0.7, 1e-12);
+  EXPECT_NEAR((touch.direction - Vec3(0, 0, 1)).norm(), 0.0, 1e-12);
+  for (std::size_t k = 0; k < 4; ++k)
+    sum.row(touch.nodes[k]) += touch.weights[k] * touch.force_n_per_mm2 * touch.gap_mm *
+                               touch.gap_mm * touch.direction.transpose();
+  EXPECT_NEAR((sum - force).norm(), 0.0, 1e-15);
+  x(3, 2) = 1.1;
+  EXPECT_TRUE(contact.touches(model, x).empty());
+}
+
 TEST(Contact, IsNothingAtItsThicknessAndGrowsFromThereWithoutAStep) {
   const ClosureModel model = vertex_over_triangle();
   for (const auto& [height, expected] : {std::pair{1.0, 0.0}, {0.999, 1e-6}, {1.4, 0.0}}) {
@@ -166,6 +186,29 @@ TEST(Contact, BetweenCrossedEdgesPushesThemApart) {
   const double expected = 0.25 * 0.8;
   EXPECT_NEAR(force(2, 2) + force(3, 2), expected, 1e-12);
   EXPECT_NEAR(force(0, 2), -0.5 * expected, 1e-12);
+}
+
+TEST(Contact, OfEdgesIsOfGuardedFacesAloneIfTheLawHasNone) {
+  // Two upright triangles whose upper and lower edges cross 0.25 mm apart.
+  ClosureModel model;
+  model.vertices = 6;
+  model.faces.resize(2, 3);
+  model.faces << 0, 1, 2, 3, 4, 5;
+  model.rest_mm.resize(6, 3);
+  model.rest_mm << -5, 0, 0, 5, 0, 0, 0, 0, -8, 0, -5, 9, 0, 5, 9, 0, 0, 17;
+  model.area_mm2.assign(6, 1.0);
+  model.edges = {{0, 1}, {0, 2}, {1, 2}, {3, 4}, {3, 5}, {4, 5}};
+  Points x = model.rest_mm;
+  x.bottomRows(3).col(2).array() -= 8.75;
+  const auto push_n = [&](bool all, const std::vector<int>& guarded) {
+    Points force = Points::Zero(6, 3);
+    Contact(ContactLaw{1.0, 0.8, all}, guarded).add_forces(model, x, force);
+    return force.bottomRows(3).col(2).sum();
+  };
+  EXPECT_NEAR(push_n(true, {}), 0.25 * 0.8, 1e-12);
+  EXPECT_NEAR(push_n(false, {0, 1}), 0.25 * 0.8, 1e-12);
+  EXPECT_EQ(push_n(false, {1}), 0.0);
+  EXPECT_EQ(push_n(false, {}), 0.0);
 }
 
 }  // namespace
