@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <tuple>
 
 #include "core/closure/model.h"
 #include "core/closure/relaxation.h"
@@ -16,7 +17,7 @@ namespace coapt {
 namespace {
 
 constexpr double kLost_mm = 1000.0;  // a node this far out: diverged
-constexpr int kFastSteps = 6000, kThesisSteps = 40000;
+constexpr int kFastSteps = 6000, kPatientSteps = 20000, kThesisSteps = 40000;
 constexpr double kPartResidual = 0.05, kPartWay_mm = 0.2;  // of a part of the load
 // What single precision reaches: rounding of positions is 1e-4 of the pressure force.
 constexpr double kFloatResidual = 1e-3, kFloatWay_mm = 0.01;
@@ -95,6 +96,10 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
   RelaxationSettings slower = edges;
   slower.damping = 0.1;
   slower.longest_move_mm = 0.3 * plain.longest_move_mm;
+  // Very stiff chordae come to rest only so.
+  RelaxationSettings light = edges;
+  light.damping = 0.03;
+  if (options.max_steps == 0) light.max_steps = kPatientSteps;
   std::vector<Rung> ladder;
   if (start)
     ladder.push_back({"float, from a neighbour",
@@ -104,6 +109,8 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
       {"float, edge contact", [&model, edges] { return relax_to(model, edges); }},
       {"float, edge contact, slow", [&model, slow] { return relax_to(model, slow); }},
       {"double, edge contact, slow", [&model, slower] { return relax<double>(model, slower); }},
+      {"double, edge contact, lightly damped",
+       [&model, light] { return relax<double>(model, light); }},
       {"double, edge contact, slow, load in parts",
        [&model, slower] { return relax_in_parts(model, slower); }}};
   ladder.insert(ladder.end(), cold.begin(), cold.end());
@@ -133,9 +140,10 @@ std::optional<ClosureRun> start_from(const Valve& valve, const ClosureModel& mod
 }
 
 /// Whether attempt `a` says more than `b`: converged before at the limit before diverged, then fewer
-/// crossings.
+/// crossings, then the smaller residual.
 bool is_better(const ClosureAttempt& a, const ClosureAttempt& b) {
-  return a.status != b.status ? a.status < b.status : a.crossing_pairs < b.crossing_pairs;
+  return std::tuple(a.status, a.crossing_pairs, a.residual) <
+         std::tuple(b.status, b.crossing_pairs, b.residual);
 }
 
 void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x,

@@ -107,7 +107,8 @@ TEST(Closure, ClimbsTheWholeLadderBeforeItSaysThatItDidNotConverge) {
   }
   EXPECT_EQ(tried, (std::vector<std::string>{
                        "float", "float, edge contact", "float, edge contact, slow",
-                       "double, edge contact, slow", "double, edge contact, slow, load in parts"}));
+                       "double, edge contact, slow", "double, edge contact, lightly damped",
+                       "double, edge contact, slow, load in parts"}));
 }
 
 TEST(Closure, FromItsOwnClosureStaysThere) {
