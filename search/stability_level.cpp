@@ -59,7 +59,7 @@ StabilityCell StabilityLevel::close_with_ladder() const {
   run.x_mm = all_nodes(closed);
   run.guarded_faces = closed.guarded_faces;
   ContactLaw contact = attempt_.contact;
-  contact.edges = cell.attempts > 1;  // as every rung but the first
+  contact.edges = closed.guarded_faces.empty() && cell.attempts > 1;  // as every rung but the first
   judge(run, contact, cell);
   return cell;
 }
@@ -114,6 +114,7 @@ void StabilityLevel::compare(const ClosureRun& run, const ContactLaw& contact,
   settings.max_steps = kEndSteps;
   settings.contact = contact;
   const ClosureRun end = relax<double>(model_, settings, &run);
+  if (end.status != ClosureStatus::Converged) return;
   const Points apart = end.x_mm.topRows(model_.vertices) - reference_.closed_mm;
   cell.end_from_reference_mm = std::sqrt(apart.squaredNorm() / static_cast<double>(apart.rows()));
   if (!(cell.end_from_reference_mm <= kOtherEquilibrium_mm))

@@ -70,7 +70,7 @@ std::set<int> neighbours(const Valve& valve, int v) {
   return around;
 }
 
-/// The one of `vertices` that `far_mm` is least for.
+/// The one of `vertices` that `distance` is least for.
 template <class Distance>
 int nearest(const std::set<int>& vertices, const Distance& distance) {
   int best = -1;

@@ -78,7 +78,9 @@ class Newton {
     for (int i = 0; i < unknowns_; ++i) entries.emplace_back(i, i, diagonal[i]);
     Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+    if (factor.info() != Eigen::Success)
+      return Points::Constant(x.rows(), 3, std::numeric_limits<double>::quiet_NaN());
     Eigen::VectorXd right(unknowns_);
     for (std::size_t i = 0; i < unknown_.size(); ++i)
       if (unknown_[i] >= 0)

@@ -46,6 +46,10 @@ int run(const Arguments& arguments) {
   options.accuracy = !arguments.no_accuracy;
   const auto accuracy = apply_accuracy(arguments.accuracy_mm2, options.closure);
   if (!accuracy) return report_option_errors("bench closures", accuracy.errors());
+  if (options.warm && options.closure.method != Method::Fast)
+    return report_option_errors(
+        "bench closures",
+        {{ErrorCode::Unsupported, "/warm", "is for method fast only; leave out --method thesis"}});
   const ClosureStudy study = [&] {
     const ProgressBar bar;
     return study_closures(*valve, ring_catalogue(), options,
@@ -91,8 +95,10 @@ void add_bench(CLI::App& parent, int& status) {
   command->add_flag("--json", arguments->json, "Print JSON");
   command->footer(
       "Scenes: AP dilation 0 to 30 %, annular height 80 to 120 %, tips displaced by up to 6 mm,\n"
-      "rings and papillary sutures on 40 % each. Times are of whole closures from the open state,\n"
-      "reruns and crossing tests included. Exit code 3 if one did not converge or crossed.\n\n"
+      "rings and papillary sutures on 40 % each. Times are of whole closures from the open state "
+      "(or\n"
+      "--warm), reruns and crossing tests included. Exit code 3 if one did not converge or "
+      "crossed.\n\n"
       "Examples:\n"
       "  coapt bench closures human-normal --count 200\n"
       "  coapt bench closures human-normal --count 200 --warm\n"

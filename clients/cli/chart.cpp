@@ -150,7 +150,8 @@ void add_chart(CLI::App& parent, int& status) {
       ->check(number_from(0, 1024))
       ->capture_default_str();
   stability->footer(
-      "Methods thesis, fast, newton and xpbd make one attempt each; coapt is close_valve with its\n"
+      "Methods thesis, unguarded, fast, newton and xpbd make one attempt each; coapt is "
+      "close_valve with its\n"
       "ladder, with default options. Scene commissures: human-normal, its annulus 20 % narrower.\n"
       "Takes several minutes on one core.\n\n"
       "Examples:\n"

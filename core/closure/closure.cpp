@@ -65,6 +65,7 @@ ClosureRun relax_in_parts(const ClosureModel& model, const RelaxationSettings& s
   RelaxationSettings loose = settings;
   loose.residual_tolerance = std::max(settings.residual_tolerance, kPartResidual);
   loose.way_tolerance_mm = std::max(settings.way_tolerance_mm, kPartWay_mm);
+  loose.max_steps = settings.max_steps / 4;
   ClosureModel part = model;
   ClosureRun run;
   int steps = 0;
@@ -146,21 +147,29 @@ bool is_better(const ClosureAttempt& a, const ClosureAttempt& b) {
          std::tuple(b.status, b.crossing_pairs, b.residual);
 }
 
+/// Ruptured chordae have no tension, but their points have places.
 void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x,
                   ClosureResult& result) {
-  result.tension_n.resize(valve.chordae.size());
-  result.branch_points_mm.resize(valve.chordae.size());
-  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
-    const auto segments = valve.chordae[c].segments.size();
-    result.tension_n[c].assign(segments, 0.0);
-    result.branch_points_mm[c].setZero(static_cast<Eigen::Index>(segments), 3);
+  int next_branch = model.vertices;
+  for (const Chorda& chorda : valve.chordae) {
+    Points& ends = result.branch_points_mm.emplace_back(std::ssize(chorda.segments), 3);
+    result.tension_n.emplace_back(chorda.segments.size(), 0.0);
+    for (std::size_t s = 0; s < chorda.segments.size(); ++s) {
+      const ChordaSegment& segment = chorda.segments[s];
+      const auto row = static_cast<Eigen::Index>(s);
+      if (!segment.inserts) {
+        ends.row(row) = x.row(next_branch++);
+        continue;
+      }
+      ends.row(row).setZero();
+      for (int k = 0; k < 3; ++k)
+        ends.row(row) += segment.insertion.weights[static_cast<std::size_t>(k)] *
+                         x.row(valve.faces(segment.insertion.face, k));
+    }
   }
-  for (const Cable& cable : model.cables) {
-    const auto c = static_cast<std::size_t>(cable.chorda),
-               s = static_cast<std::size_t>(cable.segment);
-    result.tension_n[c][s] = tension_n(cable, x);
-    result.branch_points_mm[c].row(cable.segment) = end_position(cable, x);
-  }
+  for (const Cable& cable : model.cables)
+    result.tension_n[static_cast<std::size_t>(cable.chorda)]
+                    [static_cast<std::size_t>(cable.segment)] = tension_n(cable, x);
 }
 
 }  // namespace

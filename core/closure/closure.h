@@ -22,7 +22,9 @@ struct ClosureOptions {
   Membrane membrane = Membrane::Springs;
   double residual_tolerance = 0.005;  ///< rms free force / rms pressure force
   double way_tolerance_mm = 0.02;     ///< Fast: predicted rms way of the leaflets to rest
-  int max_steps = 0;                  ///< of one attempt; 0: 6,000 (Fast), 40,000 (Thesis)
+  int max_steps =
+      0;  ///< of one relaxation, of which an attempt of Fast is one or two, at last four; 0:
+          ///< 6,000, for the patient attempt 20,000 (Fast), 40,000 (Thesis)
   double contact_pressure_mpa =
       0.74;                     ///< between leaflets at distance 0; it grows with the square of the
                                 ///< approach, from 0 where mid-surfaces are a thickness apart

@@ -66,6 +66,7 @@ template <class R>
 kernels::StepSums MovingValve<R>::step(double fixed_move_mm) {
   fixed_move_mm_ = fixed_move_mm;
   fixed_share_ += fixed_move_mm / fixed_margin_mm_;
+  used_share_ += fixed_move_mm / fixed_margin_mm_;  // they have moved already
   if (std::max(listed_share_, fixed_share_) >= 1.0) list();
   kernels_.pull_cables(laid_.cables.data(), static_cast<int>(laid_.cables.size()), x_.data(),
                        force_.data());
@@ -88,7 +89,7 @@ kernels::StepSums MovingValve<R>::step(double fixed_move_mm) {
   const kernels::StepSums sums = kernels_.advance(input);
   longest_move_mm_ = std::sqrt(sums.longest_move2_mm2);
   listed_share_ = std::sqrt(sums.listed_share2);
-  used_share_ += std::max(std::sqrt(sums.step_share2), fixed_move_mm / fixed_margin_mm_);
+  used_share_ += std::sqrt(sums.step_share2);
   x_.swap(next_);
   return sums;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/closure/moving_valve.h"
 
@@ -19,6 +20,7 @@ constexpr int kLook_steps = 90;             // between two looks for crossings: 
 constexpr int kMostGuards = 8;
 constexpr int kGuardedShare = 8;  // of 1 / that many
 constexpr int kMostReturns = 2;   // to one moment, before the one before it is taken
+constexpr std::size_t kMoments = kMostGuards / kMostReturns + 1;  // that it may go back to
 constexpr int kSampleInterval_steps = 5;
 
 double longest_way_mm(const ClosureModel& model, const Points& start_mm) {
@@ -105,7 +107,8 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
   const Points& start_mm = start ? start->x_mm : model.rest_mm;
   MovingValve<R> valve(model, settings, start_mm);
   Guards guards(model, start ? start->guarded_faces : std::vector<int>{});
-  if (start && !start->guarded_faces.empty()) valve.guard(guards.edges());
+  if (start && !start->guarded_faces.empty() && !settings.contact.edges)
+    valve.guard(guards.edges());
   const double longest_way = longest_way_mm(model, start_mm);
   const int travel =
       std::max(start ? 1 : kTravelSteps, static_cast<int>(longest_way / kLongestTravel_mm));
@@ -122,6 +125,7 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
     const auto crossings = valve.crossings();
     if (crossings.empty()) {
       moments.push_back({valve.moment(), now, 0});
+      if (moments.size() > kMoments) moments.erase(moments.begin());
       return false;
     }
     guards.add(crossings);
@@ -132,6 +136,7 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
     ++moments.back().returns;
     valve.return_to(moments.back().valve);
     now = moments.back().progress;
+    run.residual = std::numeric_limits<double>::infinity();  // until the next step
     return true;
   };
   bool settled = false;  // in the last look; the step after it is taken with a fresh list
@@ -167,6 +172,7 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
   }
   run.x_mm = valve.positions();
   run.guarded_faces = guards.faces();
+  if (lost(run.x_mm) || std::isnan(run.residual)) run.status = ClosureStatus::Diverged;
   if (run.status != ClosureStatus::Diverged)
     run.crossing_pairs = static_cast<int>(valve.crossings().size());
   if (run.status != ClosureStatus::Converged) return run;

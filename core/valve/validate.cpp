@@ -18,6 +18,9 @@ constexpr Range kTransitionStrain = {0.0, 2.0};
 constexpr Range kChordaeKpa = {1.0, 1e7};
 constexpr Range kCoordinateMm = {-500.0, 500.0};
 constexpr std::size_t kMaxHeads = 100;
+// Pairs of a vertex and a face within contact of each other; more take minutes and gigabytes.
+constexpr double kMaxContactPairs = 2e7;
+constexpr double kContactReach = 1.3;     // in thicknesses
 constexpr double kFibreTolerance = 1e-3;  // accepts four decimals in a file
 
 void check_tissue(const Tissue& tissue, ProblemList& problems) {
@@ -34,6 +37,26 @@ void check_tissue(const Tissue& tissue, ProblemList& problems) {
   check("radial_post_kpa", tissue.radial_post_kpa, kModulusKpa, " kPa");
   check("radial_transition", tissue.radial_transition, kTransitionStrain, "");
   check("chordae_kpa", tissue.chordae_kpa, kChordaeKpa, " kPa");
+}
+
+/// A mesh may not be so fine that the thickness spans too many of its faces.
+void check_contact(const Valve& valve, ProblemList& problems) {
+  constexpr double kPi = 3.14159265358979323846;
+  double area_mm2 = 0.0;
+  for (int face = 0; face < valve.faces.rows(); ++face) {
+    const Vec3 a = valve.rest_mm.row(valve.faces(face, 0));
+    const Vec3 b = valve.rest_mm.row(valve.faces(face, 1));
+    const Vec3 c = valve.rest_mm.row(valve.faces(face, 2));
+    area_mm2 += 0.5 * (b - a).cross(c - a).norm();
+  }
+  const auto pairs =
+      static_cast<double>(valve.rest_mm.rows()) * static_cast<double>(valve.faces.rows());
+  const double most_mm = std::sqrt(kMaxContactPairs * area_mm2 / (kPi * pairs)) / kContactReach;
+  if (valve.tissue.thickness_mm > most_mm)
+    problems.add(ErrorCode::OutOfRange, "/tissue/thickness_mm",
+                 "is " + shown(valve.tissue.thickness_mm) + " mm, must be at most " +
+                     shown(most_mm) +
+                     " mm on a mesh as fine as this: more than 20,000,000 pairs would touch");
 }
 
 void check_below_annulus(const Vec3& point, const std::string& path, ProblemList& problems) {
@@ -142,6 +165,7 @@ ProblemList problems_in(const Valve& valve) {
   check_range(problems, "/pressure_kpa", valve.pressure_kpa, kPressureKpa, " kPa");
   check_tissue(valve.tissue, problems);
   const MeshCheck mesh = check_mesh(valve, problems);
+  if (mesh.surface) check_contact(valve, problems);
   check_fibre(valve, mesh, problems);
   check_annulus(valve, mesh, problems);
   check_heads(valve, problems);

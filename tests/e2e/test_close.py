@@ -84,6 +84,11 @@ class Close(ProgramTest):
         self.assertIn("method fast only", result.stderr)
         self.assertEqual(coapt("close", VALVE, "--accuracy", "-1").returncode, BAD_INPUT)
 
+    def test_warm_starts_of_method_thesis_are_refused(self):
+        result = coapt("bench", "closures", "human-normal", "--warm", "--method", "thesis")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("--warm: is for method fast only", result.stderr)
+
     def test_the_picture_is_a_png_and_stdout_is_still_json(self):
         picture = self.folder / "closed.png"
         self.close("human-normal", "--render", picture)

@@ -158,7 +158,6 @@ struct StepInput {
   R longest_move_mm = 0;  ///< of any node
   R mass_share = 0;       ///< mass = this x sum of stiffness
   R lookahead_mm = 0;     ///< a spring this near to its knee counts as stiff
-  R load_mpa = 0;         ///< pressure
 };
 
 struct StepSums {

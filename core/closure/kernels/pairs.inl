@@ -242,14 +242,19 @@ int list_pairs(const PairSearch<R>& in, PairBlock<R>* blocks, int room) {
   return packer.used;
 }
 
+constexpr int kMostPairs = 1 << 30;  // counted; a valid valve has far fewer
+
 template <class R>
 int number_pairs(const PairSearch<R>& in, int* first, int* second, int room) {
   int count = 0;
   find_pairs(in, [&](int c, int i, int o, unsigned hits, const Vec<R>&, const Vec<R>&) {
-    for (; hits != 0; hits &= hits - 1, ++count) {
-      if (count >= room) continue;
+    for (; hits != 0; hits &= hits - 1) {
+      if (count >= room) {
+        if (count < kMostPairs) ++count;
+        continue;
+      }
       first[count] = kLanes * c + i;
-      second[count] = kLanes * o + __builtin_ctz(hits);
+      second[count++] = kLanes * o + __builtin_ctz(hits);
     }
   });
   return count;

@@ -122,6 +122,29 @@ TEST(Closure, FromItsOwnClosureStaysThere) {
   EXPECT_LT(std::sqrt(apart.squaredNorm() / static_cast<double>(apart.rows())), 0.02);
 }
 
+TEST(Closure, TellsWhereThePointsOfARupturedChordaAre) {
+  Valve valve = human(300);
+  std::size_t c = 0;
+  while (valve.chordae[c].segments.size() < 2) ++c;
+  valve.chordae[c].ruptured = true;
+  const ClosureResult closed = close_valve(valve);
+  for (std::size_t s = 0; s < valve.chordae[c].segments.size(); ++s) {
+    EXPECT_EQ(closed.tension_n[c][s], 0.0);
+    const Vec3 end = closed.branch_points_mm[c].row(static_cast<Eigen::Index>(s));
+    const ChordaSegment& segment = valve.chordae[c].segments[s];
+    if (!segment.inserts) {
+      EXPECT_LT((end - segment.branch_point_mm).norm(), 10.0);
+      EXPECT_GT(end.norm(), 1.0);  // not at the origin
+      continue;
+    }
+    Vec3 insertion = Vec3::Zero();
+    for (int k = 0; k < 3; ++k)
+      insertion += segment.insertion.weights[static_cast<std::size_t>(k)] *
+                   closed.closed_mm.row(valve.faces(segment.insertion.face, k)).transpose();
+    EXPECT_LT((end - insertion).norm(), 1e-9);
+  }
+}
+
 TEST(Closure, StartsFromTheOpenStateIfTheNeighbourIsUnfit) {
   const Valve valve = human(300);
   const ClosureResult cold = close_valve(valve);

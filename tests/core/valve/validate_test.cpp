@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 
+#include "core/valve/parametric.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -105,6 +106,18 @@ TEST(Validate, EveryTissueFieldHasARange) {
                                  {OutOfRange, "/tissue/radial_post_kpa"},
                                  {OutOfRange, "/tissue/radial_transition"},
                                  {OutOfRange, "/tissue/chordae_kpa"}}));
+}
+
+TEST(Validate, TissueTooThickForItsMeshIsNamedWithTheMostThatWouldDo) {
+  ParametricValve fine;
+  fine.triangles = 40000;
+  Valve valve = *make_parametric_valve(fine);
+  EXPECT_TRUE(validate(valve).empty());
+  valve.tissue.thickness_mm = 8.0;
+  const Errors errors = validate(valve);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors.front().path, "/tissue/thickness_mm");
+  EXPECT_NE(errors.front().message.find("must be at most"), std::string::npos);
 }
 
 TEST(Validate, AnEmptyValveGetsOneProblemForEachPartThatIsMissing) {
