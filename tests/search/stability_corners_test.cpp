@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "core/closure/contact.h"
 #include "core/closure/crossing.h"
@@ -53,6 +54,10 @@ struct Corner {
 };
 
 class StabilityCorner : public testing::TestWithParam<Corner> {};
+
+void PrintTo(const Corner& corner, std::ostream* out) {
+  *out << corner.scene << ", " << to_string(corner.axis) << ' ' << corner.level;
+}
 
 TEST_P(StabilityCorner, IsClosedRightOrReportedNotTo) {
   const Corner& corner = GetParam();
