@@ -14,7 +14,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kOtherEquilibrium_mm = 0.05;  // rms, between two ends
 constexpr double kOtherSpeed = 0.5;
 
 SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options, int index) {

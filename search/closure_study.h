@@ -10,6 +10,9 @@
 
 namespace coapt {
 
+/// Rms distance of two ends from which on they count as different equilibria.
+inline constexpr double kOtherEquilibrium_mm = 0.05;
+
 struct ClosureStudyOptions {
   ClosureOptions closure;
   int count = 100;         ///< scenes

@@ -14,7 +14,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kOtherEquilibrium_mm = 0.05;  // rms, between two ends
 constexpr double kGranted = 1.5;               // of the residual, see kStabilityResidual
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kEndSteps = 20000;

@@ -65,7 +65,6 @@ ClosureRun relax_in_parts(const ClosureModel& model, const RelaxationSettings& s
   RelaxationSettings loose = settings;
   loose.residual_tolerance = std::max(settings.residual_tolerance, kPartResidual);
   loose.way_tolerance_mm = std::max(settings.way_tolerance_mm, kPartWay_mm);
-  loose.max_steps = settings.max_steps / 4;
   ClosureModel part = model;
   ClosureRun run;
   int steps = 0;

@@ -205,19 +205,6 @@ void Contact::add_candidate(const ClosureModel& model, const std::array<int, 4>&
   (edges ? edges_ : faces_).push_back(pair);
 }
 
-std::vector<std::array<int, 2>> Contact::edges_of(const ClosureModel& model) const {
-  if (law_.edges) return model.edges;
-  std::vector<std::array<int, 2>> edges;
-  for (const int f : guarded_faces_)
-    for (int k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(model.faces(f, k), model.faces(f, (k + 1) % 3));
-      edges.push_back({a, b});
-    }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
 void Contact::renew(const ClosureModel& model, const Points& x) {
   listed_at_ = x.topRows(model.vertices);
   faces_.clear();
@@ -237,7 +224,8 @@ void Contact::renew(const ClosureModel& model, const Points& x) {
     }
   }
   std::vector<std::array<int, 3>> edges;
-  for (const auto& [a, b] : edges_of(model)) edges.push_back({a, b, b});
+  for (const auto& [a, b] : law_.edges ? model.edges : edges_of(model.faces, guarded_faces_))
+    edges.push_back({a, b, b});
   if (edges.empty()) return;
   const Boxes boxes = boxes_around(edges, x, 0.5 * (edge_law(law_).thickness_mm + kMargin_mm));
   for (const auto& [i, j] : overlapping(boxes, boxes)) {

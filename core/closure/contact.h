@@ -89,9 +89,6 @@ class Contact {
   void for_each_touch(const Points& x, const Function& function) const;
   void add_candidate(const ClosureModel& model, const std::array<int, 4>& nodes, bool edges);
 
-  /// Those that have contact.
-  std::vector<std::array<int, 2>> edges_of(const ClosureModel& model) const;
-
   ContactLaw law_;
   std::vector<int> guarded_faces_;
   Points listed_at_;  // |V| x 3, empty before the first list

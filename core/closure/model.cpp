@@ -210,6 +210,18 @@ ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
   return model;
 }
 
+std::vector<std::array<int, 2>> edges_of(const Faces& faces, const std::vector<int>& chosen) {
+  std::vector<std::array<int, 2>> edges;
+  for (const int f : chosen)
+    for (int k = 0; k < 3; ++k) {
+      const int i = faces(f, k), j = faces(f, (k + 1) % 3);
+      edges.push_back({std::min(i, j), std::max(i, j)});
+    }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 double tension_n(const Cable& cable, const Points& x) {
   const double length = (end_position(cable, x) - vertex(x, cable.start)).norm();
   return std::max(0.0, cable.stiffness_n_per_mm * (length - cable.rest_mm));

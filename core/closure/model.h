@@ -56,6 +56,9 @@ struct ClosureModel {
 /// @pre validate(valve) is empty.
 ClosureModel make_closure_model(const Valve& valve, Membrane membrane = Membrane::Springs);
 
+/// Edges of the chosen faces, each once, in ascending order.
+std::vector<std::array<int, 2>> edges_of(const Faces& faces, const std::vector<int>& chosen);
+
 /// Far end of a cable.
 inline Vec3 end_position(const Cable& cable, const Points& x) {
   return cable.weights[0] * x.row(cable.end[0]) + cable.weights[1] * x.row(cable.end[1]) +

@@ -68,17 +68,6 @@ class Guards {
       if (guarded_[f]) result.push_back(static_cast<int>(f));
     return result;
   }
-  std::vector<std::array<int, 2>> edges() const {
-    std::vector<std::array<int, 2>> result;
-    for (const int f : faces())
-      for (int k = 0; k < 3; ++k) {
-        const auto [a, b] = std::minmax(model_.faces(f, k), model_.faces(f, (k + 1) % 3));
-        result.push_back({a, b});
-      }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
 
  private:
   const ClosureModel& model_;
@@ -108,7 +97,7 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
   MovingValve<R> valve(model, settings, start_mm);
   Guards guards(model, start ? start->guarded_faces : std::vector<int>{});
   if (start && !start->guarded_faces.empty() && !settings.contact.edges)
-    valve.guard(guards.edges());
+    valve.guard(edges_of(model.faces, guards.faces()));
   const double longest_way = longest_way_mm(model, start_mm);
   const int travel =
       std::max(start ? 1 : kTravelSteps, static_cast<int>(longest_way / kLongestTravel_mm));
@@ -132,7 +121,7 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
     while (!moments.empty() && moments.back().returns == kMostReturns) moments.pop_back();
     gave_up = ++times_back > kMostGuards || moments.empty() || guards.too_many();
     if (gave_up) return true;
-    valve.guard(guards.edges());
+    valve.guard(edges_of(model.faces, guards.faces()));
     ++moments.back().returns;
     valve.return_to(moments.back().valve);
     now = moments.back().progress;
