@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "io/picture/picture.h"
@@ -13,13 +14,16 @@ bool usable(const AccuracyPoint& point) {
   return point.status == ClosureStatus::Converged && !point.crossing;
 }
 
-/// Points that no other beats in both time and error, in order of time.
-Series front(const std::vector<Series>& all) {
+using Error = double (*)(const AccuracyPoint&);
+
+/// Points of a scene that no other of it beats in both time and error, in order of time.
+Series front(const std::vector<AccuracyPoint>& points, const std::string& scene, Error error) {
   std::vector<std::pair<double, double>> sorted;
-  for (const Series& series : all)
-    for (std::size_t i = 0; i < series.x.size(); ++i) sorted.emplace_back(series.x[i], series.y[i]);
+  for (const AccuracyPoint& point : points)
+    if (point.scene == scene && usable(point))
+      sorted.emplace_back(1e3 * point.seconds, error(point));
   std::sort(sorted.begin(), sorted.end());
-  Series best{"Pareto front", {}, {}};
+  Series best{"Pareto front, " + scene, {}, {}};
   for (const auto& [x, y] : sorted)
     if (best.y.empty() || y < best.y.back()) {
       best.x.push_back(x);
@@ -28,7 +32,7 @@ Series front(const std::vector<Series>& all) {
   return best;
 }
 
-Chart chart_of(const std::vector<AccuracyPoint>& points, double (*error)(const AccuracyPoint&)) {
+Chart chart_of(const std::vector<AccuracyPoint>& points, Error error) {
   Chart chart;
   chart.log_x = true;
   chart.x_label = "time of a closure, ms";
@@ -44,7 +48,10 @@ Chart chart_of(const std::vector<AccuracyPoint>& points, double (*error)(const A
   add("fast springs", Method::Fast, Membrane::Springs);
   add("fast continuum", Method::Fast, Membrane::Continuum);
   add("thesis", Method::Thesis, Membrane::Springs);
-  chart.series.push_back(front(chart.series));
+  std::set<std::string> scenes;
+  for (const AccuracyPoint& point : points)
+    if (scenes.insert(point.scene).second)
+      chart.series.push_back(front(points, point.scene, error));
   return chart;
 }
 

@@ -12,7 +12,7 @@ namespace coapt {
 namespace {
 
 constexpr double kWidth = 760.0, kHeight = 400.0;
-constexpr double kLeft = 72.0, kRight = 20.0, kTop = 56.0, kBottom = 60.0;
+constexpr double kLeft = 72.0, kRight = 20.0, kTop = 74.0, kBottom = 60.0;
 constexpr std::size_t kMarkersUpTo = 40;  // points of a series; more would run together
 constexpr std::array<const char*, 6> kColours = {"#3b78d8", "#d9622b", "#17977a",
                                                  "#9060d8", "#b98a1d", "#7a8794"};
@@ -136,15 +136,18 @@ std::string draw_series(const Series& series, const std::string& colour, const A
 /// Below the title, from the left; each entry takes the room of its text.
 std::string draw_legend(const Chart& chart) {
   constexpr double kCharacter = 7.0;  // mean advance of the 13 px text
+  constexpr double kLegendLine = 18.0;
   std::string svg;
-  double x = kLeft;
+  double x = kLeft, y = 40.0;
   for (std::size_t i = 0; i < chart.series.size() && chart.series.size() > 1; ++i) {
     const std::string& label = chart.series[i].label;
+    const double width = 26.0 + kCharacter * static_cast<double>(label.size());
+    if (x > kLeft && x + width > kWidth - kRight) x = kLeft, y += kLegendLine;
     svg += "<line class=\"line\" stroke=\"" + std::string(kColours[i % kColours.size()]) +
-           "\" x1=\"" + fixed(x, 1) + "\" y1=\"40\" x2=\"" + fixed(x + 20.0, 1) +
-           "\" y2=\"40\"/>\n";
-    svg += text_at(x + 26.0, 44.0, "class=\"tick\"", label);
-    x += 50.0 + kCharacter * static_cast<double>(label.size());
+           "\" x1=\"" + fixed(x, 1) + "\" y1=\"" + fixed(y, 1) + "\" x2=\"" + fixed(x + 20.0, 1) +
+           "\" y2=\"" + fixed(y, 1) + "\"/>\n";
+    svg += text_at(x + 26.0, y + 4.0, "class=\"tick\"", label);
+    x += width + 24.0;
   }
   return svg;
 }

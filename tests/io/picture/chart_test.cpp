@@ -18,9 +18,9 @@ TEST(Chart, AxesEndAtRoundNumbersAndTheLineRunsFromEndToEnd) {
   const std::string svg = chart_svg({"t", "x", "y", {{"s", {0.0, 50.0, 100.0}, {0.0, 4.0, 10.0}}}});
   EXPECT_EQ(count(svg, ">100</text>"), 1u);
   EXPECT_EQ(count(svg, ">10</text>"), 1u);
-  // The plot area is 72..740 by 56..340 pixels: (0, 0) lower left, (50, 4) half way and four tenths
+  // The plot area is 72..740 by 74..340 pixels: (0, 0) lower left, (50, 4) half way and four tenths
   // up.
-  EXPECT_NE(svg.find("d=\"M72.00 340.00L406.00 226.40L740.00 56.00\""), std::string::npos);
+  EXPECT_NE(svg.find("d=\"M72.00 340.00L406.00 233.60L740.00 74.00\""), std::string::npos);
   EXPECT_EQ(count(svg, "<circle"), 3u);
 }
 
@@ -30,7 +30,16 @@ TEST(Chart, DecadesAreEvenlySpacedAndMarkersCanStandAlone) {
   for (const char* decade : {">1</text>", ">10</text>", ">100</text>"})
     EXPECT_GE(count(svg, decade), 1u) << decade;
   EXPECT_EQ(count(svg, "<path"), 0u);
-  EXPECT_NE(svg.find("<circle cx=\"406.00\" cy=\"226.40\""), std::string::npos);
+  EXPECT_NE(svg.find("<circle cx=\"406.00\" cy=\"233.60\""), std::string::npos);
+}
+
+TEST(Chart, LegendGoesOnInAnotherLineWhereItWouldLeaveThePicture) {
+  Chart chart;
+  for (int i = 0; i < 5; ++i)
+    chart.series.push_back({"a label of twenty-six letters", {0.0, 1.0}, {0.0, 1.0}});
+  const std::string svg = chart_svg(chart);
+  EXPECT_NE(svg.find("x1=\"72.0\" y1=\"40.0\""), std::string::npos);
+  EXPECT_NE(svg.find("x1=\"72.0\" y1=\"58.0\""), std::string::npos);
 }
 
 TEST(Chart, SeveralSeriesHaveALegendAndOneHasNone) {
