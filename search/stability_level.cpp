@@ -14,7 +14,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kGranted = 1.5;               // of the residual, see kStabilityResidual
+constexpr double kGranted = 1.5;  // of the residual, see kStabilityResidual
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kEndSteps = 20000;
 
