@@ -11,6 +11,23 @@ namespace {
 constexpr double kNearAtRest = 0.3;
 constexpr std::size_t kFirstRoom = 4096;
 constexpr double kRounding_mm = 1e-4;  // of positions in single precision, amply
+
+/// What `list(first, second, room)` finds, once there is room for all of it.
+template <class List>
+std::vector<std::pair<int, int>> all_pairs(List list) {
+  std::vector<int> first(kFirstRoom), second(kFirstRoom);
+  int found = list(first.data(), second.data(), static_cast<int>(kFirstRoom));
+  if (static_cast<std::size_t>(found) > kFirstRoom) {
+    first.resize(static_cast<std::size_t>(found));
+    second.resize(static_cast<std::size_t>(found));
+    found = list(first.data(), second.data(), found);
+  }
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t p = 0; p < static_cast<std::size_t>(found); ++p)
+    pairs.emplace_back(first[p], second[p]);
+  return pairs;
+}
+
 }  // namespace
 
 template <class R>
@@ -57,18 +74,11 @@ void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, const std::ve
     quad.at[3] = static_cast<R>(kNearAtRest * law_.thickness_mm);
   }
   const kernels::PairSearch<R> near = search(rest);
-  std::vector<int> i_of(kFirstRoom), j_of(kFirstRoom);
-  int found = 0;
-  for (;;) {
-    const auto room = static_cast<int>(i_of.size());
-    found = kernels_.number_pairs(near, i_of.data(), j_of.data(), room);
-    if (found <= room) break;
-    i_of.resize(static_cast<std::size_t>(found));
-    j_of.resize(static_cast<std::size_t>(found));
-  }
+  const auto found = all_pairs([&](int* i_of, int* j_of, int room) {
+    return kernels_.number_pairs(near, i_of, j_of, room);
+  });
   int own = 0;
-  for (std::size_t p = 0; p < static_cast<std::size_t>(found); ++p) {
-    const int i = i_of[p], j = j_of[p];
+  for (const auto& [i, j] : found) {
     for (; own < i / kLanes; ++own)
       near_begin_[static_cast<std::size_t>(own) + 1] = static_cast<int>(near_.size());
     const auto& a = first[static_cast<std::size_t>(first_.index[static_cast<std::size_t>(i)])];
@@ -131,29 +141,19 @@ void ContactPairs<R>::push(const std::vector<kernels::Quad<R>>& x, double used,
 template <class R>
 std::vector<std::pair<int, int>> ContactPairs<R>::straddling(
     const std::vector<kernels::Quad<R>>& x) {
-  const kernels::PairSearch<R> faces = [&] {
-    kernels::PairSearch<R> search;
-    search.first = search.second = second_.features();
-    search.listed = x.data();
-    search.thickness_mm = static_cast<R>(kRounding_mm);
-    search.near_clusters = near_clusters_.data();
-    kernels_.box(search.second, true, x.data());
-    return search;
-  }();
-  std::vector<std::pair<int, int>> pairs;
-  std::vector<int> f(kFirstRoom), g(kFirstRoom);
-  for (;;) {
-    const auto room = static_cast<int>(f.size());
-    const int found = kernels_.straddling_faces(faces, f.data(), g.data(), room);
-    if (found <= room) {
-      for (std::size_t p = 0; p < static_cast<std::size_t>(found); ++p)
-        pairs.emplace_back(second_.index[static_cast<std::size_t>(f[p])],
-                           second_.index[static_cast<std::size_t>(g[p])]);
-      return pairs;
-    }
-    f.resize(static_cast<std::size_t>(found));
-    g.resize(static_cast<std::size_t>(found));
+  kernels::PairSearch<R> faces;
+  faces.first = faces.second = second_.features();
+  faces.listed = x.data();
+  faces.thickness_mm = static_cast<R>(kRounding_mm);
+  faces.near_clusters = near_clusters_.data();
+  kernels_.box(faces.second, true, x.data());
+  auto pairs = all_pairs(
+      [&](int* f, int* g, int room) { return kernels_.straddling_faces(faces, f, g, room); });
+  for (auto& [f, g] : pairs) {
+    f = second_.index[static_cast<std::size_t>(f)];
+    g = second_.index[static_cast<std::size_t>(g)];
   }
+  return pairs;
 }
 
 template class ContactPairs<float>;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "io/picture/svg.h"
 #include "io/picture/text.h"
 
 namespace coapt {
@@ -78,16 +79,6 @@ double at(const Panel& panel, double value) {
 /// "0.012", "1.2", "12": two figures, never more than `decimals` + 1 decimals.
 std::string figure(double value, int decimals) {
   return fixed(value, value >= 10.0 ? 0 : value >= 1.0 ? 1 : decimals);
-}
-
-std::string text_at(double x, double y, const std::string& attributes, const std::string& text) {
-  return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" " + attributes + ">" +
-         escape_html(text) + "</text>\n";
-}
-
-std::string line_at(const char* style, double x1, double y1, double x2, double y2) {
-  return "<line class=\"" + std::string(style) + "\" x1=\"" + fixed(x1, 1) + "\" y1=\"" +
-         fixed(y1, 1) + "\" x2=\"" + fixed(x2, 1) + "\" y2=\"" + fixed(y2, 1) + "\"/>\n";
 }
 
 std::string draw_bar(const Panel& panel, const AblationSummary& summary, double y) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "io/picture/svg.h"
 #include "io/picture/text.h"
 
 namespace coapt {
@@ -60,11 +61,6 @@ std::string number(double value) {
   std::ostringstream text;
   text << value;
   return text.str();
-}
-
-std::string text_at(double x, double y, const std::string& attributes, const std::string& text) {
-  return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" " + attributes + ">" +
-         escape_html(text) + "</text>\n";
 }
 
 std::string square(double x, double y, const Style& style, const std::string& letter, bool framed) {
