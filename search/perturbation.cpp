@@ -28,9 +28,17 @@ Perturbation node_at(int index) {
           kAngleStep_deg * (b - kAngles / 2)};
 }
 
-/// Where the tip at `tip` goes on the sphere about `anchor`.
-Vec3 disturbed(const Vec3& tip, const Vec3& anchor, double outwards_sign,
-               const Perturbation& node) {
+PapillaryApproximation suture_of(const RepairPlan& plan, Side side) {
+  for (const RepairStep& step : plan.steps)
+    if (const auto* suture = std::get_if<PapillaryApproximation>(&step))
+      if (suture->side == side) return *suture;
+  return {.side = side, .anchor = Anchor::IpsilateralTrigone};
+}
+
+}  // namespace
+
+Vec3 disturbed_tip(const Vec3& tip, const Vec3& anchor, double outwards_sign,
+                   const Perturbation& node) {
   const Vec3 line = tip - anchor;
   const Vec3 direction = line.normalized();
   const Vec3 lateral = outwards_sign * Vec3::UnitX();
@@ -44,15 +52,6 @@ Vec3 disturbed(const Vec3& tip, const Vec3& anchor, double outwards_sign,
       angle > 0.0 ? Vec3(std::cos(angle) * direction + std::sin(angle) / angle * swing) : direction;
   return anchor + (line.norm() + node.length_mm) * turned;
 }
-
-PapillaryApproximation suture_of(const RepairPlan& plan, Side side) {
-  for (const RepairStep& step : plan.steps)
-    if (const auto* suture = std::get_if<PapillaryApproximation>(&step))
-      if (suture->side == side) return *suture;
-  return {.side = side, .anchor = Anchor::IpsilateralTrigone};
-}
-
-}  // namespace
 
 std::vector<Perturbation> region_of_interest() {
   const std::vector<Vec3> grid = unit_grid();
@@ -93,7 +92,7 @@ Valve perturb(const Valve& repaired, const RepairPlan& plan, const Perturbation&
     const Vec3 anchor = anchor_mm(repaired, suture_of(plan, side));
     const double outwards = side == Side::Posteromedial ? 1.0 : -1.0;
     const Vec3 tip = papillary_tip_mm(repaired, side);
-    const Vec3 move = disturbed(tip, anchor, outwards, node) - tip;
+    const Vec3 move = disturbed_tip(tip, anchor, outwards, node) - tip;
     for (PapillaryHead& head : valve.heads)
       if (head.side == side) head.tip_mm += move;
   }

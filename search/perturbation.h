@@ -26,6 +26,11 @@ struct Perturbation {
 /// good sizes.
 std::vector<Perturbation> region_of_interest();
 
+/// Where a tip goes on, or a little off, the sphere about its anchor. @param outwards_sign 1 for the
+/// posteromedial muscle, -1 for the anterolateral one: the sign of x that is outwards.
+Vec3 disturbed_tip(const Vec3& tip, const Vec3& anchor, double outwards_sign,
+                   const Perturbation& node);
+
 /// The repaired valve with its papillary tips disturbed. @param plan the repair that led to it.
 Valve perturb(const Valve& repaired, const RepairPlan& plan, const Perturbation& node);
 

@@ -21,6 +21,11 @@ void add_evaluate(CLI::App& parent, int& status);
 void add_bench(CLI::App& parent, int& status);
 void add_chart(CLI::App& parent, int& status);
 void add_plan(CLI::App& parent, int& status);
+void add_study(CLI::App& parent, int& status);
+/// Below study.
+void add_calibrate(CLI::App& parent, int& status);
+void add_anchor_question(CLI::App& parent, int& status);
+void add_generality(CLI::App& parent, int& status);
 
 /// --method.
 void add_method_option(CLI::App& command, Method& method);

@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   add_plan(app, status);
   add_bench(app, status);
   add_chart(app, status);
+  add_study(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {

@@ -37,6 +37,18 @@ ParametricValve porcine(std::string name, double ap_mm, double al_pm_mm, int tri
   return d;
 }
 
+/// Length of a chorda over its length in the closed, pressurised valve.
+double slack_of(const ParametricValve& d, const Valve& valve, const Chorda& chorda) {
+  const bool medial = valve.heads[static_cast<std::size_t>(chorda.head)].side == Side::Posteromedial;
+  const double side = d.slack * (1.0 + (medial ? 1.0 : -1.0) * d.asymmetry.slack);
+  if (chorda.kind == ChordaKind::Strut) return side * d.strut_slack;
+  if (chorda.kind == ChordaKind::Basal) return side * d.basal_slack;
+  const int face = chorda.segments.back().insertion.face;
+  const Segment at = valve.segments[static_cast<std::size_t>(face)];
+  const bool posterior = at == Segment::P1 || at == Segment::P2 || at == Segment::P3;
+  return posterior ? side * d.posterior_slack : side;
+}
+
 ParametricValve human() {
   ParametricValve d;
   d.name = "human-normal";
@@ -61,10 +73,11 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
     return Error{ErrorCode::BadGeometry, "",
                  "a valve of these dimensions does not come to rest without leaflets through each "
                  "other: chordae lengths cannot be taken from it"};
-  const Valve taut = tauten(*open, closed, dimensions.slack);
+  const Valve taut = tauten(*open, closed, 1.0);
   for (std::size_t c = 0; c < taut.chordae.size(); ++c)
     for (std::size_t s = 0; s < taut.chordae[c].segments.size(); ++s)
-      made->chordae[c].segments[s].rest_length_mm = taut.chordae[c].segments[s].rest_length_mm;
+      made->chordae[c].segments[s].rest_length_mm =
+          slack_of(dimensions, *open, taut.chordae[c]) * taut.chordae[c].segments[s].rest_length_mm;
   made->provenance.push_back("chordae lengths: distances in the closed, pressurised valve times " +
                              std::to_string(dimensions.slack));
   if (Errors errors = validate(*made); !errors.empty()) return errors;
@@ -74,7 +87,8 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
 const std::vector<std::string>& preset_names() {
   static const std::vector<std::string> names = {
       "porcine-1", "porcine-2",    "porcine-3",           "porcine-4",
-      "porcine-5", "human-normal", "human-functional-mr", "human-p2-prolapse"};
+      "porcine-5", "porcine-thesis", "porcine-thesis-tables", "human-normal", "human-functional-mr",
+      "human-p2-prolapse"};
   return names;
 }
 
@@ -88,6 +102,8 @@ Expected<Valve> make_preset(const std::string& name, int triangles) {
   if (name == "porcine-3") return taut(porcine(name, 25.9, 41.3, 624, 1.08));
   if (name == "porcine-4") return taut(porcine(name, 18.4, 27.1, 611, 1.17));
   if (name == "porcine-5") return taut(porcine(name, 18.3, 21.4, 736, 1.18));
+  if (name == "porcine-thesis") return taut(porcine_thesis());
+  if (name == "porcine-thesis-tables") return taut(porcine_thesis_tables());
   if (name == "human-normal") return taut(human());
   if (name == "human-p2-prolapse") {
     Expected<Valve> valve = taut(human());

@@ -14,6 +14,14 @@ namespace coapt {
 /// is refused here, before anything is closed.
 Expected<Valve> make_taut_valve(const ParametricValve& dimensions);
 
+/// Anatomy of preset porcine-thesis-tables: fitted to figure 4.5 and table 4.1 of the thesis (`coapt study
+/// calibrate`; docs/porcine-thesis.md has the fit, number by number).
+ParametricValve porcine_thesis_tables();
+
+/// Of porcine-thesis: fitted to the same and, of several such fits, one that shows the thesis's statement on
+/// anchors (figure 4.10) by the thesis's look-up.
+ParametricValve porcine_thesis();
+
 const std::vector<std::string>& preset_names();
 
 /// One of preset_names(), with about `triangles` triangles (0: the preset's own number).

@@ -13,8 +13,6 @@ namespace coapt {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kTrigone =
-    0.66;  // of the way from saddle peak to commissure: 29 mm apart in a human annulus
 constexpr double kHumanAp_mm = 29.0, kHumanAlPm_mm = 39.0;  // controls, PMC7368231
 constexpr double kPlanar_mm = 0.5;         // a contour less high than this is a projection
 constexpr double kCommissureAlong = 0.07;  // share of a leaflet's arc that counts as commissure
@@ -56,7 +54,7 @@ double interpolate(const std::array<std::pair<double, double>, N>& knots, double
   return knots[N - 1].second;
 }
 
-double leaflet_height_mm(const Proportions& d, double cleft_depth_mm, double around) {
+double symmetric_height_mm(const Proportions& d, double cleft_depth_mm, double around) {
   if (around <= 0.5) {
     const double lobe = std::sin(2.0 * kPi * around);
     return d.commissure_height_mm + (d.anterior_height_mm - d.commissure_height_mm) * lobe;
@@ -70,6 +68,12 @@ double leaflet_height_mm(const Proportions& d, double cleft_depth_mm, double aro
                                                            {0.83, d.lateral_height_mm},
                                                            {1.0, d.commissure_height_mm}}};
   return interpolate(knots, 2.0 * (around - 0.5));
+}
+
+double leaflet_height_mm(const ParametricValve& d, const Proportions& heights, double around) {
+  const double medial = std::cos(2.0 * kPi * around);  // 1 at the posteromedial commissure
+  return (1.0 + d.asymmetry.leaflet_height * medial) *
+         symmetric_height_mm(heights, d.cleft_depth_mm, around);
 }
 
 Segment segment_at(double around) {
@@ -189,8 +193,9 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
   Proportions heights = proportions(d, d.ap_mm, d.al_pm_mm);
   Points contour = generic_annulus_contour(d.ap_mm, d.al_pm_mm, heights.saddle_height_mm);
   Points tips(2, 3);
-  tips << -0.5 * d.tip_spread_mm, -d.tip_posterior_mm, -d.tip_depth_mm,  //
-      0.5 * d.tip_spread_mm, -d.tip_posterior_mm, -d.tip_depth_mm;
+  const Vec3& more = d.asymmetry.tip_mm;
+  tips << -0.5 * d.tip_spread_mm + more.x(), more.y() - d.tip_posterior_mm, more.z() - d.tip_depth_mm,
+      0.5 * d.tip_spread_mm + more.x(), -more.y() - d.tip_posterior_mm, -more.z() - d.tip_depth_mm;
   bool saddle_added = false;
   if (d.annulus_mm) {
     const Expected<MeasuredSkeleton> skeleton = measured_skeleton(*d.annulus_mm, *d.tips_mm);
@@ -212,6 +217,7 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
 
   Valve valve;
   valve.name = d.name;
+  valve.tissue = d.tissue;
   valve.provenance = provenance(d, heights, saddle_added);
   const int n = grid.stations;
   valve.rest_mm.resize(n * (grid.rows + 1), 3);
@@ -224,7 +230,7 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
       const double share = static_cast<double>(row) / grid.rows;
       const Vec3 down = std::sin(tilt) * inwards - std::cos(tilt) * Vec3::UnitZ();
       valve.rest_mm.row(row * n + i) =
-          arc.at(s.arc_mm) + share * leaflet_height_mm(heights, d.cleft_depth_mm, s.around) * down;
+          arc.at(s.arc_mm) + share * leaflet_height_mm(d, heights, s.around) * down;
     }
   valve.faces.resize(2 * n * grid.rows, 3);
   valve.fibre.resize(valve.faces.rows(), 3);
@@ -248,7 +254,7 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
     valve.annulus_mm.row(i) = valve.rest_mm.row(i);
   }
   const int front = grid.anterior_stations / 2;
-  const int trigone = static_cast<int>(std::lround(kTrigone * front));
+  const int trigone = static_cast<int>(std::lround(d.trigone_share * front));
   valve.landmarks = {
       front + trigone, front - trigone, front, 2 * front + (n - 2 * front) / 2, 2 * front, 0};
   std::vector<double> around(stations.size());

@@ -1,0 +1,158 @@
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "clients/cli/number_option.h"
+#include "clients/cli/study_desk.h"
+#include "core/presets/presets.h"
+#include "io/json/valve_json.h"
+#include "io/picture/study_page.h"
+#include "io/picture/text.h"
+#include "search/studies/calibration.h"
+#include "search/studies/findings_parts.h"
+#include "search/studies/thesis_study.h"
+
+namespace coapt {
+namespace {
+
+struct Arguments {
+  std::string directory = "calibration";
+  int starts = 1;
+  bool anchors = false;
+  CalibrationOptions calibration;
+};
+
+/// How many of the nine comparisons of figure 4.10 (mean, sd, sd of means; three classes) come out for the
+/// trigone by the thesis's look-up, displaced configurations by 2 mm.
+int anchor_statement(StudyDesk& desk, const Calibration& fit) {
+  const Expected<Valve> valve = make_taut_valve(parametric_valve(fit.anatomy, "calibrated"));
+  if (!valve) return 0;
+  OrificeTable table = desk.table(*valve);
+  ApproximationOptions options;
+  options.displacement_step_mm = 2.0;
+  int holds = 0;
+  for (const Finding& finding : anchor_findings(study_approximation(
+           table, Protocol::LookupClamped, thesis_anchors(*valve), options)))
+    if (finding.agrees && finding.finding.find("/trigone-smaller") != std::string::npos) ++holds;
+  return holds;
+}
+
+std::vector<std::vector<std::string>> fit_table(const Calibration& fit) {
+  std::vector<std::vector<std::string>> rows = {{"orifice, mm2", "thesis", "ours", "difference"}};
+  const std::vector<CalibrationTarget> targets = calibration_targets();
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    rows.push_back({targets[k].name, fixed(targets[k].area_mm2, 1), fixed(fit.area_mm2[k], 1),
+                    fixed(fit.area_mm2[k] - targets[k].area_mm2, 1)});
+  return rows;
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(5);
+  text << value;
+  return text.str();
+}
+
+std::vector<std::vector<std::string>> anatomy_table(const Calibration& fit) {
+  std::vector<std::vector<std::string>> rows = {{"parameter", "fitted", "least", "most", "at a bound"}};
+  for (std::size_t i = 0; i < fit.anatomy.size(); ++i) {
+    const AnatomyParameter& p = anatomy_parameters()[i];
+    const double share = (fit.anatomy[i] - p.lower) / (p.upper - p.lower);
+    rows.push_back({p.name, number(fit.anatomy[i]), number(p.lower), number(p.upper),
+                    share < 0.01 || share > 0.99 ? "yes" : ""});
+  }
+  return rows;
+}
+
+std::string csv(const std::vector<std::vector<std::string>>& rows) {
+  std::string text;
+  for (const std::vector<std::string>& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const bool quoted = row[i].find(',') != std::string::npos;
+      text += (quoted ? '"' + row[i] + '"' : row[i]) + (i + 1 < row.size() ? ',' : '\n');
+    }
+  return text;
+}
+
+int run(const Arguments& arguments) {
+  const Expected<std::unique_ptr<StudyDesk>> opened =
+      StudyDesk::open(arguments.directory, arguments.calibration.threads);
+  if (!opened) {
+    report_errors("study calibrate", opened.errors());
+    return exit_code::kFailure;
+  }
+  StudyDesk& desk = **opened;
+  Calibration best;
+  int best_holds = -1;
+  for (int start = 0; start < arguments.starts; ++start) {
+    CalibrationOptions options = arguments.calibration;
+    options.seed += static_cast<std::uint64_t>(start);
+    options.progress = [&](int round, double cost) {
+      desk.show(round, options.most_rounds,
+                "rounds of start " + std::to_string(start + 1) + ", cost " + fixed(cost, 2));
+      return true;
+    };
+    const Calibration fit = calibrate(options);
+    desk.begin("anchors of start " + std::to_string(start + 1));
+    const int holds = arguments.anchors ? anchor_statement(desk, fit) : 0;
+    std::cout << "seed " << options.seed << ": Spearman " << fixed(fit.spearman, 3) << ", rms "
+              << fixed(fit.rms_mm2, 1) << " mm2 over table 4.1, dilation within "
+              << fixed(100.0 * fit.largest_dilation_error, 0) << " %, " << fit.untrusted
+              << " not trusted, " << fit.closures << " closures";
+    if (arguments.anchors) std::cout << ", anchors " << holds << " of 9";
+    std::cout << std::endl;
+    if (holds < best_holds || (holds == best_holds && fit.rms_mm2 >= best.rms_mm2)) continue;
+    best = fit;
+    best_holds = holds;
+  }
+  const Expected<Valve> valve = make_taut_valve(parametric_valve(best.anatomy, "calibrated"));
+  if (!valve) return report_errors("study calibrate", valve.errors());
+  const std::string page = study_page(
+      "A valve calibrated to the thesis", "Figure 4.5 and table 4.1, number by number.",
+      {{"Fit", "", "", fit_table(best)}, {"Anatomy", "", "", anatomy_table(best)}});
+  for (const auto& [name, content] :
+       {std::pair<std::string, std::string>{"valve.json", write_valve(*valve)},
+        {"fit.csv", csv(fit_table(best))},
+        {"anatomy.csv", csv(anatomy_table(best))},
+        {"index.html", page}})
+    if (const int error = desk.write(name, content)) return error;
+  std::cout << "Written to " << arguments.directory << "/valve.json and index.html\n";
+  return exit_code::kOk;
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& parent, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CalibrationOptions& calibration = arguments->calibration;
+  CLI::App* command = parent.add_subcommand(
+      "calibrate", "Fit a parametric valve to the thesis's figure 4.5 and table 4.1");
+  command->add_option("-o,--output", arguments->directory, "Directory for the valve and its fit")
+      ->capture_default_str();
+  command->add_option("--seed", calibration.seed, "Of the first start")
+      ->check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
+      ->capture_default_str();
+  command->add_option("--starts", arguments->starts, "Fits from so many seeds, the best is kept")
+      ->check(number_from(1, 1000))
+      ->capture_default_str();
+  command->add_option("--rounds", calibration.most_rounds, "Of a fit, at most")
+      ->check(number_from(1, 1000))
+      ->capture_default_str();
+  command->add_flag("--anchors", arguments->anchors,
+                    "Keep the fit that shows most of the thesis's anchor statement by its look-up");
+  command->add_option("--threads", calibration.threads, "0: all cores; does not change the answer")
+      ->check(number_from(0, 1024))
+      ->capture_default_str();
+  command->footer(
+      "About 20,000 closures a start.\n\n"
+      "Examples:\n"
+      "  coapt study calibrate -o calibration\n"
+      "  coapt study calibrate --starts 10 --anchors -o with-anchors");
+  command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace coapt

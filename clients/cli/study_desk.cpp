@@ -1,0 +1,52 @@
+#include "clients/cli/study_desk.h"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "clients/cli/files.h"
+#include "io/store/subject.h"
+
+namespace coapt {
+namespace {
+
+[[noreturn]] void fail(const Errors& errors) { throw std::runtime_error(errors.front().message); }
+
+}  // namespace
+
+Expected<std::unique_ptr<StudyDesk>> StudyDesk::open(const std::string& directory, int threads) {
+  std::error_code failed;
+  std::filesystem::create_directories(directory, failed);
+  if (failed)
+    return Error{ErrorCode::InputOutput, "", directory + ": cannot be made: " + failed.message()};
+  Expected<ClosureStore> store =
+      ClosureStore::open((std::filesystem::path(directory) / "closures.sqlite").string());
+  if (!store) return store.errors();
+  return std::unique_ptr<StudyDesk>(new StudyDesk(directory, threads, std::move(*store)));
+}
+
+OrificeTable StudyDesk::table(const Valve& valve) {
+  OrificeTableOptions options;
+  options.closure = thesis_closure();
+  options.threads = threads_;
+  const std::string subject = subject_of(valve, options.closure);
+  Expected<KnownOrifices> known = store_.read(subject);
+  if (!known) fail(known.errors());
+  options.known = std::move(*known);
+  options.keep = [this, subject](const ConfigurationKey& key, const OrificeSample& sample) {
+    if (const Errors errors = store_.keep(subject, key, sample); !errors.empty()) fail(errors);
+  };
+  options.progress = [this](int done, int planned) {
+    if (done % 16 == 0 || done == planned) bar_.show(done, planned, "closures: " + stage_);
+  };
+  return OrificeTable(valve, std::move(options));
+}
+
+int StudyDesk::write(const std::string& name, const std::string& content) const {
+  return write_output((std::filesystem::path(directory_) / name).string(), content);
+}
+
+double StudyDesk::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+}
+
+}  // namespace coapt

@@ -1,0 +1,52 @@
+// The porcine valve of the thesis's chapter 4, of which only answers are published, as a parametric
+// valve that gives those answers. No measured anatomy.
+#include "core/presets/presets.h"
+
+namespace coapt {
+namespace {
+
+/// Moduli above the transition, over thesis table 2.1's.
+void stiffen(double factor, Tissue& tissue) {
+  tissue.circumferential_post_kpa *= factor;
+  tissue.radial_post_kpa *= factor;
+}
+
+}  // namespace
+
+ParametricValve porcine_thesis_tables() {
+  ParametricValve d;
+  d.name = "porcine-thesis-tables";
+  d.ap_mm = 27.671;
+  d.al_pm_mm = 41.3;
+  d.saddle_height_mm = 4.5;
+  d.anterior_height_mm = 26.0;
+  d.posterior_height_mm = 14.762;
+  d.lateral_height_mm = 11.275;
+  d.commissure_height_mm = 4.5;
+  d.cleft_depth_mm = 0.5;
+  d.anterior_arc = 0.36395;
+  d.trigone_share = 0.65843;
+  d.inclination_deg = 8.0;
+  d.tip_depth_mm = 28.0;
+  d.tip_spread_mm = 26.452;
+  d.tip_posterior_mm = 3.9134;
+  d.slack = 0.95364;
+  d.posterior_slack = 0.9;
+  d.strut_slack = 0.98034;
+  d.basal_slack = 0.96079;
+  d.asymmetry.tip_mm = Vec3(1.893, 2.8496, -0.24373);
+  d.asymmetry.leaflet_height = -0.040779;
+  d.asymmetry.slack = -0.047646;
+  d.tissue.circumferential_transition = 0.10892;
+  d.tissue.radial_transition = 0.12712;
+  stiffen(3.0, d.tissue);
+  return d;
+}
+
+ParametricValve porcine_thesis() {
+  ParametricValve d = porcine_thesis_tables();
+  d.name = "porcine-thesis";
+  return d;
+}
+
+}  // namespace coapt

@@ -1,0 +1,87 @@
+// What charts of several panels share: round axes, colours of light and dark pages, heading, frame.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace coapt {
+
+inline constexpr double kFigureWidth = 1000.0;  // px; every figure is drawn that wide
+
+/// Okabe and Ito's, told apart by every kind of sight; lighter on dark pages. Ink: the text's.
+enum class Hue { Ink, Blue, Vermillion, Green, Purple, Sky, Orange };
+const char* css_class(Hue hue);
+
+/// Steps of the sequential scale, viridis: on light pages from light to dark, on dark ones from dark
+/// to light, so that more always stands out more.
+inline constexpr int kShades = 8;
+/// `share` 0 to 1, clamped: "h0" to "h7".
+std::string shade_class(double share);
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+/// Widened to hold `value`, unless that is not finite.
+Range including(Range range, double value);
+
+/// A range with round ends, and the distance of its ticks.
+struct Axis {
+  double low = 0.0, high = 1.0, step = 0.2;
+  int decimals = 1;
+};
+
+/// About `ticks` steps of 1, 2 or 5 times a power of ten that hold the range, and 0 if it is near.
+Axis round_axis(Range range, int ticks = 5);
+/// Multiples of the step.
+std::vector<double> ticks_of(const Axis& axis);
+
+/// Pixels, y downwards.
+struct Box {
+  double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
+};
+
+struct Frame {
+  Box plot;
+  Axis x, y;
+};
+double x_at(const Frame& frame, double value);
+double y_at(const Frame& frame, double value);
+
+struct FrameWords {
+  std::string title, x_label, y_label;
+};
+/// Grid, ticks and words, which stand up to 26 px above, 40 px below and 48 px left of the plot.
+std::string draw_frame(const Frame& frame, const FrameWords& words);
+
+enum class Mark { Line, Dashed, Dot, Hollow, Area };
+struct LegendEntry {
+  std::string label, colour;  ///< colour: class
+  Mark mark = Mark::Line;
+};
+
+struct Heading {
+  std::string title, note;  ///< a note is wrapped
+  std::vector<LegendEntry> legend;
+};
+
+/// Elements and where they end, px.
+struct Drawn {
+  std::string svg;
+  double bottom = 0.0;
+};
+Drawn draw_heading(const Heading& heading);
+
+/// `count` equal cells in rows of `columns`, from `top` downwards; `height` of each, px.
+struct CellGrid {
+  int count = 0, columns = 3;
+  double top = 0.0, height = 300.0;
+};
+Box cell(const CellGrid& grid, int index);
+double bottom_of(const CellGrid& grid);
+
+/// The whole file; `title` for those who do not see it.
+std::string figure_svg(const std::string& title, const std::string& content, double height);
+
+}  // namespace coapt

@@ -1,0 +1,47 @@
+// How general the thesis's findings are: the same studies on many valves.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "search/studies/anatomy.h"
+#include "search/studies/anchor_question.h"
+#include "search/studies/findings.h"
+
+namespace coapt {
+
+struct StudiedValve {
+  std::string kind;  ///< "porcine preset", "human preset", "real valve", "random anatomy"
+  Valve valve;
+};
+
+/// `count` anatomies from the box of anatomy_parameters(), uniformly, of which each makes a competent
+/// valve: it closes uncrossed with at most 5 mm2. Others are drawn again, and counted.
+struct RandomAnatomies {
+  std::vector<Valve> valves;
+  int drawn = 0;
+};
+RandomAnatomies random_anatomies(int count, std::uint64_t seed, int threads);
+
+struct ValveFindings {
+  std::string kind, name;
+  std::vector<Finding> findings;
+  int closures = 0, untrusted = 0;
+};
+
+/// `progress`: valves done, planned.
+std::vector<ValveFindings> study_generality(const std::vector<StudiedValve>& valves,
+                                            const OpenTable& open_table,
+                                            const ThesisStudyOptions& options,
+                                            const std::function<void(int, int)>& progress = {});
+
+/// On which share of the valves of a kind a finding holds; "" is all kinds.
+struct FindingShare {
+  std::string finding, kind;
+  int valves = 0, agree = 0;  ///< valves where it could be asked
+};
+std::vector<FindingShare> finding_shares(const std::vector<ValveFindings>& studied);
+
+}  // namespace coapt

@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "search/studies/finding_text.h"
+#include "search/studies/findings_parts.h"
+#include "search/studies/rank_correlation.h"
+#include "search/studies/thesis_figures.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kDilationTolerance = 0.15;  // share of the thesis's orifice
+constexpr double kLeastLeak_mm2 = 5.0;       // smaller orifices have no meaningful ratio
+constexpr double kTableTolerance = 0.98;     // Spearman over table 4.1
+constexpr double kRatioTolerance = 6.0;      // points, mean absolute error over table 4.2
+
+double dilated(const AnnulusStudy& study, double percent, std::size_t height = 0) {
+  const auto& dilations = study.dilation_percent;
+  const auto found = std::find(dilations.begin(), dilations.end(), percent);
+  return study.area_mm2[height][static_cast<std::size_t>(found - dilations.begin())];
+}
+
+std::string areas_in_words(const std::vector<double>& values, int decimals = 1) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : " / ") + in_words(value, decimals);
+  return text;
+}
+
+Vec3 mean_gradient(const DisplacementGrid& grid) {
+  Vec3 sum = Vec3::Zero();
+  const std::vector<Vec3> slopes = gradients(grid);
+  for (const Vec3& slope : slopes) sum += slope;
+  return sum / static_cast<double>(slopes.size());
+}
+
+/// Increments of the orifice along the diagonal of all axes.
+bool superlinear(const DisplacementGrid& grid) {
+  const int last = grid.nodes - 1, middle = last / 2;
+  const double low = grid.at(0, 0, 0), half = grid.at(middle, middle, middle);
+  return grid.at(last, last, last) - half > half - low;
+}
+
+Finding growth_finding(const DisplacementGrid& grid) {
+  const int last = grid.nodes - 1, middle = last / 2;
+  return {std::string("displacement-grows-superlinearly-") + to_string(grid.displaced), "4.3.1",
+          "growth is superlinear",
+          areas_in_words({grid.at(0, 0, 0), grid.at(middle, middle, middle),
+                          grid.at(last, last, last)}) +
+              " mm2 at 0 / 3 / 6 mm along all axes",
+          "the second half of the way adds more than the first", superlinear(grid)};
+}
+
+Finding axes_finding(const DisplacementGrid& grid) {
+  const Vec3 slope = mean_gradient(grid);
+  return {std::string("apical-most-then-transverse-then-posterior-") + to_string(grid.displaced),
+          "4.3.1", "most sensitive to apical, then transverse, then posterior displacement",
+          areas_in_words({slope.z(), slope.x(), slope.y()}) +
+              " mm2 per mm apical / transverse / posterior (mean gradient)",
+          "in that order", slope.z() > slope.x() && slope.x() > slope.y()};
+}
+
+}  // namespace
+
+std::vector<Finding> annulus_findings(const AnnulusStudy& study) {
+  std::vector<Finding> all;
+  const std::vector<double> ours = {dilated(study, 0), dilated(study, 10), dilated(study, 20),
+                                    dilated(study, 30)};
+  double largest_off = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    largest_off = std::max(largest_off,
+                           std::abs(ours[k + 1] - thesis::kDilated_mm2[k]) / thesis::kDilated_mm2[k]);
+  const std::string text = areas_in_words(ours) + " mm2 at 0 / 10 / 20 / 30 %";
+  all.push_back({"dilation-orifice", "4.3.1", "6.7 / 32.0 / 86.9 mm2 at 10 / 20 / 30 %", text,
+                 "each within 15 %", largest_off <= kDilationTolerance});
+  all.push_back({"dilation-grows-superlinearly", "4.3.1", "each 10 % adds more than the one before",
+                 text, "each 10 % adds more than the one before",
+                 ours[1] - ours[0] < ours[2] - ours[1] && ours[2] - ours[1] < ours[3] - ours[2]});
+  double by_height = 0.0;
+  for (std::size_t h = 1; h < study.height_percent.size(); ++h)
+    for (const double d : study.dilation_percent)
+      by_height = std::max(by_height, std::abs(dilated(study, d, h) - dilated(study, d)));
+  all.push_back({"flattening-matters-far-less-than-dilation", "4.3.1",
+                 "large changes of annular height have a minimal impact",
+                 "at most " + in_words(by_height, 1) + " mm2 by height, " +
+                     in_words(ours[3] - ours[0], 1) + " mm2 by dilation",
+                 "less than a fifth", by_height < 0.2 * (ours[3] - ours[0])});
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  double sum = 0.0;
+  int counted = 0;
+  for (const double d : study.dilation_percent) {
+    if (d < 15.0 || dilated(study, d) < kLeastLeak_mm2) continue;
+    const double change = dilated(study, d, 1) / dilated(study, d) - 1.0;
+    least = std::min(least, change);
+    most = std::max(most, change);
+    sum += change;
+    ++counted;
+  }
+  const double mean = counted > 0 ? sum / counted : std::numeric_limits<double>::quiet_NaN();
+  all.push_back({"flattening-by-25-percent-shrinks-orifice-5-to-10-percent", "4.3.1",
+                 "at large dilation, 25 % less height shrinks the orifice by 5 to 10 %",
+                 "mean change " + in_percent(mean, 1) + " (" + in_percent(least, 1) + " to " +
+                     in_percent(most, 1) + ") at 15 to 30 % dilation",
+                 "mean between -5 and -10 %", mean <= -0.05 && mean >= -0.10});
+  return all;
+}
+
+std::vector<Finding> papillary_findings(const PapillaryStudy& study) {
+  const auto& [al, pm, both] = study.grids;
+  std::vector<Finding> all;
+  std::vector<double> ours, theirs;
+  double squares = 0.0;
+  for (std::size_t k = 0; k < study.grids.size(); ++k) {
+    const std::array<double, 7> row = largest_orifices(study.grids[k]);
+    for (std::size_t axes = 0; axes < row.size(); ++axes) {
+      ours.push_back(row[axes]);
+      theirs.push_back(thesis::kDisplaced_mm2[k][axes]);
+      squares += std::pow(ours.back() - theirs.back(), 2);
+    }
+  }
+  const double rho = rank_correlation(ours, theirs);
+  all.push_back({"table-4.1", "4.3.1", "21 largest orifices, 0.5 to 191.7 mm2",
+                 "Spearman " + in_words(rho, 3) + ", rms difference " +
+                     in_words(std::sqrt(squares / 21.0), 1) + " mm2",
+                 "Spearman at least 0.98", rho >= kTableTolerance});
+  for (const DisplacementGrid& grid : study.grids) {
+    all.push_back(growth_finding(grid));
+    all.push_back(axes_finding(grid));
+  }
+  int above = 0;
+  for (std::size_t i = 0; i < al.area_mm2.size(); ++i)
+    if (pm.area_mm2[i] > al.area_mm2[i]) ++above;
+  const double share = static_cast<double>(above) / static_cast<double>(al.area_mm2.size());
+  all.push_back({"posteromedial-more-sensitive", "4.3.1",
+                 "posteromedial displacement leaks more in over 90 % of configurations",
+                 in_percent(share), "over 90 %", share > 0.9});
+  const Synergy s = synergy(study);
+  all.push_back({"both-exceed-the-sum", "4.3.1",
+                 "in 81 % of configurations; 92 % from 1 mm, 100 % from 2 mm along each axis",
+                 in_percent(s.share) + "; " + in_percent(s.share_from_1mm) + "; " +
+                     in_percent(s.share_from_2mm),
+                 "at least that often",
+                 s.share >= thesis::kSynergyShare && s.share_from_1mm >= thesis::kSynergyFrom1mm &&
+                     s.share_from_2mm >= thesis::kSynergyFrom2mm});
+  all.push_back({"both-exceed-the-sum-by-37-percent", "4.3.1", "37 % more on average",
+                 in_percent(s.mean_increase) + " more over all orifices together",
+                 "between half and twice as much",
+                 s.mean_increase >= 0.5 * thesis::kSynergyIncrease &&
+                     s.mean_increase <= 2.0 * thesis::kSynergyIncrease});
+  const double together = mean_gradient(both).x(),
+               apart = mean_gradient(al).x() + mean_gradient(pm).x();
+  all.push_back({"lateral-sensitivity-rises-when-both-move", "4.3.1",
+                 "sensitivity to lateral displacement increases dramatically when both move",
+                 in_words(together, 1) + " mm2 per mm, against " + in_words(apart, 1) +
+                     " of either alone together",
+                 "more than the sum", together > apart});
+  return all;
+}
+
+std::vector<Finding> belly_findings(const std::array<Vec3, 3>& shift_mm) {
+  std::vector<double> lateral, apical;
+  for (const Vec3& shift : shift_mm) {
+    lateral.push_back(-shift.x());
+    apical.push_back(-shift.z());
+  }
+  const bool follows = *std::min_element(lateral.begin(), lateral.end()) > 0.0 &&
+                       lateral[0] == *std::max_element(lateral.begin(), lateral.end());
+  return {{"anterior-leaflet-follows-lateral-displacement", "4.4",
+           "A1, A2, A3 shift about 1 mm towards a tip displaced 6 mm laterally, the nearest most",
+           areas_in_words(lateral) + " mm laterally, " + areas_in_words(apical) + " mm apically",
+           "all outwards, A1 most", follows}};
+}
+
+std::vector<Finding> ring_findings(const RingStudy& study) {
+  std::vector<Finding> all;
+  double off = 0.0, largest = 0.0;
+  std::string text;
+  std::array<double, 3> mean_of_class{};
+  bool falls = true;
+  for (std::size_t k = 0; k < kDisplaced.size(); ++k) {
+    std::vector<double> row;
+    for (int sizes = 1; sizes <= 3; ++sizes) {
+      row.push_back(100.0 * largest_ring_ratio(study, kDisplaced[k], sizes));
+      off += std::abs(row.back() - thesis::kRingRatio_percent[k][row.size() - 1]) / 9.0;
+      largest = std::fmax(largest, row.back());
+      mean_of_class[k] += row.back() / 3.0;
+    }
+    falls &= row[0] > row[1] && row[1] > row[2];
+    text += (text.empty() ? "" : "; ") + std::string(to_string(kDisplaced[k])) + ' ' +
+            areas_in_words(row);
+  }
+  all.push_back({"undersized-ring-always-reduces", "4.3.2",
+                 "an undersized ring reduces the orifice in all configurations",
+                 "largest ratio " + in_words(largest, 1) + " %", "below 100 %", largest < 100.0});
+  all.push_back({"table-4.2", "4.3.2",
+                 "AL 54.5 / 27.3 / 13.0; PM 75.4 / 52.8 / 32.4; both 81.9 / 64.1 / 47.3 %",
+                 text + " %; mean absolute difference " + in_words(off, 1) + " points",
+                 "mean absolute difference at most 6 points", off <= kRatioTolerance});
+  all.push_back({"ring-works-least-when-both-move", "4.3.2",
+                 "the ratio is largest for both, then PM, then AL, and falls with each size", text,
+                 "in that order",
+                 falls && mean_of_class[2] > mean_of_class[1] && mean_of_class[1] > mean_of_class[0]});
+  for (int sizes = 1; sizes <= 2; ++sizes) {
+    std::vector<double> ratio, size;
+    const std::vector<double> ratios = ring_ratios(study, Displaced::Both, sizes);
+    const DisplacementGrid& grid = study.grids[2][0];
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+      if (!(grid.area_mm2[i] >= kLeastLeak_mm2)) continue;
+      ratio.push_back(ratios[i]);
+      size.push_back(grid.displacement_mm(i).norm());
+    }
+    const double rho = rank_correlation(ratio, size);
+    all.push_back({"ring-ratio-grows-with-displacement-U" + std::to_string(sizes), "4.3.2",
+                   "the ratio to the properly sized annulus rises towards 1 with displacement",
+                   "Spearman " + in_words(rho, 2) + " of ratio and displacement, both muscles",
+                   "above 0.5", rho > 0.5});
+  }
+  return all;
+}
+
+}  // namespace coapt

@@ -1,0 +1,103 @@
+#include "search/studies/sobol_indices.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+namespace coapt {
+namespace {
+
+/// Legendre polynomials on [0, 1] of unit variance, degrees 1 and 2.
+double linear(double share) { return std::sqrt(3.0) * (2.0 * share - 1.0); }
+double quadratic(double share) {
+  const double x = 2.0 * share - 1.0;
+  return std::sqrt(5.0) * 0.5 * (3.0 * x * x - 1.0);
+}
+
+/// A term is the product of its factors' polynomials; second < 0: of one factor alone.
+struct Term {
+  int first = 0, second = -1, degree = 1;
+  double at(const std::vector<double>& shares) const {
+    const double x = shares[static_cast<std::size_t>(first)];
+    if (second >= 0) return linear(x) * linear(shares[static_cast<std::size_t>(second)]);
+    return degree == 1 ? linear(x) : quadratic(x);
+  }
+};
+
+std::vector<Term> terms_of(int factors) {
+  std::vector<Term> terms;
+  for (int i = 0; i < factors; ++i) {
+    terms.push_back({i, -1, 1});
+    terms.push_back({i, -1, 2});
+    for (int j = i + 1; j < factors; ++j) terms.push_back({i, j, 1});
+  }
+  return terms;
+}
+
+}  // namespace
+
+SobolIndices sobol_indices(const std::vector<std::vector<double>>& shares,
+                           const std::vector<double>& values) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t factors = shares.empty() ? 0 : shares.front().size();
+  SobolIndices indices{std::vector<double>(factors, nan), std::vector<double>(factors, nan), nan};
+  const std::vector<Term> terms = terms_of(static_cast<int>(factors));
+  const auto rows = static_cast<Eigen::Index>(shares.size());
+  const auto columns = static_cast<Eigen::Index>(terms.size()) + 1;
+  if (rows < columns) return indices;
+  Eigen::MatrixXd design(rows, columns);
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    design(r, 0) = 1.0;
+    for (std::size_t k = 0; k < terms.size(); ++k)
+      design(r, static_cast<Eigen::Index>(k) + 1) =
+          terms[k].at(shares[static_cast<std::size_t>(r)]);
+  }
+  const Eigen::VectorXd value = Eigen::Map<const Eigen::VectorXd>(values.data(), rows);
+  const auto normal = (design.transpose() * design).ldlt();
+  const Eigen::VectorXd weight = normal.solve(design.transpose() * value);
+  const double variance = weight.tail(columns - 1).squaredNorm();
+  const double scatter = (value.array() - value.mean()).square().sum();
+  if (!(variance > 0.0 && scatter > 0.0)) return indices;
+  const Eigen::MatrixXd inverse = normal.solve(Eigen::MatrixXd::Identity(columns, columns));
+  double missed = 0.0;
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    const double leverage = design.row(r) * inverse * design.row(r).transpose();
+    missed += std::pow((value(r) - design.row(r).dot(weight)) / std::max(1e-9, 1.0 - leverage), 2);
+  }
+  indices.predicted_share = 1.0 - missed / scatter;
+  std::fill(indices.first.begin(), indices.first.end(), 0.0);
+  indices.total = indices.first;
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    const double part = std::pow(weight(static_cast<Eigen::Index>(k) + 1), 2) / variance;
+    const auto first = static_cast<std::size_t>(terms[k].first);
+    indices.total[first] += part;
+    if (terms[k].second < 0)
+      indices.first[first] += part;
+    else
+      indices.total[static_cast<std::size_t>(terms[k].second)] += part;
+  }
+  return indices;
+}
+
+std::vector<std::vector<double>> latin_hypercube(int count, int factors, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  const auto die = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const auto n = static_cast<std::size_t>(count);
+  std::vector<std::vector<double>> samples(
+      n, std::vector<double>(static_cast<std::size_t>(factors)));
+  std::vector<std::size_t> order(n);
+  for (std::size_t f = 0; f < static_cast<std::size_t>(factors); ++f) {
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t i = n; i > 1; --i)  // std::shuffle differs between standard libraries
+      std::swap(order[i - 1], order[static_cast<std::size_t>(die() * static_cast<double>(i))]);
+    for (std::size_t i = 0; i < n; ++i)
+      samples[i][f] = (static_cast<double>(order[i]) + die()) / static_cast<double>(count);
+  }
+  return samples;
+}
+
+}  // namespace coapt
