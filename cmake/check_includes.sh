@@ -24,6 +24,7 @@ cairo           : io/picture
 httplib[.]h     : server
 CLI/            : clients/cli server
 nlohmann/       : io server clients/cli
+sqlite3[.]h     : io/store
 '
 # core and the comparators are pure: no threads, clock, randomness, files or streams.
 readonly impure='^(thread|mutex|atomic|future|condition_variable|chrono|ctime|time[.]h|random|filesystem|fstream|iostream|omp[.]h)$'

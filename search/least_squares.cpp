@@ -69,8 +69,8 @@ LeastSquaresFit fit_least_squares(const ResidualsAt& residuals, const Eigen::Vec
     std::vector<Eigen::VectorXd> neighbours;
     for (Eigen::Index i = 0; i < start.size(); ++i) {
       // To alternate sides, where both are in the cube, looks both ways in two rounds.
-      const bool back = at.point(i) + difference > 1.0 ||
-                        (round % 2 == 1 && at.point(i) - difference >= 0.0);
+      const bool back =
+          at.point(i) + difference > 1.0 || (round % 2 == 1 && at.point(i) - difference >= 0.0);
       neighbours.push_back(at.point);
       neighbours.back()(i) += back ? -difference : difference;
     }

@@ -12,7 +12,7 @@
 
 namespace coapt {
 
-/// Residuals at several points of [0, 1]^n; each of the same length, finite. Called with up to n points.
+/// Residuals at several points of [0, 1]^n; each of the same length, finite. Called with up to max(n, 8) points.
 using ResidualsAt =
     std::function<std::vector<Eigen::VectorXd>(const std::vector<Eigen::VectorXd>&)>;
 

@@ -9,11 +9,9 @@
 #include "clients/cli/files.h"
 #include "clients/cli/number_option.h"
 #include "clients/cli/study_desk.h"
+#include "clients/cli/study_report.h"
 #include "io/json/findings_json.h"
 #include "io/json/result_json.h"
-#include "io/picture/study_charts.h"
-#include "io/picture/study_csv.h"
-#include "io/picture/study_page.h"
 #include "io/picture/text.h"
 #include "search/studies/findings_parts.h"
 
@@ -28,146 +26,43 @@ struct Arguments {
   ThesisStudyOptions study;
 };
 
-/// What one study leaves in the directory and says.
-struct Outcome {
-  std::vector<std::pair<std::string, std::string>> files;  ///< name, content
-  std::vector<Finding> findings;
-  std::vector<PageSection> figures;
-};
-
 std::string timing(const OrificeTable& table, double seconds) {
   return std::to_string(table.configurations()) + " configurations, five end states each; " +
          std::to_string(table.closures()) + " closed now, in " + fixed(seconds, 1) + " s; " +
          std::to_string(table.untrusted()) + " not trusted (not converged, or crossed).";
 }
 
-PageSection annulus_figure(const AnnulusStudy& study) {
-  return {"Annular dilation and flattening (figure 4.5)",
-          "Trigones, papillary tips and transverse diameter held. Rings: the thesis's numbers.",
-          annulus_svg(study, true), {}};
-}
-
-PageSection papillary_table(const PapillaryStudy& study) {
-  PageSection section{"Largest orifice by class and axes (table 4.1), mm2", "", "", {{"class"}}};
-  for (const char* axes : kAxesNames) section.table[0].push_back(axes);
-  for (const DisplacementGrid& grid : study.grids) {
-    section.table.push_back({to_string(grid.displaced)});
-    for (const double area : largest_orifices(grid)) section.table.back().push_back(fixed(area, 1));
-  }
-  return section;
-}
-
-PageSection ring_table(const RingStudy& study) {
-  PageSection section{"Largest ratio to the properly sized annulus (table 4.2), percent",
-                      "Over displacements that leak 1 mm2 or more under the proper size.",
-                      "",
-                      {{"class", "U1", "U2", "U3"}}};
-  for (const Displaced displaced : kDisplaced) {
-    section.table.push_back({to_string(displaced)});
-    for (int sizes = 1; sizes <= 3; ++sizes)
-      section.table.back().push_back(
-          fixed(100.0 * largest_ring_ratio(study, displaced, sizes), 1));
-  }
-  return section;
-}
-
-PageSection anchors_table(const std::vector<AnchorSummary>& summaries) {
-  PageSection section{"Anchors",
-                      "Means over the displaced configurations; regions of interest of 1,089 "
-                      "nodes unless said otherwise. Movement and suture in mm, all else in mm2.",
-                      "",
-                      {{"protocol", "class", "anchor", "configurations", "repaired", "mean", "sd",
-                        "sd of means", "sd by length", "sd by angles", "movement", "suture",
-                        "outside the grid"}}};
-  for (const AnchorSummary& s : summaries)
-    section.table.push_back({to_string(s.protocol), to_string(s.displaced), s.anchor.name,
-                             std::to_string(s.configurations), std::to_string(s.repaired),
-                             fixed(s.mean_mm2, 2), fixed(s.sd_mm2, 2), fixed(s.sd_of_means_mm2, 2),
-                             fixed(s.length_sd_mm2, 2), fixed(s.angle_sd_mm2, 2),
-                             fixed(s.movement_mm, 1), fixed(s.suture_mm, 1),
-                             fixed(100.0 * s.clamped_share, 0) + " %"});
-  return section;
-}
-
-void add(Outcome& outcome, const AnnulusStudy& study) {
-  outcome.files.emplace_back("annulus.csv", annulus_csv(study));
-  outcome.files.emplace_back("annulus.svg", annulus_svg(study, true));
-  outcome.figures.push_back(annulus_figure(study));
-}
-
-void add(Outcome& outcome, const PapillaryStudy& study) {
-  outcome.files.emplace_back("papillary.csv", papillary_csv(study));
-  outcome.files.emplace_back("papillary.svg", papillary_svg(study));
-  outcome.figures.push_back({"Papillary displacement (figures 4.6 to 4.8)",
-                             "Orifice over transverse and posterior displacement, a surface for "
-                             "each apical one; and its gradient.",
-                             papillary_svg(study), {}});
-  outcome.figures.push_back(papillary_table(study));
-}
-
-void add(Outcome& outcome, const RingStudy& study) {
-  outcome.files.emplace_back("ring.csv", ring_csv(study));
-  outcome.files.emplace_back("ring.svg", ring_svg(study));
-  outcome.figures.push_back({"Undersized rings (figure 4.9)", "", ring_svg(study), {}});
-  outcome.figures.push_back(ring_table(study));
-}
-
-void add(Outcome& outcome, const std::vector<ApproximationStudy>& studies,
-         const std::vector<AnchorSummary>& scan) {
-  std::vector<AnchorSummary> summaries;
-  for (const ApproximationStudy& study : studies) {
-    const std::string name = std::string("anchors-") + to_string(study.protocol) + ".svg";
-    outcome.files.emplace_back(name, anchors_histogram_svg(study));
-    outcome.figures.push_back(
-        {std::string("Trigone against saddle peak (figure 4.10), protocol ") +
-             to_string(study.protocol),
-         "", anchors_histogram_svg(study), {}});
-    for (const AnchorSummary& summary : summarise(study)) summaries.push_back(summary);
-  }
-  outcome.files.emplace_back("approximation.csv", approximation_csv(studies));
-  outcome.files.emplace_back("anchors.csv", anchors_csv(summaries));
-  outcome.figures.push_back(anchors_table(summaries));
-  if (scan.empty()) return;
-  std::vector<AnchorSummary> same;
-  for (const AnchorSummary& summary : summaries)
-    if (summary.protocol == scan.front().protocol) same.push_back(summary);
-  outcome.files.emplace_back("anchor-scan.csv", anchors_csv(scan));
-  outcome.files.emplace_back("anchor-scan.svg", anchor_scan_svg(scan, same));
-  outcome.figures.push_back({"Anchors around the annulus", "", anchor_scan_svg(scan, same), {}});
-}
-
 int finish(const Arguments& arguments, const StudyDesk& desk, const OrificeTable& table,
-           Outcome outcome) {
+           StudyReport report) {
   const std::string timed = timing(table, desk.seconds());
-  outcome.files.emplace_back("findings.json", to_json(outcome.findings).dump(2) + "\n");
-  outcome.files.emplace_back(
-      "index.html",
-      findings_page(table.valve().name, outcome.findings, outcome.figures, timed));
-  for (const auto& [name, content] : outcome.files)
+  report.files.emplace_back("findings.json", to_json(report.findings).dump(2) + "\n");
+  report.files.emplace_back(
+      "index.html", findings_page(table.valve().name, report.findings, report.figures, timed));
+  for (const auto& [name, content] : report.files)
     if (const int error = desk.write(name, content)) return error;
   int agree = 0;
-  for (const Finding& finding : outcome.findings) agree += finding.agrees ? 1 : 0;
+  for (const Finding& finding : report.findings) agree += finding.agrees ? 1 : 0;
   if (arguments.json) {
     const nlohmann::ordered_json answer = {{"valve", table.valve().name},
                                            {"configurations", table.configurations()},
                                            {"closures", table.closures()},
                                            {"untrusted", table.untrusted()},
                                            {"seconds", desk.seconds()},
-                                           {"findings", outcome.findings.size()},
+                                           {"findings", report.findings.size()},
                                            {"agree", agree},
                                            {"notice", kResearchNotice}};
     std::cout << answer.dump(2) << '\n';
     return exit_code::kOk;
   }
-  for (const Finding& finding : outcome.findings)
+  for (const Finding& finding : report.findings)
     std::cout << (finding.agrees ? "agrees   " : "DIFFERS  ") << finding.finding << ": "
               << finding.ours << '\n';
-  std::cout << agree << " of " << outcome.findings.size() << " findings agree. " << timed
+  std::cout << agree << " of " << report.findings.size() << " findings agree. " << timed
             << "\nWritten to " << arguments.directory << "/index.html\n";
   return exit_code::kOk;
 }
 
-using Study = std::function<Outcome(OrificeTable&, const ThesisStudyOptions&)>;
+using Study = std::function<StudyReport(OrificeTable&, const ThesisStudyOptions&)>;
 
 int run(Arguments arguments, const Study& study) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
@@ -187,48 +82,48 @@ int run(Arguments arguments, const Study& study) {
   return finish(arguments, **desk, table, study(table, arguments.study));
 }
 
-Outcome study_one_annulus(OrificeTable& table, const ThesisStudyOptions&) {
+StudyReport study_one_annulus(OrificeTable& table, const ThesisStudyOptions&) {
   const AnnulusStudy study = study_annulus(table);
-  Outcome outcome;
-  outcome.findings = annulus_findings(study);
-  add(outcome, study);
-  return outcome;
+  StudyReport report;
+  report.findings = annulus_findings(study);
+  add_to_report(report, study);
+  return report;
 }
 
-Outcome study_one_papillary(OrificeTable& table, const ThesisStudyOptions& options) {
+StudyReport study_one_papillary(OrificeTable& table, const ThesisStudyOptions& options) {
   const PapillaryStudy study = study_papillary(table, options.papillary_nodes);
-  Outcome outcome;
-  outcome.findings = papillary_findings(study);
-  add(outcome, study);
-  return outcome;
+  StudyReport report;
+  report.findings = papillary_findings(study);
+  add_to_report(report, study);
+  return report;
 }
 
-Outcome study_one_ring(OrificeTable& table, const ThesisStudyOptions&) {
+StudyReport study_one_ring(OrificeTable& table, const ThesisStudyOptions&) {
   const RingStudy study = study_ring(table);
-  Outcome outcome;
-  outcome.findings = ring_findings(study);
-  add(outcome, study);
-  return outcome;
+  StudyReport report;
+  report.findings = ring_findings(study);
+  add_to_report(report, study);
+  return report;
 }
 
-Outcome study_approximations(OrificeTable& table, const ThesisStudyOptions& options) {
-  const auto [studies, scan] = study_anchors(table, options);
-  Outcome outcome;
-  for (const ApproximationStudy& study : studies)
-    for (const Finding& finding : anchor_findings(study)) outcome.findings.push_back(finding);
-  add(outcome, studies, scan);
-  return outcome;
+StudyReport study_approximations(OrificeTable& table, const ThesisStudyOptions& options) {
+  const AnchorStudies studies = study_anchors(table, options);
+  StudyReport report;
+  for (const ApproximationStudy& study : studies.approximation)
+    for (const Finding& finding : anchor_findings(study)) report.findings.push_back(finding);
+  add_to_report(report, studies);
+  return report;
 }
 
-Outcome study_all(OrificeTable& table, const ThesisStudyOptions& options) {
+StudyReport study_all(OrificeTable& table, const ThesisStudyOptions& options) {
   const ThesisStudy study = study_thesis(table, options);
-  Outcome outcome;
-  outcome.findings = findings(study);
-  add(outcome, study.annulus);
-  add(outcome, study.papillary);
-  add(outcome, study.ring);
-  add(outcome, study.anchors.approximation, study.anchors.scan);
-  return outcome;
+  StudyReport report;
+  report.findings = findings(study);
+  add_to_report(report, study.annulus);
+  add_to_report(report, study.papillary);
+  add_to_report(report, study.ring);
+  add_to_report(report, study.anchors);
+  return report;
 }
 
 CLI::App* add_one(CLI::App& parent, int& status, const char* name, const char* help,
@@ -291,10 +186,10 @@ void add_study(CLI::App& parent, int& status) {
   add_one(*study, status, "ring", "Undersized rings x displacement (figure 4.9, table 4.2)",
           study_one_ring, with());
   const auto approximation = with();
-  CLI::App* anchors =
-      add_one(*study, status, "approximation",
-              "Papillary approximation to trigone, saddle peak and around the annulus (figure 4.10)",
-              study_approximations, approximation);
+  CLI::App* anchors = add_one(
+      *study, status, "approximation",
+      "Papillary approximation to trigone, saddle peak and around the annulus (figure 4.10)",
+      study_approximations, approximation);
   add_anchor_options(*anchors, approximation);
   anchors->footer(std::string(kResumes) +
                   "Examples:\n"

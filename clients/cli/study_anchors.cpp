@@ -23,8 +23,8 @@ struct Arguments {
 };
 
 std::vector<std::vector<std::string>> answer_table(const std::vector<AnchorAnswer>& answers) {
-  std::vector<std::vector<std::string>> rows = {{"protocol", "class", "less", "anatomies",
-                                                 "trigone wins", "ties", "mean difference"}};
+  std::vector<std::vector<std::string>> rows = {
+      {"protocol", "class", "less", "anatomies", "trigone wins", "ties", "mean difference"}};
   for (const ScanFactor& factor : scan_factors())
     rows[0].push_back(std::string("S total: ") + factor.name);
   rows[0].emplace_back("Q2");
@@ -53,7 +53,8 @@ int run(const Arguments& arguments) {
     desk.begin("anatomy " + std::to_string(done + 1) + " of " + std::to_string(planned));
   };
   const std::vector<ScannedAnatomy> scan = scan_anchors(
-      porcine_thesis_tables(), [&](const Valve& valve) { return desk.table(valve); }, question);
+      porcine_thesis_tables(),
+      [&](const Valve& valve) { return desk.table(valve, ClosureOptions{}); }, question);
   const std::vector<AnchorAnswer> answers = answer_anchor_question(scan);
   int competent = 0;
   for (const ScannedAnatomy& scanned : scan) {
@@ -104,8 +105,9 @@ void add_anchor_question(CLI::App& parent, int& status) {
   command->add_option("--seed", arguments->question.seed, "Of the hypercube")
       ->check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
       ->capture_default_str();
-  command->add_option("--region-points", arguments->question.approximation.region_points,
-                      "Of the region of interest's 1,089")
+  command
+      ->add_option("--region-points", arguments->question.approximation.region_points,
+                   "Of the region of interest's 1,089")
       ->check(number_from(17, 1089))
       ->capture_default_str();
   command->add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
@@ -113,9 +115,10 @@ void add_anchor_question(CLI::App& parent, int& status) {
       ->capture_default_str();
   command->footer(
       "Tips, trigones, saddle and leaflet reserve vary around preset porcine-thesis-tables. A few\n"
-      "thousand closures an anatomy. Run again with the same directory, it goes on where it was.\n\n"
+      "thousand closures an anatomy. Run again with the same directory, it goes on where it "
+      "was.\n\n"
       "Example:\n"
-      "  coapt study anchors --anatomies 128 -o anchors");
+      "  coapt study anchors --anatomies 64 -o anchors");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

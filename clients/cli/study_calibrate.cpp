@@ -27,16 +27,14 @@ struct Arguments {
 };
 
 /// How many of the nine comparisons of figure 4.10 (mean, sd, sd of means; three classes) come out for the
-/// trigone by the thesis's look-up, displaced configurations by 2 mm.
+/// trigone by the thesis's look-up.
 int anchor_statement(StudyDesk& desk, const Calibration& fit) {
   const Expected<Valve> valve = make_taut_valve(parametric_valve(fit.anatomy, "calibrated"));
   if (!valve) return 0;
   OrificeTable table = desk.table(*valve);
-  ApproximationOptions options;
-  options.displacement_step_mm = 2.0;
   int holds = 0;
-  for (const Finding& finding : anchor_findings(study_approximation(
-           table, Protocol::LookupClamped, thesis_anchors(*valve), options)))
+  for (const Finding& finding :
+       anchor_findings(study_approximation(table, Protocol::LookupClamped, thesis_anchors(*valve))))
     if (finding.agrees && finding.finding.find("/trigone-smaller") != std::string::npos) ++holds;
   return holds;
 }
@@ -58,7 +56,8 @@ std::string number(double value) {
 }
 
 std::vector<std::vector<std::string>> anatomy_table(const Calibration& fit) {
-  std::vector<std::vector<std::string>> rows = {{"parameter", "fitted", "least", "most", "at a bound"}};
+  std::vector<std::vector<std::string>> rows = {
+      {"parameter", "fitted", "least", "most", "at a bound"}};
   for (std::size_t i = 0; i < fit.anatomy.size(); ++i) {
     const AnatomyParameter& p = anatomy_parameters()[i];
     const double share = (fit.anatomy[i] - p.lower) / (p.upper - p.lower);
@@ -111,9 +110,9 @@ int run(const Arguments& arguments) {
   }
   const Expected<Valve> valve = make_taut_valve(parametric_valve(best.anatomy, "calibrated"));
   if (!valve) return report_errors("study calibrate", valve.errors());
-  const std::string page = study_page(
-      "A valve calibrated to the thesis", "Figure 4.5 and table 4.1, number by number.",
-      {{"Fit", "", "", fit_table(best)}, {"Anatomy", "", "", anatomy_table(best)}});
+  const std::string page =
+      study_page("A valve calibrated to the thesis", "Figure 4.5 and table 4.1, number by number.",
+                 {{"Fit", "", "", fit_table(best)}, {"Anatomy", "", "", anatomy_table(best)}});
   for (const auto& [name, content] :
        {std::pair<std::string, std::string>{"valve.json", write_valve(*valve)},
         {"fit.csv", csv(fit_table(best))},
@@ -136,6 +135,11 @@ void add_calibrate(CLI::App& parent, int& status) {
   command->add_option("--seed", calibration.seed, "Of the first start")
       ->check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
       ->capture_default_str();
+  command
+      ->add_option("--spread", calibration.spread,
+                   "Of the anatomies first looked at, share of each range to either side")
+      ->check(number_from(0.0, 1.0))
+      ->capture_default_str();
   command->add_option("--starts", arguments->starts, "Fits from so many seeds, the best is kept")
       ->check(number_from(1, 1000))
       ->capture_default_str();
@@ -150,8 +154,8 @@ void add_calibrate(CLI::App& parent, int& status) {
   command->footer(
       "About 20,000 closures a start.\n\n"
       "Examples:\n"
-      "  coapt study calibrate -o calibration\n"
-      "  coapt study calibrate --starts 10 --anchors -o with-anchors");
+      "  coapt study calibrate --seed 2 --spread 0.1 -o tables\n"
+      "  coapt study calibrate --starts 4 --anchors -o with-anchors");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

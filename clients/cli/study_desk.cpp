@@ -24,9 +24,9 @@ Expected<std::unique_ptr<StudyDesk>> StudyDesk::open(const std::string& director
   return std::unique_ptr<StudyDesk>(new StudyDesk(directory, threads, std::move(*store)));
 }
 
-OrificeTable StudyDesk::table(const Valve& valve) {
+OrificeTable StudyDesk::table(const Valve& valve, const ClosureOptions& closure) {
   OrificeTableOptions options;
-  options.closure = thesis_closure();
+  options.closure = closure;
   options.threads = threads_;
   const std::string subject = subject_of(valve, options.closure);
   Expected<KnownOrifices> known = store_.read(subject);

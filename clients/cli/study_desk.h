@@ -19,10 +19,12 @@ class StudyDesk {
 
   /// A table of this valve's orifices that knows what was closed before. Throws what a store says
   /// that cannot be read or written (std::runtime_error): for main().
-  OrificeTable table(const Valve& valve);
+  OrificeTable table(const Valve& valve, const ClosureOptions& closure = thesis_closure());
   /// What the progress bar says from here on.
   void begin(const std::string& stage) { stage_ = stage; }
-  void show(int done, int planned, const std::string& what) const { bar_.show(done, planned, what); }
+  void show(int done, int planned, const std::string& what) const {
+    bar_.show(done, planned, what);
+  }
   /// Writes a file into the directory. Returns an exit code.
   int write(const std::string& name, const std::string& content) const;
 

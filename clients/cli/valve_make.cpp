@@ -97,7 +97,12 @@ void add_valve_make(CLI::App& parent, int& status) {
   dimension("--tip-depth-mm", dimensions.tip_depth_mm, "Papillary tips below the annulus");
   dimension("--tip-spread-mm", dimensions.tip_spread_mm, "Between the tips, transverse");
   dimension("--tip-posterior-mm", dimensions.tip_posterior_mm, "Tips behind the centre");
+  dimension("--trigone-share", dimensions.trigone_share,
+            "Trigones, share of the arc from saddle peak to commissure");
   dimension("--slack", dimensions.slack, "Chordae lengths over their taut lengths");
+  dimension("--posterior-slack", dimensions.posterior_slack, "Times slack, posterior marginal");
+  dimension("--strut-slack", dimensions.strut_slack, "Times slack, strut");
+  dimension("--basal-slack", dimensions.basal_slack, "Times slack, basal");
   CLI::Option* annulus =
       dimension("--annulus", arguments->annulus, "Measured contour, CSV of x,y,z lines");
   CLI::Option* tips = dimension("--tips", arguments->tips, "Measured papillary tips, CSV");

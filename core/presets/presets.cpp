@@ -39,7 +39,8 @@ ParametricValve porcine(std::string name, double ap_mm, double al_pm_mm, int tri
 
 /// Length of a chorda over its length in the closed, pressurised valve.
 double slack_of(const ParametricValve& d, const Valve& valve, const Chorda& chorda) {
-  const bool medial = valve.heads[static_cast<std::size_t>(chorda.head)].side == Side::Posteromedial;
+  const bool medial =
+      valve.heads[static_cast<std::size_t>(chorda.head)].side == Side::Posteromedial;
   const double side = d.slack * (1.0 + (medial ? 1.0 : -1.0) * d.asymmetry.slack);
   if (chorda.kind == ChordaKind::Strut) return side * d.strut_slack;
   if (chorda.kind == ChordaKind::Basal) return side * d.basal_slack;
@@ -85,10 +86,16 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
 }
 
 const std::vector<std::string>& preset_names() {
-  static const std::vector<std::string> names = {
-      "porcine-1", "porcine-2",    "porcine-3",           "porcine-4",
-      "porcine-5", "porcine-thesis", "porcine-thesis-tables", "human-normal", "human-functional-mr",
-      "human-p2-prolapse"};
+  static const std::vector<std::string> names = {"porcine-1",
+                                                 "porcine-2",
+                                                 "porcine-3",
+                                                 "porcine-4",
+                                                 "porcine-5",
+                                                 "porcine-thesis",
+                                                 "porcine-thesis-tables",
+                                                 "human-normal",
+                                                 "human-functional-mr",
+                                                 "human-p2-prolapse"};
   return names;
 }
 

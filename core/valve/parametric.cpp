@@ -94,7 +94,8 @@ struct Accepted {
 };
 
 Errors check(const ParametricValve& d) {
-  const std::array<Accepted, 14> ranges = {
+  const Vec3& tips = d.asymmetry.tip_mm;
+  const std::array<Accepted, 23> ranges = {
       {{"/ap_mm", d.ap_mm, 8, 80},
        {"/al_pm_mm", d.al_pm_mm, 8, 100},
        {"/saddle_height_mm", d.saddle_height_mm, 0, 20},
@@ -107,7 +108,16 @@ Errors check(const ParametricValve& d) {
        {"/inclination_deg", d.inclination_deg, 0, 45},
        {"/tip_depth_mm", d.tip_depth_mm, 8, 60},
        {"/tip_spread_mm", d.tip_spread_mm, 4, 60},
+       {"/trigone_share", d.trigone_share, 0.3, 1.0},
        {"/slack", d.slack, 0.8, 1.5},
+       {"/posterior_slack", d.posterior_slack, 0.8, 1.5},
+       {"/strut_slack", d.strut_slack, 0.8, 1.5},
+       {"/basal_slack", d.basal_slack, 0.8, 1.5},
+       {"/asymmetry/tip_mm/0", tips.x(), -10, 10},
+       {"/asymmetry/tip_mm/1", tips.y(), -10, 10},
+       {"/asymmetry/tip_mm/2", tips.z(), -10, 10},
+       {"/asymmetry/leaflet_height", d.asymmetry.leaflet_height, -0.4, 0.4},
+       {"/asymmetry/slack", d.asymmetry.slack, -0.2, 0.2},
        {"/triangles", static_cast<double>(d.triangles), 100, 50000}}};
   Errors errors;
   for (const Accepted& r : ranges)
@@ -194,8 +204,9 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
   Points contour = generic_annulus_contour(d.ap_mm, d.al_pm_mm, heights.saddle_height_mm);
   Points tips(2, 3);
   const Vec3& more = d.asymmetry.tip_mm;
-  tips << -0.5 * d.tip_spread_mm + more.x(), more.y() - d.tip_posterior_mm, more.z() - d.tip_depth_mm,
-      0.5 * d.tip_spread_mm + more.x(), -more.y() - d.tip_posterior_mm, -more.z() - d.tip_depth_mm;
+  tips << -0.5 * d.tip_spread_mm + more.x(), more.y() - d.tip_posterior_mm,
+      more.z() - d.tip_depth_mm, 0.5 * d.tip_spread_mm + more.x(), -more.y() - d.tip_posterior_mm,
+      -more.z() - d.tip_depth_mm;
   bool saddle_added = false;
   if (d.annulus_mm) {
     const Expected<MeasuredSkeleton> skeleton = measured_skeleton(*d.annulus_mm, *d.tips_mm);

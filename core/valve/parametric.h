@@ -18,9 +18,9 @@ namespace coapt {
 /// How the posteromedial half differs from the anterolateral one. Each value is half the difference:
 /// it is added on the posteromedial side and taken away on the anterolateral one.
 struct Asymmetry {
-  Vec3 tip_mm = Vec3::Zero();  ///< transverse (outwards), posterior, apical
-  double leaflet_height = 0.0; ///< share of the height at the commissures, nothing at the midline
-  double slack = 0.0;          ///< of the chordae
+  Vec3 tip_mm = Vec3::Zero();   ///< transverse (outwards), posterior, apical
+  double leaflet_height = 0.0;  ///< share of the height at the commissures, nothing at the midline
+  double slack = 0.0;           ///< of the chordae
 };
 
 struct ParametricValve {
@@ -40,8 +40,9 @@ struct ParametricValve {
   double tip_spread_mm = 24.0;    ///< between the tips, transverse
   double tip_posterior_mm = 2.0;  ///< tips behind the annulus centre
   double trigone_share = 0.66;    ///< trigones, share of the arc from saddle peak to commissure
-  double slack = 1.0;   ///< chordae lengths over their lengths in the closed, pressurised valve
-  double posterior_slack = 1.0, strut_slack = 1.0, basal_slack = 1.0;  ///< times slack, of posterior marginal, strut and basal chordae
+  double slack = 1.0;  ///< chordae lengths over their lengths in the closed, pressurised valve
+  double posterior_slack = 1.0;                 ///< times slack, of posterior marginal chordae
+  double strut_slack = 1.0, basal_slack = 1.0;  ///< likewise
   Asymmetry asymmetry;
   Tissue tissue;
   int triangles = 650;  ///< aimed at; the nearest structured mesh is made

@@ -47,8 +47,8 @@ std::string anchor_question_svg(const std::vector<AnchorAnswer>& answers) {
   for (const Displaced displaced : kDisplaced) {
     map.blocks.emplace_back(class_title(displaced));
     std::vector<std::vector<double>> block(
-        protocols.size(), std::vector<double>(kAnchorObjectives.size(),
-                                              std::numeric_limits<double>::quiet_NaN()));
+        protocols.size(),
+        std::vector<double>(kAnchorObjectives.size(), std::numeric_limits<double>::quiet_NaN()));
     for (const AnchorAnswer& a : answers) {
       if (a.displaced != displaced || a.anatomies == 0) continue;
       const auto row = static_cast<std::size_t>(
@@ -66,7 +66,8 @@ std::string anchor_question_svg(const std::vector<AnchorAnswer>& answers) {
        {}});
   const HeatScale scale{0.0, 100.0, 0};
   const double top = heading.bottom + 40.0;
-  const double bottom = top + kRow_px * static_cast<double>(std::max<std::size_t>(1, protocols.size()));
+  const double bottom =
+      top + kRow_px * static_cast<double>(std::max<std::size_t>(1, protocols.size()));
   std::string svg = heading.svg;
   if (!protocols.empty())
     svg += draw_heat_map(map, scale, {kLeft_px, top, kFigureWidth - kRight_px, bottom});

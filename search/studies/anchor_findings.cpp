@@ -35,11 +35,11 @@ std::vector<Finding> anchor_findings(const ApproximationStudy& study) {
   if (configurations == 0) return all;
   length /= configurations;
   angle /= configurations;
-  all.push_back({prefix + "approximation-always-repairs", "4.3.2",
-                 "effective whatever the initial position and the anchor",
-                 std::to_string(repaired) + " of " + std::to_string(configurations) +
-                     " below 5 mm2",
-                 "all", repaired == configurations});
+  all.push_back(
+      {prefix + "approximation-always-repairs", "4.3.2",
+       "effective whatever the initial position and the anchor",
+       std::to_string(repaired) + " of " + std::to_string(configurations) + " below 5 mm2", "all",
+       repaired == configurations});
   all.push_back({prefix + "length-matters-more-than-angle", "4.3.2",
                  "more sensitive to suture length than to angle",
                  "sd in the region by length (+-1 mm) " + in_words(length, 2) +
@@ -61,16 +61,14 @@ std::vector<Finding> anchor_findings(const ApproximationStudy& study) {
             trigone->mean_mm2, peak->mean_mm2);
     compare("trigone-smaller-sd-of-means", "trigones: smaller standard deviation across the means",
             trigone->sd_of_means_mm2, peak->sd_of_means_mm2);
-    compare("trigone-less-sensitive-to-length",
-            "trigones: less sensitive to suture length (4.4.2)", trigone->length_sd_mm2,
-            peak->length_sd_mm2);
+    compare("trigone-less-sensitive-to-length", "trigones: less sensitive to suture length (4.4.2)",
+            trigone->length_sd_mm2, peak->length_sd_mm2);
     if (displaced != Displaced::Both)
       all.push_back({prefix + "trigone-varies-by-less-than-2" + of, "4.4.2",
                      "sensitivity at the trigones below 2 mm2",
                      "sd across the means " + in_words(trigone->sd_of_means_mm2, 2) +
                          ", within the regions " + in_words(trigone->sd_mm2, 2) + " mm2",
-                     "both below 2 mm2",
-                     trigone->sd_of_means_mm2 < 2.0 && trigone->sd_mm2 < 2.0});
+                     "both below 2 mm2", trigone->sd_of_means_mm2 < 2.0 && trigone->sd_mm2 < 2.0});
   }
   return all;
 }

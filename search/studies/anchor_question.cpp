@@ -19,8 +19,8 @@ void ask(const Valve& valve, const OpenTable& open_table, const AnchorQuestionOp
   scanned.competent = sample.trusted && sample.area_mm2 <= kGoodRepair_mm2;
   if (scanned.competent)
     for (const Protocol protocol : options.protocols)
-      for (const AnchorSummary& summary : summarise(study_approximation(
-               table, protocol, thesis_anchors(valve), options.approximation)))
+      for (const AnchorSummary& summary : summarise(
+               study_approximation(table, protocol, thesis_anchors(valve), options.approximation)))
         scanned.summaries.push_back(summary);
   scanned.closures = table.closures();
 }
@@ -33,8 +33,8 @@ const AnchorSummary* trigone_of(const ScannedAnatomy& scanned, Protocol protocol
   return nullptr;
 }
 
-AnchorAnswer answer(const std::vector<ScannedAnatomy>& scan, Protocol protocol,
-                    Displaced displaced, AnchorObjective objective) {
+AnchorAnswer answer(const std::vector<ScannedAnatomy>& scan, Protocol protocol, Displaced displaced,
+                    AnchorObjective objective) {
   AnchorAnswer found{protocol, displaced, objective};
   std::vector<std::vector<double>> shares;
   std::vector<double> differences;

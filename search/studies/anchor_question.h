@@ -34,10 +34,10 @@ const std::array<ScanFactor, kScanFactors>& scan_factors();
 ParametricValve scanned_anatomy(const ParametricValve& centre, const std::vector<double>& shares);
 
 struct AnchorQuestionOptions {
-  int anatomies = 128;
+  int anatomies = 64;
   std::uint64_t seed = 1;
   std::vector<Protocol> protocols = {Protocol::LookupClamped, Protocol::Closed, Protocol::Optimum};
-  ApproximationOptions approximation = {6.0, 17, 5.0};
+  ApproximationOptions approximation = {6.0, 17, 20.0};
   std::function<void(int, int)> progress;  ///< anatomies done, planned
 };
 
@@ -46,7 +46,8 @@ using OpenTable = std::function<OrificeTable(const Valve&)>;
 
 struct ScannedAnatomy {
   std::vector<double> shares;
-  bool competent = false;  ///< closes uncrossed with an orifice of at most 5 mm2 when undisturbed; else it is left out
+  bool competent =
+      false;  ///< closes uncrossed with an orifice of at most 5 mm2 when undisturbed; else it is left out
   std::vector<AnchorSummary> summaries;  ///< by protocol, class, anchor
   int closures = 0;                      ///< made for it now
 };
@@ -62,7 +63,7 @@ struct AnchorAnswer {
   int anatomies = 0, trigone_wins = 0;  ///< smaller by more than a hundredth of the saddle peak's
   int ties = 0;
   double mean_difference = 0.0;  ///< trigone less saddle peak
-  SobolIndices decided_by = {};       ///< of that difference; order of scan_factors()
+  SobolIndices decided_by = {};  ///< of that difference; order of scan_factors()
 };
 
 std::vector<AnchorAnswer> answer_anchor_question(const std::vector<ScannedAnatomy>& scan);

@@ -15,18 +15,18 @@ Vec3 seen_from_tip(const Valve& valve, const PapillaryApproximation& suture) {
 }
 
 AnchorSite site(const Valve& valve, std::string name, Anchor anchor, double around) {
-  const Vec3 lateral =
-      seen_from_tip(valve, {.side = Side::Anterolateral, .anchor = anchor, .annulus_around = 0.5 - around});
-  const Vec3 medial =
-      seen_from_tip(valve, {.side = Side::Posteromedial, .anchor = anchor, .annulus_around = around});
+  const Vec3 lateral = seen_from_tip(
+      valve, {.side = Side::Anterolateral, .anchor = anchor, .annulus_around = 0.5 - around});
+  const Vec3 medial = seen_from_tip(
+      valve, {.side = Side::Posteromedial, .anchor = anchor, .annulus_around = around});
   return {std::move(name), around, {lateral, medial, 0.5 * (lateral + medial)}};
 }
 
 }  // namespace
 
 std::vector<AnchorSite> thesis_anchors(const Valve& valve) {
-  const auto trigone = std::find(valve.annulus.begin(), valve.annulus.end(),
-                                 valve.landmarks.posteromedial_trigone);
+  const auto trigone =
+      std::find(valve.annulus.begin(), valve.annulus.end(), valve.landmarks.posteromedial_trigone);
   const double around =
       annulus_around(valve)[static_cast<std::size_t>(trigone - valve.annulus.begin())];
   return {site(valve, "trigone", Anchor::IpsilateralTrigone, around),
@@ -36,8 +36,7 @@ std::vector<AnchorSite> thesis_anchors(const Valve& valve) {
 std::vector<AnchorSite> annulus_scan(const Valve& valve, int count) {
   std::vector<AnchorSite> sites;
   for (int i = 0; i < count; ++i)
-    sites.push_back(
-        site(valve, "annulus", Anchor::AnnulusPoint, static_cast<double>(i) / count));
+    sites.push_back(site(valve, "annulus", Anchor::AnnulusPoint, static_cast<double>(i) / count));
   return sites;
 }
 

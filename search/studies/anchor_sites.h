@@ -14,10 +14,10 @@
 namespace coapt {
 
 struct AnchorSite {
-  std::string name;            ///< "trigone", "saddle peak", "annulus"
-  double around = 0.0;         ///< share of the annulus (LeafletCoordinates::around) for the
-                               ///< posteromedial muscle; the anterolateral one takes its mirror image
-  std::array<Vec3, 3> at_mm;   ///< order of kDisplaced
+  std::string name;     ///< "trigone", "saddle peak", "annulus"
+  double around = 0.0;  ///< share of the annulus (LeafletCoordinates::around) for the
+                        ///< posteromedial muscle; the anterolateral one takes its mirror image
+  std::array<Vec3, 3> at_mm;  ///< order of kDisplaced
 };
 
 /// The ipsilateral trigone, and the saddle peak (thesis 4.2.3).

@@ -12,9 +12,11 @@
 namespace coapt {
 namespace {
 
-constexpr double kCoarse_mm = 1.0, kFine_mm = 0.25;  // steps to the anchor; the grid's, the suture's
+constexpr double kCoarse_mm = 1.0,
+                 kFine_mm = 0.25;      // steps to the anchor; the grid's, the suture's
 constexpr double kLargestShare = 0.5;  // of the way to the anchor (core/repair/limits.h)
-constexpr int kOptimumPoints = 17;     // Spearman 0.95 with the full region
+constexpr int kOptimumPoints = 9;      // of the region, to choose a suture length by
+constexpr double kOptimumStep_mm = 4.0;
 constexpr double kMostDisplacement_mm = 6.0;
 constexpr double kMostMovement_mm = 15.0;  // of a papillary muscle that is accepted (Optimum)
 
@@ -40,9 +42,9 @@ std::vector<Vec3> region_around(const Vec3& position_mm, const Vec3& anchor_mm,
   const Vec3 mirror(1.0, -1.0, -1.0);
   std::vector<Vec3> places;
   for (const Perturbation& node : nodes)
-    places.push_back(disturbed_tip(position_mm.cwiseProduct(mirror), anchor_mm.cwiseProduct(mirror),
-                                   1.0, node)
-                         .cwiseProduct(mirror));
+    places.push_back(
+        disturbed_tip(position_mm.cwiseProduct(mirror), anchor_mm.cwiseProduct(mirror), 1.0, node)
+            .cwiseProduct(mirror));
   return places;
 }
 
@@ -56,8 +58,8 @@ void in_rounds(OrificeField& field, std::vector<Item>& items, const Advance& adv
   } while (field.anything_wanted());
 }
 
-/// As far to the anchor as needed: by coarse steps to the first place below 5 mm2, then by fine ones
-/// from the coarse one before.
+/// As far to the anchor as needed: by coarse steps to the first place below 5 mm2 (or as far as
+/// allowed), then by fine ones from the coarse one before.
 void walk_on(OrificeField& field, Walk& walk) {
   while (!walk.ended) {
     const std::optional<double> area =
@@ -73,18 +75,21 @@ void walk_on(OrificeField& field, Walk& walk) {
       continue;
     }
     walk.found.repaired = *area < kGoodRepair_mm2;
+    if (walk.moved_mm + walk.step_mm > walk.most_mm()) walk.step_mm = kFine_mm;
     walk.ended = walk.found.repaired || walk.moved_mm + walk.step_mm > walk.most_mm();
     if (!walk.ended) walk.moved_mm += walk.step_mm;
   }
   if (!walk.found.repaired) walk.moved_mm = walk.least_at_mm;
 }
 
-/// Where mean + sd over a few points of the region is lowest; of equals the shortest way.
+/// Where mean + sd over a few points of the region is lowest; of equals the shorter way. By coarse
+/// steps first, then halving them around the best.
 void choose_optimum(OrificeField& field, Walk& walk, const std::vector<Perturbation>& nodes) {
-  double lowest = std::numeric_limits<double>::infinity();
-  bool known = true;
   const double most = std::min(walk.most_mm(), kMostMovement_mm);
-  for (double moved = 0.0; moved <= most; moved += kCoarse_mm) {
+  double lowest = std::numeric_limits<double>::infinity(), best = 0.0;
+  bool known = true;
+  const auto consider = [&](double moved) {
+    if (moved < 0.0 || moved > most) return;
     double sum = 0.0, squares = 0.0;
     for (const Vec3& place : region_around(walk.position_mm(moved), walk.anchor_mm, nodes)) {
       const std::optional<double> area = field.at(walk.found.displaced, place);
@@ -94,11 +99,19 @@ void choose_optimum(OrificeField& field, Walk& walk, const std::vector<Perturbat
     }
     const double n = static_cast<double>(nodes.size()), mean = sum / n;
     const double score = mean + std::sqrt(std::max(0.0, squares / n - mean * mean));
-    if (score >= lowest) continue;
+    if (!(score < lowest || (score == lowest && moved < best))) return;  // nor if it is NaN
     lowest = score;
-    walk.moved_mm = moved;
+    best = moved;
+  };
+  for (double moved = 0.0; moved <= most; moved += kOptimumStep_mm) consider(moved);
+  for (double step = 0.5 * kOptimumStep_mm; known && step >= kCoarse_mm; step *= 0.5) {
+    const double middle = best;
+    consider(middle - step);
+    consider(middle + step);
   }
-  walk.ended = known;
+  if (!known) return;
+  walk.moved_mm = best;
+  walk.ended = true;
 }
 
 RegionOrifice measure_region(const std::vector<double>& area_mm2,
@@ -117,8 +130,7 @@ RegionOrifice measure_region(const std::vector<double>& area_mm2,
     offset.row(i) << node.length_mm, node.outwards_deg, node.posterior_deg;
   }
   offset.rowwise() -= offset.colwise().mean().eval();
-  const Vec3 slope =
-      offset.colPivHouseholderQr().solve((area.array() - region.mean_mm2).matrix());
+  const Vec3 slope = offset.colPivHouseholderQr().solve((area.array() - region.mean_mm2).matrix());
   const auto sd_along = [n](const Eigen::VectorXd& part) {
     return std::sqrt(part.squaredNorm() / static_cast<double>(n));
   };

@@ -17,7 +17,8 @@ namespace coapt {
 namespace {
 
 using Point = Eigen::VectorXd;
-constexpr double kFailed_mm2 = 400.0;  // of a valve that cannot be made or closed: twice the largest
+constexpr double kFailed_mm2 =
+    400.0;  // of a valve that cannot be made or closed: twice the largest
 constexpr double kDisplacement_mm = 6.0;
 
 /// Orifices of one anatomy at all targets; kFailed_mm2 where it does not close uncrossed.
@@ -95,9 +96,9 @@ std::vector<CalibrationTarget> calibration_targets() {
   for (std::size_t k = 0; k < 3; ++k) {
     Configuration dilated;
     dilated.change.ap_dilation_percent = thesis::kDilation_percent[k];
-    targets.push_back({"AP " + std::to_string(static_cast<int>(thesis::kDilation_percent[k])) +
-                           " %",
-                       dilated, thesis::kDilated_mm2[k]});
+    targets.push_back(
+        {"AP " + std::to_string(static_cast<int>(thesis::kDilation_percent[k])) + " %", dilated,
+         thesis::kDilated_mm2[k]});
   }
   for (std::size_t row = 0; row < kDisplaced.size(); ++row)
     for (std::size_t k = 0; k < kAxes.size(); ++k) {

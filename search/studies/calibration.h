@@ -20,9 +20,10 @@ struct CalibrationTarget {
 std::vector<CalibrationTarget> calibration_targets();
 
 struct CalibrationOptions {
-  std::uint64_t seed = 2;
-  int first_looks = 60;    ///< random anatomies around the typical one, of which the best is the start
-  double spread = 0.1;     ///< of them, share of each range to either side
+  std::uint64_t seed = 1;
+  int first_looks =
+      60;               ///< random anatomies around the typical one, of which the best is the start
+  double spread = 0.2;  ///< of them, share of each range to either side
   int most_rounds = 30;
   double towards_typical = 0.15;  ///< weight of a parameter's distance from typical, in ranges
   int threads = 0;
@@ -32,7 +33,7 @@ struct CalibrationOptions {
 
 struct Calibration {
   Anatomy anatomy{};
-  std::vector<double> area_mm2;  ///< order of calibration_targets()
+  std::vector<double> area_mm2;          ///< order of calibration_targets()
   double spearman = 0.0, rms_mm2 = 0.0;  ///< over table 4.1
   double largest_dilation_error = 0.0;   ///< share, over figure 4.5
   int closures = 0;

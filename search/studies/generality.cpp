@@ -12,7 +12,7 @@
 namespace coapt {
 namespace {
 
-constexpr int kDrawnAtOnce = 16;     // the same for any number of threads
+constexpr int kDrawnAtOnce = 16;      // the same for any number of threads
 constexpr int kMostDrawnFactor = 50;  // gives up after so many times the count
 
 bool competent(const Valve& valve) {
@@ -42,8 +42,7 @@ RandomAnatomies random_anatomies(int count, std::uint64_t seed, int threads) {
     });
     random.drawn += kDrawnAtOnce;
     for (const Expected<Valve>& valve : valves)
-      if (valve && static_cast<int>(random.valves.size()) < count)
-        random.valves.push_back(*valve);
+      if (valve && static_cast<int>(random.valves.size()) < count) random.valves.push_back(*valve);
   }
   return random;
 }

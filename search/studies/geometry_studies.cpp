@@ -66,7 +66,8 @@ DisplacementGrid displacement_grid(OrificeTable& table, Displaced displaced, int
 PapillaryStudy study_papillary(OrificeTable& table, int nodes) {
   PapillaryStudy study;
   for (std::size_t k = 0; k < kDisplaced.size(); ++k)
-    study.grids[k] = displacement_grid(table, kDisplaced[k], nodes, kMostDisplacement_mm / (nodes - 1));
+    study.grids[k] =
+        displacement_grid(table, kDisplaced[k], nodes, kMostDisplacement_mm / (nodes - 1));
   return study;
 }
 
@@ -124,7 +125,8 @@ RingStudy study_ring(OrificeTable& table) {
   RingStudy study;
   for (std::size_t k = 0; k < kDisplaced.size(); ++k)
     for (std::size_t sizes = 0; sizes < study.grids[k].size(); ++sizes)
-      study.grids[k][sizes] = displacement_grid(table, kDisplaced[k], kRingNodes,
+      study.grids[k][sizes] =
+          displacement_grid(table, kDisplaced[k], kRingNodes,
                             kMostDisplacement_mm / (kRingNodes - 1), static_cast<int>(sizes));
   return study;
 }

@@ -22,7 +22,7 @@ AnnulusStudy study_annulus(OrificeTable& table);
 struct DisplacementGrid {
   Displaced displaced = Displaced::Anterolateral;
   int ring_sizes_below = 0;
-  int nodes = 7;         ///< along each axis
+  int nodes = 7;  ///< along each axis
   double step_mm = 1.0;
   std::vector<double> area_mm2;  ///< [(transverse * nodes + posterior) * nodes + apical]
 
@@ -60,9 +60,9 @@ std::vector<Vec3> gradients(const DisplacementGrid& grid);
 
 /// Both displaced against the sum of the same displacement of either alone.
 struct Synergy {
-  double share = 0.0;         ///< of the configurations with any displacement: both > sum
+  double share = 0.0;  ///< of the configurations with any displacement: both > sum
   double share_from_1mm = 0.0, share_from_2mm = 0.0;  ///< at least so much along each axis
-  double mean_increase = 0.0; ///< of all orifices together: sum of both / sum of sums - 1
+  double mean_increase = 0.0;  ///< of all orifices together: sum of both / sum of sums - 1
 };
 Synergy synergy(const PapillaryStudy& study);
 

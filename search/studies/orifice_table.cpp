@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <unordered_set>
 #include <utility>
 
 #include "core/metrics/exact_orifice.h"
@@ -39,8 +40,7 @@ OrificeSample close_one(const Valve& valve, const Configuration& configuration,
   if (closure.status == ClosureStatus::Diverged) return sample;
   double sum = 0.0, squares = 0.0;
   for (const Points& end : closure.samples_mm) {
-    const double area =
-        exact_orifice(*changed, end, 0.5 * changed->tissue.thickness_mm).area_mm2;
+    const double area = exact_orifice(*changed, end, 0.5 * changed->tissue.thickness_mm).area_mm2;
     sum += area;
     squares += area * area;
   }
@@ -86,15 +86,18 @@ OrificeTable::OrificeTable(const Valve& valve, OrificeTableOptions options)
 
 std::vector<OrificeSample> OrificeTable::at(std::span<const Configuration> configurations) {
   std::vector<ConfigurationKey> keys, missing;
+  std::unordered_set<ConfigurationKey, ConfigurationKeyHash> asked;
   for (const Configuration& configuration : configurations) {
     keys.push_back(key_of(configuration));
-    if (known_.emplace(keys.back(), OrificeSample{}).second) missing.push_back(keys.back());
+    if (!known_.contains(keys.back()) && asked.insert(keys.back()).second)
+      missing.push_back(keys.back());
   }
   const int count = static_cast<int>(missing.size());
   std::vector<OrificeSample> closed(missing.size());
   std::mutex mutex;
   int done = 0;
-  std::atomic<bool> failed = false;  // a closure that cannot be kept ends the batch, by its exception
+  std::atomic<bool> failed =
+      false;  // a closure that cannot be kept ends the batch, by its exception
   for_each_index(count, options_.threads, [&](int i) {
     if (failed) return;
     const auto at = static_cast<std::size_t>(i);

@@ -33,7 +33,7 @@ using KnownOrifices = std::unordered_map<ConfigurationKey, OrificeSample, Config
 
 struct OrificeTableOptions {
   ClosureOptions closure;
-  int threads = 0;  ///< 0: all cores; does not change any answer
+  int threads = 0;      ///< 0: all cores; does not change any answer
   KnownOrifices known;  ///< of this valve and these closure options, from an earlier run
   /// Told of each closure as it ends, from one thread at a time. What it throws ends at().
   std::function<void(const ConfigurationKey&, const OrificeSample&)> keep;
@@ -54,9 +54,9 @@ class OrificeTable {
   /// Null if it is not known.
   const OrificeSample* find(const Configuration& configuration) const;
 
-  int closures() const { return closures_; }            ///< made by this table
-  int configurations() const;                           ///< known
-  int untrusted() const;                                ///< of those
+  int closures() const { return closures_; }  ///< made by this table
+  int configurations() const;                 ///< known
+  int untrusted() const;                      ///< of those
 
  private:
   Valve valve_;

@@ -61,7 +61,7 @@ SobolIndices sobol_indices(const std::vector<std::vector<double>>& shares,
   const Eigen::VectorXd weight = normal.solve(design.transpose() * value);
   const double variance = weight.tail(columns - 1).squaredNorm();
   const double scatter = (value.array() - value.mean()).square().sum();
-  if (!(variance > 0.0 && scatter > 0.0)) return indices;
+  if (!(variance > 0.0 && value.maxCoeff() > value.minCoeff())) return indices;
   const Eigen::MatrixXd inverse = normal.solve(Eigen::MatrixXd::Identity(columns, columns));
   double missed = 0.0;
   for (Eigen::Index r = 0; r < rows; ++r) {
@@ -87,8 +87,8 @@ std::vector<std::vector<double>> latin_hypercube(int count, int factors, std::ui
   std::mt19937_64 engine(seed);
   const auto die = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
   const auto n = static_cast<std::size_t>(count);
-  std::vector<std::vector<double>> samples(
-      n, std::vector<double>(static_cast<std::size_t>(factors)));
+  std::vector<std::vector<double>> samples(n,
+                                           std::vector<double>(static_cast<std::size_t>(factors)));
   std::vector<std::size_t> order(n);
   for (std::size_t f = 0; f < static_cast<std::size_t>(factors); ++f) {
     std::iota(order.begin(), order.end(), std::size_t{0});

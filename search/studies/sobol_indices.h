@@ -11,7 +11,8 @@ namespace coapt {
 struct SobolIndices {
   std::vector<double> first;  ///< share of the variance by each factor alone
   std::vector<double> total;  ///< with all its interactions
-  double predicted_share = 0.0;  ///< of the variance, leaving each sample out in turn (Q2); below 0.5 say nothing
+  double predicted_share =
+      0.0;  ///< of the variance, leaving each sample out in turn (Q2); below 0.5 say nothing
 };
 
 /// @param shares one sample each: its factors in [0, 1]; @param values as many, finite. NaN where values

@@ -35,16 +35,16 @@ AnchorStudies study_anchors(OrificeTable& table, const ThesisStudyOptions& optio
   const std::vector<Protocol>& protocols = options.protocols;
   for (const Protocol protocol : protocols) {
     begin(std::string("approximation, ") + to_string(protocol));
-    study.approximation.push_back(study_approximation(
-        table, protocol, thesis_anchors(table.valve()), options.approximation));
+    study.approximation.push_back(
+        study_approximation(table, protocol, thesis_anchors(table.valve()), options.approximation));
   }
   if (options.scan_sites == 0 || protocols.empty()) return study;
   begin("anchors around the annulus");
   const bool extended =
       std::find(protocols.begin(), protocols.end(), Protocol::LookupExtended) != protocols.end();
-  study.scan = summarise(study_approximation(
-      table, extended ? Protocol::LookupExtended : protocols.front(),
-      annulus_scan(table.valve(), options.scan_sites), options.approximation));
+  study.scan = summarise(
+      study_approximation(table, extended ? Protocol::LookupExtended : protocols.front(),
+                          annulus_scan(table.valve(), options.scan_sites), options.approximation));
   return study;
 }
 

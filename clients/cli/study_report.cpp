@@ -1,0 +1,109 @@
+#include "clients/cli/study_report.h"
+
+#include "io/picture/study_charts.h"
+#include "io/picture/study_csv.h"
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+PageSection annulus_figure(const AnnulusStudy& study) {
+  return {"Annular dilation and flattening (figure 4.5)",
+          "Trigones, papillary tips and transverse diameter held. Rings: the thesis's numbers.",
+          annulus_svg(study, true),
+          {}};
+}
+
+PageSection papillary_table(const PapillaryStudy& study) {
+  PageSection section{"Largest orifice by class and axes (table 4.1), mm2", "", "", {{"class"}}};
+  for (const char* axes : kAxesNames) section.table[0].push_back(axes);
+  for (const DisplacementGrid& grid : study.grids) {
+    section.table.push_back({to_string(grid.displaced)});
+    for (const double area : largest_orifices(grid)) section.table.back().push_back(fixed(area, 1));
+  }
+  return section;
+}
+
+PageSection ring_table(const RingStudy& study) {
+  PageSection section{"Largest ratio to the properly sized annulus (table 4.2), percent",
+                      "Over displacements that leak 1 mm2 or more under the proper size.",
+                      "",
+                      {{"class", "U1", "U2", "U3"}}};
+  for (const Displaced displaced : kDisplaced) {
+    section.table.push_back({to_string(displaced)});
+    for (int sizes = 1; sizes <= 3; ++sizes)
+      section.table.back().push_back(fixed(100.0 * largest_ring_ratio(study, displaced, sizes), 1));
+  }
+  return section;
+}
+
+PageSection anchors_table(const std::vector<AnchorSummary>& summaries) {
+  PageSection section{
+      "Anchors",
+      "Means over the displaced configurations; regions of interest of 1,089 "
+      "nodes unless said otherwise. Movement and suture in mm, all else in mm2.",
+      "",
+      {{"protocol", "class", "anchor", "configurations", "repaired", "mean", "sd", "sd of means",
+        "sd by length", "sd by angles", "movement", "suture", "outside the grid"}}};
+  for (const AnchorSummary& s : summaries)
+    section.table.push_back({to_string(s.protocol), to_string(s.displaced), s.anchor.name,
+                             std::to_string(s.configurations), std::to_string(s.repaired),
+                             fixed(s.mean_mm2, 2), fixed(s.sd_mm2, 2), fixed(s.sd_of_means_mm2, 2),
+                             fixed(s.length_sd_mm2, 2), fixed(s.angle_sd_mm2, 2),
+                             fixed(s.movement_mm, 1), fixed(s.suture_mm, 1),
+                             fixed(100.0 * s.clamped_share, 0) + " %"});
+  return section;
+}
+
+}  // namespace
+
+void add_to_report(StudyReport& report, const AnnulusStudy& study) {
+  report.files.emplace_back("annulus.csv", annulus_csv(study));
+  report.files.emplace_back("annulus.svg", annulus_svg(study, true));
+  report.figures.push_back(annulus_figure(study));
+}
+
+void add_to_report(StudyReport& report, const PapillaryStudy& study) {
+  report.files.emplace_back("papillary.csv", papillary_csv(study));
+  report.files.emplace_back("papillary.svg", papillary_svg(study));
+  report.figures.push_back({"Papillary displacement (figures 4.6 to 4.8)",
+                            "Orifice over transverse and posterior displacement, a surface for "
+                            "each apical one; and its gradient.",
+                            papillary_svg(study),
+                            {}});
+  report.figures.push_back(papillary_table(study));
+}
+
+void add_to_report(StudyReport& report, const RingStudy& study) {
+  report.files.emplace_back("ring.csv", ring_csv(study));
+  report.files.emplace_back("ring.svg", ring_svg(study));
+  report.figures.push_back({"Undersized rings (figure 4.9)", "", ring_svg(study), {}});
+  report.figures.push_back(ring_table(study));
+}
+
+void add_to_report(StudyReport& report, const AnchorStudies& studies) {
+  std::vector<AnchorSummary> summaries;
+  for (const ApproximationStudy& study : studies.approximation) {
+    const std::string name = std::string("anchors-") + to_string(study.protocol) + ".svg";
+    report.files.emplace_back(name, anchors_histogram_svg(study));
+    report.figures.push_back({std::string("Trigone against saddle peak (figure 4.10), protocol ") +
+                                  to_string(study.protocol),
+                              "",
+                              anchors_histogram_svg(study),
+                              {}});
+    for (const AnchorSummary& summary : summarise(study)) summaries.push_back(summary);
+  }
+  report.files.emplace_back("approximation.csv", approximation_csv(studies.approximation));
+  report.files.emplace_back("anchors.csv", anchors_csv(summaries));
+  report.figures.push_back(anchors_table(summaries));
+  const std::vector<AnchorSummary>& scan = studies.scan;
+  if (scan.empty()) return;
+  std::vector<AnchorSummary> same;
+  for (const AnchorSummary& summary : summaries)
+    if (summary.protocol == scan.front().protocol) same.push_back(summary);
+  report.files.emplace_back("anchor-scan.csv", anchors_csv(scan));
+  report.files.emplace_back("anchor-scan.svg", anchor_scan_svg(scan, same));
+  report.figures.push_back({"Anchors around the annulus", "", anchor_scan_svg(scan, same), {}});
+}
+
+}  // namespace coapt

@@ -1,0 +1,134 @@
+"""coapt study."""
+
+import csv
+import json
+import os
+import signal
+import sqlite3
+import subprocess
+import time
+import unittest
+import xml.etree.ElementTree
+
+from programs import BAD_INPUT, COAPT, FAILURE, ProgramTest, coapt
+
+VALVE = "human-normal"
+CONFIGURATIONS = 5 * 31
+TABLES = ["annulus.csv", "annulus.svg", "findings.json"]  # index.html has the seconds, too
+
+
+def contents(folder):
+    return {name: (folder / name).read_bytes() for name in TABLES}
+
+
+def closures_kept(folder):
+    """Rows of the store; 0 if there is none yet."""
+    try:
+        store = sqlite3.connect(f"file:{folder / 'closures.sqlite'}?mode=ro", uri=True)
+    except sqlite3.OperationalError:
+        return 0
+    try:
+        return store.execute("SELECT count(*) FROM closures").fetchone()[0]
+    except sqlite3.OperationalError:  # no table yet, or locked
+        return 0
+    finally:
+        store.close()
+
+
+class Annulus(ProgramTest):
+    def study(self, name, *arguments):
+        """The summary of a study in a folder of that name, and the folder."""
+        folder = self.folder / name
+        result = self.run_ok("study", "annulus", VALVE, "-o", folder, "--json", *arguments)
+        return json.loads(result.stdout), folder
+
+    def test_summary_tables_and_findings_have_what_scripts_rely_on(self):
+        summary, folder = self.study("first")
+        self.assertEqual(summary["valve"], VALVE)
+        self.assertEqual(summary["configurations"], CONFIGURATIONS)
+        self.assertEqual(summary["closures"], CONFIGURATIONS)
+        self.assertEqual(summary["untrusted"], 0)
+        self.assertGreater(summary["seconds"], 0.0)
+        with open(folder / "annulus.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), CONFIGURATIONS)
+        self.assertEqual({row["annular_height_percent"] for row in rows}, {"100", "75", "50", "25", "0"})
+        undilated = [row for row in rows if row["ap_dilation_percent"] == "0"][0]
+        self.assertLess(float(undilated["orifice_mm2"]), 5.0)
+        xml.etree.ElementTree.parse(folder / "annulus.svg")
+        self.assertIn("findings", (folder / "index.html").read_text())
+        findings = json.loads((folder / "findings.json").read_text())
+        self.assertEqual(len(findings), summary["findings"])
+        self.assertEqual(sum(finding["agrees"] for finding in findings), summary["agree"])
+        for finding in findings:
+            for key in ["finding", "section", "thesis", "ours", "judged"]:
+                self.assertIsInstance(finding[key], str, key)
+            self.assertIsInstance(finding["agrees"], bool)
+
+    def test_a_second_run_closes_nothing_and_writes_the_same(self):
+        _, folder = self.study("study")
+        first = contents(folder)
+        again, _ = self.study("study")
+        self.assertEqual(again["closures"], 0)
+        self.assertEqual(again["configurations"], CONFIGURATIONS)
+        self.assertEqual(contents(folder), first)
+
+    def test_threads_do_not_change_a_byte(self):
+        _, one = self.study("one", "--threads", "1")
+        _, two = self.study("two", "--threads", "2")
+        self.assertEqual(contents(one), contents(two))
+
+    def test_a_killed_study_goes_on_where_it_was(self):
+        folder = self.folder / "killed"
+        running = subprocess.Popen([COAPT, "study", "annulus", VALVE, "-o", folder, "--threads", "1"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        deadline = time.monotonic() + 120.0
+        while closures_kept(folder) == 0 and running.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.01)
+        running.send_signal(signal.SIGKILL)
+        running.wait()
+        self.assertEqual(running.returncode, -signal.SIGKILL, "it ended before it was killed")
+        kept = closures_kept(folder)
+        self.assertGreater(kept, 0)
+        self.assertLess(kept, CONFIGURATIONS)
+        rest, _ = self.study("killed")
+        self.assertEqual(kept + rest["closures"], CONFIGURATIONS)
+        _, undisturbed = self.study("undisturbed")
+        self.assertEqual(contents(folder), contents(undisturbed))
+
+
+class Refused(ProgramTest):
+    def refused(self, status, *arguments):
+        result = coapt("study", *arguments)
+        self.assertEqual((result.returncode, result.stdout), (status, ""), result.stderr)
+        return result.stderr
+
+    def test_an_unknown_valve(self):
+        folder = self.folder / "new"
+        self.assertIn("no-such-valve", self.refused(BAD_INPUT, "annulus", "no-such-valve", "-o", folder))
+        self.assertFalse(folder.exists())
+
+    def test_an_impossible_number_of_threads(self):
+        self.assertIn("--threads", self.refused(BAD_INPUT, "annulus", VALVE, "--threads", "-1"))
+
+    def test_a_study_or_protocol_that_does_not_exist(self):
+        self.refused(BAD_INPUT)
+        self.refused(BAD_INPUT, "weather", VALVE)
+        self.assertIn("--protocol",
+                      self.refused(BAD_INPUT, "approximation", VALVE, "--protocol", "guessed"))
+
+    def test_a_directory_that_cannot_be_made(self):
+        self.assertIn("/proc/nowhere", self.refused(FAILURE, "annulus", VALVE, "-o", "/proc/nowhere"))
+        taken = self.write("taken", "a file")
+        self.assertIn(str(taken), self.refused(FAILURE, "annulus", VALVE, "-o", taken))
+
+    def test_a_file_of_closures_that_is_none_is_left_as_it_is(self):
+        garbage = b"not a database, but somebody's letter\n" * 50
+        (self.folder / "closures.sqlite").write_bytes(garbage)
+        self.assertIn("closures.sqlite", self.refused(FAILURE, "annulus", VALVE, "-o", self.folder))
+        self.assertEqual((self.folder / "closures.sqlite").read_bytes(), garbage)
+        self.assertEqual(os.listdir(self.folder), ["closures.sqlite"])
+
+
+if __name__ == "__main__":
+    unittest.main()
