@@ -197,6 +197,7 @@ void add_study(CLI::App& parent, int& status) {
                   "  coapt study approximation porcine-thesis --protocol closed optimum "
                   "--displacement-step 2 -o anchors");
   const auto everything = with();
+  everything->study.scan_sites = 0;  // the thesis has none
   CLI::App* thesis =
       add_one(*study, status, "thesis",
               "All of them, each finding of the thesis beside this valve's", study_all, everything);

@@ -16,9 +16,7 @@ namespace coapt {
 namespace {
 
 /// The default closure, one end state.
-OrificeTable table_of(const std::string& preset) {
-  return OrificeTable(*make_preset(preset), {});
-}
+OrificeTable table_of(const std::string& preset) { return OrificeTable(*make_preset(preset), {}); }
 
 class PorcineThesis : public testing::TestWithParam<const char*> {};
 
@@ -64,13 +62,13 @@ TEST_P(PorcineThesis, PredictsTable42WithoutBeingFittedToIt) {
 INSTANTIATE_TEST_SUITE_P(Presets, PorcineThesis,
                          testing::Values("porcine-thesis", "porcine-thesis-tables"));
 
-/// Trigone, saddle peak: means over displacements of 6 mm along any axes that leak more than 5 mm2.
-struct Pair {
+/// Means over displacements of 6 mm along any axes that leak more than `least_mm2`.
+struct Anchors {
   AnchorSummary trigone, peak;
 };
 
-Pair compare(OrificeTable& table, Protocol protocol, Displaced displaced, int region_points) {
-  const ApproximationOptions options{6.0, region_points, 5.0};
+Anchors compare(OrificeTable& table, Protocol protocol, Displaced displaced,
+                const ApproximationOptions& options) {
   const std::vector<AnchorSummary> all =
       summarise(study_approximation(table, protocol, thesis_anchors(table.valve()), options));
   for (std::size_t i = 0; i + 1 < all.size(); ++i)
@@ -80,14 +78,41 @@ Pair compare(OrificeTable& table, Protocol protocol, Displaced displaced, int re
   return {};
 }
 
-constexpr int kWholeRegion = 1089, kFewPoints = 17;
+constexpr ApproximationOptions kWholeRegion = {6.0, 1089, 5.0}, kFewPoints = {6.0, 17, 5.0},
+                               kLargeLeaks = {6.0, 17, 60.0};
 
-TEST(OptimalAnchorIsTheTrigoneByTheThesissLookUp, WhicheverMuscleIsDisplaced) {
+TEST(OptimalAnchorIsTheTrigone, ByTheThesissLookUpWhicheverMuscleIsDisplaced) {
   OrificeTable table = table_of("porcine-thesis");
   for (const Displaced displaced : kDisplaced) {
-    const Pair anchors = compare(table, Protocol::LookupClamped, displaced, kWholeRegion);
+    const Anchors anchors = compare(table, Protocol::LookupClamped, displaced, kWholeRegion);
     EXPECT_LT(anchors.trigone.mean_mm2, anchors.peak.mean_mm2) << to_string(displaced);
     EXPECT_LT(anchors.trigone.sd_mm2, anchors.peak.sd_mm2) << to_string(displaced);
+  }
+}
+
+TEST(OptimalAnchorIsTheTrigone, WithEveryPositionClosedIfOneMuscleIsDisplacedButNotIfBothAre) {
+  OrificeTable table = table_of("porcine-thesis");
+  for (const Displaced displaced : kDisplaced) {
+    const Anchors anchors = compare(table, Protocol::Closed, displaced, kFewPoints);
+    const bool both = displaced == Displaced::Both;
+    EXPECT_LT(anchors.trigone.mean_mm2, anchors.peak.mean_mm2) << to_string(displaced);
+    EXPECT_LT(anchors.trigone.length_sd_mm2, anchors.peak.length_sd_mm2) << to_string(displaced);
+    EXPECT_EQ(anchors.trigone.sd_mm2 > anchors.peak.sd_mm2, both)
+        << to_string(displaced) << ": " << anchors.trigone.sd_mm2 << ", " << anchors.peak.sd_mm2;
+  }
+}
+
+TEST(OptimalAnchorIsEither, WhereEachHasItsOwnBestSutureLength) {
+  OrificeTable table = table_of("porcine-thesis");
+  for (const Displaced displaced : {Displaced::Posteromedial, Displaced::Both}) {
+    const Anchors anchors = compare(table, Protocol::Optimum, displaced, kLargeLeaks);
+    for (const AnchorSummary& anchor : {anchors.trigone, anchors.peak}) {
+      EXPECT_EQ(anchor.leaking_share, 0.0) << to_string(displaced);
+      EXPECT_LT(anchor.mean_mm2, 1.0) << to_string(displaced);
+    }
+    // Both are tight; the trigone takes more movement for it.
+    EXPECT_NEAR(anchors.trigone.mean_mm2, anchors.peak.mean_mm2, 0.5) << to_string(displaced);
+    EXPECT_GT(anchors.trigone.movement_mm, anchors.peak.movement_mm) << to_string(displaced);
   }
 }
 
