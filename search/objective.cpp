@@ -30,6 +30,11 @@ double excess(double value, double limit) { return std::max(0.0, value - limit);
 
 }  // namespace
 
+double movement_price(double movement_mm, const CostWeights& weights) {
+  return weights.movement * movement_mm +
+         weights.movement_above_10 * excess(movement_mm, kUsualMovement_mm);
+}
+
 double ring_sizes_below(const Valve& before, const Valve& repaired) {
   const AnnulusFrame native = annulus_frame(before), ringed = annulus_frame(repaired);
   const double width = transverse_diameter_mm(before, native);
@@ -50,8 +55,7 @@ double cost(const Evaluation& evaluation, const Effort& effort, double thickness
   double sum = weights.step * effort.steps + weights.undersizing * effort.sizes_below +
                weights.undersizing_above_4 * excess(effort.sizes_below, kMostSizesBelow);
   for (const double movement : {effort.anterolateral_movement_mm, effort.posteromedial_movement_mm})
-    sum += weights.movement * movement +
-           weights.movement_above_10 * excess(movement, kUsualMovement_mm);
+    sum += movement_price(movement, weights);
   if (!trusted(evaluation)) sum += weights.untrusted;
   const ValveMeasure& measure = evaluation.measure;
   const double leak = leak_mm2(measure);

@@ -46,6 +46,9 @@ struct CostWeights {
   double untrusted = 1000.0;  ///< for a closure that did not converge or crossed
 };
 
+/// Of moving one papillary muscle, mm2.
+double movement_price(double movement_mm, const CostWeights& weights = {});
+
 /// @param tension_before_n peak tension of the unrepaired valve. Never NaN.
 double cost(const Evaluation& evaluation, const Effort& effort, double thickness_mm,
             double tension_before_n, const CostWeights& weights = {});

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -14,12 +15,13 @@
 #include "io/json/result_json.h"
 #include "io/picture/text.h"
 #include "search/studies/findings_parts.h"
+#include "search/studies/thesis_figures.h"
 
 namespace coapt {
 namespace {
 
 struct Arguments {
-  std::string valve, directory = "study";
+  std::string name, valve, directory;
   int threads = 0;
   bool json = false;
   std::vector<std::string> protocols;
@@ -29,31 +31,38 @@ struct Arguments {
 std::string timing(const OrificeTable& table, double seconds) {
   return std::to_string(table.configurations()) + " configurations, five end states each; " +
          std::to_string(table.closures()) + " closed now, in " + fixed(seconds, 1) + " s; " +
-         std::to_string(table.untrusted()) + " not trusted (not converged, or crossed).";
+         std::to_string(table.untrusted()) +
+         " not trusted (not converged, or crossed). The thesis: " +
+         std::to_string(thesis::kConfigurations) + " in about " + fixed(thesis::kHours, 0) +
+         " hours.";
 }
 
 int finish(const Arguments& arguments, const StudyDesk& desk, const OrificeTable& table,
            StudyReport report) {
   const std::string timed = timing(table, desk.seconds());
+  const auto agree = std::count_if(report.findings.begin(), report.findings.end(),
+                                   [](const Finding& finding) { return finding.agrees; });
+  const nlohmann::ordered_json answer = {{"study", arguments.name},
+                                         {"valve", table.valve().name},
+                                         {"version", version()},
+                                         {"configurations", table.configurations()},
+                                         {"closures", table.closures()},
+                                         {"untrusted", table.untrusted()},
+                                         {"seconds", desk.seconds()},
+                                         {"findings", report.findings.size()},
+                                         {"agree", agree},
+                                         {"notice", kResearchNotice}};
+  report.files.emplace_back("study.json", answer.dump(2) + "\n");
   report.files.emplace_back("findings.json", to_json(report.findings).dump(2) + "\n");
   report.files.emplace_back(
       "index.html", findings_page(table.valve().name, report.findings, report.figures, timed));
   for (const auto& [name, content] : report.files)
     if (const int error = desk.write(name, content)) return error;
-  int agree = 0;
-  for (const Finding& finding : report.findings) agree += finding.agrees ? 1 : 0;
   if (arguments.json) {
-    const nlohmann::ordered_json answer = {{"valve", table.valve().name},
-                                           {"configurations", table.configurations()},
-                                           {"closures", table.closures()},
-                                           {"untrusted", table.untrusted()},
-                                           {"seconds", desk.seconds()},
-                                           {"findings", report.findings.size()},
-                                           {"agree", agree},
-                                           {"notice", kResearchNotice}};
     std::cout << answer.dump(2) << '\n';
     return exit_code::kOk;
   }
+  if (report.findings.empty()) std::cout << "No displacement leaks enough to be repaired.\n";
   for (const Finding& finding : report.findings)
     std::cout << (finding.agrees ? "agrees   " : "DIFFERS  ") << finding.finding << ": "
               << finding.ours << '\n';
@@ -129,6 +138,8 @@ StudyReport study_all(OrificeTable& table, const ThesisStudyOptions& options) {
 CLI::App* add_one(CLI::App& parent, int& status, const char* name, const char* help,
                   const Study& study, const std::shared_ptr<Arguments>& arguments) {
   CLI::App* command = parent.add_subcommand(name, help);
+  arguments->name = name;
+  arguments->directory = std::string("study-") + name;
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command
       ->add_option("-o,--output", arguments->directory,

@@ -17,7 +17,7 @@ namespace coapt {
 namespace {
 
 struct Arguments {
-  std::string directory = "anchors";
+  std::string directory = "study-anchors";
   int threads = 0;
   AnchorQuestionOptions question;
 };
@@ -26,13 +26,15 @@ std::vector<std::vector<std::string>> answer_table(const std::vector<AnchorAnswe
   std::vector<std::vector<std::string>> rows = {
       {"protocol", "class", "less", "anatomies", "trigone wins", "ties", "mean difference"}};
   for (const ScanFactor& factor : scan_factors())
-    rows[0].push_back(std::string("S total: ") + factor.name);
+    rows[0].push_back(std::string(factor.name) + ": share, effect");
   rows[0].emplace_back("Q2");
   for (const AnchorAnswer& a : answers) {
     rows.push_back({to_string(a.protocol), to_string(a.displaced), to_string(a.objective),
                     std::to_string(a.anatomies), std::to_string(a.trigone_wins),
                     std::to_string(a.ties), fixed(a.mean_difference, 2)});
-    for (const double total : a.decided_by.total) rows.back().push_back(fixed(total, 2));
+    for (std::size_t f = 0; f < a.decided_by.total.size(); ++f)
+      rows.back().push_back(fixed(a.decided_by.total[f], 2) + ", " +
+                            fixed(a.decided_by.effect[f], 2));
     rows.back().push_back(fixed(a.decided_by.predicted_share, 2));
   }
   return rows;
@@ -62,20 +64,22 @@ int run(const Arguments& arguments) {
     closures += scanned.closures;
   }
   const std::string lead = std::to_string(competent) + " of " + std::to_string(scan.size()) +
-                           " anatomies are competent when undisturbed and were asked; " +
-                           std::to_string(closures) + " closures made now, in " +
-                           fixed(desk.seconds(), 0) + " s.";
+                           " anatomies are competent when undisturbed and were asked, each by its "
+                           "displacements of 6 mm along any axes that leak more than 20 mm2, " +
+                           std::to_string(question.approximation.region_points) +
+                           " nodes of each region; " + std::to_string(closures) +
+                           " closures made now, in " + fixed(desk.seconds(), 0) + " s.";
   const std::string svg = anchor_question_svg(answers);
   const std::string page = study_page(
       "When is the trigone the better anchor?", lead,
       {{"Share of anatomies where the trigone wins",
-        "Smaller by more than 1 % of the saddle peak's value. 50 %: the anatomy decides, not the "
-        "anchor.",
+        "50 %: the anatomy decides, not the anchor.",
         svg,
         {}},
        {"Which factor decides",
-        "Total Sobol indices of the difference trigone less saddle peak. Q2 is the share of its "
-        "variance that is predicted for anatomies left out; below 0.5 the indices say little.",
+        "Of the difference trigone less saddle peak: total Sobol index of each factor, and how the "
+        "difference changes from its low end to its high end. Q2 is the share of the variance that "
+        "is predicted for anatomies left out; below 0.5 the indices say little.",
         "", answer_table(answers)}});
   for (const auto& [name, content] :
        {std::pair<std::string, std::string>{"scan.csv", anchor_scan_csv(scan)},

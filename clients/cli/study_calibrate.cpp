@@ -10,6 +10,7 @@
 #include "clients/cli/study_desk.h"
 #include "core/presets/presets.h"
 #include "io/json/valve_json.h"
+#include "io/picture/study_csv.h"
 #include "io/picture/study_page.h"
 #include "io/picture/text.h"
 #include "search/studies/calibration.h"
@@ -20,7 +21,7 @@ namespace coapt {
 namespace {
 
 struct Arguments {
-  std::string directory = "calibration";
+  std::string directory = "study-calibrate";
   int starts = 1;
   bool anchors = false;
   CalibrationOptions calibration;
@@ -67,16 +68,6 @@ std::vector<std::vector<std::string>> anatomy_table(const Calibration& fit) {
   return rows;
 }
 
-std::string csv(const std::vector<std::vector<std::string>>& rows) {
-  std::string text;
-  for (const std::vector<std::string>& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const bool quoted = row[i].find(',') != std::string::npos;
-      text += (quoted ? '"' + row[i] + '"' : row[i]) + (i + 1 < row.size() ? ',' : '\n');
-    }
-  return text;
-}
-
 int run(const Arguments& arguments) {
   const Expected<std::unique_ptr<StudyDesk>> opened =
       StudyDesk::open(arguments.directory, arguments.calibration.threads);
@@ -115,8 +106,8 @@ int run(const Arguments& arguments) {
                  {{"Fit", "", "", fit_table(best)}, {"Anatomy", "", "", anatomy_table(best)}});
   for (const auto& [name, content] :
        {std::pair<std::string, std::string>{"valve.json", write_valve(*valve)},
-        {"fit.csv", csv(fit_table(best))},
-        {"anatomy.csv", csv(anatomy_table(best))},
+        {"fit.csv", table_csv(fit_table(best))},
+        {"anatomy.csv", table_csv(anatomy_table(best))},
         {"index.html", page}})
     if (const int error = desk.write(name, content)) return error;
   std::cout << "Written to " << arguments.directory << "/valve.json and index.html\n";
@@ -152,7 +143,7 @@ void add_calibrate(CLI::App& parent, int& status) {
       ->check(number_from(0, 1024))
       ->capture_default_str();
   command->footer(
-      "About 20,000 closures a start.\n\n"
+      "About 20,000 closures a start. A fit that is stopped begins anew.\n\n"
       "Examples:\n"
       "  coapt study calibrate --seed 2 --spread 0.1 -o tables\n"
       "  coapt study calibrate --starts 4 --anchors -o with-anchors");

@@ -37,21 +37,31 @@ PageSection ring_table(const RingStudy& study) {
   return section;
 }
 
-PageSection anchors_table(const std::vector<AnchorSummary>& summaries) {
-  PageSection section{
-      "Anchors",
-      "Means over the displaced configurations; regions of interest of 1,089 "
-      "nodes unless said otherwise. Movement and suture in mm, all else in mm2.",
-      "",
-      {{"protocol", "class", "anchor", "configurations", "repaired", "mean", "sd", "sd of means",
-        "sd by length", "sd by angles", "movement", "suture", "outside the grid"}}};
+std::string settings(const ApproximationOptions& options) {
+  return "Displacements 0 to 6 mm by " + fixed(options.displacement_step_mm, 0) +
+         " mm that leak more than " + fixed(options.least_mm2, 0) +
+         " mm2; regions of interest of " + std::to_string(options.region_points) + " nodes.";
+}
+
+PageSection anchors_table(const std::vector<AnchorSummary>& summaries,
+                          const ApproximationOptions& options) {
+  PageSection section{"Anchors",
+                      settings(options) +
+                          " Means over the displacements; movement and suture (mm) over the "
+                          "repaired ones. Slopes in mm2 per mm of the tip's way, by suture length "
+                          "and by swing; all else in mm2.",
+                      "",
+                      {{"protocol", "class", "anchor", "repaired", "mean", "sd", "sd of means",
+                        "sd by length", "sd by angles", "slope by length", "slope by swing",
+                        "movement", "suture", "outside the grid"}}};
   for (const AnchorSummary& s : summaries)
     section.table.push_back({to_string(s.protocol), to_string(s.displaced), s.anchor.name,
-                             std::to_string(s.configurations), std::to_string(s.repaired),
+                             std::to_string(s.repaired) + " of " + std::to_string(s.configurations),
                              fixed(s.mean_mm2, 2), fixed(s.sd_mm2, 2), fixed(s.sd_of_means_mm2, 2),
                              fixed(s.length_sd_mm2, 2), fixed(s.angle_sd_mm2, 2),
-                             fixed(s.movement_mm, 1), fixed(s.suture_mm, 1),
-                             fixed(100.0 * s.clamped_share, 0) + " %"});
+                             fixed(s.length_slope_mm2_per_mm, 1),
+                             fixed(s.swing_slope_mm2_per_mm, 1), fixed(s.movement_mm, 1),
+                             fixed(s.suture_mm, 1), fixed(100.0 * s.clamped_share, 0) + " %"});
   return section;
 }
 
@@ -82,6 +92,7 @@ void add_to_report(StudyReport& report, const RingStudy& study) {
 }
 
 void add_to_report(StudyReport& report, const AnchorStudies& studies) {
+  if (studies.approximation.empty()) return;
   std::vector<AnchorSummary> summaries;
   for (const ApproximationStudy& study : studies.approximation) {
     const std::string name = std::string("anchors-") + to_string(study.protocol) + ".svg";
@@ -95,7 +106,7 @@ void add_to_report(StudyReport& report, const AnchorStudies& studies) {
   }
   report.files.emplace_back("approximation.csv", approximation_csv(studies.approximation));
   report.files.emplace_back("anchors.csv", anchors_csv(summaries));
-  report.figures.push_back(anchors_table(summaries));
+  report.figures.push_back(anchors_table(summaries, studies.approximation.front().options));
   const std::vector<AnchorSummary>& scan = studies.scan;
   if (scan.empty()) return;
   std::vector<AnchorSummary> same;

@@ -50,6 +50,19 @@ double slack_of(const ParametricValve& d, const Valve& valve, const Chorda& chor
   return posterior ? side * d.posterior_slack : side;
 }
 
+std::string lengths_in_words(const ParametricValve& d) {
+  const auto both_sides = [&](double factor) {
+    const double al = d.slack * (1.0 - d.asymmetry.slack), pm = d.slack * (1.0 + d.asymmetry.slack);
+    return std::to_string(al * factor) + (al == pm ? "" : " / " + std::to_string(pm * factor));
+  };
+  std::string words = "chordae lengths: distances in the closed, pressurised valve times ";
+  if (d.posterior_slack == 1.0 && d.strut_slack == 1.0 && d.basal_slack == 1.0)
+    return words + both_sides(1.0);
+  return words + "(anterolateral / posteromedial) anterior and commissural " + both_sides(1.0) +
+         ", posterior " + both_sides(d.posterior_slack) + ", strut " + both_sides(d.strut_slack) +
+         ", basal " + both_sides(d.basal_slack);
+}
+
 ParametricValve human() {
   ParametricValve d;
   d.name = "human-normal";
@@ -79,8 +92,7 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
     for (std::size_t s = 0; s < taut.chordae[c].segments.size(); ++s)
       made->chordae[c].segments[s].rest_length_mm =
           slack_of(dimensions, *open, taut.chordae[c]) * taut.chordae[c].segments[s].rest_length_mm;
-  made->provenance.push_back("chordae lengths: distances in the closed, pressurised valve times " +
-                             std::to_string(dimensions.slack));
+  made->provenance.push_back(lengths_in_words(dimensions));
   if (Errors errors = validate(*made); !errors.empty()) return errors;
   return made;
 }
@@ -109,8 +121,15 @@ Expected<Valve> make_preset(const std::string& name, int triangles) {
   if (name == "porcine-3") return taut(porcine(name, 25.9, 41.3, 624, 1.08));
   if (name == "porcine-4") return taut(porcine(name, 18.4, 27.1, 611, 1.17));
   if (name == "porcine-5") return taut(porcine(name, 18.3, 21.4, 736, 1.18));
-  if (name == "porcine-thesis") return taut(porcine_thesis());
-  if (name == "porcine-thesis-tables") return taut(porcine_thesis_tables());
+  if (name == "porcine-thesis" || name == "porcine-thesis-tables") {
+    Expected<Valve> valve =
+        taut(name == "porcine-thesis" ? porcine_thesis() : porcine_thesis_tables());
+    if (valve)
+      valve->provenance.emplace_back(
+          "fitted to orifices published in the thesis, tissue included: no measured anatomy "
+          "(docs/porcine-thesis.md)");
+    return valve;
+  }
   if (name == "human-normal") return taut(human());
   if (name == "human-p2-prolapse") {
     Expected<Valve> valve = taut(human());

@@ -18,8 +18,8 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions);
 /// calibrate`; docs/porcine-thesis.md has the fit, number by number).
 ParametricValve porcine_thesis_tables();
 
-/// Of porcine-thesis: fitted to the same and, of several such fits, one that shows the thesis's statement on
-/// anchors (figure 4.10) by the thesis's look-up.
+/// Of porcine-thesis: fitted to the same and, of several such fits, the one nearest to the thesis's
+/// statement on anchors (figure 4.10) by the thesis's look-up: eight of nine comparisons, the ninth a tie.
 ParametricValve porcine_thesis();
 
 const std::vector<std::string>& preset_names();

@@ -67,6 +67,9 @@ struct Proportions {
 Proportions proportions(const ParametricValve& dimensions, double ap_mm, double al_pm_mm);
 
 /// Errors with pointers into the dimensions ("/ap_mm", ...) and accepted ranges.
+Errors check_dimensions(const ParametricValve& dimensions);
+
+/// Errors as of check_dimensions(), or of the measured contour.
 Expected<Valve> make_parametric_valve(const ParametricValve& dimensions);
 
 }  // namespace coapt

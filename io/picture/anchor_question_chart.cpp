@@ -9,7 +9,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kRow_px = 34.0, kLeft_px = 130.0, kRight_px = 20.0, kTicks_px = 60.0;
+constexpr double kRow_px = 34.0, kWords_px = 110.0, kLeft_px = 130.0, kRight_px = 20.0;
 
 const char* short_name(AnchorObjective objective) {
   switch (objective) {
@@ -54,7 +54,7 @@ std::string anchor_question_svg(const std::vector<AnchorAnswer>& answers) {
       const auto row = static_cast<std::size_t>(
           std::find(protocols.begin(), protocols.end(), a.protocol) - protocols.begin());
       block[row][static_cast<std::size_t>(a.objective)] =
-          100.0 * a.trigone_wins / static_cast<double>(a.anatomies);
+          100.0 * (a.trigone_wins + 0.5 * a.ties) / static_cast<double>(a.anatomies);
     }
     map.values.push_back(block);
   }
@@ -62,17 +62,16 @@ std::string anchor_question_svg(const std::vector<AnchorAnswer>& answers) {
       {"When is the trigone the better anchor?",
        "Percent of anatomies where it has less than the saddle peak of: mean and sd of the orifice "
        "in the region of interest, sd by suture length, movement of the muscle, share of the "
-       "region that leaks. By protocol.",
+       "region that leaks. A tie (within 1 %) counts half. By protocol.",
        {}});
   const HeatScale scale{0.0, 100.0, 0};
-  const double top = heading.bottom + 40.0;
-  const double bottom =
-      top + kRow_px * static_cast<double>(std::max<std::size_t>(1, protocols.size()));
+  const double top = heading.bottom;
+  const double bottom = top + kWords_px + kRow_px * static_cast<double>(protocols.size());
   std::string svg = heading.svg;
   if (!protocols.empty())
     svg += draw_heat_map(map, scale, {kLeft_px, top, kFigureWidth - kRight_px, bottom});
-  svg += draw_scale(scale, "percent of anatomies", kLeft_px, bottom + kTicks_px);
-  return figure_svg("When is the trigone the better anchor?", svg, bottom + kTicks_px + 50.0);
+  svg += draw_scale(scale, "percent of anatomies", kLeft_px, bottom + 14.0);
+  return figure_svg("When is the trigone the better anchor?", svg, bottom + 64.0);
 }
 
 }  // namespace coapt

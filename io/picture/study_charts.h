@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "search/studies/approximation_study.h"
+#include "search/studies/anchor_summary.h"
 #include "search/studies/geometry_studies.h"
 
 namespace coapt {

@@ -10,6 +10,7 @@ namespace {
 class CsvTable {
  public:
   explicit CsvTable(const std::string& header) { text_ << header << '\n'; }
+  CsvTable() = default;
 
   CsvTable& operator<<(double value) {
     separate();
@@ -53,15 +54,25 @@ class CsvTable {
 void add(CsvTable& csv, const AnchorSummary& s) {
   csv << to_string(s.protocol) << to_string(s.displaced) << s.anchor.name << s.anchor.around
       << s.configurations << s.repaired << s.mean_mm2 << s.sd_mm2 << s.sd_of_means_mm2
-      << s.length_sd_mm2 << s.angle_sd_mm2 << s.movement_mm << s.suture_mm << s.leaking_share
-      << s.clamped_share;
+      << s.length_sd_mm2 << s.angle_sd_mm2 << s.length_slope_mm2_per_mm << s.swing_slope_mm2_per_mm
+      << s.movement_mm << s.suture_mm << s.leaking_share << s.clamped_share;
 }
 
 constexpr const char* kSummaryHeader =
     "protocol,class,anchor,around,configurations,repaired,mean_mm2,sd_mm2,sd_of_means_mm2,"
-    "length_sd_mm2,angle_sd_mm2,movement_mm,suture_mm,leaking_share,clamped_share";
+    "length_sd_mm2,angle_sd_mm2,length_slope_mm2_per_mm,swing_slope_mm2_per_mm,movement_mm,suture_"
+    "mm,leaking_share,clamped_share";
 
 }  // namespace
+
+std::string table_csv(const std::vector<std::vector<std::string>>& rows) {
+  CsvTable csv;
+  for (const std::vector<std::string>& row : rows) {
+    for (const std::string& cell : row) csv << cell;
+    csv.end_line();
+  }
+  return csv.text();
+}
 
 std::string annulus_csv(const AnnulusStudy& study) {
   CsvTable csv("annular_height_percent,ap_dilation_percent,orifice_mm2");
@@ -106,16 +117,17 @@ std::string approximation_csv(const std::vector<ApproximationStudy>& studies) {
   CsvTable csv(
       "protocol,class,transverse_mm,posterior_mm,apical_mm,displaced_orifice_mm2,anchor,around,"
       "repaired,to_transverse_mm,to_posterior_mm,to_apical_mm,movement_mm,suture_mm,orifice_mm2,"
-      "region_mean_mm2,region_sd_mm2,region_worst_mm2,length_sd_mm2,angle_sd_mm2,leaking_share,"
-      "clamped_share");
+      "region_points,region_mean_mm2,region_sd_mm2,region_worst_mm2,length_sd_mm2,angle_sd_mm2,"
+      "length_slope_mm2_per_mm,swing_slope_mm2_per_mm,leaking_share,clamped_share");
   for (const ApproximationStudy& study : studies)
     for (const Approximation& a : study.approximations) {
       const AnchorSite& anchor = study.anchors[a.anchor];
       csv << to_string(study.protocol) << to_string(a.displaced) << a.displaced_mm
           << a.displaced_area_mm2 << anchor.name << anchor.around << a.repaired << a.position_mm
-          << a.movement_mm << a.suture_mm << a.area_mm2 << a.region.mean_mm2 << a.region.sd_mm2
-          << a.region.worst_mm2 << a.region.length_sd_mm2 << a.region.angle_sd_mm2
-          << a.region.leaking_share << a.region.clamped_share;
+          << a.movement_mm << a.suture_mm << a.area_mm2 << study.options.region_points
+          << a.region.mean_mm2 << a.region.sd_mm2 << a.region.worst_mm2 << a.region.length_sd_mm2
+          << a.region.angle_sd_mm2 << a.region.length_slope_mm2_per_mm
+          << a.region.swing_slope_mm2_per_mm << a.region.leaking_share << a.region.clamped_share;
       csv.end_line();
     }
   return csv.text();
@@ -155,13 +167,13 @@ std::string anchor_scan_csv(const std::vector<ScannedAnatomy>& scan) {
 std::string anchor_answers_csv(const std::vector<AnchorAnswer>& answers) {
   CsvTable csv(
       "protocol,class,objective,anatomies,trigone_wins,ties,mean_difference,predicted_share,"
-      "factor,sobol_first,sobol_total");
+      "factor,sobol_first,sobol_total,effect");
   for (const AnchorAnswer& a : answers)
     for (std::size_t f = 0; f < a.decided_by.first.size(); ++f) {
       csv << to_string(a.protocol) << to_string(a.displaced) << to_string(a.objective)
           << a.anatomies << a.trigone_wins << a.ties << a.mean_difference
           << a.decided_by.predicted_share << scan_factors()[f].name << a.decided_by.first[f]
-          << a.decided_by.total[f];
+          << a.decided_by.total[f] << a.decided_by.effect[f];
       csv.end_line();
     }
   return csv.text();

@@ -9,6 +9,8 @@
 
 namespace coapt {
 
+/// Rows of a page's table, the first its header.
+std::string table_csv(const std::vector<std::vector<std::string>>& rows);
 std::string annulus_csv(const AnnulusStudy& study);      ///< a row per height and dilation
 std::string papillary_csv(const PapillaryStudy& study);  ///< a row per displacement, with gradient
 std::string ring_csv(const RingStudy& study);            ///< a row per ring and displacement

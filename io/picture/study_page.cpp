@@ -83,7 +83,7 @@ std::string page(const std::string& title, const std::string& lead, const std::s
          "</main>\n</body>\n</html>\n";
 }
 
-/// "flattening-reduces-orifice-5-to-10-percent" in words.
+/// "dilation-grows-superlinearly" in words.
 std::string in_words(std::string name) {
   std::replace(name.begin(), name.end(), '-', ' ');
   if (!name.empty() && name.front() >= 'a' && name.front() <= 'z')

@@ -25,24 +25,19 @@ void ask(const Valve& valve, const OpenTable& open_table, const AnchorQuestionOp
   scanned.closures = table.closures();
 }
 
-/// The pair of anchors of one protocol and class; null if the class does not leak.
-const AnchorSummary* trigone_of(const ScannedAnatomy& scanned, Protocol protocol,
-                                Displaced displaced) {
-  for (const AnchorSummary& s : scanned.summaries)
-    if (s.protocol == protocol && s.displaced == displaced) return &s;
-  return nullptr;
-}
-
 AnchorAnswer answer(const std::vector<ScannedAnatomy>& scan, Protocol protocol, Displaced displaced,
                     AnchorObjective objective) {
   AnchorAnswer found{protocol, displaced, objective};
   std::vector<std::vector<double>> shares;
   std::vector<double> differences;
   for (const ScannedAnatomy& scanned : scan) {
-    const AnchorSummary* trigone = trigone_of(scanned, protocol, displaced);
-    if (trigone == nullptr) continue;
-    const double peak = value_of(trigone[1], objective);  // it follows the trigone
+    const AnchorSummary* trigone = find_summary(scanned.summaries, protocol, displaced, "trigone");
+    const AnchorSummary* other =
+        find_summary(scanned.summaries, protocol, displaced, "saddle peak");
+    if (trigone == nullptr || other == nullptr) continue;
+    const double peak = value_of(*other, objective);
     const double difference = value_of(*trigone, objective) - peak;
+    if (!std::isfinite(difference)) continue;  // an anchor that repairs nothing has no movement
     shares.push_back(scanned.shares);
     differences.push_back(difference);
     ++found.anatomies;

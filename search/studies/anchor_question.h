@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/valve/parametric.h"
-#include "search/studies/approximation_study.h"
+#include "search/studies/anchor_summary.h"
 #include "search/studies/sobol_indices.h"
 
 namespace coapt {

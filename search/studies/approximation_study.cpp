@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "search/objective.h"
 #include "search/perturbation.h"
@@ -82,10 +83,11 @@ void walk_on(OrificeField& field, Walk& walk) {
   if (!walk.found.repaired) walk.moved_mm = walk.least_at_mm;
 }
 
-/// Where mean + sd over a few points of the region is lowest; of equals the shorter way. By coarse
-/// steps first, then halving them around the best.
+/// What a planner would choose: where mean + sd over a few points of the region, and the price of the
+/// movement, are lowest. By coarse steps first, then halving them around the best.
 void choose_optimum(OrificeField& field, Walk& walk, const std::vector<Perturbation>& nodes) {
   const double most = std::min(walk.most_mm(), kMostMovement_mm);
+  const double muscles = walk.found.displaced == Displaced::Both ? 2.0 : 1.0;
   double lowest = std::numeric_limits<double>::infinity(), best = 0.0;
   bool known = true;
   const auto consider = [&](double moved) {
@@ -98,7 +100,8 @@ void choose_optimum(OrificeField& field, Walk& walk, const std::vector<Perturbat
       squares += area.value_or(0.0) * area.value_or(0.0);
     }
     const double n = static_cast<double>(nodes.size()), mean = sum / n;
-    const double score = mean + std::sqrt(std::max(0.0, squares / n - mean * mean));
+    const double score = mean + std::sqrt(std::max(0.0, squares / n - mean * mean)) +
+                         muscles * movement_price(moved);
     if (!(score < lowest || (score == lowest && moved < best))) return;  // nor if it is NaN
     lowest = score;
     best = moved;
@@ -115,7 +118,7 @@ void choose_optimum(OrificeField& field, Walk& walk, const std::vector<Perturbat
 }
 
 RegionOrifice measure_region(const std::vector<double>& area_mm2,
-                             const std::vector<Perturbation>& nodes) {
+                             const std::vector<Perturbation>& nodes, double suture_mm) {
   const auto n = static_cast<Eigen::Index>(area_mm2.size());
   const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(area_mm2.data(), n);
   RegionOrifice region;
@@ -134,6 +137,8 @@ RegionOrifice measure_region(const std::vector<double>& area_mm2,
   const auto sd_along = [n](const Eigen::VectorXd& part) {
     return std::sqrt(part.squaredNorm() / static_cast<double>(n));
   };
+  region.length_slope_mm2_per_mm = slope(0);
+  region.swing_slope_mm2_per_mm = slope.tail(2).norm() * 180.0 / (std::numbers::pi * suture_mm);
   region.length_sd_mm2 = sd_along(offset.col(0) * slope(0));
   region.angle_sd_mm2 = sd_along(offset.rightCols(2) * slope.tail(2));
   return region;
@@ -197,44 +202,12 @@ ApproximationStudy study_approximation(OrificeTable& table, Protocol protocol,
     found.suture_mm = (walk.anchor_mm - found.position_mm).norm();
     found.area_mm2 = *there;
     found.repaired = *there < kGoodRepair_mm2;
-    found.region = measure_region(areas, nodes);
+    found.region = measure_region(areas, nodes, found.suture_mm);
     found.region.clamped_share = static_cast<double>(outside) / static_cast<double>(nodes.size());
   });
-  ApproximationStudy study{protocol, anchors, {}};
+  ApproximationStudy study{protocol, anchors, options, {}};
   for (const Walk& walk : walks) study.approximations.push_back(walk.found);
   return study;
-}
-
-std::vector<AnchorSummary> summarise(const ApproximationStudy& study) {
-  std::vector<AnchorSummary> summaries;
-  for (const Displaced displaced : kDisplaced)
-    for (std::size_t anchor = 0; anchor < study.anchors.size(); ++anchor) {
-      AnchorSummary s{study.protocol, displaced, study.anchors[anchor]};
-      double squares = 0.0;
-      for (const Approximation& found : study.approximations) {
-        if (found.displaced != displaced || found.anchor != anchor) continue;
-        const RegionOrifice& region = found.region;
-        ++s.configurations;
-        if (found.repaired) ++s.repaired;
-        s.mean_mm2 += region.mean_mm2;
-        squares += region.mean_mm2 * region.mean_mm2;
-        s.sd_mm2 += region.sd_mm2;
-        s.length_sd_mm2 += region.length_sd_mm2;
-        s.angle_sd_mm2 += region.angle_sd_mm2;
-        s.movement_mm += found.movement_mm;
-        s.suture_mm += found.suture_mm;
-        s.leaking_share += region.leaking_share;
-        s.clamped_share += region.clamped_share;
-      }
-      if (s.configurations == 0) continue;
-      const double n = s.configurations;
-      for (double* mean : {&s.mean_mm2, &s.sd_mm2, &s.length_sd_mm2, &s.angle_sd_mm2,
-                           &s.movement_mm, &s.suture_mm, &s.leaking_share, &s.clamped_share})
-        *mean /= n;
-      s.sd_of_means_mm2 = std::sqrt(std::max(0.0, squares / n - s.mean_mm2 * s.mean_mm2));
-      summaries.push_back(s);
-    }
-  return summaries;
 }
 
 }  // namespace coapt

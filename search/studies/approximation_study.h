@@ -1,7 +1,7 @@
 // Papillary approximation and its robustness (thesis 4.2.3, figure 4.10), by four protocols.
 //
 // A displaced muscle moves straight to its anchor until the orifice is below 5 mm2 (Optimum: to where
-// mean + sd over 9 points of its region is lowest). Around the place where it ends lies the region of interest
+// mean + sd over 9 points of its region and the price of the movement, search/objective.h, are lowest). Around the place where it ends lies the region of interest
 // (search/perturbation.h): 1,089 nodes on and about the sphere around the anchor. Positions are in
 // displacement space (anchor_sites.h).
 #pragma once
@@ -17,10 +17,12 @@ namespace coapt {
 /// Over the nodes of the region of interest.
 struct RegionOrifice {
   double mean_mm2 = 0.0, sd_mm2 = 0.0, worst_mm2 = 0.0;
-  double length_sd_mm2 = 0.0;  ///< what of sd goes in proportion with the suture's length
-  double angle_sd_mm2 = 0.0;   ///< likewise with the two angles (linear regression)
-  double leaking_share = 0.0;  ///< of nodes above 5 mm2
-  double clamped_share = 0.0;  ///< of nodes outside the grid (LookupClamped)
+  double length_sd_mm2 = 0.0;            ///< what of sd goes in proportion with the suture's length
+  double angle_sd_mm2 = 0.0;             ///< likewise with the two angles (linear regression)
+  double length_slope_mm2_per_mm = 0.0;  ///< of that regression: orifice per mm of suture
+  double swing_slope_mm2_per_mm = 0.0;   ///< per mm that the tip swings in the steepest direction
+  double leaking_share = 0.0;            ///< of nodes above 5 mm2
+  double clamped_share = 0.0;            ///< of nodes outside the grid (LookupClamped)
 };
 
 struct Approximation {
@@ -47,26 +49,12 @@ struct ApproximationOptions {
 struct ApproximationStudy {
   Protocol protocol = Protocol::LookupExtended;
   std::vector<AnchorSite> anchors;
+  ApproximationOptions options;
   std::vector<Approximation> approximations;  ///< by class, displacement, anchor
 };
 
 ApproximationStudy study_approximation(OrificeTable& table, Protocol protocol,
                                        const std::vector<AnchorSite>& anchors,
                                        const ApproximationOptions& options = {});
-
-/// One anchor over all displaced configurations of a class. Means over configurations, but for
-/// sd_of_means.
-struct AnchorSummary {
-  Protocol protocol = Protocol::LookupExtended;
-  Displaced displaced = Displaced::Anterolateral;
-  AnchorSite anchor;
-  int configurations = 0, repaired = 0;
-  double mean_mm2 = 0.0, sd_mm2 = 0.0, sd_of_means_mm2 = 0.0;
-  double length_sd_mm2 = 0.0, angle_sd_mm2 = 0.0;
-  double movement_mm = 0.0, suture_mm = 0.0, leaking_share = 0.0, clamped_share = 0.0;
-};
-
-/// By class, then anchor; classes without a leaking configuration are left out.
-std::vector<AnchorSummary> summarise(const ApproximationStudy& study);
 
 }  // namespace coapt

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace coapt {
 
@@ -16,6 +17,13 @@ inline std::string in_words(double value, int decimals) {
 
 inline std::string in_percent(double share, int decimals = 0) {
   return in_words(100.0 * share, decimals) + " %";
+}
+
+/// "1.2 / 3.4"
+inline std::string in_words(const std::vector<double>& values, int decimals = 1) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : " / ") + in_words(value, decimals);
+  return text;
 }
 
 }  // namespace coapt

@@ -9,7 +9,7 @@
 namespace coapt {
 
 struct Finding {
-  std::string finding;  ///< stable name, such as "flattening-matters-little"
+  std::string finding;  ///< stable name, such as "dilation-grows-superlinearly"
   std::string section;  ///< of the thesis, such as "4.3.1"
   std::string thesis;   ///< what the thesis says
   std::string ours;     ///< what this valve shows, in numbers

@@ -13,7 +13,7 @@
 namespace coapt {
 
 struct StudiedValve {
-  std::string kind;  ///< "porcine preset", "human preset", "real valve", "random anatomy"
+  std::string kind;  ///< what it is counted with, such as "random anatomies"
   Valve valve;
 };
 

@@ -102,10 +102,18 @@ std::vector<Vec3> gradients(const DisplacementGrid& grid) {
   return gradient;
 }
 
+Vec3 mean_gradient(const DisplacementGrid& grid) {
+  Vec3 sum = Vec3::Zero();
+  const std::vector<Vec3> slopes = gradients(grid);
+  for (const Vec3& slope : slopes) sum += slope;
+  return sum / static_cast<double>(slopes.size());
+}
+
 Synergy synergy(const PapillaryStudy& study) {
   const auto& [al, pm, both] = study.grids;
   std::array<int, 3> counted = {0, 0, 0}, above = {0, 0, 0};
-  double together = 0.0, apart = 0.0;
+  double together = 0.0, apart = 0.0, increases = 0.0;
+  int compared = 0;
   for_each_node(both.nodes, [&](int t, int p, int a) {
     const double sum = al.at(t, p, a) + pm.at(t, p, a);
     const double least_mm = both.step_mm * std::min({t, p, a});
@@ -116,9 +124,12 @@ Synergy synergy(const PapillaryStudy& study) {
     }
     together += both.at(t, p, a);
     apart += sum;
+    if (sum < kRatioFrom_mm2) return;
+    increases += both.at(t, p, a) / sum - 1.0;
+    ++compared;
   });
   const auto share = [&](std::size_t k) { return static_cast<double>(above[k]) / counted[k]; };
-  return {share(0), share(1), share(2), together / apart - 1.0};
+  return {share(0), share(1), share(2), increases / compared, together / apart - 1.0};
 }
 
 RingStudy study_ring(OrificeTable& table) {

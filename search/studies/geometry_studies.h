@@ -52,17 +52,21 @@ struct PapillaryStudy {
 /// `nodes` along each axis, at least 2; the thesis has 7.
 PapillaryStudy study_papillary(OrificeTable& table, int nodes = 7);
 
-/// Table 4.1, one row of it: the largest orifice with displacement along just those axes, in the order of kAxes.
+/// Table 4.1, one row of it: the largest orifice with displacement along those axes or fewer, in the order of kAxes.
 std::array<double, 7> largest_orifices(const DisplacementGrid& grid);
 
 /// Central differences (one-sided at the border), mm2 per mm, order of DisplacementGrid::area_mm2.
 std::vector<Vec3> gradients(const DisplacementGrid& grid);
 
+/// Their mean over the grid.
+Vec3 mean_gradient(const DisplacementGrid& grid);
+
 /// Both displaced against the sum of the same displacement of either alone.
 struct Synergy {
   double share = 0.0;  ///< of the configurations with any displacement: both > sum
   double share_from_1mm = 0.0, share_from_2mm = 0.0;  ///< at least so much along each axis
-  double mean_increase = 0.0;  ///< of all orifices together: sum of both / sum of sums - 1
+  double mean_increase = 0.0;   ///< mean of both / sum - 1 where the sum is at least 1 mm2
+  double total_increase = 0.0;  ///< of all orifices together: sum of both / sum of sums - 1
 };
 Synergy synergy(const PapillaryStudy& study);
 

@@ -80,7 +80,8 @@ ClosureOptions thesis_closure() {
 }
 
 OrificeTable::OrificeTable(const Valve& valve, OrificeTableOptions options)
-    : valve_(valve), options_(std::move(options)), known_(std::move(options_.known)) {
+    : valve_(valve), options_(std::move(options)) {
+  for (const auto& [key, sample] : options_.known) known_[key].sample = sample;
   options_.known.clear();
 }
 
@@ -96,8 +97,8 @@ std::vector<OrificeSample> OrificeTable::at(std::span<const Configuration> confi
   std::vector<OrificeSample> closed(missing.size());
   std::mutex mutex;
   int done = 0;
-  std::atomic<bool> failed =
-      false;  // a closure that cannot be kept ends the batch, by its exception
+  // A closure that cannot be kept ends the batch, by its exception.
+  std::atomic<bool> failed = false;
   for_each_index(count, options_.threads, [&](int i) {
     if (failed) return;
     const auto at = static_cast<std::size_t>(i);
@@ -111,23 +112,25 @@ std::vector<OrificeSample> OrificeTable::at(std::span<const Configuration> confi
     }
     if (options_.progress) options_.progress(++done, count);
   });
-  for (std::size_t i = 0; i < missing.size(); ++i) known_[missing[i]] = closed[i];
+  for (std::size_t i = 0; i < missing.size(); ++i) known_[missing[i]].sample = closed[i];
   closures_ += count;
   std::vector<OrificeSample> samples;
-  for (const ConfigurationKey& key : keys) samples.push_back(known_.at(key));
+  for (const ConfigurationKey& key : keys) samples.push_back(ask(known_.at(key)));
   return samples;
 }
 
-const OrificeSample* OrificeTable::find(const Configuration& configuration) const {
+const OrificeSample* OrificeTable::find(const Configuration& configuration) {
   const auto found = known_.find(key_of(configuration));
-  return found == known_.end() ? nullptr : &found->second;
+  return found == known_.end() ? nullptr : &ask(found->second);
 }
 
-int OrificeTable::configurations() const { return static_cast<int>(known_.size()); }
-
-int OrificeTable::untrusted() const {
-  return static_cast<int>(std::count_if(known_.begin(), known_.end(),
-                                        [](const auto& entry) { return !entry.second.trusted; }));
+const OrificeSample& OrificeTable::ask(Entry& entry) {
+  if (!entry.asked) {
+    entry.asked = true;
+    ++configurations_;
+    if (!entry.sample.trusted) ++untrusted_;
+  }
+  return entry.sample;
 }
 
 }  // namespace coapt

@@ -52,17 +52,23 @@ class OrificeTable {
   /// Closes those that are not known. In the order of `configurations`.
   std::vector<OrificeSample> at(std::span<const Configuration> configurations);
   /// Null if it is not known.
-  const OrificeSample* find(const Configuration& configuration) const;
+  const OrificeSample* find(const Configuration& configuration);
 
-  int closures() const { return closures_; }  ///< made by this table
-  int configurations() const;                 ///< known
-  int untrusted() const;                      ///< of those
+  int closures() const { return closures_; }              ///< made by this table
+  int configurations() const { return configurations_; }  ///< asked for: closed now, or known
+  int untrusted() const { return untrusted_; }            ///< of those
 
  private:
   Valve valve_;
   OrificeTableOptions options_;
-  KnownOrifices known_;
-  int closures_ = 0;
+  struct Entry {
+    OrificeSample sample;
+    bool asked = false;
+  };
+  const OrificeSample& ask(Entry& entry);
+
+  std::unordered_map<ConfigurationKey, Entry, ConfigurationKeyHash> known_;
+  int closures_ = 0, configurations_ = 0, untrusted_ = 0;
 };
 
 }  // namespace coapt

@@ -28,14 +28,44 @@ struct Term {
   }
 };
 
-std::vector<Term> terms_of(int factors) {
-  std::vector<Term> terms;
+enum class Terms { Linear, Squares, Products };
+
+std::vector<Term> terms_of(int factors, Terms terms) {
+  std::vector<Term> all;
   for (int i = 0; i < factors; ++i) {
-    terms.push_back({i, -1, 1});
-    terms.push_back({i, -1, 2});
-    for (int j = i + 1; j < factors; ++j) terms.push_back({i, j, 1});
+    all.push_back({i, -1, 1});
+    if (terms != Terms::Linear) all.push_back({i, -1, 2});
+    for (int j = i + 1; terms == Terms::Products && j < factors; ++j) all.push_back({i, j, 1});
   }
-  return terms;
+  return all;
+}
+
+struct Polynomial {
+  std::vector<Term> terms;
+  Eigen::VectorXd weight;        // of the constant, then of the terms
+  double predicted_share = 0.0;  // Q2
+};
+
+Polynomial fit(const std::vector<std::vector<double>>& shares, const Eigen::VectorXd& value,
+               const std::vector<Term>& terms) {
+  const Eigen::Index rows = value.size();
+  const auto columns = static_cast<Eigen::Index>(terms.size()) + 1;
+  Eigen::MatrixXd design(rows, columns);
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    design(r, 0) = 1.0;
+    for (std::size_t k = 0; k < terms.size(); ++k)
+      design(r, static_cast<Eigen::Index>(k) + 1) =
+          terms[k].at(shares[static_cast<std::size_t>(r)]);
+  }
+  const auto normal = (design.transpose() * design).ldlt();
+  const Eigen::VectorXd weight = normal.solve(design.transpose() * value);
+  const Eigen::MatrixXd inverse = normal.solve(Eigen::MatrixXd::Identity(columns, columns));
+  double missed = 0.0;
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    const double leverage = design.row(r) * inverse * design.row(r).transpose();
+    missed += std::pow((value(r) - design.row(r).dot(weight)) / std::max(1e-9, 1.0 - leverage), 2);
+  }
+  return {terms, weight, 1.0 - missed / (value.array() - value.mean()).square().sum()};
 }
 
 }  // namespace
@@ -44,41 +74,33 @@ SobolIndices sobol_indices(const std::vector<std::vector<double>>& shares,
                            const std::vector<double>& values) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::size_t factors = shares.empty() ? 0 : shares.front().size();
-  SobolIndices indices{std::vector<double>(factors, nan), std::vector<double>(factors, nan), nan};
-  const std::vector<Term> terms = terms_of(static_cast<int>(factors));
-  const auto rows = static_cast<Eigen::Index>(shares.size());
-  const auto columns = static_cast<Eigen::Index>(terms.size()) + 1;
-  if (rows < columns) return indices;
-  Eigen::MatrixXd design(rows, columns);
-  for (Eigen::Index r = 0; r < rows; ++r) {
-    design(r, 0) = 1.0;
-    for (std::size_t k = 0; k < terms.size(); ++k)
-      design(r, static_cast<Eigen::Index>(k) + 1) =
-          terms[k].at(shares[static_cast<std::size_t>(r)]);
+  const std::vector<double> unknown(factors, nan);
+  SobolIndices indices{unknown, unknown, unknown, nan};
+  const Eigen::VectorXd value =
+      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  if (factors == 0 || !(value.maxCoeff() > value.minCoeff())) return indices;
+  Polynomial best;
+  for (const Terms set : {Terms::Linear, Terms::Squares, Terms::Products}) {
+    const std::vector<Term> terms = terms_of(static_cast<int>(factors), set);
+    if (shares.size() <= terms.size() + 1) continue;
+    const Polynomial polynomial = fit(shares, value, terms);
+    if (best.terms.empty() || polynomial.predicted_share > best.predicted_share) best = polynomial;
   }
-  const Eigen::VectorXd value = Eigen::Map<const Eigen::VectorXd>(values.data(), rows);
-  const auto normal = (design.transpose() * design).ldlt();
-  const Eigen::VectorXd weight = normal.solve(design.transpose() * value);
-  const double variance = weight.tail(columns - 1).squaredNorm();
-  const double scatter = (value.array() - value.mean()).square().sum();
-  if (!(variance > 0.0 && value.maxCoeff() > value.minCoeff())) return indices;
-  const Eigen::MatrixXd inverse = normal.solve(Eigen::MatrixXd::Identity(columns, columns));
-  double missed = 0.0;
-  for (Eigen::Index r = 0; r < rows; ++r) {
-    const double leverage = design.row(r) * inverse * design.row(r).transpose();
-    missed += std::pow((value(r) - design.row(r).dot(weight)) / std::max(1e-9, 1.0 - leverage), 2);
-  }
-  indices.predicted_share = 1.0 - missed / scatter;
-  std::fill(indices.first.begin(), indices.first.end(), 0.0);
-  indices.total = indices.first;
-  for (std::size_t k = 0; k < terms.size(); ++k) {
-    const double part = std::pow(weight(static_cast<Eigen::Index>(k) + 1), 2) / variance;
-    const auto first = static_cast<std::size_t>(terms[k].first);
-    indices.total[first] += part;
-    if (terms[k].second < 0)
-      indices.first[first] += part;
-    else
-      indices.total[static_cast<std::size_t>(terms[k].second)] += part;
+  if (best.terms.empty()) return indices;
+  indices = {std::vector<double>(factors), std::vector<double>(factors),
+             std::vector<double>(factors), best.predicted_share};
+  const double variance = best.weight.tail(best.weight.size() - 1).squaredNorm();
+  for (std::size_t k = 0; k < best.terms.size(); ++k) {
+    const Term& term = best.terms[k];
+    const double weight = best.weight(static_cast<Eigen::Index>(k) + 1);
+    const auto first = static_cast<std::size_t>(term.first);
+    indices.total[first] += weight * weight / variance;
+    if (term.second >= 0) {
+      indices.total[static_cast<std::size_t>(term.second)] += weight * weight / variance;
+      continue;
+    }
+    indices.first[first] += weight * weight / variance;
+    if (term.degree == 1) indices.effect[first] = weight * (linear(1.0) - linear(0.0));
   }
   return indices;
 }

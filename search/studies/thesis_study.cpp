@@ -1,6 +1,7 @@
 #include "search/studies/thesis_study.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/valve/leaflet_coordinates.h"
 
@@ -11,7 +12,7 @@ constexpr double kBellyShift_mm = 6.0;
 
 std::array<Vec3, 3> belly_shift(const Valve& valve) {
   std::array<Vec3, 3> shift;
-  shift.fill(Vec3::Zero());
+  shift.fill(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
   const Expected<Valve> moved =
       configure(valve, displacement(Displaced::Anterolateral, Vec3(kBellyShift_mm, 0.0, 0.0)));
   if (!moved) return shift;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "search/studies/approximation_study.h"
+#include "search/studies/anchor_summary.h"
 #include "search/studies/geometry_studies.h"
 
 namespace coapt {
@@ -35,7 +35,7 @@ struct ThesisStudy {
   RingStudy ring;
   AnchorStudies anchors;
   /// How the middles of A1, A2, A3 move when the anterolateral tips go 6 mm outwards (thesis 4.4);
-  /// the valve's frame.
+  /// the valve's frame; NaN where the displaced valve cannot be made.
   std::array<Vec3, 3> belly_shift_mm;
 };
 

@@ -14,7 +14,8 @@ from programs import BAD_INPUT, COAPT, FAILURE, ProgramTest, coapt
 
 VALVE = "human-normal"
 CONFIGURATIONS = 5 * 31
-TABLES = ["annulus.csv", "annulus.svg", "findings.json"]  # index.html has the seconds, too
+RING_CONFIGURATIONS = 4 * (3 * (4**3 - 1) + 1)  # sizes x (classes x displacements + none)
+TABLES = ["annulus.csv", "annulus.svg", "findings.json"]  # index.html and study.json have the seconds, too
 
 
 def contents(folder):
@@ -49,6 +50,9 @@ class Annulus(ProgramTest):
         self.assertEqual(summary["closures"], CONFIGURATIONS)
         self.assertEqual(summary["untrusted"], 0)
         self.assertGreater(summary["seconds"], 0.0)
+        self.assertEqual(summary["study"], "annulus")
+        self.assertEqual(summary["version"], coapt("--version").stdout.split()[1])
+        self.assertEqual(json.loads((folder / "study.json").read_text()), summary)
         with open(folder / "annulus.csv", newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), CONFIGURATIONS)
@@ -72,6 +76,19 @@ class Annulus(ProgramTest):
         self.assertEqual(again["closures"], 0)
         self.assertEqual(again["configurations"], CONFIGURATIONS)
         self.assertEqual(contents(folder), first)
+
+    def test_a_study_counts_only_its_own_configurations(self):
+        _, folder = self.study("shared")
+        ring = json.loads(self.run_ok("study", "ring", VALVE, "-o", folder, "--json").stdout)
+        self.assertEqual(ring["study"], "ring")
+        self.assertEqual(ring["configurations"], RING_CONFIGURATIONS)
+        self.assertEqual(ring["closures"], RING_CONFIGURATIONS - 1)  # undisturbed in both
+        self.assertEqual(closures_kept(folder), CONFIGURATIONS + RING_CONFIGURATIONS - 1)
+        self.assertEqual(json.loads((folder / "study.json").read_text()), ring)
+
+    def test_the_directory_is_named_after_the_study_if_none_is_given(self):
+        for name in ["annulus", "thesis", "calibrate", "anchors", "generality"]:
+            self.assertIn(f"study-{name}", self.run_ok("study", name, "--help").stdout)
 
     def test_threads_do_not_change_a_byte(self):
         _, one = self.study("one", "--threads", "1")

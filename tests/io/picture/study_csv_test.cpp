@@ -74,6 +74,7 @@ TEST(StudyCsv, RingHasTheRatioToTheProperSizeOrNothing) {
 ApproximationStudy one_approximation(const std::string& anchor) {
   ApproximationStudy study;
   study.protocol = Protocol::Optimum;
+  study.options.region_points = 17;
   study.anchors = {{anchor, 0.25, {}}};
   Approximation a;
   a.displaced = Displaced::Posteromedial;
@@ -84,7 +85,7 @@ ApproximationStudy one_approximation(const std::string& anchor) {
   a.suture_mm = 30;
   a.movement_mm = 7;
   a.area_mm2 = 2;
-  a.region = {8, 9, 10, 11, 12, 0.5, kNaN};
+  a.region = {8, 9, 10, 11, 12, 13, 14, 0.5, kNaN};
   study.approximations = {a};
   return study;
 }
@@ -93,7 +94,7 @@ TEST(StudyCsv, ApproximationHasARowForEachConfigurationAndAnchor) {
   const std::string csv = approximation_csv({one_approximation("trigone")});
   expect_even(csv, 1);
   EXPECT_EQ(lines_of(csv)[1],
-            "optimum,PM,1,2,3,40,trigone,0.25,true,4,5,6,7,30,2,8,9,10,11,12,0.5,");
+            "optimum,PM,1,2,3,40,trigone,0.25,true,4,5,6,7,30,2,17,8,9,10,11,12,13,14,0.5,");
 }
 
 TEST(StudyCsv, TextWithCommasQuotesOrLineBreaksIsQuoted) {
@@ -101,10 +102,23 @@ TEST(StudyCsv, TextWithCommasQuotesOrLineBreaksIsQuoted) {
   EXPECT_NE(csv.find(",\"left, \"\"upper\"\"\ncorner\",0.25,"), std::string::npos) << csv;
 }
 
+TEST(StudyCsv, TableOfAPageIsItsRowsWithTheSameQuotes) {
+  EXPECT_EQ(table_csv({{"name", "mm2"}, {"a, \"b\"", "1.5"}, {"", "n/a"}}),
+            "name,mm2\n\"a, \"\"b\"\"\",1.5\n,n/a\n");
+  EXPECT_EQ(table_csv({}), "");
+}
+
+TEST(StudyCsv, AnAnchorThatRepairsNothingHasNoMovement) {
+  ApproximationStudy study = one_approximation("trigone");
+  study.approximations.front().repaired = false;
+  EXPECT_EQ(lines_of(anchors_csv(summarise(study)))[1],
+            "optimum,PM,trigone,0.25,1,0,8,9,0,11,12,13,14,,,0.5,");
+}
+
 TEST(StudyCsv, AnchorsHaveARowForEachSummary) {
   const std::string csv = anchors_csv(summarise(one_approximation("trigone")));
   expect_even(csv, 1);
-  EXPECT_EQ(lines_of(csv)[1], "optimum,PM,trigone,0.25,1,1,8,9,0,11,12,7,30,0.5,");
+  EXPECT_EQ(lines_of(csv)[1], "optimum,PM,trigone,0.25,1,1,8,9,0,11,12,13,14,7,30,0.5,");
 }
 
 TEST(StudyCsv, ScanHasTheAnatomyBesideEachSummary) {
@@ -125,13 +139,17 @@ TEST(StudyCsv, AnswersHaveARowForEachFactor) {
   answer.trigone_wins = 12;
   answer.ties = 3;
   answer.mean_difference = -0.5;
-  answer.decided_by = {{0.1, 0.2, 0.3, 0.4, 0.5, kNaN}, {0.6, 0.7, 0.8, 0.9, 1.0, kNaN}, 0.75};
+  answer.decided_by = {{0.1, 0.2, 0.3, 0.4, 0.5, kNaN},
+                       {0.6, 0.7, 0.8, 0.9, 1.0, kNaN},
+                       {-1.5, 2.0, 3.0, 4.0, 5.0, kNaN},
+                       0.75};
   const std::vector<std::string> lines = lines_of(anchor_answers_csv({answer}));
   ASSERT_EQ(lines.size(), 1u + kScanFactors);
-  EXPECT_EQ(lines[1], "closed,both,length sensitivity,30,12,3,-0.5,0.75,tip spread mm,0.1,0.6");
+  EXPECT_EQ(lines[1],
+            "closed,both,length sensitivity,30,12,3,-0.5,0.75,tip spread mm,0.1,0.6,-1.5");
   EXPECT_EQ(lines[6],
             "closed,both,length sensitivity,30,12,3,-0.5,0.75,\"reserve, factor of leaflet "
-            "heights\",,");
+            "heights\",,,");
 }
 
 TEST(StudyCsv, GeneralityAndSharesHaveTheirCounts) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/search/studies/study_scene.h"
 
@@ -51,7 +52,7 @@ TEST(AnswerAnchorQuestion, CountsWinsAndTiesOfAHundredth) {
   EXPECT_EQ(mean.trigone_wins, 2);
   EXPECT_EQ(mean.ties, 2);
   EXPECT_NEAR(mean.mean_difference, (-1.0 + 1.0 - 0.03 + 0.03 - 1.0) / 5.0, 1e-12);
-  EXPECT_TRUE(std::isnan(mean.decided_by.first[0])) << "five samples of 28 terms";
+  EXPECT_TRUE(std::isnan(mean.decided_by.first[0])) << "five samples of seven terms";
   const AnchorAnswer& sd = answer_of(answers, Displaced::Both, AnchorObjective::Sd);
   EXPECT_EQ(sd.ties, 5);
   EXPECT_EQ(sd.trigone_wins, 0);
@@ -72,6 +73,16 @@ TEST(AnswerAnchorQuestion, NamesTheFactorThatDecides) {
   EXPECT_NEAR(by.first[0], 0.8, 1e-9);
   EXPECT_NEAR(by.first[3], 0.2, 1e-9);
   EXPECT_NEAR(by.total[1], 0.0, 1e-9);
+  EXPECT_NEAR(by.effect[0], 2.0, 1e-9);
+  EXPECT_NEAR(by.effect[3], 1.0, 1e-9);
+}
+
+TEST(AnswerAnchorQuestion, AnAnchorThatRepairsNothingHasNoMovementToCompare) {
+  std::vector<ScannedAnatomy> scan = {scanned(3.0, 4.0), scanned(3.0, 4.0)};
+  scan[1].summaries[0].movement_mm = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<AnchorAnswer> answers = answer_anchor_question(scan);
+  EXPECT_EQ(answer_of(answers, Displaced::Both, AnchorObjective::Movement).anatomies, 1);
+  EXPECT_EQ(answer_of(answers, Displaced::Both, AnchorObjective::Mean).anatomies, 2);
 }
 
 TEST(AnchorObjectives, TakeTheirValueOfASummaryAndHaveNames) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "search/perturbation.h"
 #include "tests/search/studies/study_scene.h"
 
 namespace coapt {
@@ -46,6 +47,8 @@ double mean_cosine() {
 TEST(StudyApproximation, MovesToTheFirstQuarterMillimetreThatIsTight) {
   // 31 - 5 m is below 5 from m = 5.2 on. Only (0, 0, 6) leaks, in each class.
   const ApproximationStudy study = study_of(steep, above(30.0));
+  EXPECT_EQ(study.options.displacement_step_mm, 6.0);
+  EXPECT_EQ(study.options.region_points, 1089);
   ASSERT_EQ(study.approximations.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
     const Approximation& found = study.approximations[k];
@@ -65,7 +68,9 @@ TEST(StudyApproximation, RegionOfALinearFieldIsKnownByHand) {
   // At (L + l) cos(swing) below the anchor; lengths and angles are independent and centred.
   EXPECT_NEAR(region.mean_mm2, 4.75 - 5.0 * 30.75 * (1.0 - mean_cosine()), 1e-9);
   EXPECT_NEAR(region.length_sd_mm2, 5.0 * mean_cosine() * kLengthSd_mm, 1e-6);
+  EXPECT_NEAR(region.length_slope_mm2_per_mm, 5.0 * mean_cosine(), 1e-9);
   // 8 mm2 per mm along both axes, small angles.
+  EXPECT_NEAR(region.swing_slope_mm2_per_mm, 8.0 * std::numbers::sqrt2, 0.04);
   const double by_angles = 8.0 * std::numbers::sqrt2 * 30.75 * kAngleSd_deg * kDegree;
   EXPECT_NEAR(region.angle_sd_mm2, by_angles, 0.003 * by_angles);
   EXPECT_NEAR(region.sd_mm2, std::hypot(region.length_sd_mm2, region.angle_sd_mm2),
@@ -150,51 +155,6 @@ TEST(StudyApproximation, ClampedCountsWhatLiesOutsideTheGrid) {
   EXPECT_LT(found.region.clamped_share, 0.8);
 }
 
-ApproximationStudy by_hand() {
-  ApproximationStudy study;
-  study.protocol = Protocol::Closed;
-  study.anchors = {{"a", 0.1, {}}, {"b", 0.2, {}}};
-  const auto add = [&](Displaced displaced, std::size_t anchor, double mean, bool repaired) {
-    Approximation found;
-    found.displaced = displaced;
-    found.anchor = anchor;
-    found.repaired = repaired;
-    found.movement_mm = 2.0 * mean;
-    found.suture_mm = 3.0 * mean;
-    found.region = {mean, 0.5 * mean, 9.0, 0.25 * mean, 0.125 * mean, 0.01 * mean, 0.02 * mean};
-    study.approximations.push_back(found);
-  };
-  add(Displaced::Anterolateral, 0, 1.0, true);
-  add(Displaced::Anterolateral, 1, 8.0, true);
-  add(Displaced::Anterolateral, 0, 4.0, false);
-  add(Displaced::Both, 1, 6.0, false);
-  return study;
-}
-
-TEST(Summarise, HasMeansByClassAndAnchorAndLeavesOutEmptyOnes) {
-  const std::vector<AnchorSummary> all = summarise(by_hand());
-  ASSERT_EQ(all.size(), 3u);
-  const AnchorSummary& first = all[0];
-  EXPECT_EQ(first.protocol, Protocol::Closed);
-  EXPECT_EQ(first.displaced, Displaced::Anterolateral);
-  EXPECT_EQ(first.anchor.name, "a");
-  EXPECT_EQ(first.configurations, 2);
-  EXPECT_EQ(first.repaired, 1);
-  EXPECT_DOUBLE_EQ(first.mean_mm2, 2.5);
-  EXPECT_DOUBLE_EQ(first.sd_of_means_mm2, 1.5);  // of 1 and 4
-  EXPECT_DOUBLE_EQ(first.sd_mm2, 1.25);
-  EXPECT_DOUBLE_EQ(first.length_sd_mm2, 0.625);
-  EXPECT_DOUBLE_EQ(first.angle_sd_mm2, 0.3125);
-  EXPECT_DOUBLE_EQ(first.movement_mm, 5.0);
-  EXPECT_DOUBLE_EQ(first.suture_mm, 7.5);
-  EXPECT_DOUBLE_EQ(first.leaking_share, 0.025);
-  EXPECT_DOUBLE_EQ(first.clamped_share, 0.05);
-  EXPECT_EQ(all[1].anchor.name, "b");
-  EXPECT_EQ(all[1].sd_of_means_mm2, 0.0);
-  EXPECT_EQ(all[2].displaced, Displaced::Both);
-  EXPECT_EQ(all[2].repaired, 0);
-}
-
 /// (0, 0, 6) leaks if the anterolateral muscle is displaced; where it goes from there is closed.
 OrificeTableOptions one_leak() {
   OrificeTableOptions options;
@@ -223,6 +183,59 @@ TEST(StudyApproximation, OptimumPassesOverAPlaceThatHasNoOrifice) {
   options.known[key_of(displacement(Displaced::Anterolateral, place))] = {
       std::numeric_limits<double>::quiet_NaN(), 0.0, false};
   EXPECT_NE(movement_of(options), best);
+}
+
+/// Optimum on an orifice that is known wherever it asks, from all displacements of 0 and 6 mm that leak
+/// more than `least_mm2`.
+std::vector<Approximation> optima_of(const OrificeOf& area_mm2, double least_mm2) {
+  const std::vector<AnchorSite> anchors = above(30.0);
+  const Vec3 mirror(1.0, -1.0, -1.0);  // to the posteromedial muscle's axes and back
+  const Vec3 anchor = anchors.front().at_mm.front();
+  std::vector<Perturbation> nodes = region_of_interest();
+  nodes.resize(17);
+  OrificeTableOptions options;
+  for (const Displaced displaced : kDisplaced)
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 from = 6.0 * Vec3(i >> 2 & 1, i >> 1 & 1, i & 1);
+      for (int moved = 0; moved <= 15; ++moved)
+        for (const Perturbation& node : nodes) {
+          const Vec3 tip = from + moved * (anchor - from).normalized();
+          const Vec3 place =
+              disturbed_tip(tip.cwiseProduct(mirror), anchor.cwiseProduct(mirror), 1.0, node)
+                  .cwiseProduct(mirror);
+          options.known[key_of(displacement(displaced, place))] = {area_mm2(place), 0.0, true};
+        }
+    }
+  OrificeTable table = small_table(options);
+  ApproximationOptions few;
+  few.displacement_step_mm = 6.0;
+  few.region_points = 17;
+  few.least_mm2 = least_mm2;
+  const ApproximationStudy study = study_approximation(table, Protocol::Optimum, anchors, few);
+  EXPECT_EQ(table.closures(), 0);
+  return study.approximations;
+}
+
+TEST(StudyApproximation, OptimumLeavesAMuscleWhereMovingItGainsNothing) {
+  const std::vector<Approximation> all = optima_of([](const Vec3&) { return 0.0; }, -1.0);
+  ASSERT_EQ(all.size(), 24u);
+  for (const Approximation& found : all) {
+    EXPECT_EQ(found.movement_mm, 0.0);
+    EXPECT_EQ(found.position_mm, found.displaced_mm);
+    EXPECT_EQ(found.area_mm2, 0.0);
+    EXPECT_TRUE(found.repaired);
+  }
+}
+
+TEST(StudyApproximation, OptimumMovesAsFarAsAMillimetreIsWorthItsPrice) {
+  // 0.3 mm2 per mm: one muscle costs 0.2 up to 10 mm and 1.2 from there, both cost twice that.
+  const std::vector<Approximation> all =
+      optima_of([](const Vec3& d) { return 31.0 + 0.3 * (d.z() - 6.0); }, 30.0);
+  ASSERT_EQ(all.size(), 12u);
+  for (const Approximation& found : all) {
+    EXPECT_EQ(found.movement_mm, found.displaced == Displaced::Both ? 0.0 : 10.0);
+    EXPECT_FALSE(found.repaired);
+  }
 }
 
 }  // namespace

@@ -83,7 +83,27 @@ TEST(Synergy, CountsConfigurationsAboveTheSumByLeastDisplacement) {
   EXPECT_DOUBLE_EQ(found.share, 26.0 / 63.0);
   EXPECT_DOUBLE_EQ(found.share_from_1mm, 26.0 / 27.0);
   EXPECT_DOUBLE_EQ(found.share_from_2mm, 7.0 / 8.0);
-  EXPECT_NEAR(found.mean_increase, (63.0 * 2.0 + 26.0) / (63.0 * 2.0) - 1.0, 1e-12);
+  EXPECT_NEAR(found.mean_increase, 26.0 * 0.5 / 63.0, 1e-12);
+  EXPECT_NEAR(found.total_increase, (63.0 * 2.0 + 26.0) / (63.0 * 2.0) - 1.0, 1e-12);
+}
+
+TEST(Synergy, MeanIncreaseIsOfTheRatiosAndAsksNothingOfTightValves) {
+  PapillaryStudy study = singles_of_one(2, 6.0, [](const Vec3&) { return 3.0; });
+  auto& [al, pm, both] = study.grids;
+  al.area_mm2[1] = pm.area_mm2[1] = 0.4;  // 0.8 mm2 have no meaningful ratio
+  both.area_mm2[1] = 80.0;
+  al.area_mm2[2] = 9.0;  // 1 + 9, not increased
+  both.area_mm2[2] = 10.0;
+  const Synergy found = synergy(study);
+  EXPECT_NEAR(found.mean_increase, 5.0 * 0.5 / 6.0, 1e-12);
+  EXPECT_NEAR(found.total_increase, (80.0 + 10.0 + 15.0) / (0.8 + 10.0 + 10.0) - 1.0, 1e-12);
+}
+
+TEST(MeanGradient, OfALinearFieldIsItsSlope) {
+  const DisplacementGrid grid = grid_of(Displaced::Both, 4, 2.0, [](const Vec3& d) {
+    return 7.0 + 3.0 * d.x() - 2.0 * d.y() + 0.5 * d.z();
+  });
+  EXPECT_NEAR((mean_gradient(grid) - Vec3(3.0, -2.0, 0.5)).norm(), 0.0, 1e-12);
 }
 
 TEST(Synergy, OfAGridOf2mmCountsItsFirstStepForBothLimits) {

@@ -51,7 +51,7 @@ TEST(OrificeTable, WhatIsKnownIsNotClosedAgain) {
   const std::vector<Configuration> two = apical({0.0, 1.0});
   options.known[key_of(two[0])] = {12.5, 0.25, true};
   OrificeTable table = small_table(options);
-  EXPECT_EQ(table.configurations(), 1);
+  EXPECT_EQ(table.configurations(), 0) << "known, not asked";
   const std::vector<OrificeSample> samples = table.at(two);
   EXPECT_EQ(samples[0].area_mm2, 12.5);
   EXPECT_EQ(samples[0].sd_mm2, 0.25);
@@ -121,11 +121,27 @@ TEST(OrificeTable, AnImpossibleConfigurationHasNoOrificeAndIsNotTrusted) {
   EXPECT_EQ(kept.times.size(), 2u) << "not tried again by a later run";
 }
 
-TEST(OrificeTable, CountsWhatIsNotTrustedAlsoOfWhatWasKnown) {
+TEST(OrificeTable, CountsWhatWasAskedOnceAndNotWhatElseWasKnown) {
+  const std::vector<Configuration> wanted = apical({1.0, 2.0, 3.0, 4.0});
   OrificeTableOptions options;
-  options.known[key_of(apical({1.0})[0])] = {3.0, 0.0, false};
-  options.known[key_of(apical({2.0})[0])] = {4.0, 0.0, true};
-  EXPECT_EQ(small_table(options).untrusted(), 1);
+  for (const Configuration& known : wanted) options.known[key_of(known)] = {3.0, 0.0, false};
+  options.known[key_of(wanted[1])].trusted = true;
+  OrificeTable table = small_table(options);
+  EXPECT_EQ(table.configurations(), 0);
+  EXPECT_EQ(table.untrusted(), 0);
+  for (int again = 0; again < 2; ++again) {
+    table.at({wanted.data(), 2});
+    EXPECT_EQ(table.configurations(), 2);
+    EXPECT_EQ(table.untrusted(), 1);
+  }
+  for (int again = 0; again < 2; ++again) {
+    ASSERT_NE(table.find(wanted[2]), nullptr);
+    EXPECT_EQ(table.configurations(), 3) << "found is asked";
+    EXPECT_EQ(table.untrusted(), 2);
+  }
+  EXPECT_EQ(table.find(apical({5.0})[0]), nullptr);
+  EXPECT_EQ(table.configurations(), 3);
+  EXPECT_EQ(table.closures(), 0);
 }
 
 TEST(OrificeTable, TellsOfProgressUpToTheBatchesEnd) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/presets/presets.h"
-#include "search/studies/approximation_study.h"
+#include "search/studies/anchor_summary.h"
 #include "search/studies/calibration.h"
 #include "search/studies/geometry_studies.h"
 #include "search/studies/rank_correlation.h"
@@ -102,17 +102,17 @@ TEST(OptimalAnchorIsTheTrigone, WithEveryPositionClosedIfOneMuscleIsDisplacedBut
   }
 }
 
-TEST(OptimalAnchorIsEither, WhereEachHasItsOwnBestSutureLength) {
+TEST(OptimalAnchorIsTheSaddlePeak, ByLessThanAMm2WhereEachHasItsOwnBestSutureLength) {
   OrificeTable table = table_of("porcine-thesis");
   for (const Displaced displaced : {Displaced::Posteromedial, Displaced::Both}) {
     const Anchors anchors = compare(table, Protocol::Optimum, displaced, kLargeLeaks);
     for (const AnchorSummary& anchor : {anchors.trigone, anchors.peak}) {
-      EXPECT_EQ(anchor.leaking_share, 0.0) << to_string(displaced);
-      EXPECT_LT(anchor.mean_mm2, 1.0) << to_string(displaced);
+      EXPECT_LE(anchor.leaking_share, 0.05) << to_string(displaced);
+      EXPECT_LT(anchor.mean_mm2, 2.0) << to_string(displaced);
     }
-    // Both are tight; the trigone takes more movement for it.
-    EXPECT_NEAR(anchors.trigone.mean_mm2, anchors.peak.mean_mm2, 0.5) << to_string(displaced);
-    EXPECT_GT(anchors.trigone.movement_mm, anchors.peak.movement_mm) << to_string(displaced);
+    EXPECT_GT(anchors.trigone.mean_mm2, anchors.peak.mean_mm2) << to_string(displaced);
+    EXPECT_LT(anchors.trigone.mean_mm2, anchors.peak.mean_mm2 + 1.0) << to_string(displaced);
+    EXPECT_NEAR(anchors.trigone.movement_mm, anchors.peak.movement_mm, 2.0) << to_string(displaced);
   }
 }
 

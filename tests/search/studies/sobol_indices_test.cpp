@@ -23,6 +23,8 @@ TEST(SobolIndices, OfASumAreTheSquaresOfItsWeights) {
   EXPECT_NEAR(found.total[0], 0.8, 1e-9);
   EXPECT_NEAR(found.total[1], 0.2, 1e-9);
   EXPECT_NEAR(found.predicted_share, 1.0, 1e-9);
+  EXPECT_NEAR(found.effect[0], 2.0, 1e-9);
+  EXPECT_NEAR(found.effect[1], 1.0, 1e-9);
 }
 
 TEST(SobolIndices, OfAPureInteractionAreTotalOnly) {
@@ -40,6 +42,27 @@ TEST(SobolIndices, OfAProductAreAsByHand) {
   const SobolIndices found = indices_of([](const std::vector<double>& x) { return x[0] * x[1]; });
   EXPECT_NEAR(found.first[0], 3.0 / 7.0, 1e-9);
   EXPECT_NEAR(found.total[0], 4.0 / 7.0, 1e-9);
+  EXPECT_NEAR(found.effect[0], 0.5, 1e-9) << "in the middle of the other factor";
+}
+
+TEST(SobolIndices, OfALinearFunctionNeedFewSamples) {
+  // 8 factors, 12 samples: only the linear set of terms fits.
+  const std::vector<double> weights = {1.0, -2.0, 0.0, 3.0, 0.5, 0.0, 1.0, -1.0};
+  double squares = 0.0;
+  for (const double weight : weights) squares += weight * weight;
+  const SobolIndices found = indices_of(
+      [&](const std::vector<double>& x) {
+        double sum = 4.0;
+        for (std::size_t f = 0; f < weights.size(); ++f) sum += weights[f] * x[f];
+        return sum;
+      },
+      8, 12);
+  for (std::size_t f = 0; f < weights.size(); ++f) {
+    EXPECT_NEAR(found.first[f], weights[f] * weights[f] / squares, 1e-9) << f;
+    EXPECT_NEAR(found.total[f], weights[f] * weights[f] / squares, 1e-9) << f;
+    EXPECT_NEAR(found.effect[f], weights[f], 1e-9) << f;
+  }
+  EXPECT_NEAR(found.predicted_share, 1.0, 1e-9);
 }
 
 TEST(SobolIndices, OfASquareAreItsFactorsAlone) {
@@ -47,6 +70,7 @@ TEST(SobolIndices, OfASquareAreItsFactorsAlone) {
       indices_of([](const std::vector<double>& x) { return std::pow(x[1] - 0.3, 2); });
   EXPECT_NEAR(found.first[1], 1.0, 1e-9);
   EXPECT_NEAR(found.total[0], 0.0, 1e-9);
+  EXPECT_NEAR(found.effect[1], 0.49 - 0.09, 1e-9);
 }
 
 TEST(SobolIndices, ThatPredictNothingSaySo) {
@@ -58,11 +82,12 @@ TEST(SobolIndices, ThatPredictNothingSaySo) {
 
 TEST(SobolIndices, OfTooFewSamplesAreNotKnown) {
   const auto sum = [](const std::vector<double>& x) { return x[0] + x[1]; };
-  const SobolIndices few = indices_of(sum, 2, 5);
+  const SobolIndices few = indices_of(sum, 2, 3);
   ASSERT_EQ(few.first.size(), 2u);
-  for (const double index : {few.first[0], few.first[1], few.total[0], few.predicted_share})
+  for (const double index :
+       {few.first[0], few.first[1], few.total[0], few.effect[0], few.predicted_share})
     EXPECT_TRUE(std::isnan(index));
-  EXPECT_FALSE(std::isnan(indices_of(sum, 2, 7).first[0]));
+  EXPECT_FALSE(std::isnan(indices_of(sum, 2, 4).first[0]));
   EXPECT_TRUE(sobol_indices({}, {}).first.empty());
 }
 

@@ -47,7 +47,7 @@ AnnulusStudy annulus_of_the_thesis() {
   for (const double height : study.height_percent) {
     study.area_mm2.emplace_back();
     for (const double d : study.dilation_percent) {
-      const double area = d <= 10.0   ? 0.67 * d
+      const double area = d <= 10.0   ? 0.067 * d * d
                           : d <= 20.0 ? 6.7 + 2.53 * (d - 10.0)
                                       : 32.0 + 5.49 * (d - 20.0);
       study.area_mm2.back().push_back(area * (height == 100.0 ? 1.0 : 0.93));
@@ -70,9 +70,11 @@ RingStudy ring_of_the_thesis() {
       study.grids[k][sizes] = grid_of(
           kDisplaced[k], 4, 2.0,
           [&](const Vec3& d) {
-            const double ratio = sizes == 0 ? 1.0 : 0.01 * thesis::kRingRatio_percent[k][sizes - 1];
-            const double far = d.norm() / Vec3(6.0, 6.0, 6.0).norm();
-            return 100.0 * far * (sizes == 0 ? 1.0 : ratio * (0.5 + 0.5 * far));
+            const Vec3 far = d / 6.0;
+            const double proper = 10.0 * far.x() + 5.0 * far.y() + 85.0 * far.z() * (2.0 - far.z());
+            if (sizes == 0) return proper;
+            const double ratio = 0.01 * thesis::kRingRatio_percent[k][sizes - 1];
+            return ratio * proper * (far.x() + far.y() + 4.0 * far.z()) / 6.0;
           },
           static_cast<int>(sizes));
   return study;
@@ -94,6 +96,8 @@ ApproximationStudy anchors_of_the_thesis(Protocol protocol) {
         found.region.sd_mm2 = worse * 1.0;
         found.region.length_sd_mm2 = worse * 0.8;
         found.region.angle_sd_mm2 = worse * 0.6;
+        found.region.length_slope_mm2_per_mm = worse * 1.5;
+        found.region.swing_slope_mm2_per_mm = worse * 0.5;
         study.approximations.push_back(found);
       }
   return study;
