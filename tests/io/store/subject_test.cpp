@@ -6,7 +6,9 @@
 #include <limits>
 #include <set>
 
+#include "core/presets/presets.h"
 #include "io/json/valve_json.h"
+#include "search/studies/orifice_table.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -75,6 +77,16 @@ TEST(Subject, EveryClosureOptionMakesAnother) {
   std::set<std::string> subjects;
   for (const ClosureOptions& options : all) subjects.insert(subject_of(valve, options));
   EXPECT_EQ(subjects.size(), all.size());
+}
+
+TEST(Subject, NamesARevisionOfTheClosureThatStillHolds) {
+  // If this fails, what stores hold no longer is what would be closed: raise kClosureRevision
+  // (io/store/subject.cpp) and put the new number here.
+  OrificeTableOptions options;
+  options.closure = thesis_closure();
+  OrificeTable table(*make_preset("porcine-1"), options);
+  const Configuration displaced = displacement(Displaced::Both, Vec3(3.0, 2.0, 4.0));
+  EXPECT_NEAR(table.at({&displaced, 1}).front().area_mm2, 18.065105, 1e-3);
 }
 
 }  // namespace
