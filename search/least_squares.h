@@ -1,9 +1,9 @@
 // Nonlinear least squares in the unit cube: Levenberg (1944) and Marquardt (1963) with differences for
 // the derivatives, for residuals that are dear, a little noisy, and can be had side by side.
 //
-// Each round evaluates one neighbour along every axis at once, then one step for each of a ladder of damping
-// values at once, and takes the best point of all; where none is better, the differences shrink. Bounds: an axis
-// that would leave the cube stays at its face for the round (active set).
+// Each round evaluates one neighbour along every axis at once, then one step for each of a ladder of
+// damping values at once, and takes the best point of all; where none is better, the differences
+// shrink. Bounds: an axis that would leave the cube stays at its face for the round (active set).
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,8 @@
 
 namespace coapt {
 
-/// Residuals at several points of [0, 1]^n; each of the same length, finite. Called with up to max(n, 8) points.
+/// Residuals at several points of [0, 1]^n; each of the same length, finite. Called with up to
+/// max(n, 8) points.
 using ResidualsAt =
     std::function<std::vector<Eigen::VectorXd>(const std::vector<Eigen::VectorXd>&)>;
 

@@ -46,8 +46,8 @@ using OpenTable = std::function<OrificeTable(const Valve&)>;
 
 struct ScannedAnatomy {
   std::vector<double> shares;
-  bool competent =
-      false;  ///< closes uncrossed with an orifice of at most 5 mm2 when undisturbed; else it is left out
+  /// Closes uncrossed with at most 5 mm2 when undisturbed; others are left out.
+  bool competent = false;
   std::vector<AnchorSummary> summaries;  ///< by protocol, class, anchor
   int closures = 0;                      ///< made for it now
 };

@@ -1,9 +1,10 @@
 // Papillary approximation and its robustness (thesis 4.2.3, figure 4.10), by four protocols.
 //
 // A displaced muscle moves straight to its anchor until the orifice is below 5 mm2 (Optimum: to where
-// mean + sd over 9 points of its region and the price of the movement, search/objective.h, are lowest). Around the place where it ends lies the region of interest
-// (search/perturbation.h): 1,089 nodes on and about the sphere around the anchor. Positions are in
-// displacement space (anchor_sites.h).
+// mean + sd over 9 points of its region and the price of the movement, search/objective.h, are
+// lowest). Around the place where it ends lies the region of interest (search/perturbation.h): 1,089
+// nodes on and about the sphere around the anchor. Positions are in displacement space
+// (anchor_sites.h).
 #pragma once
 
 #include <string>
@@ -30,8 +31,9 @@ struct Approximation {
   Vec3 displaced_mm = Vec3::Zero();
   double displaced_area_mm2 = 0.0;
   std::size_t anchor = 0;  ///< index into the anchors
-  bool repaired =
-      false;  ///< below 5 mm2 no later than half way to the anchor; if not, what follows is of where it leaked least
+  /// Below 5 mm2 no later than half way to the anchor; if not, what follows is of where it leaked
+  /// least.
+  bool repaired = false;
   Vec3 position_mm = Vec3::Zero();
   double suture_mm = 0.0;  ///< from tip to anchor
   double movement_mm = 0.0;
@@ -40,10 +42,9 @@ struct Approximation {
 };
 
 struct ApproximationOptions {
-  double displacement_step_mm =
-      1.0;                   ///< of the displaced configurations, 0 to 6 mm along each axis
-  int region_points = 1089;  ///< the first of region_of_interest()
-  double least_mm2 = 5.0;    ///< displaced configurations that leak less are left alone
+  double displacement_step_mm = 1.0;  ///< of those displaced, 0 to 6 mm along each axis
+  int region_points = 1089;           ///< the first of region_of_interest()
+  double least_mm2 = 5.0;             ///< displaced configurations that leak less are left alone
 };
 
 struct ApproximationStudy {

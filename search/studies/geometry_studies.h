@@ -52,7 +52,8 @@ struct PapillaryStudy {
 /// `nodes` along each axis, at least 2; the thesis has 7.
 PapillaryStudy study_papillary(OrificeTable& table, int nodes = 7);
 
-/// Table 4.1, one row of it: the largest orifice with displacement along those axes or fewer, in the order of kAxes.
+/// Table 4.1, one row of it: the largest orifice with displacement along those axes or fewer, in the
+/// order of kAxes.
 std::array<double, 7> largest_orifices(const DisplacementGrid& grid);
 
 /// Central differences (one-sided at the border), mm2 per mm, order of DisplacementGrid::area_mm2.

@@ -13,8 +13,8 @@ struct SobolIndices {
   std::vector<double> first;   ///< share of the variance by each factor alone
   std::vector<double> total;   ///< with all its interactions
   std::vector<double> effect;  ///< change of the quantity from the factor's low end to its high end
-  double predicted_share =
-      0.0;  ///< of the variance, leaving each sample out in turn (Q2); below 0.5 say nothing
+  /// Of the variance, leaving each sample out in turn (Q2); below 0.5 the indices say little.
+  double predicted_share = 0.0;
 };
 
 /// @param shares one sample each: its factors in [0, 1]; @param values as many, finite. NaN where values

@@ -15,8 +15,9 @@ struct ThesisStudyOptions {
   int papillary_nodes = 7;  ///< along each axis, 0 to 6 mm; the thesis's 7 or, quicker, 4
   std::vector<Protocol> protocols = {Protocol::LookupClamped, Protocol::LookupExtended};
   ApproximationOptions approximation;
-  int scan_sites =
-      24;  ///< anchors around the annulus (LookupExtended if among the protocols, else the first); 0: none
+  /// Anchors around the annulus, 0: none. By LookupExtended if it is among the protocols, else the
+  /// first of them.
+  int scan_sites = 24;
   /// Told of the part that begins.
   std::function<void(const std::string&)> stage;
 };
