@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "core/metrics/exact_orifice.h"
@@ -30,16 +31,17 @@ struct Answers {
 std::vector<Answers> close_all(const std::vector<Anatomy>& anatomies,
                                const std::vector<CalibrationTarget>& targets, int threads) {
   const auto size = targets.size();
-  std::vector<Expected<Valve>> valves(anatomies.size(), Expected<Valve>(Errors{}));
+  std::vector<std::optional<Valve>> valves(anatomies.size());
   for_each_index(static_cast<int>(anatomies.size()), threads, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    valves[at] = make_taut_valve(parametric_valve(anatomies[at], "calibrated"));
+    const Expected<Valve> valve = make_taut_valve(parametric_valve(anatomies[at], "calibrated"));
+    if (valve) valves[at] = *valve;
   });
   std::vector<double> area(anatomies.size() * size, kFailed_mm2);
   std::vector<char> fine(area.size(), 0);
   for_each_index(static_cast<int>(area.size()), threads, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    const Expected<Valve>& valve = valves[at / size];
+    const std::optional<Valve>& valve = valves[at / size];
     if (!valve) return;
     const Expected<Valve> changed = configure(*valve, targets[at % size].configuration);
     if (!changed) return;

@@ -1,6 +1,7 @@
 #include "search/studies/generality.h"
 
 #include <algorithm>
+#include <optional>
 #include <random>
 
 #include "core/metrics/exact_orifice.h"
@@ -27,7 +28,7 @@ RandomAnatomies random_anatomies(int count, std::uint64_t seed, int threads) {
   RandomAnatomies random;
   while (static_cast<int>(random.valves.size()) < count &&
          random.drawn < kMostDrawnFactor * count) {
-    std::vector<Expected<Valve>> valves(kDrawnAtOnce, Expected<Valve>(Errors{}));
+    std::vector<std::optional<Valve>> valves(kDrawnAtOnce);
     std::vector<Anatomy> anatomies;
     for (int i = 0; i < kDrawnAtOnce; ++i) {
       std::vector<double> shares(kAnatomyParameters);
@@ -38,10 +39,10 @@ RandomAnatomies random_anatomies(int count, std::uint64_t seed, int threads) {
       const auto at = static_cast<std::size_t>(i);
       Expected<Valve> valve = make_taut_valve(
           parametric_valve(anatomies[at], "random-" + std::to_string(random.drawn + i)));
-      if (valve && competent(*valve)) valves[at] = std::move(valve);
+      if (valve && competent(*valve)) valves[at] = *valve;
     });
     random.drawn += kDrawnAtOnce;
-    for (const Expected<Valve>& valve : valves)
+    for (const std::optional<Valve>& valve : valves)
       if (valve && static_cast<int>(random.valves.size()) < count) random.valves.push_back(*valve);
   }
   return random;
