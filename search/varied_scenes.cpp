@@ -9,6 +9,7 @@
 #include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
 #include "core/valve/remodel.h"
+#include "search/random_share.h"
 
 namespace coapt {
 namespace {
@@ -26,8 +27,7 @@ class Dice {
                            static_cast<std::uint32_t>(index)};
     engine_.seed(sequence);
   }
-  /// In [0, 1), the same with every standard library.
-  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  double operator()() { return random_share(engine_); }
 
  private:
   std::mt19937_64 engine_;

@@ -8,6 +8,7 @@
 #include "io/picture/histogram_chart.h"
 #include "io/picture/line_chart.h"
 #include "io/picture/text.h"
+#include "search/studies/thesis_figures.h"
 
 namespace coapt {
 namespace {
@@ -109,10 +110,15 @@ std::string annulus_svg(const AnnulusStudy& study, bool with_thesis) {
     series.y = share_of(study.area_mm2[h], study.area_mm2.front());
     shares.series.push_back(series);
   }
-  // 4.3.1: 6.7 mm2 at 10 %, then 25.3 and 54.9 mm2 more; "negligible" at first.
+  // At first "negligible" (4.3.1).
   if (with_thesis)
     areas.series.push_back(
-        {"thesis, 100 %", {0.0, 10.0, 20.0, 30.0}, {0.0, 6.7, 32.0, 86.9}, Hue::Ink, Mark::Hollow});
+        {"thesis, 100 %",
+         {0.0, thesis::kDilation_percent[0], thesis::kDilation_percent[1],
+          thesis::kDilation_percent[2]},
+         {0.0, thesis::kDilated_mm2[0], thesis::kDilated_mm2[1], thesis::kDilated_mm2[2]},
+         Hue::Ink,
+         Mark::Hollow});
   chart.panels = {areas, shares};
   return line_chart_svg(chart);
 }

@@ -18,7 +18,6 @@ constexpr double kCoarse_mm = 1.0,
 constexpr double kLargestShare = 0.5;  // of the way to the anchor (core/repair/limits.h)
 constexpr int kOptimumPoints = 9;      // of the region, to choose a suture length by
 constexpr double kOptimumStep_mm = 4.0;
-constexpr double kMostDisplacement_mm = 6.0;
 constexpr double kMostMovement_mm = 15.0;  // of a papillary muscle that is accepted (Optimum)
 
 /// Between muscle and anchor; knows how far it has looked.

@@ -10,6 +10,7 @@
 #include "search/evaluator.h"
 #include "search/least_squares.h"
 #include "search/parallel.h"
+#include "search/random_share.h"
 #include "search/studies/geometry_studies.h"
 #include "search/studies/rank_correlation.h"
 #include "search/studies/thesis_figures.h"
@@ -20,7 +21,6 @@ namespace {
 using Point = Eigen::VectorXd;
 constexpr double kFailed_mm2 =
     400.0;  // of a valve that cannot be made or closed: twice the largest
-constexpr double kDisplacement_mm = 6.0;
 
 /// Orifices of one anatomy at all targets; kFailed_mm2 where it does not close uncrossed.
 struct Answers {
@@ -106,7 +106,7 @@ std::vector<CalibrationTarget> calibration_targets() {
     for (std::size_t k = 0; k < kAxes.size(); ++k) {
       const Vec3 by(kAxes[k][0], kAxes[k][1], kAxes[k][2]);
       targets.push_back({std::string(to_string(kDisplaced[row])) + ' ' + kAxesNames[k],
-                         displacement(kDisplaced[row], kDisplacement_mm * by),
+                         displacement(kDisplaced[row], kMostDisplacement_mm * by),
                          thesis::kDisplaced_mm2[row][k]});
     }
   targets.push_back({"undisturbed", {}, 0.0});
@@ -137,7 +137,7 @@ Calibration calibrate(const CalibrationOptions& options) {
     return all;
   };
   std::mt19937_64 engine(options.seed);
-  const auto die = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0; };
+  const auto die = [&] { return 2.0 * random_share(engine) - 1.0; };
   std::vector<Point> looks = {typical};
   while (static_cast<int>(looks.size()) < options.first_looks) {
     Point look = typical;

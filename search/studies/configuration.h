@@ -14,6 +14,9 @@ inline constexpr std::array<Displaced, 3> kDisplaced = {Displaced::Anterolateral
                                                         Displaced::Posteromedial, Displaced::Both};
 const char* to_string(Displaced displaced);  ///< "AL", "PM", "both"
 
+/// Of the thesis's displacements along each axis (4.2.2).
+inline constexpr double kMostDisplacement_mm = 6.0;
+
 /// The ring is in place before the muscles move.
 struct Configuration {
   Remodelling change;

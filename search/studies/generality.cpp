@@ -9,6 +9,7 @@
 #include "search/evaluator.h"
 #include "search/objective.h"
 #include "search/parallel.h"
+#include "search/random_share.h"
 
 namespace coapt {
 namespace {
@@ -32,7 +33,7 @@ RandomAnatomies random_anatomies(int count, std::uint64_t seed, int threads) {
     std::vector<Anatomy> anatomies;
     for (int i = 0; i < kDrawnAtOnce; ++i) {
       std::vector<double> shares(kAnatomyParameters);
-      for (double& share : shares) share = static_cast<double>(engine() >> 11) * 0x1p-53;
+      for (double& share : shares) share = random_share(engine);
       anatomies.push_back(anatomy_at(shares));
     }
     for_each_index(kDrawnAtOnce, threads, [&](int i) {

@@ -9,7 +9,6 @@ namespace {
 
 constexpr int kMostDilation_percent = 30;
 constexpr std::array<double, 5> kHeights_percent = {100.0, 75.0, 50.0, 25.0, 0.0};
-constexpr double kMostDisplacement_mm = 6.0;
 constexpr int kRingNodes = 4;
 
 /// Calls visit(transverse, posterior, apical) in the order of DisplacementGrid::area_mm2.

@@ -5,8 +5,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kMostDisplacement_mm = 6.0;  // of the thesis's grid (4.2.2)
-
 Vec3 clamped(const Vec3& position_mm) {
   return position_mm.cwiseMax(0.0).cwiseMin(kMostDisplacement_mm);
 }

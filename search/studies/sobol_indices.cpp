@@ -8,6 +8,8 @@
 #include <numeric>
 #include <random>
 
+#include "search/random_share.h"
+
 namespace coapt {
 namespace {
 
@@ -107,7 +109,7 @@ SobolIndices sobol_indices(const std::vector<std::vector<double>>& shares,
 
 std::vector<std::vector<double>> latin_hypercube(int count, int factors, std::uint64_t seed) {
   std::mt19937_64 engine(seed);
-  const auto die = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const auto die = [&] { return random_share(engine); };
   const auto n = static_cast<std::size_t>(count);
   std::vector<std::vector<double>> samples(n,
                                            std::vector<double>(static_cast<std::size_t>(factors)));
