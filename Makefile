@@ -4,7 +4,7 @@ VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
 SOURCES := $(shell find core search io server clients tests bench -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
-.PHONY: help demo test chart bench instructions build format format-check includes-check asan fuzz clean
+.PHONY: help demo test chart bench instructions rivals build format format-check includes-check asan fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -30,6 +30,11 @@ bench: build  ## time of the parts of a closure, and of whole ones against metho
 instructions: build  ## machine instructions of a closure by function, where clocks are noisy
 	@cmake/install_packages.sh profile
 	bench/instructions.sh
+
+rivals:  ## coapt-rivals, the optimisers of pagmo and dlib that the search is measured against
+	@cmake/install_packages.sh build rivals
+	cmake --preset release -DCOAPT_RIVALS=ON
+	cmake --build --preset release --target coapt-rivals
 
 build:  ## the release build in build/release
 	@cmake/install_packages.sh build

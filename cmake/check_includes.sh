@@ -13,18 +13,21 @@ core/presets  : core/closure core/valve
 search        : core
 io            : search core
 server        : io search core
-clients/cli   : io search core bench/comparators
+clients/cli   : io search core bench/comparators bench/rivals
 bench/comparators : core
+bench/rivals  : core
 '
 # Pattern of what only one folder may include, then that folder.
 readonly reserved='
-nlopt           : search
+nlopt           : search bench/rivals
 clipper[.]hpp   : core/metrics
 cairo           : io/picture
 httplib[.]h     : server
 CLI/            : clients/cli server
 nlohmann/       : io server clients/cli
 sqlite3[.]h     : io/store
+pagmo/          : bench/rivals
+dlib/           : bench/rivals
 '
 # core and the comparators are pure: no threads, clock, randomness, files or streams.
 readonly impure='^(thread|mutex|atomic|future|condition_variable|chrono|ctime|time[.]h|random|filesystem|fstream|iostream|omp[.]h)$'
@@ -64,7 +67,7 @@ while IFS=: read -r pattern owners; do
     [[ $text =~ \<($pattern[^>]*)\> ]] || continue
     within "$file" "${owners[@]}" ||
       complain "$file:$line: only ${owners[*]} may include <${BASH_REMATCH[1]}>"
-  done < <(for root in core search io server clients bench/comparators; do [[ -d $root ]] && includes "$root"; done)
+  done < <(for root in core search io server clients bench/comparators bench/rivals; do [[ -d $root ]] && includes "$root"; done)
 done < <(grep : <<<"$reserved")
 
 for root in core bench/comparators; do

@@ -5,9 +5,11 @@
 namespace coapt {
 
 Evaluator closing_evaluator(const ClosureOptions& options) {
-  return [options](const Valve& valve) {
-    const ClosureResult closure = close_valve(valve, options);
-    return Evaluation{closure.status, closure.crossing, measure(valve, closure)};
+  return [options](const Valve& valve, const ClosureResult* neighbour) {
+    auto closure =
+        std::make_shared<const ClosureResult>(close_valve(valve, options, neighbour));
+    const Evaluation evaluation{closure->status, closure->crossing, measure(valve, *closure)};
+    return ClosedPlan{evaluation, std::move(closure)};
   };
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
@@ -14,8 +15,14 @@ struct Evaluation {
   ValveMeasure measure;
 };
 
-/// Called from several threads at once.
-using Evaluator = std::function<Evaluation(const Valve&)>;
+struct ClosedPlan {
+  Evaluation evaluation;
+  std::shared_ptr<const ClosureResult> closure;  ///< for neighbours to start from; may be null
+};
+
+/// Closes and measures a valve, from the closure of a neighbour if there is one (a warm start). Called
+/// from several threads at once.
+using Evaluator = std::function<ClosedPlan(const Valve&, const ClosureResult* neighbour)>;
 
 Evaluator closing_evaluator(const ClosureOptions& options);
 

@@ -9,9 +9,21 @@ namespace {
 
 constexpr double kMostOfRange = 0.49;
 
+nlopt::algorithm algorithm_of(LocalMethod method) {
+  switch (method) {
+    case LocalMethod::Bobyqa:
+      return nlopt::LN_BOBYQA;
+    case LocalMethod::Sbplx:
+      return nlopt::LN_SBPLX;
+    case LocalMethod::NelderMead:
+      return nlopt::LN_NELDERMEAD;
+  }
+  return nlopt::LN_BOBYQA;
+}
+
 struct Context {
   const BoundedProblem& problem;
-  const PointCost& cost;
+  const PointCostAt& cost;
   nlopt::opt& optimizer;
   std::exception_ptr thrown;  // by cost(): must not pass through NLopt's C code
 };
@@ -32,10 +44,10 @@ double call(const std::vector<double>& x, std::vector<double>&, void* data) {
 
 }  // namespace
 
-void minimise(const BoundedProblem& problem, const PointCost& cost, std::uint64_t seed) {
+void minimise(const BoundedProblem& problem, const PointCostAt& cost, std::uint64_t seed) {
   nlopt_srand(
       static_cast<unsigned long>(seed));  // its generator is per thread, seeded by the clock
-  nlopt::opt optimizer(nlopt::LN_BOBYQA, static_cast<unsigned>(problem.start.size()));
+  nlopt::opt optimizer(algorithm_of(problem.method), static_cast<unsigned>(problem.start.size()));
   Context context{problem, cost, optimizer, nullptr};
   // BOBYQA takes no first step beyond half a range, and calls nothing then.
   std::vector<double> first_step = problem.first_step;

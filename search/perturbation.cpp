@@ -28,13 +28,6 @@ Perturbation node_at(int index) {
           kAngleStep_deg * (b - kAngles / 2)};
 }
 
-PapillaryApproximation suture_of(const RepairPlan& plan, Side side) {
-  for (const RepairStep& step : plan.steps)
-    if (const auto* suture = std::get_if<PapillaryApproximation>(&step))
-      if (suture->side == side) return *suture;
-  return {.side = side, .anchor = Anchor::IpsilateralTrigone};
-}
-
 }  // namespace
 
 Vec3 disturbed_tip(const Vec3& tip, const Vec3& anchor, double outwards_sign,
@@ -84,19 +77,6 @@ std::vector<Perturbation> region_of_interest() {
       to_taken[i] += (grid[i] - grid[best]).norm() + (grid[i] + grid[best]).norm();
   }
   return order;
-}
-
-Valve perturb(const Valve& repaired, const RepairPlan& plan, const Perturbation& node) {
-  Valve valve = repaired;
-  for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
-    const Vec3 anchor = anchor_mm(repaired, suture_of(plan, side));
-    const double outwards = side == Side::Posteromedial ? 1.0 : -1.0;
-    const Vec3 tip = papillary_tip_mm(repaired, side);
-    const Vec3 move = disturbed_tip(tip, anchor, outwards, node) - tip;
-    for (PapillaryHead& head : valve.heads)
-      if (head.side == side) head.tip_mm += move;
-  }
-  return valve;
 }
 
 }  // namespace coapt

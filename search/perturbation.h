@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "core/repair/plan.h"
+#include "core/valve/types.h"
 
 namespace coapt {
 
@@ -30,8 +30,5 @@ std::vector<Perturbation> region_of_interest();
 /// posteromedial muscle, -1 for the anterolateral one: the sign of x that is outwards.
 Vec3 disturbed_tip(const Vec3& tip, const Vec3& anchor, double outwards_sign,
                    const Perturbation& node);
-
-/// The repaired valve with its papillary tips disturbed. @param plan the repair that led to it.
-Valve perturb(const Valve& repaired, const RepairPlan& plan, const Perturbation& node);
 
 }  // namespace coapt

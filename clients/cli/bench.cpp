@@ -71,6 +71,7 @@ void add_bench(CLI::App& parent, int& status) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* bench =
       parent.add_subcommand("bench", "Measure speed and accuracy")->require_subcommand(1);
+  add_bench_search(*bench, status);
   CLI::App* command = bench->add_subcommand("closures", "Close many varied scenes of a valve");
   ClosureStudyOptions& study = arguments->study;
   command->add_option("valve", arguments->valve, kValveHelp)->required();

@@ -14,7 +14,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/picture/picture.h"
-#include "search/warnings.h"
+#include "search/plans/gates.h"
 
 namespace coapt {
 namespace {
@@ -50,7 +50,7 @@ int run(const Arguments& arguments) {
     oblique = oblique_orifice(*repaired, closure.closed_mm, 0.5 * repaired->tissue.thickness_mm);
 
   const std::vector<std::string> warnings =
-      operation_warnings({*plan, *valve, *repaired, ring_catalogue()});
+      warnings_of(operation_gates({*plan, *valve, *repaired, ring_catalogue()}));
 
   if (arguments.json) {
     auto json = closure_to_json(*repaired, closure, measured, seconds.count());

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/closure/accuracy.h"
-#include "search/search.h"
+#include "search/plans/plan_search.h"
 
 namespace coapt {
 
@@ -22,6 +22,8 @@ void add_bench(CLI::App& parent, int& status);
 void add_chart(CLI::App& parent, int& status);
 void add_plan(CLI::App& parent, int& status);
 void add_study(CLI::App& parent, int& status);
+/// Below bench.
+void add_bench_search(CLI::App& bench, int& status);
 /// Below study.
 void add_calibrate(CLI::App& parent, int& status);
 void add_anchor_question(CLI::App& parent, int& status);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/closure/closure.h"
-#include "search/search.h"
+#include "search/plans/plan_search.h"
 
 namespace coapt {
 

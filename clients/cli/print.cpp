@@ -1,11 +1,11 @@
 #include "clients/cli/print.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <ostream>
 
 #include "io/picture/text.h"
+#include "search/plans/objective.h"
 
 namespace coapt {
 namespace {
@@ -17,23 +17,6 @@ std::ostream& row(std::ostream& out, const char* label) {
 }
 
 const char* crossing_words(bool crossing) { return crossing ? "leaflets cross" : "no crossing"; }
-
-std::string known(double value) { return std::isnan(value) ? "-" : fixed(value, 1); }
-
-void print_plan(std::ostream& out, const RankedPlan& plan) {
-  const OrificeStatistics& leak = plan.leak_mm2;
-  out << std::setw(4) << plan.rank << std::setw(9) << fixed(plan.orifice_area_mm2.nominal, 1)
-      << std::setw(6) << fixed(plan.measure.coaptation.gap_area_mm2, 1) << std::setw(9)
-      << known(leak.mean) << std::setw(6) << known(leak.sd) << std::setw(7) << known(leak.worst)
-      << std::setw(15) << fixed(plan.measure.coaptation.height_mean_mm, 1) << std::setw(11)
-      << fixed(plan.measure.tension_max_n, 2) << '\n';
-  for (const std::string& step : plan.description) out << "      " << printable(step) << '\n';
-  if (plan.plan.steps.empty()) out << "      no repair\n";
-  if (plan.status != ClosureStatus::Converged || plan.crossing) {
-    out << "      ! " << to_string(plan.status) << ", " << crossing_words(plan.crossing) << '\n';
-  }
-  for (const std::string& warning : plan.warnings) out << "      ! " << warning << '\n';
-}
 
 }  // namespace
 
@@ -91,24 +74,6 @@ void print_oblique(std::ostream& out, const ObliqueOrifice& widest) {
   row(out, "widest passage") << fixed(widest.area_mm2, 1) << " mm2, " << fixed(widest.tilt_deg, 0)
                              << " degrees from the annulus's normal, azimuth "
                              << fixed(widest.azimuth_deg, 0) << " (0 posteromedial, 90 anterior)\n";
-}
-
-void print_ranked(std::ostream& out, const SearchResult& result) {
-  out << "Before: orifice " << fixed(result.before.orifice.area_mm2, 1)
-      << " mm2, gap between the leaflets " << fixed(result.before.coaptation.gap_area_mm2, 1)
-      << " mm2, coaptation " << fixed(result.before.coaptation.height_mean_mm, 1) << " mm, "
-      << to_string(result.before_status) << ", " << crossing_words(result.before_crossing)
-      << "\n\n";
-  if (result.plans.empty()) {
-    out << "no plan yet\n";
-  } else {
-    out << "      orifice   gap   leak over the region    coaptation    tension\n"
-        << "rank      mm2   mm2     mean    sd  worst             mm          N\n";
-  }
-  for (const RankedPlan& plan : result.plans) print_plan(out, plan);
-  out << '\n'
-      << result.closures << " closures (" << result.closures_not_converged << " not converged, "
-      << result.closures_crossed << " crossed) in " << fixed(result.seconds, 1) << " s\n";
 }
 
 }  // namespace coapt

@@ -7,7 +7,7 @@
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
 #include "core/metrics/oblique.h"
-#include "search/search.h"
+#include "search/plans/plan_search.h"
 
 namespace coapt {
 
@@ -15,8 +15,8 @@ void print_closure(std::ostream& out, const std::string& name, const ClosureResu
 void print_measure(std::ostream& out, const ValveMeasure& measure);
 void print_oblique(std::ostream& out, const ObliqueOrifice& widest);
 
-/// The state before, then one row per plan with its steps and warnings below; "-" where the region
-/// is not known.
+/// The state before, then one row per plan with its steps and warnings below, then how the search went; "-"
+/// where the region is not known. At most 100 columns.
 void print_ranked(std::ostream& out, const SearchResult& result);
 
 }  // namespace coapt

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "io/picture/text.h"
@@ -22,8 +23,11 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::show(const SearchProgress& progress) const {
-  show(progress.closures, progress.closures_planned,
-       "closures, best leak " + fixed(progress.best_leak_mm2, 1) + " mm2");
+  const std::string best =
+      std::isinf(progress.best_leak_mm2)
+          ? ""
+          : ", least leak as planned " + fixed(progress.best_leak_mm2, 1) + " mm2";
+  show(progress.closures, progress.closures_planned, "closures, " + progress.stage + best);
 }
 
 void ProgressBar::show(int done, int planned, const std::string& what) const {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "search/search.h"
+#include "search/plans/plan_search.h"
 
 namespace coapt {
 

@@ -9,11 +9,16 @@
 
 namespace coapt {
 
+struct JsonPlace;
+
 /// Every problem of form and range; what a valve does not allow is apply_plan's to say.
 Expected<RepairPlan> read_plan(std::string_view text);
 
 /// The same for a document already parsed (by parse_json); pointers start at `json`.
 Expected<RepairPlan> plan_from_json(const nlohmann::json& json);
+
+/// The same of a plan inside another document, which need not say its schema; lists what is wrong there.
+RepairPlan read_plan_within(const JsonPlace& place);
 
 nlohmann::ordered_json to_json(const RepairPlan& plan);
 

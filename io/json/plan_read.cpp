@@ -133,25 +133,33 @@ RepairStep read_step(const JsonPlace& place) {
   return readers[*choice](place);
 }
 
+RepairPlan read_plan_at(const JsonPlace& place, bool schema_required) {
+  RepairPlan plan;
+  const auto read_steps = [&](const JsonPlace& steps) {
+    if (steps.value.is_array() && steps.value.size() > kMaxSteps) {
+      add_problem(steps, ErrorCode::OutOfRange,
+                  "has " + std::to_string(steps.value.size()) + " steps, at most 100 are accepted");
+      return;
+    }
+    plan.steps = read_list(steps, read_step);
+  };
+  read_fields(place,
+              {{"schema", [](const JsonPlace& schema) { read_schema(schema, "coapt.plan/1"); },
+                schema_required},
+               {"steps", read_steps}});
+  return plan;
+}
+
 }  // namespace
 
 Expected<RepairPlan> plan_from_json(const nlohmann::json& json) {
   ProblemList problems;
-  RepairPlan plan;
-  const auto read_steps = [&](const JsonPlace& place) {
-    if (place.value.is_array() && place.value.size() > kMaxSteps) {
-      add_problem(place, ErrorCode::OutOfRange,
-                  "has " + std::to_string(place.value.size()) + " steps, at most 100 are accepted");
-      return;
-    }
-    plan.steps = read_list(place, read_step);
-  };
-  read_fields({json, problems},
-              {{"schema", [](const JsonPlace& place) { read_schema(place, "coapt.plan/1"); }},
-               {"steps", read_steps}});
+  RepairPlan plan = read_plan_at({json, problems}, true);
   if (!problems.empty()) return std::move(problems).take();
   return plan;
 }
+
+RepairPlan read_plan_within(const JsonPlace& place) { return read_plan_at(place, false); }
 
 Expected<RepairPlan> read_plan(std::string_view text) {
   const auto json = parse_json(text);

@@ -1,7 +1,5 @@
 #include "io/json/result_json.h"
 
-#include "io/json/plan_json.h"
-
 namespace coapt {
 namespace {
 
@@ -31,18 +29,6 @@ const char* name_of(ErrorCode code) {
       return "unsupported";
     case ErrorCode::InputOutput:
       return "input_output";
-  }
-  return "";
-}
-
-const char* name_of(SearchStop stop) {
-  switch (stop) {
-    case SearchStop::EvaluationLimit:
-      return "evaluation_limit";
-    case SearchStop::TimeLimit:
-      return "time_limit";
-    case SearchStop::Cancelled:
-      return "cancelled";
   }
   return "";
 }
@@ -78,27 +64,6 @@ ordered_json annulus_json(const AnnulusMeasure& annulus) {
           {"circumference_mm", annulus.circumference_mm},
           {"area_mm2", annulus.area_mm2},
           {"saddle_height_mm", annulus.saddle_height_mm}};
-}
-
-ordered_json ranked_json(const RankedPlan& ranked) {
-  const auto statistics = [](const OrificeStatistics& s) {
-    return ordered_json{{"nominal", s.nominal}, {"mean", s.mean}, {"sd", s.sd}, {"worst", s.worst}};
-  };
-  return {{"rank", ranked.rank},
-          {"plan", to_json(ranked.plan)},
-          {"description", ranked.description},
-          {"orifice_area_mm2", statistics(ranked.orifice_area_mm2)},
-          {"leak_mm2", statistics(ranked.leak_mm2)},
-          {"cost", ranked.cost},
-          {"status", to_string(ranked.status)},
-          {"crossing", ranked.crossing},
-          {"measure", to_json(ranked.measure)},
-          {"ring_sizes_below", ranked.ring_sizes_below},
-          {"anterolateral_movement_mm", ranked.anterolateral_movement_mm},
-          {"posteromedial_movement_mm", ranked.posteromedial_movement_mm},
-          {"region_closures", ranked.region_closures},
-          {"region_failures", ranked.region_failures},
-          {"warnings", ranked.warnings}};
 }
 
 // `json` with the members of `more` after its own.
@@ -176,25 +141,6 @@ ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                  {"crossing_pairs", closure.crossing_pairs},
                  {"attempts", std::move(attempts)}},
                 to_json(measure));
-}
-
-ordered_json to_json(const SearchResult& result) {
-  ordered_json plans = ordered_json::array();
-  for (const RankedPlan& ranked : result.plans) plans.push_back(ranked_json(ranked));
-  return {{"schema", "coapt.plans/1"},
-          {"version", version()},
-          {"notice", kResearchNotice},
-          {"before", joined({{"status", to_string(result.before_status)},
-                             {"crossing", result.before_crossing}},
-                            to_json(result.before))},
-          {"plans", std::move(plans)},
-          {"best_cost_history", result.best_cost_history},
-          {"stop", name_of(result.stop)},
-          {"closures", result.closures},
-          {"evaluations", result.evaluations},
-          {"closures_not_converged", result.closures_not_converged},
-          {"closures_crossed", result.closures_crossed},
-          {"seconds", result.seconds}};
 }
 
 }  // namespace coapt

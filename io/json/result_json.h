@@ -1,4 +1,4 @@
-// What closures and searches answer, as JSON.
+// What closures answer, as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,6 @@
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
 #include "core/metrics/oblique.h"
-#include "search/search.h"
 
 namespace coapt {
 
@@ -32,16 +31,5 @@ nlohmann::ordered_json to_json(const AccuracyTier& tier, Membrane membrane);
 /// steps, seconds, triangles; then every measure.
 nlohmann::ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                                        const ValveMeasure& measure, double seconds);
-
-/// coapt.plans/1: before.orifice_area_mm2, plans[] with rank, plan,
-/// orifice_area_mm2.{nominal,mean,sd}, closures (all of them), evaluations (those of the search),
-/// seconds. What is not known (mean, sd and worst of a
-/// plan that was not re-scored, measures of a valve that flew apart) is null.
-nlohmann::ordered_json to_json(const SearchResult& result);
-
-/// The "search" object of a request: {"evaluations", "seed", "threads", "plans", "region_points",
-/// "seconds"}, named and by default as in SearchOptions; unknown ones are errors. How a valve is closed
-/// is not asked: a request could make each closure a thousand times as long, on top of their number.
-Expected<SearchOptions> search_options_from_json(const nlohmann::json& json);
 
 }  // namespace coapt

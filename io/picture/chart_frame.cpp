@@ -112,12 +112,12 @@ std::string shade_class(double share) {
   return "h" + std::to_string(std::min(kShades - 1, static_cast<int>(clamped * kShades)));
 }
 
-Range including(Range range, double value) {
+Extent including(Extent range, double value) {
   if (!std::isfinite(value)) return range;
   return {std::min(range.low, value), std::max(range.high, value)};
 }
 
-Axis round_axis(Range range, int ticks) {
+Axis round_axis(Extent range, int ticks) {
   if (!(range.low <= range.high)) return {};
   if (range.low >= 0.0 && range.low < 0.5 * range.high) range.low = 0.0;
   if (range.high - range.low < 1e-9 * std::max(1.0, std::abs(range.high)))
@@ -178,6 +178,15 @@ std::string draw_frame(const Frame& frame, const FrameWords& words) {
                        "text-anchor=\"middle\" transform=\"rotate(-90 " + fixed(x, 1) + " " +
                            fixed(y, 1) + ")\"",
                        words.y_label);
+}
+
+std::string draw_keys(const std::vector<LegendEntry>& entries, double x, double y) {
+  std::string svg;
+  for (const LegendEntry& entry : entries) {
+    svg += draw_key(entry, x, y - 4.0) + text_at(x + 28.0, y, "class=\"legend\"", entry.label);
+    y += 17.0;
+  }
+  return svg;
 }
 
 Drawn draw_heading(const Heading& heading) {

@@ -19,12 +19,12 @@ inline constexpr int kShades = 8;
 /// `share` 0 to 1, clamped: "h0" to "h7".
 std::string shade_class(double share);
 
-struct Range {
+struct Extent {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 };
 /// Widened to hold `value`, unless that is not finite.
-Range including(Range range, double value);
+Extent including(Extent range, double value);
 
 /// A range with round ends, and the distance of its ticks.
 struct Axis {
@@ -33,7 +33,7 @@ struct Axis {
 };
 
 /// About `ticks` steps of 1, 2 or 5 times a power of ten that hold the range, and 0 if it is near.
-Axis round_axis(Range range, int ticks = 5);
+Axis round_axis(Extent range, int ticks = 5);
 /// Multiples of the step.
 std::vector<double> ticks_of(const Axis& axis);
 
@@ -60,6 +60,9 @@ struct LegendEntry {
   std::string label, colour;  ///< colour: class
   Mark mark = Mark::Line;
 };
+
+/// A line each, downwards; `y`: baseline of the first.
+std::string draw_keys(const std::vector<LegendEntry>& entries, double x, double y);
 
 struct Heading {
   std::string title, note;  ///< a note is wrapped

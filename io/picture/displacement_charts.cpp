@@ -47,7 +47,7 @@ std::string largest_words(const DisplacementGrid& grid) {
 }
 
 std::string draw_orifice(const DisplacementGrid& grid, const Box& area) {
-  Range range{0.0, 0.0};
+  Extent range{0.0, 0.0};
   for (const double value : grid.area_mm2) range = including(range, value);
   const ObliqueBox box{
       {displacement_axis(most_mm(grid)), displacement_axis(most_mm(grid)), round_axis(range)},
@@ -213,7 +213,7 @@ std::string ring_svg(const RingStudy& study) {
       "Above: median and range over transverse and posterior displacements. Below: each "
       "displacement, in a block transverse ones to the right and posterior ones upwards.";
   lines.same_y = true;
-  Range range{0.0, 100.0};
+  Extent range{0.0, 100.0};
   for (const Displaced displaced : kDisplaced) {
     lines.panels.push_back(ratio_panel(study, displaced));
     for (const PanelSeries& series : lines.panels.back().series)

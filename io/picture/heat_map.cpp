@@ -63,6 +63,12 @@ std::string draw_heat_map(const HeatMap& map, const HeatScale& scale, const Box&
       for (std::size_t c = 0; c < map.values[block][row].size(); ++c)
         svg += draw_cell({start + static_cast<double>(c) * width, row_top(row), width, height},
                          map.values[block][row][c], scale);
+    if (map.framed) {
+      const auto& [row, c] = *map.framed;
+      svg += "<rect class=\"hollow\" x=\"" + fixed(start + static_cast<double>(c) * width, 1) +
+             "\" y=\"" + fixed(row_top(row), 1) + "\" width=\"" + fixed(width, 1) + "\" height=\"" +
+             fixed(height, 1) + "\"/>\n";
+    }
   }
   return svg;
 }

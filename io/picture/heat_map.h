@@ -1,6 +1,8 @@
 // A matrix of values as coloured cells, each with its value; in blocks side by side if need be.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@ struct HeatMap {
   std::vector<std::string> column_ticks;                 ///< of one block
   std::vector<std::string> blocks;                       ///< above each block; at least one
   std::vector<std::vector<std::vector<double>>> values;  ///< [block][row][column]; NaN: left empty
+  std::optional<std::array<std::size_t, 2>> framed{};    ///< row, column of a cell to stand out
 };
 
 /// `low` to `high`: the colour scale's ends, which values beyond take, too.

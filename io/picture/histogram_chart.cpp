@@ -105,7 +105,7 @@ std::string draw_words(const Frame& frame, const HistogramPanel& panel, std::siz
 std::string draw_panel(const HistogramPanel& panel, const Box& box) {
   const Axis bins = bins_of(panel);
   std::vector<Counts> counts;
-  Range most{0.0, 1.0};
+  Extent most{0.0, 1.0};
   for (const Sample& sample : panel.samples) {
     counts.push_back(counts_of(sample, bins));
     for (const int count : counts.back().in) most = including(most, count);

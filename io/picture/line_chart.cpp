@@ -1,7 +1,9 @@
 #include "io/picture/line_chart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "io/picture/svg.h"
 #include "io/picture/text.h"
@@ -12,9 +14,11 @@ namespace {
 constexpr std::size_t kDotsUpTo = 16;  // points of a line; more would run together
 
 using Values = std::vector<double> PanelSeries::*;
+constexpr std::array<Values, 1> kAllX = {&PanelSeries::x};
+constexpr std::array<Values, 3> kAllY = {&PanelSeries::y, &PanelSeries::low, &PanelSeries::high};
 
-Range range_of(const LinePanel& panel, const std::vector<Values>& which, const Range& start) {
-  Range range = start;
+Extent range_of(const LinePanel& panel, std::span<const Values> which, const Extent& start) {
+  Extent range = start;
   for (const PanelSeries& series : panel.series)
     for (const Values values : which)
       for (const double value : series.*values) range = including(range, value);
@@ -52,6 +56,8 @@ std::string draw_series(const Frame& frame, const PanelSeries& series) {
         std::isfinite(series.high[i]))
       marks += line_at(("line thin " + hue).c_str(), x, y_at(frame, series.low[i]), x,
                        y_at(frame, series.high[i]));
+    if (i < series.names.size())
+      marks += text_at(x + 9.0, y + 4.0, "class=\"" + hue + "\"", series.names[i]);
   }
   if (!line || path.empty()) return marks;
   return "<path class=\"line " + std::string(series.mark == Mark::Dashed ? "dashed " : "") + hue +
@@ -71,25 +77,29 @@ std::vector<LegendEntry> legend_of(const LineChart& chart) {
   return legend;
 }
 
+std::string draw_line_panel(const LinePanel& panel, const Box& box) {
+  const Frame frame{
+      {box.left + 60.0, box.top + 30.0, box.right - 16.0, box.bottom - 46.0},
+      panel.x_axis ? *panel.x_axis : round_axis(range_of(panel, kAllX, panel.x_holds)),
+      round_axis(range_of(panel, kAllY, panel.y_holds))};
+  std::string svg = draw_frame(frame, panel.words);
+  for (const PanelSeries& series : panel.series) svg += draw_series(frame, series);
+  return svg;
+}
+
 Drawn draw_line_panels(const LineChart& chart, double top) {
   const CellGrid grid{static_cast<int>(chart.panels.size()), chart.columns, top,
                       chart.panel_height};
-  const std::vector<Values> kY = {&PanelSeries::y, &PanelSeries::low, &PanelSeries::high};
-  Range common;
+  Extent common;
   for (const LinePanel& panel : chart.panels) {
-    const Range range = range_of(panel, kY, panel.y_holds);
+    const Extent range = range_of(panel, kAllY, panel.y_holds);
     common = including(including(common, range.low), range.high);
   }
   Drawn drawn{"", bottom_of(grid)};
   for (int i = 0; i < grid.count; ++i) {
-    const LinePanel& panel = chart.panels[static_cast<std::size_t>(i)];
-    const Box box = cell(grid, i);
-    const Frame frame{
-        {box.left + 60.0, box.top + 30.0, box.right - 16.0, box.bottom - 46.0},
-        panel.x_axis ? *panel.x_axis : round_axis(range_of(panel, {&PanelSeries::x}, {})),
-        round_axis(chart.same_y ? common : range_of(panel, kY, panel.y_holds))};
-    drawn.svg += draw_frame(frame, panel.words);
-    for (const PanelSeries& series : panel.series) drawn.svg += draw_series(frame, series);
+    LinePanel panel = chart.panels[static_cast<std::size_t>(i)];
+    if (chart.same_y) panel.y_holds = common;
+    drawn.svg += draw_line_panel(panel, cell(grid, i));
   }
   return drawn;
 }

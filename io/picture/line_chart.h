@@ -16,13 +16,14 @@ struct PanelSeries {
   Mark mark = Mark::Line;
   std::vector<double> low{}, high{};  ///< bars through the points; same size as y, or none
   double shift_px = 0.0;              ///< to the right, so that bars stand side by side
+  std::vector<std::string> names{};   ///< beside the points; same size as y, or none
 };
 
 struct LinePanel {
   FrameWords words;
   std::vector<PanelSeries> series;
   std::optional<Axis> x_axis{};  ///< none: round, around the points
-  Range y_holds{};               ///< values that the y axis shows in any case
+  Extent x_holds{}, y_holds{};   ///< values that an axis shows in any case
 };
 
 struct LineChart {
@@ -34,6 +35,8 @@ struct LineChart {
 };
 
 std::string line_chart_svg(const LineChart& chart);
+/// One panel, words included, in a box.
+std::string draw_line_panel(const LinePanel& panel, const Box& box);
 /// The same without title, from `top` downwards, to stand in a figure with other things.
 Drawn draw_line_panels(const LineChart& chart, double top);
 std::vector<LegendEntry> legend_of(const LineChart& chart);

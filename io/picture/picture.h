@@ -1,14 +1,12 @@
 // Pictures of closed valves, drawn with cairo.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
 #include "core/valve/valve.h"
-#include "search/search.h"
 
 namespace coapt {
 
@@ -36,10 +34,5 @@ struct Chart {
   bool log_x = false;  ///< decades; x must be > 0
 };
 std::string chart_svg(const Chart& chart);
-
-/// Self-contained HTML: before and after pictures, ranked table, the search's progress, notice, how
-/// to reproduce.
-std::string plan_report_html(const ClosedValve& before, const std::vector<ClosedValve>& after,
-                             const SearchResult& result, const std::string& command);
 
 }  // namespace coapt

@@ -4,25 +4,18 @@
 #include <sstream>
 #include <utility>
 
-#include "io/json/result_json.h"
-#include "io/picture/report_style.h"
+#include "io/picture/html.h"
 #include "io/picture/text.h"
 
 namespace coapt {
 namespace {
 
 constexpr const char* kStudyStyle =
-    ".text{text-align:left}\n"
-    ".verdict{font-size:1.3rem;font-weight:600;margin:1.2rem 0}\n"
     ".agrees,.differs{font-weight:600;white-space:nowrap;text-align:left}\n"
     ".agrees{color:#00694d}.differs{color:var(--warn)}\n"
     ".why{color:var(--muted);font-size:.85rem}\n"
     ".findings td,.findings th{text-align:left}\n"
     "@media (prefers-color-scheme:dark){.agrees{color:#3fd3a2}}\n";
-
-std::string tag(const std::string& name, const std::string& content) {
-  return "<" + name + ">" + content + "</" + name + ">\n";
-}
 
 std::string paragraphs(const std::string& text) {
   std::string html, paragraph;
@@ -36,51 +29,17 @@ std::string paragraphs(const std::string& text) {
   return html;
 }
 
-bool is_number(const std::string& cell) {
-  if (cell.empty() || cell == "n/a") return true;
-  const std::size_t sign = cell.front() == '-' || cell.front() == '+' ? 1 : 0;
-  return sign < cell.size() && cell[sign] >= '0' && cell[sign] <= '9';
-}
-
-/// Columns of words stand left, columns of numbers right.
-std::string table_html(const std::vector<std::vector<std::string>>& table) {
-  const auto is_words = [&](std::size_t column) {
-    return std::any_of(table.begin() + 1, table.end(), [&](const std::vector<std::string>& row) {
-      return column < row.size() && !is_number(row[column]);
-    });
-  };
-  std::string html = "<div class=\"scroll\"><table><thead>";
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const std::string cell = row == 0 ? "th" : "td";
-    html += "<tr>";
-    for (std::size_t c = 0; c < table[row].size(); ++c)
-      html += "<" + cell + (is_words(c) ? " class=\"text\">" : ">") + escape_html(table[row][c]) +
-              "</" + cell + ">";
-    html += row == 0 ? "</tr></thead>\n<tbody>" : "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
-}
-
 std::string section_html(const PageSection& section) {
   std::string html = "<section>";
   if (!section.heading.empty()) html += tag("h2", escape_html(section.heading));
   html += paragraphs(section.text);
-  if (!section.svg.empty())
-    html += "<figure><div class=\"chart\">" + section.svg + "</div></figure>\n";
+  if (!section.svg.empty()) html += chart_html(section.svg);
   if (!section.table.empty()) html += table_html(section.table);
   return html + "</section>\n";
 }
 
 std::string page(const std::string& title, const std::string& lead, const std::string& content) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-         "style-src 'unsafe-inline'\">\n" +
-         tag("title", escape_html(title)) + tag("style", std::string(kReportStyle) + kStudyStyle) +
-         "</head>\n<body>\n<main>\n" + tag("h1", escape_html(title)) +
-         (lead.empty() ? "" : "<p class=\"lead\">" + escape_html(lead) + "</p>\n") +
-         "<p class=\"notice\">" + escape_html(kResearchNotice) + "</p>\n" + content +
-         "</main>\n</body>\n</html>\n";
+  return html_page({title, lead, kStudyStyle}, content);
 }
 
 /// "dilation-grows-superlinearly" in words.

@@ -1,6 +1,7 @@
 // Words and numbers on their way into pictures and HTML.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,12 @@ namespace coapt {
 
 /// With `decimals` places, a point in every locale; "n/a" if not finite; never "-0.0".
 std::string fixed(double value, int decimals);
+
+/// "45,678,901".
+std::string grouped(std::int64_t count);
+
+/// A share of 1: "62 %"; with a decimal near nothing and all, "99.2 %"; "n/a" if not finite.
+std::string percent(double share);
 
 /// "1 triangle", "2 triangles".
 std::string counted(long count, std::string_view noun);

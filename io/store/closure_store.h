@@ -1,24 +1,20 @@
 // Closures kept in a file as they are made, so that a study that is killed loses none and repeats
 // none.
 //
-// The file is an SQLite database with a write-ahead log (PATH-wal and PATH-shm beside it while it is
-// open), a row per closure, a transaction per row. What keep() has accepted outlives the process,
-// kill -9 included; a crash of the machine or loss of power may cost the last rows, not the file.
-// Rows are never changed or removed. Several processes may share a file on a local disk.
+// A row per closure, a transaction per row: what keep() has accepted outlives the process, kill -9
+// included (database.h). Rows are never changed or removed. Several processes may share a file on a
+// local disk.
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "core/valve/types.h"
+#include "io/store/database.h"
 #include "search/studies/orifice_table.h"
-
-struct sqlite3;
-struct sqlite3_stmt;
 
 namespace coapt {
 
-/// Every failure is InputOutput; its message names the file and what SQLite or the system says.
+/// Every failure is InputOutput, but a file of another kind or schema Unsupported; its message names the file and what SQLite or the system says.
 class ClosureStore {
  public:
   /// Makes the file if it is missing or empty. What is not a store of this schema is refused, and
@@ -35,16 +31,10 @@ class ClosureStore {
   Errors keep(const std::string& subject, const ConfigurationKey& key, const OrificeSample& sample);
 
  private:
-  struct Close {
-    void operator()(sqlite3* database) const;
-    void operator()(sqlite3_stmt* statement) const;
-  };
+  ClosureStore(StoreDatabase database, Statement insert);
 
-  ClosureStore() = default;
-
-  std::string path_;
-  std::unique_ptr<sqlite3, Close> database_;
-  std::unique_ptr<sqlite3_stmt, Close> insert_;
+  StoreDatabase database_;
+  Statement insert_;
 };
 
 }  // namespace coapt

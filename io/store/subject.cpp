@@ -14,6 +14,9 @@ namespace {
 // Raise it with every change of the code that moves a closure or its orifice: what is stored is then
 // closed again.
 constexpr int kClosureRevision = 1;
+// Likewise of what else decides a PlanClosure: plan_key(), apply_plan(), ring_catalogue(), the
+// disturbance of an index, the neighbour that its closure starts from, what is measured of it.
+constexpr int kPlanRevision = 1;
 constexpr std::uint64_t kPrime = 0x13b;  // of FNV: the prime is 2^88 + 0x13b
 constexpr std::uint64_t kHalf = 0xffffffff;
 
@@ -28,15 +31,22 @@ nlohmann::ordered_json values_of(const ClosureOptions& options) {
                                         static_cast<int>(self_contact)});
 }
 
-}  // namespace
-
-std::string subject_of(const Valve& valve, const ClosureOptions& options) {
+std::string text_of(const Valve& valve, const ClosureOptions& options) {
   Valve nameless = valve;
   nameless.name.clear();
   nameless.provenance.clear();
   std::string text = write_valve(nameless) + values_of(options).dump() + '\n';
-  text += std::string(version()) + ' ' + std::to_string(kClosureRevision);
-  return fnv1a_128(text);
+  return text + std::string(version()) + ' ' + std::to_string(kClosureRevision);
+}
+
+}  // namespace
+
+std::string subject_of(const Valve& valve, const ClosureOptions& options) {
+  return fnv1a_128(text_of(valve, options));
+}
+
+std::string plan_subject_of(const Valve& valve, const ClosureOptions& options) {
+  return fnv1a_128(text_of(valve, options) + " plans " + std::to_string(kPlanRevision));
 }
 
 std::string fnv1a_128(std::string_view bytes) {

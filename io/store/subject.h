@@ -14,6 +14,10 @@ namespace coapt {
 /// empty.
 std::string subject_of(const Valve& valve, const ClosureOptions& options);
 
+/// The same of all that, with plan and disturbance, decides the closure of a plan (PlanStore): never
+/// the name that subject_of() gives. @pre validate(valve) is empty.
+std::string plan_subject_of(const Valve& valve, const ClosureOptions& options);
+
 /// FNV-1a in 128 bits (Fowler, Noll, Vo; draft-eastlake-fnv), as 32 hexadecimal digits. The same on
 /// every machine. No guard against collisions made on purpose.
 std::string fnv1a_128(std::string_view bytes);

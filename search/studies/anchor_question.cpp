@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/presets/presets.h"
-#include "search/objective.h"
+#include "search/plans/objective.h"
 
 namespace coapt {
 namespace {

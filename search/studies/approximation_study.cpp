@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "search/objective.h"
+#include "search/plans/objective.h"
 #include "search/perturbation.h"
 #include "search/studies/geometry_studies.h"
 

@@ -6,7 +6,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
-#include "search/warnings.h"
+#include "search/plans/gates.h"
 #include "server/request.h"
 
 namespace coapt {
@@ -30,7 +30,7 @@ Answer PostClosures::operator()(std::string_view body) const {
   const ClosureResult closure = close_valve(*repaired, {.samples = kThesisSamples});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   auto json = closure_to_json(*repaired, closure, measure(*repaired, closure), seconds.count());
-  json["warnings"] = operation_warnings({plan, valve, *repaired, catalogue});
+  json["warnings"] = warnings_of(operation_gates({plan, valve, *repaired, catalogue}));
   return {200, std::move(json)};
 }
 

@@ -1,8 +1,10 @@
 #include "server/endpoints/plans.h"
 
-#include "io/json/result_json.h"
+#include "io/json/plans_json.h"
+#include "io/json/search_options_json.h"
 #include "io/json/valve_json.h"
-#include "search/search.h"
+#include "io/store/subject.h"
+#include "search/plans/plan_search.h"
 #include "server/request.h"
 
 namespace coapt {
@@ -18,12 +20,13 @@ Answer PostPlans::operator()(std::string_view body) const {
                {"search", document(options, search_options_from_json), false}});
   if (!problems.empty()) return problem(422, std::move(problems).take());
 
-  const Expected<SearchResult> result = search_plans(valve, options, catalogue, {}, &stopping);
+  SearchContext context{.catalogue = catalogue, .cancelled = &stopping};
+  const Expected<SearchResult> result = search_plans(valve, options, context);
   if (!result) {
     add_below(problems, "/search", result.errors());
     return problem(422, std::move(problems).take());
   }
-  return {200, to_json(*result)};
+  return {200, to_json(*result, {options, subject_of(valve, options.closure), ""})};
 }
 
 }  // namespace coapt

@@ -1,4 +1,4 @@
-"""coapt plan."""
+"""coapt plan: what it answers."""
 
 import json
 import signal
@@ -6,52 +6,101 @@ import subprocess
 import time
 import unittest
 
-from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, SOURCE, ProgramTest, coapt
+from plan_runs import VALVE, is_robust, options, without_machine
+from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, ProgramTest, coapt
 
-VALVE = "human-functional-mr"
-SMALL = ["--evaluations", "12", "--seed", "3", "--plans", "2", "--region-points", "2"]
-
-
-def without_seconds(value):
-    """`value` without what depends on the machine."""
-    if isinstance(value, dict):
-        return {k: without_seconds(v) for k, v in value.items() if k not in ("seconds", "threads")}
-    if isinstance(value, list):
-        return [without_seconds(entry) for entry in value]
-    return value
+LONG = ["--evaluations", "100000", "--json"]
+GATES = ["ring_width", "ring_stenosis", "undersizing", "opening_area", "papillary_movement", "suture_length",
+         "filling", "neochorda_length", "neochorda_half", "native_chordae", "convergence", "crossing",
+         "contact", "coaptation_height", "chordal_tension", "regurgitation_grade"]
 
 
 class Plan(ProgramTest):
-    def plan(self, *arguments):
-        result = coapt("plan", VALVE, *SMALL, *arguments, "--json")
+    def plan(self, *arguments, valve=VALVE, **changes):
+        """The answer of a small search, and the exit code."""
+        result = coapt("plan", valve, *options(**changes), *arguments, "--json")
         self.assertIn(result.returncode, [OK, NO_COMPETENT_PLAN], result.stderr)
         self.assertEqual(result.stderr, "")
         return json.loads(result.stdout), result.returncode
 
     def test_the_ranking_is_the_same_for_one_and_two_threads_and_can_be_closed_again(self):
-        one, code = self.plan("--threads", "1")
-        two, _ = self.plan("--threads", "2")
-        self.assertEqual(without_seconds(one), without_seconds(two))
+        one, code = self.plan(evaluations=40, region_points=17, threads=1)
+        two, _ = self.plan(evaluations=40, region_points=17, threads=2)
+        self.assertEqual(without_machine(one), without_machine(two))
 
         self.assertGreater(one["before"]["orifice_area_mm2"], 5.0)
-        self.assertGreaterEqual(one["closures"], 12)
         self.assertIsInstance(one["seconds"], (int, float))
         self.assertEqual([plan["rank"] for plan in one["plans"]], [1, 2])
         best = one["plans"][0]
         self.assertEqual(set(best["orifice_area_mm2"]) & {"nominal", "mean", "sd"},
                          {"nominal", "mean", "sd"})
-        competent = any(plan["orifice_area_mm2"]["nominal"] < 1.0 for plan in one["plans"])
-        self.assertLessEqual(code == OK, competent)
+        self.assertEqual(code == OK, is_robust(best))
+        self.assertEqual(one["any_competent"], any(map(is_robust, one["plans"])))
 
         closed = coapt("close", VALVE, "--plan", self.write("plan.json", best["plan"]), "--json")
         self.assertEqual(json.loads(closed.stdout)["orifice_area_mm2"],
                          best["orifice_area_mm2"]["nominal"])
 
-    def test_the_closures_are_those_that_the_help_adds_up(self):
-        arguments = ["--evaluations", "40", "--plans", "1", "--region-points", "7", "--json"]
-        result = json.loads(coapt("plan", VALVE, *arguments).stdout)
-        self.assertEqual(result["evaluations"], 40)
-        self.assertEqual(result["closures"], 1 + 40 + 2 * 4 + 2)
+    def test_closures_stay_within_what_the_help_adds_up(self):
+        for evaluations, plans, points, evidence in [(1, 1, 1, False), (3, 2, 20, False),
+                                                     (40, 2, 66, False), (12, 1, 2, True)]:
+            with self.subTest((evaluations, plans, points, evidence)):
+                result, _ = self.plan(evidence=evidence, evaluations=evaluations, plans=plans,
+                                      region_points=points)
+                self.assertLessEqual(result["evaluations"], evaluations)
+                most = (1 + evaluations + 2 * plans * min(65, points) + plans * max(0, points - 65)
+                        + plans * (284 if evidence else 0))
+                self.assertLessEqual(result["closures"], most)
+                self.assertGreaterEqual(result["closures"], 1 + result["evaluations"])
+                self.assertEqual(result["closures_known"], 0)
+                for plan in result["plans"]:
+                    self.assertGreaterEqual(plan["region_closures"], points)
+
+    def test_no_more_plans_than_asked_for(self):
+        for changes in [{"region_points": 2}, {"region_points": 1},
+                        {"evaluations": 100000, "region_points": 1089, "seconds": 1}]:
+            with self.subTest(changes):
+                self.assertEqual(len(self.plan(plans=1, **changes)[0]["plans"]), 1)
+
+    def test_each_plan_says_what_speaks_for_it_and_against_it(self):
+        result, _ = self.plan(evaluations=40, region_points=17)
+        for plan in result["plans"]:
+            self.assertEqual([gate["rule"] for gate in plan["gates"]], GATES)
+            for gate in plan["gates"]:
+                self.assertEqual(set(gate), {"rule", "severity", "finding", "source"})
+                self.assertIn(gate["severity"], ["pass", "warn", "not_assessed"])  # rejected: not tried
+                self.assertTrue(gate["finding"] and gate["source"])
+                if gate["severity"] == "warn":
+                    self.assertIn(gate["finding"], plan["warnings"])
+            severity = {gate["rule"]: gate["severity"] for gate in plan["gates"]}
+            self.assertEqual(severity["opening_area"], "not_assessed")
+            self.assertEqual(severity["convergence"], "pass")
+            margin = plan["margin_to_leak"]
+            self.assertEqual(set(margin), {"suture_length_mm", "angle_deg", "share"})
+            self.assertTrue(all(value is None or value >= 0.0 for value in margin.values()), margin)
+            self.assertTrue(plan["description"])
+        ahead = [plan["probability_outranks_next"] for plan in result["plans"]]
+        self.assertTrue(0.0 <= ahead[0] <= 1.0, ahead)
+        self.assertIsNone(ahead[-1])
+        self.assertEqual([plan["tie_with_next"] for plan in result["plans"]],
+                         [0.05 <= ahead[0] <= 0.95, False])
+        self.assertTrue(any(plan["pareto"] for plan in result["plans"]))
+        self.assertGreater(len(result["not_modelled"]), 0)
+
+    def test_a_valve_that_no_plan_mends_is_4_with_the_least_bad_ranked(self):
+        valve = self.folder / "worst.json"
+        self.run_ok("valve", "remodel", VALVE, "--ap-dilation", "60", "--displace-pm", "12,12,12",
+                    "--displace-al", "12,12,12", "-o", valve)
+        result, code = self.plan(valve=valve)
+        self.assertEqual((code, result["any_competent"]), (NO_COMPETENT_PLAN, False))
+        costs = [plan["cost"] for plan in result["plans"]]
+        self.assertEqual((len(costs), costs), (2, sorted(costs)))
+        for plan in result["plans"]:
+            self.assertFalse(is_robust(plan))
+        words = coapt("plan", valve, *options())
+        self.assertEqual(words.returncode, NO_COMPETENT_PLAN)
+        self.assertIn("\nNo plan closes this valve robustly; ranked least bad.\n", words.stdout)
+        self.assertRegex(words.stdout, r"\n +1 +\S+ ")
 
     def test_the_report_is_one_page_with_the_pictures_in_it(self):
         report = self.folder / "report.html"
@@ -64,14 +113,14 @@ class Plan(ProgramTest):
     def test_a_report_without_a_place_is_refused_before_the_search(self):
         for path, code in [("/nowhere/r.html", FAILURE), ("-", BAD_INPUT)]:
             with self.subTest(path):
-                result = coapt("plan", VALVE, "--evaluations", "100000", "--json", "-o", path)
+                result = coapt("plan", VALVE, *LONG, "-o", path)
                 self.assertEqual((result.returncode, result.stdout), (code, ""))
                 self.assertIn(path, result.stderr)
 
     def test_a_path_that_was_only_tested_is_left_as_it_was(self):
         old, new = self.write("old.html", "old"), self.folder / "new.html"
         for path in [old, new]:
-            with subprocess.Popen([COAPT, "plan", VALVE, "--evaluations", "100000", "-o", path],
+            with subprocess.Popen([COAPT, "plan", VALVE, *LONG, "-o", path],
                                   stdout=subprocess.DEVNULL) as search:
                 time.sleep(1)
                 search.kill()
@@ -79,17 +128,19 @@ class Plan(ProgramTest):
         self.assertFalse(new.exists())
 
     def test_ctrl_c_prints_the_best_so_far(self):
-        command = [COAPT, "plan", VALVE, "--evaluations", "100000", "--json"]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as search:
-            time.sleep(3)
+        with subprocess.Popen([COAPT, "plan", VALVE, *LONG], stdout=subprocess.PIPE, text=True) as search:
+            time.sleep(2)
             search.send_signal(signal.SIGINT)
             output, _ = search.communicate(timeout=60)
         self.assertEqual(search.returncode, INTERRUPTED)
-        self.assertIn("before", json.loads(output))
+        result = json.loads(output)
+        self.assertEqual(result["stop"], "cancelled")
+        self.assertIn("before", result)
+        self.assertGreater(len(result["plans"]), 0)
 
     def test_a_second_ctrl_c_ends_a_long_closure_at_once(self):
         valve = self.folder / "fine.json"
-        coapt("valve", "make", "human-functional-mr", "--triangles", "10400", "-o", valve)
+        self.run_ok("valve", "make", VALVE, "--triangles", "10400", "-o", valve)
         with subprocess.Popen([COAPT, "plan", valve], stdout=subprocess.PIPE, text=True) as search:
             time.sleep(1)
             search.send_signal(signal.SIGINT)
@@ -100,23 +151,30 @@ class Plan(ProgramTest):
         self.assertEqual((search.returncode, output), (-signal.SIGINT, ""))
 
     def test_a_plan_that_was_not_re_scored_has_no_region(self):
-        arguments = ["plan", VALVE, "--evaluations", "3", "--plans", "1", "--region-points", "1"]
-        orifice = json.loads(coapt(*arguments, "--json").stdout)["plans"][0]["orifice_area_mm2"]
-        self.assertIsInstance(orifice["nominal"], float)
-        self.assertEqual([orifice[key] for key in ["mean", "sd", "worst"]], [None] * 3)
+        arguments = ["plan", VALVE, *options(evaluations=3, plans=1, region_points=1)]
+        result = coapt(*arguments, "--json")
+        self.assertEqual(result.returncode, NO_COMPETENT_PLAN)
+        best = json.loads(result.stdout)["plans"][0]
+        for figures in [best["orifice_area_mm2"], best["leak_mm2"]]:
+            self.assertIsInstance(figures["nominal"], float)
+            self.assertEqual([figures[key] for key in ["mean", "sd", "worst"]], [None] * 3)
         words = coapt(*arguments).stdout
-        self.assertRegex(words, r"\n +1 +\S+ +\S+ +- +- +- ")
+        self.assertRegex(words, r"\n +1 +[\d.]+ +[\d.]+ +- +- +- +- +- +- +- ")
         self.assertNotIn("region of interest", words)
 
     def test_without_any_plan_there_is_no_table(self):
-        words = coapt("plan", VALVE, "--seconds", "1e-9").stdout
-        self.assertIn("\nno plan yet\n", words)
-        self.assertNotIn("rank", words)
+        result = coapt("plan", VALVE, "--seconds", "1e-9")
+        self.assertEqual(result.returncode, NO_COMPETENT_PLAN)
+        self.assertIn("\nno plan yet\n", result.stdout)
+        self.assertNotIn("rank", result.stdout)
 
     def test_the_time_limit_ends_the_search(self):
-        result = coapt("plan", VALVE, "--evaluations", "100000", "--plans", "1", "--region-points", "1",
-                       "--seconds", "2", "--json")
-        self.assertLess(json.loads(result.stdout)["closures"], 100000)
+        started = time.monotonic()
+        result, _ = self.plan(evaluations=100000, region_points=1089, seconds=2)
+        self.assertEqual(result["stop"], "time_limit")
+        self.assertLess(result["closures"], 100000)
+        self.assertGreater(len(result["plans"]), 0)
+        self.assertLess(time.monotonic() - started, 20.0)
 
 
 if __name__ == "__main__":

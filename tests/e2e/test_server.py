@@ -59,12 +59,40 @@ class Server(ProgramTest):
 
     def test_a_search_is_the_one_of_the_command_line(self):
         valve = json.loads(self.make("human-functional-mr").read_text())
-        search = {"evaluations": 4, "seed": 5, "plans": 1, "region_points": 1}
+        search = {"evaluations": 6, "seed": 5, "plans": 1, "region_points": 2, "evidence": False,
+                  "rules": {"forbidden": ["annuloplasty:own"], "suture_lattice_mm": 2},
+                  "weights": {"movement": 0.5}}
         status, _, answer = self.post("/v1/plans", {"valve": valve, "search": search})
-        printed = json.loads(coapt("plan", "human-functional-mr", "--evaluations", 4, "--seed", 5,
-                                   "--plans", 1, "--region-points", 1, "--json").stdout)
         self.assertEqual(status, 200)
+        self.assertEqual(answer["evaluations"], 6)
+        self.assertEqual(len(answer["plans"]), 1)
+        printed = json.loads(coapt("plan", "human-functional-mr", "--search",
+                                   self.write("search.json", search), "--json").stdout)
+        # A request has no command line.
+        self.assertEqual((answer["reproduce"].pop("command"), bool(printed["reproduce"].pop("command"))),
+                         ("", True))
         self.assertEqual(answer | {"seconds": 0}, printed | {"seconds": 0})
+
+    def test_problems_of_rules_and_weights_point_into_the_search(self):
+        valve = json.loads(self.make("human-normal").read_text())
+        for search, paths in [
+                ({"rules": {"forbidden": ["annuloplasty", 1], "most_neochordae": 5, "x": 1},
+                  "weights": {"leak": -1, "love": 1, "gap": "x"}},
+                 ["/search/rules/forbidden/1", "/search/rules/most_neochordae", "/search/rules/x",
+                  "/search/weights/leak", "/search/weights/love", "/search/weights/gap"]),
+                ({"rules": {"fixed": {"steps": [{"step": "fly"}]}}}, ["/search/rules/fixed/steps/0/step"]),
+                # What only the valve can tell.
+                ({"rules": {"forbidden": ["annuloplasty", "rings"], "fixed": {"steps": [
+                    {"step": "annuloplasty", "shape": "own", "sizes_below": 2},
+                    {"step": "chordal_excision", "chorda": "none"}]}}},
+                 ["/search/rules/forbidden/1", "/search/rules/fixed/steps/0", "/search/rules/fixed/steps/1/chorda"]),
+                ({"rules": {"forbidden": ["annuloplasty", "papillary_approximation", "neochorda"]}},
+                 ["/search/rules"]),
+                ({"rules": [], "weights": None}, ["/search/rules", "/search/weights"])]:
+            with self.subTest(paths):
+                answer = self.post("/v1/plans", {"valve": valve, "search": search})
+                self.assert_problem(answer, 422, paths[0])
+                self.assertEqual({problem["path"] for problem in answer[2]["problems"]}, set(paths))
 
     def test_problems_point_into_the_request(self):
         valve = json.loads(self.make("human-normal").read_text())

@@ -3,11 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <tuple>
-
-#include "tests/scenes/small_valve.h"
 
 namespace coapt {
 namespace {
@@ -67,46 +64,6 @@ TEST(RegionOfInterest, SubsetsStandForTheWholeTheBetterTheLargerTheyAre) {
   EXPECT_LT(worst_5, 0.8);  // mm2, of means up to 4
   EXPECT_LT(worst_17, 0.3);
   EXPECT_LT(worst_65, 0.1);
-}
-
-TEST(Perturb, TheUndisturbedNodeChangesNothing) {
-  const Valve valve = small_valve();
-  const Valve same = perturb(valve, {}, {});
-  for (std::size_t h = 0; h < valve.heads.size(); ++h)
-    EXPECT_NEAR((same.heads[h].tip_mm - valve.heads[h].tip_mm).norm(), 0.0, 1e-12);
-}
-
-TEST(Perturb, TipsMoveOnASphereAboutTheSuturesAnchor) {
-  const Valve valve = small_valve();
-  const RepairPlan plan{{PapillaryApproximation{
-      .side = Side::Anterolateral, .anchor = Anchor::SaddlePeak, .suture_length_mm = 30.0}}};
-  const Valve disturbed = perturb(valve, plan, {0.5, 3.0, -4.0});
-  const Vec3 anchor(0.0, 14.0, 0.0);
-  const Vec3 before = valve.heads[0].tip_mm - anchor, after = disturbed.heads[0].tip_mm - anchor;
-  EXPECT_NEAR(after.norm(), before.norm() + 0.5, 1e-12);
-  const double angle = std::acos(before.dot(after) / (before.norm() * after.norm()));
-  EXPECT_NEAR(angle * 180.0 / std::numbers::pi, 5.0, 1e-9);  // 3, 4, 5
-}
-
-TEST(Perturb, WithoutASutureTheMuscleSwingsAboutItsTrigone) {
-  const Valve valve = small_valve();
-  const Valve disturbed = perturb(valve, {}, {-1.0, 0.0, 5.0});
-  const Vec3 anchor = valve.annulus_mm.row(1);
-  EXPECT_NEAR((disturbed.heads[1].tip_mm - anchor).norm(),
-              (valve.heads[1].tip_mm - anchor).norm() - 1.0, 1e-12);
-}
-
-TEST(Perturb, BothMusclesGoOutwardsAndBackwardsTogether) {
-  // The small valve is symmetric about x = 0.
-  const Valve valve = small_valve();
-  const Valve outwards = perturb(valve, {}, {0.0, 5.0, 0.0});
-  EXPECT_LT(outwards.heads[0].tip_mm.x(), valve.heads[0].tip_mm.x() - 1.0);
-  EXPECT_GT(outwards.heads[1].tip_mm.x(), valve.heads[1].tip_mm.x() + 1.0);
-  const Valve disturbed = perturb(valve, {}, {0.25, 2.0, 3.0});
-  const Vec3 left = disturbed.heads[0].tip_mm, right = disturbed.heads[1].tip_mm;
-  EXPECT_NEAR((Vec3(-left.x(), left.y(), left.z()) - right).norm(), 0.0, 1e-12);
-  EXPECT_LT(perturb(valve, {}, {0.0, 0.0, 5.0}).heads[0].tip_mm.y(),
-            valve.heads[0].tip_mm.y() - 1.0);
 }
 
 }  // namespace

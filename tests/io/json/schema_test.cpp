@@ -8,8 +8,10 @@
 #include "core/repair/apply_plan.h"
 #include "core/repair/limits.h"
 #include "io/json/plan_json.h"
+#include "io/json/search_options_json.h"
 #include "io/json/valve_json.h"
 #include "tests/io/json/found.h"
+#include "tests/io/plans_scene.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -48,9 +50,7 @@ class Schema {
   bool obeys(const json& schema, const std::string& word, const json& argument,
              const json& value) const {
     const auto fits = [&](const json& branch) { return accepts(branch, value); };
-    if (word == "$ref") {
-      return fits(root_[json::json_pointer(argument.get<std::string>().substr(1))]);
-    }
+    if (word == "$ref") return fits_reference(argument, value);
     if (word == "type") return has_type(value, argument);
     if (word == "const") return value == argument;
     if (word == "enum") return std::count(argument.begin(), argument.end(), value) == 1;
@@ -79,10 +79,20 @@ class Schema {
                return accepts(properties[member.key()], member.value());
              });
     }
-    const std::vector<std::string> words_without_force = {"$schema", "$id", "$defs", "title",
-                                                          "description"};
+    const std::vector<std::string> words_without_force = {"$schema", "$id",         "$defs",
+                                                          "title",   "description", "default"};
     EXPECT_EQ(std::count(words_without_force.begin(), words_without_force.end(), word), 1) << word;
     return true;
+  }
+
+  // "#/$defs/rules", or "../coapt.plan/1#/..." into plan.schema.json.
+  bool fits_reference(const std::string& reference, const json& value) const {
+    const std::size_t hash = reference.find('#');
+    const json::json_pointer at(reference.substr(hash + 1));
+    if (hash == 0) return accepts(root_[at], value);
+    const std::size_t name = reference.find("coapt.") + 6;
+    const Schema other(reference.substr(name, reference.find("/1#") - name));
+    return other.accepts(other.root_[at], value);
   }
 
   json root_;
@@ -282,6 +292,59 @@ TEST(PlanSchema, AgreesWithTheStepsOnRanges) {
   check("approximation_to_point", "annulus_around", [](double around) {
     return PapillaryApproximation{Side::Anterolateral, Anchor::AnnulusPoint, around, 24.0};
   });
+}
+
+json full_search() { return json::parse(to_json(search_request().options).dump()); }
+bool reads_search(const json& document) { return bool(search_options_from_json(document)); }
+
+TEST(SearchSchema, AcceptsWhatIsWritten) {
+  EXPECT_TRUE(Schema("search").accepts(full_search()));
+  EXPECT_TRUE(Schema("search").accepts(json::parse(to_json(SearchOptions{}).dump())));
+}
+
+TEST(SearchSchema, AgreesWithTheReaderThatNothingIsRequiredAndNothingElseAccepted) {
+  const Schema schema("search");
+  const json good = full_search();
+  for (const auto& object : objects_in(good)) {
+    const bool step = object.to_string().find("/steps/") != std::string::npos;
+    const json members = good[object];
+    for (const auto& [name, member] : members.items()) {
+      json poorer = good;
+      poorer[object].erase(name);
+      const bool optional = !step && name != "steps";
+      EXPECT_EQ(schema.accepts(poorer), optional) << object / name;
+      EXPECT_EQ(reads_search(poorer), optional) << object / name;
+    }
+    json richer = good;
+    richer[object]["unknown"] = 1;
+    EXPECT_FALSE(schema.accepts(richer)) << object;
+    EXPECT_FALSE(reads_search(richer)) << object;
+  }
+}
+
+TEST(SearchSchema, AgreesWithTheReaderOnRangesAndDefaults) {
+  const json root = schema_of("search"), usual = json::parse(to_json(SearchOptions{}).dump());
+  const auto check = [&](const json& fields, const std::string& object) {
+    for (const auto& [name, field] : fields.items()) {
+      const std::string at = object + "/" + name;
+      if (field.contains("default")) {
+        EXPECT_EQ(field["default"], usual[json::json_pointer(at)]) << at;
+      }
+      if (field.value("type", "") == "number")
+        expect_agreement_on_range(field, full_search(), at, reads_search);
+      if (field.value("type", "") != "integer" || name == "seed") continue;
+      for (const auto& [end, outwards] : {std::pair("minimum", -1), std::pair("maximum", 1)}) {
+        json document = full_search();
+        document[json::json_pointer(at)] = field[end];
+        EXPECT_TRUE(reads_search(document)) << at << ' ' << end;
+        document[json::json_pointer(at)] = field[end].get<int>() + outwards;
+        EXPECT_FALSE(reads_search(document)) << at << ' ' << end;
+      }
+    }
+  };
+  check(root["properties"], "");
+  check(root["$defs"]["rules"]["properties"], "/rules");
+  check(root["$defs"]["weights"]["properties"], "/weights");
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
+#include "io/picture/report.h"
+
 #include <gtest/gtest.h>
 
 #include "io/json/result_json.h"
-#include "io/picture/picture.h"
+#include "tests/io/picture/markup.h"
+#include "tests/io/plans_scene.h"
 #include "tests/scenes/sheets.h"
 
 namespace coapt {
@@ -14,11 +17,15 @@ ClosedValve closed(const std::string& name, double hole_mm) {
   return {valve, closure, measure(valve, closure)};
 }
 
+std::string html_of(const SearchResult& result, const std::vector<ClosedValve>& after = {},
+                    const ClosedValve& before = closed("leaky", 5.0)) {
+  return plan_report_html({before, after, result, search_request()});
+}
+
 RankedPlan ranked_plan(int rank, const std::string& words) {
   RankedPlan plan;
   plan.rank = rank;
   plan.description = {words};
-  plan.orifice_area_mm2 = plan.leak_mm2 = {1.25, 2.5, 0.75, 9.5};
   return plan;
 }
 
@@ -26,41 +33,128 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(Report, HasThePlansTheNoticeTheCommandAndThePictures) {
-  SearchResult result;
-  result.plans = {ranked_plan(1, "first ring"), ranked_plan(2, "second ring")};
-  result.best_cost_history = {5.0, 4.0, 4.0, 1.0};
-  result.closures = 4;
+/// From one heading to the next.
+std::string section(const std::string& html, const std::string& heading) {
+  const std::size_t start = html.find("<h2>" + heading + "</h2>");
+  if (start == std::string::npos) return "";
+  return html.substr(start, html.find("<h2>", start + 4) - start);
+}
+
+TEST(Report, BeginsWithTheNoticeTheVerdictAndTheBestPlanInPictures) {
   const std::string html =
-      plan_report_html(closed("leaky", 5.0), {closed("leaky", 1.0), closed("leaky", 2.0)}, result,
-                       "coapt plan leaky.json --seed 1");
-  EXPECT_TRUE(contains(html, std::string(kResearchNotice)));
-  EXPECT_TRUE(contains(html, "coapt plan leaky.json --seed 1"));
-  for (const char* part : {"first ring", "second ring", "1.2", "2.5 ± 0.8 mm²", "9.5", "<svg",
-                           "What is not modelled", "4 closures"})
-    EXPECT_TRUE(contains(html, part)) << part;
-  EXPECT_LT(html.find("data:image/png"), html.find("<table>")) << "the picture comes first";
+      html_of(search_result(), {closed("leaky", 1.0), closed("leaky", 2.0), closed("leaky", 3.0)});
+  EXPECT_EQ(count(html, std::string(kResearchNotice)), 1u);
+  const std::vector<std::string> order = {std::string(kResearchNotice),
+                                          "Closes this valve robustly",
+                                          "generic-classic ring, size 32 mm",
+                                          "0.4 ± 0.5 mm²",
+                                          "data:image/png",
+                                          "All ranked plans",
+                                          "Evidence, plan by plan",
+                                          "How the search went",
+                                          "What is not modelled",
+                                          "How to reproduce"};
+  std::size_t at = 0;
+  for (const std::string& part : order) {
+    const std::size_t found = html.find(part, at);
+    ASSERT_NE(found, std::string::npos) << part;
+    at = found;
+  }
+  EXPECT_EQ(count(html, "data:image/png;base64"), 3u) << "the first plan beside before, two more";
+}
+
+TEST(Report, TheTableHasTheFiguresTiesAndMarksOfEveryPlan) {
+  const std::string table = section(html_of(search_result()), "All ranked plans");
+  for (const char* cell : {"<td>0.0</td>", "<td>1.4</td>", "<td>5.6</td>", "<td>99.2 %</td>",
+                           "<td>0.75</td>", "<td>4.0</td>", "<td>6.8</td>", "<td>0.61</td>",
+                           "<td>62 %: tie</td>", "<td>99.9 %</td>", "<td>n/a</td>"})
+    EXPECT_TRUE(contains(table, cell)) << cell;
+  EXPECT_EQ(count(table, ">Pareto</span>"), 2u);
+  EXPECT_TRUE(contains(table, "own/suture.json"));
+  EXPECT_TRUE(contains(table, "closure: step_limit"));
+  EXPECT_TRUE(contains(table, "leaflets pass through each other"));
+  EXPECT_TRUE(contains(table, "What a better closure costs"));
+  EXPECT_TRUE(contains(table, "Plans whose region is not known are left out."));
+}
+
+TEST(Report, AMarginAsFarAsTheRegionGoesIsSaidToBeMore) {
+  SearchResult result = search_result();
+  result.plans[0].region.margin_to_leak = {1.0, 5.0, 1.0};
+  const std::string table = section(html_of(result), "All ranked plans");
+  EXPECT_TRUE(contains(table, "<td>&gt; 1.00</td>"));
+  EXPECT_TRUE(contains(table, "<td>&gt; 5.0</td>"));
+}
+
+TEST(Report, TheEvidenceOfAPlanIsItsMapsItsCurvesAndItsGates) {
+  const std::string html = html_of(search_result());
+  const std::string evidence = section(html, "Evidence, plan by plan");
+  EXPECT_EQ(count(evidence, "<details"), 3u);
+  EXPECT_EQ(count(evidence, "<details open>"), 1u);
+  EXPECT_EQ(count(evidence, "both muscles alike"), 2u);
+  EXPECT_EQ(count(evidence, "anterolateral alone"), 1u);
+  EXPECT_EQ(count(evidence, "If remodelling goes on"), 2u);
+  EXPECT_EQ(count(evidence, "52 % alone, 66 % with others"), 1u);
+  EXPECT_EQ(count(evidence, "What decides the leak"), 2u) << "not of the plan that failed";
+  EXPECT_EQ(count(evidence, "Coaptation in nine sections"), 3u);
+  EXPECT_EQ(count(evidence, "papillary movement"), 3u);
+  EXPECT_EQ(count(evidence, "– not assessed"), 3u);
+  EXPECT_EQ(count(evidence, "✗ reject"), 1u);
+  EXPECT_TRUE(contains(evidence, "thesis 4.2.3"));
+  EXPECT_TRUE(contains(evidence, "0.4 ± 0.4 mm², at worst 3.2 mm²"));
+  EXPECT_TRUE(contains(evidence, "1,089 closures over the region of interest, 2 failed"));
+  EXPECT_EQ(count(evidence, ">nan<") + count(evidence, "=\"nan"), 0u);
+}
+
+TEST(Report, SaysHowTheSearchWent) {
+  const std::string search = section(html_of(search_result()), "How the search went");
+  for (const char* part :
+       {"6,120 closures in 84.2 s", "12 did not converge", "310 were known", "1,214 plans tried",
+        "45,678,901", "It used all its evaluations.", "plans at random", "0: by geometry alone",
+        "0.58", "no marginal chorda is ruptured", "Score on a subset against the full grid",
+        "10034.2"})
+    EXPECT_TRUE(contains(search, part)) << part;
+}
+
+TEST(Report, ListsWhatIsNotModelledAndWhatReproducesIt) {
+  const std::string html = html_of(search_result());
+  for (const std::string& sentence : not_modelled())
+    EXPECT_TRUE(contains(section(html, "What is not modelled"), sentence)) << sentence;
+  const std::string reproduce = section(html, "How to reproduce");
+  for (const std::string& part : {search_request().command, search_request().valve_hash,
+                                  std::string(version()), std::string("18446744073709551615")})
+    EXPECT_TRUE(contains(reproduce, part)) << part;
 }
 
 TEST(Report, IsSelfContainedAndWithoutScripts) {
-  SearchResult result;
-  result.plans = {ranked_plan(1, "ring")};
-  const std::string html = plan_report_html(closed("v", 5.0), {closed("v", 1.0)}, result, "c");
-  EXPECT_FALSE(contains(html, "<script"));
-  EXPECT_FALSE(contains(html, "src=\"http"));
-  EXPECT_FALSE(contains(html, "<link"));
-  EXPECT_FALSE(contains(html, "url("));
+  const std::string html = html_of(search_result(), {closed("v", 1.0)});
+  for (const char* fetched : {"<script", "src=\"http", "<link", "url(", "@import"})
+    EXPECT_FALSE(contains(html, fetched)) << fetched;
+}
+
+TEST(Report, ItsDrawingsAreWellFormed) {
+  const std::string html = html_of(search_result());
+  std::size_t drawings = 0;
+  for (std::size_t at = html.find("<svg"); at != std::string::npos; at = html.find("<svg", at + 1))
+    EXPECT_EQ(markup_error(html.substr(at, html.find("</svg>", at) + 6 - at)), "") << ++drawings;
+  EXPECT_EQ(count(html, "<svg"), 5u) << "trade-offs, three plans, progress";
 }
 
 TEST(Report, EscapesEveryFreeText) {
   const std::string hostile = "<img src=x onerror=\"alert('1')\">";
   ClosedValve before = closed(hostile, 5.0);
   before.valve.provenance = {hostile};
-  SearchResult result;
-  result.plans = {ranked_plan(1, hostile), ranked_plan(2, hostile)};
-  result.plans[0].warnings = {hostile};
-  result.plans[1].warnings = {hostile};
-  const std::string html = plan_report_html(before, {before, before}, result, hostile);
+  SearchResult result = search_result();
+  for (RankedPlan& plan : result.plans) {
+    plan.name = hostile;
+    plan.description = plan.warnings = {hostile};
+    for (Gate& gate : plan.gates) gate.rule = gate.finding = gate.source = hostile;
+    for (LeakMap& map : plan.region.maps) map.muscle = hostile;
+    for (RemodellingCurve& curve : plan.region.remodelling) curve.direction = hostile;
+  }
+  for (CutBranches& cut : result.cut) cut.what = cut.why = hostile;
+  SearchRequest request = search_request();
+  request.command = request.valve_hash = hostile;
+  const std::string html = plan_report_html({before, {before, before}, result, request});
   EXPECT_FALSE(contains(html, "<img src=x"));
   EXPECT_TRUE(contains(html, "&lt;img src=x onerror=&quot;alert(&#39;1&#39;)&quot;&gt;"));
 }
@@ -68,21 +162,27 @@ TEST(Report, EscapesEveryFreeText) {
 TEST(Report, OfASearchWithoutPlansShowsTheValve) {
   SearchResult result;
   result.stop = SearchStop::Cancelled;
-  const std::string html = plan_report_html(closed("v", 5.0), {}, result, "c");
+  const std::string html = html_of(result);
   EXPECT_TRUE(contains(html, "The search ended before any plan was scored."));
   EXPECT_TRUE(contains(html, "It was cancelled"));
   EXPECT_TRUE(contains(html, "data:image/png"));
   EXPECT_FALSE(contains(html, "<svg"));
 }
 
-TEST(Report, SaysWhenAPlanDidNotConvergeOrCrossed) {
+TEST(Report, SaysWhenNoPlanClosesTheValveRobustly) {
+  SearchResult result = search_result();
+  result.any_competent = false;
+  EXPECT_TRUE(contains(html_of(result), "No plan closes this valve robustly; ranked least bad."));
+}
+
+TEST(Report, OfAPlanThatWasClosedOnlyOnceHasNoMaps) {
   SearchResult result;
   result.plans = {ranked_plan(1, "ring")};
-  result.plans[0].status = ClosureStatus::StepLimit;
-  result.plans[0].crossing = true;
-  const std::string html = plan_report_html(closed("v", 5.0), {}, result, "c");
-  EXPECT_TRUE(contains(html, "closure: step_limit"));
-  EXPECT_TRUE(contains(html, "leaflets pass through each other"));
+  result.plans[0].region = plans_scene::third().region;
+  const std::string html = html_of(result);
+  EXPECT_FALSE(contains(html, "mm² of leak; framed"));
+  EXPECT_FALSE(contains(html, "What a better closure costs"));
+  EXPECT_TRUE(contains(html, "n/a mm²"));
 }
 
 }  // namespace

@@ -48,5 +48,22 @@ TEST(Text, Base64AgreesWithTheVectorsOfRfc4648) {
   EXPECT_EQ(base64("\xFF\xFE"), "//4=");
 }
 
+TEST(Text, CountsAreGroupedByThousands) {
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1000), "1,000");
+  EXPECT_EQ(grouped(45'678'901), "45,678,901");
+  EXPECT_EQ(grouped(-123456), "-123,456");
+}
+
+TEST(Text, SharesAreFinerNearNothingAndAll) {
+  EXPECT_EQ(percent(0.0), "0 %");
+  EXPECT_EQ(percent(0.005), "0.5 %");
+  EXPECT_EQ(percent(0.62), "62 %");
+  EXPECT_EQ(percent(0.992), "99.2 %");
+  EXPECT_EQ(percent(1.0), "100 %");
+  EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "n/a");
+}
+
 }  // namespace
 }  // namespace coapt

@@ -4,31 +4,16 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <functional>
-
 #include "io/store/closure_store.h"
+#include "tests/io/store/process_scene.h"
 #include "tests/io/store/store_scene.h"
 
 namespace coapt {
 namespace {
 
 const std::string kSubject = "00000000000000000000000000000001";
-
-pid_t start(const std::function<bool()>& work) {
-  const pid_t child = fork();
-  if (child == 0) _exit(work() ? 0 : 1);
-  return child;
-}
-
-/// Exit status, or minus the signal that ended it.
-int end_of(pid_t child) {
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-}
 
 void expect_numbered(const Expected<KnownOrifices>& known, int at_least) {
   ASSERT_TRUE(known);

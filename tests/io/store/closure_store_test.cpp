@@ -1,17 +1,14 @@
 #include "io/store/closure_store.h"
 
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 #include <bit>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <map>
-#include <sstream>
 #include <utility>
 
+#include "tests/io/store/store_files.h"
 #include "tests/io/store/store_scene.h"
 
 namespace coapt {
@@ -19,63 +16,14 @@ namespace {
 
 const std::string kSubject = "00000000000000000000000000000001";
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
-
-void write(const std::string& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
-/// As another application would.
-class Database {
- public:
-  explicit Database(const std::string& path) { sqlite3_open(path.c_str(), &database_); }
-  ~Database() { sqlite3_close_v2(database_); }
-  Database(const Database&) = delete;
-  Database& operator=(const Database&) = delete;
-
-  void run(const std::string& sql) const {
-    ASSERT_EQ(sqlite3_exec(database_, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
-        << sqlite3_errmsg(database_);
-  }
-
- private:
-  sqlite3* database_ = nullptr;
-};
-
 void expect_same(const OrificeSample& a, const OrificeSample& b) {
   EXPECT_EQ(std::bit_cast<std::uint64_t>(a.area_mm2), std::bit_cast<std::uint64_t>(b.area_mm2));
   EXPECT_EQ(std::bit_cast<std::uint64_t>(a.sd_mm2), std::bit_cast<std::uint64_t>(b.sd_mm2));
   EXPECT_EQ(a.trusted, b.trusted);
 }
 
-void expect_refused(const std::string& path, const std::string& problem) {
-  const Expected<ClosureStore> store = ClosureStore::open(path);
-  ASSERT_FALSE(store);
-  ASSERT_EQ(store.errors().size(), 1u);
-  EXPECT_EQ(store.errors()[0].code, ErrorCode::InputOutput);
-  EXPECT_NE(store.errors()[0].message.find(path), std::string::npos) << store.errors()[0].message;
-  EXPECT_NE(store.errors()[0].message.find(problem), std::string::npos)
-      << store.errors()[0].message;
-}
-
-/// Refused, and the file and its folder are as before.
-void expect_refused_and_untouched(const TemporaryFolder& folder, const std::string& path,
-                                  const std::string& problem) {
-  const auto content = [&folder] {
-    std::map<std::string, std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
-      files[entry.path()] = bytes_of(entry.path());
-    return files;
-  };
-  const auto before = content();
-  expect_refused(path, problem);
-  EXPECT_TRUE(content() == before) << path << " was changed";
-}
+constexpr auto expect_refused = expect_store_refused<ClosureStore>;
+constexpr auto expect_refused_and_untouched = expect_store_refused_and_untouched<ClosureStore>;
 
 TEST(ClosureStore, GivesBackWhatItKeptBitForBit) {
   using Limits = std::numeric_limits<double>;

@@ -79,6 +79,19 @@ TEST(Subject, EveryClosureOptionMakesAnother) {
   EXPECT_EQ(subjects.size(), all.size());
 }
 
+TEST(PlanSubject, IsNeverTheSubjectAndChangesWithIt) {
+  Valve valve = small_valve();
+  const std::string subject = plan_subject_of(valve, {});
+  EXPECT_EQ(subject.size(), 32u);
+  EXPECT_EQ(subject.find_first_not_of("0123456789abcdef"), std::string::npos);
+  EXPECT_NE(subject, subject_of(valve, {}));
+  EXPECT_NE(subject, plan_subject_of(valve, {.max_steps = 1}));
+  valve.name = "another";
+  EXPECT_EQ(plan_subject_of(valve, {}), subject);
+  valve.pressure_kpa = std::nextafter(valve.pressure_kpa, 0.0);
+  EXPECT_NE(plan_subject_of(valve, {}), subject);
+}
+
 TEST(Subject, NamesARevisionOfTheClosureThatStillHolds) {
   // If this fails, what stores hold no longer is what would be closed: raise kClosureRevision
   // (io/store/subject.cpp) and put the new number here.

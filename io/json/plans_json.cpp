@@ -1,0 +1,202 @@
+#include "io/json/plans_json.h"
+
+#include "io/json/plan_json.h"
+#include "io/json/result_json.h"
+#include "io/json/search_options_json.h"
+#include "search/plans/disturbance.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kCertain = 0.95;
+constexpr double kRegionLengthStep_mm = 0.25, kRegionAngleStep_deg = 1.0;  // region_of_interest()
+
+const char* name_of(SearchStop stop) {
+  switch (stop) {
+    case SearchStop::EvaluationLimit:
+      return "evaluation_limit";
+    case SearchStop::Exhausted:
+      return "exhausted";
+    case SearchStop::NoImprovement:
+      return "no_improvement";
+    case SearchStop::TargetReached:
+      return "target_reached";
+    case SearchStop::TimeLimit:
+      return "time_limit";
+    case SearchStop::Cancelled:
+      return "cancelled";
+  }
+  return "";
+}
+
+template <class T, class Write>
+ordered_json list_of(const std::vector<T>& entries, Write write) {
+  ordered_json list = ordered_json::array();
+  for (const T& entry : entries) list.push_back(write(entry));
+  return list;
+}
+
+ordered_json statistics_json(const OrificeStatistics& s) {
+  return {{"nominal", s.nominal},   {"mean", s.mean},        {"sd", s.sd},
+          {"worst", s.worst},       {"p95", s.p95},          {"below_5", s.below_5},
+          {"below_10", s.below_10}, {"below_20", s.below_20}};
+}
+
+ordered_json margin_json(const LeakMargin& margin) {
+  return {{"suture_length_mm", margin.suture_length_mm},
+          {"angle_deg", margin.angle_deg},
+          {"share", margin.share}};
+}
+
+ordered_json gate_json(const Gate& gate) {
+  return {{"rule", gate.rule},
+          {"severity", to_string(gate.severity)},
+          {"finding", gate.finding},
+          {"source", gate.source}};
+}
+
+/// `count` values around 0.
+std::vector<double> axis(int count, double step) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(step * (i - count / 2));
+  return values;
+}
+
+ordered_json map_json(const LeakMap& map) {
+  return {{"muscle", map.muscle},
+          {"suture_length_mm", axis(kRegionLengths, kRegionLengthStep_mm)},
+          {"outwards_deg", axis(kRegionAngles, kRegionAngleStep_deg)},
+          {"leak_mm2", map.leak_mm2}};
+}
+
+ordered_json remodelling_json(const RemodellingCurve& curve) {
+  return {{"direction", curve.direction}, {"leak_mm2", curve.leak_mm2}};
+}
+
+ordered_json indices_json(const RegionIndices& indices) {
+  const auto by_axis = [](const std::array<double, 3>& shares) {
+    return ordered_json{
+        {"suture_length", shares[0]}, {"outwards", shares[1]}, {"posterior", shares[2]}};
+  };
+  return {{"first", by_axis(indices.first)}, {"total", by_axis(indices.total)}};
+}
+
+ordered_json ranked_json(const RankedPlan& ranked) {
+  const RegionReport& region = ranked.region;
+  ordered_json json = {{"rank", ranked.rank}};
+  if (!ranked.name.empty()) json["name"] = ranked.name;
+  json.update({{"plan", to_json(ranked.plan)},
+               {"description", ranked.description},
+               {"orifice_area_mm2", statistics_json(region.orifice_area_mm2)},
+               {"leak_mm2", statistics_json(region.leak_mm2)},
+               {"cost", ranked.cost},
+               {"status", to_string(ranked.status)},
+               {"crossing", ranked.crossing},
+               {"measure", to_json(ranked.measure)},
+               {"steps", ranked.effort.steps},
+               {"ring_sizes_below", ranked.effort.sizes_below},
+               {"anterolateral_movement_mm", ranked.effort.anterolateral_movement_mm},
+               {"posteromedial_movement_mm", ranked.effort.posteromedial_movement_mm},
+               {"region_closures", region.closures},
+               {"region_failures", region.failures},
+               {"margin_to_leak", margin_json(region.margin_to_leak)},
+               {"pareto", ranked.pareto},
+               {"probability_outranks_next", ranked.probability_outranks_next},
+               {"tie_with_next", ties_with_next(ranked)},
+               {"subset", {{"nodes", ranked.subset_nodes}, {"cost", ranked.subset_cost}}},
+               {"leak_map", list_of(region.maps, map_json)},
+               {"sobol", indices_json(region.indices)},
+               {"independent_leak_mm2", statistics_json(region.independent_leak_mm2)},
+               {"remodelling", list_of(region.remodelling, remodelling_json)},
+               {"gates", list_of(ranked.gates, gate_json)},
+               {"warnings", ranked.warnings}});
+  return json;
+}
+
+ordered_json progress_json(const Progress& progress) {
+  return {{"closures", progress.closures}, {"cost", progress.cost}};
+}
+
+ordered_json pareto_json(const ParetoPlan& plan) {
+  return {{"plan", to_json(plan.plan)}, {"description", plan.description},
+          {"mean_mm2", plan.mean_mm2},  {"sd_mm2", plan.sd_mm2},
+          {"steps", plan.steps},        {"ring_sizes_below", plan.sizes_below},
+          {"nodes", plan.nodes}};
+}
+
+ordered_json ladder_json(const LadderStep& step) {
+  return {{"from", step.from},
+          {"to", step.to},
+          {"plans", step.plans},
+          {"spearman", step.spearman},
+          {"skipped", step.skipped}};
+}
+
+ordered_json before_json(const Evaluation& before) {
+  ordered_json json = {{"status", to_string(before.status)}, {"crossing", before.crossing}};
+  json.update(to_json(before.measure));
+  return json;
+}
+
+}  // namespace
+
+ordered_json to_json(const SearchResult& result) {
+  return {{"schema", "coapt.plans/1"},
+          {"version", version()},
+          {"notice", kResearchNotice},
+          {"before", before_json(result.before)},
+          {"any_competent", result.any_competent},
+          {"plans", list_of(result.plans, ranked_json)},
+          {"best_cost_history", list_of(result.progress, [](const Progress& p) { return p.cost; })},
+          {"progress", list_of(result.progress, progress_json)},
+          {"random_progress", list_of(result.random_progress, progress_json)},
+          {"pareto_front", list_of(result.pareto_front, pareto_json)},
+          {"ladder", list_of(result.ladder, ladder_json)},
+          {"branches", result.branches},
+          {"cut", list_of(result.cut,
+                          [](const CutBranches& cut) {
+                            return ordered_json{{"what", cut.what}, {"why", cut.why}};
+                          })},
+          {"plans_possible", result.plans_possible},
+          {"plans_tried", result.plans_tried},
+          {"stop", name_of(result.stop)},
+          {"closures", result.closures},
+          {"evaluations", result.evaluations},
+          {"closures_known", result.closures_known},
+          {"closures_not_converged", result.closures_not_converged},
+          {"closures_crossed", result.closures_crossed},
+          {"seconds", result.seconds},
+          {"not_modelled", not_modelled()}};
+}
+
+ordered_json to_json(const SearchResult& result, const SearchRequest& request) {
+  ordered_json json = to_json(result);
+  json["weights"] = to_json(request.options.weights);
+  json["reproduce"] = {{"valve_hash", request.valve_hash},
+                       {"version", version()},
+                       {"seed", request.options.seed},
+                       {"command", request.command},
+                       {"search", to_json(request.options)}};
+  return json;
+}
+
+bool ties_with_next(const RankedPlan& plan) {
+  const double ahead = plan.probability_outranks_next;
+  return ahead >= 1.0 - kCertain && ahead <= kCertain;
+}
+
+const std::vector<std::string>& not_modelled() {
+  static const std::vector<std::string> kSentences = {
+      "Blood flow: pressure is static, jets and gradients are not computed.",
+      "Diastole: a repair may narrow the open valve; filling is not assessed.",
+      "The ventricle: annulus and papillary tips do not move while the valve closes.",
+      "Tissue that differs from place to place, calcification, clefts that are not in the valve "
+      "file, sutures that tear, healing and growth.",
+      "Gaps that tissue hides when seen from the atrium; the coaptation heights and distances are "
+      "three-dimensional and show them."};
+  return kSentences;
+}
+
+}  // namespace coapt

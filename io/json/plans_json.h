@@ -1,0 +1,33 @@
+// What a search answers, as JSON, and what its report says in the same words.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "search/plans/plan_search.h"
+
+namespace coapt {
+
+/// How a search was asked for: what gives the same answer again.
+struct SearchRequest {
+  SearchOptions options;
+  std::string valve_hash;  ///< subject_of() the valve and options.closure
+  std::string command;     ///< for a shell; empty if there was none
+};
+
+/// coapt.plans/1: before, plans[], how the search went. What is not known (mean and sd of a plan that was
+/// closed only once, a margin without neighbours, measures of a valve that flew apart) is null.
+nlohmann::ordered_json to_json(const SearchResult& result);
+
+/// The same with "weights" and "reproduce": {"valve_hash", "version", "seed", "command", "search"}, the last
+/// as search_options_from_json() reads it.
+nlohmann::ordered_json to_json(const SearchResult& result, const SearchRequest& request);
+
+/// Whether it is open which of a plan and the next is better: probability_outranks_next from 0.05 to 0.95.
+bool ties_with_next(const RankedPlan& plan);
+
+/// What coapt leaves out, a sentence each.
+const std::vector<std::string>& not_modelled();
+
+}  // namespace coapt

@@ -1,0 +1,21 @@
+// The "search" object of a request (io/schema/search.schema.json): SearchOptions without how a valve is
+// closed.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "search/plans/plan_search.h"
+
+namespace coapt {
+
+/// Fields named and by default as in SearchOptions, none of them required; unknown ones are errors. How a
+/// valve is closed is not asked: a request could make each closure a thousand times as long, on top of
+/// their number. What the valve does not allow is check_rules()'s to say.
+Expected<SearchOptions> search_options_from_json(const nlohmann::json& json);
+
+/// Every field of it, as the above reads it.
+nlohmann::ordered_json to_json(const SearchOptions& options);
+
+nlohmann::ordered_json to_json(const CostWeights& weights);
+
+}  // namespace coapt

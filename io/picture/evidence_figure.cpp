@@ -1,0 +1,173 @@
+#include "io/picture/evidence_figure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "io/picture/heat_map.h"
+#include "io/picture/line_chart.h"
+#include "io/picture/svg.h"
+#include "io/picture/text.h"
+#include "search/plans/disturbance.h"
+#include "search/plans/objective.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kPanelHeight = 330.0, kScaleHeight = 46.0;  // px
+constexpr double kDarkest_mm2 =
+    10.0;  // the same scale for all plans; their middle is a good repair's most
+constexpr double kLengthStep_mm = 0.25;
+
+using Panel = std::function<std::string(const Box&)>;
+
+/// No row with a single panel where that can be helped.
+int columns_for(std::size_t panels) { return panels == 1 ? 1 : panels == 2 || panels == 4 ? 2 : 3; }
+
+bool any_finite(const std::vector<std::vector<double>>& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const std::vector<double>& row) {
+    return std::any_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); });
+  });
+}
+
+std::string title_of(const LeakMap& map) {
+  return map.muscle == "both" ? "Leak, mm²: both muscles alike"
+                              : "Leak, mm²: " + map.muscle + " alone";
+}
+
+HeatScale scale_of(const LeakMap& map) {
+  double most = 0.0;
+  for (const std::vector<double>& row : map.leak_mm2)
+    for (const double value : row) most = std::max(most, std::isfinite(value) ? value : 0.0);
+  return {0.0, kDarkest_mm2, most < 99.5 ? 1 : 0};
+}
+
+Panel map_panel(const LeakMap& map) {
+  return [&map](const Box& box) {
+    HeatMap heat{title_of(map), "", {}, {}, {""}, {map.leak_mm2}};
+    for (int l = 0; l < kRegionLengths; ++l)
+      heat.row_ticks.push_back(l % 2 == 0 ? fixed(kLengthStep_mm * (l - kRegionLengths / 2), 1)
+                                          : "");
+    for (int a = 0; a < kRegionAngles; ++a)
+      heat.column_ticks.push_back(std::to_string(a - kRegionAngles / 2));
+    heat.framed = {kRegionLengths / 2, kRegionAngles / 2};
+    const Box within{box.left + 26.0, box.top, box.right - 16.0, box.bottom - 30.0};
+    const std::string x = fixed(box.left + 20.0, 1), y = fixed(0.5 * (box.top + box.bottom), 1);
+    return draw_heat_map(heat, scale_of(map), within) +
+           text_at(0.5 * (within.left + 34.0 + within.right), box.bottom - 16.0,
+                   "text-anchor=\"middle\"", "angle outwards, degrees") +
+           text_at(box.left + 20.0, 0.5 * (box.top + box.bottom),
+                   "text-anchor=\"middle\" transform=\"rotate(-90 " + x + " " + y + ")\"",
+                   "suture longer by, mm");
+  };
+}
+
+std::string draw_with_keys(const LinePanel& panel, const Box& box) {
+  std::vector<LegendEntry> keys;
+  for (const PanelSeries& series : panel.series)
+    if (!series.label.empty()) keys.push_back({series.label, css_class(series.hue), series.mark});
+  return draw_line_panel(panel, box) + draw_keys(keys, box.left + 70.0, box.top + 46.0);
+}
+
+Panel remodelling_panel(const std::vector<RemodellingCurve>& curves) {
+  return [&curves](const Box& box) {
+    constexpr std::array kHues = {Hue::Blue, Hue::Green, Hue::Orange, Hue::Vermillion};
+    LinePanel panel{{"If remodelling goes on", "tips further, mm", "leak, mm²"}, {}};
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      PanelSeries series{curves[i].direction, {}, curves[i].leak_mm2, kHues[i % kHues.size()]};
+      for (std::size_t mm = 0; mm < series.y.size(); ++mm)
+        series.x.push_back(static_cast<double>(mm));
+      farthest = std::max(farthest, static_cast<double>(series.y.size()) - 1.0);
+      panel.series.push_back(std::move(series));
+    }
+    panel.series.push_back({"most of a good repair",
+                            {0.0, farthest},
+                            {kGoodRepair_mm2, kGoodRepair_mm2},
+                            Hue::Ink,
+                            Mark::Dashed});
+    panel.y_holds = {0.0, 2.0 * kGoodRepair_mm2};
+    return draw_with_keys(panel, box);
+  };
+}
+
+PanelSeries profile(const std::string& label, const ValveMeasure& measure, Hue hue, Mark mark) {
+  PanelSeries series{label, {}, {}, hue, mark};
+  for (const CoaptationSection& section : measure.coaptation.sections) {
+    series.x.push_back(section.along);
+    series.y.push_back(section.height_mm);
+  }
+  return series;
+}
+
+Panel coaptation_panel(const ValveMeasure& before, const ValveMeasure& after) {
+  return [&before, &after](const Box& box) {
+    LinePanel panel{
+        {"Coaptation in nine sections", "anterolateral to posteromedial commissure", "height, mm"},
+        {profile("after", after, Hue::Blue, Mark::Line),
+         profile("before", before, Hue::Ink, Mark::Dashed)}};
+    panel.x_axis = Axis{0.0, 1.0, 0.25, 2};
+    Extent heights{0.0, 1.0};
+    for (const PanelSeries& series : panel.series)
+      for (const double height : series.y) heights = including(heights, height);
+    panel.y_holds = {0.0, 1.35 * heights.high};  // room for the keys
+    return draw_with_keys(panel, box);
+  };
+}
+
+std::string bar(const char* style, double x, double y, double width, double height) {
+  return "<rect class=\"" + std::string(style) + " c-blue\" x=\"" + fixed(x, 1) + "\" y=\"" +
+         fixed(y, 1) + "\" width=\"" + fixed(std::max(0.0, width), 1) + "\" height=\"" +
+         fixed(height, 1) + "\"/>\n";
+}
+
+Panel indices_panel(const RegionIndices& indices) {
+  return [&indices](const Box& box) {
+    constexpr std::array kAxes = {"suture length", "angle outwards", "angle backwards"};
+    constexpr double kRow = 62.0, kThick = 16.0;
+    const double left = box.left + 20.0, width = box.right - 30.0 - left;
+    std::string svg = text_at(left, box.top + 18.0, "class=\"head\"", "What decides the leak");
+    double y = box.top + 52.0;
+    for (std::size_t i = 0; i < kAxes.size(); ++i, y += kRow) {
+      const double alone = std::clamp(indices.first[i], 0.0, 1.0);
+      const double total = std::clamp(indices.total[i], 0.0, 1.0);
+      svg += text_at(left, y, "", kAxes[i]);
+      svg += text_at(left + width, y, "class=\"tick\" text-anchor=\"end\"",
+                     fixed(100.0 * indices.first[i], 0) + " % alone, " +
+                         fixed(100.0 * indices.total[i], 0) + " % with others");
+      svg += line_at("grid", left, y + 8.0 + 0.5 * kThick, left + width, y + 8.0 + 0.5 * kThick);
+      svg += bar("area", left, y + 8.0, total * width, kThick);
+      svg += bar("solid", left, y + 8.0, alone * width, kThick);
+    }
+    for (const char* line : {"Shares of the leak's variance over the region (Sobol):",
+                             "dark, of the axis alone; light, with its interactions."})
+      svg += text_at(left, (y += 16.0) - 12.0, "class=\"tick\"", line);
+    return svg;
+  };
+}
+
+}  // namespace
+
+std::string evidence_svg(const RankedPlan& plan, const ValveMeasure& before) {
+  const RegionReport& region = plan.region;
+  std::vector<Panel> panels;
+  for (const LeakMap& map : region.maps)
+    if (any_finite(map.leak_mm2)) panels.push_back(map_panel(map));
+  const bool maps = !panels.empty();
+  if (!region.remodelling.empty()) panels.push_back(remodelling_panel(region.remodelling));
+  if (std::isfinite(region.indices.total[0])) panels.push_back(indices_panel(region.indices));
+  panels.push_back(coaptation_panel(before, plan.measure));
+  std::string svg;
+  if (maps)
+    svg =
+        draw_scale({0.0, kDarkest_mm2, 0},
+                   "mm² of leak. Framed: as planned. Both muscles: mean over the angles backwards.",
+                   60.0, 12.0);
+  const CellGrid grid{static_cast<int>(panels.size()), columns_for(panels.size()),
+                      maps ? kScaleHeight : 4.0, kPanelHeight};
+  for (int i = 0; i < grid.count; ++i) svg += panels[static_cast<std::size_t>(i)](cell(grid, i));
+  return figure_svg("Evidence for rank " + std::to_string(plan.rank), svg, bottom_of(grid));
+}
+
+}  // namespace coapt

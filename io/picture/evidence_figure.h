@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "search/plans/plan_search.h"
+
+namespace coapt {
+
+/// As panels of one SVG: leak over suture length and angle (of both muscles, of each sutured one), further
+/// remodelling, which axis decides, coaptation before and after. What is not known has no panel.
+std::string evidence_svg(const RankedPlan& plan, const ValveMeasure& before);
+
+}  // namespace coapt

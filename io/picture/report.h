@@ -1,0 +1,21 @@
+// The plan report: one HTML file, no scripts, nothing fetched.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/json/plans_json.h"
+#include "io/picture/picture.h"
+
+namespace coapt {
+
+struct PlanReport {
+  const ClosedValve& before;
+  const std::vector<ClosedValve>& after;  ///< of the ranked plans, best first; may be fewer
+  const SearchResult& result;
+  const SearchRequest& request;
+};
+
+std::string plan_report_html(const PlanReport& report);
+
+}  // namespace coapt

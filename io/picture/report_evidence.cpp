@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/picture/evidence_figure.h"
+#include "io/picture/html.h"
+#include "io/picture/report_parts.h"
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+const char* words_of(GateSeverity severity) {
+  switch (severity) {
+    case GateSeverity::Pass:
+      return "✓ pass";
+    case GateSeverity::Warn:
+      return "! warn";
+    case GateSeverity::Reject:
+      return "✗ reject";
+    case GateSeverity::NotAssessed:
+      return "– not assessed";
+  }
+  return "";
+}
+
+std::string in_words(std::string rule) {
+  std::replace(rule.begin(), rule.end(), '_', ' ');
+  return rule;
+}
+
+std::string gates_table(const std::vector<Gate>& gates) {
+  if (gates.empty()) return "";
+  std::string html =
+      "<h3>Rules of practice</h3>\n<div class=\"scroll\"><table><thead><tr>"
+      "<th class=\"text\">Rule</th><th class=\"text\">Verdict</th><th class=\"text\">Finding</th>"
+      "<th class=\"text\">Source</th></tr></thead><tbody>\n";
+  for (const Gate& gate : gates)
+    html += "<tr><td class=\"text\">" + escape_html(in_words(gate.rule)) +
+            "</td><td class=\"text\"><span class=\"verdict-of " + to_string(gate.severity) + "\">" +
+            words_of(gate.severity) + "</span></td><td class=\"text\">" +
+            escape_html(gate.finding) + "</td><td class=\"text\">" + escape_html(gate.source) +
+            "</td></tr>\n";
+  return html + "</tbody></table></div>\n";
+}
+
+std::vector<std::string> measures_row(const std::string& name, const ValveMeasure& measure) {
+  return {name,
+          fixed(measure.orifice.area_mm2, 1),
+          fixed(measure.coaptation.gap_area_mm2, 1),
+          fixed(measure.coaptation.height_mean_mm, 1),
+          fixed(measure.coaptation.height_min_mm, 1),
+          fixed(measure.tenting_height_mm, 1),
+          fixed(measure.tension_max_n, 2),
+          fixed(measure.tension_sum_n, 1)};
+}
+
+std::string before_and_after(const ValveMeasure& before, const ValveMeasure& after) {
+  return "<h3>Before and after, as planned</h3>\n" +
+         table_html({{"", "Orifice, mm²", "Gap, mm²", "Coaptation, mean, mm", "least, mm",
+                      "Tenting, mm", "Chordal tension, peak, N", "sum, N"},
+                     measures_row("Before", before),
+                     measures_row("After", after)});
+}
+
+std::string independent_words(const OrificeStatistics& leak) {
+  if (!std::isfinite(leak.mean)) return "";
+  return "<p class=\"small\">The map of both muscles lets both deviate alike. With an error of its "
+         "own for each suture the leak is " +
+         mean_and_sd(leak) + " mm², at worst " + fixed(leak.worst, 1) + " mm².</p>\n";
+}
+
+std::string region_words(const RegionReport& region) {
+  std::string words = grouped(region.closures) + (region.closures == 1 ? " closure" : " closures") +
+                      " over the region of interest";
+  if (region.failures > 0) words += ", " + grouped(region.failures) + " failed and left out";
+  return words;
+}
+
+std::string joined_steps(const RankedPlan& plan) {
+  std::string words;
+  for (const std::string& step : steps_of(plan)) words += (words.empty() ? "" : "; ") + step;
+  return words;
+}
+
+std::string details(const PlanReport& report, std::size_t index) {
+  const RankedPlan& plan = report.result.plans[index];
+  const ValveMeasure& before = report.result.before.measure;
+  std::string html = index == 0 ? "<details open>" : "<details>";
+  html += "<summary>Rank " + std::to_string(plan.rank) +
+          (plan.name.empty() ? "" : " (" + escape_html(plan.name) + ")") + " <small>" +
+          escape_html(joined_steps(plan) + ". " + region_words(plan.region)) +
+          ".</small></summary>\n" + chart_html(evidence_svg(plan, before)) +
+          independent_words(plan.region.independent_leak_mm2) +
+          before_and_after(before, plan.measure) + gates_table(plan.gates);
+  if (index > 0 && index < report.after.size())
+    html +=
+        picture_html(closure_picture_png(report.after[index]), "Atrial view and long-axis section",
+                     "Rank " + std::to_string(plan.rank) + ", closed under systolic pressure.");
+  return html + "</details>\n";
+}
+
+}  // namespace
+
+std::string evidence_section(const PlanReport& report) {
+  std::string html = "<section><h2>Evidence, plan by plan</h2>\n";
+  for (std::size_t i = 0; i < report.result.plans.size(); ++i) html += details(report, i);
+  return html + "</section>\n";
+}
+
+}  // namespace coapt

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/picture/html.h"
+#include "io/picture/line_chart.h"
+#include "io/picture/report_parts.h"
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kFarthest_mm = 1.0, kFarthest_deg = 5.0;  // borders of the region: see LeakMargin
+
+std::string margin(double value, double farthest, int decimals) {
+  return (value >= farthest ? "> " : "") + fixed(value, decimals);
+}
+
+std::string cell(const std::string& words, const std::string& attributes = "") {
+  return "<td" + attributes + ">" + escape_html(words) + "</td>";
+}
+
+std::string rank_cell(const RankedPlan& plan) {
+  return "<td>" + std::to_string(plan.rank) +
+         (closes_robustly(plan) ? "<span class=\"badge\">robust</span>" : "") +
+         (plan.pareto ? "<span class=\"badge plain\">Pareto</span>" : "") + "</td>";
+}
+
+std::vector<std::string> remarks_on(const RankedPlan& plan) {
+  std::vector<std::string> remarks = plan.warnings;
+  if (plan.status != ClosureStatus::Converged)
+    remarks.push_back(std::string("closure: ") + to_string(plan.status));
+  if (plan.crossing) remarks.push_back("leaflets pass through each other");
+  return remarks;
+}
+
+std::string ahead_words(const RankedPlan& plan) {
+  const double ahead = plan.probability_outranks_next;
+  if (!std::isfinite(ahead)) return "";
+  return ties_with_next(plan) ? percent(ahead) + ": tie" : percent(ahead);
+}
+
+std::string rows_of(const RankedPlan& plan) {
+  const OrificeStatistics& leak = plan.region.leak_mm2;
+  const LeakMargin& to_leak = plan.region.margin_to_leak;
+  const std::vector<std::string> remarks = remarks_on(plan);
+  std::string html = remarks.empty() ? "<tr>" : "<tr class=\"has-more\">";
+  html += rank_cell(plan) + "<td class=\"words\">";
+  if (!plan.name.empty()) html += "<strong>" + escape_html(plan.name) + "</strong>";
+  html += list_html(steps_of(plan)) + "</td>";
+  for (const std::string& figure :
+       {fixed(plan.measure.orifice.area_mm2, 1), fixed(plan.measure.coaptation.gap_area_mm2, 1),
+        mean_and_sd(leak), fixed(leak.p95, 1), fixed(leak.worst, 1), percent(leak.below_5),
+        suture_margin(to_leak), angle_margin(to_leak),
+        fixed(plan.measure.coaptation.height_mean_mm, 1), fixed(plan.measure.tension_max_n, 2),
+        fixed(plan.cost, plan.cost < 1000.0 ? 1 : 0), ahead_words(plan)})
+    html += cell(figure);
+  html += "</tr>\n";
+  if (!remarks.empty())
+    html += "<tr class=\"more\"><td></td><td class=\"words warning\" colspan=\"13\">" +
+            list_html(remarks) + "</td></tr>\n";
+  return html;
+}
+
+/// A point per plan with its rank beside it; dominated ones hollow.
+LinePanel trade(const SearchResult& result, FrameWords words, double (*x)(const RankedPlan&),
+                double (*y)(const RankedPlan&)) {
+  LinePanel panel{std::move(words), {}};
+  PanelSeries front{"on the Pareto front", {}, {}, Hue::Blue, Mark::Dot};
+  PanelSeries others{
+      "another ranked plan is as good in all and better in one", {}, {}, Hue::Ink, Mark::Hollow};
+  for (const RankedPlan& plan : result.plans) {
+    if (!std::isfinite(x(plan)) || !std::isfinite(y(plan))) continue;
+    PanelSeries& series = plan.pareto ? front : others;
+    series.x.push_back(x(plan));
+    series.y.push_back(y(plan));
+    series.names.push_back(std::to_string(plan.rank));
+  }
+  panel.x_holds = {0.0, 1.0};
+  panel.y_holds = {0.0, 1.0};
+  panel.series = {std::move(front), std::move(others)};
+  return panel;
+}
+
+double steps(const RankedPlan& plan) { return plan.effort.steps; }
+double sizes(const RankedPlan& plan) { return plan.effort.sizes_below; }
+double mean(const RankedPlan& plan) { return plan.region.leak_mm2.mean; }
+double sd(const RankedPlan& plan) { return plan.region.leak_mm2.sd; }
+double upper(const RankedPlan& plan) { return mean(plan) + sd(plan); }
+
+std::string trade_offs(const SearchResult& result) {
+  const auto drawn = [](const RankedPlan& plan) { return std::isfinite(upper(plan)); };
+  const auto count = std::count_if(result.plans.begin(), result.plans.end(), drawn);
+  if (count < 2) return "";
+  const std::string left_out =
+      count < std::ssize(result.plans) ? " Plans whose region is not known are left out." : "";
+  const LineChart chart{
+      "What a better closure costs",
+      "Numbers are ranks; lower and further left is better." + left_out,
+      {trade(result, {"", "steps of the operation", "leak, mean + sd, mm²"}, steps, upper),
+       trade(result, {"", "ring sizes below the annulus", "leak, mean + sd, mm²"}, sizes, upper),
+       trade(result, {"", "leak, mean, mm²", "leak, sd, mm²"}, mean, sd)}};
+  return chart_html(line_chart_svg(chart));
+}
+
+}  // namespace
+
+std::vector<std::string> steps_of(const RankedPlan& plan) {
+  return plan.description.empty() ? std::vector<std::string>{"no repair"} : plan.description;
+}
+
+std::string mean_and_sd(const OrificeStatistics& leak) {
+  return std::isfinite(leak.mean) ? fixed(leak.mean, 1) + " ± " + fixed(leak.sd, 1) : "n/a";
+}
+
+std::string suture_margin(const LeakMargin& to_leak) {
+  return margin(to_leak.suture_length_mm, kFarthest_mm, 2);
+}
+
+std::string angle_margin(const LeakMargin& to_leak) {
+  return margin(to_leak.angle_deg, kFarthest_deg, 1);
+}
+
+std::string ranked_section(const SearchResult& result) {
+  std::string html =
+      "<section><h2>All ranked plans</h2>\n<div class=\"scroll\"><table class=\"dense\"><thead>"
+      "<tr><th class=\"group\" colspan=\"2\"></th><th class=\"group\" colspan=\"2\">As planned</th>"
+      "<th class=\"group\" colspan=\"4\">Leak when the repair varies</th>"
+      "<th class=\"group\" colspan=\"2\">Margin to leak</th>"
+      "<th class=\"group\" colspan=\"4\"></th></tr>"
+      "<tr><th>Rank</th><th class=\"words\">Steps</th><th>Orifice<br>mm²</th><th>Gap<br>mm²</th>"
+      "<th>mean ± sd<br>mm²</th><th>95th p.<br>mm²</th><th>worst<br>mm²</th>"
+      "<th>below<br>5 "
+      "mm²</th><th>suture<br>mm</th><th>angle<br>°</th><th>Coap-<br>tation<br>mm</th>"
+      "<th>Tension<br>N</th><th>Cost</th><th>Ahead of<br>the next</th></tr></thead><tbody>\n";
+  for (const RankedPlan& plan : result.plans) html += rows_of(plan);
+  return html +
+         "</tbody></table></div>\n<p class=\"small\">Orifice: as planned, seen from the atrium. "
+         "Gap: opening between the leaflets in three dimensions, which that view can hide. Leak: "
+         "the larger of the two, over small deviations of suture length and papillary position "
+         "around the plan; below 5 mm²: the share of those that leaves a good repair. Margin: how "
+         "far the first deviation lies that leaks more than 1 mm²; 0 if the plan itself does. "
+         "Coaptation: mean height over nine sections. Tension: highest in any chorda. Cost: what "
+         "the search minimises, in mm². Ahead of the next: the probability that its true cost is "
+         "lower; from 5 to 95 % the two tie. Robust: every closure converged and mean + sd of the "
+         "leak is below 1 mm². Pareto: no other ranked plan is as good in mean, sd, steps and "
+         "undersizing, and better in one. The orifice is anatomic, not an effective regurgitant "
+         "orifice area.</p>\n" +
+         trade_offs(result) + "</section>\n";
+}
+
+}  // namespace coapt

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/picture/html.h"
+#include "io/picture/report_parts.h"
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+// Costs above so many times the best are left out of the chart: they would flatten the rest.
+constexpr double kShownTimes = 12.0, kShownAtLeast = 20.0;
+
+std::string stop_words(SearchStop stop) {
+  switch (stop) {
+    case SearchStop::EvaluationLimit:
+      return "It used all its evaluations.";
+    case SearchStop::Exhausted:
+      return "It tried every plan there is.";
+    case SearchStop::NoImprovement:
+      return "It found no better plan for as long as it was told to wait.";
+    case SearchStop::TargetReached:
+      return "It reached its target.";
+    case SearchStop::TimeLimit:
+      return "It reached its time limit.";
+    case SearchStop::Cancelled:
+      return "It was cancelled; this is the best so far.";
+  }
+  return "";
+}
+
+/// In steps: the best stays the best until there is a better one; up to `end` closures.
+Series staircase(const std::vector<Progress>& progress, double most, int end) {
+  Series series{"best plan so far", {}, {}};
+  for (const Progress& at : progress) {
+    if (!(at.cost <= most)) continue;
+    if (!series.y.empty()) {
+      series.x.push_back(at.closures);
+      series.y.push_back(series.y.back());
+    }
+    series.x.push_back(at.closures);
+    series.y.push_back(at.cost);
+  }
+  if (!series.y.empty() && end > series.x.back()) {
+    series.x.push_back(end);
+    series.y.push_back(series.y.back());
+  }
+  return series;
+}
+
+std::string progress_chart(const SearchResult& result) {
+  if (result.progress.empty()) return "";
+  const double most = std::max(kShownAtLeast, kShownTimes * result.progress.back().cost);
+  const int end = std::max(result.evaluations, result.progress.back().closures);
+  Chart chart{"Cost of the best plan so far",
+              "closures spent on searching",
+              "cost, mm² (lower is better)",
+              {staircase(result.progress, most, end)},
+              true};
+  Series random{"what plans at random are expected to reach", {}, {}};
+  for (const Progress& at : result.random_progress)
+    if (at.cost <= most) {
+      random.x.push_back(at.closures);
+      random.y.push_back(at.cost);
+    }
+  if (!random.x.empty()) chart.series.push_back(std::move(random));
+  return "<div class=\"narrow\">" + chart_html(chart_svg(chart)) +
+         "</div>\n<p class=\"small\">Each plan closed once. Costs above " + fixed(most, 0) +
+         " are not drawn.</p>\n";
+}
+
+std::string counts(const SearchResult& result) {
+  std::string words = grouped(result.closures) + (result.closures == 1 ? " closure" : " closures") +
+                      " in " + fixed(result.seconds, 1) + " s, ranking included; " +
+                      grouped(result.closures_not_converged) + " did not converge, " +
+                      grouped(result.closures_crossed) + " crossed";
+  if (result.closures_known > 0)
+    words += ", " + grouped(result.closures_known) + " were known from an earlier run";
+  words += ". ";
+  if (result.branches > 0)
+    words += grouped(result.plans_tried) + " plans tried of " + grouped(result.plans_possible) +
+             " possible ones in " + grouped(result.branches) +
+             (result.branches == 1 ? " branch. " : " branches. ");
+  return "<p>" + escape_html(words + stop_words(result.stop)) + "</p>\n";
+}
+
+std::string ladder_table(const std::vector<LadderStep>& ladder) {
+  if (ladder.empty()) return "";
+  std::vector<std::vector<std::string>> cells = {
+      {"Closures a plan", "then", "Plans compared", "Rank correlation", "Trusted"}};
+  for (const LadderStep& step : ladder)
+    cells.push_back({grouped(step.from), grouped(step.to), grouped(step.plans),
+                     fixed(step.spearman, 2), step.skipped ? "no" : "yes"});
+  return "<h3>Whether few closures speak for many</h3>\n" + table_html(cells) +
+         "<p class=\"small\">Spearman's correlation of costs; 0: by geometry alone. Where it is "
+         "below 0.80 "
+         "the cheaper figure alone rules no plan out: more plans are closed more often.</p>\n";
+}
+
+std::string subset_table(const std::vector<RankedPlan>& plans) {
+  if (plans.empty()) return "";
+  std::vector<std::vector<std::string>> cells = {
+      {"Rank", "Nodes chosen by", "Cost over those", "Nodes closed", "Cost over what all closed"}};
+  for (const RankedPlan& plan : plans)
+    cells.push_back({std::to_string(plan.rank), grouped(plan.subset_nodes),
+                     fixed(plan.subset_cost, 1), grouped(plan.region.closures),
+                     fixed(plan.cost, 1)});
+  return "<h3>Score on a subset against the full grid</h3>\n" + table_html(cells);
+}
+
+std::string cut_table(const std::vector<CutBranches>& cut) {
+  if (cut.empty()) return "";
+  std::vector<std::vector<std::string>> cells = {{"Left out", "Why"}};
+  for (const CutBranches& branches : cut) cells.push_back({branches.what, branches.why});
+  return "<h3>What was not tried, and why</h3>\n" + table_html(cells);
+}
+
+}  // namespace
+
+std::string search_section(const SearchResult& result) {
+  return "<section><h2>How the search went</h2>\n" + counts(result) + progress_chart(result) +
+         "<div class=\"pair\"><div>" + subset_table(result.plans) + "</div><div>" +
+         ladder_table(result.ladder) + "</div></div>\n" + cut_table(result.cut) + "</section>\n";
+}
+
+}  // namespace coapt

@@ -1,0 +1,157 @@
+#include "search/plans/disturbance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <utility>
+
+#include "search/random_share.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kRayLength_mm = 6;  // as far as the thesis displaces tips (4.2.2)
+constexpr double kLengthStep_mm = 0.25;
+
+// Of the posteromedial muscle's nodes: of the seeds 1 to 10,000 the one that leaves no node with itself
+// and correlates lengths, angles and sizes of both muscles' errors least (0.06; a cyclic order: 0.8, since
+// nodes come in opposite pairs). If it or the region's order changes, errors may be linked.
+constexpr std::uint64_t kShuffleSeed = 3370;
+
+int index_of(const Perturbation& node) {
+  const int length = static_cast<int>(std::lround(node.length_mm / kLengthStep_mm)) + 4;
+  const int outwards = static_cast<int>(std::lround(node.outwards_deg)) + 5;
+  const int posterior = static_cast<int>(std::lround(node.posterior_deg)) + 5;
+  return (length * kRegionAngles + outwards) * kRegionAngles + posterior;
+}
+
+Perturbation slice_at(int cell) {
+  return {kLengthStep_mm * (cell / kRegionAngles - 4), 1.0 * (cell % kRegionAngles - 5), 0.0};
+}
+
+/// The numbers 1 to `count`, shuffled.
+std::vector<int> shuffled(int count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 1);
+  std::mt19937_64 engine(kShuffleSeed);
+  for (int left = count; left > 1; --left)
+    std::swap(numbers[static_cast<std::size_t>(left - 1)],
+              numbers[static_cast<std::size_t>(left * random_share(engine))]);
+  return numbers;
+}
+
+struct Ray {
+  const char* name;
+  Vec3 direction;  // outwards, posterior, apical
+};
+const std::array<Ray, 4> kRays = {Ray{"apical", Vec3(0, 0, 1)}, Ray{"outwards", Vec3(1, 0, 0)},
+                                  Ray{"posterior", Vec3(0, 1, 0)},
+                                  Ray{"all three", Vec3(1, 1, 1).normalized()}};
+
+std::vector<Disturbance> make_disturbances() {
+  std::vector<Disturbance> all;
+  const std::vector<Perturbation> region = region_of_interest();
+  for (const Perturbation& node : region) all.push_back({node, node});
+  constexpr int kMiddle = kRegionLengths * kRegionAngles / 2;
+  for (const Side side : {Side::Anterolateral, Side::Posteromedial})
+    for (int cell = 0; cell < kRegionLengths * kRegionAngles; ++cell) {
+      if (cell == kMiddle) continue;
+      const bool anterolateral = side == Side::Anterolateral;
+      all.push_back({anterolateral ? slice_at(cell) : Perturbation{},
+                     anterolateral ? Perturbation{} : slice_at(cell)});
+    }
+  const std::vector<int> partners = shuffled(kIndependent.count);
+  for (std::size_t k = 0; k < partners.size(); ++k)
+    all.push_back({region[k + 1], region[static_cast<std::size_t>(partners[k])]});
+  for (const Ray& ray : kRays)
+    for (int mm = 1; mm <= kRayLength_mm; ++mm) all.push_back({{}, {}, mm * ray.direction});
+  assert(std::ssize(all) == kDisturbances);
+  return all;
+}
+
+const PapillaryApproximation* suture_of(const RepairPlan& plan, Side side) {
+  for (const RepairStep& step : plan.steps)
+    if (const auto* suture = std::get_if<PapillaryApproximation>(&step))
+      if (suture->side == side) return suture;
+  return nullptr;
+}
+
+double share_of(const Perturbation& node) {
+  return std::max({std::abs(node.length_mm) / kRegionLength_mm,
+                   std::abs(node.outwards_deg) / kRegionAngle_deg,
+                   std::abs(node.posterior_deg) / kRegionAngle_deg});
+}
+
+}  // namespace
+
+const std::vector<Disturbance>& disturbances() {
+  static const std::vector<Disturbance> all = make_disturbances();
+  return all;
+}
+
+double region_share(const Disturbance& disturbance) {
+  return std::max(share_of(disturbance.anterolateral), share_of(disturbance.posteromedial));
+}
+
+int region_node(int length, int outwards, int posterior) {
+  static const std::vector<int> by_place = [] {
+    std::vector<int> places(static_cast<std::size_t>(kRegion.count));
+    for (int k = 0; k < kRegion.count; ++k)
+      places[static_cast<std::size_t>(
+          index_of(disturbances()[static_cast<std::size_t>(k)].anterolateral))] = k;
+    return places;
+  }();
+  return by_place[static_cast<std::size_t>((length * kRegionAngles + outwards) * kRegionAngles +
+                                           posterior)];
+}
+
+int slice_node(Side side, int length, int outwards) {
+  const int cell = length * kRegionAngles + outwards, middle = kRegionLengths * kRegionAngles / 2;
+  if (cell == middle) return 0;
+  const DisturbanceSet set =
+      side == Side::Anterolateral ? kAnterolateralAlone : kPosteromedialAlone;
+  return set.first + cell - (cell > middle ? 1 : 0);
+}
+
+const std::vector<RemodellingRay>& remodelling_rays() {
+  static const std::vector<RemodellingRay> rays = [] {
+    std::vector<RemodellingRay> all;
+    int next = kRemodelling.first;
+    for (const Ray& ray : kRays) {
+      all.push_back({ray.name, {0}});
+      for (int mm = 1; mm <= kRayLength_mm; ++mm) all.back().indices.push_back(next++);
+    }
+    return all;
+  }();
+  return rays;
+}
+
+Valve disturb(const Valve& repaired, const RepairPlan& plan, const Disturbance& disturbance) {
+  Valve valve = repaired;
+  for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
+    const bool anterolateral = side == Side::Anterolateral;
+    const PapillaryApproximation* suture = suture_of(plan, side);
+    const Vec3 anchor = anchor_mm(
+        repaired, suture != nullptr
+                      ? *suture
+                      : PapillaryApproximation{.side = side, .anchor = Anchor::IpsilateralTrigone});
+    const double outwards = anterolateral ? -1.0 : 1.0;
+    const Vec3 tip = papillary_tip_mm(repaired, side);
+    const Perturbation& node =
+        anterolateral ? disturbance.anterolateral : disturbance.posteromedial;
+    Vec3 moved = disturbed_tip(tip, anchor, outwards, node);
+    const double reach = (moved - anchor).norm();
+    const Vec3& further = disturbance.remodelling_mm;
+    moved += Vec3(outwards * further.x(), -further.y(), -further.z());
+    const double now = (moved - anchor).norm();
+    if (suture != nullptr && now > reach) moved = anchor + reach / now * (moved - anchor);
+    for (PapillaryHead& head : valve.heads)
+      if (head.side == side) head.tip_mm += moved - tip;
+  }
+  return valve;
+}
+
+}  // namespace coapt

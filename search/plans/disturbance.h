@@ -1,0 +1,60 @@
+// What may come between a plan and the valve that it leaves: sutures tied a little long or short, tips
+// that come to lie elsewhere, a ventricle that goes on remodelling. Every plan is closed under the same
+// disturbances, each known by its index, so that costs are compared over equal ones.
+#pragma once
+
+#include <vector>
+
+#include "core/repair/plan.h"
+#include "search/perturbation.h"
+
+namespace coapt {
+
+struct Disturbance {
+  Perturbation anterolateral, posteromedial;
+  /// How far both tips go outwards, backwards and apically. A taut suture holds: a tip goes no further
+  /// from its anchor than it was.
+  Vec3 remodelling_mm = Vec3::Zero();
+};
+
+/// Indices [first, first + count) into disturbances().
+struct DisturbanceSet {
+  int first = 0, count = 0;
+};
+
+/// The whole region of interest (perturbation.h): both muscles take the same node, mirrored, for
+/// remodelling is global. Index 0 is the plan as planned; the first n stand for all.
+inline constexpr DisturbanceSet kRegion = {0, 1089};
+/// One muscle alone, 9 suture lengths x 11 angles outwards, see slice_of(): the other stays.
+inline constexpr DisturbanceSet kAnterolateralAlone = {1089, 98};
+inline constexpr DisturbanceSet kPosteromedialAlone = {1187, 98};
+/// Two muscles at nodes of their own, each at the region's nodes 1 to 64 once, uncorrelated: two sutures are
+/// tied by two knots.
+inline constexpr DisturbanceSet kIndependent = {1285, 64};
+/// Rays of further remodelling, see remodelling_rays().
+inline constexpr DisturbanceSet kRemodelling = {1349, 24};
+inline constexpr int kDisturbances = 1373;
+
+const std::vector<Disturbance>& disturbances();
+
+/// Axes of the region: -1 to 1 mm, -5 to 5 degrees twice.
+inline constexpr int kRegionLengths = 9, kRegionAngles = 11;
+inline constexpr double kRegionLength_mm = 1.0, kRegionAngle_deg = 5.0;
+/// How far errors of the sutures go, of the worse muscle: 0 none, 1 at the border of the region.
+/// Remodelling does not count.
+double region_share(const Disturbance& disturbance);
+/// Index of a region's node by its place on the grid: length, outwards, posterior.
+int region_node(int length, int outwards, int posterior);
+/// Index of a node of the slice of one muscle alone by its place there; the middle is index 0.
+int slice_node(Side side, int length, int outwards);
+
+struct RemodellingRay {
+  const char* direction;     ///< "apical", "outwards", "posterior", "all three"
+  std::vector<int> indices;  ///< 7, at 0, 1, ... 6 mm
+};
+const std::vector<RemodellingRay>& remodelling_rays();
+
+/// @param plan the repair that led to `repaired`, each of its sutures taut. A muscle without a suture swings about its trigone.
+Valve disturb(const Valve& repaired, const RepairPlan& plan, const Disturbance& disturbance);
+
+}  // namespace coapt

@@ -1,0 +1,244 @@
+#include "search/plans/gates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/repair/annuloplasty.h"
+#include "core/repair/limits.h"
+#include "core/valve/annulus_frame.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kRounding = 1e-6;
+constexpr double kStenoticRing_mm = 27.0;  // labelled; predicts functional stenosis
+constexpr const char* kPractice = "surgical practice";
+
+std::string one_decimal(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", value);
+  return text;
+}
+std::string mm(double value) { return one_decimal(value) + " mm"; }
+
+/// Of several findings the most severe are told.
+void tell(Gate& gate, GateSeverity severity, const std::string& finding) {
+  if (severity < gate.severity) return;
+  if (severity > gate.severity) gate.finding.clear();
+  gate.severity = severity;
+  gate.finding += (gate.finding.empty() ? "" : "; ") + finding;
+}
+
+Gate gate(const char* rule) { return {rule, GateSeverity::Pass, "", kPractice}; }
+
+Gate not_assessed(const char* rule, const char* finding) {
+  return {rule, GateSeverity::NotAssessed, finding, kPractice};
+}
+
+template <class Step>
+std::vector<Step> steps_of(const RepairPlan& plan) {
+  std::vector<Step> found;
+  for (const RepairStep& step : plan.steps)
+    if (const Step* one = std::get_if<Step>(&step)) found.push_back(*one);
+  return found;
+}
+
+/// Says that a rule has no subject, if nothing was found.
+Gate or_none(Gate gate, const char* none) {
+  if (gate.finding.empty()) gate.finding = none;
+  return gate;
+}
+
+struct RingWidths {
+  double transverse_mm;  ///< of the annulus before
+  double ring_mm;
+  double label_mm;
+};
+
+RingWidths widths(const Annuloplasty& ring, const Operation& operation) {
+  const double transverse = transverse_diameter_mm(operation.valve, annulus_frame(operation.valve));
+  if (ring.shape == "own") {
+    const double width = transverse - kRingSizeStep_mm * ring.sizes_below;
+    return {transverse, width, width};
+  }
+  return {transverse, ring_width_mm(*find_ring(operation.catalogue, ring.shape), ring.size_mm),
+          ring.size_mm};
+}
+
+Gate ring_width(const Operation& operation) {
+  Gate rule = gate("ring_width");
+  for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
+    const RingWidths width = widths(ring, operation);
+    const std::string figures =
+        " the annulus (" + mm(width.ring_mm) + " against " + mm(width.transverse_mm) + ")";
+    if (width.ring_mm > width.transverse_mm + kRounding)
+      tell(rule, GateSeverity::Warn, "ring wider than" + figures + ": it would stretch it");
+    else
+      tell(rule, GateSeverity::Pass, "ring no wider than" + figures);
+  }
+  return or_none(rule, "no ring");
+}
+
+Gate ring_stenosis(const Operation& operation) {
+  Gate rule = gate("ring_stenosis");
+  for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
+    const double label = widths(ring, operation).label_mm;
+    if (label <= kStenoticRing_mm + kRounding)
+      tell(rule, GateSeverity::Warn,
+           "ring of " + mm(label) +
+               ": 27 mm or less predicts functional stenosis; filling is not simulated");
+    else
+      tell(rule, GateSeverity::Pass, "ring of " + mm(label) + ", more than 27 mm");
+  }
+  return or_none(rule, "no ring");
+}
+
+Gate undersizing(const Operation& operation) {
+  Gate rule = gate("undersizing");
+  for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
+    const RingWidths width = widths(ring, operation);
+    const double sizes =
+        std::max({0.0, (width.transverse_mm - width.ring_mm) / kRingSizeStep_mm,
+                  effort(operation.valve, operation.repaired, operation.plan).sizes_below});
+    const std::string figure =
+        "annulus made smaller by " + one_decimal(sizes) + " ring sizes (of its width or area): ";
+    if (sizes > kMostSizesBelow + kRounding)
+      tell(rule, GateSeverity::Reject, figure + "more than 4 ring sizes are rejected in practice");
+    else
+      tell(rule, GateSeverity::Pass, figure + "2 to 4 is usual undersizing");
+  }
+  return or_none(rule, "no ring");
+}
+
+Gate opening_area() {
+  return not_assessed("opening_area",
+                      "diastole is not simulated; practice rejects an open valve of less than "
+                      "1.5 cm2 and is wary below 2.0");
+}
+
+Gate papillary_movement(const Operation& operation) {
+  Gate rule = gate("papillary_movement");
+  const Effort asked = effort(operation.valve, operation.repaired, operation.plan);
+  const auto about = [&rule](double movement, Side side) {
+    const std::string figure = std::string(to_string(side)) + " muscle moved by " + mm(movement);
+    if (movement > kRejectedMovement_mm + kRounding)
+      tell(rule, GateSeverity::Reject, figure + ": more than 15 mm is rejected in practice");
+    else if (movement > kUsualMovement_mm + kRounding)
+      tell(rule, GateSeverity::Warn, figure + ": more than 10 mm is unusual");
+    else if (movement > 0.0)
+      tell(rule, GateSeverity::Pass, figure);
+  };
+  about(asked.anterolateral_movement_mm, Side::Anterolateral);
+  about(asked.posteromedial_movement_mm, Side::Posteromedial);
+  return or_none(rule, "no muscle moved");
+}
+
+/// apply_plan() refuses what this rule forbids.
+Gate suture_length(const Operation& operation) {
+  Gate rule = gate("suture_length");
+  for (const auto& suture : steps_of<PapillaryApproximation>(operation.plan))
+    tell(rule, GateSeverity::Pass,
+         std::string(to_string(suture.side)) + " suture of " + mm(suture.suture_length_mm) +
+             ": not below 12 mm nor half the distance before");
+  return or_none(rule, "no papillary suture");
+}
+
+Gate filling(const Operation& operation) {
+  Gate rule = gate("filling");
+  for (const auto& suture : steps_of<PapillaryApproximation>(operation.plan))
+    if (suture.anchor == Anchor::AnnulusPoint && suture.annulus_around > 0.5 &&
+        suture.annulus_around < 1.0)
+      tell(rule, GateSeverity::Warn,
+           std::string(to_string(suture.side)) +
+               " muscle tied to the posterior annulus: such an anchor impaired filling, which is "
+               "not simulated");
+  return rule.severity == GateSeverity::Warn ? rule
+                                             : not_assessed("filling", "diastole is not simulated");
+}
+
+Gate neochorda_length(const Operation& operation) {
+  Gate rule = gate("neochorda_length");
+  for (const Neochorda& step : steps_of<Neochorda>(operation.plan)) {
+    const bool usual = step.length_mm >= kUsualNeochordaMm.min - kRounding &&
+                       step.length_mm <= kUsualNeochordaMm.max + kRounding;
+    tell(rule, usual ? GateSeverity::Pass : GateSeverity::Warn,
+         "neochorda of " + mm(step.length_mm) + (usual ? "" : ": usual are 10 to 30 mm"));
+  }
+  return or_none(rule, "no neochorda");
+}
+
+Gate neochorda_half(const Operation& operation) {
+  Gate rule = gate("neochorda_half");
+  for (const Neochorda& step : steps_of<Neochorda>(operation.plan))
+    for (const PapillaryHead& head : operation.valve.heads) {
+      if (head.id != step.head) continue;
+      const double own = head.side == Side::Anterolateral ? 0.0 : 1.0;
+      const bool crosses = std::abs(step.insertion.along - own) > 0.5;
+      tell(rule, crosses ? GateSeverity::Warn : GateSeverity::Pass,
+           "neochorda from " + head.id +
+               (crosses ? " crosses to the other half of the valve" : " stays in its half"));
+    }
+  return or_none(rule, "no neochorda");
+}
+
+Gate native_chordae(const Operation& operation) {
+  Gate rule = gate("native_chordae");
+  const auto holds_edge = [&operation](const std::string& id) {
+    return std::any_of(
+        operation.valve.chordae.begin(), operation.valve.chordae.end(), [&id](const Chorda& c) {
+          return c.id == id && (c.kind == ChordaKind::Marginal || c.kind == ChordaKind::Neochorda);
+        });
+  };
+  for (const ChordalExcision& step : steps_of<ChordalExcision>(operation.plan))
+    if (holds_edge(step.chorda))
+      tell(rule, GateSeverity::Warn,
+           "chorda " + step.chorda + " cut: the free edge loses its support there");
+    else
+      tell(rule, GateSeverity::Pass,
+           "chorda " + step.chorda + " cut: it does not hold the free edge");
+  for (const ChordalTransfer& step : steps_of<ChordalTransfer>(operation.plan))
+    tell(rule, GateSeverity::Pass,
+         "chorda " + step.chorda + " transferred: what it held before is left to its neighbours");
+  for (const ChordalLengthChange& step : steps_of<ChordalLengthChange>(operation.plan))
+    tell(rule, GateSeverity::Pass, "chorda " + step.chorda + " changed in length, not cut");
+  return or_none(rule, "no native chorda touched");
+}
+
+}  // namespace
+
+const char* to_string(GateSeverity severity) {
+  switch (severity) {
+    case GateSeverity::Pass:
+      return "pass";
+    case GateSeverity::Warn:
+      return "warn";
+    case GateSeverity::Reject:
+      return "reject";
+    case GateSeverity::NotAssessed:
+      return "not_assessed";
+  }
+  return "";
+}
+
+std::vector<Gate> operation_gates(const Operation& operation) {
+  return {ring_width(operation),    ring_stenosis(operation),      undersizing(operation),
+          opening_area(),           papillary_movement(operation), suture_length(operation),
+          filling(operation),       neochorda_length(operation),   neochorda_half(operation),
+          native_chordae(operation)};
+}
+
+bool is_rejected(const std::vector<Gate>& gates) {
+  return std::any_of(gates.begin(), gates.end(),
+                     [](const Gate& gate) { return gate.severity == GateSeverity::Reject; });
+}
+
+std::vector<std::string> warnings_of(const std::vector<Gate>& gates) {
+  std::vector<std::string> lines;
+  for (const Gate& gate : gates)
+    if (gate.severity == GateSeverity::Warn || gate.severity == GateSeverity::Reject)
+      lines.push_back(gate.finding);
+  return lines;
+}
+
+}  // namespace coapt

@@ -1,0 +1,141 @@
+#include "search/plans/lesion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace coapt {
+namespace {
+
+constexpr double kFallback_mm = 20.0;
+
+/// Mean rest length from the head to the insertions.
+double reach_mm(const Chorda& chorda) {
+  std::vector<double> to_end;
+  double sum = 0.0;
+  int insertions = 0;
+  for (const ChordaSegment& segment : chorda.segments) {
+    const double before =
+        segment.parent < 0 ? 0.0 : to_end[static_cast<std::size_t>(segment.parent)];
+    to_end.push_back(before + segment.rest_length_mm);
+    if (!segment.inserts) continue;
+    sum += to_end.back();
+    ++insertions;
+  }
+  return sum / insertions;
+}
+
+LeafletPoint mean_point(const Valve& valve, const LeafletCoordinates& coordinates,
+                        const Chorda& chorda) {
+  LeafletPoint mean{Leaflet::Posterior, 0.0, 0.0};
+  int insertions = 0;
+  for (const ChordaSegment& segment : chorda.segments) {
+    if (!segment.inserts) continue;
+    const LeafletPoint point = leaflet_point(valve, coordinates, segment.insertion);
+    mean.leaflet = point.leaflet;
+    mean.along += point.along;
+    mean.height += point.height;
+    ++insertions;
+  }
+  mean.along /= insertions;
+  mean.height /= insertions;
+  return mean;
+}
+
+std::string nearest_head(const Valve& valve, Side side, const Vec3& point) {
+  std::string id;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const PapillaryHead& head : valve.heads) {
+    const double distance = (head.rest_mm - point).norm();
+    if (head.side != side || distance >= nearest) continue;
+    nearest = distance;
+    id = head.id;
+  }
+  return id;
+}
+
+double usual_length_mm(const Valve& valve, const LeafletCoordinates& coordinates, Leaflet leaflet) {
+  double on_leaflet = 0.0, anywhere = 0.0;
+  int leaflet_count = 0, count = 0;
+  for (const Chorda& chorda : valve.chordae) {
+    if (chorda.kind != ChordaKind::Marginal || chorda.ruptured) continue;
+    const double reach = reach_mm(chorda);
+    anywhere += reach;
+    ++count;
+    if (mean_point(valve, coordinates, chorda).leaflet != leaflet) continue;
+    on_leaflet += reach;
+    ++leaflet_count;
+  }
+  if (leaflet_count > 0) return on_leaflet / leaflet_count;
+  return count > 0 ? anywhere / count : kFallback_mm;
+}
+
+/// Indices of intact marginal chordae of one leaflet, by their distance from `along`.
+std::vector<int> by_distance(const Valve& valve, const LeafletCoordinates& coordinates,
+                             Leaflet leaflet, double along) {
+  std::vector<std::pair<double, int>> found;
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    const Chorda& chorda = valve.chordae[c];
+    if (chorda.kind != ChordaKind::Marginal || chorda.ruptured) continue;
+    const LeafletPoint point = mean_point(valve, coordinates, chorda);
+    if (point.leaflet == leaflet)
+      found.emplace_back(std::abs(point.along - along), static_cast<int>(c));
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<int> indices;
+  for (const auto& [distance, index] : found) indices.push_back(index);
+  return indices;
+}
+
+}  // namespace
+
+std::optional<Lesion> find_lesion(const Valve& valve, const LeafletCoordinates& coordinates) {
+  std::vector<double> along_posterior, along_anterior;
+  for (const Chorda& chorda : valve.chordae) {
+    if (chorda.kind != ChordaKind::Marginal || !chorda.ruptured) continue;
+    const LeafletPoint point = mean_point(valve, coordinates, chorda);
+    (point.leaflet == Leaflet::Posterior ? along_posterior : along_anterior).push_back(point.along);
+  }
+  const bool posterior = along_posterior.size() >= along_anterior.size();
+  const std::vector<double>& along = posterior ? along_posterior : along_anterior;
+  if (along.empty()) return std::nullopt;
+  const auto [first, last] = std::minmax_element(along.begin(), along.end());
+  const Leaflet leaflet = posterior ? Leaflet::Posterior : Leaflet::Anterior;
+  return Lesion{leaflet, 0.5 * (*first + *last), usual_length_mm(valve, coordinates, leaflet)};
+}
+
+Neochorda neochorda_at(const Valve& valve, const LeafletCoordinates& coordinates,
+                       const Lesion& lesion, double along) {
+  const LeafletPoint point{lesion.leaflet, std::clamp(along, 0.0, 1.0), 1.0};
+  const Vec3 edge = position(locate(valve, coordinates, point), valve.faces, valve.rest_mm);
+  const Side side = point.along < 0.5 ? Side::Anterolateral : Side::Posteromedial;
+  return {nearest_head(valve, side, edge), point, lesion.length_mm};
+}
+
+std::vector<int> chordae_beside(const Valve& valve, const LeafletCoordinates& coordinates,
+                                const Lesion& lesion, int most) {
+  std::vector<int> found = by_distance(valve, coordinates, lesion.leaflet, lesion.middle);
+  if (std::ssize(found) > most) found.resize(static_cast<std::size_t>(most));
+  return found;
+}
+
+int chorda_opposite(const Valve& valve, const LeafletCoordinates& coordinates,
+                    const Lesion& lesion) {
+  const Leaflet other =
+      lesion.leaflet == Leaflet::Posterior ? Leaflet::Anterior : Leaflet::Posterior;
+  const std::vector<int> found = by_distance(valve, coordinates, other, lesion.middle);
+  return found.empty() ? -1 : found.front();
+}
+
+std::vector<int> anterior_struts(const Valve& valve, const LeafletCoordinates& coordinates) {
+  std::vector<int> found;
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    const Chorda& chorda = valve.chordae[c];
+    if (chorda.kind == ChordaKind::Strut && !chorda.ruptured &&
+        mean_point(valve, coordinates, chorda).leaflet == Leaflet::Anterior)
+      found.push_back(static_cast<int>(c));
+  }
+  return found;
+}
+
+}  // namespace coapt

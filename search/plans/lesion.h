@@ -1,0 +1,40 @@
+// Where marginal chordae are ruptured, and what could be done to chordae there.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/repair/plan.h"
+
+namespace coapt {
+
+/// The part of one free edge that ruptured marginal chordae held, on the leaflet with more of them
+/// (the posterior one of as many).
+struct Lesion {
+  Leaflet leaflet = Leaflet::Posterior;
+  double middle = 0.5;  ///< LeafletPoint::along
+  /// Mean of the intact marginal chordae of that leaflet, from head to leaflet (of all, if it has none; 20,
+  /// if there are none at all).
+  double length_mm = 0.0;
+};
+
+/// Nothing if no marginal chorda is ruptured.
+std::optional<Lesion> find_lesion(const Valve& valve, const LeafletCoordinates& coordinates);
+
+/// From the free edge at `along` (clamped to the leaflet) to the nearest head of the same half of the
+/// valve. Its head is empty if that half has none.
+Neochorda neochorda_at(const Valve& valve, const LeafletCoordinates& coordinates,
+                       const Lesion& lesion, double along);
+
+/// Intact marginal chordae of the lesion's leaflet, nearest first, at most `most`.  Indices
+std::vector<int> chordae_beside(const Valve& valve, const LeafletCoordinates& coordinates,
+                                const Lesion& lesion, int most);
+
+/// The intact marginal chorda of the other leaflet that lies opposite; -1 if there is none.
+int chorda_opposite(const Valve& valve, const LeafletCoordinates& coordinates,
+                    const Lesion& lesion);
+
+/// Intact strut chordae of the anterior leaflet.  Indices
+std::vector<int> anterior_struts(const Valve& valve, const LeafletCoordinates& coordinates);
+
+}  // namespace coapt

@@ -1,0 +1,27 @@
+// What a search remembers of one closure.
+#pragma once
+
+#include "search/evaluator.h"
+
+namespace coapt {
+
+/// Of one plan under one disturbance. Numbers may be NaN or infinite where the valve flew apart.
+struct PlanClosure {
+  ClosureStatus status = ClosureStatus::Converged;
+  bool crossing = false;
+  double orifice_mm2 = 0.0;      ///< leaflets with their half thickness, seen from the atrium
+  double gap_mm2 = 0.0;          ///< between the leaflets in three dimensions (Coaptation)
+  double coaptation_mm = 0.0;    ///< height of A2 with P2: mean of the three middle sections
+  double distance_max_mm = 0.0;  ///< see Coaptation
+  double tension_max_n = 0.0;
+};
+
+PlanClosure plan_closure(const Evaluation& evaluation);
+
+/// The larger of orifice and gap; NaN if either is.
+double leak_mm2(const PlanClosure& closure);
+
+/// Converged, uncrossed, its leak a number.
+bool trusted(const PlanClosure& closure);
+
+}  // namespace coapt

@@ -1,0 +1,256 @@
+#include "search/plans/ranking.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "core/repair/apply_plan.h"
+#include "search/plans/exploration.h"
+#include "search/random_share.h"
+#include "search/studies/rank_correlation.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kBeforeTheRegion = 65;  // nodes by which reported plans are taken from the finalists
+constexpr int kResamples = 400;
+/// Of a region's mean leak, for the same plan closed from elsewhere: 0.00 to 0.06 mm2 (plan_desk.h).
+constexpr double kScatter_mm2 = 0.05;
+constexpr double kLeastCorrelation = 0.8;
+
+std::vector<double> costs_of(const PlanDesk& desk, const std::vector<PlanRecord*>& plans,
+                             int nodes) {
+  std::vector<double> costs;
+  for (const PlanRecord* plan : plans) costs.push_back(desk.cost(*plan, nodes));
+  return costs;
+}
+
+/// Node by node, so that an early stop leaves as many nodes as possible that all have.
+bool close_up_to(PlanDesk& desk, const std::vector<PlanRecord*>& plans, int nodes) {
+  std::vector<PlanDesk::Wanted> wanted;
+  for (int d = 0; d < nodes; ++d)
+    for (PlanRecord* plan : plans)
+      if (!plan->closures.contains(d)) wanted.push_back({plan, d});
+  return desk.close(wanted, PlanDesk::Phase::Ranking);
+}
+
+/// Nodes that all plans have closed, counted from the first.
+int common_nodes(const std::vector<PlanRecord*>& plans) {
+  int common = kRegion.count;
+  for (const PlanRecord* plan : plans) {
+    int nodes = 0;
+    while (nodes < common && plan->closures.contains(nodes)) ++nodes;
+    common = nodes;
+  }
+  return common;
+}
+
+void keep_cheapest(const PlanDesk& desk, std::vector<PlanRecord*>& plans, int nodes, int count) {
+  if (nodes == 0) {  // nothing is known of some: in the order found
+    if (std::ssize(plans) > count) plans.resize(static_cast<std::size_t>(count));
+    return;
+  }
+  std::stable_sort(plans.begin(), plans.end(), [&](const PlanRecord* a, const PlanRecord* b) {
+    return desk.cost(*a, nodes) < desk.cost(*b, nodes);
+  });
+  if (std::ssize(plans) > count) plans.resize(static_cast<std::size_t>(count));
+}
+
+bool has_suture(const PlanRecord& plan, Side side) {
+  return std::any_of(plan.plan.steps.begin(), plan.plan.steps.end(), [side](const RepairStep& s) {
+    const auto* suture = std::get_if<PapillaryApproximation>(&s);
+    return suture != nullptr && suture->side == side;
+  });
+}
+
+void close_evidence(PlanDesk& desk, const std::vector<PlanRecord*>& plans) {
+  std::vector<PlanDesk::Wanted> wanted;
+  const auto want = [&](PlanRecord* plan, DisturbanceSet set) {
+    for (int d = set.first; d < set.first + set.count; ++d) wanted.push_back({plan, d});
+  };
+  for (PlanRecord* plan : plans) {
+    want(plan, kRemodelling);
+    const bool al = has_suture(*plan, Side::Anterolateral);
+    const bool pm = has_suture(*plan, Side::Posteromedial);
+    if (al) want(plan, kAnterolateralAlone);
+    if (pm) want(plan, kPosteromedialAlone);
+    if (al && pm) want(plan, kIndependent);
+  }
+  desk.close(wanted, PlanDesk::Phase::Ranking);
+}
+
+bool failed(const RankedPlan& plan) { return !trusted({plan.status, plan.crossing, plan.measure}); }
+
+bool is_better(const RankedPlan& a, const RankedPlan& b) {
+  if (failed(a) != failed(b)) return failed(b);
+  const auto share_a = std::int64_t{a.region.failures} * b.region.closures;
+  const auto share_b = std::int64_t{b.region.failures} * a.region.closures;
+  if (share_a != share_b) return share_a < share_b;
+  if (closes_robustly(a) != closes_robustly(b)) return closes_robustly(a);
+  return a.cost < b.cost;
+}
+
+/// One resample of the region's nodes, the same for both plans.
+class Resampling {
+ public:
+  Resampling(const PlanDesk& desk, const PlanRecord& plan, int nodes) : desk_(desk), plan_(plan) {
+    for (int d = 0; d < nodes; ++d)
+      closures_.push_back(
+          {plan.closures.at(d), region_share(disturbances()[static_cast<std::size_t>(d)])});
+  }
+  double cost(const std::vector<std::size_t>& nodes, double error_mm2) const {
+    std::vector<ScoredClosure> drawn;
+    for (const std::size_t node : nodes) drawn.push_back(closures_[node]);
+    const CostWeights& weights = desk_.context().weights;
+    return plan_cost(drawn, plan_.effort, desk_.context()) + weights.leak * error_mm2;
+  }
+
+ private:
+  const PlanDesk& desk_;
+  const PlanRecord& plan_;
+  std::vector<ScoredClosure> closures_;
+};
+
+double normal(std::mt19937_64& engine) {  // Box and Muller (1958)
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - random_share(engine)));
+  return radius * std::cos(2.0 * std::numbers::pi * random_share(engine));
+}
+
+double probability_below(const PlanDesk& desk, const PlanRecord& a, const PlanRecord& b,
+                         int nodes) {
+  if (nodes < 2) return std::numeric_limits<double>::quiet_NaN();
+  const Resampling first(desk, a, nodes), second(desk, b, nodes);
+  std::mt19937_64 engine(1);
+  int below = 0;
+  for (int r = 0; r < kResamples; ++r) {
+    std::vector<std::size_t> drawn{0};  // as planned, always
+    while (std::ssize(drawn) < nodes)
+      drawn.push_back(static_cast<std::size_t>(random_share(engine) * nodes));
+    const double error_a = kScatter_mm2 * normal(engine), error_b = kScatter_mm2 * normal(engine);
+    below += first.cost(drawn, error_a) < second.cost(drawn, error_b);
+  }
+  return static_cast<double>(below) / kResamples;
+}
+
+RankedPlan ranked(PlanDesk& desk, const PlanRecord& record, int nodes) {
+  RankedPlan plan;
+  plan.plan = record.plan;
+  plan.description = describe(desk.valve(), record.plan);
+  const Evaluation evaluation = desk.evaluation(record);
+  plan.status = evaluation.status;
+  plan.crossing = evaluation.crossing;
+  plan.measure = evaluation.measure;
+  plan.effort = record.effort;
+  plan.cost = desk.cost(record, nodes);
+  plan.subset_nodes = std::min(nodes, kChosenBy);
+  plan.subset_cost = desk.cost(record, plan.subset_nodes);
+  plan.region = region_report(record, nodes);
+  const Expected<Valve> repaired = apply_plan(desk.valve(), record.plan, desk.catalogue());
+  plan.gates = operation_gates({record.plan, desk.valve(), *repaired, desk.catalogue()});
+  for (Gate& gate : closure_gates(evaluation, desk.before())) plan.gates.push_back(std::move(gate));
+  plan.warnings = warnings_of(plan.gates);
+  if (plan.region.leak_mm2.worst > kGoodRepair_mm2)
+    plan.warnings.push_back("leaks more than 5 mm2 somewhere in the region of interest");
+  if (nodes > 1 && plan.region.failures > 0)
+    plan.warnings.push_back(std::to_string(plan.region.failures) + " of " + std::to_string(nodes) +
+                            " closures in the region of interest failed and are left out of its "
+                            "figures");
+  return plan;
+}
+
+}  // namespace
+
+bool closes_robustly(const RankedPlan& plan) {
+  const OrificeStatistics& leak = plan.region.leak_mm2;
+  return !failed(plan) && plan.region.failures == 0 && plan.region.closures > 1 &&
+         leak.mean + leak.sd < kCompetentLeak_mm2;
+}
+
+int ranking_closures(const SearchOptions& options) {
+  const int before = std::min(kBeforeTheRegion, options.region_points);
+  int most = kFinalists * options.plans * before + options.plans * (options.region_points - before);
+  if (options.evidence)
+    most += options.plans * (kRemodelling.count + kAnterolateralAlone.count +
+                             kPosteromedialAlone.count + kIndependent.count);
+  return most;
+}
+
+std::vector<PlanRecord*> close_finalists(PlanDesk& desk, std::vector<PlanRecord*> finalists,
+                                         const SearchOptions& options,
+                                         std::vector<LadderStep>& ladder) {
+  int closed = 0;
+  for (const int goal : {1, kChosenBy, kBeforeTheRegion, options.region_points}) {
+    const int nodes = std::min(goal, options.region_points);
+    if (nodes <= closed) continue;
+    if (!close_up_to(desk, finalists, nodes)) {
+      keep_cheapest(desk, finalists, common_nodes(finalists), options.plans);
+      return finalists;
+    }
+    if (closed > 1) {
+      const double correlation =
+          rank_correlation(costs_of(desk, finalists, closed), costs_of(desk, finalists, nodes));
+      ladder.push_back({closed, nodes, static_cast<int>(finalists.size()), correlation,
+                        correlation < kLeastCorrelation});
+    }
+    closed = nodes;
+    if (nodes >= std::min(kBeforeTheRegion, options.region_points))
+      keep_cheapest(desk, finalists, nodes, options.plans);
+  }
+  keep_cheapest(desk, finalists, closed, options.plans);
+  if (options.evidence) close_evidence(desk, finalists);
+  return finalists;
+}
+
+std::vector<RankedPlan> rank(PlanDesk& desk, const std::vector<PlanRecord*>& plans,
+                             int most_nodes) {
+  const int nodes = std::min(most_nodes, common_nodes(plans));
+  if (nodes == 0) return {};
+  std::vector<std::pair<RankedPlan, const PlanRecord*>> order;
+  for (const PlanRecord* plan : plans) order.emplace_back(ranked(desk, *plan, nodes), plan);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return is_better(a.first, b.first); });
+  std::vector<const PlanRecord*> records;
+  for (const auto& [plan, record] : order) records.push_back(record);
+  const std::vector<ParetoPlan> front = pareto_front(desk, records, nodes);
+  std::vector<RankedPlan> result;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    RankedPlan& plan = order[i].first;
+    plan.rank = static_cast<int>(i) + 1;
+    plan.probability_outranks_next =
+        i + 1 < order.size() ? probability_below(desk, *records[i], *records[i + 1], nodes)
+                             : std::numeric_limits<double>::quiet_NaN();
+    plan.pareto = std::any_of(front.begin(), front.end(), [&](const ParetoPlan& best) {
+      return best.description == plan.description;
+    });
+    result.push_back(std::move(plan));
+  }
+  return result;
+}
+
+std::vector<ParetoPlan> pareto_front(const PlanDesk& desk,
+                                     const std::vector<const PlanRecord*>& plans, int nodes) {
+  std::vector<ParetoPlan> all, front;
+  for (const PlanRecord* plan : plans) {
+    const RegionReport region = region_report(*plan, nodes);
+    if (region.failures > 0 || std::isnan(region.leak_mm2.mean)) continue;
+    all.push_back({plan->plan, describe(desk.valve(), plan->plan), region.leak_mm2.mean,
+                   region.leak_mm2.sd, plan->effort.steps, plan->effort.sizes_below, nodes});
+  }
+  const auto beats = [](const ParetoPlan& a, const ParetoPlan& b) {
+    const bool as_good = a.mean_mm2 <= b.mean_mm2 && a.sd_mm2 <= b.sd_mm2 && a.steps <= b.steps &&
+                         a.sizes_below <= b.sizes_below;
+    return as_good && (a.mean_mm2 < b.mean_mm2 || a.sd_mm2 < b.sd_mm2 || a.steps < b.steps ||
+                       a.sizes_below < b.sizes_below);
+  };
+  for (const ParetoPlan& plan : all)
+    if (std::none_of(all.begin(), all.end(), [&](const auto& other) { return beats(other, plan); }))
+      front.push_back(plan);
+  std::stable_sort(front.begin(), front.end(), [](const ParetoPlan& a, const ParetoPlan& b) {
+    return a.steps != b.steps ? a.steps < b.steps : a.mean_mm2 < b.mean_mm2;
+  });
+  return front;
+}
+
+}  // namespace coapt

@@ -1,0 +1,34 @@
+// The best plans, closed again all over the region of interest around them, and put in order.
+#pragma once
+
+#include <vector>
+
+#include "search/plans/plan_desk.h"
+#include "search/plans/plan_search.h"
+
+namespace coapt {
+
+/// Finalists for each reported plan, where 17 nodes rank badly; else one less.
+inline constexpr int kFinalists = 3;
+
+/// Closures that close_finalists() takes at most.
+int ranking_closures(const SearchOptions& options);
+
+/// Closes the finalists at as many nodes as the ladder goes, dropping the dearest on the way down to
+/// options.plans; then, if asked for, the evidence: single sutures, independent errors, remodelling. Out of time
+/// or cancelled it leaves fewer nodes, but all plans that stay have equal ones.
+std::vector<PlanRecord*> close_finalists(PlanDesk& desk, std::vector<PlanRecord*> finalists,
+                                         const SearchOptions& options,
+                                         std::vector<LadderStep>& ladder);
+
+/// Plans in order: those whose own closure failed come last; then by the share of closures over the region that
+/// failed (they have no leak to count); robustly closing ones first; then by cost. Over the nodes that all of them
+/// have closed, at most so many.
+std::vector<RankedPlan> rank(PlanDesk& desk, const std::vector<PlanRecord*>& plans, int most_nodes);
+
+/// Of plans that may be compared (equally many nodes): no other is as good in mean, sd, steps and undersizing,
+/// and better in one.
+std::vector<ParetoPlan> pareto_front(const PlanDesk& desk,
+                                     const std::vector<const PlanRecord*>& plans, int nodes);
+
+}  // namespace coapt

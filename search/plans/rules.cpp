@@ -1,0 +1,82 @@
+#include "search/plans/rules.h"
+
+#include <algorithm>
+
+#include "core/repair/apply_plan.h"
+
+namespace coapt {
+namespace {
+
+/// Technique and kinds of a step, as rules call them.
+struct StepWords {
+  std::string technique;
+  std::vector<std::string> kinds;
+};
+
+StepWords words_of(const Annuloplasty& step) { return {"annuloplasty", {step.shape}}; }
+StepWords words_of(const Neochorda& step) {
+  return {"neochorda", {to_string(step.insertion.leaflet)}};
+}
+StepWords words_of(const ChordalLengthChange&) { return {"chordal_length_change", {}}; }
+StepWords words_of(const ChordalExcision&) { return {"chordal_excision", {}}; }
+StepWords words_of(const ChordalTransfer&) { return {"chordal_transfer", {}}; }
+StepWords words_of(const PapillaryApproximation& step) {
+  return {"papillary_approximation", {to_string(step.side), to_string(step.anchor)}};
+}
+
+std::vector<std::string> known_words(const std::vector<RingShape>& catalogue) {
+  std::vector<std::string> words = {"annuloplasty", "annuloplasty:own"};
+  for (const RingShape& shape : catalogue) words.push_back("annuloplasty:" + shape.name);
+  for (const char* kind : {"", ":anterolateral", ":posteromedial", ":ipsilateral_trigone",
+                           ":saddle_peak", ":annulus_point"})
+    words.push_back(std::string("papillary_approximation") + kind);
+  for (const char* word : {"neochorda", "neochorda:anterior", "neochorda:posterior",
+                           "chordal_length_change", "chordal_excision", "chordal_transfer"})
+    words.push_back(word);
+  return words;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+bool is_forbidden(const SearchRules& rules, const std::string& technique, const std::string& kind) {
+  return std::any_of(rules.forbidden.begin(), rules.forbidden.end(), [&](const std::string& word) {
+    return word == technique || word == technique + ":" + kind;
+  });
+}
+
+Errors check_rules(const Valve& valve, const std::vector<RingShape>& catalogue,
+                   const SearchRules& rules) {
+  ProblemList problems;
+  check_range(problems, "/most_neochordae", rules.most_neochordae, {0.0, 4.0});
+  check_range(problems, "/suture_lattice_mm", rules.suture_lattice_mm, {0.1, 5.0}, " mm");
+  check_range(problems, "/neochorda_lattice_mm", rules.neochorda_lattice_mm, {0.5, 5.0}, " mm");
+  check_range(problems, "/most_movement_mm", rules.most_movement_mm, {2.0, 15.0}, " mm");
+  const std::vector<std::string> known = known_words(catalogue);
+  for (std::size_t i = 0; i < rules.forbidden.size(); ++i)
+    if (std::find(known.begin(), known.end(), rules.forbidden[i]) == known.end())
+      problems.add(ErrorCode::BadReference, "/forbidden/" + std::to_string(i),
+                   "is \"" + rules.forbidden[i] + "\", must be one of " + listed(known));
+  const Expected<Valve> fixed = apply_plan(valve, rules.fixed, catalogue);
+  if (!fixed)
+    for (const Error& error : fixed.errors())
+      problems.add(error.code, "/fixed" + error.path, error.message);
+  for (std::size_t i = 0; i < rules.fixed.steps.size(); ++i) {
+    const StepWords words =
+        std::visit([](const auto& step) { return words_of(step); }, rules.fixed.steps[i]);
+    bool forbidden = is_forbidden(rules, words.technique, "");
+    for (const std::string& kind : words.kinds)
+      forbidden = forbidden || is_forbidden(rules, words.technique, kind);
+    if (forbidden)
+      problems.add(ErrorCode::ImpossibleStep, "/fixed/steps/" + std::to_string(i),
+                   "is fixed and forbidden at once");
+  }
+  return std::move(problems).take();
+}
+
+}  // namespace coapt

@@ -1,0 +1,26 @@
+"""What the tests of coapt plan and coapt evaluate share: small searches, and how their answers compare."""
+
+VALVE = "human-functional-mr"
+
+
+def options(evidence=False, **changes):
+    """Command-line options of a search of a few closures: options(plans=1) is "... --plans 1"."""
+    values = {"evaluations": 12, "seed": 3, "plans": 2, "region_points": 2} | changes
+    words = [word for name, value in values.items() for word in ("--" + name.replace("_", "-"), str(value))]
+    return words if evidence else [*words, "--no-evidence"]
+
+
+def without_machine(value):
+    """`value` without what depends on the machine and on earlier runs."""
+    if isinstance(value, dict):
+        return {k: without_machine(v) for k, v in value.items()
+                if k not in ("seconds", "threads", "closures_known")}
+    if isinstance(value, list):
+        return [without_machine(entry) for entry in value]
+    return value
+
+
+def is_robust(plan):
+    leak = plan["leak_mm2"]
+    return (plan["status"] == "converged" and not plan["crossing"] and plan["region_failures"] == 0
+            and plan["region_closures"] > 1 and leak["mean"] + leak["sd"] < 1.0)

@@ -1,0 +1,221 @@
+#include "io/json/plans_json.h"
+
+#include "io/json/result_json.h"
+#include "io/json/search_options_json.h"
+#include "tests/io/json/found.h"
+#include "tests/io/plans_scene.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+std::vector<std::string> keys(const ordered_json& object) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : object.items()) names.push_back(name);
+  return names;
+}
+
+/// As a script reads it: numbers that are not finite have become null.
+ordered_json written(const ordered_json& document) { return ordered_json::parse(document.dump()); }
+
+const ordered_json& scene() {
+  static const ordered_json document = written(to_json(search_result(), search_request()));
+  return document;
+}
+
+TEST(PlansJson, HasTheKeysThatScriptsRelyOn) {
+  EXPECT_EQ(keys(scene()), (std::vector<std::string>{"schema",
+                                                     "version",
+                                                     "notice",
+                                                     "before",
+                                                     "any_competent",
+                                                     "plans",
+                                                     "best_cost_history",
+                                                     "progress",
+                                                     "random_progress", "pareto_front",
+                                                     "ladder",
+                                                     "branches",
+                                                     "cut",
+                                                     "plans_possible",
+                                                     "plans_tried",
+                                                     "stop",
+                                                     "closures",
+                                                     "evaluations",
+                                                     "closures_known",
+                                                     "closures_not_converged",
+                                                     "closures_crossed",
+                                                     "seconds",
+                                                     "not_modelled",
+                                                     "weights",
+                                                     "reproduce"}));
+  EXPECT_EQ(scene()["schema"], "coapt.plans/1");
+  EXPECT_EQ(scene()["notice"], kResearchNotice);
+  EXPECT_EQ(scene()["before"]["status"], "converged");
+  EXPECT_EQ(scene()["before"]["crossing"], false);
+  EXPECT_EQ(scene()["before"]["orifice_area_mm2"], 41.0);
+  EXPECT_EQ(scene()["best_cost_history"].dump(), "[231.0,96.0,41.0,17.5,9.9,7.4,6.3]");
+  EXPECT_EQ(scene()["stop"], "evaluation_limit");
+  EXPECT_EQ(scene()["closures"], 6120);
+  EXPECT_EQ(scene()["evaluations"], 2000);
+  EXPECT_EQ(scene()["seconds"], 84.25);
+}
+
+TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
+  const std::vector<std::string> expected = {"rank",
+                                             "plan",
+                                             "description",
+                                             "orifice_area_mm2",
+                                             "leak_mm2",
+                                             "cost",
+                                             "status",
+                                             "crossing",
+                                             "measure",
+                                             "steps",
+                                             "ring_sizes_below",
+                                             "anterolateral_movement_mm",
+                                             "posteromedial_movement_mm",
+                                             "region_closures",
+                                             "region_failures",
+                                             "margin_to_leak",
+                                             "pareto",
+                                             "probability_outranks_next",
+                                             "tie_with_next",
+                                             "subset",
+                                             "leak_map",
+                                             "sobol",
+                                             "independent_leak_mm2",
+                                             "remodelling",
+                                             "gates",
+                                             "warnings"};
+  EXPECT_EQ(keys(scene()["plans"][0]), expected);
+}
+
+TEST(PlansJson, APlanStatesItsEffortItsRegionAndItsGates) {
+  const ordered_json& plan = scene()["plans"][0];
+  EXPECT_EQ(plan["rank"], 1);
+  EXPECT_EQ(plan["plan"]["schema"], "coapt.plan/1");
+  EXPECT_EQ(plan["steps"], 3);
+  EXPECT_EQ(plan["ring_sizes_below"], 2.1);
+  EXPECT_EQ(plan["anterolateral_movement_mm"], 4.6);
+  EXPECT_EQ(plan["posteromedial_movement_mm"], 11.5);
+  EXPECT_EQ(plan["region_closures"], 1089);
+  EXPECT_EQ(plan["region_failures"], 0);
+  EXPECT_EQ(plan["leak_mm2"].dump(),
+            R"({"nominal":0.3,"mean":0.42,"sd":0.51,"worst":5.6,"p95":1.4,"below_5":0.992,)"
+            R"("below_10":1.0,"below_20":1.0})");
+  EXPECT_EQ(plan["margin_to_leak"].dump(),
+            R"({"suture_length_mm":0.75,"angle_deg":4.0,"share":0.71})");
+  EXPECT_EQ(plan["subset"].dump(), R"({"nodes":17,"cost":6.1})");
+  EXPECT_EQ(plan["sobol"]["first"].dump(),
+            R"({"suture_length":0.52,"outwards":0.24,"posterior":0.06})");
+  EXPECT_EQ(plan["sobol"]["total"]["outwards"], 0.38);
+  EXPECT_EQ(plan["independent_leak_mm2"]["mean"], 0.36);
+  EXPECT_EQ(
+      plan["gates"][3].dump(),
+      R"({"rule":"papillary_movement","severity":"warn",)"
+      R"("finding":"posteromedial muscle moved by 11 mm; more than 10 mm is unusual, more than 15 mm rejected",)"
+      R"("source":"thesis 4.2.3"})");
+  EXPECT_EQ(plan["warnings"].size(), 3u);
+}
+
+TEST(PlansJson, ALeakMapHasItsAxes) {
+  const ordered_json& maps = scene()["plans"][0]["leak_map"];
+  ASSERT_EQ(maps.size(), 3u);
+  EXPECT_EQ(maps[2]["muscle"], "posteromedial");
+  EXPECT_EQ(maps[0]["suture_length_mm"].dump(), "[-1.0,-0.75,-0.5,-0.25,0.0,0.25,0.5,0.75,1.0]");
+  EXPECT_EQ(maps[0]["outwards_deg"].dump(), "[-5.0,-4.0,-3.0,-2.0,-1.0,0.0,1.0,2.0,3.0,4.0,5.0]");
+  EXPECT_EQ(maps[0]["leak_mm2"].size(), maps[0]["suture_length_mm"].size());
+  EXPECT_EQ(maps[0]["leak_mm2"][0].size(), maps[0]["outwards_deg"].size());
+  EXPECT_EQ(scene()["plans"][1]["leak_map"].size(), 1u);
+}
+
+TEST(PlansJson, RemodellingIsByDirectionAndMillimetre) {
+  const ordered_json& curves = scene()["plans"][0]["remodelling"];
+  ASSERT_EQ(curves.size(), 4u);
+  EXPECT_EQ(curves[0]["direction"], "apical");
+  EXPECT_EQ(curves[0]["leak_mm2"].dump(), "[0.2,0.2,0.2,0.2,0.2,2.2,4.2]");
+  EXPECT_TRUE(curves[3]["leak_mm2"][6].is_null());
+}
+
+TEST(PlansJson, ATieIsSaidAndTheLastPlanHasNoneToOutrank) {
+  const ordered_json& plans = scene()["plans"];
+  EXPECT_EQ(plans[0]["probability_outranks_next"], 0.62);
+  EXPECT_EQ(plans[0]["tie_with_next"], true);
+  EXPECT_EQ(plans[1]["tie_with_next"], false);
+  EXPECT_TRUE(plans[2]["probability_outranks_next"].is_null());
+  EXPECT_EQ(plans[2]["tie_with_next"], false);
+}
+
+TEST(PlansJson, ATieIsFrom5To95Percent) {
+  RankedPlan plan;
+  for (const auto& [probability, tie] :
+       {std::pair(0.0, false), {0.049, false}, {0.051, true}, {0.95, true}, {0.951, false}}) {
+    plan.probability_outranks_next = probability;
+    EXPECT_EQ(ties_with_next(plan), tie) << probability;
+  }
+}
+
+TEST(PlansJson, WhatIsNotKnownIsNull) {
+  const ordered_json& plan = scene()["plans"][2];
+  EXPECT_EQ(plan["status"], "step_limit");
+  EXPECT_EQ(plan["orifice_area_mm2"].dump(),
+            R"({"nominal":31.0,"mean":null,"sd":null,"worst":null,"p95":null,"below_5":null,)"
+            R"("below_10":null,"below_20":null})");
+  EXPECT_TRUE(plan["margin_to_leak"]["angle_deg"].is_null());
+  EXPECT_TRUE(plan["sobol"]["total"]["posterior"].is_null());
+  EXPECT_EQ(plan["leak_map"].dump(), "[]");
+  EXPECT_TRUE(scene()["ladder"][3]["spearman"].is_null());
+
+  SearchResult far;
+  far.plans.emplace_back().cost = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(written(to_json(far))["plans"][0]["cost"].is_null());
+}
+
+TEST(PlansJson, OnlyAnOwnPlanHasAName) {
+  EXPECT_FALSE(scene()["plans"][0].contains("name"));
+  EXPECT_EQ(scene()["plans"][2]["name"], "own/suture.json");
+}
+
+TEST(PlansJson, SaysHowTheSearchWent) {
+  EXPECT_EQ(scene()["any_competent"], true);
+  EXPECT_EQ(scene()["progress"][6].dump(), R"({"closures":980,"cost":6.3})");
+  EXPECT_EQ(scene()["random_progress"][0].dump(), R"({"closures":1,"cost":240.0})");
+  EXPECT_EQ(scene()["ladder"][0].dump(),
+            R"({"from":0,"to":1,"plans":60,"spearman":0.58,"skipped":true})");
+  EXPECT_EQ(scene()["cut"][1].dump(),
+            R"({"what":"neochordae","why":"no marginal chorda is ruptured"})");
+  EXPECT_EQ(scene()["plans_possible"], 45'678'901);
+  EXPECT_EQ(scene()["closures_known"], 310);
+  EXPECT_EQ(scene()["not_modelled"].size(), not_modelled().size());
+}
+
+TEST(PlansJson, WhatReproducesItIsAskedForInTheSameWords) {
+  const ordered_json& reproduce = scene()["reproduce"];
+  EXPECT_EQ(keys(reproduce),
+            (std::vector<std::string>{"valve_hash", "version", "seed", "command", "search"}));
+  EXPECT_EQ(reproduce["valve_hash"], search_request().valve_hash);
+  EXPECT_EQ(reproduce["version"], version());
+  EXPECT_EQ(reproduce["seed"], 18446744073709551615u);
+  EXPECT_EQ(reproduce["command"], search_request().command);
+  const auto again = search_options_from_json(json::parse(reproduce["search"].dump()));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(to_json(*again), reproduce["search"]);
+  EXPECT_EQ(scene()["weights"], reproduce["search"]["weights"]);
+  EXPECT_FALSE(to_json(search_result()).contains("reproduce"));
+}
+
+TEST(PlansJson, EveryStopHasItsOwnName) {
+  std::vector<std::string> names;
+  SearchResult result;
+  for (int stop = 0; stop <= static_cast<int>(SearchStop::Cancelled); ++stop) {
+    result.stop = static_cast<SearchStop>(stop);
+    names.push_back(to_json(result)["stop"]);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"evaluation_limit", "exhausted", "no_improvement",
+                                             "target_reached", "time_limit", "cancelled"}));
+}
+
+}  // namespace
+}  // namespace coapt

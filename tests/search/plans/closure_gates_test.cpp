@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "search/plans/gates.h"
+
+namespace coapt {
+namespace {
+
+Gate gate_of(const std::vector<Gate>& gates, const std::string& rule) {
+  const auto found = std::find_if(gates.begin(), gates.end(),
+                                  [&rule](const Gate& gate) { return gate.rule == rule; });
+  EXPECT_NE(found, gates.end()) << rule;
+  return found == gates.end() ? Gate{} : *found;
+}
+
+void expect_gate(const std::vector<Gate>& gates, const std::string& rule, GateSeverity severity,
+                 const std::string& part) {
+  const Gate gate = gate_of(gates, rule);
+  EXPECT_EQ(gate.severity, severity) << rule << ": " << gate.finding;
+  EXPECT_NE(gate.finding.find(part), std::string::npos) << rule << ": " << gate.finding;
+}
+
+std::vector<std::string> rules_of(const std::vector<Gate>& gates) {
+  std::vector<std::string> rules;
+  for (const Gate& gate : gates) rules.push_back(gate.rule);
+  return rules;
+}
+
+Evaluation quiet() {
+  Evaluation evaluation;
+  for (CoaptationSection& section : evaluation.measure.coaptation.sections)
+    section = {.height_mm = 8.0, .contact = true};
+  evaluation.measure.tension_max_n = 1.0;
+  return evaluation;
+}
+
+TEST(ClosureGates, EveryRuleIsStatedAndAQuietClosurePasses) {
+  const std::vector<Gate> all = closure_gates(quiet(), quiet());
+  EXPECT_EQ(rules_of(all),
+            (std::vector<std::string>{"convergence", "crossing", "contact", "coaptation_height",
+                                      "chordal_tension", "regurgitation_grade"}));
+  EXPECT_TRUE(warnings_of(all).empty());
+  expect_gate(all, "contact", GateSeverity::Pass, "all 9");
+  expect_gate(all, "coaptation_height", GateSeverity::Pass, "8.0 mm");
+  expect_gate(all, "chordal_tension", GateSeverity::Pass, "1.0 N");
+  expect_gate(all, "regurgitation_grade", GateSeverity::NotAssessed, "anatomic");
+  for (const Gate& gate : all) EXPECT_FALSE(gate.source.empty()) << gate.rule;
+}
+
+TEST(ClosureGates, AClosureThatIsNotToBeTrustedIsRejectedAndItsFiguresAreNotAssessed) {
+  Evaluation limited = quiet(), crossed = quiet(), lost = quiet();
+  limited.status = ClosureStatus::StepLimit;
+  crossed.crossing = true;
+  lost.measure.orifice.area_mm2 = std::numeric_limits<double>::quiet_NaN();
+  expect_gate(closure_gates(limited, quiet()), "convergence", GateSeverity::Reject, "rest");
+  expect_gate(closure_gates(lost, quiet()), "convergence", GateSeverity::Reject, "trusted");
+  expect_gate(closure_gates(crossed, quiet()), "crossing", GateSeverity::Reject, "through");
+  expect_gate(closure_gates(crossed, quiet()), "convergence", GateSeverity::Pass, "rest");
+  for (const Evaluation& bad : {limited, crossed, lost}) {
+    const std::vector<Gate> all = closure_gates(bad, quiet());
+    EXPECT_TRUE(is_rejected(all));
+    EXPECT_EQ(warnings_of(all).size(), 1u);
+    for (std::size_t i = 2; i < all.size(); ++i)
+      EXPECT_EQ(all[i].severity, GateSeverity::NotAssessed) << all[i].rule;
+  }
+}
+
+TEST(ClosureGates, LeafletsTouchAtAllNineSections) {
+  Evaluation apart = quiet();
+  apart.measure.coaptation.sections[2].contact = false;
+  expect_gate(closure_gates(apart, quiet()), "contact", GateSeverity::Warn, "1 of 9");
+}
+
+TEST(ClosureGates, CoaptationOfA2WithP2IsAnAim) {
+  Evaluation low = quiet();
+  for (const std::size_t i : {3u, 4u, 5u}) low.measure.coaptation.sections[i].height_mm = 5.0;
+  expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Warn, "5.0 mm");
+  expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Warn, "only an aim");
+  low = quiet();
+  low.measure.coaptation.sections[0].height_mm = 1.0;  // no part of A2 and P2
+  expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Pass, "evidence");
+}
+
+TEST(ClosureGates, PeakTensionMayNotRiseMoreThanThreefold) {
+  Evaluation taut = quiet();
+  taut.measure.tension_max_n = 3.0;
+  expect_gate(closure_gates(taut, quiet()), "chordal_tension", GateSeverity::Pass, "1.0 to 3.0 N");
+  taut.measure.tension_max_n = 3.1;
+  expect_gate(closure_gates(taut, quiet()), "chordal_tension", GateSeverity::Warn, "1.0 to 3.1 N");
+  Evaluation slack = quiet();
+  slack.measure.tension_max_n = 0.0;  // a rise from next to nothing means nothing
+  Evaluation slightly = quiet();
+  slightly.measure.tension_max_n = 0.5;
+  expect_gate(closure_gates(slightly, slack), "chordal_tension", GateSeverity::Pass, "0.5 N");
+  Evaluation unknown = quiet();
+  unknown.crossing = true;
+  expect_gate(closure_gates(taut, unknown), "chordal_tension", GateSeverity::NotAssessed,
+              "unrepaired");
+}
+
+}  // namespace
+}  // namespace coapt

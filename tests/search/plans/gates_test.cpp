@@ -1,0 +1,186 @@
+#include "search/plans/gates.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/repair/apply_plan.h"
+#include "tests/scenes/small_valve.h"
+
+namespace coapt {
+namespace {
+
+const std::vector<RingShape> kCatalogue = {{"d", 0.75, 1.0, 0.0, ""}, {"wide", 0.5, 1.12, 0.0, ""}};
+
+std::vector<Gate> gates(const RepairPlan& plan, const Valve& valve = small_valve()) {
+  const Expected<Valve> repaired = apply_plan(valve, plan, kCatalogue);
+  EXPECT_TRUE(repaired);
+  return operation_gates({plan, valve, *repaired, kCatalogue});
+}
+
+std::vector<Gate> gates(const RepairStep& step) { return gates(RepairPlan{{step}}); }
+
+Gate gate_of(const std::vector<Gate>& gates, const std::string& rule) {
+  const auto found = std::find_if(gates.begin(), gates.end(),
+                                  [&rule](const Gate& gate) { return gate.rule == rule; });
+  EXPECT_NE(found, gates.end()) << rule;
+  return found == gates.end() ? Gate{} : *found;
+}
+
+void expect_gate(const std::vector<Gate>& gates, const std::string& rule, GateSeverity severity,
+                 const std::string& part) {
+  const Gate gate = gate_of(gates, rule);
+  EXPECT_EQ(gate.severity, severity) << rule << ": " << gate.finding;
+  EXPECT_NE(gate.finding.find(part), std::string::npos) << rule << ": " << gate.finding;
+}
+
+std::vector<std::string> rules_of(const std::vector<Gate>& gates) {
+  std::vector<std::string> rules;
+  for (const Gate& gate : gates) rules.push_back(gate.rule);
+  return rules;
+}
+
+RepairStep own_ring(int sizes_below) {
+  return Annuloplasty{.shape = "own", .sizes_below = sizes_below};
+}
+RepairStep ring(double size_mm, const std::string& shape = "d") {
+  return Annuloplasty{.shape = shape, .size_mm = size_mm};
+}
+// The anterolateral tip is 28.6 mm from its trigone and 31 mm from mid-posterior.
+RepairStep suture(Anchor anchor, double length_mm, double around = 0.75) {
+  return PapillaryApproximation{
+      .anchor = anchor, .annulus_around = around, .suture_length_mm = length_mm};
+}
+RepairStep neochorda(const std::string& head, double along, double length_mm) {
+  return Neochorda{head, {Leaflet::Posterior, along, 1.0}, length_mm};
+}
+
+TEST(Gates, EveryRuleIsStatedForEveryPlanInOneOrder) {
+  const std::vector<std::string> rules = {
+      "ring_width",    "ring_stenosis", "undersizing",      "opening_area",   "papillary_movement",
+      "suture_length", "filling",       "neochorda_length", "neochorda_half", "native_chordae"};
+  EXPECT_EQ(rules_of(gates(RepairPlan{})), rules);
+  EXPECT_EQ(rules_of(gates(RepairPlan{
+                {neochorda("AL1", 0.4, 20.0), own_ring(2), suture(Anchor::SaddlePeak, 25.0)}})),
+            rules);
+  for (const Gate& gate : gates(RepairPlan{})) {
+    EXPECT_FALSE(gate.finding.empty()) << gate.rule;
+    EXPECT_FALSE(gate.source.empty()) << gate.rule;
+  }
+}
+
+TEST(Gates, ARuleWithoutASubjectPassesAndDiastoleIsNeverAssessed) {
+  const std::vector<Gate> none = gates(RepairPlan{});
+  expect_gate(none, "ring_width", GateSeverity::Pass, "no ring");
+  expect_gate(none, "undersizing", GateSeverity::Pass, "no ring");
+  expect_gate(none, "papillary_movement", GateSeverity::Pass, "no muscle");
+  expect_gate(none, "neochorda_half", GateSeverity::Pass, "no neochorda");
+  for (const std::vector<Gate>& any : {none, gates(ring(26.0))}) {
+    expect_gate(any, "opening_area", GateSeverity::NotAssessed, "diastole");
+    expect_gate(any, "filling", GateSeverity::NotAssessed, "diastole");
+  }
+  EXPECT_TRUE(warnings_of(none).empty());
+  EXPECT_FALSE(is_rejected(none));
+}
+
+TEST(Gates, RingsWiderThanTheAnnulusStretchIt) {
+  // The annulus is 36 mm wide.
+  expect_gate(gates(ring(38.0)), "ring_width", GateSeverity::Warn, "38.0 mm against 36.0 mm");
+  expect_gate(gates(ring(36.0)), "ring_width", GateSeverity::Pass, "36.0 mm");
+  expect_gate(gates(ring(34.0, "wide")), "ring_width", GateSeverity::Warn, "38.1 mm");
+  expect_gate(gates(own_ring(0)), "ring_width", GateSeverity::Pass, "36.0 mm");
+}
+
+TEST(Gates, RingsLabelled27OrLessPredictStenosis) {
+  expect_gate(gates(ring(26.0)), "ring_stenosis", GateSeverity::Warn, "26.0 mm");
+  expect_gate(gates(ring(26.0, "wide")), "ring_stenosis", GateSeverity::Warn, "26.0 mm");
+  expect_gate(gates(ring(28.0)), "ring_stenosis", GateSeverity::Pass, "28.0 mm");
+  expect_gate(gates(own_ring(4)), "ring_stenosis", GateSeverity::Pass, "28.0 mm");
+  expect_gate(gates(own_ring(5)), "ring_stenosis", GateSeverity::Warn, "26.0 mm");
+}
+
+TEST(Gates, MoreThanFourSizesBelowIsRejectedInWidthOrArea) {
+  EXPECT_FALSE(is_rejected(gates(own_ring(4))));
+  expect_gate(gates(own_ring(4)), "undersizing", GateSeverity::Pass, "4.0 ring sizes");
+  expect_gate(gates(own_ring(5)), "undersizing", GateSeverity::Reject, "5.0 ring sizes");
+  expect_gate(gates(ring(26.0)), "undersizing", GateSeverity::Reject, "rejected in practice");
+  // 28 x 1.12 = 31.4 mm, two and a half sizes by width, but half as deep: by area 31.4 x 15.7 of
+  // 36 x 27 is a third less of either.
+  expect_gate(gates(ring(28.0, "wide")), "undersizing", GateSeverity::Reject, "more than 4");
+  EXPECT_TRUE(is_rejected(gates(own_ring(5))));
+}
+
+TEST(Gates, MusclesMoveByTenMillimetresAndNoneByMoreThanFifteen) {
+  expect_gate(gates(suture(Anchor::IpsilateralTrigone, 20.0)), "papillary_movement",
+              GateSeverity::Pass, "anterolateral muscle moved by 8.6 mm");
+  expect_gate(gates(suture(Anchor::IpsilateralTrigone, 17.0)), "papillary_movement",
+              GateSeverity::Warn, "11.6 mm");
+  Valve deep = small_valve();
+  deep.heads[0].tip_mm.z() -= 10.0;
+  RepairPlan both{{suture(Anchor::IpsilateralTrigone, 20.0),
+                   PapillaryApproximation{.side = Side::Posteromedial, .suture_length_mm = 17.0}}};
+  expect_gate(gates(both, deep), "papillary_movement", GateSeverity::Reject, "anterolateral");
+  const std::string finding = gate_of(gates(both, deep), "papillary_movement").finding;
+  EXPECT_EQ(finding.find("posteromedial"), std::string::npos) << "the lesser is not told";
+}
+
+TEST(Gates, SuturesAreAsLongAsTheyMustBeOrThePlanIsNone) {
+  expect_gate(gates(suture(Anchor::IpsilateralTrigone, 20.0)), "suture_length", GateSeverity::Pass,
+              "20.0 mm");
+  EXPECT_FALSE(apply_plan(small_valve(), {{suture(Anchor::IpsilateralTrigone, 14.0)}}, kCatalogue));
+}
+
+TEST(Gates, AnchorsOnThePosteriorAnnulusImpairFilling) {
+  expect_gate(gates(suture(Anchor::AnnulusPoint, 25.0)), "filling", GateSeverity::Warn,
+              "posterior");
+  for (const double around : {0.5, 1.0, 0.25})  // the commissures, the saddle peak
+    expect_gate(gates(suture(Anchor::AnnulusPoint, 26.0, around)), "filling",
+                GateSeverity::NotAssessed, "diastole");
+  expect_gate(gates(suture(Anchor::SaddlePeak, 25.0)), "filling", GateSeverity::NotAssessed, "");
+}
+
+TEST(Gates, NeochordaeAreOfUsualLengthAndStayInTheirHalf) {
+  expect_gate(gates(neochorda("AL1", 0.5, 10.0)), "neochorda_length", GateSeverity::Pass, "10.0");
+  expect_gate(gates(neochorda("AL1", 0.5, 10.0)), "neochorda_half", GateSeverity::Pass, "AL1");
+  expect_gate(gates(neochorda("PM1", 0.5, 30.0)), "neochorda_half", GateSeverity::Pass, "PM1");
+  expect_gate(gates(neochorda("PM1", 0.6, 31.0)), "neochorda_length", GateSeverity::Warn,
+              "31.0 mm");
+  expect_gate(gates(neochorda("PM1", 0.6, 9.0)), "neochorda_length", GateSeverity::Warn,
+              "10 to 30");
+  expect_gate(gates(neochorda("AL1", 0.6, 20.0)), "neochorda_half", GateSeverity::Warn, "AL1");
+  expect_gate(gates(neochorda("PM1", 0.4, 20.0)), "neochorda_half", GateSeverity::Warn, "half");
+  const std::vector<Gate> four =
+      gates(RepairPlan{{neochorda("AL1", 0.4, 20.0), neochorda("AL1", 0.45, 32.0),
+                        neochorda("PM1", 0.55, 33.0), neochorda("PM1", 0.6, 20.0)}});
+  EXPECT_EQ(gate_of(four, "neochorda_length").finding,
+            "neochorda of 32.0 mm: usual are 10 to 30 mm; neochorda of 33.0 mm: usual are 10 to 30 "
+            "mm");
+}
+
+TEST(Gates, CuttingWhatHoldsTheFreeEdgeIsWarnedOf) {
+  expect_gate(gates(ChordalExcision{"AL1-P1-marginal-1"}), "native_chordae", GateSeverity::Warn,
+              "free edge");
+  expect_gate(gates(ChordalExcision{"PM1-A2-strut-1"}), "native_chordae", GateSeverity::Pass,
+              "PM1-A2-strut-1 cut");
+  expect_gate(gates(ChordalTransfer{"PM1-A2-strut-1", {Leaflet::Anterior, 0.6, 1.0}}),
+              "native_chordae", GateSeverity::Pass, "transferred");
+  expect_gate(gates(ChordalLengthChange{"PM1-A2-strut-1", -2.0}), "native_chordae",
+              GateSeverity::Pass, "length");
+}
+
+TEST(Gates, WarningsAreTheFindingsThatWarnOrReject) {
+  const std::vector<Gate> some = {{"a", GateSeverity::Pass, "quiet", ""},
+                                  {"b", GateSeverity::Warn, "look", ""},
+                                  {"c", GateSeverity::NotAssessed, "unseen", ""},
+                                  {"d", GateSeverity::Reject, "no", ""}};
+  EXPECT_EQ(warnings_of(some), (std::vector<std::string>{"look", "no"}));
+  EXPECT_TRUE(is_rejected(some));
+  EXPECT_FALSE(is_rejected({some[0], some[1], some[2]}));
+  std::set<std::string> words;
+  for (const Gate& gate : some) words.insert(to_string(gate.severity));
+  EXPECT_EQ(words, (std::set<std::string>{"pass", "warn", "reject", "not_assessed"}));
+}
+
+}  // namespace
+}  // namespace coapt

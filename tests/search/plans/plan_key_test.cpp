@@ -1,0 +1,93 @@
+#include "search/plans/plan_key.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace coapt {
+namespace {
+
+const Neochorda kNeochorda = {"AL1", {Leaflet::Posterior, 0.4, 1.0}, 20.0};
+const PapillaryApproximation kSuture = {
+    .side = Side::Posteromedial, .anchor = Anchor::AnnulusPoint, .suture_length_mm = 25.0};
+
+std::string key(const RepairStep& step) { return plan_key({{step}}); }
+
+std::vector<RepairStep> one_of_each() {
+  return {Annuloplasty{.shape = "d", .size_mm = 32.0},
+          kNeochorda,
+          ChordalLengthChange{"a", -2.0},
+          ChordalExcision{"b"},
+          ChordalTransfer{"c", {Leaflet::Anterior, 0.5, 1.0}},
+          kSuture};
+}
+
+TEST(PlanKey, DoesNotDependOnTheOrderOfTheSteps) {
+  std::vector<RepairStep> steps = one_of_each();
+  const std::string forwards = plan_key({steps});
+  std::reverse(steps.begin(), steps.end());
+  EXPECT_EQ(plan_key({steps}), forwards);
+  EXPECT_EQ(forwards.find('\n'), std::string::npos);
+}
+
+TEST(PlanKey, OfNothingIsEmpty) { EXPECT_EQ(plan_key({}), ""); }
+
+TEST(PlanKey, TellsStepsApart) {
+  std::set<std::string> keys;
+  for (const RepairStep& step : one_of_each()) keys.insert(key(step));
+  EXPECT_EQ(keys.size(), 6u);
+  EXPECT_NE(plan_key({{kNeochorda}}), plan_key({{kNeochorda, kNeochorda}}));
+}
+
+TEST(PlanKey, TellsEveryFieldApart) {
+  Neochorda other = kNeochorda;
+  other.insertion.leaflet = Leaflet::Anterior;
+  EXPECT_NE(key(other), key(kNeochorda));
+  other = kNeochorda;
+  other.insertion.height = 0.9;
+  EXPECT_NE(key(other), key(kNeochorda));
+  PapillaryApproximation suture = kSuture;
+  suture.side = Side::Anterolateral;
+  EXPECT_NE(key(suture), key(kSuture));
+  suture = kSuture;
+  suture.annulus_around = 0.3;
+  EXPECT_NE(key(suture), key(kSuture));
+  EXPECT_NE(key(Annuloplasty{.sizes_below = 2}), key(Annuloplasty{.sizes_below = 3}));
+}
+
+TEST(PlanKey, APlaceThatDoesNotCountIsNotInIt) {
+  PapillaryApproximation suture = kSuture;
+  suture.anchor = Anchor::SaddlePeak;
+  PapillaryApproximation elsewhere = suture;
+  elsewhere.annulus_around = 0.9;
+  EXPECT_EQ(key(elsewhere), key(suture));
+}
+
+TEST(PlanKey, RoundsToAMillionthOfAMillimetre) {
+  Neochorda other = kNeochorda;
+  other.length_mm = 20.0 + 4e-7;
+  EXPECT_EQ(key(other), key(kNeochorda));
+  other.length_mm = 20.0 - 4e-7;
+  EXPECT_EQ(key(other), key(kNeochorda));
+  other.length_mm = 20.0 + 6e-7;
+  EXPECT_NE(key(other), key(kNeochorda));
+}
+
+TEST(PlanKey, MinusZeroIsZero) {
+  const std::string zero = key(ChordalLengthChange{"a", 0.0});
+  EXPECT_EQ(key(ChordalLengthChange{"a", -0.0}), zero);
+  EXPECT_EQ(key(ChordalLengthChange{"a", -1e-7}), zero);
+  EXPECT_NE(key(ChordalLengthChange{"a", -1e-6}), zero);
+}
+
+TEST(PlanKey, NoNameCanPassForAStep) {
+  const std::string two = plan_key({{ChordalExcision{"a"}, ChordalExcision{"b"}}});
+  for (const char* name : {"a; excision b", "a\"; excision \"b", "a\\\"; excision \\\"b"})
+    EXPECT_NE(key(ChordalExcision{name}), two);
+  EXPECT_NE(key(ChordalExcision{"a\nb"}), key(ChordalExcision{"a\\nb"}));
+  EXPECT_EQ(key(ChordalExcision{"a\nb"}).find('\n'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coapt

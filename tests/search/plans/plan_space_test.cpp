@@ -1,0 +1,224 @@
+#include "search/plans/plan_space.h"
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "core/repair/apply_plan.h"
+#include "tests/search/plans/search_scene.h"
+
+namespace coapt {
+namespace {
+
+const std::vector<RingShape> kRings = {{"d", 0.75, 1.0, 0.0, ""}, {"huge", 0.75, 2.0, 0.0, ""}};
+
+// 24.9 mm from their trigones: not displaced.
+Valve near_tips() {
+  Valve valve = small_valve();
+  for (PapillaryHead& head : valve.heads) head.tip_mm.z() += 4.0;
+  return valve;
+}
+
+Valve with_rupture() {
+  Valve valve = near_tips();
+  valve.chordae[0].ruptured = true;
+  return valve;
+}
+
+PlanSpace space_of(const Valve& valve, const SearchRules& rules = {}) {
+  return PlanSpace(valve, kRings, rules);
+}
+
+SearchRules forbidding(std::vector<std::string> words) {
+  SearchRules rules;
+  rules.forbidden = std::move(words);
+  return rules;
+}
+
+SearchRules most_neochordae(int most) {
+  SearchRules rules;
+  rules.most_neochordae = most;
+  return rules;
+}
+
+bool is_cut(const PlanSpace& space, const std::string& what, const std::string& why) {
+  return std::any_of(space.cut().begin(), space.cut().end(), [&](const CutBranches& cut) {
+    return cut.what == what && cut.why.find(why) != std::string::npos;
+  });
+}
+
+const Parameter* parameter_of(const Branch& branch, ParameterOf of) {
+  for (const Parameter& p : branch.parameters)
+    if (p.of == of) return &p;
+  return nullptr;
+}
+
+int steps(const Choice& c) {
+  return (c.ring.empty() ? 0 : 1) + (c.anterolateral ? 1 : 0) + (c.posteromedial ? 1 : 0) +
+         c.neochordae + (c.chordal == ChordalChoice::None ? 0 : 1);
+}
+
+TEST(PlanSpace, SuturesAreOfferedToDisplacedMusclesOnly) {
+  // Rings: none, own, d (no size of "huge" is sensible on 36 mm); none or three anchors a side; not nothing.
+  EXPECT_EQ(space_of(small_valve()).branches().size(), 3u * 4u * 4u - 1u);
+  EXPECT_TRUE(is_cut(space_of(small_valve()), "ring huge", "36.0 mm"));
+  EXPECT_EQ(space_of(near_tips()).branches().size(), 2u);
+  EXPECT_TRUE(is_cut(space_of(near_tips()), "suture of the anterolateral muscle", "not displaced"));
+  Valve one_side = near_tips();
+  one_side.heads[0].tip_mm.z() -= 4.0;
+  EXPECT_EQ(space_of(one_side).branches().size(), 3u * 4u - 1u);
+}
+
+TEST(PlanSpace, RupturedChordaeBringUpToFourNeochordae) {
+  EXPECT_EQ(space_of(with_rupture()).branches().size(), 3u * 5u - 1u);
+  EXPECT_TRUE(is_cut(space_of(small_valve()), "neochordae", "no marginal chorda is ruptured"));
+  EXPECT_EQ(space_of(with_rupture(), most_neochordae(1)).branches().size(), 3u * 2u - 1u);
+  const PlanSpace none = space_of(with_rupture(), most_neochordae(0));
+  EXPECT_EQ(none.branches().size(), 2u);
+  EXPECT_TRUE(is_cut(none, "neochordae", "none are allowed"));
+  const PlanSpace forbidden = space_of(with_rupture(), forbidding({"neochorda:posterior"}));
+  EXPECT_EQ(forbidden.branches().size(), 2u);
+  EXPECT_EQ(space_of(with_rupture(), forbidding({"neochorda:anterior"})).branches().size(), 14u);
+}
+
+TEST(PlanSpace, ChordalStepsAreOfferedOnRequest) {
+  SearchRules rules;
+  rules.chordal_length_change = rules.chordal_transfer = true;
+  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), 2u) << "there is no lesion";
+  // Chorda 1 is a strut of the anterior leaflet.
+  rules.chordal_excision = true;
+  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), 3u * 2u - 1u);
+  rules.forbidden = {"chordal_excision"};
+  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), 2u);
+}
+
+TEST(PlanSpace, FewestStepsComeFirstAndNoBranchComesTwice) {
+  for (const Valve& valve : {small_valve(), with_rupture()}) {
+    const PlanSpace space = space_of(valve);
+    std::set<std::string> keys;
+    for (std::size_t i = 0; i < space.branches().size(); ++i) {
+      const Branch& branch = space.branches()[i];
+      EXPECT_GE(steps(branch.choice), i == 0 ? 1 : steps(space.branches()[i - 1].choice));
+      const RepairPlan plan = space.plan(branch, start_of(branch));
+      EXPECT_EQ(std::ssize(plan.steps), steps(branch.choice));
+      keys.insert(plan_key(plan));
+    }
+    EXPECT_EQ(keys.size(), space.branches().size());
+  }
+}
+
+TEST(PlanSpace, AFunctionalValveStartsTwoSizesBelowAndAFlailOneAtItsOwnSize) {
+  const auto start = [](const Valve& valve, const std::string& shape) {
+    const PlanSpace space = space_of(valve);
+    for (const Branch& branch : space.branches())
+      if (branch.choice.ring == shape)
+        return std::get<Annuloplasty>(space.plan(branch, start_of(branch)).steps[0]);
+    return Annuloplasty{"none"};
+  };
+  EXPECT_EQ(start(near_tips(), "own").sizes_below, 2);
+  EXPECT_EQ(start(near_tips(), "d").size_mm, 32.0);  // of 36
+  EXPECT_EQ(start(with_rupture(), "own").sizes_below, 1);
+  EXPECT_EQ(start(with_rupture(), "d").size_mm, 36.0);
+}
+
+TEST(PlanSpace, RingsGoToFourSizesBelow) {
+  const PlanSpace space = space_of(near_tips());
+  for (const Branch& branch : space.branches()) {
+    const Parameter& sizes = *parameter_of(branch, ParameterOf::RingSize);
+    const bool own = branch.choice.ring == "own";
+    EXPECT_EQ(sizes.lower, own ? 1.0 : 28.0);
+    EXPECT_EQ(sizes.count, own ? 4 : 5);  // 1 to 4; 28 to 36 mm
+    EXPECT_EQ(sizes.step, own ? 1.0 : 2.0);
+  }
+}
+
+TEST(PlanSpace, SuturesMoveTheMuscleByTwoToTenMillimetresInHalves) {
+  const PlanSpace space = space_of(small_valve(), forbidding({"annuloplasty"}));
+  const Branch& branch = space.branches().at(0);
+  ASSERT_EQ(branch.parameters.size(), 1u);
+  EXPECT_EQ(branch.parameters[0].count, 17);
+  const auto length = [&](int at) {
+    return std::get<PapillaryApproximation>(space.plan(branch, {at}).steps[0]).suture_length_mm;
+  };
+  // The tip is 28.6 mm from its trigone.
+  EXPECT_EQ(length(0), 26.5);
+  EXPECT_EQ(length(16), 18.5);
+  EXPECT_EQ(length(branch.parameters[0].start), 23.5);
+}
+
+TEST(PlanSpace, UnderARingTheSutureIsAsMuchShorterAsTheAnchorIsNearer) {
+  const PlanSpace space = space_of(small_valve());
+  for (const Branch& branch : space.branches()) {
+    if (branch.choice.ring != "own" || !branch.choice.posteromedial || branch.choice.anterolateral)
+      continue;
+    LatticePoint at = start_of(branch);
+    for (at[0] = 0; at[0] < 4; ++at[0]) {
+      const Valve repaired = *apply_plan(small_valve(), space.plan(branch, at), kRings);
+      EXPECT_NEAR(scene::moved_mm(repaired, Side::Posteromedial), 5.0, 0.25 + 1e-9);
+    }
+  }
+}
+
+TEST(PlanSpace, CornersAndPointsBetweenAreAllPossible) {
+  std::mt19937_64 engine(1);
+  for (const Valve& valve : {small_valve(), with_rupture()}) {
+    const PlanSpace space = space_of(valve);
+    for (const Branch& branch : space.branches()) {
+      const std::int64_t count = point_count(branch);
+      for (const auto number : {std::int64_t{0}, count - 1, count / 2,
+                                static_cast<std::int64_t>(engine() % std::uint64_t(count))})
+        EXPECT_TRUE(apply_plan(valve, space.plan(branch, point_at(branch, number)), kRings));
+    }
+  }
+}
+
+TEST(PlanSpace, EveryPointHasItsOwnNumber) {
+  Branch branch;
+  branch.parameters = {{ParameterOf::RingSize, 0, 1.0, 1.0, 4, 1},
+                       {ParameterOf::Shortening, 0, 1.0, 1.0, 6, 1},
+                       {ParameterOf::Movement, 0, 2.0, 0.5, 3, 0}};
+  EXPECT_EQ(point_count(branch), 4 * 6 * 3);
+  std::set<LatticePoint> points;
+  for (int number = 0; number < 4 * 6 * 3; ++number) points.insert(point_at(branch, number));
+  EXPECT_EQ(points.size(), 4u * 6u * 3u);
+  EXPECT_EQ(*points.rbegin(), (LatticePoint{3, 5, 2}));
+}
+
+TEST(PlanSpace, WhatIsFixedIsNotDecidedAgain) {
+  SearchRules rules;
+  rules.fixed = scene::both(scene::own_ring(1), scene::suture(Side::Posteromedial, 24.0));
+  const PlanSpace space = space_of(small_valve(), rules);
+  // Nothing more, or one of three sutures of the other muscle.
+  EXPECT_EQ(space.branches().size(), 4u);
+  EXPECT_TRUE(is_cut(space, "other rings", "fixed"));
+  EXPECT_TRUE(is_cut(space, "suture of the posteromedial muscle", "fixed"));
+  EXPECT_EQ(plan_key(space.plan(space.branches()[0], {})), plan_key(rules.fixed));
+  for (const Branch& branch : space.branches())
+    EXPECT_EQ(plan_key({{space.plan(branch, start_of(branch)).steps[0]}}),
+              plan_key(scene::own_ring(1)));
+}
+
+TEST(PlanSpace, WhatIsForbiddenIsNoBranch) {
+  const auto count = [](std::vector<std::string> words) {
+    return space_of(small_valve(), forbidding(std::move(words))).branches().size();
+  };
+  EXPECT_EQ(count({"annuloplasty"}), 4u * 4u - 1u);
+  EXPECT_EQ(count({"annuloplasty:own"}), 2u * 4u * 4u - 1u);
+  EXPECT_EQ(count({"papillary_approximation"}), 2u);
+  EXPECT_EQ(count({"papillary_approximation:anterolateral"}), 3u * 4u - 1u);
+  EXPECT_EQ(count({"papillary_approximation:saddle_peak"}), 3u * 3u * 3u - 1u);
+  EXPECT_EQ(count({"annuloplasty", "papillary_approximation"}), 0u);
+}
+
+TEST(PlanSpace, AValveThatTakesNoMoreChordaeGetsNone) {
+  Valve valve = with_rupture();
+  for (int i = 3; i <= 1999; ++i) {
+    valve.chordae.push_back(valve.chordae[1]);
+    valve.chordae.back().id = std::to_string(i);
+  }
+  const PlanSpace space = space_of(valve);
+  for (const Branch& branch : space.branches()) EXPECT_LE(branch.choice.neochordae, 2);
+}
+
+}  // namespace
+}  // namespace coapt
