@@ -6,8 +6,7 @@ namespace coapt {
 
 Evaluator closing_evaluator(const ClosureOptions& options) {
   return [options](const Valve& valve, const ClosureResult* neighbour) {
-    auto closure =
-        std::make_shared<const ClosureResult>(close_valve(valve, options, neighbour));
+    auto closure = std::make_shared<const ClosureResult>(close_valve(valve, options, neighbour));
     const Evaluation evaluation{closure->status, closure->crossing, measure(valve, *closure)};
     return ClosedPlan{evaluation, std::move(closure)};
   };

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "search/plans/objective.h"
 #include "search/perturbation.h"
+#include "search/plans/objective.h"
 #include "search/studies/geometry_studies.h"
 
 namespace coapt {

@@ -7,8 +7,8 @@
 #include "core/metrics/exact_orifice.h"
 #include "core/presets/presets.h"
 #include "search/evaluator.h"
-#include "search/plans/objective.h"
 #include "search/parallel.h"
+#include "search/plans/objective.h"
 #include "search/random_share.h"
 
 namespace coapt {
