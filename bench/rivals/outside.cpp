@@ -3,7 +3,8 @@
 // of NLopt, because it can hang. A run that is silent for a minute is killed by a signal, and what it
 // found until then is written.
 //
-//     coapt-rivals LATTICE_FILE METHOD SEED BUDGET     prints method,seed,evaluations,cost
+//     coapt-rivals LATTICE_FILE METHOD SEED BUDGET     prints method,seed,evaluations,cost, and at the
+//                                                      end method,seed,evaluations,end
 //     coapt-rivals --list                              prints the methods
 #if defined(__AVX__) || defined(__SANITIZE_ADDRESS__)
 #error "Eigen would allocate unlike Debian's libpagmo: no -march=native, -mavx, -fsanitize=address"
@@ -92,6 +93,7 @@ int run(std::span<char* const> arguments) {
   const RivalRun result = run_rival(*table, settings, [&](const auto& problem, const auto& cost) {
     search(settings.method, problem, cost);
   });
+  std::printf("%s,%s,%d,end\n", settings.method.c_str(), arguments[2], result.evaluations);
   std::fprintf(stderr, "%d evaluations, %d calls\n", result.evaluations, result.calls);
   return 0;
 }

@@ -53,7 +53,8 @@ std::string quoted(const std::string& word) {
   return text + '\'';
 }
 
-/// What gives the same plans again; threads, time limit and store change nothing but the time it takes.
+/// What gives the same plans again, unless the search was cancelled or out of time; threads and store
+/// change nothing but the time it takes.
 std::string command_line(const Arguments& arguments) {
   const SearchOptions& options = arguments.options;
   std::ostringstream line;
@@ -216,7 +217,8 @@ void add_plan(CLI::App& parent, int& status) {
       ->check(CLI::Validator(refuse_standard_output, "FILE"));
   command->footer(
       "Closures in all: 1 of the valve as it is, at most --evaluations on searching, then for the\n"
-      "ranking at most 65 for each of twice --plans finalists and the other nodes of the region\n"
+      "ranking at most 65 for each of three times --plans finalists and the other nodes of the "
+      "region\n"
       "(--region-points) for each of the best --plans; and 24 to 284 of evidence for each of "
       "those: one\n"
       "suture wrong alone, both independently, further remodelling. A report closes the valve and "

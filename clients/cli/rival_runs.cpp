@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kOurEvaluations = 8500;  // closures: 500 plans at 17 nodes
-
 /// Standard output of a command, line by line.
 std::vector<std::string> lines_of(const std::string& command) {
   std::vector<std::string> lines;
@@ -56,7 +54,7 @@ rivals::MeasuredRun measured_run(const RivalTask& task, int budget, const std::s
     SearchOptions options;
     options.seed = task.seed;
     options.plans = 1;
-    options.evaluations = kOurEvaluations;
+    options.evaluations = kChosenBy * budget;
     const LatticeRun ours = search_lattice(*task.lattice, options, ring_catalogue());
     for (const Progress& step : ours.improvements)
       run.improvements.emplace_back(step.closures - 1, step.cost - best);
@@ -71,17 +69,16 @@ rivals::MeasuredRun measured_run(const RivalTask& task, int budget, const std::s
     std::ostringstream command;
     command << '\'' << outside << "' '" << task.file << "' " << task.method << ' ' << task.seed
             << ' ' << budget;
+    run.spent = kChosenBy * budget;  // if it was killed
     for (const std::string& line : lines_of(command.str())) {
       const std::size_t second = line.find(',', line.find(',') + 1);
       int evaluations = 0;
       double cost = 0.0;
-      if (second == std::string::npos ||
-          std::sscanf(line.c_str() + second, ",%d,%lf", &evaluations, &cost) != 2)
-        continue;
-      run.improvements.emplace_back(kChosenBy * evaluations, cost - best);
+      if (second == std::string::npos) continue;
+      const int read = std::sscanf(line.c_str() + second, ",%d,%lf", &evaluations, &cost);
+      if (read == 2) run.improvements.emplace_back(kChosenBy * evaluations, cost - best);
+      if (read == 1 && line.ends_with(",end")) run.spent = kChosenBy * evaluations;
     }
-    const int most = task.method.starts_with("dlib") ? std::min(500, budget) : budget;
-    run.spent = kChosenBy * most;
   }
   return run;
 }

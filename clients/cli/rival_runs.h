@@ -24,7 +24,7 @@ std::string outside_program(const std::string& given);
 /// The search ("coapt"), the rivals of this process, those of the program outside (none if empty).
 std::vector<std::string> compared_methods(const std::string& outside);
 
-/// @param budget plans that a rival may close, 17 times each; dlib takes 500 at most. The search gets 8,500
+/// @param budget plans that a rival may close, 17 times each; dlib takes 500 at most. The search gets as many
 /// closures.
 rivals::MeasuredRun measured_run(const RivalTask& task, int budget, const std::string& outside);
 

@@ -16,7 +16,7 @@ std::string stop_words(SearchStop stop) {
     case SearchStop::EvaluationLimit:
       return "It used all its evaluations.";
     case SearchStop::Exhausted:
-      return "It tried every plan there is.";
+      return "No plan is left that its price or its expected cost does not rule out.";
     case SearchStop::NoImprovement:
       return "It found no better plan for as long as it was told to wait.";
     case SearchStop::TargetReached:
@@ -90,7 +90,10 @@ std::string ladder_table(const std::vector<LadderStep>& ladder) {
       {"Closures a plan", "then", "Plans compared", "Rank correlation", "Trusted"}};
   for (const LadderStep& step : ladder)
     cells.push_back({grouped(step.from), grouped(step.to), grouped(step.plans),
-                     fixed(step.spearman, 2), step.skipped ? "no" : "yes"});
+                     fixed(step.spearman, 2),
+                     std::isnan(step.spearman) ? "not measured"
+                     : step.skipped            ? "no"
+                                               : "yes"});
   return "<h3>Whether few closures speak for many</h3>\n" + table_html(cells) +
          "<p class=\"small\">Spearman's correlation of costs; 0: by geometry alone. Where it is "
          "below 0.80 "

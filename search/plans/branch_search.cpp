@@ -23,8 +23,11 @@ class Refinement {
       : search_(search),
         left_(quota),
         calls_left_(kCallsPerClosure * quota),
-        engine_(seed),
-        try_point_(try_point) {}
+        try_point_(try_point) {
+    std::seed_seq mix{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                      static_cast<std::uint32_t>(search.rounds)};
+    engine_.seed(mix);
+  }
 
   bool done() const { return left_ <= 0 || calls_left_ <= 0 || stopped_ || is_exhausted(search_); }
 
@@ -40,7 +43,7 @@ class Refinement {
       return std::nullopt;
     }
     left_ -= tried->closures;
-    add_point(search_, at, tried->cost);
+    add_point(search_, at, *tried);
     return tried->cost;
   }
 
@@ -73,6 +76,7 @@ class Refinement {
   void poll() {
     for (bool improved = true; improved && !done();) {
       const LatticePoint centre = search_.best;
+      if (centre.empty()) return;
       for (std::size_t k = 0; k < centre.size(); ++k)
         for (const int direction : {-1, 1}) {
           LatticePoint at = centre;
@@ -105,17 +109,18 @@ bool is_exhausted(const BranchSearch& search) {
   return static_cast<std::int64_t>(search.costs.size()) == point_count(*search.branch);
 }
 
-void add_point(BranchSearch& search, const LatticePoint& at, double cost) {
-  if (search.costs.empty() || cost < search.best_cost) {
+void add_point(BranchSearch& search, const LatticePoint& at, const PointCost& cost) {
+  if (!cost.is_bound && cost.cost < search.best_cost) {
     search.best = at;
-    search.best_cost = cost;
+    search.best_cost = cost.cost;
   }
-  search.costs.emplace(at, cost);
+  search.costs.emplace(at, cost.cost);
 }
 
 void refine(BranchSearch& search, int quota, std::uint64_t seed, const TryPoint& try_point) {
   Refinement refinement(search, quota, seed, try_point);
-  if (!refinement.done()) refinement.descend_from(search.best);
+  if (!refinement.done())
+    refinement.descend_from(search.best.empty() ? start_of(*search.branch) : search.best);
   if (!refinement.done()) refinement.poll();
   while (!refinement.done()) {
     const LatticePoint start = refinement.untried();

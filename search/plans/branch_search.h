@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -18,7 +19,8 @@ namespace coapt {
 
 struct PointCost {
   double cost = 0.0;
-  int closures = 0;  ///< spent on it: none if it cannot be better than what is known
+  int closures = 0;       ///< spent on it
+  bool is_bound = false;  ///< not closed, because it cannot cost less than this, which is too much
 };
 
 /// Nothing when the search has been stopped.
@@ -26,18 +28,18 @@ using TryPoint = std::function<std::optional<PointCost>(const Branch&, const Lat
 
 struct BranchSearch {
   const Branch* branch = nullptr;
-  std::map<LatticePoint, double> costs;  ///< of every point tried
-  LatticePoint best;
-  double best_cost = 0.0;  ///< once there is one
-  int rounds = 0;          ///< calls of refine()
+  std::map<LatticePoint, double> costs;  ///< of every point tried, bounds of those not closed
+  LatticePoint best;                     ///< of those closed; empty before
+  double best_cost = std::numeric_limits<double>::infinity();
+  int rounds = 0;  ///< calls of refine()
 };
 
 bool is_exhausted(const BranchSearch& search);
 
 /// Takes a point's cost, tried elsewhere.
-void add_point(BranchSearch& search, const LatticePoint& at, double cost);
+void add_point(BranchSearch& search, const LatticePoint& at, const PointCost& cost);
 
-/// Spends up to `quota` closures. Deterministic for a seed. @pre one point is known.
+/// Spends up to `quota` closures. Deterministic for a seed and the rounds before.
 void refine(BranchSearch& search, int quota, std::uint64_t seed, const TryPoint& try_point);
 
 }  // namespace coapt

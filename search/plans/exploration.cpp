@@ -7,12 +7,10 @@ namespace coapt {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kOut = 1e6;  // instead of a cost
 constexpr std::size_t kStartBatch = 8;
 constexpr int kFewPoints = 6;     // a branch of so many is tried whole
 constexpr int kHalved = 8;        // branches in the first round of a bracket
 constexpr int kQuota = 8;         // plans each, in the first round of a bracket
-constexpr int kRaceBatch = 4;     // plans that climb in the race of a round, twice
 constexpr int kRandomShare = 20;  // one of so many closures is spent on plans at random, up to
 constexpr int kMostRandom = 100;
 constexpr double kMoreOptimism = 0.5;  // scatters, from bracket to bracket
@@ -27,7 +25,10 @@ Exploration::Exploration(PlanDesk& desk, const PlanSpace& space, const SearchOpt
     climbs_.emplace_back(kRungs[r], kRungs[r + 1]);
   for (const Branch& branch : space.branches()) {
     searches_.emplace_back().branch = &branch;
-    lowest_.push_back(desk.record(space.plan(branch, mildest_of(branch))).lowest_cost);
+    // A suture's length is rounded to the lattice: by half a step, of two sutures.
+    lowest_.push_back(desk.record(space.plan(branch, mildest_of(branch))).lowest_cost -
+                      options.weights.movement * options.rules.suture_lattice_mm);
+    idle_.push_back(false);
     best_scored_.push_back(kInfinite);
   }
 }
@@ -65,10 +66,9 @@ void Exploration::run() {
                 starts.begin() + static_cast<std::ptrdiff_t>(last)});
     sprint();
   }
-  int before = 0;
   double optimism = 1.0;
-  for (; before < desk_.closures() && !over(); optimism += kMoreOptimism) {
-    before = desk_.closures();
+  for (; !by_cost().empty() && !over(); optimism += kMoreOptimism) {
+    const int before = desk_.closures();
     int each = kQuota;
     for (int count = kHalved; count >= 2 && !over(); count /= 2, each *= 2) {
       refine_best(count, each);
@@ -81,8 +81,11 @@ void Exploration::run() {
     if (!over()) lend();
     if (!over()) race(std::numeric_limits<int>::max(), optimism);
     if (ladder()[1].skipped) optimism = std::max(optimism, kFreely);
+    if (short_ && before == desk_.closures()) break;
   }
   if (!over() && !short_) stop_ = SearchStop::Exhausted;
+  if (!progress_.empty() && progress_.back().closures < desk_.closures())
+    progress_.push_back({desk_.closures(), progress_.back().cost});
 }
 
 int Exploration::left() const { return options_.evaluations + 1 - desk_.closures(); }
@@ -127,24 +130,32 @@ void Exploration::learn() {
       if (plan.rung > static_cast<int>(r)) climbed.push_back(plan.record);
     climbs_[r].learn(desk_, climbed);
   }
+  for (BranchSearch& search : searches_) {
+    search.best.clear();
+    search.best_cost = kInfinite;
+  }
   for (Tried& plan : tried_) {
     plan.expected = expected(*plan.record, plan.rung);
-    searches_[plan.point.branch].costs[plan.point.at] = plan.expected.cost;
+    BranchSearch& search = searches_[plan.branch];
+    for (const LatticePoint& at : plan.at) search.costs[at] = plan.expected.cost;
+    if (plan.expected.cost >= search.best_cost) continue;
+    search.best = plan.at.front();
+    search.best_cost = plan.expected.cost;
   }
-  for (BranchSearch& search : searches_)
-    for (const auto& [at, cost] : search.costs)
-      if (search.best.empty() || cost < search.costs.at(search.best)) search.best = at;
-  for (BranchSearch& search : searches_)
-    if (!search.costs.empty()) search.best_cost = search.costs.at(search.best);
 }
 
 void Exploration::take(PlanRecord& record, const Point& point) {
   const double cost = desk_.cost(record, 1);
   const ClimbModel::Expectation likely = expected(record, 0);
   if (!searches_[point.branch].costs.contains(point.at))
-    add_point(searches_[point.branch], point.at, likely.cost);
-  if (!index_.try_emplace(&record, tried_.size()).second) return;
-  tried_.push_back({&record, point, 0, likely});
+    add_point(searches_[point.branch], point.at, {likely.cost, 0, false});
+  const auto [found, is_new] = index_.try_emplace(&record, tried_.size());
+  if (!is_new) {
+    std::vector<LatticePoint>& known = tried_[found->second].at;
+    if (std::find(known.begin(), known.end(), point.at) == known.end()) known.push_back(point.at);
+    return;
+  }
+  tried_.push_back({&record, point.branch, {point.at}, 0, likely});
   if (progress_.empty() || cost < progress_.back().cost) {
     if (!progress_.empty() && progress_.back().closures == desk_.closures()) progress_.pop_back();
     progress_.push_back({desk_.closures(), cost});
@@ -160,7 +171,8 @@ void Exploration::try_points(const std::vector<Point>& points) {
     PlanRecord& record = desk_.record(space_.plan(space_.branches()[point.branch], point.at));
     if (is_out(record) || record.lowest_cost >= to_beat(point.branch)) {
       if (!searches_[point.branch].costs.contains(point.at))
-        add_point(searches_[point.branch], point.at, is_out(record) ? kOut : record.lowest_cost);
+        add_point(searches_[point.branch], point.at,
+                  {is_out(record) ? kOut : record.lowest_cost, 0, true});
       continue;
     }
     if (std::ssize(wanted) >= left()) {
@@ -185,8 +197,8 @@ std::vector<PlanRecord*> Exploration::best(int count) const {
   });
   std::vector<bool> seen(searches_.size(), false);
   std::stable_partition(order.begin(), order.end(), [&seen](const Tried* plan) {
-    const bool is_first = !seen[plan->point.branch];
-    seen[plan->point.branch] = true;
+    const bool is_first = !seen[plan->branch];
+    seen[plan->branch] = true;
     return is_first;
   });
   std::vector<PlanRecord*> plans;

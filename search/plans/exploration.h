@@ -13,7 +13,8 @@
 //    nodes, with the expectation, rank plans as the many do. Below 0.8 plans climb more freely. (To start all plans at
 //    five nodes then was slower: 1,808 closures instead of 1,417 to the best of a lattice within 0.1 mm2.)
 // What the operation alone costs bounds a plan from below: a point whose bound is not below what is to be beaten is
-// left out unclosed. When no point is left, the search has looked at every plan there is.
+// left out unclosed. Plans on different rungs are compared by what they are expected to cost; finalists over equal
+// nodes.
 //
 // Every quota is fixed before it is spent, and batches have sizes of their own: no decision depends on the
 // number of threads.
@@ -59,10 +60,14 @@ class Exploration {
   };
   struct Tried {
     PlanRecord* record = nullptr;
-    Point point;
+    std::size_t branch = 0;
+    std::vector<LatticePoint> at;      // all points that are this plan
     int rung = 0;                      // index into kRungs of the nodes closed
     ClimbModel::Expectation expected;  // at the next rung; at the last: as it is
   };
+
+  static constexpr double kOut = 1e6;   // instead of a cost, for plans that cannot be done
+  static constexpr int kRaceBatch = 4;  // plans that climb at once
 
   int left() const;
   bool over();
@@ -97,8 +102,9 @@ class Exploration {
   std::vector<const PlanRecord*> measured_;                   // of those: closed on all rungs
   std::vector<double> guessed_;  // their cost at the second rung, beforehand
   std::vector<Progress> progress_, scored_progress_;
-  int improved_at_ = 0;  // closures
-  bool short_ = false;   // something was left out for want of closures
+  int improved_at_ = 0;     // closures
+  std::vector<bool> idle_;  // branches whose refinement came upon nothing new
+  bool short_ = false;      // something was left out for want of closures
   SearchStop stop_ = SearchStop::EvaluationLimit;
 };
 

@@ -10,9 +10,8 @@
 namespace coapt {
 namespace {
 
-constexpr double kOut = 1e6;  // instead of a cost
 constexpr int kLastRung = static_cast<int>(std::size(kRungs)) - 1;
-constexpr int kRaceBatch = 4;
+constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // keeps seeds of branches apart
 constexpr int kHopeful = 4;  // one branch in so many is refined for what it could cost at best
 constexpr std::size_t kMeasured = 12;  // plans on all rungs
 
@@ -52,14 +51,17 @@ void Exploration::measure_ladder() {
     return desk_.cost(*a, 1) < desk_.cost(*b, 1);
   });
   std::set<const PlanRecord*> seen;
-  std::erase_if(order, [&seen](const PlanRecord* plan) { return !seen.insert(plan).second; });
+  std::erase_if(order,
+                [&](const PlanRecord* plan) {  // those that climbed would be guessed by themselves
+                  return !seen.insert(plan).second || tried_[index_.at(plan)].rung > 0;
+                });
   order.resize(order.size() / 2);
   if (order.size() < kMeasured || left() < static_cast<int>(kMeasured) * (kChosenBy - 1)) return;
   std::vector<std::size_t> climbing;
   for (std::size_t k = 0; k < kMeasured; ++k) {
     climbing.push_back(index_.at(order[k * order.size() / kMeasured]));
     const Tried& plan = tried_[climbing.back()];
-    guessed_.push_back(plan.rung == 0 ? plan.expected.cost : desk_.cost(*plan.record, kRungs[1]));
+    guessed_.push_back(plan.expected.cost);
   }
   climb(climbing, kLastRung);
   learn();
@@ -78,14 +80,16 @@ void Exploration::climb(const std::vector<std::size_t>& climbing, int to_rung) {
     Tried& plan = tried_[i];
     plan.rung = std::max(to_rung, plan.rung);
     plan.expected = expected(*plan.record, plan.rung);
-    double& best = best_scored_[plan.point.branch];
+    double& best = best_scored_[plan.branch];
     if (kRungs[plan.rung] != kChosenBy || plan.expected.cost >= best) continue;
     best = plan.expected.cost;
-    improved_at_ = desk_.closures();
-    if (scored_progress_.empty() || best < scored_progress_.back().cost)
+    if (scored_progress_.empty() || best < scored_progress_.back().cost) {
       scored_progress_.push_back({desk_.closures(), best});
-    const OrificeStatistics leak = region_report(*plan.record, kChosenBy).leak_mm2;
-    if (leak.mean + leak.sd <= options_.target_mm2) stop_ = SearchStop::TargetReached;
+      improved_at_ = desk_.closures();
+    }
+    const RegionReport region = region_report(*plan.record, kChosenBy);
+    if (region.failures == 0 && region.leak_mm2.mean + region.leak_mm2.sd <= options_.target_mm2)
+      stop_ = SearchStop::TargetReached;
   }
   update_to_beat();
 }
@@ -104,7 +108,7 @@ void Exploration::race(int most, double optimism) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < tried_.size(); ++i)
       if (tried_[i].rung + 1 < std::ssize(kRungs) &&
-          ClimbModel::least(tried_[i].expected, optimism) < to_beat(tried_[i].point.branch))
+          ClimbModel::least(tried_[i].expected, optimism) < to_beat(tried_[i].branch))
         order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
       return tried_[a].expected.cost < tried_[b].expected.cost;
@@ -115,7 +119,7 @@ void Exploration::race(int most, double optimism) {
     for (const std::size_t i : order) {
       const int more = kRungs[tried_[i].rung + 1] - kRungs[tried_[i].rung];
       const bool same = std::any_of(racing.begin(), racing.end(), [&](std::size_t r) {
-        return tried_[r].point.branch == tried_[i].point.branch;
+        return tried_[r].branch == tried_[i].branch;
       });
       if (same) continue;
       if (closures + more > left()) {
@@ -143,7 +147,8 @@ void Exploration::race(int most, double optimism) {
 std::vector<std::size_t> Exploration::by_cost() const {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < searches_.size(); ++i)
-    if (!searches_[i].costs.empty() && !is_exhausted(searches_[i]) && lowest_[i] < to_beat(i))
+    if (!searches_[i].costs.empty() && !is_exhausted(searches_[i]) && !idle_[i] &&
+        lowest_[i] < to_beat(i))
       order.push_back(i);
   std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
     return searches_[a].best_cost < searches_[b].best_cost;
@@ -174,17 +179,19 @@ void Exploration::refine_best(int count, int quota) {
     const TryPoint try_point = [&](const Branch& branch,
                                    const LatticePoint& at) -> std::optional<PointCost> {
       PlanRecord& record = desk_.record(space_.plan(branch, at));
-      if (is_out(record)) return PointCost{kOut, 0};
-      if (record.lowest_cost >= to_beat(i)) return PointCost{record.lowest_cost, 0};
+      if (is_out(record)) return PointCost{kOut, 0, true};
+      if (record.lowest_cost >= to_beat(i)) return PointCost{record.lowest_cost, 0, true};
       const bool is_new = !record.closures.contains(0);
       if (!desk_.close_here(record, 1)) return std::nullopt;
       found[slot].emplace_back(&record, at);
-      return PointCost{expected(record, 0).cost, is_new ? 1 : 0};
+      return PointCost{expected(record, 0).cost, is_new ? 1 : 0, false};
     };
-    refine(searches_[i], each, options_.seed + i, try_point);
+    refine(searches_[i], each, options_.seed + i * kGolden, try_point);
   });
-  for (std::size_t k = 0; k < chosen.size(); ++k)
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    idle_[chosen[k]] = found[k].empty();
     for (const auto& [record, at] : found[k]) take(*record, {chosen[k], at});
+  }
 }
 
 void Exploration::lend() {

@@ -37,7 +37,7 @@ std::vector<Gate> operation_gates(const Operation& operation);
 /// closure that is not to be trusted are not assessed.
 std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& before);
 
-/// Whether a rule rejects: such a plan is not tried at all.
+/// Whether a rule rejects: a search does not try such a plan.
 bool is_rejected(const std::vector<Gate>& gates);
 
 /// One line for each gate that warns or rejects.

@@ -51,8 +51,8 @@ struct RankedPlan {
   RegionReport region;
   std::vector<Gate> gates;
   std::vector<std::string> warnings;  ///< of gates and region, in words
-  /// That its true cost is below that of the next plan: by resampling the nodes and the scatter of closures;
-  /// NaN for the last. A tie if between 0.05 and 0.95.
+  /// That it truly comes before the next plan, by robust closing, then by cost: resampling the nodes and the
+  /// scatter of closures. NaN for the last. A tie if between 0.05 and 0.95.
   double probability_outranks_next = 0.0;
   bool pareto =
       false;  ///< no other ranked plan is as good in mean, sd, steps and undersizing, and better in one

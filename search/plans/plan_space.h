@@ -61,7 +61,6 @@ class PlanSpace {
   SearchRules rules_;
   LeafletCoordinates coordinates_;
   std::optional<Lesion> lesion_;
-  bool fixed_ring_ = false;
   std::map<std::pair<std::string, int>, Ringed> ringed_;  // by shape and size in half millimetres
   std::vector<Branch> branches_;
   std::vector<CutBranches> cut_;

@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <random>
 
 #include "core/repair/apply_plan.h"
 #include "search/plans/exploration.h"
-#include "search/random_share.h"
+#include "search/plans/outranking.h"
+#include "search/plans/plan_key.h"
 #include "search/studies/rank_correlation.h"
 
 namespace coapt {
 namespace {
 
 constexpr int kBeforeTheRegion = 65;  // nodes by which reported plans are taken from the finalists
-constexpr int kResamples = 400;
-/// Of a region's mean leak, for the same plan closed from elsewhere: 0.00 to 0.06 mm2 (plan_desk.h).
-constexpr double kScatter_mm2 = 0.05;
+constexpr double kOftenFailing = 0.05;  // of the region's closures: then its figures mean little
 constexpr double kLeastCorrelation = 0.8;
 
 std::vector<double> costs_of(const PlanDesk& desk, const std::vector<PlanRecord*>& plans,
@@ -83,55 +80,15 @@ void close_evidence(PlanDesk& desk, const std::vector<PlanRecord*>& plans) {
 
 bool failed(const RankedPlan& plan) { return !trusted({plan.status, plan.crossing, plan.measure}); }
 
+bool fails_often(const RankedPlan& plan) {
+  return plan.region.failures > kOftenFailing * plan.region.closures;
+}
+
 bool is_better(const RankedPlan& a, const RankedPlan& b) {
   if (failed(a) != failed(b)) return failed(b);
-  const auto share_a = std::int64_t{a.region.failures} * b.region.closures;
-  const auto share_b = std::int64_t{b.region.failures} * a.region.closures;
-  if (share_a != share_b) return share_a < share_b;
+  if (fails_often(a) != fails_often(b)) return fails_often(b);
   if (closes_robustly(a) != closes_robustly(b)) return closes_robustly(a);
   return a.cost < b.cost;
-}
-
-/// One resample of the region's nodes, the same for both plans.
-class Resampling {
- public:
-  Resampling(const PlanDesk& desk, const PlanRecord& plan, int nodes) : desk_(desk), plan_(plan) {
-    for (int d = 0; d < nodes; ++d)
-      closures_.push_back(
-          {plan.closures.at(d), region_share(disturbances()[static_cast<std::size_t>(d)])});
-  }
-  double cost(const std::vector<std::size_t>& nodes, double error_mm2) const {
-    std::vector<ScoredClosure> drawn;
-    for (const std::size_t node : nodes) drawn.push_back(closures_[node]);
-    const CostWeights& weights = desk_.context().weights;
-    return plan_cost(drawn, plan_.effort, desk_.context()) + weights.leak * error_mm2;
-  }
-
- private:
-  const PlanDesk& desk_;
-  const PlanRecord& plan_;
-  std::vector<ScoredClosure> closures_;
-};
-
-double normal(std::mt19937_64& engine) {  // Box and Muller (1958)
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - random_share(engine)));
-  return radius * std::cos(2.0 * std::numbers::pi * random_share(engine));
-}
-
-double probability_below(const PlanDesk& desk, const PlanRecord& a, const PlanRecord& b,
-                         int nodes) {
-  if (nodes < 2) return std::numeric_limits<double>::quiet_NaN();
-  const Resampling first(desk, a, nodes), second(desk, b, nodes);
-  std::mt19937_64 engine(1);
-  int below = 0;
-  for (int r = 0; r < kResamples; ++r) {
-    std::vector<std::size_t> drawn{0};  // as planned, always
-    while (std::ssize(drawn) < nodes)
-      drawn.push_back(static_cast<std::size_t>(random_share(engine) * nodes));
-    const double error_a = kScatter_mm2 * normal(engine), error_b = kScatter_mm2 * normal(engine);
-    below += first.cost(drawn, error_a) < second.cost(drawn, error_b);
-  }
-  return static_cast<double>(below) / kResamples;
 }
 
 RankedPlan ranked(PlanDesk& desk, const PlanRecord& record, int nodes) {
@@ -185,6 +142,11 @@ std::vector<PlanRecord*> close_finalists(PlanDesk& desk, std::vector<PlanRecord*
     const int nodes = std::min(goal, options.region_points);
     if (nodes <= closed) continue;
     if (!close_up_to(desk, finalists, nodes)) {
+      int most = 0;  // what was chosen by more nodes stays, over those that it has
+      for (PlanRecord* plan : finalists) most = std::max(most, common_nodes({plan}));
+      std::erase_if(finalists, [&](PlanRecord* plan) {
+        return common_nodes({plan}) < std::min(most, kChosenBy);
+      });
       keep_cheapest(desk, finalists, common_nodes(finalists), options.plans);
       return finalists;
     }
@@ -219,10 +181,10 @@ std::vector<RankedPlan> rank(PlanDesk& desk, const std::vector<PlanRecord*>& pla
     RankedPlan& plan = order[i].first;
     plan.rank = static_cast<int>(i) + 1;
     plan.probability_outranks_next =
-        i + 1 < order.size() ? probability_below(desk, *records[i], *records[i + 1], nodes)
+        i + 1 < order.size() ? probability_ahead(desk, *records[i], *records[i + 1], nodes)
                              : std::numeric_limits<double>::quiet_NaN();
     plan.pareto = std::any_of(front.begin(), front.end(), [&](const ParetoPlan& best) {
-      return best.description == plan.description;
+      return plan_key(best.plan) == plan_key(plan.plan);
     });
     result.push_back(std::move(plan));
   }

@@ -21,8 +21,8 @@ std::vector<PlanRecord*> close_finalists(PlanDesk& desk, std::vector<PlanRecord*
                                          const SearchOptions& options,
                                          std::vector<LadderStep>& ladder);
 
-/// Plans in order: those whose own closure failed come last; then by the share of closures over the region that
-/// failed (they have no leak to count); robustly closing ones first; then by cost. Over the nodes that all of them
+/// Plans in order: those whose own closure failed come last, before them those with more than a twentieth of the
+/// region's closures failed; robustly closing ones first; then by cost, which counts failures, too. Over the nodes that all of them
 /// have closed, at most so many.
 std::vector<RankedPlan> rank(PlanDesk& desk, const std::vector<PlanRecord*>& plans, int most_nodes);
 

@@ -28,7 +28,7 @@ std::optional<PointCost> valley(const Branch& branch, const LatticePoint& at) {
 struct Scene {
   explicit Scene(const TryPoint& try_point = valley) {
     search.branch = &branch;
-    add_point(search, start_of(branch), try_point(branch, start_of(branch))->cost);
+    add_point(search, start_of(branch), *try_point(branch, start_of(branch)));
   }
   Branch branch = two_movements();
   BranchSearch search;
@@ -113,7 +113,7 @@ TEST(BranchSearch, ABranchWithoutParametersIsOnePoint) {
   BranchSearch search;
   search.branch = &branch;
   EXPECT_EQ(point_count(branch), 1);
-  add_point(search, {}, 3.0);
+  add_point(search, {}, {3.0, 1, false});
   EXPECT_TRUE(is_exhausted(search));
   refine(search, 10, 1, valley);
   EXPECT_EQ(search.best_cost, 3.0);

@@ -59,7 +59,7 @@ TEST(SearchLimits, CancelledBeforeItBeganItReturnsTheValveAsItIs) {
   EXPECT_TRUE(result.plans.empty());
 }
 
-TEST(SearchLimits, StoppedWhileRankingItComparesAsManyPlansAsAskedForOverTheSameNodes) {
+TEST(SearchLimits, StoppedWhileRankingItKeepsThePlansWithMostNodesAndComparesOverTheSame) {
   const SearchResult whole = searched(needs_suture, small_search());
   for (const int more : {8, 20}) {
     std::atomic<bool> cancelled = false;
@@ -74,9 +74,12 @@ TEST(SearchLimits, StoppedWhileRankingItComparesAsManyPlansAsAskedForOverTheSame
     const SearchResult result = searched(options, context);
     EXPECT_EQ(result.stop, SearchStop::Cancelled);
     EXPECT_EQ(result.closures, 1 + whole.evaluations + more);
-    ASSERT_EQ(result.plans.size(), 3u);
-    for (const RankedPlan& plan : result.plans)
+    ASSERT_FALSE(result.plans.empty());
+    EXPECT_LE(result.plans.size(), 3u);
+    for (const RankedPlan& plan : result.plans) {
+      EXPECT_GT(plan.region.closures, 1) << "the search had closed some plans at more";
       EXPECT_EQ(plan.region.closures, result.plans[0].region.closures);
+    }
   }
 }
 
