@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <mutex>
-#include <nlohmann/json.hpp>
 
 #include "bench/rivals/ert.h"
 #include "clients/cli/commands.h"
@@ -14,10 +12,10 @@
 #include "clients/cli/number_option.h"
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/progress_bar.h"
+#include "clients/cli/rival_report.h"
 #include "clients/cli/rival_runs.h"
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
-#include "io/picture/picture.h"
 #include "search/parallel.h"
 #include "search/plans/exploration.h"
 #include "search/plans/lattice_findings.h"
@@ -33,14 +31,6 @@ struct Arguments {
   std::vector<std::string> lattices, methods;
   int seeds = 15, budget = 500, threads = 0;
   bool json = false;
-};
-
-/// How the product, with its defaults, does on one lattice.
-struct Hits {
-  std::string lattice;
-  std::size_t plans = 0;
-  int runs = 0, optimum = 0, top_percent = 0;
-  double regret_mean = 0.0, regret_worst = 0.0;
 };
 
 Hits hits_of(const SolvedLattice& lattice, int seeds, int threads) {
@@ -62,75 +52,6 @@ Hits hits_of(const SolvedLattice& lattice, int seeds, int threads) {
     hits.regret_worst = std::max(hits.regret_worst, winner - best);
   }
   return hits;
-}
-
-std::string chart(const std::vector<rivals::MeasuredRun>& runs) {
-  Chart chart{"Targets reached: share of runs x targets (5 mm2 to the optimum above the optimum)",
-              "closures",
-              "share",
-              {},
-              true};
-  for (rivals::ReachedShares& shares : rivals::reached_shares(runs))
-    if (!shares.share.empty())
-      chart.series.push_back({shares.method, std::move(shares.closures), std::move(shares.share)});
-  return chart_svg(chart);
-}
-
-nlohmann::ordered_json to_json(const Hits& hits) {
-  return {{"lattice", hits.lattice},
-          {"plans", hits.plans},
-          {"seeds", hits.runs},
-          {"optimum_found", hits.optimum},
-          {"top_1_percent_found", hits.top_percent},
-          {"regret_mean_mm2", hits.regret_mean},
-          {"regret_worst_mm2", hits.regret_worst}};
-}
-
-nlohmann::ordered_json to_json(const LatticeFindings& findings) {
-  auto rings = nlohmann::ordered_json::array();
-  for (const RingTightness& ring : findings.rings)
-    rings.push_back({{"sizes_below", {ring.from, ring.to}},
-                     {"closing", ring.closing},
-                     {"robust", ring.robust},
-                     {"sd_mm2", ring.sd_mm2}});
-  const AnchorPairs& pairs = findings.anchors;
-  return {{"rings", rings},
-          {"anchors",
-           {{"pairs", pairs.pairs},
-            {"trigone_cheaper", pairs.trigone_cheaper},
-            {"trigone_tighter", pairs.trigone_tighter},
-            {"cost_difference", pairs.cost_difference},
-            {"mean_difference_mm2", pairs.mean_difference_mm2},
-            {"sd_difference_mm2", pairs.sd_difference_mm2}}}};
-}
-
-nlohmann::ordered_json to_json(const std::vector<rivals::Ert>& rows) {
-  auto json = nlohmann::ordered_json::array();
-  for (const rivals::Ert& row : rows)
-    json.push_back({{"method", row.method},
-                    {"target_mm2", row.target_mm2 < 1e-6 ? 0.0 : row.target_mm2},
-                    {"ert_closures", row.closures},
-                    {"successes", row.successes},
-                    {"seeds", row.runs}});
-  return json;
-}
-
-void print(const std::vector<Hits>& hits, const std::vector<rivals::Ert>& rows) {
-  std::cout << "lattice        plans   optimum found   in the best 1 %   regret mean, worst (mm2)\n"
-            << std::fixed << std::setprecision(2);
-  for (const Hits& h : hits)
-    std::cout << std::left << std::setw(14) << h.lattice << std::right << std::setw(6) << h.plans
-              << std::setw(9) << h.optimum << " of " << h.runs << std::setw(11) << h.top_percent
-              << " of " << h.runs << std::setw(14) << h.regret_mean << std::setw(8)
-              << h.regret_worst << '\n';
-  std::cout << "\nclosures to the optimum +     5       2       1     0.5     0.2     0.1       0\n"
-            << std::setprecision(0);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const bool first = i == 0 || rows[i - 1].method != rows[i].method;
-    if (first) std::cout << (i == 0 ? "" : "\n") << std::left << std::setw(25) << rows[i].method;
-    std::cout << std::right << std::setw(8) << rows[i].closures;
-  }
-  std::cout << '\n';
 }
 
 int run(const Arguments& arguments) {
@@ -221,13 +142,14 @@ int run(const Arguments& arguments) {
                                        {"ert_by_lattice", by_lattice}};
   for (const auto& [name, content] :
        {std::pair<std::string, std::string>{"ert.csv", rivals::ert_csv(rows)},
-        {"ecdf.svg", chart(runs)},
+        {"ecdf.svg", reached_chart(runs, rows)},
         {"bench.json", json.dump(2)}})
     if (const int cannot = write_output(path(name), content)) return cannot;
   if (arguments.json) {
     std::cout << json.dump(2) << '\n';
   } else {
-    print(hits, rows);
+    print_hits(std::cout, hits);
+    print_times(std::cout, rows);
   }
   return exit_code::kOk;
 }
