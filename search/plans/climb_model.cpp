@@ -62,8 +62,8 @@ void ClimbModel::learn(const PlanDesk& desk, const std::vector<const PlanRecord*
           variance_ *
               kernel(*learnt_[static_cast<std::size_t>(i)], *learnt_[static_cast<std::size_t>(j)]) +
           (i == j ? kScatter * kScatter : 0.0);
-  kernel_.compute(covariance);
-  missed_ = kernel_.solve(off);
+  kernel_.emplace(covariance);
+  missed_ = kernel_->solve(off);
 }
 
 ClimbModel::Expectation ClimbModel::expected(const PlanDesk& desk, const PlanRecord& plan) const {
@@ -74,7 +74,7 @@ ClimbModel::Expectation ClimbModel::expected(const PlanDesk& desk, const PlanRec
   for (Eigen::Index i = 0; i < n; ++i)
     near[i] = variance_ * kernel(plan, *learnt_[static_cast<std::size_t>(i)]);
   const double rise = weight_.dot(signs(desk, plan)) + near.dot(missed_);
-  const double left = variance_ - kernel_.matrixL().solve(near).squaredNorm();
+  const double left = variance_ - kernel_->matrixL().solve(near).squaredNorm();
   const double scatter = std::sqrt(std::max(0.0, left) + kScatter * kScatter);
   return {std::max(plan.lowest_cost, cost + std::sinh(rise)), cost, rise, scatter,
           plan.lowest_cost};

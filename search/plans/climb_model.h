@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Cholesky>
+#include <optional>
 #include <vector>
 
 #include "search/plans/plan_desk.h"
@@ -40,7 +41,7 @@ class ClimbModel {
   std::vector<const PlanRecord*> learnt_;
   Eigen::VectorXd weight_;  // of the signs
   double variance_ = 0.0;   // of what they miss
-  Eigen::LLT<Eigen::MatrixXd> kernel_;
+  std::optional<Eigen::LLT<Eigen::MatrixXd>> kernel_;
   Eigen::VectorXd missed_;  // kernel^-1 x what the regression misses
 };
 
