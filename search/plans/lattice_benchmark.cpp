@@ -75,7 +75,7 @@ std::optional<SolvedLattice> solve_lattice(const LatticeCase& lattice, int threa
     if (const auto point = solved.flat->point(values)) {
       const Branch& branch = solved.space->branches()[point->branch];
       record = &desk.record(solved.space->plan(branch, point->at));
-      if (!record->possible || !record->rejected_by.empty()) record = nullptr;
+      if (is_out(*record)) record = nullptr;
     }
     if (record != nullptr && number.try_emplace(record, static_cast<int>(plans.size())).second)
       plans.push_back(record);
