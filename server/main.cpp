@@ -1,47 +1,158 @@
-// coapt-server: closures and plans over HTTP on this machine.
-#include <CLI/CLI.hpp>
+// coapt-server: closures, searches and studies over HTTP.
+#include <pthread.h>
+#include <unistd.h>
+
+#include <condition_variable>
+#include <csignal>
 #include <exception>
 #include <iostream>
-#include <string>
+#include <mutex>
+#include <sstream>
+#include <thread>
 
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
-#include "server/endpoints/closures.h"
-#include "server/endpoints/health.h"
-#include "server/endpoints/plans.h"
-#include "server/http.h"
+#include "server/jobs/plan_job.h"
+#include "server/jobs/study_job.h"
+#include "server/options.h"
+#include "server/service.h"
 
 namespace coapt {
 namespace {
 
-Routes all_routes(const std::atomic<bool>& stopping) {
-  return {
-      {"GET", "/healthz/live", GetHealthzLive{}},
-      {"POST", "/v1/closures", PostClosures{ring_catalogue()}},
-      {"POST", "/v1/plans", PostPlans{ring_catalogue(), stopping}},
-  };
+constexpr int kOk = 0, kFailure = 1, kBadInput = 2;
+constexpr std::chrono::seconds kPatience(
+    8);  // from the signal to the end, whatever is still running
+
+int fail(int status, const Errors& errors) {
+  for (const Error& error : errors) std::cerr << "coapt-server: " << error.message << '\n';
+  return status;
+}
+
+void log_request(const Exchange& exchange) {
+  std::ostringstream line;
+  line << exchange.method << ' ' << exchange.route << ' ' << exchange.status << ' '
+       << 1e3 * exchange.seconds << " ms\n";
+  std::cerr << line.str();
+}
+
+/// Stops board and server on SIGINT or SIGTERM. If something cannot be ended in time, the process ends all the same:
+/// jobs lose nothing by it, as by kill -9.
+class Stopper {
+ public:
+  /// @pre made before any other thread, so that they all leave the two signals to it.
+  Stopper() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, SIGINT);
+    sigaddset(&signals_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    // Clients that go, and a limit on the size of files, are errors like others.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+  }
+
+  void watch(JobBoard& board, HttpServer& http) {
+    thread_ = std::thread([this, &board, &http] {
+      int signal = 0;
+      sigwait(&signals_, &signal);
+      board.stop();
+      http.stop();
+      std::unique_lock<std::mutex> lock(mutex_);
+      if (ended_.wait_for(lock, kPatience, [this] { return is_over_; })) return;
+      std::cerr
+          << "coapt-server: a closure did not end in time; its job goes on at the next start\n";
+      _exit(kOk);
+    });
+  }
+
+  /// All jobs have ended.
+  void over() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      is_over_ = true;
+    }
+    ended_.notify_all();
+    pthread_kill(thread_.native_handle(), SIGTERM);
+    thread_.join();
+  }
+
+ private:
+  sigset_t signals_{};
+  std::thread thread_;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool is_over_ = false;
+};
+
+int serve(const ServerOptions& options, const Access& access) {
+  Stopper stopper;
+  Expected<JobStore> store = JobStore::open(options.database);
+  if (!store) return fail(kFailure, store.errors());
+  JobBoard board(*store, options.service.queue);
+  if (const Errors errors = board.resume(); !errors.empty()) return fail(kFailure, errors);
+
+  Metrics metrics;
+  Compute compute;
+  HttpServer* running = nullptr;
+  const Service service{
+      options.service, ring_catalogue(), *store, board, compute, metrics, [&running] {
+        return running->load();
+      }};
+  const Routes routes = routes_of(service);
+  HttpServer http(options.http, routes, access, [&](const Exchange& exchange) {
+    metrics.observe(exchange);
+    if (options.log_requests) log_request(exchange);
+  });
+  running = &http;
+  const Expected<int> port = http.bind(options.host, options.port);
+  if (!port) return fail(kFailure, port.errors());
+
+  bool served = false;
+  stopper.watch(board, http);
+  {
+    const JobRunner runner(
+        board,
+        {{"plans",
+          PlanJob{board, *store, options.service, ring_catalogue(), options.database + "-plans"}},
+         {"study", StudyJob{board, *store, options.service, options.database + "-studies"}}},
+        options.service.running_jobs);
+    std::cerr << "coapt-server: listening on http://" << options.host << ':' << *port << '\n';
+    served = http.run();
+    board.stop();
+  }
+  stopper.over();
+  return served ? kOk : kFailure;
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Serves closures and repair plans on 127.0.0.1.", "coapt-server");
-  int port = 8080;
-  app.add_option("--port", port, "0 takes a free port")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
+  CLI::App app("Closes valves and searches repair plans over HTTP.", "coapt-server");
+  ServerOptions options;
+  add_options(app, options);
   app.set_version_flag(
       "--version", "coapt-server " + std::string(version()) + "\n" + std::string(kResearchNotice));
   app.footer(
-      "POST /v1/closures {\"valve\": ..., \"plan\": ...}, POST /v1/plans {\"valve\": ..., "
-      "\"search\": ...},\n"
-      "GET /healthz/live. For other machines put a reverse proxy with limits before it.\n\n" +
+      "The API is described at /openapi.json. Jobs outlive the server, however it ends: with the "
+      "same --db they\ngo on. SIGTERM and Ctrl-C end it within 10 s.\n\n"
+      "Examples:\n"
+      "  coapt-server --db coapt.sqlite\n"
+      "  curl -d '{\"valve\": \"human-functional-mr\"}' http://127.0.0.1:8080/v1/closures\n"
+      "  curl -d '{\"valve\": \"human-functional-mr\", \"search\": {\"seed\": 1}}' "
+      "http://127.0.0.1:8080/v1/plans\n\n" +
       std::string(kResearchNotice));
   CLI11_PARSE(app, argc, argv);
 
-  std::atomic<bool> stopping = false;
-  const Routes routes = all_routes(stopping);
-  if (serve(port, routes, stopping)) return 0;
-  std::cerr << "coapt-server: port " << port << " cannot be served\n";
-  return 1;
+  Access access;
+  access.hosts.insert(options.hosts.begin(), options.hosts.end());
+  if (!options.token_file.empty()) {
+    const Expected<std::string> token = read_token(options.token_file);
+    if (!token) return fail(kBadInput, token.errors());
+    access.token = *token;
+  } else if (!is_loopback(options.host)) {
+    return fail(kBadInput, {Error{ErrorCode::MissingField, "",
+                                  "other machines can reach " + options.host +
+                                      ": --token-file must say who may come in"}});
+  }
+  return serve(options, access);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cassert>
 #include <cctype>
 #include <cstdint>
 #include <cstring>
@@ -18,7 +17,6 @@
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/progress_bar.h"
-#include "core/repair/apply_plan.h"
 #include "io/json/json_reader.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
@@ -36,11 +34,6 @@ struct Arguments {
   std::vector<std::string> forbidden;
   bool json = false, no_evidence = false;
 };
-
-ClosedValve close_for_picture(const Valve& valve, const ClosureOptions& options) {
-  const ClosureResult closure = close_valve(valve, options);
-  return {valve, closure, measure(valve, closure)};
-}
 
 /// For a shell.
 std::string quoted(const std::string& word) {
@@ -73,15 +66,8 @@ std::string command_line(const Arguments& arguments) {
 
 std::string report_html(const Valve& valve, const SearchResult& result,
                         const SearchRequest& request) {
-  const ClosureOptions& options = request.options.closure;
-  std::vector<ClosedValve> after;
-  for (const RankedPlan& ranked : result.plans) {
-    const Expected<Valve> repaired = apply_plan(valve, ranked.plan, ring_catalogue());
-    assert(repaired && "the search only ranks plans that can be applied");
-    after.push_back(close_for_picture(*repaired, options));
-  }
-  const ClosedValve before = close_for_picture(valve, options);
-  return plan_report_html({before, after, result, request});
+  const PlanPictures pictures = close_for_report(valve, result, request.options.closure);
+  return plan_report_html({pictures.before, pictures.after, result, request});
 }
 
 /// The search object of a file, with what the command line says in its place.

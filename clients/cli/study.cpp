@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -10,52 +8,23 @@
 #include "clients/cli/files.h"
 #include "clients/cli/number_option.h"
 #include "clients/cli/study_desk.h"
-#include "clients/cli/study_report.h"
-#include "io/json/findings_json.h"
-#include "io/json/result_json.h"
-#include "io/picture/text.h"
-#include "search/studies/findings_parts.h"
-#include "search/studies/thesis_figures.h"
+#include "io/picture/study_report.h"
 
 namespace coapt {
 namespace {
 
 struct Arguments {
-  std::string name, valve, directory;
+  StudyKind kind = StudyKind::Thesis;
+  std::string valve, directory;
   int threads = 0;
   bool json = false;
   std::vector<std::string> protocols;
-  ThesisStudyOptions study;
+  ThesisStudyOptions options;
 };
-
-std::string timing(const OrificeTable& table, double seconds) {
-  return std::to_string(table.configurations()) + " configurations, five end states each; " +
-         std::to_string(table.closures()) + " closed now, in " + fixed(seconds, 1) + " s; " +
-         std::to_string(table.untrusted()) +
-         " not trusted (not converged, or crossed). The thesis: " +
-         std::to_string(thesis::kConfigurations) + " in about " + fixed(thesis::kHours, 0) +
-         " hours.";
-}
 
 int finish(const Arguments& arguments, const StudyDesk& desk, const OrificeTable& table,
            StudyReport report) {
-  const std::string timed = timing(table, desk.seconds());
-  const auto agree = std::count_if(report.findings.begin(), report.findings.end(),
-                                   [](const Finding& finding) { return finding.agrees; });
-  const nlohmann::ordered_json answer = {{"study", arguments.name},
-                                         {"valve", table.valve().name},
-                                         {"version", version()},
-                                         {"configurations", table.configurations()},
-                                         {"closures", table.closures()},
-                                         {"untrusted", table.untrusted()},
-                                         {"seconds", desk.seconds()},
-                                         {"findings", report.findings.size()},
-                                         {"agree", agree},
-                                         {"notice", kResearchNotice}};
-  report.files.emplace_back("study.json", answer.dump(2) + "\n");
-  report.files.emplace_back("findings.json", to_json(report.findings).dump(2) + "\n");
-  report.files.emplace_back(
-      "index.html", findings_page(table.valve().name, report.findings, report.figures, timed));
+  const nlohmann::ordered_json answer = complete(report, arguments.kind, table, desk.seconds());
   for (const auto& [name, content] : report.files)
     if (const int error = desk.write(name, content)) return error;
   if (arguments.json) {
@@ -66,14 +35,13 @@ int finish(const Arguments& arguments, const StudyDesk& desk, const OrificeTable
   for (const Finding& finding : report.findings)
     std::cout << (finding.agrees ? "agrees   " : "DIFFERS  ") << finding.finding << ": "
               << finding.ours << '\n';
-  std::cout << agree << " of " << report.findings.size() << " findings agree. " << timed
-            << "\nWritten to " << arguments.directory << "/index.html\n";
+  std::cout << answer["agree"] << " of " << report.findings.size() << " findings agree. "
+            << study_timing(table, desk.seconds()) << "\nWritten to " << arguments.directory
+            << "/index.html\n";
   return exit_code::kOk;
 }
 
-using Study = std::function<StudyReport(OrificeTable&, const ThesisStudyOptions&)>;
-
-int run(Arguments arguments, const Study& study) {
+int run(Arguments arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   const Expected<std::unique_ptr<StudyDesk>> desk =
@@ -82,64 +50,21 @@ int run(Arguments arguments, const Study& study) {
     report_errors("study", desk.errors());
     return exit_code::kFailure;
   }
-  if (!arguments.protocols.empty()) arguments.study.protocols.clear();
+  if (!arguments.protocols.empty()) arguments.options.protocols.clear();
   for (const Protocol protocol : kProtocols)
     for (const std::string& name : arguments.protocols)
-      if (name == to_string(protocol)) arguments.study.protocols.push_back(protocol);
-  arguments.study.stage = [&](const std::string& stage) { (*desk)->begin(stage); };
+      if (name == to_string(protocol)) arguments.options.protocols.push_back(protocol);
+  arguments.options.stage = [&](const std::string& stage) { (*desk)->begin(stage); };
   OrificeTable table = (*desk)->table(*valve);
-  return finish(arguments, **desk, table, study(table, arguments.study));
+  return finish(arguments, **desk, table, run_study(arguments.kind, table, arguments.options));
 }
 
-StudyReport study_one_annulus(OrificeTable& table, const ThesisStudyOptions&) {
-  const AnnulusStudy study = study_annulus(table);
-  StudyReport report;
-  report.findings = annulus_findings(study);
-  add_to_report(report, study);
-  return report;
-}
-
-StudyReport study_one_papillary(OrificeTable& table, const ThesisStudyOptions& options) {
-  const PapillaryStudy study = study_papillary(table, options.papillary_nodes);
-  StudyReport report;
-  report.findings = papillary_findings(study);
-  add_to_report(report, study);
-  return report;
-}
-
-StudyReport study_one_ring(OrificeTable& table, const ThesisStudyOptions&) {
-  const RingStudy study = study_ring(table);
-  StudyReport report;
-  report.findings = ring_findings(study);
-  add_to_report(report, study);
-  return report;
-}
-
-StudyReport study_approximations(OrificeTable& table, const ThesisStudyOptions& options) {
-  const AnchorStudies studies = study_anchors(table, options);
-  StudyReport report;
-  for (const ApproximationStudy& study : studies.approximation)
-    for (const Finding& finding : anchor_findings(study)) report.findings.push_back(finding);
-  add_to_report(report, studies);
-  return report;
-}
-
-StudyReport study_all(OrificeTable& table, const ThesisStudyOptions& options) {
-  const ThesisStudy study = study_thesis(table, options);
-  StudyReport report;
-  report.findings = findings(study);
-  add_to_report(report, study.annulus);
-  add_to_report(report, study.papillary);
-  add_to_report(report, study.ring);
-  add_to_report(report, study.anchors);
-  return report;
-}
-
-CLI::App* add_one(CLI::App& parent, int& status, const char* name, const char* help,
-                  const Study& study, const std::shared_ptr<Arguments>& arguments) {
-  CLI::App* command = parent.add_subcommand(name, help);
-  arguments->name = name;
-  arguments->directory = std::string("study-") + name;
+CLI::App* add_one(CLI::App& parent, int& status, StudyKind kind, const char* help,
+                  const std::shared_ptr<Arguments>& arguments) {
+  CLI::App* command = parent.add_subcommand(to_string(kind), help);
+  arguments->kind = kind;
+  arguments->options = default_options(kind);
+  arguments->directory = std::string("study-") + to_string(kind);
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command
       ->add_option("-o,--output", arguments->directory,
@@ -149,14 +74,14 @@ CLI::App* add_one(CLI::App& parent, int& status, const char* name, const char* h
       ->check(number_from(0, 1024))
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "A summary as JSON on standard output");
-  command->callback([=, &status] { status = run(*arguments, study); });
+  command->callback([=, &status] { status = run(*arguments); });
   return command;
 }
 
 void add_anchor_options(CLI::App& command, const std::shared_ptr<Arguments>& arguments) {
   std::vector<std::string> names;
   for (const Protocol protocol : kProtocols) names.emplace_back(to_string(protocol));
-  ThesisStudyOptions& study = arguments->study;
+  ThesisStudyOptions& study = arguments->options;
   command
       .add_option("--protocol", arguments->protocols,
                   "How positions get their orifice (default: both lookups)")
@@ -188,19 +113,18 @@ void add_study(CLI::App& parent, int& status) {
       "study", "Redo the thesis's robustness studies on a valve, or ask further");
   study->require_subcommand(1);
   const auto with = [] { return std::make_shared<Arguments>(); };
-  add_one(*study, status, "annulus",
-          "Anteroposterior dilation 0 to 30 % x annular height (figure 4.5)", study_one_annulus,
-          with());
-  add_one(*study, status, "papillary",
+  add_one(*study, status, StudyKind::Annulus,
+          "Anteroposterior dilation 0 to 30 % x annular height (figure 4.5)", with());
+  add_one(*study, status, StudyKind::Papillary,
           "Papillary displacement 0 to 6 mm along three axes (figures 4.6 to 4.8, table 4.1)",
-          study_one_papillary, with());
-  add_one(*study, status, "ring", "Undersized rings x displacement (figure 4.9, table 4.2)",
-          study_one_ring, with());
+          with());
+  add_one(*study, status, StudyKind::Ring,
+          "Undersized rings x displacement (figure 4.9, table 4.2)", with());
   const auto approximation = with();
   CLI::App* anchors = add_one(
-      *study, status, "approximation",
+      *study, status, StudyKind::Approximation,
       "Papillary approximation to trigone, saddle peak and around the annulus (figure 4.10)",
-      study_approximations, approximation);
+      approximation);
   add_anchor_options(*anchors, approximation);
   anchors->footer(std::string(kResumes) +
                   "Examples:\n"
@@ -208,10 +132,9 @@ void add_study(CLI::App& parent, int& status) {
                   "  coapt study approximation porcine-thesis --protocol closed optimum "
                   "--displacement-step 2 -o anchors");
   const auto everything = with();
-  everything->study.scan_sites = 0;  // the thesis has none
   CLI::App* thesis =
-      add_one(*study, status, "thesis",
-              "All of them, each finding of the thesis beside this valve's", study_all, everything);
+      add_one(*study, status, StudyKind::Thesis,
+              "All of them, each finding of the thesis beside this valve's", everything);
   add_anchor_options(*thesis, everything);
   thesis->footer(std::string(kResumes) +
                  "Example:\n"

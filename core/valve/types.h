@@ -27,6 +27,8 @@ enum class ErrorCode {
   ImpossibleStep,  ///< a repair step that this valve does not allow
   Unsupported,     ///< a schema, method, preset or file format that is not known
   InputOutput,     ///< a file that cannot be read or written
+  Busy,            ///< somebody else has it locked; may be tried again
+  NoSpace,         ///< disk, quota or size of the file has no room
 };
 
 /// What a caller can fix. `path` is a JSON pointer into the input ("" is the whole of it);

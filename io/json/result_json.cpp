@@ -29,6 +29,10 @@ const char* name_of(ErrorCode code) {
       return "unsupported";
     case ErrorCode::InputOutput:
       return "input_output";
+    case ErrorCode::Busy:
+      return "busy";
+    case ErrorCode::NoSpace:
+      return "no_space";
   }
   return "";
 }

@@ -9,7 +9,6 @@ namespace {
 constexpr std::size_t kMaxVertices = 2'000'000;
 constexpr std::size_t kMaxFaces = 4'000'000;
 constexpr std::size_t kMaxCorners = 1000;
-constexpr Range kCoordinateMm = {-1e5, 1e5};  // scanner coordinates are thousands at most
 
 std::string at_line(int line) {
   return line > 0 ? "line " + std::to_string(line) + ": " : std::string();
@@ -25,7 +24,7 @@ void MeshBuilder::add_problem(ErrorCode code, const std::string& path, int line,
 void MeshBuilder::add_vertex(const Vec3& position_mm, int line) {
   for (int axis = 0; axis < 3; ++axis) {
     const double number = position_mm[axis];
-    if (number >= kCoordinateMm.min && number <= kCoordinateMm.max) continue;
+    if (number >= kMeshCoordinateMm.min && number <= kMeshCoordinateMm.max) continue;
     add_problem(ErrorCode::OutOfRange,
                 "/vertices_mm/" + std::to_string(vertices()) + '/' + std::to_string(axis), line,
                 "is " + shown(number) + ", must be from -1e5 to 1e5 mm");

@@ -11,6 +11,9 @@
 
 namespace coapt {
 
+/// Scanner coordinates are thousands at most.
+inline constexpr Range kMeshCoordinateMm = {-1e5, 1e5};
+
 class MeshBuilder {
  public:
   /// @param line of the file, 0 if it is binary.

@@ -3,7 +3,10 @@
 #include "io/picture/report.h"
 
 #include <algorithm>
+#include <cassert>
 
+#include "core/repair/apply_plan.h"
+#include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/picture/html.h"
 #include "io/picture/report_parts.h"
@@ -114,6 +117,21 @@ std::string plan_report_html(const PlanReport& report) {
   html += "<section><h2>What is not modelled</h2>\n" + list_html(not_modelled()) + "</section>\n";
   html += reproduction(report);
   return html_page({"Repair plans for " + report.before.valve.name, lead(report), ""}, html);
+}
+
+PlanPictures close_for_report(const Valve& valve, const SearchResult& result,
+                              const ClosureOptions& closure) {
+  const auto close = [&](const Valve& one) {
+    const ClosureResult closed = close_valve(one, closure);
+    return ClosedValve{one, closed, measure(one, closed)};
+  };
+  PlanPictures pictures{close(valve), {}};
+  for (const RankedPlan& ranked : result.plans) {
+    const Expected<Valve> repaired = apply_plan(valve, ranked.plan, ring_catalogue());
+    assert(repaired && "the search only ranks plans that can be applied");
+    pictures.after.push_back(close(*repaired));
+  }
+  return pictures;
 }
 
 }  // namespace coapt

@@ -18,4 +18,12 @@ struct PlanReport {
 
 std::string plan_report_html(const PlanReport& report);
 
+/// The valve, and as each ranked plan leaves it, closed.
+struct PlanPictures {
+  ClosedValve before;
+  std::vector<ClosedValve> after;
+};
+PlanPictures close_for_report(const Valve& valve, const SearchResult& result,
+                              const ClosureOptions& closure);
+
 }  // namespace coapt

@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -108,6 +109,40 @@ std::optional<Kind> make(sqlite3* database, const StoreFormat& format) {
   return kind_of(database);
 }
 
+/// Whether the last write to one of the files failed for want of room. The system's error is asked of
+/// each file: by the time that a call returns, rolling back has overwritten errno.
+bool lacks_room(sqlite3* database) {
+  if (code_of_errno(sqlite3_system_errno(database)) == ErrorCode::NoSpace) return true;
+  for (const int which : {SQLITE_FCNTL_FILE_POINTER, SQLITE_FCNTL_JOURNAL_POINTER}) {
+    sqlite3_file* file = nullptr;
+    int last = 0;
+    sqlite3_file_control(database, "main", which, &file);  // the log is the journal, too
+    if (file == nullptr || file->pMethods == nullptr) continue;
+    file->pMethods->xFileControl(file, SQLITE_FCNTL_LAST_ERRNO, &last);
+    if (code_of_errno(last) == ErrorCode::NoSpace) return true;
+  }
+  return false;
+}
+
+/// Why the last call failed.
+ErrorCode cause(sqlite3* database) {
+  const int code = sqlite3_extended_errcode(database);
+  switch (code & 0xff) {  // what all of its kind have in common
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return ErrorCode::Busy;
+    case SQLITE_FULL:
+      return ErrorCode::NoSpace;
+    case SQLITE_IOERR:
+    case SQLITE_CANTOPEN:
+      // A file keeps its last error until the next, of a write perhaps long ago.
+      return code != SQLITE_IOERR_READ && lacks_room(database) ? ErrorCode::NoSpace
+                                                               : ErrorCode::InputOutput;
+    default:
+      return ErrorCode::InputOutput;
+  }
+}
+
 }  // namespace
 
 void SqliteClose::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
@@ -117,6 +152,7 @@ Expected<StoreDatabase> StoreDatabase::open(const std::string& path, const Store
                                             int lock_timeout_ms) {
   StoreDatabase store;
   store.path_ = path;
+  store.tells_causes_ = format.tells_causes;
   if (path.empty())
     return refusal(std::string("a store of ") + format.rows, "needs the path of a file");
 
@@ -124,9 +160,11 @@ Expected<StoreDatabase> StoreDatabase::open(const std::string& path, const Store
   const int opened =
       sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   store.handle_.reset(database);
-  if (opened != SQLITE_OK)
-    return refusal(
-        path, std::string("cannot be opened: ") + std::strerror(sqlite3_system_errno(database)));
+  if (opened != SQLITE_OK) {
+    Error error = store.failure("cannot be opened");
+    error.message = path + ": cannot be opened: " + std::strerror(sqlite3_system_errno(database));
+    return error;
+  }
   if (const Errors errors = check_header(database, format, path); !errors.empty()) return errors;
 
   sqlite3_busy_timeout(database, lock_timeout_ms);
@@ -138,7 +176,7 @@ Expected<StoreDatabase> StoreDatabase::open(const std::string& path, const Store
   if (!run(database,
            "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
            "PRAGMA wal_autocheckpoint = " +
-               std::to_string(format.log_pages)))
+               std::to_string(format.log_pages) + ';' + format.settings))
     return store.failure("cannot be opened");
   return store;
 }
@@ -150,7 +188,19 @@ Statement StoreDatabase::prepare(const char* sql) const {
 }
 
 Error StoreDatabase::failure(const std::string& problem) const {
-  return refusal(path_, problem + ": " + sqlite3_errmsg(handle_.get()));
+  Error error = refusal(path_, problem + ": " + sqlite3_errmsg(handle_.get()));
+  if (tells_causes_) error.code = cause(handle_.get());
+  return error;
+}
+
+std::string StoreDatabase::file() const { return sqlite3_db_filename(handle_.get(), "main"); }
+int StoreDatabase::changed() const { return sqlite3_changes(handle_.get()); }
+bool StoreDatabase::in_transaction() const { return sqlite3_get_autocommit(handle_.get()) == 0; }
+
+ErrorCode code_of_errno(int system_error) {
+  return system_error == ENOSPC || system_error == EDQUOT || system_error == EFBIG
+             ? ErrorCode::NoSpace
+             : ErrorCode::InputOutput;
 }
 
 void bind_text(const Statement& statement, int parameter, const std::string& text) {
@@ -162,6 +212,12 @@ double number_at(const Statement& row, int column) {
   return sqlite3_column_type(row.get(), column) == SQLITE_NULL
              ? std::numeric_limits<double>::quiet_NaN()
              : sqlite3_column_double(row.get(), column);
+}
+
+std::string bytes_at(const Statement& row, int column) {
+  const void* const bytes = sqlite3_column_blob(row.get(), column);  // null if there are none
+  const int length = bytes == nullptr ? 0 : sqlite3_column_bytes(row.get(), column);
+  return {static_cast<const char*>(bytes), static_cast<std::size_t>(length)};
 }
 
 }  // namespace coapt

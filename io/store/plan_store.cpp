@@ -79,12 +79,6 @@ ClosureStatus status_at(const Statement& row, int column) {
   return ClosureStatus::Diverged;
 }
 
-std::string text_at(const Statement& row, int column) {
-  const unsigned char* const text = sqlite3_column_text(row.get(), column);
-  const int bytes = sqlite3_column_bytes(row.get(), column);
-  return {reinterpret_cast<const char*>(text), static_cast<std::size_t>(bytes)};
-}
-
 }  // namespace
 
 std::optional<std::int64_t> PlanStore::Names::find(const std::string& name) const {
@@ -138,7 +132,7 @@ Expected<KnownPlans> PlanStore::read(const std::string& subject) const {
     std::int64_t last_plan = 0;
     while ((step = sqlite3_step(rows.get())) == SQLITE_ROW) {
       const std::int64_t plan = sqlite3_column_int64(rows.get(), 0);
-      if (closures == nullptr || plan != last_plan) closures = &known[text_at(rows, 1)];
+      if (closures == nullptr || plan != last_plan) closures = &known[bytes_at(rows, 1)];
       last_plan = plan;
       PlanClosure& closure = (*closures)[sqlite3_column_int(rows.get(), 2)];
       closure.status = status_at(rows, 3);

@@ -77,19 +77,24 @@ bool closes_robustly(const SearchResult& result) {
   return !result.plans.empty() && closes_robustly(result.plans.front());
 }
 
-Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& options,
-                                    const SearchContext& context) {
+Errors check_search(const Valve& valve, const SearchOptions& options,
+                    const std::vector<RingShape>& catalogue) {
   ProblemList problems = check(options);
-  for (const Error& error : check_rules(valve, context.catalogue, options.rules))
+  for (const Error& error : check_rules(valve, catalogue, options.rules))
     problems.add(error.code, "/rules" + error.path, error.message);
   if (!problems.empty()) return std::move(problems).take();
-  const PlanSpace space(valve, context.catalogue, options.rules);
-  if (space.branches().empty()) {
-    std::string why;
-    for (const CutBranches& cut : space.cut()) why += "; " + cut.what + ": " + cut.why;
-    return Error{ErrorCode::ImpossibleStep, "/rules", "leave no plan to try" + why};
-  }
+  const PlanSpace space(valve, catalogue, options.rules);
+  if (!space.branches().empty()) return {};
+  std::string why;
+  for (const CutBranches& cut : space.cut()) why += "; " + cut.what + ": " + cut.why;
+  return {Error{ErrorCode::ImpossibleStep, "/rules", "leave no plan to try" + why}};
+}
 
+Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& options,
+                                    const SearchContext& context) {
+  if (Errors errors = check_search(valve, options, context.catalogue); !errors.empty())
+    return errors;
+  const PlanSpace space(valve, context.catalogue, options.rules);
   Watch watch(options.seconds, context.cancelled, context.progress);
   watch.plan(1 + options.evaluations + ranking_closures(options), "searching");
   const Evaluator evaluate = evaluator(options, context);

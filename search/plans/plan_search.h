@@ -124,7 +124,12 @@ struct SearchContext {
   Evaluator evaluate{};  ///< empty: closing_evaluator(); called from several threads at once
 };
 
-/// Errors point into the options ("/evaluations", "/rules/forbidden/0").
+/// What speaks against a search, without closing anything: options out of range, rules that the valve does not allow
+/// or that leave no plan to try. Errors point into the options ("/evaluations", "/rules/forbidden/0").
+Errors check_search(const Valve& valve, const SearchOptions& options,
+                    const std::vector<RingShape>& catalogue);
+
+/// Errors are those of check_search().
 Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& options,
                                     const SearchContext& context);
 

@@ -1,37 +1,98 @@
 #include "server/endpoints/closures.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/repair/apply_plan.h"
 #include "io/json/plan_json.h"
+#include "io/json/plans_json.h"
 #include "io/json/result_json.h"
-#include "io/json/valve_json.h"
 #include "search/plans/gates.h"
-#include "server/request.h"
+#include "search/plans/plan_key.h"
+#include "search/plans/plan_search.h"
 
 namespace coapt {
+namespace {
 
-Answer PostClosures::operator()(std::string_view body) const {
-  const Expected<nlohmann::json> request = parse_json(body);
-  if (!request) return problem(400, request.errors());
+std::vector<RepairPlan> read_plans(const JsonPlace& place) {
+  return read_list(place, [](const JsonPlace& entry) {
+    RepairPlan plan;
+    document(plan, plan_from_json)(entry);
+    return plan;
+  });
+}
+
+/// Ranked plans in the order asked; a plan that was asked for twice twice.
+nlohmann::ordered_json in_order(const SearchResult& result, const std::vector<RepairPlan>& asked) {
+  const nlohmann::ordered_json json = to_json(result);
+  nlohmann::ordered_json plans = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const std::string key = plan_key(asked[i]);
+    const auto found = std::find_if(result.plans.begin(), result.plans.end(),
+                                    [&](const RankedPlan& r) { return plan_key(r.plan) == key; });
+    nlohmann::ordered_json plan = {{"index", i}};
+    plan.update(json["plans"][static_cast<std::size_t>(found - result.plans.begin())]);
+    plan.erase("name");
+    plans.push_back(std::move(plan));
+  }
+  nlohmann::ordered_json answer = {{"version", json["version"]}, {"before", json["before"]}};
+  answer["plans"] = std::move(plans);
+  for (const char* name : {"closures", "seconds", "not_modelled"}) answer[name] = json[name];
+  return answer;
+}
+
+}  // namespace
+
+Answer PostClosures::operator()(const Request& request) const {
   Valve valve;
   RepairPlan plan;
-  ProblemList problems;
-  read_fields({*request, problems}, {{"valve", document(valve, valve_from_json)},
-                                     {"plan", document(plan, plan_from_json), false}});
-  if (!problems.empty()) return problem(422, std::move(problems).take());
-  const Expected<Valve> repaired = apply_plan(valve, plan, catalogue);
+  if (auto refused = read_body(request.body, {{"valve", valve_field(valves, valve)},
+                                              {"plan", document(plan, plan_from_json), false}}))
+    return *std::move(refused);
+  const Expected<Valve> repaired = apply_plan(valve, plan, rings);
   if (!repaired) {
+    ProblemList problems;
     add_below(problems, "/plan", repaired.errors());
     return problem(422, std::move(problems).take());
   }
-
+  const Compute::Turn turn(compute);
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(*repaired, {.samples = kThesisSamples});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   auto json = closure_to_json(*repaired, closure, measure(*repaired, closure), seconds.count());
-  json["warnings"] = warnings_of(operation_gates({plan, valve, *repaired, catalogue}));
-  return {200, std::move(json)};
+  json["warnings"] = warnings_of(operation_gates({plan, valve, *repaired, rings}));
+  return json_answer(200, std::move(json));
+}
+
+Answer PostEvaluations::operator()(const Request& request) const {
+  Valve valve;
+  std::vector<RepairPlan> plans;
+  SearchOptions options;
+  options.threads = 1;
+  options.evidence = false;
+  options.region_points = 1;
+  const auto points = [](const JsonPlace& place) { return read_integer_in(place, 1, 1089); };
+  if (auto refused =
+          read_body(request.body, {{"valve", valve_field(valves, valve)},
+                                   {"plans", into(plans, read_plans)},
+                                   {"region_points", into(options.region_points, points), false}}))
+    return *std::move(refused);
+  ProblemList problems;
+  const std::ptrdiff_t closures = std::ssize(plans) * options.region_points;
+  if (closures > valves.limits.evaluation_closures)
+    problems.add(ErrorCode::OutOfRange, "/plans",
+                 "has " + std::to_string(plans.size()) + " plans of " +
+                     std::to_string(options.region_points) + " region_points, together " +
+                     std::to_string(closures) + " closures; must be at most " +
+                     std::to_string(valves.limits.evaluation_closures));
+  if (!problems.empty()) return problem(422, std::move(problems).take());
+
+  std::vector<NamedPlan> named;
+  for (const RepairPlan& plan : plans) named.push_back({"", plan});
+  const Compute::Turn turn(compute);
+  const Expected<SearchResult> result = evaluate_plans(valve, named, options, {.catalogue = rings});
+  if (!result) return problem(422, result.errors());
+  return json_answer(200, in_order(*result, plans));
 }
 
 }  // namespace coapt

@@ -1,16 +1,29 @@
+// Closures that are answered at once.
 #pragma once
 
 #include "core/repair/plan.h"
-#include "server/answer.h"
+#include "server/compute.h"
+#include "server/json_body.h"
+#include "server/route.h"
 
 namespace coapt {
 
-/// POST /v1/closures {"valve": coapt.valve/1, "plan": coapt.plan/1 (optional)}: closes the valve,
-/// repaired if there is a plan. Answers what `coapt close --json` prints.
+/// POST /v1/closures {"valve", "plan" (optional)}: closes the valve, repaired if there is a plan. Answers what
+/// `coapt close --json` prints.
 struct PostClosures {
-  const std::vector<RingShape>& catalogue;
+  ValveSource valves;
+  Compute& compute;
+  const std::vector<RingShape>& rings;
+  Answer operator()(const Request& request) const;
+};
 
-  Answer operator()(std::string_view body) const;
+/// POST /v1/evaluations {"valve", "plans": [...], "region_points" (optional, 1)}: scores and ranks plans, answered in
+/// the order asked, each with its "index" and "rank"; as one of coapt.plans/1 otherwise.
+struct PostEvaluations {
+  ValveSource valves;
+  Compute& compute;
+  const std::vector<RingShape>& rings;
+  Answer operator()(const Request& request) const;
 };
 
 }  // namespace coapt

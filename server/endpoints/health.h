@@ -1,12 +1,42 @@
+// How the service is, for those that watch it.
 #pragma once
 
-#include "server/answer.h"
+#include <functional>
+
+#include "server/jobs/job_board.h"
+#include "server/metrics.h"
+#include "server/route.h"
 
 namespace coapt {
 
 /// GET /healthz/live: the process answers.
-struct GetHealthzLive {
-  Answer operator()(std::string_view /*body*/) const { return {200, {{"status", "live"}}}; }
+struct GetLive {
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /healthz/ready: a small valve closes, the store can be written, the server is not about to stop.
+struct GetReady {
+  JobStore& store;
+  const JobBoard& jobs;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /metrics
+struct GetMetrics {
+  const Metrics& metrics;
+  const JobBoard& jobs;
+  std::function<HttpLoad()> load;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /version
+struct GetVersion {
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /openapi.json
+struct GetOpenApi {
+  Answer operator()(const Request& request) const;
 };
 
 }  // namespace coapt

@@ -1,8 +1,14 @@
-#include "clients/cli/study_report.h"
+#include "io/picture/study_report.h"
 
+#include <algorithm>
+
+#include "io/json/findings_json.h"
+#include "io/json/result_json.h"
 #include "io/picture/study_charts.h"
 #include "io/picture/study_csv.h"
 #include "io/picture/text.h"
+#include "search/studies/findings_parts.h"
+#include "search/studies/thesis_figures.h"
 
 namespace coapt {
 namespace {
@@ -65,8 +71,6 @@ PageSection anchors_table(const std::vector<AnchorSummary>& summaries,
   return section;
 }
 
-}  // namespace
-
 void add_to_report(StudyReport& report, const AnnulusStudy& study) {
   report.files.emplace_back("annulus.csv", annulus_csv(study));
   report.files.emplace_back("annulus.svg", annulus_svg(study, true));
@@ -115,6 +119,121 @@ void add_to_report(StudyReport& report, const AnchorStudies& studies) {
   report.files.emplace_back("anchor-scan.csv", anchors_csv(scan));
   report.files.emplace_back("anchor-scan.svg", anchor_scan_svg(scan, same));
   report.figures.push_back({"Anchors around the annulus", "", anchor_scan_svg(scan, same), {}});
+}
+
+StudyReport study_one_annulus(OrificeTable& table) {
+  const AnnulusStudy study = study_annulus(table);
+  StudyReport report;
+  report.findings = annulus_findings(study);
+  add_to_report(report, study);
+  return report;
+}
+
+StudyReport study_one_papillary(OrificeTable& table, const ThesisStudyOptions& options) {
+  const PapillaryStudy study = study_papillary(table, options.papillary_nodes);
+  StudyReport report;
+  report.findings = papillary_findings(study);
+  add_to_report(report, study);
+  return report;
+}
+
+StudyReport study_one_ring(OrificeTable& table) {
+  const RingStudy study = study_ring(table);
+  StudyReport report;
+  report.findings = ring_findings(study);
+  add_to_report(report, study);
+  return report;
+}
+
+StudyReport study_approximations(OrificeTable& table, const ThesisStudyOptions& options) {
+  const AnchorStudies studies = study_anchors(table, options);
+  StudyReport report;
+  for (const ApproximationStudy& study : studies.approximation)
+    for (const Finding& finding : anchor_findings(study)) report.findings.push_back(finding);
+  add_to_report(report, studies);
+  return report;
+}
+
+StudyReport study_all(OrificeTable& table, const ThesisStudyOptions& options) {
+  const ThesisStudy study = study_thesis(table, options);
+  StudyReport report;
+  report.findings = findings(study);
+  add_to_report(report, study.annulus);
+  add_to_report(report, study.papillary);
+  add_to_report(report, study.ring);
+  add_to_report(report, study.anchors);
+  return report;
+}
+
+}  // namespace
+
+const char* to_string(StudyKind kind) {
+  switch (kind) {
+    case StudyKind::Annulus:
+      return "annulus";
+    case StudyKind::Papillary:
+      return "papillary";
+    case StudyKind::Ring:
+      return "ring";
+    case StudyKind::Approximation:
+      return "approximation";
+    case StudyKind::Thesis:
+      return "thesis";
+  }
+  return "";
+}
+
+ThesisStudyOptions default_options(StudyKind kind) {
+  ThesisStudyOptions options;
+  if (kind == StudyKind::Thesis) options.scan_sites = 0;  // the thesis has none
+  return options;
+}
+
+StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOptions& options) {
+  switch (kind) {
+    case StudyKind::Annulus:
+      return study_one_annulus(table);
+    case StudyKind::Papillary:
+      return study_one_papillary(table, options);
+    case StudyKind::Ring:
+      return study_one_ring(table);
+    case StudyKind::Approximation:
+      return study_approximations(table, options);
+    case StudyKind::Thesis:
+      return study_all(table, options);
+  }
+  return {};
+}
+
+std::string study_timing(const OrificeTable& table, double seconds) {
+  return std::to_string(table.configurations()) + " configurations, five end states each; " +
+         std::to_string(table.closures()) + " closed now, in " + fixed(seconds, 1) + " s; " +
+         std::to_string(table.untrusted()) +
+         " not trusted (not converged, or crossed). The thesis: " +
+         std::to_string(thesis::kConfigurations) + " in about " + fixed(thesis::kHours, 0) +
+         " hours.";
+}
+
+nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, const OrificeTable& table,
+                                double seconds) {
+  const auto agree = std::count_if(report.findings.begin(), report.findings.end(),
+                                   [](const Finding& finding) { return finding.agrees; });
+  nlohmann::ordered_json answer = {{"study", to_string(kind)},
+                                   {"valve", table.valve().name},
+                                   {"version", version()},
+                                   {"configurations", table.configurations()},
+                                   {"closures", table.closures()},
+                                   {"untrusted", table.untrusted()},
+                                   {"seconds", seconds},
+                                   {"findings", report.findings.size()},
+                                   {"agree", agree},
+                                   {"notice", kResearchNotice}};
+  report.files.emplace_back("study.json", answer.dump(2) + "\n");
+  report.files.emplace_back("findings.json", to_json(report.findings).dump(2) + "\n");
+  report.files.emplace_back("index.html",
+                            findings_page(table.valve().name, report.findings, report.figures,
+                                          study_timing(table, seconds)));
+  return answer;
 }
 
 }  // namespace coapt

@@ -1,0 +1,27 @@
+// Triangle meshes as text or bytes, for other tools. The same mesh gives the same bytes everywhere.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/valve/valve.h"
+#include "io/mesh/mesh_file.h"
+
+namespace coapt {
+
+/// @param format
+/// "ply": ASCII, doubles that read back bit for bit.
+/// "obj": likewise.
+/// "stl": binary, single precision (7 digits), which is what tools expect; faces of no area have the
+///   normal 0. STL has no vertices: those that no face has are lost, equal ones become one.
+/// "vtk": legacy VTK 4.2, ASCII POLYDATA, nine digits. The header says SPACE=LPS, by which SlicerHeart
+///   and FEBio Studio take the numbers as they are; the axes stay the valve's own (core/valve/valve.h),
+///   which are not the patient's.
+/// All in millimetres. Unsupported: another format. OutOfRange: a coordinate that read_mesh() would
+/// refuse. BadReference: a corner that is no vertex.
+Expected<std::string> write_mesh(const TriangleMesh& mesh, std::string_view format);
+
+/// The leaflets of a closed valve. @param closed_mm |V| x 3, as ClosureResult::closed_mm
+TriangleMesh leaflet_mesh(const Valve& valve, const Points& closed_mm);
+
+}  // namespace coapt

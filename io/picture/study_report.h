@@ -1,0 +1,40 @@
+// A study as files: tables, figures, and the sections of its page.
+#pragma once
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/picture/study_page.h"
+#include "search/studies/thesis_study.h"
+
+namespace coapt {
+
+/// The studies of chapter 4 of the thesis; Thesis is all of them.
+enum class StudyKind { Annulus, Papillary, Ring, Approximation, Thesis };
+const char* to_string(StudyKind kind);  ///< "annulus", ...
+inline constexpr std::array kStudyKinds = {StudyKind::Annulus, StudyKind::Papillary,
+                                           StudyKind::Ring, StudyKind::Approximation,
+                                           StudyKind::Thesis};
+
+ThesisStudyOptions default_options(StudyKind kind);
+
+struct StudyReport {
+  std::vector<std::pair<std::string, std::string>> files;  ///< name, content
+  std::vector<Finding> findings;
+  std::vector<PageSection> figures;
+};
+
+/// Closes what the table does not know.
+StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOptions& options);
+
+/// How many configurations were closed in what time, a sentence or two.
+std::string study_timing(const OrificeTable& table, double seconds);
+
+/// Adds study.json, findings.json and index.html. Returns what study.json holds.
+nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, const OrificeTable& table,
+                                double seconds);
+
+}  // namespace coapt

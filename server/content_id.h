@@ -1,0 +1,15 @@
+// Names that nobody can guess or forge.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace coapt {
+
+/// SHA-256 of the bytes, 64 hexadecimal digits.
+std::string content_id(std::string_view bytes);
+
+/// 128 random bits, 32 hexadecimal digits.
+std::string random_id();
+
+}  // namespace coapt

@@ -1,0 +1,64 @@
+#include "server/endpoints/health.h"
+
+#include <chrono>
+
+#include "core/valve/parametric.h"
+#include "io/json/result_json.h"
+#include "search/evaluator.h"
+#include "server/answers.h"
+#include "server/openapi.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kTriangles = 150;  // of the valve that is closed as a test: some milliseconds
+
+Valve small_valve() {
+  ParametricValve dimensions;
+  dimensions.triangles = kTriangles;
+  return *make_parametric_valve(dimensions);
+}
+
+}  // namespace
+
+Answer GetLive::operator()(const Request& /*request*/) const {
+  return json_answer(200, {{"status", "live"}});
+}
+
+Answer GetReady::operator()(const Request& /*request*/) const {
+  if (jobs.stopping()) return retry_later(503, "the server is about to stop");
+  if (const Errors errors = store.check_writable(); !errors.empty())
+    return retry_later(503, errors.front().message);
+  static const Valve kValve = small_valve();
+  const auto start = std::chrono::steady_clock::now();
+  const ClosureResult closure = close_valve(kValve);
+  const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
+  if (!trusted(closure)) return retry_later(503, "a small valve does not close");
+  const JobLoad load = jobs.load();
+  return json_answer(200, {{"status", "ready"},
+                           {"closure_ms", ms.count()},
+                           {"jobs_queued", load.queued},
+                           {"jobs_running", load.running}});
+}
+
+Answer GetMetrics::operator()(const Request& /*request*/) const {
+  const JobLoad work = jobs.load();
+  const HttpLoad http = load();
+  return {200, Content{"text/plain; version=0.0.4; charset=utf-8",
+                       metrics.text({{"coapt_jobs{state=\"queued\"}", work.queued},
+                                     {"coapt_jobs{state=\"running\"}", work.running},
+                                     {"coapt_http_connections", http.connections},
+                                     {"coapt_http_requests_in_progress", http.requests},
+                                     {"coapt_http_streams", http.streams},
+                                     {"process_resident_memory_bytes", resident_bytes()}})}};
+}
+
+Answer GetVersion::operator()(const Request& /*request*/) const {
+  return json_answer(200, {{"name", "coapt-server"}, {"version", version()}, {"api", "v1"}});
+}
+
+Answer GetOpenApi::operator()(const Request& /*request*/) const {
+  return {200, Content{"application/json", std::string(openapi_text())}};
+}
+
+}  // namespace coapt

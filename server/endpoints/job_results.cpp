@@ -1,0 +1,185 @@
+#include "server/endpoints/job_results.h"
+
+#include "core/repair/apply_plan.h"
+#include "io/json/json_reader.h"
+#include "io/json/plan_json.h"
+#include "io/mesh/write_mesh.h"
+#include "io/picture/picture.h"
+#include "server/answers.h"
+#include "server/jobs/closure_keeping.h"
+#include "server/query.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A job with what it has come to, or why there is nothing.
+struct Ended {
+  Job job;
+  std::string result;  ///< JSON; empty: it was cancelled before it had anything
+  std::optional<Answer> refusal = {};
+};
+
+Ended ended_job(const JobStore& store, const Request& request) {
+  const Expected<std::optional<Job>> job = store.job(request.parameters.at(0));
+  if (!job) return {{}, "", store_problem(job.errors())};
+  if (!*job) return {{}, "", not_found("job")};
+  const JobState state = (*job)->state;
+  if (state != JobState::Succeeded && state != JobState::Cancelled)
+    return {{},
+            "",
+            problem(409, ErrorCode::BadReference,
+                    std::string("the job is ") + to_string(state) +
+                        "; it has results when it is SUCCEEDED or CANCELLED")};
+  const Expected<std::optional<std::string>> result = store.result((*job)->id);
+  if (!result) return {{}, "", store_problem(result.errors())};
+  return {**job, result->value_or("")};
+}
+
+ordered_json plans_of(const Ended& ended) {
+  if (ended.result.empty() || ended.job.kind != "plans") return ordered_json::array();
+  return ordered_json::parse(ended.result)["plans"];
+}
+
+/// The plan of the rank that the path says; null if there is none.
+ordered_json ranked(const Ended& ended, const Request& request) {
+  for (ordered_json& plan : plans_of(ended))
+    if (request.parameters.at(1) == std::to_string(plan["rank"].get<int>())) return plan;
+  return nullptr;
+}
+
+/// Null if it is no format of write_mesh(). RFC 9695 has no type for PLY and VTK.
+const char* mesh_media_type(const std::string& format) {
+  if (format == "obj") return "model/obj";
+  if (format == "stl") return "model/stl";
+  return format == "ply" || format == "vtk" ? "application/octet-stream" : nullptr;
+}
+
+Answer file_answer(const JobStore& store, const std::string& id, const std::string& name) {
+  const Expected<std::optional<JobFile>> file = store.file(id, name);
+  if (!file) return store_problem(file.errors());
+  if (!*file) return not_found("file");
+  return {200, Content{(*file)->type, (*file)->content}};
+}
+
+ClosedValve closed(const Valve& valve) {
+  const ClosureResult closure = close_valve(valve);
+  return {valve, closure, measure(valve, closure)};
+}
+
+/// The valve of a job, and as the plan leaves it.
+struct Repair {
+  Valve before, after;
+  std::optional<Answer> refusal = {};
+};
+
+Repair repair_of(const JobStore& store, const Request& request,
+                 const std::vector<RingShape>& rings) {
+  const Ended ended = ended_job(store, request);
+  if (ended.refusal) return {{}, {}, ended.refusal};
+  const ordered_json ranked_plan = ranked(ended, request);
+  if (ranked_plan.is_null()) return {{}, {}, not_found("plan")};
+  const Expected<Valve> valve = valve_of(store, ended.job);
+  if (!valve) return {{}, {}, store_problem(valve.errors())};
+  const Expected<RepairPlan> plan = plan_from_json(nlohmann::json(ranked_plan["plan"]));
+  if (!plan) return {{}, {}, problem(500, plan.errors())};
+  const Expected<Valve> repaired = apply_plan(*valve, *plan, rings);
+  if (!repaired) return {{}, {}, problem(500, repaired.errors())};
+  return {*valve, *repaired};
+}
+
+}  // namespace
+
+Answer GetResult::operator()(const Request& request) const {
+  Ended ended = ended_job(store, request);
+  if (ended.refusal) return *ended.refusal;
+  if (ended.result.empty()) return not_found("result: the job was cancelled before it had one");
+  return {200, Content{"application/json", std::move(ended.result)}};
+}
+
+Answer GetPlans::operator()(const Request& request) const {
+  ProblemList problems;
+  check_query(request, {"page_size", "page_token"}, problems);
+  const std::int64_t size = integer_in(request, "page_size", {1.0, 100.0}, 20, problems);
+  const std::int64_t first = integer_in(request, "page_token", {1.0, 1e6}, 1, problems);
+  if (!problems.empty()) return problem(422, std::move(problems).take());
+  const Ended ended = ended_job(store, request);
+  if (ended.refusal) return *ended.refusal;
+  ordered_json page = ordered_json::array();
+  ordered_json next = nullptr;
+  for (ordered_json& plan : plans_of(ended)) {
+    const std::int64_t rank = plan["rank"].get<std::int64_t>();
+    if (rank >= first + size) next = std::to_string(first + size);
+    if (rank >= first && rank < first + size) page.push_back(std::move(plan));
+  }
+  return json_answer(200, {{"plans", std::move(page)}, {"next_page_token", next}});
+}
+
+Answer GetPlan::operator()(const Request& request) const {
+  const Ended ended = ended_job(store, request);
+  if (ended.refusal) return *ended.refusal;
+  ordered_json plan = ranked(ended, request);
+  return plan.is_null() ? not_found("plan") : json_answer(200, std::move(plan));
+}
+
+Answer GetPlanMesh::operator()(const Request& request) const {
+  ProblemList problems;
+  check_query(request, {"format"}, problems);
+  const auto asked = request.query.find("format");
+  const std::string format = asked == request.query.end() ? "ply" : asked->second;
+  const char* const type = mesh_media_type(format);
+  if (type == nullptr)
+    problems.add(ErrorCode::Unsupported, "?format", "must be ply, obj, stl or vtk");
+  if (!problems.empty()) return problem(422, std::move(problems).take());
+  const Repair repair = repair_of(store, request, rings);
+  if (repair.refusal) return *repair.refusal;
+  const Compute::Turn turn(compute);
+  const ClosureResult closure = close_valve(repair.after);
+  const Expected<std::string> mesh =
+      write_mesh(leaflet_mesh(repair.after, closure.closed_mm), format);
+  if (!mesh) return problem(500, mesh.errors());
+  return {200, Content{type, *mesh}};
+}
+
+Answer GetPlanPicture::operator()(const Request& request) const {
+  const Repair repair = repair_of(store, request, rings);
+  if (repair.refusal) return *repair.refusal;
+  const Compute::Turn turn(compute);
+  return {200, Content{"image/png",
+                       comparison_picture_png(closed(repair.before), closed(repair.after))}};
+}
+
+Answer GetPlanReport::operator()(const Request& request) const {
+  const Ended ended = ended_job(store, request);
+  if (ended.refusal) return *ended.refusal;
+  return file_answer(store, ended.job.id, "plan-" + request.parameters.at(1) + ".html");
+}
+
+Answer GetReport::operator()(const Request& request) const {
+  const Ended ended = ended_job(store, request);
+  if (ended.refusal) return *ended.refusal;
+  return file_answer(store, ended.job.id, ended.job.kind == "plans" ? "report.html" : "index.html");
+}
+
+Answer GetFiles::operator()(const Request& request) const {
+  const Ended ended = ended_job(store, request);
+  if (ended.refusal) return *ended.refusal;
+  const Expected<std::vector<JobFileName>> files = store.files(ended.job.id);
+  if (!files) return store_problem(files.errors());
+  ordered_json list = ordered_json::array();
+  for (const JobFileName& file : *files)
+    list.push_back({{"name", file.name},
+                    {"type", file.type},
+                    {"bytes", file.bytes},
+                    {"path", "/v1/jobs/" + ended.job.id + "/files/" + file.name}});
+  return json_answer(200, {{"files", std::move(list)}});
+}
+
+Answer GetFile::operator()(const Request& request) const {
+  const Ended ended = ended_job(store, request);
+  if (ended.refusal) return *ended.refusal;
+  return file_answer(store, ended.job.id, request.parameters.at(1));
+}
+
+}  // namespace coapt

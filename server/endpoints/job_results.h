@@ -1,0 +1,69 @@
+// What an ended job has come to.
+#pragma once
+
+#include "core/repair/plan.h"
+#include "io/store/job_store.h"
+#include "server/compute.h"
+#include "server/route.h"
+
+namespace coapt {
+
+/// GET /v1/jobs/{id}/result: coapt.plans/1, or a study's summary with its findings.
+struct GetResult {
+  const JobStore& store;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/jobs/{id}/plans?page_size=&page_token=
+struct GetPlans {
+  const JobStore& store;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/jobs/{id}/plans/{rank}
+struct GetPlan {
+  const JobStore& store;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/jobs/{id}/plans/{rank}/mesh?format=: the leaflets as the plan leaves them, closed.
+struct GetPlanMesh {
+  const JobStore& store;
+  Compute& compute;
+  const std::vector<RingShape>& rings;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/jobs/{id}/plans/{rank}/picture: PNG, before and after.
+struct GetPlanPicture {
+  const JobStore& store;
+  Compute& compute;
+  const std::vector<RingShape>& rings;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/jobs/{id}/plans/{rank}/report
+struct GetPlanReport {
+  const JobStore& store;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/jobs/{id}/report: of a search or a study.
+struct GetReport {
+  const JobStore& store;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/jobs/{id}/files
+struct GetFiles {
+  const JobStore& store;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/jobs/{id}/files/{name}
+struct GetFile {
+  const JobStore& store;
+  Answer operator()(const Request& request) const;
+};
+
+}  // namespace coapt

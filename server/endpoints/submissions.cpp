@@ -1,0 +1,115 @@
+#include "server/endpoints/submissions.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "io/json/search_options_json.h"
+#include "io/json/valve_json.h"
+#include "server/answers.h"
+#include "server/content_id.h"
+#include "server/jobs/job_json.h"
+#include "server/jobs/study_request.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kLongestKey = 255;
+
+std::string header(const Request& request, const std::string& name) {
+  const auto found = request.headers.find(name);
+  return found == request.headers.end() ? "" : found->second;
+}
+
+/// The N of "wait=N" in a Prefer header (RFC 7240), 0 if there is none.
+int preferred_wait(const std::string& prefer) {
+  const std::size_t at = prefer.find("wait=");
+  if (at == std::string::npos) return 0;
+  int seconds = 0;
+  std::from_chars(prefer.data() + at + 5, prefer.data() + prefer.size(), seconds);
+  return std::max(0, seconds);
+}
+
+bool is_key(const std::string& key) {
+  return key.size() <= kLongestKey &&
+         std::all_of(key.begin(), key.end(), [](char c) { return c > ' ' && c < 127; });
+}
+
+Answer job_answer(int status, const JobView& view) {
+  Answer answer = json_answer(status, to_json(view, true));
+  answer.headers.emplace_back("Location", "/v1/jobs/" + view.job.id);
+  return answer;
+}
+
+/// The job as it is when it ends or the wait is over.
+Answer answer_after_waiting(const Submitting& to, const Request& request, const Job& job) {
+  const int asked = preferred_wait(header(request, "prefer"));
+  const int wait = std::min(asked, to.valves.limits.wait_seconds);
+  if (wait > 0) to.jobs.wait_until_ended(job.id, std::chrono::seconds(wait));
+  const Expected<std::optional<JobView>> view = to.jobs.find(job.id);
+  if (!view) return store_problem(view.errors());
+  if (!*view) return not_found("job");
+  const bool is_done = wait > 0 && has_ended((*view)->job.state);
+  Answer answer = job_answer(is_done ? 200 : 202, **view);
+  if (wait > 0) answer.headers.emplace_back("Preference-Applied", "wait=" + std::to_string(wait));
+  return answer;
+}
+
+Answer submit(const Submitting& to, const Request& request, const std::string& kind,
+              const Valve& valve, const nlohmann::ordered_json& work) {
+  const std::string key = header(request, "idempotency-key");
+  if (!is_key(key))
+    return problem(422, ErrorCode::OutOfRange,
+                   "Idempotency-Key must have at most 255 visible ASCII characters");
+  const std::string document = write_valve(valve);
+  const NewJob job = {random_id(), kind, content_id(document), work.dump(), key};
+  const Expected<JobBoard::Submission> submitted = to.jobs.submit(job, document);
+  if (!submitted) return store_problem(submitted.errors());
+  switch (submitted->taken) {
+    case JobBoard::Taken::OtherRequest:
+      return problem(422, ErrorCode::OutOfRange,
+                     "this Idempotency-Key was used before, for another request");
+    case JobBoard::Taken::QueueFull:
+      return retry_later(429, "too many jobs are waiting");
+    case JobBoard::Taken::Stopping:
+      return retry_later(503, "the server is about to stop");
+    case JobBoard::Taken::New:
+    case JobBoard::Taken::Known:
+      break;
+  }
+  return answer_after_waiting(to, request, submitted->job);
+}
+
+/// What is said against a search, more than search_options_from_json() does.
+Errors check(const Valve& valve, const SearchOptions& options, const ServiceLimits& limits,
+             const std::vector<RingShape>& rings) {
+  ProblemList problems;
+  check_range(problems, "/search/evaluations", options.evaluations,
+              {1.0, static_cast<double>(limits.evaluations)});
+  add_below(problems, "/search", check_search(valve, options, rings));
+  return std::move(problems).take();
+}
+
+}  // namespace
+
+Answer PostPlans::operator()(const Request& request) const {
+  Valve valve;
+  SearchOptions options;
+  if (auto refused =
+          read_body(request.body, {{"valve", valve_field(submitting.valves, valve)},
+                                   {"search", document(options, search_options_from_json), false}}))
+    return *std::move(refused);
+  if (const Errors errors = check(valve, options, submitting.valves.limits, rings); !errors.empty())
+    return problem(422, errors);
+  return submit(submitting, request, "plans", valve, to_json(options));
+}
+
+Answer PostStudies::operator()(const Request& request) const {
+  Valve valve;
+  StudyRequest study;
+  if (auto refused = read_body(request.body, {{"valve", valve_field(submitting.valves, valve)},
+                                              {"study", into(study, read_study)}}))
+    return *std::move(refused);
+  return submit(submitting, request, "study", valve, to_json(study));
+}
+
+}  // namespace coapt

@@ -1,0 +1,82 @@
+#include "server/endpoints/valves.h"
+
+#include "core/presets/presets.h"
+#include "core/repair/limits.h"
+#include "io/json/result_json.h"
+#include "io/json/valve_json.h"
+#include "server/answers.h"
+#include "server/content_id.h"
+
+namespace coapt {
+namespace {
+
+/// A valve that this service takes.
+Expected<Valve> taken_valve(const nlohmann::json& json, const ServiceLimits& limits) {
+  Expected<Valve> valve = valve_from_json(json);
+  if (!valve) return valve;
+  if (const Errors errors = check_size(*valve, limits); !errors.empty()) return errors;
+  return valve;
+}
+
+}  // namespace
+
+Answer PostValve::operator()(const Request& request) const {
+  const Expected<nlohmann::json> json = parse_json(request.body);
+  if (!json) return problem(400, json.errors());
+  const Expected<Valve> valve = taken_valve(*json, limits);
+  if (!valve) return problem(422, valve.errors());
+  const std::string document = write_valve(*valve);
+  const std::string id = content_id(document);
+  const Expected<bool> is_new = store.add_valve(id, document);
+  if (!is_new) return store_problem(is_new.errors());
+  Answer answer = json_answer(*is_new ? 201 : 200, {{"id", id},
+                                                    {"vertices", valve->rest_mm.rows()},
+                                                    {"triangles", valve->faces.rows()},
+                                                    {"chordae", valve->chordae.size()}});
+  answer.headers.emplace_back("Location", "/v1/valves/" + id);
+  return answer;
+}
+
+Answer ValidateValve::operator()(const Request& request) const {
+  const Expected<nlohmann::json> json = parse_json(request.body);
+  if (!json) return problem(400, json.errors());
+  const Expected<Valve> valve = taken_valve(*json, limits);
+  return json_answer(
+      200, {{"valid", bool(valve)}, {"problems", to_json(valve ? Errors{} : valve.errors())}});
+}
+
+Answer GetValve::operator()(const Request& request) const {
+  const Expected<Valve> valve = named_valve(valves, request.parameters.at(0));
+  if (valve) return {200, Content{"application/json", write_valve(*valve)}};
+  const bool is_missing = valve.errors().front().code == ErrorCode::BadReference;
+  return is_missing ? not_found("valve") : store_problem(valve.errors());
+}
+
+Answer DeleteValve::operator()(const Request& request) const {
+  const Expected<bool> removed = store.remove_valve(request.parameters.at(0));
+  if (removed) return *removed ? Answer{204} : not_found("valve");
+  const bool is_used = removed.errors().front().code == ErrorCode::BadReference;
+  return is_used ? problem(409, removed.errors()) : store_problem(removed.errors());
+}
+
+Answer GetPresets::operator()(const Request& /*request*/) const {
+  nlohmann::ordered_json presets = nlohmann::ordered_json::array();
+  for (const std::string& name : preset_names())
+    presets.push_back({{"name", name}, {"valve", "/v1/presets/" + name}});
+  return json_answer(200, {{"presets", std::move(presets)}});
+}
+
+Answer GetRings::operator()(const Request& /*request*/) const {
+  nlohmann::ordered_json shapes = nlohmann::ordered_json::array();
+  for (const RingShape& ring : rings)
+    shapes.push_back({{"name", ring.name},
+                      {"ap_over_transverse", ring.ap_over_transverse},
+                      {"transverse_factor", ring.transverse_factor},
+                      {"saddle_over_transverse", ring.saddle_over_transverse},
+                      {"note", ring.note}});
+  return json_answer(
+      200, {{"rings", std::move(shapes)},
+            {"sizes_mm", {{"min", kRingSizesMm.min}, {"max", kRingSizesMm.max}, {"step", 2.0}}}});
+}
+
+}  // namespace coapt

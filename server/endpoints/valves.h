@@ -1,0 +1,46 @@
+// Valves that are stored, presets, ring shapes.
+#pragma once
+
+#include "core/repair/plan.h"
+#include "server/json_body.h"
+#include "server/route.h"
+
+namespace coapt {
+
+/// POST /v1/valves, coapt.valve/1: stores it; its id is the hash of its content.
+struct PostValve {
+  JobStore& store;
+  const ServiceLimits& limits;
+  Answer operator()(const Request& request) const;
+};
+
+/// POST /v1/valves:validate, the same body: every problem, nothing stored.
+struct ValidateValve {
+  const ServiceLimits& limits;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/valves/{id} and /v1/presets/{name}: coapt.valve/1.
+struct GetValve {
+  ValveSource valves;
+  Answer operator()(const Request& request) const;
+};
+
+/// DELETE /v1/valves/{id}
+struct DeleteValve {
+  JobStore& store;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/presets
+struct GetPresets {
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/rings
+struct GetRings {
+  const std::vector<RingShape>& rings;
+  Answer operator()(const Request& request) const;
+};
+
+}  // namespace coapt

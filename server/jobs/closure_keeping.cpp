@@ -1,0 +1,40 @@
+#include "server/jobs/closure_keeping.h"
+
+#include <stdexcept>
+
+#include "io/json/valve_json.h"
+
+namespace coapt {
+namespace {
+
+constexpr const char* kStops = "the server stops";
+constexpr int kMostStalled = 5;  // attempts in a row that a job may kill
+
+}  // namespace
+
+Expected<Valve> valve_of(const JobStore& store, const Job& job) {
+  const Expected<std::optional<std::string>> document = store.valve(job.valve);
+  if (!document) return document.errors();
+  if (!*document) return Error{ErrorCode::BadReference, "/valve", "is not stored any more"};
+  return read_valve(**document);
+}
+
+std::optional<JobEnd> begin(JobBoard& board, RunningJob& job, std::int64_t known) {
+  int stalled = 0;
+  if (!board.start(job, known, stalled)) throw std::runtime_error(kStops);
+  if (stalled < kMostStalled) return std::nullopt;
+  return failed(job, {Error{ErrorCode::Unsupported, "",
+                            "the server was ended " + std::to_string(stalled) +
+                                " times in a row while it ran this job, before anything new was "
+                                "kept of it"}});
+}
+
+void keep_closure(JobBoard& board, RunningJob& job, const std::function<Errors()>& keep) {
+  if (!board.persist(job, keep)) throw std::runtime_error(kStops);
+  if (job.job.cancel_requested) {
+    job.cancel_asked = true;
+    job.cancelled = true;
+  }
+}
+
+}  // namespace coapt

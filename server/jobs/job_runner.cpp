@@ -1,0 +1,109 @@
+#include "server/jobs/job_runner.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "io/json/result_json.h"
+
+namespace coapt {
+namespace {
+
+// Of a closure against a request: nice 19 has 1/68 of the weight of nice 0 where both want a core.
+constexpr int kNice = 19;
+
+// Progress events: four a second at first, some 400 for each factor of e in time later.
+constexpr double kShortest_s = 0.25, kShareOfTime = 1.0 / 400.0;
+
+/// Tells progress from time to time as long as it lives.
+class Reporter {
+ public:
+  Reporter(JobBoard& board, const RunningJob& job)
+      : thread_([this, &board, &job] { run(board, job); }) {}
+  ~Reporter() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      over_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+  }
+
+ private:
+  void run(JobBoard& board, const RunningJob& job) {
+    int told = 0;
+    for (;;) {
+      const std::chrono::duration<double> pause(
+          std::max(kShortest_s, kShareOfTime * job.seconds()));
+      {
+        std::unique_lock<std::mutex> lock(mutex_);
+        if (changed_.wait_for(lock, pause, [this] { return over_; })) return;
+      }
+      const int evaluations = job.progress().evaluations;
+      if (evaluations == told) continue;
+      told = evaluations;
+      board.tell_progress(job);
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool over_ = false;
+  std::thread thread_;
+};
+
+}  // namespace
+
+JobEnd ended(const RunningJob& job, JobState state) {
+  JobEnd end;
+  end.state = state;
+  end.seconds = job.seconds();
+  end.progress = to_json(job.progress(), job.seconds()).dump();
+  return end;
+}
+
+JobEnd failed(const RunningJob& job, const Errors& errors) {
+  JobEnd end = ended(job, JobState::Failed);
+  end.summary = nlohmann::ordered_json{{"problems", to_json(errors)}}.dump();
+  return end;
+}
+
+JobRunner::JobRunner(JobBoard& board, std::map<std::string, JobWork> work, int threads)
+    : board_(board), work_(std::move(work)) {
+  for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
+}
+
+JobRunner::~JobRunner() {
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void JobRunner::run() {
+  // On Linux of this thread alone, and of those that it starts. Without it jobs are only less polite.
+  static_cast<void>(setpriority(PRIO_PROCESS, 0, kNice));
+  while (const std::shared_ptr<RunningJob> job = board_.take()) run_one(job);
+}
+
+void JobRunner::run_one(const std::shared_ptr<RunningJob>& job) {
+  std::optional<JobEnd> end;
+  {
+    const Reporter reporter(board_, *job);
+    end = end_of(*job);
+  }
+  board_.finish(job, end);
+}
+
+std::optional<JobEnd> JobRunner::end_of(RunningJob& job) const {
+  const auto work = work_.find(job.job.kind);
+  if (work == work_.end())
+    return failed(job,
+                  {Error{ErrorCode::Unsupported, "", "this server knows no such kind of job"}});
+  try {
+    return work->second(job);
+  } catch (const std::exception& error) {
+    if (board_.stopping()) return std::nullopt;
+    return failed(job, {Error{ErrorCode::InputOutput, "", error.what()}});
+  }
+}
+
+}  // namespace coapt

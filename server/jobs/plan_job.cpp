@@ -1,0 +1,104 @@
+#include "server/jobs/plan_job.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "io/json/json_reader.h"
+#include "io/json/plans_json.h"
+#include "io/json/search_options_json.h"
+#include "io/json/valve_json.h"
+#include "io/picture/report.h"
+#include "io/store/plan_store.h"
+#include "io/store/subject.h"
+#include "server/jobs/closure_keeping.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kLeastSeconds = 5.0;  // of a job that goes on: to take its closures in and to rank
+
+/// As asked, within what the service gives; less what earlier attempts took.
+SearchOptions granted(SearchOptions options, const ServiceLimits& limits, double spent_s) {
+  if (limits.threads > 0)
+    options.threads =
+        options.threads > 0 ? std::min(options.threads, limits.threads) : limits.threads;
+  const double most =
+      options.seconds > 0.0 ? std::min(options.seconds, limits.seconds) : limits.seconds;
+  options.seconds = spent_s > 0.0 ? std::max(most - spent_s, std::min(most, kLeastSeconds)) : most;
+  return options;
+}
+
+/// What is told of a plan in the job itself.
+ordered_json summary_of(const ordered_json& plan) {
+  ordered_json summary;
+  for (const char* key : {"rank", "description", "plan", "orifice_area_mm2", "leak_mm2", "cost",
+                          "status", "crossing", "margin_to_leak", "tie_with_next", "warnings"})
+    summary[key] = plan[key];
+  return summary;
+}
+
+std::vector<JobFile> reports_of(const Valve& valve, const SearchResult& result,
+                                const SearchRequest& request) {
+  const PlanPictures pictures = close_for_report(valve, result, request.options.closure);
+  std::vector<JobFile> files = {
+      {"report.html", kHtmlType,
+       plan_report_html({pictures.before, pictures.after, result, request})}};
+  for (std::size_t i = 0; i < result.plans.size(); ++i) {
+    SearchResult one = result;
+    one.plans = {result.plans[i]};
+    files.push_back({"plan-" + std::to_string(result.plans[i].rank) + ".html", kHtmlType,
+                     plan_report_html({pictures.before, {pictures.after[i]}, one, request})});
+  }
+  return files;
+}
+
+}  // namespace
+
+std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
+  const Expected<Valve> valve = valve_of(store, job.job);
+  if (!valve) return failed(job, valve.errors());
+  const Expected<nlohmann::json> request = parse_json(job.job.request);
+  if (!request) return failed(job, request.errors());
+  const Expected<SearchOptions> asked = search_options_from_json(*request);
+  if (!asked) return failed(job, asked.errors());
+  const SearchOptions options = granted(*asked, limits, job.job.seconds);
+
+  Expected<PlanStore> kept = PlanStore::open(closures);
+  if (!kept) return failed(job, kept.errors());
+  const std::string subject = plan_subject_of(*valve, options.closure);
+  Expected<KnownPlans> known = kept->read(subject);
+  if (!known) return failed(job, known.errors());
+  std::int64_t count = 0;
+  for (const auto& [key, of_plan] : *known) count += std::ssize(of_plan);
+  if (const std::optional<JobEnd> end = begin(board, job, count)) return end;
+
+  SearchContext context{.catalogue = rings, .cancelled = &job.cancelled};
+  context.known = std::move(*known);
+  context.keep = [&](const std::string& key, int disturbance, const PlanClosure& closure) {
+    keep_closure(board, job, [&] { return kept->keep(subject, key, disturbance, closure); });
+  };
+  context.progress = [&](const SearchProgress& now) {
+    job.note({now.stage, now.closures, now.closures_planned, now.best_leak_mm2});
+  };
+  const Expected<SearchResult> result = search_plans(*valve, options, context);
+  if (!result) return failed(job, result.errors());
+  if (result->stop == SearchStop::Cancelled && !job.cancel_asked) return std::nullopt;
+
+  const SearchRequest reproduce{*asked, subject_of(*valve, asked->closure), ""};
+  const ordered_json json = to_json(*result, reproduce);
+  ordered_json plans = ordered_json::array();
+  for (const ordered_json& plan : json["plans"]) plans.push_back(summary_of(plan));
+  JobEnd end =
+      ended(job, result->stop == SearchStop::Cancelled ? JobState::Cancelled : JobState::Succeeded);
+  end.summary = ordered_json{{"stop", json["stop"]},
+                             {"any_competent", json["any_competent"]},
+                             {"plans", std::move(plans)}}
+                    .dump();
+  end.result = json.dump();
+  end.files = reports_of(*valve, *result, reproduce);
+  return end;
+}
+
+}  // namespace coapt

@@ -1,0 +1,38 @@
+#include "server/jobs/running_job.h"
+
+namespace coapt {
+
+void RunningJob::note(const JobProgress& progress) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  progress_ = progress;
+}
+
+JobProgress RunningJob::progress() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return progress_;
+}
+
+void RunningJob::wait_for(const std::string& what) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  waiting_for_ = what;
+}
+
+std::string RunningJob::waiting_for() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return waiting_for_;
+}
+
+double RunningJob::seconds() const {
+  const std::chrono::duration<double> now = std::chrono::steady_clock::now() - started_;
+  return job.seconds + now.count();
+}
+
+nlohmann::ordered_json to_json(const JobProgress& progress, double seconds) {
+  return {{"stage", progress.stage},
+          {"evaluations", progress.evaluations},
+          {"evaluations_planned", progress.evaluations_planned},
+          {"best_leak_mm2", progress.best_leak_mm2},  // null if infinite
+          {"seconds", seconds}};
+}
+
+}  // namespace coapt

@@ -1,0 +1,47 @@
+// A job that is being run: what its work, its clients and the clock say of it while it runs.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "io/store/job_store.h"
+
+namespace coapt {
+
+struct JobProgress {
+  std::string stage = "starting";
+  int evaluations = 0, evaluations_planned = 0;                    ///< closures
+  double best_leak_mm2 = std::numeric_limits<double>::infinity();  ///< of plans as planned
+};
+
+class RunningJob {
+ public:
+  explicit RunningJob(Job running) : job(std::move(running)) {}
+
+  const Job job;                           ///< as it was when it began to run
+  std::atomic<bool> cancelled = false;     ///< its work is to end as soon as it can
+  std::atomic<bool> cancel_asked = false;  ///< by a client; else the server stops
+
+  void note(const JobProgress& progress);
+  JobProgress progress() const;
+  /// Why it stands still, in words; empty: it does not.
+  void wait_for(const std::string& what);
+  std::string waiting_for() const;
+  /// Of running, over all attempts.
+  double seconds() const;
+
+ private:
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  mutable std::mutex mutex_;
+  JobProgress progress_;
+  std::string waiting_for_;
+};
+
+/// {"stage", "evaluations", "evaluations_planned", "best_leak_mm2", "seconds"}
+nlohmann::ordered_json to_json(const JobProgress& progress, double seconds);
+
+}  // namespace coapt

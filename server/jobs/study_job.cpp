@@ -1,0 +1,90 @@
+#include "server/jobs/study_job.h"
+
+#include <stdexcept>
+
+#include "io/json/findings_json.h"
+#include "io/store/closure_store.h"
+#include "io/store/subject.h"
+#include "server/jobs/closure_keeping.h"
+#include "server/jobs/study_request.h"
+
+namespace coapt {
+namespace {
+
+/// Ends a study from within: it has no other way to be stopped.
+struct StudyStopped : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::string type_of(const std::string& name) {
+  if (name.ends_with(".svg")) return "image/svg+xml";
+  if (name.ends_with(".csv")) return "text/csv; charset=utf-8";
+  if (name.ends_with(".html")) return kHtmlType;
+  return "application/json";
+}
+
+JobEnd end_of(const RunningJob& job, StudyKind kind, StudyReport report,
+              const OrificeTable& table) {
+  nlohmann::ordered_json result = complete(report, kind, table, job.seconds());
+  JobEnd end = ended(job, JobState::Succeeded);
+  end.summary =
+      nlohmann::ordered_json{{"findings", report.findings.size()}, {"agree", result["agree"]}}
+          .dump();
+  result["findings"] = to_json(report.findings);
+  end.result = result.dump();
+  for (auto& [name, content] : report.files)
+    end.files.push_back({name, type_of(name), std::move(content)});
+  return end;
+}
+
+}  // namespace
+
+std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
+  const Expected<Valve> valve = valve_of(store, job.job);
+  if (!valve) return failed(job, valve.errors());
+  const Expected<nlohmann::json> json = parse_json(job.job.request);
+  if (!json) return failed(job, json.errors());
+  ProblemList problems;
+  StudyRequest request = read_study({*json, problems});
+  if (!problems.empty()) return failed(job, std::move(problems).take());
+
+  OrificeTableOptions options;
+  options.closure = thesis_closure();
+  options.threads = limits.threads;
+  Expected<ClosureStore> kept = ClosureStore::open(closures);
+  if (!kept) return failed(job, kept.errors());
+  const std::string subject = subject_of(*valve, options.closure);
+  Expected<KnownOrifices> known = kept->read(subject);
+  if (!known) return failed(job, known.errors());
+  if (std::optional<JobEnd> end = begin(board, job, std::ssize(*known))) return end;
+
+  options.known = std::move(*known);
+  options.keep = [&](const ConfigurationKey& key, const OrificeSample& sample) {
+    keep_closure(board, job, [&] { return kept->keep(subject, key, sample); });
+    if (job.cancelled) throw StudyStopped("cancelled");
+    if (job.seconds() > limits.seconds) throw StudyStopped("out of time");
+  };
+  JobProgress progress;
+  options.progress = [&](int done, int planned) {
+    progress.evaluations = done;
+    progress.evaluations_planned = planned;
+    job.note(progress);
+  };
+  request.options.stage = [&](const std::string& stage) {
+    progress = {stage, 0, 0};
+    job.note(progress);
+  };
+  try {
+    OrificeTable table(*valve, std::move(options));
+    return end_of(job, request.kind, run_study(request.kind, table, request.options), table);
+  } catch (const StudyStopped&) {
+    if (job.cancel_asked) return ended(job, JobState::Cancelled);
+    if (board.stopping()) return std::nullopt;
+    return failed(job, {Error{ErrorCode::OutOfRange, "/study",
+                              "took longer than " + shown(limits.seconds) +
+                                  " s, the most that this service gives; its closures are kept: "
+                                  "asked for again it goes on"}});
+  }
+}
+
+}  // namespace coapt

@@ -1,0 +1,60 @@
+#include "server/json_body.h"
+
+#include <algorithm>
+
+#include "core/presets/presets.h"
+#include "io/json/valve_json.h"
+
+namespace coapt {
+
+void add_below(ProblemList& problems, const std::string& pointer, const Errors& errors) {
+  for (const Error& error : errors) {
+    problems.add(error.code, pointer + error.path, error.message);
+  }
+}
+
+Errors check_size(const Valve& valve, const ServiceLimits& limits) {
+  Errors errors;
+  const auto check = [&](const char* path, std::ptrdiff_t count, int most, const char* what) {
+    if (count <= most) return;
+    errors.push_back({ErrorCode::OutOfRange, path,
+                      "has " + std::to_string(count) + ' ' + what +
+                          ", this service takes at most " + std::to_string(most)});
+  };
+  check("/vertices_mm", valve.rest_mm.rows(), limits.vertices, "vertices");
+  check("/chordae", std::ssize(valve.chordae), limits.chordae, "chordae");
+  return errors;
+}
+
+Expected<Valve> named_valve(const ValveSource& source, const std::string& name) {
+  const std::vector<std::string>& presets = preset_names();
+  if (std::find(presets.begin(), presets.end(), name) != presets.end()) return make_preset(name);
+  const Expected<std::optional<std::string>> stored = source.store.valve(name);
+  if (!stored) return stored.errors();
+  if (!*stored)
+    return Error{ErrorCode::BadReference, "",
+                 "is neither the id of a stored valve nor the name of a preset (/v1/presets)"};
+  return read_valve(**stored);
+}
+
+std::function<void(const JsonPlace&)> valve_field(const ValveSource& source, Valve& target) {
+  return [&target, source](const JsonPlace& place) {
+    Expected<Valve> valve = place.value.is_string()
+                                ? named_valve(source, place.value.get<std::string>())
+                                : valve_from_json(place.value);
+    if (!valve) return add_below(place.problems, pointer(place), valve.errors());
+    add_below(place.problems, pointer(place), check_size(*valve, source.limits));
+    target = *std::move(valve);
+  };
+}
+
+std::optional<Answer> read_body(std::string_view body, std::initializer_list<JsonField> fields) {
+  const Expected<nlohmann::json> request = parse_json(body);
+  if (!request) return problem(400, request.errors());
+  ProblemList problems;
+  read_fields({*request, problems}, fields);
+  if (!problems.empty()) return problem(422, std::move(problems).take());
+  return std::nullopt;
+}
+
+}  // namespace coapt

@@ -1,0 +1,51 @@
+// Reading the bodies of requests: objects whose fields are coapt's own documents.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+
+#include "core/valve/valve.h"
+#include "io/json/json_reader.h"
+#include "io/store/job_store.h"
+#include "server/answer.h"
+#include "server/limits.h"
+
+namespace coapt {
+
+/// Lists `errors`, whose pointers start at `pointer`.
+void add_below(ProblemList& problems, const std::string& pointer, const Errors& errors);
+
+/// Reads a field with `from_json` (plan_from_json, ...); `target` is set if it has no problem.
+template <class T>
+std::function<void(const JsonPlace&)> document(T& target,
+                                               Expected<T> (*from_json)(const nlohmann::json&)) {
+  return [&target, from_json](const JsonPlace& place) {
+    Expected<T> value = from_json(place.value);
+    if (value) {
+      target = *std::move(value);
+    } else {
+      add_below(place.problems, pointer(place), value.errors());
+    }
+  };
+}
+
+/// What is said against a valve that is too large for the service; paths point into the valve.
+Errors check_size(const Valve& valve, const ServiceLimits& limits);
+
+/// Where requests have their valves from.
+struct ValveSource {
+  const JobStore& store;
+  const ServiceLimits& limits;
+};
+
+/// A stored valve by its id, or a preset by its name; BadReference if there is none.
+Expected<Valve> named_valve(const ValveSource& source, const std::string& name);
+
+/// Reads a valve written there (coapt.valve/1), or named there: an id or a preset.
+std::function<void(const JsonPlace&)> valve_field(const ValveSource& source, Valve& target);
+
+/// Reads an object of these fields. What is wrong with it, if anything: 400 if it is no JSON, else 422 with
+/// every problem.
+std::optional<Answer> read_body(std::string_view body, std::initializer_list<JsonField> fields);
+
+}  // namespace coapt

@@ -1,0 +1,26 @@
+// The command line of coapt-server.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "server/http.h"
+#include "server/limits.h"
+
+namespace coapt {
+
+struct ServerOptions {
+  std::string host = "127.0.0.1";
+  int port = 8080;
+  std::string database = "coapt.sqlite";
+  std::string token_file;          ///< empty: no token is asked for
+  std::vector<std::string> hosts;  ///< names by which a proxy may call this server
+  bool log_requests = false;
+  HttpLimits http;
+  ServiceLimits service;
+};
+
+void add_options(CLI::App& app, ServerOptions& options);
+
+}  // namespace coapt

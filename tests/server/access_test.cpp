@@ -1,0 +1,124 @@
+#include "server/access.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace coapt {
+namespace {
+
+const std::string kToken = "0123456789abcdef";
+
+class TokenFile : public testing::Test {
+ protected:
+  TokenFile() : path_(testing::TempDir() + "coapt_token_" + std::to_string(getpid())) {}
+  ~TokenFile() override { std::filesystem::remove(path_); }
+
+  Expected<std::string> read(const std::string& content, mode_t mode = 0600,
+                             gid_t group = getegid()) {
+    std::filesystem::remove(path_);
+    std::ofstream(path_, std::ios::binary) << content;
+    if (chown(path_.c_str(), geteuid(), group) != 0) return Error{};
+    chmod(path_.c_str(), mode);
+    return read_token(path_);
+  }
+
+  std::string path_;
+};
+
+TEST_F(TokenFile, ItsFirstLineIsTheToken) {
+  for (const std::string& content : {kToken, kToken + "\n", "  " + kToken + " \r\nmore\n"}) {
+    const auto token = read(content);
+    ASSERT_TRUE(token) << content;
+    EXPECT_EQ(*token, kToken);
+  }
+  EXPECT_TRUE(read(std::string(4096, 'x') + '\n'));
+}
+
+TEST_F(TokenFile, ItMustBeLongVisibleAscii) {
+  for (const std::string& content :
+       {std::string(), kToken.substr(1), "\n" + kToken, kToken + " x", kToken + "\xc3\xa4",
+        std::string(4097, 'x'), std::string(100000, 'x'), kToken + std::string(1, '\0')}) {
+    EXPECT_FALSE(read(content)) << content.size();
+  }
+}
+
+TEST_F(TokenFile, ItMustBeClosedToOthers) {
+  for (const mode_t mode : {0604, 0602, 0601, 0620, 0610, 0644})
+    EXPECT_FALSE(read(kToken, mode)) << mode;
+  EXPECT_TRUE(read(kToken, 0400));
+  if (geteuid() != 0) GTEST_SKIP() << "only root can give files to other groups";
+  EXPECT_TRUE(read(kToken, 0640, 0));
+  EXPECT_FALSE(read(kToken, 0640, 1));
+}
+
+TEST_F(TokenFile, ItMustBeAFile) {
+  EXPECT_FALSE(read_token(path_ + ".none"));
+  EXPECT_FALSE(read_token("/dev/zero"));
+  EXPECT_FALSE(read_token(testing::TempDir()));
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  EXPECT_FALSE(read_token(path_));
+}
+
+int status(const Access& access, std::map<std::string, std::string> headers,
+           const std::string& path = "/v1/jobs") {
+  Request request;
+  request.path = path;
+  request.headers = std::move(headers);
+  const auto refusal = refuse(access, request);
+  return refusal ? refusal->status : 0;
+}
+
+TEST(Refuse, WithoutATokenHostMustNameThisServer) {
+  const Access access{"", {"Coapt.Example", "10.0.0.1"}};
+  for (const char* host : {"localhost", "LOCALHOST:8080", "127.0.0.1:1", "[::1]", "[::1]:80",
+                           "coapt.example:1", "10.0.0.1"}) {
+    EXPECT_EQ(status(access, {{"host", host}}), 0) << host;
+  }
+  for (const char* host : {"", "evil.example", "localhost.evil.example", "localhost:80:80",
+                           "localhost:x", "::1", "[::1", "127.0.0.1@x"}) {
+    EXPECT_EQ(status(access, {{"host", host}}), 421) << host;
+  }
+  EXPECT_EQ(status(access, {}), 421);
+}
+
+TEST(Refuse, ATokenMustBeTheWholeToken) {
+  const Access access{kToken, {}};
+  EXPECT_EQ(status(access, {{"authorization", "Bearer " + kToken}}), 0);
+  EXPECT_EQ(status(access, {{"authorization", "bEARER   " + kToken}, {"host", "any.example"}}), 0);
+  for (const std::string& given : std::vector<std::string>{
+           "", kToken, "Bearer", "Bearer ", "Bearer " + kToken.substr(1), "Bearer " + kToken + "0",
+           "Bearer " + kToken + kToken, "Bearer 0123456789abcdeF", "Basic " + kToken}) {
+    EXPECT_EQ(status(access, {{"authorization", given}}), 401) << given;
+  }
+  Request request;
+  EXPECT_EQ(refuse(access, request)->headers, (Headers{{"WWW-Authenticate", "Bearer"}}));
+}
+
+TEST(Refuse, PagesOfOtherOriginsStayOutWhateverTheyKnow) {
+  const std::string bearer = "Bearer " + kToken;
+  for (const char* origin : {"http://evil.example", "null", "", "http://localhost",
+                             "http://localhost:80800", "ftp://localhost:8080"}) {
+    EXPECT_EQ(status({}, {{"host", "localhost:8080"}, {"origin", origin}}), 403) << origin;
+    EXPECT_EQ(status({kToken, {}},
+                     {{"host", "localhost:8080"}, {"origin", origin}, {"authorization", bearer}}),
+              403);
+  }
+  EXPECT_EQ(status({}, {{"host", "localhost:8080"}, {"origin", "http://LOCALHOST:8080"}}), 0);
+  EXPECT_EQ(
+      status({kToken, {}},
+             {{"host", "x.example"}, {"origin", "https://x.example"}, {"authorization", bearer}}),
+      0);
+}
+
+TEST(Refuse, WhetherItLivesEverybodyMayAsk) {
+  EXPECT_EQ(status({kToken, {}}, {{"host", "evil.example"}}, "/healthz/live"), 0);
+  EXPECT_EQ(status({kToken, {}}, {}, "/healthz/ready"), 401);
+}
+
+}  // namespace
+}  // namespace coapt
