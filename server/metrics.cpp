@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/valve/problem_list.h"
+
 namespace coapt {
 namespace {
 
@@ -42,8 +44,8 @@ std::string Metrics::text(const Gauges& gauges) const {
            "From the end of a request's headers to the end of its answer.");
   for (const auto& [who, timing] : timings_) {
     for (std::size_t i = 0; i < kBounds_s.size(); ++i)
-      out << "coapt_http_request_seconds_bucket{" << who << ",le=\"" << kBounds_s[i] << "\"} "
-          << timing.below[i] << '\n';
+      out << "coapt_http_request_seconds_bucket{" << who << ",le=\"" << shown(kBounds_s[i])
+          << "\"} " << timing.below[i] << '\n';
     out << "coapt_http_request_seconds_bucket{" << who << ",le=\"+Inf\"} " << timing.count << '\n'
         << "coapt_http_request_seconds_sum{" << who << "} " << timing.sum_s << '\n'
         << "coapt_http_request_seconds_count{" << who << "} " << timing.count << '\n';

@@ -24,7 +24,7 @@ TEST_F(BoardTest, JobsAreTakenInTheOrderOfSubmission) {
 TEST_F(BoardTest, AFullQueueTakesNoMoreUntilAJobIsTaken) {
   for (const char* id : {"a", "b", "c"}) EXPECT_EQ(submit(id).taken, Taken::New);
   EXPECT_EQ(submit("d").taken, Taken::QueueFull);
-  EXPECT_FALSE(**store().job("d"));
+  EXPECT_FALSE(store().job("d")->has_value());
   board().take();
   EXPECT_EQ(submit("d").taken, Taken::New);
 }

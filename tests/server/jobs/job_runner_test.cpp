@@ -106,7 +106,9 @@ TEST_F(Runner, ManyClientsAndRunnersLoseNoJob) {
         const std::string id = std::to_string(c) + '-' + std::to_string(i);
         while (submit(id).taken == JobBoard::Taken::QueueFull)
           std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        if (i % 4 == 1) EXPECT_TRUE(*board().cancel(id));
+        if (i % 4 == 1) {
+          EXPECT_TRUE(*board().cancel(id));
+        }
         if (i % 4 == 2) view(id);
         if (i % 4 == 3) board().wait_until_ended(id, std::chrono::milliseconds(50));
       }
