@@ -4,7 +4,7 @@ VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
 SOURCES := $(shell find core search io server clients tests bench -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
-.PHONY: help demo test chart bench instructions rivals build format format-check includes-check asan fuzz clean
+.PHONY: help demo test chart bench bench-server instructions rivals build format format-check includes-check openapi-check asan fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -26,6 +26,12 @@ chart: build  ## accuracy against time, where methods fail, what the model's ing
 
 bench: build  ## time of the parts of a closure, and of whole ones against method thesis
 	$(BIN)/closure_benchmark
+
+bench-server: build  ## what the service adds to a closure, watching jobs under load, hostile requests
+	@cmake/install_packages.sh test bench
+	bench/server/closures.py
+	bench/server/jobs_under_load.py
+	bench/server/hostile.py --requests 1000 --seconds 180
 
 instructions: build  ## machine instructions of a closure by function, where clocks are noisy
 	@cmake/install_packages.sh profile
@@ -52,19 +58,33 @@ format-check:  ## fail if clang-format would change something
 includes-check:  ## fail if an include goes against the arrows of ARCHITECTURE.md
 	cmake/check_includes.sh
 
+openapi-check: build/openapi-check/node_modules  ## fail if the OpenAPI document breaks a rule that @redocly/cli recommends
+	@cmake -D OUTPUT=build/openapi.json -P server/openapi.cmake
+	@REDOCLY_TELEMETRY=off REDOCLY_SUPPRESS_UPDATE_NOTICE=true \
+	  $</.bin/redocly lint --config server/openapi-check/redocly.yaml build/openapi.json
+
+build/openapi-check/node_modules: server/openapi-check/package-lock.json
+	@command -v cmake >/dev/null || cmake/install_packages.sh build
+	@command -v npm >/dev/null || cmake/install_packages.sh openapi
+	@mkdir -p build/openapi-check
+	@cp server/openapi-check/package*.json build/openapi-check/
+	npm ci --ignore-scripts --no-audit --no-fund --prefix build/openapi-check
+	@touch $@
+
 asan:  ## build and test with the address and undefined-behaviour sanitizers, but the long tests
 	@cmake/install_packages.sh build test
 	cmake --preset asan
 	cmake --build --preset asan
 	ctest --preset asan --parallel 2 --label-exclude long
 
-fuzz:  ## 100,000 damaged valve and plan files through their readers, under the sanitizers
+fuzz:  ## 100,000 damaged valves, plans and requests each through readers and endpoints, under the sanitizers
 	@cmake/install_packages.sh build fuzz
 	cmake --preset fuzz
-	cmake --build --preset fuzz --target fuzz_read_valve fuzz_read_plan fuzz_seeds
+	cmake --build --preset fuzz --target fuzz_read_valve fuzz_read_plan fuzz_endpoints fuzz_seeds
 	build/fuzz/bin/fuzz_seeds build/fuzz/corpus
 	build/fuzz/bin/fuzz_read_valve $(FUZZ) build/fuzz/corpus/valve
 	build/fuzz/bin/fuzz_read_plan $(FUZZ) build/fuzz/corpus/plan
+	TMPDIR=/dev/shm build/fuzz/bin/fuzz_endpoints $(FUZZ) build/fuzz/corpus/endpoints
 
 clean:  ## remove what was built
 	rm -rf build out

@@ -237,7 +237,7 @@ std::optional<Answer> HttpServer::Inside::read_body(const httplib::ContentReader
     case ReadEnd::TooSlow:
       return problem(408, ErrorCode::OutOfRange, "the body has not come in time");
     case ReadEnd::GivenUp:
-      return problem(503, ErrorCode::OutOfRange, "the server stops");
+      return problem(503, ErrorCode::Busy, "the server stops");
     case ReadEnd::ClientEnded:
     case ReadEnd::TooMuch:
       return problem(400, ErrorCode::InvalidJson, "the body ends too early");
@@ -258,7 +258,7 @@ void HttpServer::Inside::respond(Answer answer, httplib::Response& response) {
   if (const auto* stream = std::get_if<coapt::Stream>(&answer.body)) {
     if (streams.fetch_add(1) >= limits.streams) {
       --streams;
-      return respond(problem(503, ErrorCode::OutOfRange, "too many streams are open"), response);
+      return respond(problem(503, ErrorCode::Busy, "too many streams are open"), response);
     }
     respond_stream(*stream, response);
   } else if (const std::string bytes = content_bytes(answer); !bytes.empty()) {

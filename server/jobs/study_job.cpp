@@ -64,7 +64,7 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
     if (job.cancelled) throw StudyStopped("cancelled");
     if (job.seconds() > limits.seconds) throw StudyStopped("out of time");
   };
-  JobProgress progress;
+  JobProgress progress{.stage = to_string(request.kind)};
   options.progress = [&](int done, int planned) {
     progress.evaluations = done;
     progress.evaluations_planned = planned;

@@ -5,6 +5,7 @@
 
 #include "io/json/plan_json.h"
 #include "io/json/valve_json.h"
+#include "tests/fuzz/endpoint_choice.h"
 #include "tests/scenes/small_valve.h"
 
 namespace {
@@ -25,6 +26,65 @@ RepairPlan one_of_each_step() {
            PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0}}};
 }
 
+constexpr std::string_view kReads[] = {"/v1/jobs?page_size=2&page_token=9&state=QUEUED",
+                                       "/v1/jobs/job",
+                                       "/v1/jobs/wait/result",
+                                       "/v1/jobs/job/events?last_event_id=1",
+                                       "/v1/jobs/job/result",
+                                       "/v1/jobs/job/plans?page_size=1",
+                                       "/v1/jobs/job/plans/1",
+                                       "/v1/jobs/job/plans/1/mesh?format=ply",
+                                       "/v1/jobs/job/plans/1/picture",
+                                       "/v1/jobs/job/plans/1/report",
+                                       "/v1/jobs/job/report",
+                                       "/v1/jobs/job/files",
+                                       "/v1/jobs/job/files/report.html",
+                                       "/v1/valves/valve",
+                                       "/v1/presets",
+                                       "/v1/presets/human-normal",
+                                       "/v1/rings",
+                                       "/healthz/live",
+                                       "/metrics",
+                                       "/version"};
+
+/// Requests to each endpoint: small valves inside, jobs and valves that fuzz_endpoints has in its store.
+void write_requests(const std::filesystem::path& folder) {
+  const nlohmann::json valve = nlohmann::json::parse(write_valve(small_valve()));
+  const nlohmann::json plan = to_json(RepairPlan{{Annuloplasty{"own", 0.0, 1}}});
+  const nlohmann::json search = {
+      {"evaluations", 10},
+      {"seed", 1},
+      {"plans", 2},
+      {"region_points", 5},
+      {"evidence", false},
+      {"rules", {{"fixed", plan}, {"forbidden", {"neochorda", "annuloplasty:own"}}}},
+      {"weights", {{"movement", 0.5}}}};
+  const nlohmann::json study = {{"name", "approximation"},
+                                {"protocols", {"closed"}},
+                                {"displacement_step_mm", 6},
+                                {"region_points", 17},
+                                {"scan_sites", 0}};
+  const std::array<nlohmann::json, kBodyPaths.size()> bodies = {
+      valve,
+      valve,
+      {{"valve", valve}, {"plan", plan}},
+      {{"valve", kStoredValve}, {"plans", {plan, plan}}, {"region_points", 1}},
+      {{"valve", valve}, {"search", search}},
+      {{"valve", kStoredValve}, {"study", study}},
+      nlohmann::json::object()};
+  char choice = 'a';
+  for (const nlohmann::json& body : bodies) {
+    write(folder / std::string(1, choice), choice + body.dump());
+    ++choice;
+  }
+  int number = 0;
+  for (const std::string_view path : kReads)
+    write(folder / ("get-" + std::to_string(number++)), choice + std::string(path));
+  for (const char* path : {"/v1/jobs/wait", "/v1/valves/valve"})
+    write(folder / ("delete-" + std::to_string(number++)),
+          static_cast<char>(choice + 1) + std::string(path));
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -36,4 +96,5 @@ int main(int count, char** arguments) {
     write(folder / "plan" / (std::to_string(step.index()) + ".json"),
           to_json(RepairPlan{{step}}).dump());
   }
+  write_requests(folder / "endpoints");
 }

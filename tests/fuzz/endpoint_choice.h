@@ -1,0 +1,23 @@
+// The first byte of an input of fuzz_endpoints.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace coapt {
+
+/// POST requests: what follows is the body. The byte is 'a' and the place in this list.
+inline constexpr std::array<std::string_view, 7> kBodyPaths = {
+    "/v1/valves", "/v1/valves:validate", "/v1/closures",       "/v1/evaluations",
+    "/v1/plans",  "/v1/studies",         "/v1/jobs/job:cancel"};
+
+/// Requests without a body: what follows is path and query, as after percent-decoding. Their bytes come
+/// after those of the paths above.
+inline constexpr std::array<std::string_view, 2> kOtherMethods = {"GET", "DELETE"};
+
+/// In the store from the start: an ended search, a waiting one, the valve of both.
+inline constexpr const char* kEndedJob = "job";
+inline constexpr const char* kWaitingJob = "wait";
+inline constexpr const char* kStoredValve = "valve";
+
+}  // namespace coapt
