@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What the service adds to a closure: the time of POST /v1/closures by curl, from connect to the last
-byte, against the seconds that the closure itself took. The machine must be quiet otherwise."""
+byte, against the seconds that the closure itself took (what is left is HTTP, reading the valve and measuring what
+leaks), and GET /version, which is HTTP alone. The machine must be quiet otherwise."""
 
 import json
 import pathlib
@@ -11,14 +12,19 @@ import tempfile
 from served import Server, parser_of, percentile, report
 
 
+def timed(url, *arguments):
+    """Milliseconds of an exchange, and its answer."""
+    run = subprocess.run(
+        ["curl", "--silent", "--show-error", "--fail", "--max-time", "60", *arguments,
+         "--write-out", "\n%{time_total}", url], capture_output=True, text=True, check=True)
+    body, _, total = run.stdout.rpartition("\n")
+    return 1e3 * float(total), json.loads(body)
+
+
 def timed_post(url, request):
     """Milliseconds of the exchange and of the closure within it."""
-    run = subprocess.run(
-        ["curl", "--silent", "--show-error", "--fail", "--max-time", "60", "-H", "Content-Type: application/json",
-         "--data-binary", f"@{request}", "--write-out", "\n%{time_total}", url],
-        capture_output=True, text=True, check=True)
-    body, _, total = run.stdout.rpartition("\n")
-    return 1e3 * float(total), 1e3 * json.loads(body)["seconds"]
+    total, answer = timed(url, "-H", "Content-Type: application/json", "--data-binary", f"@{request}")
+    return total, 1e3 * answer["seconds"]
 
 
 def measure(url, request, count):
@@ -43,7 +49,9 @@ def main():
         try:
             valve = server.get(f"/v1/presets/{options.valve}")
             stored = server.ask("POST", "/v1/valves", valve).json()
-            figures = {"program": "closures", "triangles": stored["triangles"]}
+            version = [timed(f"http://127.0.0.1:{server.port}/version")[0] for _ in range(options.requests)]
+            figures = {"program": "closures", "triangles": stored["triangles"],
+                       "version_p50_ms": round(percentile(version, 50), 2)}
             for kind, value in [("inline", valve), ("by_id", stored["id"])]:
                 request = pathlib.Path(folder) / f"{kind}.json"
                 request.write_text(json.dumps({"valve": value}))
@@ -55,7 +63,7 @@ def main():
     report(figures, "; ".join(
         f"{kind}: p50 {figures[kind]['p50_ms']} ms, p95 {figures[kind]['p95_ms']} ms, over the closure "
         f"{figures[kind]['overhead_p50_ms']} ms" for kind in ("inline", "by_id"))
-        + f" (target {options.target_ms} ms: {'met' if figures['met'] else 'missed'})")
+        + f"; GET /version {figures['version_p50_ms']} ms (target {options.target_ms} ms: {'met' if figures['met'] else 'missed'})")
     return 0 if figures["met"] else 1
 
 

@@ -23,7 +23,7 @@ KINDS = {
     good.poll: 120, good.list_jobs: 40, good.result: 60, good.cancel: 15, good.delete: 15, good.follow: 40,
     good.valves: 20, good.small_reads: 60,
     bad.no_json: 60, bad.wrong_shape: 60, bad.damaged_valve: 40, bad.large_body: 10, bad.wrong_length: 20,
-    bad.no_length: 10, bad.bad_chunks: 30, bad.truncated_body: 20, bad.two_lengths: 20, bad.pipelined: 20,
+    bad.no_length: 10, bad.bad_chunks: 25, bad.odd_chunks: 5, bad.truncated_body: 20, bad.two_lengths: 20, bad.pipelined: 20,
     bad.header_bomb: 15, bad.odd_path: 50, bad.wrong_method: 30, bad.wrong_type: 20, bad.foreign: 30,
     bad.no_http: 20, bad.slow_headers: 3, bad.slow_body: 3, bad.half_closed: 10, bad.abandoned: 40,
     bad.expects_continue: 5,
