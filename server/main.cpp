@@ -1,5 +1,6 @@
 // coapt-server: closures, searches and studies over HTTP.
 #include <pthread.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <condition_variable>
@@ -12,6 +13,8 @@
 
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
+#include "io/store/closure_store.h"
+#include "io/store/plan_store.h"
 #include "server/jobs/plan_job.h"
 #include "server/jobs/study_job.h"
 #include "server/options.h"
@@ -86,8 +89,13 @@ class Stopper {
 
 int serve(const ServerOptions& options, const Access& access) {
   Stopper stopper;
+  umask(S_IRWXG | S_IRWXO);  // valves are of patients: no other user reads the files
   Expected<JobStore> store = JobStore::open(options.database);
   if (!store) return fail(kFailure, store.errors());
+  const std::string plans = options.database + "-plans", studies = options.database + "-studies";
+  if (const auto opened = PlanStore::open(plans); !opened) return fail(kFailure, opened.errors());
+  if (const auto opened = ClosureStore::open(studies); !opened)
+    return fail(kFailure, opened.errors());
   JobBoard board(*store, options.service.queue);
   if (const Errors errors = board.resume(); !errors.empty()) return fail(kFailure, errors);
 
@@ -112,9 +120,8 @@ int serve(const ServerOptions& options, const Access& access) {
   {
     const JobRunner runner(
         board,
-        {{"plans",
-          PlanJob{board, *store, options.service, ring_catalogue(), options.database + "-plans"}},
-         {"study", StudyJob{board, *store, options.service, options.database + "-studies"}}},
+        {{"plans", PlanJob{board, *store, options.service, ring_catalogue(), plans}},
+         {"study", StudyJob{board, *store, options.service, studies}}},
         options.service.running_jobs);
     std::cerr << "coapt-server: listening on http://" << options.host << ':' << *port << '\n';
     served = http.run();

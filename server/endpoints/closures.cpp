@@ -22,6 +22,13 @@ std::vector<RepairPlan> read_plans(const JsonPlace& place) {
   });
 }
 
+constexpr double kUsualTriangles = 650.0;
+
+/// How much a closure costs against one of a valve of the usual size, roughly.
+double size_of(const Valve& valve) {
+  return static_cast<double>(valve.faces.rows()) / kUsualTriangles;
+}
+
 /// Ranked plans in the order asked; a plan that was asked for twice twice.
 nlohmann::ordered_json in_order(const SearchResult& result, const std::vector<RepairPlan>& asked) {
   const nlohmann::ordered_json json = to_json(result);
@@ -79,12 +86,14 @@ Answer PostEvaluations::operator()(const Request& request) const {
     return *std::move(refused);
   ProblemList problems;
   const std::ptrdiff_t closures = std::ssize(plans) * options.region_points;
-  if (closures > valves.limits.evaluation_closures)
+  const auto most = static_cast<std::ptrdiff_t>(valves.limits.evaluation_closures /
+                                                std::max(1.0, size_of(valve)));
+  if (closures > most)
     problems.add(ErrorCode::OutOfRange, "/plans",
                  "has " + std::to_string(plans.size()) + " plans of " +
                      std::to_string(options.region_points) + " region_points, together " +
                      std::to_string(closures) + " closures; must be at most " +
-                     std::to_string(valves.limits.evaluation_closures));
+                     std::to_string(most) + " for a valve of this size");
   if (!problems.empty()) return problem(422, std::move(problems).take());
 
   std::vector<NamedPlan> named;

@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "core/valve/valve.h"
 #include "server/jobs/job_runner.h"
@@ -10,6 +12,20 @@
 namespace coapt {
 
 inline constexpr const char* kHtmlType = "text/html; charset=utf-8";
+
+/// Opens a store of closures, however long that cannot be done. Throws if the server stops.
+template <class Store>
+Store open_closures(JobBoard& board, RunningJob& job, const std::string& path) {
+  std::optional<Store> store;
+  const bool is_open = board.persist(job, [&]() -> Errors {
+    Expected<Store> opened = Store::open(path);
+    if (!opened) return opened.errors();
+    store = *std::move(opened);
+    return {};
+  });
+  if (!is_open) throw std::runtime_error("the server stops");
+  return *std::move(store);
+}
 
 Expected<Valve> valve_of(const JobStore& store, const Job& job);
 

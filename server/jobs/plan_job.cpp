@@ -65,10 +65,9 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
   if (!asked) return failed(job, asked.errors());
   const SearchOptions options = granted(*asked, limits, job.job.seconds);
 
-  Expected<PlanStore> kept = PlanStore::open(closures);
-  if (!kept) return failed(job, kept.errors());
+  PlanStore kept = open_closures<PlanStore>(board, job, closures);
   const std::string subject = plan_subject_of(*valve, options.closure);
-  Expected<KnownPlans> known = kept->read(subject);
+  Expected<KnownPlans> known = kept.read(subject);
   if (!known) return failed(job, known.errors());
   std::int64_t count = 0;
   for (const auto& [key, of_plan] : *known) count += std::ssize(of_plan);
@@ -77,7 +76,7 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
   SearchContext context{.catalogue = rings, .cancelled = &job.cancelled};
   context.known = std::move(*known);
   context.keep = [&](const std::string& key, int disturbance, const PlanClosure& closure) {
-    keep_closure(board, job, [&] { return kept->keep(subject, key, disturbance, closure); });
+    keep_closure(board, job, [&] { return kept.keep(subject, key, disturbance, closure); });
   };
   context.progress = [&](const SearchProgress& now) {
     job.note({now.stage, now.closures, now.closures_planned, now.best_leak_mm2});

@@ -51,16 +51,15 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
   OrificeTableOptions options;
   options.closure = thesis_closure();
   options.threads = limits.threads;
-  Expected<ClosureStore> kept = ClosureStore::open(closures);
-  if (!kept) return failed(job, kept.errors());
+  ClosureStore kept = open_closures<ClosureStore>(board, job, closures);
   const std::string subject = subject_of(*valve, options.closure);
-  Expected<KnownOrifices> known = kept->read(subject);
+  Expected<KnownOrifices> known = kept.read(subject);
   if (!known) return failed(job, known.errors());
   if (std::optional<JobEnd> end = begin(board, job, std::ssize(*known))) return end;
 
   options.known = std::move(*known);
   options.keep = [&](const ConfigurationKey& key, const OrificeSample& sample) {
-    keep_closure(board, job, [&] { return kept->keep(subject, key, sample); });
+    keep_closure(board, job, [&] { return kept.keep(subject, key, sample); });
     if (job.cancelled) throw StudyStopped("cancelled");
     if (job.seconds() > limits.seconds) throw StudyStopped("out of time");
   };
