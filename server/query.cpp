@@ -24,9 +24,11 @@ std::int64_t integer_in(const Request& request, const char* name, Range range,
 
 void check_query(const Request& request, std::initializer_list<const char*> known,
                  ProblemList& problems) {
-  for (const auto& [name, value] : request.query)
+  for (const auto& parameter : request.query) {
+    const std::string& name = parameter.first;
     if (std::none_of(known.begin(), known.end(), [&](const char* one) { return name == one; }))
       problems.add(ErrorCode::UnknownField, "?" + name.substr(0, 64), "is no parameter here");
+  }
 }
 
 }  // namespace coapt

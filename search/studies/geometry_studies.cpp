@@ -109,7 +109,9 @@ Vec3 mean_gradient(const DisplacementGrid& grid) {
 }
 
 Synergy synergy(const PapillaryStudy& study) {
-  const auto& [al, pm, both] = study.grids;
+  const DisplacementGrid& al = study.grids[0];
+  const DisplacementGrid& pm = study.grids[1];
+  const DisplacementGrid& both = study.grids[2];
   std::array<int, 3> counted = {0, 0, 0}, above = {0, 0, 0};
   double together = 0.0, apart = 0.0, increases = 0.0;
   int compared = 0;
