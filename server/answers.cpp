@@ -1,19 +1,11 @@
 #include "server/answers.h"
 
 namespace coapt {
-namespace {
-
-Answer with_retry(Answer answer) {
-  answer.headers.emplace_back("Retry-After", std::to_string(kRetrySeconds));
-  return answer;
-}
-
-}  // namespace
 
 Answer store_problem(const Errors& errors) {
   switch (errors.front().code) {
     case ErrorCode::Busy:
-      return with_retry(problem(503, errors));
+      return problem(503, errors);
     case ErrorCode::NoSpace:
       return problem(507, errors);
     default:
@@ -22,7 +14,7 @@ Answer store_problem(const Errors& errors) {
 }
 
 Answer retry_later(int status, const std::string& why) {
-  return with_retry(problem(status, ErrorCode::Busy, why));
+  return problem(status, ErrorCode::Busy, why);
 }
 
 Answer not_found(const std::string& what) {

@@ -5,11 +5,9 @@
 
 namespace coapt {
 
-inline constexpr int kRetrySeconds = 10;  ///< after which a refused client may try again
-
-/// 503 with Retry-After for a store that is locked, 507 for a full disk, else 500.
+/// 503 for a store that is locked, 507 for a full disk, else 500.
 Answer store_problem(const Errors& errors);
-/// With Retry-After.
+/// 429 or 503: with Retry-After, as every such answer.
 Answer retry_later(int status, const std::string& why);
 Answer not_found(const std::string& what);
 

@@ -1,8 +1,9 @@
-// Turns for closures that are answered at once: as many at a time as there are cores, so that each is as fast as
-// alone, and their memory is bounded.
+// Turns for what costs much at once, closures or memory: as many at a time as there are cores, so that each is as fast
+// as alone.
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -14,22 +15,28 @@ class Compute {
   explicit Compute(int turns = static_cast<int>(std::thread::hardware_concurrency()))
       : free_(std::max(1, turns)) {}
 
+  /// Waits for its turn, which ends with it; false if it has none, because the others took too long.
   class Turn {
    public:
     explicit Turn(Compute& compute) : compute_(compute) {
       std::unique_lock<std::mutex> lock(compute_.mutex_);
-      compute_.changed_.wait(lock, [this] { return compute_.free_ > 0; });
-      --compute_.free_;
+      is_mine_ = compute_.changed_.wait_for(lock, kPatience, [this] { return compute_.free_ > 0; });
+      if (is_mine_) --compute_.free_;
     }
     ~Turn() {
+      if (!is_mine_) return;
       const std::lock_guard<std::mutex> lock(compute_.mutex_);
       ++compute_.free_;
       compute_.changed_.notify_one();
     }
     Turn(const Turn&) = delete;
+    explicit operator bool() const { return is_mine_; }
 
    private:
+    static constexpr std::chrono::seconds kPatience{10};
+
     Compute& compute_;
+    bool is_mine_ = false;
   };
 
  private:

@@ -11,10 +11,10 @@
 namespace coapt {
 
 struct HttpLimits {
-  std::size_t header_bytes = 16 << 10;             ///< request line and headers
-  std::size_t body_bytes = std::size_t{64} << 20;  ///< counted as they arrive, chunked or not
-  double header_seconds = 10.0;  ///< from the connection to the end of the headers
-  double body_seconds = 60.0;    ///< from the first thread that is free to the end of the body
+  std::size_t header_bytes = 16 << 10;            ///< request line and headers
+  std::size_t body_bytes = std::size_t{8} << 20;  ///< counted as they arrive, chunked or not
+  double header_seconds = 10.0;                   ///< from the connection to the end of the headers
+  double body_seconds = 60.0;  ///< from the first thread that is free to the end of the body
   double body_bytes_per_second = 16 << 10;  ///< at least, after two seconds
   double answer_seconds = 60.0;  ///< for the client to take the answer; for each part of a stream
   int connections =

@@ -4,8 +4,23 @@
 
 #include "core/presets/presets.h"
 #include "io/json/valve_json.h"
+#include "server/answers.h"
 
 namespace coapt {
+namespace {
+
+Expected<Valve> found_valve(const ValveSource& source, const std::string& name) {
+  const std::vector<std::string>& presets = preset_names();
+  if (std::find(presets.begin(), presets.end(), name) != presets.end()) return make_preset(name);
+  const Expected<std::optional<std::string>> stored = source.store.valve(name);
+  if (!stored) return stored.errors();
+  if (!*stored)
+    return Error{ErrorCode::BadReference, "",
+                 "is neither the id of a stored valve nor the name of a preset (/v1/presets)"};
+  return read_valve(**stored);
+}
+
+}  // namespace
 
 void add_below(ProblemList& problems, const std::string& pointer, const Errors& errors) {
   for (const Error& error : errors) {
@@ -27,14 +42,10 @@ Errors check_size(const Valve& valve, const ServiceLimits& limits) {
 }
 
 Expected<Valve> named_valve(const ValveSource& source, const std::string& name) {
-  const std::vector<std::string>& presets = preset_names();
-  if (std::find(presets.begin(), presets.end(), name) != presets.end()) return make_preset(name);
-  const Expected<std::optional<std::string>> stored = source.store.valve(name);
-  if (!stored) return stored.errors();
-  if (!*stored)
-    return Error{ErrorCode::BadReference, "",
-                 "is neither the id of a stored valve nor the name of a preset (/v1/presets)"};
-  return read_valve(**stored);
+  if (const auto known = source.known.find(name)) return *known;
+  Expected<Valve> valve = found_valve(source, name);
+  if (valve) source.known.add(name, *valve);
+  return valve;
 }
 
 std::function<void(const JsonPlace&)> valve_field(const ValveSource& source, Valve& target) {
@@ -48,7 +59,10 @@ std::function<void(const JsonPlace&)> valve_field(const ValveSource& source, Val
   };
 }
 
-std::optional<Answer> read_body(std::string_view body, std::initializer_list<JsonField> fields) {
+std::optional<Answer> read_body(Compute& parsing, std::string_view body,
+                                std::initializer_list<JsonField> fields) {
+  const Compute::Turn turn(parsing);
+  if (!turn) return retry_later(503, "too many requests are read at once");
   const Expected<nlohmann::json> request = parse_json(body);
   if (!request) return problem(400, request.errors());
   ProblemList problems;

@@ -8,7 +8,9 @@
 #include "io/json/json_reader.h"
 #include "io/store/job_store.h"
 #include "server/answer.h"
+#include "server/compute.h"
 #include "server/limits.h"
+#include "server/valve_cache.h"
 
 namespace coapt {
 
@@ -36,6 +38,8 @@ Errors check_size(const Valve& valve, const ServiceLimits& limits);
 struct ValveSource {
   const JobStore& store;
   const ServiceLimits& limits;
+  ValveCache& known;
+  Compute& parsing;  ///< turns: a document takes twenty times its bytes while it is read
 };
 
 /// A stored valve by its id, or a preset by its name; BadReference if there is none.
@@ -45,7 +49,8 @@ Expected<Valve> named_valve(const ValveSource& source, const std::string& name);
 std::function<void(const JsonPlace&)> valve_field(const ValveSource& source, Valve& target);
 
 /// Reads an object of these fields. What is wrong with it, if anything: 400 if it is no JSON, else 422 with
-/// every problem.
-std::optional<Answer> read_body(std::string_view body, std::initializer_list<JsonField> fields);
+/// every problem; 503 if too many are read at once.
+std::optional<Answer> read_body(Compute& parsing, std::string_view body,
+                                std::initializer_list<JsonField> fields);
 
 }  // namespace coapt

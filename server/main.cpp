@@ -1,4 +1,5 @@
 // coapt-server: closures, searches and studies over HTTP.
+#include <malloc.h>
 #include <pthread.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -64,6 +65,7 @@ class Stopper {
       if (ended_.wait_for(lock, kPatience, [this] { return is_over_; })) return;
       std::cerr
           << "coapt-server: a closure did not end in time; its job goes on at the next start\n";
+      board.suspend_all();
       _exit(kOk);
     });
   }
@@ -87,7 +89,13 @@ class Stopper {
   bool is_over_ = false;
 };
 
+// Memory of large requests goes back to the system as soon as they are answered. By itself glibc raises this
+// threshold with each large block that is freed, up to 32 MiB, and keeps what is below: half a GiB after a hundred
+// bodies of 64 MiB.
+constexpr int kMapFrom_bytes = 1 << 20;
+
 int serve(const ServerOptions& options, const Access& access) {
+  mallopt(M_MMAP_THRESHOLD, kMapFrom_bytes);
   Stopper stopper;
   umask(S_IRWXG | S_IRWXO);  // valves are of patients: no other user reads the files
   Expected<JobStore> store = JobStore::open(options.database);
@@ -100,12 +108,18 @@ int serve(const ServerOptions& options, const Access& access) {
   if (const Errors errors = board.resume(); !errors.empty()) return fail(kFailure, errors);
 
   Metrics metrics;
-  Compute compute;
+  ValveCache known;
+  Compute parsing, compute;
   HttpServer* running = nullptr;
-  const Service service{
-      options.service, ring_catalogue(), *store, board, compute, metrics, [&running] {
-        return running->load();
-      }};
+  const Service service{options.service,
+                        ring_catalogue(),
+                        *store,
+                        board,
+                        known,
+                        parsing,
+                        compute,
+                        metrics,
+                        [&running] { return running->load(); }};
   const Routes routes = routes_of(service);
   HttpServer http(options.http, routes, access, [&](const Exchange& exchange) {
     metrics.observe(exchange);

@@ -9,14 +9,14 @@
 namespace coapt {
 
 Routes routes_of(const Service& service) {
-  const auto& [limits, rings, store, jobs, compute, metrics, load] = service;
-  const ValveSource valves{store, limits};
+  const auto& [limits, rings, store, jobs, known, parsing, compute, metrics, load] = service;
+  const ValveSource valves{store, limits, known, parsing};
   const Submitting submitting{valves, jobs};
   return {
-      {"POST", "/v1/valves", PostValve{store, limits}},
-      {"POST", "/v1/valves:validate", ValidateValve{limits}},
+      {"POST", "/v1/valves", PostValve{store, valves}},
+      {"POST", "/v1/valves:validate", ValidateValve{valves}},
       {"GET", "/v1/valves/{id}", GetValve{valves}},
-      {"DELETE", "/v1/valves/{id}", DeleteValve{store}},
+      {"DELETE", "/v1/valves/{id}", DeleteValve{store, known}},
       {"GET", "/v1/presets", GetPresets{}},
       {"GET", "/v1/presets/{name}", GetValve{valves}},
       {"GET", "/v1/rings", GetRings{rings}},

@@ -11,6 +11,7 @@
 #include "server/limits.h"
 #include "server/metrics.h"
 #include "server/route.h"
+#include "server/valve_cache.h"
 
 namespace coapt {
 
@@ -19,7 +20,9 @@ struct Service {
   const std::vector<RingShape>& rings;
   JobStore& store;
   JobBoard& jobs;
-  Compute& compute;
+  ValveCache& known;
+  Compute& parsing;  ///< turns for bodies that are read
+  Compute& compute;  ///< turns for closures that are waited for
   const Metrics& metrics;
   std::function<HttpLoad()> load;  ///< of the HTTP server
 };

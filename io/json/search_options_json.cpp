@@ -8,7 +8,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr Range kPrice = {0.0, 1e6};  // CostWeights
+constexpr std::size_t kMostForbidden = 100;  // there are fewer to forbid
+constexpr Range kPrice = {0.0, 1e6};         // CostWeights
 
 JsonField number(std::string_view name, double& target, Range range, const char* unit = "") {
   const auto read = [=](const JsonPlace& place) { return read_number_in(place, range, unit); };
@@ -25,6 +26,12 @@ JsonField boolean(std::string_view name, bool& target) {
 }
 
 std::vector<std::string> read_words(const JsonPlace& place) {
+  if (place.value.is_array() && place.value.size() > kMostForbidden) {
+    add_problem(place, ErrorCode::OutOfRange,
+                "has " + std::to_string(place.value.size()) + " words, must have at most " +
+                    std::to_string(kMostForbidden));
+    return {};
+  }
   return read_list(place, read_string);
 }
 

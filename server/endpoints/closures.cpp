@@ -10,6 +10,7 @@
 #include "search/plans/gates.h"
 #include "search/plans/plan_key.h"
 #include "search/plans/plan_search.h"
+#include "server/answers.h"
 
 namespace coapt {
 namespace {
@@ -23,6 +24,8 @@ std::vector<RepairPlan> read_plans(const JsonPlace& place) {
 }
 
 constexpr double kUsualTriangles = 650.0;
+constexpr double kMostSeconds = 60.0;  // of an evaluation: it is waited for
+constexpr const char* kBusy = "all cores are busy with other closures";
 
 /// How much a closure costs against one of a valve of the usual size, roughly.
 double size_of(const Valve& valve) {
@@ -53,8 +56,9 @@ nlohmann::ordered_json in_order(const SearchResult& result, const std::vector<Re
 Answer PostClosures::operator()(const Request& request) const {
   Valve valve;
   RepairPlan plan;
-  if (auto refused = read_body(request.body, {{"valve", valve_field(valves, valve)},
-                                              {"plan", document(plan, plan_from_json), false}}))
+  if (auto refused = read_body(
+          valves.parsing, request.body,
+          {{"valve", valve_field(valves, valve)}, {"plan", document(plan, plan_from_json), false}}))
     return *std::move(refused);
   const Expected<Valve> repaired = apply_plan(valve, plan, rings);
   if (!repaired) {
@@ -63,6 +67,7 @@ Answer PostClosures::operator()(const Request& request) const {
     return problem(422, std::move(problems).take());
   }
   const Compute::Turn turn(compute);
+  if (!turn) return retry_later(503, kBusy);
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(*repaired, {.samples = kThesisSamples});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -78,11 +83,12 @@ Answer PostEvaluations::operator()(const Request& request) const {
   options.threads = 1;
   options.evidence = false;
   options.region_points = 1;
+  options.seconds = kMostSeconds;
   const auto points = [](const JsonPlace& place) { return read_integer_in(place, 1, 1089); };
-  if (auto refused =
-          read_body(request.body, {{"valve", valve_field(valves, valve)},
-                                   {"plans", into(plans, read_plans)},
-                                   {"region_points", into(options.region_points, points), false}}))
+  if (auto refused = read_body(valves.parsing, request.body,
+                               {{"valve", valve_field(valves, valve)},
+                                {"plans", into(plans, read_plans)},
+                                {"region_points", into(options.region_points, points), false}}))
     return *std::move(refused);
   ProblemList problems;
   const std::ptrdiff_t closures = std::ssize(plans) * options.region_points;
@@ -99,8 +105,12 @@ Answer PostEvaluations::operator()(const Request& request) const {
   std::vector<NamedPlan> named;
   for (const RepairPlan& plan : plans) named.push_back({"", plan});
   const Compute::Turn turn(compute);
+  if (!turn) return retry_later(503, kBusy);
   const Expected<SearchResult> result = evaluate_plans(valve, named, options, {.catalogue = rings});
   if (!result) return problem(422, result.errors());
+  if (result->stop == SearchStop::TimeLimit)
+    return retry_later(503, "took longer than " + shown(kMostSeconds) +
+                                " s: ask for fewer plans or region_points at once");
   return json_answer(200, in_order(*result, plans));
 }
 

@@ -21,7 +21,8 @@ struct Ended {
   std::optional<Answer> refusal = {};
 };
 
-Ended ended_job(const JobStore& store, const Request& request) {
+/// @param with_result else it is left empty.
+Ended ended_job(const JobStore& store, const Request& request, bool with_result) {
   const Expected<std::optional<Job>> job = store.job(request.parameters.at(0));
   if (!job) return {{}, "", store_problem(job.errors())};
   if (!*job) return {{}, "", not_found("job")};
@@ -32,6 +33,7 @@ Ended ended_job(const JobStore& store, const Request& request) {
             problem(409, ErrorCode::BadReference,
                     std::string("the job is ") + to_string(state) +
                         "; it has results when it is SUCCEEDED or CANCELLED")};
+  if (!with_result) return {**job, ""};
   const Expected<std::optional<std::string>> result = store.result((*job)->id);
   if (!result) return {{}, "", store_problem(result.errors())};
   return {**job, result->value_or("")};
@@ -76,7 +78,7 @@ struct Repair {
 
 Repair repair_of(const JobStore& store, const Request& request,
                  const std::vector<RingShape>& rings) {
-  const Ended ended = ended_job(store, request);
+  const Ended ended = ended_job(store, request, true);
   if (ended.refusal) return {{}, {}, ended.refusal};
   const ordered_json ranked_plan = ranked(ended, request);
   if (ranked_plan.is_null()) return {{}, {}, not_found("plan")};
@@ -92,7 +94,7 @@ Repair repair_of(const JobStore& store, const Request& request,
 }  // namespace
 
 Answer GetResult::operator()(const Request& request) const {
-  Ended ended = ended_job(store, request);
+  Ended ended = ended_job(store, request, true);
   if (ended.refusal) return *ended.refusal;
   if (ended.result.empty()) return not_found("result: the job was cancelled before it had one");
   return {200, Content{"application/json", std::move(ended.result)}};
@@ -104,7 +106,7 @@ Answer GetPlans::operator()(const Request& request) const {
   const std::int64_t size = integer_in(request, "page_size", {1.0, 100.0}, 20, problems);
   const std::int64_t first = integer_in(request, "page_token", {1.0, 1e6}, 1, problems);
   if (!problems.empty()) return problem(422, std::move(problems).take());
-  const Ended ended = ended_job(store, request);
+  const Ended ended = ended_job(store, request, true);
   if (ended.refusal) return *ended.refusal;
   ordered_json page = ordered_json::array();
   ordered_json next = nullptr;
@@ -117,7 +119,7 @@ Answer GetPlans::operator()(const Request& request) const {
 }
 
 Answer GetPlan::operator()(const Request& request) const {
-  const Ended ended = ended_job(store, request);
+  const Ended ended = ended_job(store, request, true);
   if (ended.refusal) return *ended.refusal;
   ordered_json plan = ranked(ended, request);
   return plan.is_null() ? not_found("plan") : json_answer(200, std::move(plan));
@@ -135,6 +137,7 @@ Answer GetPlanMesh::operator()(const Request& request) const {
   const Repair repair = repair_of(store, request, rings);
   if (repair.refusal) return *repair.refusal;
   const Compute::Turn turn(compute);
+  if (!turn) return retry_later(503, "all cores are busy with other closures");
   const ClosureResult closure = close_valve(repair.after);
   const Expected<std::string> mesh =
       write_mesh(leaflet_mesh(repair.after, closure.closed_mm), format);
@@ -146,24 +149,25 @@ Answer GetPlanPicture::operator()(const Request& request) const {
   const Repair repair = repair_of(store, request, rings);
   if (repair.refusal) return *repair.refusal;
   const Compute::Turn turn(compute);
+  if (!turn) return retry_later(503, "all cores are busy with other closures");
   return {200, Content{"image/png",
                        comparison_picture_png(closed(repair.before), closed(repair.after))}};
 }
 
 Answer GetPlanReport::operator()(const Request& request) const {
-  const Ended ended = ended_job(store, request);
+  const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
   return file_answer(store, ended.job.id, "plan-" + request.parameters.at(1) + ".html");
 }
 
 Answer GetReport::operator()(const Request& request) const {
-  const Ended ended = ended_job(store, request);
+  const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
   return file_answer(store, ended.job.id, ended.job.kind == "plans" ? "report.html" : "index.html");
 }
 
 Answer GetFiles::operator()(const Request& request) const {
-  const Ended ended = ended_job(store, request);
+  const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
   const Expected<std::vector<JobFileName>> files = store.files(ended.job.id);
   if (!files) return store_problem(files.errors());
@@ -177,7 +181,7 @@ Answer GetFiles::operator()(const Request& request) const {
 }
 
 Answer GetFile::operator()(const Request& request) const {
-  const Ended ended = ended_job(store, request);
+  const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
   return file_answer(store, ended.job.id, request.parameters.at(1));
 }

@@ -44,13 +44,17 @@ Answer job_answer(int status, const JobView& view) {
 Answer answer_after_waiting(const Submitting& to, const Request& request, const Job& job) {
   const int asked = preferred_wait(header(request, "prefer"));
   const int wait = std::min(asked, to.valves.limits.wait_seconds);
+  const auto start = std::chrono::steady_clock::now();
   if (wait > 0) to.jobs.wait_until_ended(job.id, std::chrono::seconds(wait));
+  const bool has_waited =
+      wait > 0 && std::chrono::steady_clock::now() - start >= std::chrono::seconds(wait);
   const Expected<std::optional<JobView>> view = to.jobs.find(job.id);
   if (!view) return store_problem(view.errors());
   if (!*view) return not_found("job");
   const bool is_done = wait > 0 && has_ended((*view)->job.state);
   Answer answer = job_answer(is_done ? 200 : 202, **view);
-  if (wait > 0) answer.headers.emplace_back("Preference-Applied", "wait=" + std::to_string(wait));
+  if (is_done || has_waited)
+    answer.headers.emplace_back("Preference-Applied", "wait=" + std::to_string(wait));
   return answer;
 }
 
@@ -94,9 +98,9 @@ Errors check(const Valve& valve, const SearchOptions& options, const ServiceLimi
 Answer PostPlans::operator()(const Request& request) const {
   Valve valve;
   SearchOptions options;
-  if (auto refused =
-          read_body(request.body, {{"valve", valve_field(submitting.valves, valve)},
-                                   {"search", document(options, search_options_from_json), false}}))
+  if (auto refused = read_body(submitting.valves.parsing, request.body,
+                               {{"valve", valve_field(submitting.valves, valve)},
+                                {"search", document(options, search_options_from_json), false}}))
     return *std::move(refused);
   if (const Errors errors = check(valve, options, submitting.valves.limits, rings); !errors.empty())
     return problem(422, errors);
@@ -106,8 +110,9 @@ Answer PostPlans::operator()(const Request& request) const {
 Answer PostStudies::operator()(const Request& request) const {
   Valve valve;
   StudyRequest study;
-  if (auto refused = read_body(request.body, {{"valve", valve_field(submitting.valves, valve)},
-                                              {"study", into(study, read_study)}}))
+  if (auto refused = read_body(
+          submitting.valves.parsing, request.body,
+          {{"valve", valve_field(submitting.valves, valve)}, {"study", into(study, read_study)}}))
     return *std::move(refused);
   return submit(submitting, request, "study", valve, to_json(study));
 }

@@ -10,20 +10,28 @@
 namespace coapt {
 namespace {
 
-/// A valve that this service takes.
-Expected<Valve> taken_valve(const nlohmann::json& json, const ServiceLimits& limits) {
-  Expected<Valve> valve = valve_from_json(json);
-  if (!valve) return valve;
-  if (const Errors errors = check_size(*valve, limits); !errors.empty()) return errors;
-  return valve;
+struct Read {
+  Expected<Valve> valve;          ///< or why this service does not take it
+  std::optional<Answer> refusal;  ///< there is none to judge: no JSON, or too much of it at once
+};
+
+Read read_valve_body(const ValveSource& source, const Request& request) {
+  const Compute::Turn turn(source.parsing);
+  if (!turn) return {Valve{}, retry_later(503, "too many requests are read at once")};
+  const Expected<nlohmann::json> json = parse_json(request.body);
+  if (!json) return {Valve{}, problem(400, json.errors())};
+  Expected<Valve> valve = valve_from_json(*json);
+  if (valve)
+    if (const Errors errors = check_size(*valve, source.limits); !errors.empty())
+      return {errors, std::nullopt};
+  return {std::move(valve), std::nullopt};
 }
 
 }  // namespace
 
 Answer PostValve::operator()(const Request& request) const {
-  const Expected<nlohmann::json> json = parse_json(request.body);
-  if (!json) return problem(400, json.errors());
-  const Expected<Valve> valve = taken_valve(*json, limits);
+  const auto [valve, refusal] = read_valve_body(valves, request);
+  if (refusal) return *refusal;
   if (!valve) return problem(422, valve.errors());
   const std::string document = write_valve(*valve);
   const std::string id = content_id(document);
@@ -38,9 +46,8 @@ Answer PostValve::operator()(const Request& request) const {
 }
 
 Answer ValidateValve::operator()(const Request& request) const {
-  const Expected<nlohmann::json> json = parse_json(request.body);
-  if (!json) return problem(400, json.errors());
-  const Expected<Valve> valve = taken_valve(*json, limits);
+  const auto [valve, refusal] = read_valve_body(valves, request);
+  if (refusal) return *refusal;
   return json_answer(
       200, {{"valid", bool(valve)}, {"problems", to_json(valve ? Errors{} : valve.errors())}});
 }
@@ -54,6 +61,7 @@ Answer GetValve::operator()(const Request& request) const {
 
 Answer DeleteValve::operator()(const Request& request) const {
   const Expected<bool> removed = store.remove_valve(request.parameters.at(0));
+  known.remove(request.parameters.at(0));
   if (removed) return *removed ? Answer{204} : not_found("valve");
   const bool is_used = removed.errors().front().code == ErrorCode::BadReference;
   return is_used ? problem(409, removed.errors()) : store_problem(removed.errors());

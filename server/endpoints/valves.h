@@ -10,13 +10,13 @@ namespace coapt {
 /// POST /v1/valves, coapt.valve/1: stores it; its id is the hash of its content.
 struct PostValve {
   JobStore& store;
-  const ServiceLimits& limits;
+  ValveSource valves;
   Answer operator()(const Request& request) const;
 };
 
 /// POST /v1/valves:validate, the same body: every problem, nothing stored.
 struct ValidateValve {
-  const ServiceLimits& limits;
+  ValveSource valves;
   Answer operator()(const Request& request) const;
 };
 
@@ -29,6 +29,7 @@ struct GetValve {
 /// DELETE /v1/valves/{id}
 struct DeleteValve {
   JobStore& store;
+  ValveCache& known;
   Answer operator()(const Request& request) const;
 };
 

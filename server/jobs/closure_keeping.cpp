@@ -7,7 +7,6 @@
 namespace coapt {
 namespace {
 
-constexpr const char* kStops = "the server stops";
 constexpr int kMostStalled = 5;  // attempts in a row that a job may kill
 
 }  // namespace
@@ -21,7 +20,7 @@ Expected<Valve> valve_of(const JobStore& store, const Job& job) {
 
 std::optional<JobEnd> begin(JobBoard& board, RunningJob& job, std::int64_t known) {
   int stalled = 0;
-  if (!board.start(job, known, stalled)) throw std::runtime_error(kStops);
+  if (!board.start(job, known, stalled)) throw std::runtime_error(kJobStops);
   if (stalled < kMostStalled) return std::nullopt;
   return failed(job, {Error{ErrorCode::Unsupported, "",
                             "the server was ended " + std::to_string(stalled) +
@@ -30,7 +29,7 @@ std::optional<JobEnd> begin(JobBoard& board, RunningJob& job, std::int64_t known
 }
 
 void keep_closure(JobBoard& board, RunningJob& job, const std::function<Errors()>& keep) {
-  if (!board.persist(job, keep)) throw std::runtime_error(kStops);
+  if (!board.persist(job, keep)) throw std::runtime_error(kJobStops);
   if (job.job.cancel_requested) {
     job.cancel_asked = true;
     job.cancelled = true;

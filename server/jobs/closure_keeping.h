@@ -11,20 +11,22 @@
 
 namespace coapt {
 
+inline constexpr const char* kJobStops = "the job stops";
 inline constexpr const char* kHtmlType = "text/html; charset=utf-8";
 
-/// Opens a store of closures, however long that cannot be done. Throws if the server stops.
-template <class Store>
-Store open_closures(JobBoard& board, RunningJob& job, const std::string& path) {
-  std::optional<Store> store;
-  const bool is_open = board.persist(job, [&]() -> Errors {
-    Expected<Store> opened = Store::open(path);
-    if (!opened) return opened.errors();
-    store = *std::move(opened);
+/// What `read` answers, however long it cannot: a file that is locked, a disk that is full. Throws if the server stops,
+/// the job is cancelled, or it never will.
+template <class T, class Read>
+T retried(JobBoard& board, RunningJob& job, const Read& read) {
+  std::optional<T> value;
+  const bool is_there = board.persist(job, [&]() -> Errors {
+    Expected<T> answer = read();
+    if (!answer) return answer.errors();
+    value = *std::move(answer);
     return {};
   });
-  if (!is_open) throw std::runtime_error("the server stops");
-  return *std::move(store);
+  if (!is_there) throw std::runtime_error(kJobStops);
+  return *std::move(value);
 }
 
 Expected<Valve> valve_of(const JobStore& store, const Job& job);
@@ -34,7 +36,7 @@ Expected<Valve> valve_of(const JobStore& store, const Job& job);
 std::optional<JobEnd> begin(JobBoard& board, RunningJob& job, std::int64_t known);
 
 /// Calls `keep` until the closure is kept, however long a disk stays full. If a client asked for the job's end
-/// before it was started again, it ends here: with the first closure that is new. Throws if the server stops.
+/// before it was started again, it ends here: with the first closure that is new. Throws as retried().
 void keep_closure(JobBoard& board, RunningJob& job, const std::function<Errors()>& keep);
 
 }  // namespace coapt

@@ -1,13 +1,20 @@
 #include "server/jobs/job_board.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace coapt {
 namespace {
 
 using std::chrono::milliseconds;
 
+constexpr int kSuspendTries = 2;
 constexpr milliseconds kRetry(1000);  // between tries to write
+
+/// Whether the same call may succeed later.
+bool may_pass(ErrorCode code) {
+  return code == ErrorCode::Busy || code == ErrorCode::NoSpace || code == ErrorCode::InputOutput;
+}
 
 bool is_same(const Job& known, const NewJob& asked) {
   return known.kind == asked.kind && known.valve == asked.valve && known.request == asked.request;
@@ -63,7 +70,11 @@ JobView JobBoard::view(Job job) const {
     }
   }
   for (std::size_t i = 0; i < queue_.size(); ++i)
-    if (queue_[i] == view.job.id) view.queue_position = static_cast<int>(i);
+    if (queue_[i] == view.job.id) {
+      view.queue_position = static_cast<int>(i);
+      view.job.state =
+          JobState::Queued;  // a killed one is RUNNING in the store until it runs again
+    }
   if (view.progress.is_null() && !view.job.progress.empty())
     view.progress = nlohmann::ordered_json::parse(view.job.progress);
   return view;
@@ -87,10 +98,13 @@ Expected<bool> JobBoard::cancel(const std::string& id) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (const auto found = running_.find(id); found != running_.end()) running = found->second;
   }
-  if (running) {
+  if (running || (*job)->started_ms > 0) {
     if (Errors errors = store_.request_cancel(id); !errors.empty()) return errors;
+    if (!running) return true;  // its best so far is found when it is run again
     running->cancel_asked = true;
     running->cancelled = true;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    changed_.notify_all();
     return true;
   }
   const JobEnd end{JobState::Cancelled, (*job)->seconds, (*job)->progress, "", "", {}};
@@ -120,29 +134,32 @@ bool JobBoard::wait_until_ended(const std::string& id, milliseconds most) const 
 
 std::shared_ptr<RunningJob> JobBoard::take() {
   for (;;) {
-    std::string id;
     {
       std::unique_lock<std::mutex> lock(mutex_);
       changed_.wait(lock, [&] { return stopping_ || !queue_.empty(); });
       if (stopping_) return nullptr;
     }
-    const std::lock_guard<std::mutex> intake(intake_);
+    Expected<std::optional<Job>> job = std::optional<Job>();
     {
+      const std::lock_guard<std::mutex> intake(intake_);
+      std::string id;
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (queue_.empty()) continue;
+        id = queue_.front();
+      }
+      job = store_.job(id);
       const std::lock_guard<std::mutex> lock(mutex_);
-      if (queue_.empty()) continue;
-      id = queue_.front();
+      if (job) queue_.pop_front();
+      if (job && *job && !stopping_) {
+        const auto running = std::make_shared<RunningJob>(**std::move(job));
+        running_.emplace(id, running);
+        return running;
+      }
     }
-    Expected<std::optional<Job>> job = store_.job(id);
+    // It stays where it is, until the store can be read.
     std::unique_lock<std::mutex> lock(mutex_);
-    if (!job) {  // it stays where it is, until the store can be read
-      changed_.wait_for(lock, kRetry, [this] { return stopping_; });
-      continue;
-    }
-    queue_.pop_front();
-    if (!*job || stopping_) continue;
-    const auto running = std::make_shared<RunningJob>(**std::move(job));
-    running_.emplace(id, running);
-    return running;
+    if (!job) changed_.wait_for(lock, kRetry, [this] { return stopping_; });
   }
 }
 
@@ -151,8 +168,10 @@ bool JobBoard::persist(RunningJob& job, const std::function<Errors()>& write) {
     const Errors errors = write();
     job.wait_for(errors.empty() ? "" : errors.front().message);
     if (errors.empty()) return true;
+    if (!may_pass(errors.front().code)) throw std::runtime_error(errors.front().message);
     std::unique_lock<std::mutex> lock(mutex_);
-    if (changed_.wait_for(lock, kRetry, [&] { return stopping_; })) return false;
+    if (changed_.wait_for(lock, kRetry, [&] { return stopping_ || job.cancel_asked; }))
+      return false;
   }
 }
 
@@ -177,17 +196,35 @@ void JobBoard::tell_progress(const RunningJob& job) {
 
 bool JobBoard::finish(const std::shared_ptr<RunningJob>& job, const std::optional<JobEnd>& end) {
   const std::string& id = job->job.id;
-  bool kept = false;
-  if (end) {
-    kept = persist(*job, [&] { return store_.finish(id, *end, wall_clock_ms()); });
-  } else {
-    const std::string progress = to_json(job->progress(), job->seconds()).dump();
-    kept = store_.suspend(id, job->seconds(), progress).empty();
+  bool is_kept = false;
+  for (bool over = !end; !over;) {
+    const Errors errors = store_.finish(id, *end, wall_clock_ms());
+    job->wait_for(errors.empty() ? "" : errors.front().message);
+    is_kept = errors.empty();
+    std::unique_lock<std::mutex> lock(mutex_);
+    over = is_kept || !may_pass(errors.front().code) ||
+           changed_.wait_for(lock, kRetry, [&] { return stopping_; });
   }
+  if (!is_kept) suspend(*job);
   const std::lock_guard<std::mutex> lock(mutex_);
   running_.erase(id);
   changed_.notify_all();
-  return kept;
+  return is_kept;
+}
+
+void JobBoard::suspend(const RunningJob& job) {
+  const std::string progress = to_json(job.progress(), job.seconds()).dump();
+  for (int i = 0; i < kSuspendTries; ++i)
+    if (store_.suspend(job.job.id, job.seconds(), progress).empty()) return;
+}
+
+void JobBoard::suspend_all() {
+  std::vector<std::shared_ptr<RunningJob>> jobs;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto& [id, job] : running_) jobs.push_back(job);
+  }
+  for (const auto& job : jobs) suspend(*job);
 }
 
 void JobBoard::stop() {

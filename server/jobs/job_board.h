@@ -53,7 +53,8 @@ class JobBoard {
   Expected<std::optional<JobView>> find(const std::string& id) const;
   JobView view(Job job) const;
 
-  /// A waiting job is CANCELLED at once, a running one ends soon; an ended one stays as it is. False if there is
+  /// A job that was never started is CANCELLED at once, a running one ends soon, one that goes on later ends then; an
+  /// ended one stays as it is. False if there is
   /// no such job.
   Expected<bool> cancel(const std::string& id);
 
@@ -70,17 +71,23 @@ class JobBoard {
   bool start(RunningJob& job, std::int64_t kept, int& stalled);
   /// A progress event, if the store takes it.
   void tell_progress(const RunningJob& job);
-  /// Ended; without an end it is QUEUED again, for the next server. As start().
+  /// Ended; without an end, or if the server stops before the store takes it, it is QUEUED again, for the next server.
+  /// True if the end is kept.
   bool finish(const std::shared_ptr<RunningJob>& job, const std::optional<JobEnd>& end);
-  /// Calls `write` until it has no errors; meanwhile the job says what it waits for. False if the server stops before.
+  /// Calls `write` until it has no errors; meanwhile the job says what it waits for. False if the server stops or the
+  /// job is cancelled before. Throws (std::runtime_error) what will not pass: no disk, lock or file is its cause.
   bool persist(RunningJob& job, const std::function<Errors()>& write);
 
   /// No more jobs are taken; running ones are told to end.
   void stop();
   bool stopping() const;
+  /// Running jobs are QUEUED again in the store, for a process that ends without waiting for them.
+  void suspend_all();
   JobLoad load() const;
 
  private:
+  void suspend(const RunningJob& job);
+
   JobStore& store_;
   const int queue_limit_;
   std::mutex intake_;  // over every change of the queue, together with its place in the store

@@ -11,7 +11,7 @@ using nlohmann::ordered_json;
 ordered_json links_json(const Job& job) {
   const std::string self = "/v1/jobs/" + job.id;
   ordered_json links = {{"self", self}, {"events", self + "/events"}, {"cancel", self + ":cancel"}};
-  if (job.state != JobState::Succeeded && job.state != JobState::Cancelled) return links;
+  if (job.state == JobState::Failed || job.summary.empty()) return links;  // no results
   links["result"] = self + "/result";
   if (job.kind == "plans") links["plans"] = self + "/plans";
   links["report"] = self + "/report";
@@ -49,10 +49,9 @@ ordered_json to_json(const JobView& view, bool results) {
       {"problems", ordered_json::array()}};
   if (!view.waiting_for.empty()) json["waiting_for"] = view.waiting_for;
   if (view.queue_position) json["queue_position"] = *view.queue_position;
-  if (results) {
-    if (job.kind == "plans") json["plans"] = nullptr;
-    if (!job.summary.empty()) json.update(ordered_json::parse(job.summary));
-  }
+  if (results && job.kind == "plans") json["plans"] = nullptr;
+  if (!job.summary.empty() && (results || job.state == JobState::Failed))
+    json.update(ordered_json::parse(job.summary));
   json["links"] = links_json(job);
   return json;
 }

@@ -25,7 +25,7 @@ class JobRunner {
 
  private:
   void run();
-  void run_one(const std::shared_ptr<RunningJob>& job);
+  std::optional<JobEnd> run_one(RunningJob& job) const;
   std::optional<JobEnd> end_of(RunningJob& job) const;
 
   JobBoard& board_;

@@ -1,7 +1,7 @@
 #include "server/jobs/plan_job.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <thread>
 
 #include "io/json/json_reader.h"
 #include "io/json/plans_json.h"
@@ -21,12 +21,13 @@ constexpr double kLeastSeconds = 5.0;  // of a job that goes on: to take its clo
 
 /// As asked, within what the service gives; less what earlier attempts took.
 SearchOptions granted(SearchOptions options, const ServiceLimits& limits, double spent_s) {
-  if (limits.threads > 0)
-    options.threads =
-        options.threads > 0 ? std::min(options.threads, limits.threads) : limits.threads;
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = limits.threads > 0 ? limits.threads : cores;
+  options.threads = options.threads > 0 ? std::min(options.threads, threads) : threads;
   const double most =
       options.seconds > 0.0 ? std::min(options.seconds, limits.seconds) : limits.seconds;
-  options.seconds = spent_s > 0.0 ? std::max(most - spent_s, std::min(most, kLeastSeconds)) : most;
+  options.seconds =
+      spent_s > kLeastSeconds ? std::max(most - spent_s, std::min(most, kLeastSeconds)) : most;
   return options;
 }
 
@@ -39,13 +40,15 @@ ordered_json summary_of(const ordered_json& plan) {
   return summary;
 }
 
+/// Fewer if it is stopped.
 std::vector<JobFile> reports_of(const Valve& valve, const SearchResult& result,
-                                const SearchRequest& request) {
+                                const SearchRequest& request,
+                                const std::function<bool()>& stopped) {
   const PlanPictures pictures = close_for_report(valve, result, request.options.closure);
   std::vector<JobFile> files = {
       {"report.html", kHtmlType,
        plan_report_html({pictures.before, pictures.after, result, request})}};
-  for (std::size_t i = 0; i < result.plans.size(); ++i) {
+  for (std::size_t i = 0; i < result.plans.size() && !stopped(); ++i) {
     SearchResult one = result;
     one.plans = {result.plans[i]};
     files.push_back({"plan-" + std::to_string(result.plans[i].rank) + ".html", kHtmlType,
@@ -57,35 +60,36 @@ std::vector<JobFile> reports_of(const Valve& valve, const SearchResult& result,
 }  // namespace
 
 std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
-  const Expected<Valve> valve = valve_of(store, job.job);
-  if (!valve) return failed(job, valve.errors());
+  const Valve valve = retried<Valve>(board, job, [&] { return valve_of(store, job.job); });
   const Expected<nlohmann::json> request = parse_json(job.job.request);
   if (!request) return failed(job, request.errors());
   const Expected<SearchOptions> asked = search_options_from_json(*request);
   if (!asked) return failed(job, asked.errors());
-  const SearchOptions options = granted(*asked, limits, job.job.seconds);
+  const SearchOptions options = granted(*asked, limits, job.seconds());
 
-  PlanStore kept = open_closures<PlanStore>(board, job, closures);
-  const std::string subject = plan_subject_of(*valve, options.closure);
-  Expected<KnownPlans> known = kept.read(subject);
-  if (!known) return failed(job, known.errors());
+  auto kept = retried<PlanStore>(board, job, [&] { return PlanStore::open(closures); });
+  const std::string subject = plan_subject_of(valve, options.closure);
+  auto known = retried<KnownPlans>(board, job, [&] { return kept.read(subject); });
   std::int64_t count = 0;
-  for (const auto& [key, of_plan] : *known) count += std::ssize(of_plan);
+  for (const auto& [key, of_plan] : known) count += std::ssize(of_plan);
   if (const std::optional<JobEnd> end = begin(board, job, count)) return end;
 
   SearchContext context{.catalogue = rings, .cancelled = &job.cancelled};
-  context.known = std::move(*known);
+  context.known = std::move(known);
   context.keep = [&](const std::string& key, int disturbance, const PlanClosure& closure) {
     keep_closure(board, job, [&] { return kept.keep(subject, key, disturbance, closure); });
   };
   context.progress = [&](const SearchProgress& now) {
     job.note({now.stage, now.closures, now.closures_planned, now.best_leak_mm2});
   };
-  const Expected<SearchResult> result = search_plans(*valve, options, context);
+  const double waited = job.waited_s();
+  const Expected<SearchResult> result = search_plans(valve, options, context);
   if (!result) return failed(job, result.errors());
   if (result->stop == SearchStop::Cancelled && !job.cancel_asked) return std::nullopt;
+  // The search's clock went on while the disk was full: what it has closed is known now.
+  if (result->stop == SearchStop::TimeLimit && job.waited_s() > waited) return (*this)(job);
 
-  const SearchRequest reproduce{*asked, subject_of(*valve, asked->closure), ""};
+  const SearchRequest reproduce{*asked, subject_of(valve, asked->closure), ""};
   const ordered_json json = to_json(*result, reproduce);
   ordered_json plans = ordered_json::array();
   for (const ordered_json& plan : json["plans"]) plans.push_back(summary_of(plan));
@@ -96,7 +100,8 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
                              {"plans", std::move(plans)}}
                     .dump();
   end.result = json.dump();
-  end.files = reports_of(*valve, *result, reproduce);
+  end.files = reports_of(valve, *result, reproduce, [this] { return board.stopping(); });
+  if (end.files.size() <= result->plans.size()) return std::nullopt;
   return end;
 }
 

@@ -14,6 +14,9 @@ JobProgress RunningJob::progress() const {
 
 void RunningJob::wait_for(const std::string& what) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const auto now = std::chrono::steady_clock::now();
+  if (!waiting_for_.empty()) waited_ += now - waiting_since_;
+  waiting_since_ = now;
   waiting_for_ = what;
 }
 
@@ -22,9 +25,16 @@ std::string RunningJob::waiting_for() const {
   return waiting_for_;
 }
 
+double RunningJob::waited_s() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (waiting_for_.empty()) return waited_.count();
+  const std::chrono::duration<double> now = std::chrono::steady_clock::now() - waiting_since_;
+  return (waited_ + now).count();
+}
+
 double RunningJob::seconds() const {
   const std::chrono::duration<double> now = std::chrono::steady_clock::now() - started_;
-  return job.seconds + now.count();
+  return job.seconds + now.count() - waited_s();
 }
 
 nlohmann::ordered_json to_json(const JobProgress& progress, double seconds) {

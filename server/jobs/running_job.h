@@ -31,7 +31,9 @@ class RunningJob {
   /// Why it stands still, in words; empty: it does not.
   void wait_for(const std::string& what);
   std::string waiting_for() const;
-  /// Of running, over all attempts.
+  /// That it stood still, in this attempt.
+  double waited_s() const;
+  /// Of running, over all attempts, without standing still.
   double seconds() const;
 
  private:
@@ -39,6 +41,8 @@ class RunningJob {
   mutable std::mutex mutex_;
   JobProgress progress_;
   std::string waiting_for_;
+  std::chrono::steady_clock::time_point waiting_since_;
+  std::chrono::duration<double> waited_{0.0};  // but for now
 };
 
 /// {"stage", "evaluations", "evaluations_planned", "best_leak_mm2", "seconds"}

@@ -40,8 +40,7 @@ JobEnd end_of(const RunningJob& job, StudyKind kind, StudyReport report,
 }  // namespace
 
 std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
-  const Expected<Valve> valve = valve_of(store, job.job);
-  if (!valve) return failed(job, valve.errors());
+  const Valve valve = retried<Valve>(board, job, [&] { return valve_of(store, job.job); });
   const Expected<nlohmann::json> json = parse_json(job.job.request);
   if (!json) return failed(job, json.errors());
   ProblemList problems;
@@ -51,17 +50,19 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
   OrificeTableOptions options;
   options.closure = thesis_closure();
   options.threads = limits.threads;
-  ClosureStore kept = open_closures<ClosureStore>(board, job, closures);
-  const std::string subject = subject_of(*valve, options.closure);
-  Expected<KnownOrifices> known = kept.read(subject);
-  if (!known) return failed(job, known.errors());
-  if (std::optional<JobEnd> end = begin(board, job, std::ssize(*known))) return end;
+  auto kept = retried<ClosureStore>(board, job, [&] { return ClosureStore::open(closures); });
+  const std::string subject = subject_of(valve, options.closure);
+  auto known = retried<KnownOrifices>(board, job, [&] { return kept.read(subject); });
+  if (std::optional<JobEnd> end = begin(board, job, std::ssize(known))) return end;
 
-  options.known = std::move(*known);
-  options.keep = [&](const ConfigurationKey& key, const OrificeSample& sample) {
-    keep_closure(board, job, [&] { return kept.keep(subject, key, sample); });
+  options.known = std::move(known);
+  const auto go_on = [&] {
     if (job.cancelled) throw StudyStopped("cancelled");
     if (job.seconds() > limits.seconds) throw StudyStopped("out of time");
+  };
+  options.keep = [&](const ConfigurationKey& key, const OrificeSample& sample) {
+    keep_closure(board, job, [&] { return kept.keep(subject, key, sample); });
+    go_on();
   };
   JobProgress progress{.stage = to_string(request.kind)};
   options.progress = [&](int done, int planned) {
@@ -72,9 +73,10 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
   request.options.stage = [&](const std::string& stage) {
     progress = {stage, 0, 0};
     job.note(progress);
+    go_on();
   };
   try {
-    OrificeTable table(*valve, std::move(options));
+    OrificeTable table(valve, std::move(options));
     return end_of(job, request.kind, run_study(request.kind, table, request.options), table);
   } catch (const StudyStopped&) {
     if (job.cancel_asked) return ended(job, JobState::Cancelled);

@@ -60,9 +60,10 @@ struct Bench {
   ServiceLimits limits = small_limits();
   JobStore store = must(JobStore::open((folder.path / "jobs.sqlite").string()));
   JobBoard jobs{store, limits.queue};
-  Compute compute;
+  ValveCache known;
+  Compute parsing, compute;
   Metrics metrics;
-  Service service{limits,  ring_catalogue(),         store, jobs, compute,
+  Service service{limits,  ring_catalogue(),         store, jobs, known, parsing, compute,
                   metrics, [] { return HttpLoad{}; }};
   Routes routes = routes_of(service);
 

@@ -99,7 +99,7 @@ TEST_F(BoardTest, WhatAStoppedServerLeavesTheNextOneTakesInOrder) {
   board().stop();
   EXPECT_TRUE(job->cancelled);
   EXPECT_FALSE(job->cancel_asked);
-  EXPECT_TRUE(board().finish(job, std::nullopt));
+  EXPECT_FALSE(board().finish(job, std::nullopt));
   EXPECT_EQ(state("a"), JobState::Queued);
   EXPECT_EQ(board().take(), nullptr);
   EXPECT_EQ(submit("c").taken, Taken::Stopping);
@@ -147,7 +147,37 @@ TEST_F(BoardTest, WhatCannotBeWrittenIsTriedAgainUntilItCanOrTheServerStops) {
   EXPECT_EQ(tries, 2);
   EXPECT_EQ(job->waiting_for(), "");
   board().stop();
-  EXPECT_FALSE(board().persist(*job, [] { return Errors{Error{}}; }));
+  EXPECT_FALSE(board().persist(*job, [] { return Errors{Error{ErrorCode::Busy, "", ""}}; }));
+}
+
+TEST_F(BoardTest, WhatWillNeverBeWrittenIsNotTriedAgain) {
+  submit("a");
+  const auto job = board().take();
+  const auto refuse = [] { return Errors{Error{ErrorCode::Unsupported, "", "no store"}}; };
+  EXPECT_THROW(board().persist(*job, refuse), std::runtime_error);
+}
+
+TEST_F(BoardTest, TimeThatAJobStandsStillIsNotOfItsRunning) {
+  submit("a");
+  const auto job = board().take();
+  job->wait_for("the disk");
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_GE(job->waited_s(), 0.2);
+  const double before = job->seconds();
+  job->wait_for("");
+  EXPECT_GE(job->waited_s(), 0.2);
+  EXPECT_LT(before, job->waited_s() + job->seconds());
+}
+
+TEST_F(BoardTest, AJobThatWasStartedAndWaitsToGoOnIsCancelledWithItsBestWhenItRunsAgain) {
+  submit("a");
+  int stalled = 0;
+  ASSERT_TRUE(board().start(*board().take(), 5, stalled));
+  open();  // as after kill -9
+  EXPECT_EQ(state("a"), JobState::Queued);
+  EXPECT_TRUE(*board().cancel("a"));
+  EXPECT_EQ(state("a"), JobState::Queued);
+  EXPECT_TRUE(board().take()->job.cancel_requested);
 }
 
 TEST_F(BoardTest, WaitingForTheEndOfAJobTakesNoLongerThanAsked) {
