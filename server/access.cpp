@@ -58,11 +58,6 @@ bool has_token(const std::string& token, const Request& request) {
   return same(token, given);
 }
 
-std::string header(const Request& request, const char* name) {
-  const auto found = request.headers.find(name);
-  return found == request.headers.end() ? "" : found->second;
-}
-
 Error unfit(const std::string& path, ErrorCode code, const std::string& why) {
   return {code, "", "token file " + path + ": " + why};
 }

@@ -17,6 +17,8 @@ Answer retry_later(int status, const std::string& why) {
   return problem(status, ErrorCode::Busy, why);
 }
 
+Answer too_busy() { return retry_later(503, "all cores are busy with other closures"); }
+
 Answer not_found(const std::string& what) {
   return problem(404, ErrorCode::BadReference, "there is no such " + what);
 }

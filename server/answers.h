@@ -9,6 +9,8 @@ namespace coapt {
 Answer store_problem(const Errors& errors);
 /// 429 or 503: with Retry-After, as every such answer.
 Answer retry_later(int status, const std::string& why);
+/// 503: no turn could be had (compute.h).
+Answer too_busy();
 Answer not_found(const std::string& what);
 
 }  // namespace coapt

@@ -39,4 +39,9 @@ Found find_route(const Routes& routes, const Request& request) {
   return {nullptr, {}, std::move(refusal)};
 }
 
+std::string header(const Request& request, const std::string& name) {
+  const auto found = request.headers.find(name);
+  return found == request.headers.end() ? "" : found->second;
+}
+
 }  // namespace coapt

@@ -21,6 +21,9 @@ struct Request {
   std::vector<std::string> parameters;  ///< what the {...} of the route matched, in order
 };
 
+/// The value of a header; empty if it is not there. @param name in lower case
+std::string header(const Request& request, const std::string& name);
+
 /// From a request to its answer; from many threads at once.
 using Endpoint = std::function<Answer(const Request&)>;
 

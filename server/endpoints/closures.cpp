@@ -25,7 +25,6 @@ std::vector<RepairPlan> read_plans(const JsonPlace& place) {
 
 constexpr double kUsualTriangles = 650.0;
 constexpr double kMostSeconds = 60.0;  // of an evaluation: it is waited for
-constexpr const char* kBusy = "all cores are busy with other closures";
 
 /// How much a closure costs against one of a valve of the usual size, roughly.
 double size_of(const Valve& valve) {
@@ -67,7 +66,7 @@ Answer PostClosures::operator()(const Request& request) const {
     return problem(422, std::move(problems).take());
   }
   const Compute::Turn turn(compute);
-  if (!turn) return retry_later(503, kBusy);
+  if (!turn) return too_busy();
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(*repaired, {.samples = kThesisSamples});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -105,7 +104,7 @@ Answer PostEvaluations::operator()(const Request& request) const {
   std::vector<NamedPlan> named;
   for (const RepairPlan& plan : plans) named.push_back({"", plan});
   const Compute::Turn turn(compute);
-  if (!turn) return retry_later(503, kBusy);
+  if (!turn) return too_busy();
   const Expected<SearchResult> result = evaluate_plans(valve, named, options, {.catalogue = rings});
   if (!result) return problem(422, result.errors());
   if (result->stop == SearchStop::TimeLimit)

@@ -137,7 +137,7 @@ Answer GetPlanMesh::operator()(const Request& request) const {
   const Repair repair = repair_of(store, request, rings);
   if (repair.refusal) return *repair.refusal;
   const Compute::Turn turn(compute);
-  if (!turn) return retry_later(503, "all cores are busy with other closures");
+  if (!turn) return too_busy();
   const ClosureResult closure = close_valve(repair.after);
   const Expected<std::string> mesh =
       write_mesh(leaflet_mesh(repair.after, closure.closed_mm), format);
@@ -149,7 +149,7 @@ Answer GetPlanPicture::operator()(const Request& request) const {
   const Repair repair = repair_of(store, request, rings);
   if (repair.refusal) return *repair.refusal;
   const Compute::Turn turn(compute);
-  if (!turn) return retry_later(503, "all cores are busy with other closures");
+  if (!turn) return too_busy();
   return {200, Content{"image/png",
                        comparison_picture_png(closed(repair.before), closed(repair.after))}};
 }

@@ -15,11 +15,6 @@ namespace {
 
 constexpr std::size_t kLongestKey = 255;
 
-std::string header(const Request& request, const std::string& name) {
-  const auto found = request.headers.find(name);
-  return found == request.headers.end() ? "" : found->second;
-}
-
 /// The N of "wait=N" in a Prefer header (RFC 7240), 0 if there is none.
 int preferred_wait(const std::string& prefer) {
   const std::size_t at = prefer.find("wait=");
