@@ -88,6 +88,7 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
   plain.longest_move_mm *= options.speed;
   plain.contact = contact;
   plain.samples = options.samples;
+  plain.motion = options.motion;
   RelaxationSettings edges = plain;
   edges.contact.edges = true;
   RelaxationSettings slow = edges;
@@ -211,6 +212,7 @@ ClosureResult close_valve(const Valve& valve, const ClosureOptions& options,
   result.guarded_faces = std::move(best.guarded_faces);
   result.closed_mm = best.x_mm.topRows(model.vertices);
   result.samples_mm = std::move(best.samples_mm);
+  result.motion_mm = std::move(best.motion_mm);
   if (result.samples_mm.empty()) result.samples_mm.push_back(result.closed_mm);
   read_chordae(valve, model, best.x_mm, result);
   return result;

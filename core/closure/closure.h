@@ -34,6 +34,7 @@ struct ClosureOptions {
   bool edge_contact = false;    ///< in the first attempt already (always from the open state);
                                 ///< else only where leaflets would cross
   SelfContact self_contact = SelfContact::All;
+  bool motion = false;  ///< Fast: keep the states on the way (ClosureResult::motion_mm)
 };
 
 /// One rung of the ladder that close_valve climbs until a closure is converged and uncrossed.
@@ -52,6 +53,10 @@ struct ClosureResult {
   ClosureStatus status = ClosureStatus::StepLimit;
   Points closed_mm;                ///< |V| x 3, order of Valve::rest_mm
   std::vector<Points> samples_mm;  ///< end states, the first equals closed_mm; at least one
+  /// Where asked for: from where the attempt started to closed_mm, 15 steps apart. Rows: the vertices, the branch points
+  /// (in the order of chordae and of their segments that do not insert), the heads. The way to rest is
+  /// not that of real time.
+  std::vector<Points> motion_mm;
   std::vector<std::vector<double>> tension_n;  ///< [chorda][segment], >= 0
   std::vector<Points> branch_points_mm;        ///< [chorda]: one row per segment: its far end
   double residual = 0.0;

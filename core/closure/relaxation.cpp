@@ -104,6 +104,9 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
   const double fixed_move = longest_way / travel;
   ClosureRun run;
   Progress now{0, start_mm, 0.0};
+  if (settings.motion) run.motion_mm = start ? start->motion_mm : std::vector<Points>{};
+  if (settings.motion && run.motion_mm.empty()) run.motion_mm.push_back(start_mm);
+  const std::size_t came_from = run.motion_mm.size();
   std::vector<Moment<R>> moments{{valve.moment(), now, 0}};
   const bool guarded = settings.guards && !settings.contact.edges;
   int times_back = 0;
@@ -125,6 +128,8 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
     ++moments.back().returns;
     valve.return_to(moments.back().valve);
     now = moments.back().progress;
+    if (settings.motion)
+      run.motion_mm.resize(came_from + static_cast<std::size_t>(now.step / kWindow_steps));
     run.residual = std::numeric_limits<double>::infinity();  // until the next step
     return true;
   };
@@ -148,6 +153,7 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
       run.status = ClosureStatus::Diverged;
       break;
     }
+    if (settings.motion) run.motion_mm.push_back(x);
     const double way =
         std::sqrt((x - now.before).topRows(model.vertices).squaredNorm() / model.vertices);
     const double shrink =
@@ -160,6 +166,7 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
               left <= settings.way_tolerance_mm;
   }
   run.x_mm = valve.positions();
+  if (settings.motion) run.motion_mm.push_back(run.x_mm);
   run.guarded_faces = guards.faces();
   if (lost(run.x_mm) || std::isnan(run.residual)) run.status = ClosureStatus::Diverged;
   if (run.status != ClosureStatus::Diverged)

@@ -28,8 +28,9 @@ struct RelaxationSettings {
   /// damping take a little more. Less is a longer step, without guarantee.
   double mass_share = 0.55;
   ContactLaw contact;
-  bool guards = true;  ///< see above; without, crossings are only reported
-  int samples = 1;     ///< end states recorded, five steps apart
+  bool guards = true;   ///< see above; without, crossings are only reported
+  int samples = 1;      ///< end states recorded, five steps apart
+  bool motion = false;  ///< record states on the way, 15 steps apart
   kernels::InstructionSet instructions = kernels::best_instruction_set();
 };
 

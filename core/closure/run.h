@@ -11,6 +11,8 @@ struct ClosureRun {
   ClosureStatus status = ClosureStatus::StepLimit;
   Points x_mm;                     ///< |N| x 3, all nodes, order of ClosureModel
   std::vector<Points> samples_mm;  ///< |V| x 3 each: end states; empty unless converged
+  std::vector<Points>
+      motion_mm;  ///< |N| x 3 each: states on the way, start and end included, where asked for
   double residual = 0.0;
   int steps = 0;
   int crossing_pairs = 0;  ///< of faces, that pass through each other at the end, unless diverged

@@ -185,6 +185,26 @@ TEST(Closure, SamplesStayCloseOnceTheValveIsAtRest) {
     EXPECT_LT((sample - closed.closed_mm).rowwise().norm().maxCoeff(), 0.1);
 }
 
+TEST(Closure, KeepsItsWayFromTheOpenToTheClosedStateWithoutAJumpAndWithoutChangingIt) {
+  for (const char* name : {"human-normal", "porcine-1", "human-p2-prolapse"}) {
+    const Valve valve = *make_preset(name);
+    const ClosureResult plain = close_valve(valve);
+    const ClosureResult kept = close_valve(valve, {.motion = true});
+    EXPECT_TRUE(plain.motion_mm.empty());
+    EXPECT_EQ(plain.closed_mm, kept.closed_mm);
+    EXPECT_EQ(plain.steps, kept.steps);
+    const auto vertices = valve.rest_mm.rows();
+    ASSERT_GT(kept.motion_mm.size(), 10u);
+    EXPECT_EQ(kept.motion_mm.front().topRows(vertices), valve.rest_mm);
+    EXPECT_EQ(kept.motion_mm.back().topRows(vertices), kept.closed_mm);
+    constexpr double kFarthest_mm = 15 * 0.15;  // in 15 steps
+    for (std::size_t i = 1; i < kept.motion_mm.size(); ++i) {
+      const Points way = (kept.motion_mm[i] - kept.motion_mm[i - 1]).topRows(vertices);
+      EXPECT_LT(way.rowwise().norm().maxCoeff(), 1.001 * kFarthest_mm) << name << ' ' << i;
+    }
+  }
+}
+
 TEST(Closure, ThatRunsOutOfStepsSaysSo) {
   ClosureOptions options;
   options.max_steps = 100;
