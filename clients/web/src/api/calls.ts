@@ -1,0 +1,38 @@
+// What the page asks of the service.
+import { getJson, postJson } from './http'
+import type { Evaluations, Plan, Problem, Rings, Scene, ValveDocument } from './types'
+
+/// `valve`: a preset's name or a stored valve's id. `frames`: states of the closing, at most.
+export function drawScene(valve: string, plan: Plan | null, frames: number, signal?: AbortSignal): Promise<Scene> {
+  return postJson('/v1/scenes', { valve, frames, ...(plan ? { plan } : {}) }, signal)
+}
+
+export async function presets(): Promise<string[]> {
+  const { presets } = await getJson<{ presets: { name: string }[] }>('/v1/presets')
+  return presets.map((preset) => preset.name)
+}
+
+export function rings(): Promise<Rings> {
+  return getJson('/v1/rings')
+}
+
+export function preset(name: string): Promise<ValveDocument> {
+  return getJson(`/v1/presets/${encodeURIComponent(name)}`)
+}
+
+/// The id of a valve given as the text of its file.
+export async function storeValve(text: string): Promise<string> {
+  return (await postJson<{ id: string }>('/v1/valves', text)).id
+}
+
+export async function problemsOfValve(text: string): Promise<Problem[]> {
+  return (await postJson<{ problems: Problem[] }>('/v1/valves:validate', text)).problems
+}
+
+export function evaluate(valve: string, plans: Plan[], region_points: number): Promise<Evaluations> {
+  return postJson('/v1/evaluations', { valve, plans, region_points })
+}
+
+export function version(): Promise<{ version: string; not_modelled: string[] }> {
+  return getJson('/version')
+}

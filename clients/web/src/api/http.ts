@@ -1,0 +1,69 @@
+// Requests to the service. The token, where it asks for one, is kept for this tab alone.
+import type { Problem } from './types'
+
+const TOKEN = 'coapt-token'
+
+/// What the service says against a request; `problems` point into what was sent.
+export class ApiError extends Error {
+  constructor(
+    readonly status: number,
+    message: string,
+    readonly problems: Problem[],
+  ) {
+    super(message)
+  }
+}
+
+/// Asked for a token; null if the person gives none. Set once by the page.
+let askForToken: () => Promise<string | null> = () => Promise.resolve(null)
+export function onTokenNeeded(ask: typeof askForToken): void {
+  askForToken = ask
+}
+
+export function hasToken(): boolean {
+  return sessionStorage.getItem(TOKEN) !== null
+}
+
+export async function request(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
+  const headers: Record<string, string> = {}
+  const token = sessionStorage.getItem(TOKEN)
+  if (token !== null) headers['Authorization'] = `Bearer ${token}`
+  if (body !== undefined) headers['Content-Type'] = 'application/json'
+  const response = await fetch(path, {
+    method,
+    headers,
+    ...(body === undefined ? {} : { body: typeof body === 'string' ? body : JSON.stringify(body) }),
+    ...(signal ? { signal } : {}),
+  })
+  if (response.ok) return response
+  if (response.status === 401) {
+    const given = await askForToken()
+    if (given !== null) {
+      sessionStorage.setItem(TOKEN, given)
+      return request(method, path, body, signal)
+    }
+  }
+  throw await errorOf(response)
+}
+
+async function errorOf(response: Response): Promise<ApiError> {
+  try {
+    const problem = (await response.json()) as { detail?: string; title?: string; problems?: Problem[] }
+    return new ApiError(response.status, problem.detail ?? problem.title ?? '', problem.problems ?? [])
+  } catch {
+    return new ApiError(response.status, `the service answered ${response.status}`, [])
+  }
+}
+
+export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T> {
+  return (await (await request('GET', path, undefined, signal)).json()) as T
+}
+
+/// `body`: a value, or JSON as text.
+export async function postJson<T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> {
+  return (await (await request('POST', path, body, signal)).json()) as T
+}
+
+export async function getBlob(path: string): Promise<Blob> {
+  return (await request('GET', path)).blob()
+}
