@@ -1,0 +1,136 @@
+// The controls of one step. `change` gets the step as it is set; `passing` while a slider is dragged.
+import type { LeafletPoint, Rings, Scene, Step } from '../api/types'
+import { button, field, h, select } from '../dom'
+import { withUnit } from '../format'
+import { ANCHORS, CHANGE_MM, NEOCHORDA_MM, newApproximation, sutureRange, type Approximation } from './steps'
+
+export interface StepContext {
+  scene: Scene // the valve before the repair
+  rings: Rings
+  change(step: Step, passing: boolean): void
+  pickInsertion(use: (point: LeafletPoint) => void): void
+  pickAnchor(use: (around: number) => void): void
+}
+
+export function stepForm(step: Step, context: StepContext): HTMLElement {
+  switch (step.step) {
+    case 'annuloplasty':
+      return ringForm(step, context)
+    case 'papillary_approximation':
+      return approximationForm(step, context)
+    case 'neochorda':
+      return h(
+        'div',
+        {},
+        slider('Length', step.length_mm, NEOCHORDA_MM, 'mm', (length_mm, passing) => context.change({ ...step, length_mm }, passing)),
+        headField(step.head, context, (head) => context.change({ ...step, head }, false)),
+        insertionFields(step.insertion, context, (insertion, passing) => context.change({ ...step, insertion }, passing)),
+      )
+    case 'chordal_length_change':
+      return slider('Change of length', step.change_mm, CHANGE_MM, 'mm', (change_mm, passing) =>
+        context.change({ ...step, change_mm }, passing),
+      )
+    case 'chordal_excision':
+      return h('p', { class: 'hint' }, 'It carries nothing any more.')
+    case 'chordal_transfer':
+      return insertionFields(step.insertion, context, (insertion, passing) => context.change({ ...step, insertion }, passing))
+  }
+}
+
+function ringForm(step: Extract<Step, { step: 'annuloplasty' }>, context: StepContext): HTMLElement {
+  const { rings, sizes_mm } = context.rings
+  const shapes = [['own', 'own shape'] as const, ...rings.map(({ name }) => [name, name] as const)]
+  const usual = 2 * Math.round(context.scene.closure.annulus.al_pm_mm / 2) - 4
+  const choose = (shape: string): void => {
+    const size_mm = Math.min(Math.max(usual, sizes_mm.min), sizes_mm.max)
+    context.change(shape === 'own' ? { step: 'annuloplasty', shape, sizes_below: 2 } : { step: 'annuloplasty', shape, size_mm }, false)
+  }
+  const note = rings.find(({ name }) => name === step.shape)?.note
+  const size =
+    step.shape === 'own'
+      ? slider('Sizes below', step.sizes_below ?? 0, { min: 0, max: 6, step: 1 }, '', (sizes_below, passing) =>
+          context.change({ step: 'annuloplasty', shape: 'own', sizes_below }, passing),
+        )
+      : slider('Size', step.size_mm ?? sizes_mm.min, sizes_mm, 'mm', (size_mm, passing) =>
+          context.change({ step: 'annuloplasty', shape: step.shape, size_mm }, passing),
+        )
+  return h('div', {}, field('Shape', select(shapes, step.shape, choose)), size, note && h('p', { class: 'hint' }, note))
+}
+
+function approximationForm(step: Approximation, context: StepContext): HTMLElement {
+  const { scene } = context
+  const choose = (anchor: string): void =>
+    context.change(newApproximation(scene, step.side, anchor as Approximation['anchor'], step.annulus_around), false)
+  const around =
+    step.anchor === 'annulus_point' &&
+    h(
+      'div',
+      {},
+      slider('Place', 360 * (step.annulus_around ?? 0), { min: 0, max: 360, step: 2 }, '°', (degrees, passing) =>
+        context.change(within(scene, { ...step, annulus_around: degrees / 360 }), passing),
+      ),
+      h('p', { class: 'hint' }, '0° posteromedial commissure, 90° saddle peak, 180° anterolateral commissure, 270° mid-posterior.'),
+      button('Pick it on the annulus', () =>
+        context.pickAnchor((annulus_around) => context.change(within(scene, { ...step, annulus_around }), false)),
+      ),
+    )
+  return h(
+    'div',
+    {},
+    field('Anchor', select(ANCHORS, step.anchor, choose)),
+    around,
+    slider('Suture', step.suture_length_mm, sutureRange(scene, step), 'mm', (suture_length_mm, passing) =>
+      context.change({ ...step, suture_length_mm }, passing),
+    ),
+  )
+}
+
+/// With the suture's length inside what its anchor allows.
+function within(scene: Scene, step: Approximation): Approximation {
+  const { min, max } = sutureRange(scene, step)
+  return { ...step, suture_length_mm: Math.min(Math.max(step.suture_length_mm, min), max) }
+}
+
+export function headField(head: string, { scene }: StepContext, choose: (head: string) => void): HTMLElement {
+  return field('Papillary head', select(scene.heads.map(({ id }) => [id, id] as const), head, choose))
+}
+
+function insertionFields(
+  point: LeafletPoint,
+  context: StepContext,
+  change: (point: LeafletPoint, passing: boolean) => void,
+): HTMLElement {
+  const leaflets = [['anterior', 'Anterior'], ['posterior', 'Posterior']] as const
+  const share = { min: 0, max: 1, step: 0.01 }
+  return h(
+    'div',
+    {},
+    field('Leaflet', select(leaflets, point.leaflet, (leaflet) => change({ ...point, leaflet: leaflet as LeafletPoint['leaflet'] }, false))),
+    slider('Along (AL to PM)', point.along, share, '', (along, passing) => change({ ...point, along }, passing)),
+    slider('Height (to free edge)', point.height, share, '', (height, passing) => change({ ...point, height }, passing)),
+    button('Pick it on the leaflet', () => context.pickInsertion((picked) => change(picked, false))),
+  )
+}
+
+/// `set` with passing true on each move, false when it is let go.
+function slider(
+  label: string,
+  value: number,
+  range: { min: number; max: number; step: number },
+  unit: string,
+  set: (value: number, passing: boolean) => void,
+): HTMLElement {
+  const digits = range.step < 0.1 ? 2 : range.step < 1 ? 1 : 0
+  const shown = h('output', { class: 'unit' }, withUnit(value, unit, digits))
+  const input = h('input', {
+    type: 'range',
+    ...range,
+    value,
+    oninput: () => {
+      shown.textContent = withUnit(Number(input.value), unit, digits)
+      set(Number(input.value), true)
+    },
+    onchange: () => set(Number(input.value), false),
+  })
+  return h('label', { class: 'field' }, h('span', {}, label), input, shown)
+}

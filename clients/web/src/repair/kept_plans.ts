@@ -1,0 +1,116 @@
+// Plans that were kept: loaded, saved, scored over small errors of execution, taken up again.
+import { evaluate } from '../api/calls'
+import type { Plan, RankedPlan, Step } from '../api/types'
+import { button, download, h } from '../dom'
+import { number, percent, withUnit } from '../format'
+import { problemList } from '../problems'
+import { problemsOf, type KeptPlan, type Workspace } from '../workspace'
+import { describe } from './steps'
+
+const REGION_POINTS = 65
+
+export class KeptPlans {
+  readonly element = h('section', { class: 'panel', 'aria-label': 'Kept plans' })
+  private readonly table = h('div', {})
+  private readonly said = h('p', { class: 'hint', 'aria-live': 'polite' })
+  private readonly problems = h('div', {})
+  private readonly scores = new Map<KeptPlan, RankedPlan>()
+  private readonly file = h('input', { type: 'file', accept: '.json', class: 'unseen', tabindex: -1, 'aria-label': 'Plans to load', onchange: () => void this.load() })
+
+  constructor(private readonly workspace: Workspace) {
+    this.element.append(
+      h('h2', {}, 'Kept plans'),
+      this.table,
+      h(
+        'p',
+        { class: 'row' },
+        button('Score them', () => void this.score(), { title: `${REGION_POINTS} closures each over small errors of execution` }),
+        button('Save', () => this.save()),
+        button('Load', () => this.file.click()),
+        this.file,
+      ),
+      this.said,
+      this.problems,
+    )
+  }
+
+  update(): void {
+    const kept = this.workspace.kept
+    if (kept.length === 0) {
+      this.table.replaceChildren(h('p', { class: 'hint' }, 'Accept a repair and it is kept here, to be compared and scored.'))
+      return
+    }
+    const head = h('tr', {}, ...['Plan', 'Leak, mean ± sd', 'Below 5 mm²', ''].map((name) => h('th', { scope: 'col' }, name)))
+    this.table.replaceChildren(h('table', {}, head, ...kept.map((plan) => this.row(plan))))
+  }
+
+  private row(kept: KeptPlan): HTMLElement {
+    const score = this.scores.get(kept)
+    const leak = score?.leak_mm2
+    return h(
+      'tr',
+      {},
+      h('td', {}, h('strong', {}, kept.name), h('br'), h('span', { class: 'hint' }, kept.plan.steps.map(describe).join('; '))),
+      h('td', {}, leak ? `${number(leak.mean)} ± ${withUnit(leak.sd, 'mm²')}` : 'not scored'),
+      h('td', {}, leak ? percent(leak.below_5) : ''),
+      h(
+        'td',
+        { class: 'row' },
+        button('Revise', () => void this.workspace.setPlan(kept.plan.steps)),
+        button('Remove', () => this.workspace.forget(kept), { class: 'quiet', 'aria-label': `Remove ${kept.name}` }),
+      ),
+    )
+  }
+
+  private async score(): Promise<void> {
+    const { valve } = this.workspace
+    const kept = this.workspace.kept.filter((plan) => plan.valve === valve?.reference)
+    if (!valve || kept.length === 0) return this.say('There is no kept plan of this valve.')
+    this.say(`closing each plan ${REGION_POINTS} times ...`)
+    try {
+      const { plans } = await evaluate(valve.reference, kept.map(({ plan }) => plan), REGION_POINTS)
+      for (const scored of plans) {
+        const plan = kept[scored.index]
+        if (plan) this.scores.set(plan, scored)
+      }
+      const best = plans.find(({ rank }) => rank === 1)
+      this.say(best ? `Best: ${kept[best.index]?.name ?? ''}.` : '')
+      this.problems.replaceChildren()
+    } catch (error) {
+      this.say('They cannot be scored.')
+      this.problems.replaceChildren(problemList(problemsOf(error)))
+    }
+    this.update()
+  }
+
+  private save(): void {
+    const plans = this.workspace.kept.map(({ name, plan, valve }) => ({ name, valve, plan }))
+    download('plans.json', new Blob([JSON.stringify({ plans }, null, 1)], { type: 'application/json' }))
+  }
+
+  /// A list as save() writes it, or one coapt.plan/1.
+  private async load(): Promise<void> {
+    const chosen = this.file.files?.[0]
+    if (!chosen) return
+    try {
+      const found = plansIn(await chosen.text())
+      for (const { name, plan } of found) this.workspace.keep(name ?? chosen.name, plan)
+      this.say(`${found.length} loaded from ${chosen.name}.`)
+    } catch (error) {
+      this.say(`${chosen.name} cannot be read: ${error instanceof Error ? error.message : ''}`)
+    }
+    this.file.value = ''
+  }
+
+  private say(words: string): void {
+    this.said.textContent = words
+  }
+}
+
+export function plansIn(text: string): { name?: string; plan: Plan }[] {
+  const json = JSON.parse(text) as { schema?: string; steps?: Step[]; plans?: { name?: string; plan?: Plan }[] }
+  if (json.schema === 'coapt.plan/1' && Array.isArray(json.steps)) return [{ plan: json as Plan }]
+  const plans = (json.plans ?? []).filter((entry): entry is { name?: string; plan: Plan } => Array.isArray(entry.plan?.steps))
+  if (plans.length === 0) throw new Error('it holds no plan (coapt.plan/1)')
+  return plans
+}

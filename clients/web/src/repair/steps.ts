@@ -1,0 +1,102 @@
+// Steps of a repair plan: what they are called, what a new one is, what may be set of them.
+import type { LeafletPoint, Scene, Side, Step, Vector } from '../api/types'
+import { annulusPoint, at, distance, leafletPlace, papillaryTip } from '../viewer/geometry'
+
+export const SIDES: readonly (readonly [Side, string])[] = [
+  ['anterolateral', 'Anterolateral'],
+  ['posteromedial', 'Posteromedial'],
+]
+export const ANCHORS = [
+  ['ipsilateral_trigone', 'Trigone of its side'],
+  ['saddle_peak', 'Saddle peak'],
+  ['annulus_point', 'A point of the annulus'],
+] as const
+export const MOVED_AT_FIRST = 0.85 // of the distance from tip to anchor: what a new suture leaves
+export const NEOCHORDA_MM = { min: 5, max: 40, step: 0.5 }
+export const CHANGE_MM = { min: -20, max: 20, step: 0.5 }
+const HALF_MM = 0.5
+
+export type Approximation = Extract<Step, { step: 'papillary_approximation' }>
+
+/// In surgical words.
+export function describe(step: Step): string {
+  switch (step.step) {
+    case 'annuloplasty':
+      return step.shape === 'own'
+        ? `Ring of the annulus's own shape, ${step.sizes_below ?? 0} sizes below it`
+        : `Ring ${step.shape}, size ${step.size_mm ?? 0} mm`
+    case 'papillary_approximation':
+      return `${step.side === 'anterolateral' ? 'Anterolateral' : 'Posteromedial'} papillary muscle to ${anchorWords(step)}, suture ${step.suture_length_mm.toFixed(1)} mm`
+    case 'neochorda':
+      return `Neochorda from ${step.head} to ${placeWords(step.insertion)}, ${step.length_mm.toFixed(1)} mm`
+    case 'chordal_length_change':
+      return `Chorda ${step.chorda} ${step.change_mm < 0 ? 'shortened' : 'lengthened'} by ${Math.abs(step.change_mm).toFixed(1)} mm`
+    case 'chordal_excision':
+      return `Chorda ${step.chorda} cut`
+    case 'chordal_transfer':
+      return `Chorda ${step.chorda} moved to ${placeWords(step.insertion)}`
+  }
+}
+
+function anchorWords(step: Approximation): string {
+  if (step.anchor === 'ipsilateral_trigone') return 'its trigone'
+  if (step.anchor === 'saddle_peak') return 'the saddle peak'
+  return `the annulus at ${Math.round(360 * (step.annulus_around ?? 0))}°`
+}
+
+export function placeWords({ leaflet, along, height }: LeafletPoint): string {
+  const third = along < 1 / 3 ? 1 : along < 2 / 3 ? 2 : 3
+  const level = height > 0.85 ? 'free edge' : height > 0.4 ? 'belly' : 'base'
+  return `${leaflet === 'anterior' ? 'A' : 'P'}${third}, ${level}`
+}
+
+/// Where a suture of this kind is tied, on the valve before the repair.
+export function anchorPoint(scene: Scene, step: Approximation): Vector {
+  if (step.anchor === 'annulus_point') return annulusPoint(scene, step.annulus_around ?? 0)
+  const landmark = step.anchor === 'saddle_peak' ? 'saddle_peak' : `${step.side}_trigone`
+  const place = scene.annulus.indexOf(scene.landmarks[landmark] ?? -1)
+  return at(scene.annulus_mm, Math.max(place, 0))
+}
+
+/// From half of the distance between tip and anchor (12 mm at least) to the whole of it: what the service takes.
+export function sutureRange(scene: Scene, step: Approximation): { min: number; max: number; step: number } {
+  const whole = distance(papillaryTip(scene, step.side), anchorPoint(scene, step))
+  return {
+    min: Math.max(12, Math.ceil(0.5 * whole / HALF_MM) * HALF_MM),
+    max: Math.floor(whole / HALF_MM) * HALF_MM,
+    step: HALF_MM,
+  }
+}
+
+/// With a suture of a length that is possible there.
+export function newApproximation(scene: Scene, side: Side, anchor: Approximation['anchor'], annulus_around?: number): Approximation {
+  const step: Approximation = { step: 'papillary_approximation', side, anchor, suture_length_mm: 0 }
+  if (anchor === 'annulus_point') step.annulus_around = annulus_around ?? (side === 'posteromedial' ? 0.1 : 0.4)
+  const { min, max } = sutureRange(scene, step)
+  step.suture_length_mm = Math.max(min, Math.round((MOVED_AT_FIRST * max) / HALF_MM) * HALF_MM)
+  return step
+}
+
+/// As long as from the head to where the other leaflet meets this place in the closed valve: a prolapsed edge comes down
+/// to it.
+export function newNeochorda(scene: Scene, head: string, insertion: LeafletPoint): Step {
+  const tip = scene.heads.find(({ id }) => id === head)?.tip_mm ?? [0, 0, 0]
+  const usual = distance(tip, partnerOf(scene, insertion))
+  const length_mm = Math.min(Math.max(Math.round(usual / HALF_MM) * HALF_MM, NEOCHORDA_MM.min), NEOCHORDA_MM.max)
+  return { step: 'neochorda', head, insertion, length_mm }
+}
+
+/// The vertex of the other leaflet that is nearest to this place in leaflet coordinates, in the closed valve.
+function partnerOf(scene: Scene, { leaflet, along, height }: LeafletPoint): Vector {
+  const { around, height: heights } = scene.leaflet_coordinates
+  let least = Infinity
+  let found = 0
+  around.forEach((turn, vertex) => {
+    const place = leafletPlace(turn)
+    const away = Math.hypot(place.along - along, (heights[vertex] ?? 0) - height)
+    if (place.leaflet === leaflet || away >= least) return
+    least = away
+    found = vertex
+  })
+  return at(scene.closed_mm ?? scene.rest_mm, found)
+}

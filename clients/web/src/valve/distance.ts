@@ -1,0 +1,52 @@
+// Measures straight distances between points that are clicked.
+import { button, h } from '../dom'
+import { withUnit } from '../format'
+import { blend, distance } from '../viewer/geometry'
+import type { Pick } from '../viewer/pick'
+import type { Viewer } from '../viewer/viewer'
+
+export class DistanceTool {
+  readonly element: HTMLElement
+  onResult: () => void = () => {} // its label is in viewer.extra now
+  private readonly toggle: HTMLButtonElement
+  private readonly said = h('output', { class: 'hint' })
+  private first: Pick | null = null
+
+  constructor(private readonly viewer: Viewer) {
+    this.toggle = button('Measure a distance', () => this.switch(), { 'aria-pressed': 'false' })
+    this.element = h('div', { class: 'row' }, this.toggle, this.said)
+  }
+
+  private switch(): void {
+    const on = this.toggle.getAttribute('aria-pressed') !== 'true'
+    this.toggle.setAttribute('aria-pressed', String(on))
+    this.clear()
+    this.viewer.picks = on ? ['head', 'annulus', 'leaflet'] : []
+    this.viewer.onPick = on ? (pick) => this.take(pick) : null
+    this.said.textContent = on ? 'Click two points: leaflet, annulus or tip.' : ''
+  }
+
+  /// Of another state of the valve nothing is measured.
+  clear(): void {
+    this.first = null
+    this.viewer.extra = []
+    this.viewer.draw([])
+    this.onResult()
+  }
+
+  private take(pick: Pick): void {
+    if (this.first === null) {
+      this.clear()
+      this.first = pick
+      this.said.textContent = 'And the second point.'
+      return
+    }
+    const [a, b] = [this.first.point_mm, pick.point_mm]
+    const text = withUnit(distance(a, b), 'mm')
+    this.viewer.draw([...a, ...b])
+    this.viewer.extra = [{ point_mm: blend(a, b, 0.5), text, kind: 'distance' }]
+    this.said.textContent = `${text} in a straight line. Click again to measure anew.`
+    this.first = null
+    this.onResult()
+  }
+}

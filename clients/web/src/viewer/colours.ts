@@ -1,0 +1,128 @@
+// What colours mean. Scales are readable to colour-blind people and in both themes.
+import type { Scene, Segment } from '../api/types'
+import { at, dot, minus } from './geometry'
+
+export type Rgb = [number, number, number] // 0 to 1, sRGB
+
+export type ColourMode = 'leaflets' | 'strain_circumferential' | 'strain_radial' | 'height' | 'tension'
+
+export const COLOUR_MODES: readonly (readonly [ColourMode, string])[] = [
+  ['leaflets', 'Leaflets'],
+  ['strain_circumferential', 'Circumferential strain'],
+  ['strain_radial', 'Radial strain'],
+  ['height', 'Height over the annular plane'],
+  ['tension', 'Tension of chordae'],
+]
+
+const SEGMENTS: Record<Segment, string> = {
+  A1: '#d98a86',
+  A2: '#cf7773',
+  A3: '#d98a86',
+  P1: '#d9b08a',
+  P2: '#cfa074',
+  P3: '#d9b08a',
+  AC: '#b98ba6',
+  PC: '#b98ba6',
+}
+const TISSUE: Rgb = rgb('#cdb7b0')
+const RISING = ['#2c1160', '#711f81', '#b63679', '#ee605e', '#fdae78', '#fcfdbf'].map(rgb) // after matplotlib's magma
+const BALANCED = ['#2166ac', '#92c5de', '#f0eee8', '#f4a582', '#b2182b'].map(rgb) // after ColorBrewer's RdBu
+
+export interface Scale {
+  title: string
+  unit: string
+  from: number
+  to: number
+  stops: Rgb[]
+}
+
+export function rgb(hex: string): Rgb {
+  const value = Number.parseInt(hex.slice(1), 16)
+  return [(value >> 16) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255]
+}
+
+export function css(colour: Rgb): string {
+  return `rgb(${colour.map((part) => Math.round(255 * part)).join(' ')})`
+}
+
+/// Values outside the scale get its ends.
+export function colourOf(scale: Scale, value: number): Rgb {
+  const { stops } = scale
+  const share = scale.to > scale.from ? (value - scale.from) / (scale.to - scale.from) : 0
+  const place = Math.min(Math.max(share, 0), 1) * (stops.length - 1)
+  const first = Math.min(Math.floor(place), stops.length - 2)
+  const [a, b] = [stops[first] as Rgb, stops[first + 1] as Rgb]
+  return [0, 1, 2].map((k) => (a[k] as number) + (place - first) * ((b[k] as number) - (a[k] as number))) as Rgb
+}
+
+function upTo(values: number[], share: number): number {
+  const sorted = values.filter(Number.isFinite).sort((a, b) => a - b)
+  return sorted[Math.floor(share * (sorted.length - 1))] ?? 0
+}
+
+/// The scale of a mode over all these scenes, so that they can be compared; null: none is needed.
+export function scaleOf(mode: ColourMode, scenes: Scene[]): Scale | null {
+  switch (mode) {
+    case 'leaflets':
+      return null
+    case 'strain_circumferential':
+    case 'strain_radial': {
+      const part = mode === 'strain_radial' ? 'radial' : 'circumferential'
+      const all = scenes.flatMap((scene) => scene.strain?.[part] ?? [])
+      return { title: `${part} strain`, unit: '%', from: 0, to: 100 * Math.max(upTo(all, 0.99), 0.01), stops: RISING }
+    }
+    case 'height': {
+      const most = Math.max(1, ...scenes.map((scene) => upTo(heights(scene).map(Math.abs), 0.95)))
+      return { title: 'height over the annular plane', unit: 'mm', from: -most, to: most, stops: BALANCED }
+    }
+    case 'tension': {
+      const all = scenes.flatMap((scene) => scene.chordae.flatMap((c) => c.segments.map((s) => s.tension_n ?? 0)))
+      return { title: 'tension of chordae', unit: 'N', from: 0, to: Math.max(0.1, ...all), stops: RISING }
+    }
+  }
+}
+
+function heights(scene: Scene): number[] {
+  const closed = scene.closed_mm ?? scene.rest_mm
+  return Array.from({ length: closed.length / 3 }, (_, i) =>
+    dot(minus(at(closed, i), scene.plane.origin_mm), scene.plane.normal),
+  )
+}
+
+/// One colour for each corner of each face.
+export function cornerColours(scene: Scene, mode: ColourMode, scale: Scale | null): Float32Array {
+  const colours: number[] = []
+  const up = mode === 'height' ? heights(scene) : []
+  for (let face = 0; face < scene.segments.length; ++face)
+    for (let k = 0; k < 3; ++k) {
+      const vertex = scene.faces[3 * face + k] as number
+      colours.push(...faceColour(scene, mode, scale, face, up[vertex] ?? 0))
+    }
+  return Float32Array.from(colours)
+}
+
+function faceColour(scene: Scene, mode: ColourMode, scale: Scale | null, face: number, height: number): Rgb {
+  if (mode === 'leaflets' || !scale) return rgb(SEGMENTS[scene.segments[face] as Segment])
+  if (mode === 'height') return colourOf(scale, height)
+  const strain = scene.strain?.[mode === 'strain_radial' ? 'radial' : 'circumferential'][face]
+  return mode === 'tension' || strain === undefined ? TISSUE : colourOf(scale, 100 * strain)
+}
+
+const CHORDAE: Record<string, Rgb> = {
+  marginal: rgb('#7a6f5d'),
+  strut: rgb('#4f463a'),
+  basal: rgb('#93866f'),
+  neochorda: rgb('#0f8a5f'),
+}
+
+/// One colour for each end of each segment, in the order of chordaLines().
+export function chordaColours(scene: Scene, mode: ColourMode, scale: Scale | null): number[] {
+  const colours: number[] = []
+  for (const chorda of scene.chordae)
+    for (const segment of chorda.segments) {
+      const plain = chorda.ruptured ? rgb('#c8342b') : (CHORDAE[chorda.kind] as Rgb)
+      const colour = mode === 'tension' && scale && !chorda.ruptured ? colourOf(scale, segment.tension_n ?? 0) : plain
+      colours.push(...colour, ...colour)
+    }
+  return colours
+}

@@ -1,0 +1,33 @@
+// Words over the canvas at points of the scene.
+import type { Vector } from '../api/types'
+import { h } from '../dom'
+import type { Stage } from './stage'
+
+export interface Label {
+  point_mm: Vector
+  text: string
+  kind: 'landmark' | 'segment' | 'orifice' | 'distance'
+}
+
+export class Labels {
+  readonly element = h('div', { class: 'labels', 'aria-hidden': 'true' })
+  private placed: { label: Label; node: HTMLElement }[] = []
+
+  constructor(private readonly stage: Stage) {
+    stage.onFrame.push(() => this.place())
+  }
+
+  set(labels: Label[]): void {
+    this.placed = labels.map((label) => ({ label, node: h('span', { class: label.kind }, label.text) }))
+    this.element.replaceChildren(...this.placed.map(({ node }) => node))
+    this.place()
+  }
+
+  private place(): void {
+    for (const { label, node } of this.placed) {
+      const { x, y, depth } = this.stage.place(label.point_mm)
+      node.hidden = depth > 1
+      node.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`
+    }
+  }
+}

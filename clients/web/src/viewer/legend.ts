@@ -1,0 +1,37 @@
+// What the colours of a view mean.
+import { h } from '../dom'
+import { number } from '../format'
+import { css, type ColourMode, type Scale } from './colours'
+
+export function legend(mode: ColourMode, scale: Scale | null): HTMLElement {
+  if (!scale) {
+    const kinds: [string, string][] = [
+      ['anterior', 'anterior leaflet'],
+      ['posterior', 'posterior leaflet'],
+      ['commissure', 'commissures'],
+      ['orifice', 'orifice from the atrium'],
+      ['ruptured', 'ruptured chorda'],
+      ['added', 'suture or neochorda'],
+    ]
+    const list = h('ul', { class: 'legend' })
+    for (const [kind, words] of kinds) list.append(h('li', {}, h('span', { class: `swatch ${kind}` }), words))
+    return list
+  }
+  const bar = h('canvas', { width: scale.stops.length * 32, height: 12, 'aria-hidden': 'true' })
+  const pen = bar.getContext('2d')
+  if (pen) {
+    const ramp = pen.createLinearGradient(0, 0, bar.width, 0)
+    scale.stops.forEach((stop, i) => ramp.addColorStop(i / (scale.stops.length - 1), css(stop)))
+    pen.fillStyle = ramp
+    pen.fillRect(0, 0, bar.width, bar.height)
+  }
+  const digits = scale.to - scale.from < 10 ? 1 : 0
+  return h(
+    'div',
+    { class: 'legend scale' },
+    h('span', {}, number(scale.from, digits)),
+    bar,
+    h('span', {}, `${number(scale.to, digits)} ${scale.unit}`),
+    h('span', {}, mode === 'height' ? `${scale.title}, red above it` : scale.title),
+  )
+}

@@ -1,0 +1,75 @@
+// Lines of a width in pixels: chordae, annulus, free edge, sutures, the cut.
+import { Vector2, type Plane } from 'three'
+import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
+import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js'
+import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js'
+import { rgb } from './colours'
+
+export interface LineStyle {
+  pixels: number
+  colour?: string // hex; left out: each end has its own
+  dashed?: boolean
+  inFront?: boolean // of everything
+}
+
+export class Lines {
+  readonly object: LineSegments2
+  private readonly material: LineMaterial
+  private count = -1
+
+  constructor(style: LineStyle) {
+    this.material = new LineMaterial({
+      linewidth: style.pixels,
+      vertexColors: style.colour === undefined,
+      dashed: style.dashed ?? false,
+      dashSize: 1.2,
+      gapSize: 0.8,
+      depthTest: !(style.inFront ?? false),
+      transparent: style.inFront ?? false,
+    })
+    if (style.colour !== undefined) this.material.color.setRGB(...rgb(style.colour), 'srgb')
+    this.object = new LineSegments2(new LineSegmentsGeometry(), this.material)
+    this.object.frustumCulled = false
+    this.object.visible = false
+    if (style.inFront) this.object.renderOrder = 3
+  }
+
+  /// Six numbers a line; with `colours` as many.
+  set(points: number[], colours?: number[]): void {
+    this.object.visible = points.length > 0
+    if (points.length === 0) return
+    // Its buffers cannot grow.
+    if (points.length !== this.count) {
+      this.object.geometry.dispose()
+      this.object.geometry = new LineSegmentsGeometry()
+      this.count = points.length
+    }
+    this.object.geometry.setPositions(points)
+    if (colours) this.object.geometry.setColors(colours)
+    if (this.material.dashed) this.object.computeLineDistances()
+  }
+
+  resolution(size: Vector2): void {
+    this.material.resolution.copy(size)
+  }
+
+  cut(planes: Plane[]): void {
+    this.material.clippingPlanes = planes
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose()
+    this.material.dispose()
+  }
+}
+
+/// Consecutive points of a line, closed if `closed`, as six numbers a piece.
+export function pieces(points: number[], closed: boolean): number[] {
+  const lines: number[] = []
+  const count = points.length / 3
+  for (let i = 0; i + (closed ? 0 : 1) < count; ++i) {
+    const next = (i + 1) % count
+    lines.push(...points.slice(3 * i, 3 * i + 3), ...points.slice(3 * next, 3 * next + 3))
+  }
+  return lines
+}

@@ -1,0 +1,154 @@
+// A valve in three dimensions: leaflets, chordae, annulus, orifices, a cut, names.
+import { Plane, Vector3 } from 'three'
+import type { Scene, Vector } from '../api/types'
+import { h } from '../dom'
+import { chordaColours, cornerColours, type ColourMode, type Scale } from './colours'
+import { at, boundaryEdges, chordaLines, closedNodes, nodesAt, section } from './geometry'
+import { Labels, type Label } from './labels'
+import { Leaflets } from './leaflets'
+import { Lines, pieces } from './lines'
+import { ballAround, namesOf } from './marks'
+import { Orifices } from './orifices'
+import { pickAt, type Pick, type PickKind } from './pick'
+import { Stage, type ViewName } from './stage'
+
+export interface Look {
+  mode: ColourMode
+  scale: Scale | null
+  share: number // of the closing: 0 open, 1 closed
+  orifices: boolean
+  names: boolean
+  cut: number | null // index into Scene.sections
+}
+
+export class Viewer {
+  readonly element: HTMLElement
+  readonly stage: Stage
+  onPick: ((pick: Pick) => void) | null = null
+  picks: PickKind[] = [] // what a click may mean
+  extra: Label[] = [] // words besides the names
+  private scene: Scene | null = null
+  private nodes: Float32Array = new Float32Array()
+  private leaflets: Leaflets | null = null
+  private orifices: Orifices | null = null
+  private readonly labels: Labels
+  private readonly lines = {
+    chordae: new Lines({ pixels: 1.6 }),
+    ruptured: new Lines({ pixels: 1.6, colour: '#c8342b', dashed: true }),
+    edges: new Lines({ pixels: 1.4, colour: '#5b3a3a' }),
+    annulus: new Lines({ pixels: 4, colour: '#8a8f98' }),
+    sutures: new Lines({ pixels: 3, colour: '#0f8a5f' }),
+    cut: new Lines({ pixels: 3.5 }),
+    drawn: new Lines({ pixels: 2.5, colour: '#d6336c', inFront: true }),
+  }
+
+  constructor(label: string) {
+    this.stage = new Stage(label)
+    this.labels = new Labels(this.stage)
+    this.element = h('div', { class: 'viewer' }, this.stage.canvas, this.labels.element)
+    this.stage.add(...Object.values(this.lines).map((line) => line.object))
+    this.stage.onFrame.push(() => Object.values(this.lines).forEach((line) => line.resolution(this.stage.size)))
+    this.stage.canvas.addEventListener('click', (event) => this.click(event))
+  }
+
+  /// Another valve or another closure. `ring`: whether the annulus carries one.
+  set(scene: Scene, look: Look, ring = false): void {
+    const first = this.scene === null
+    this.scene = scene
+    this.leaflets?.dispose()
+    this.orifices?.dispose()
+    if (this.leaflets) this.stage.scene.remove(this.leaflets.mesh)
+    if (this.orifices) this.stage.scene.remove(this.orifices.group)
+    this.leaflets = new Leaflets(scene)
+    this.orifices = new Orifices(scene)
+    this.stage.add(this.leaflets.mesh, this.orifices.group)
+    this.lines.annulus.set(pieces(scene.annulus_mm, true))
+    this.lines.annulus.object.visible = ring
+    this.lines.sutures.set(scene.sutures.flatMap((suture) => [...suture.tip_mm, ...suture.anchor_mm]))
+    this.show(look)
+    if (first) this.view('atrial')
+  }
+
+  show(look: Look): void {
+    const { scene, leaflets, orifices, lines } = this
+    if (!scene || !leaflets || !orifices) return
+    const closed = look.share >= 1 || scene.motion_mm.length < 2
+    this.nodes = closed ? closedNodes(scene) : nodesAt(scene, look.share)
+    leaflets.move(this.nodes)
+    leaflets.paint(cornerColours(scene, look.mode, look.scale))
+    this.drawChordae(scene, look)
+    lines.edges.set(boundaryEdges(scene.faces).flatMap(([a, b]) => [...at(this.nodes, a), ...at(this.nodes, b)]))
+    orifices.group.visible = look.orifices && closed
+    this.drawCut(scene, look)
+    const words: Label[] = look.names ? namesOf(scene, this.nodes) : []
+    if (orifices.group.visible) words.push(...orifices.labels.map((label) => ({ ...label, kind: 'orifice' as const })))
+    this.labels.set([...words, ...this.extra])
+    this.stage.draw()
+  }
+
+  view(name: ViewName): void {
+    if (!this.scene) return
+    const { centre_mm, radius_mm } = ballAround(this.scene)
+    // From above only the annulus matters.
+    if (name !== 'atrial') return this.stage.look(name, centre_mm, radius_mm)
+    const annulus = { ...this.scene, rest_mm: this.scene.annulus_mm, heads: [] }
+    this.stage.look(name, this.scene.plane.origin_mm, 1.12 * ballAround(annulus).radius_mm)
+  }
+
+  /// Lines drawn over everything, such as a measured distance: six numbers each.
+  draw(points: number[]): void {
+    this.lines.drawn.set(points)
+    this.stage.draw()
+  }
+
+  private drawChordae(scene: Scene, look: Look): void {
+    const all = chordaLines(scene, this.nodes)
+    const colours = chordaColours(scene, look.mode, look.scale)
+    const whole: number[] = []
+    const wholeColours: number[] = []
+    const ruptured: number[] = []
+    let i = 0
+    for (const chorda of scene.chordae)
+      for (let s = 0; s < chorda.segments.length; ++s, i += 6) {
+        if (chorda.ruptured) ruptured.push(...all.slice(i, i + 6))
+        else {
+          whole.push(...all.slice(i, i + 6))
+          wholeColours.push(...colours.slice(i, i + 6))
+        }
+      }
+    this.lines.chordae.set(whole, wholeColours)
+    this.lines.ruptured.set(ruptured)
+  }
+
+  /// Hides what lies on the posteromedial side of the cut and traces where it goes through.
+  private drawCut(scene: Scene, look: Look): void {
+    const chosen = look.cut === null ? undefined : scene.sections[look.cut]
+    const planes = chosen
+      ? [new Plane().setFromNormalAndCoplanarPoint(new Vector3(...chosen.normal).negate(), new Vector3(...chosen.point_mm))]
+      : []
+    this.leaflets?.cut(planes)
+    for (const name of ['chordae', 'ruptured', 'edges', 'annulus', 'sutures'] as const) this.lines[name].cut(planes)
+    const traced = chosen ? section(scene, this.nodes, chosen.point_mm, chosen.normal) : []
+    this.lines.cut.set(
+      traced.flatMap(({ from, to }) => [...from, ...to]),
+      traced.flatMap(({ face }) => {
+        const colour = scene.segments[face]?.startsWith('A') ? [0.75, 0.12, 0.12] : [0.1, 0.35, 0.75]
+        return [...colour, ...colour]
+      }),
+    )
+  }
+
+  private click(event: MouseEvent): void {
+    if (!this.scene || !this.leaflets || !this.onPick || this.picks.length === 0) return
+    const pick = pickAt(event, this.stage, this.scene, this.nodes, this.leaflets.mesh, this.picks)
+    if (pick) this.onPick(pick)
+  }
+
+  get shown(): Scene | null {
+    return this.scene
+  }
+  /// A point's place as it is drawn at present.
+  nodeAt(vertex: number): Vector {
+    return at(this.nodes, vertex)
+  }
+}

@@ -1,0 +1,61 @@
+import { expect, test } from 'vitest'
+import { anchorPoint, describe, newApproximation, newNeochorda, sutureRange } from '../../src/repair/steps'
+import { plansIn } from '../../src/repair/kept_plans'
+import { placeOf } from '../../src/valve/open'
+import { colourOf, scaleOf } from '../../src/viewer/colours'
+import { EventReader } from '../../src/api/events'
+import { number, percent, seconds, withUnit } from '../../src/format'
+import { pyramid } from './scenes'
+
+test('a suture may leave from half of the distance to its anchor to the whole of it', () => {
+  const step = newApproximation(pyramid(), 'anterolateral', 'ipsilateral_trigone')
+  // From (-8, 0, -20) to the trigone at (-10, 0, 0): 20.1 mm.
+  expect(anchorPoint(pyramid(), step)).toEqual([-10, 0, 0])
+  expect(sutureRange(pyramid(), step)).toEqual({ min: 12, max: 20, step: 0.5 })
+  expect(step.suture_length_mm).toBe(17)
+})
+
+test('a new neochorda reaches the place of the other leaflet', () => {
+  // The only vertex of the anterior leaflet at the free edge is (0, 0, -10); from (8, 0, -20) that is 12.8 mm.
+  const step = newNeochorda(pyramid(), 'PM1', { leaflet: 'posterior', along: 0.5, height: 1 })
+  expect(step).toMatchObject({ step: 'neochorda', head: 'PM1', length_mm: 13 })
+  expect(describe(step)).toBe('Neochorda from PM1 to P2, free edge, 13.0 mm')
+})
+
+test('plans are read from a list or alone, and nothing else is', () => {
+  const plan = { schema: 'coapt.plan/1', steps: [] }
+  expect(plansIn(JSON.stringify(plan))).toHaveLength(1)
+  expect(plansIn(JSON.stringify({ plans: [{ name: 'a', plan }, {}] }))).toEqual([{ name: 'a', plan }])
+  expect(() => plansIn('{}')).toThrow(/no plan/)
+  expect(() => plansIn('[')).toThrow()
+})
+
+test('a JSON pointer leads to what stands there', () => {
+  expect(placeOf('{"a/b": [1, {"x": 2}]}', '/a~1b/1/x')).toBe('2')
+  expect(placeOf('{"a": 1}', '/a/b/c')).toBe('')
+  expect(placeOf('no JSON', '/a')).toBe('')
+})
+
+test('colours run along the scale and stop at its ends', () => {
+  const scale = scaleOf('strain_radial', [pyramid()])
+  if (!scale) throw new Error('strain has a scale')
+  expect(scale.to).toBeGreaterThan(0)
+  expect(colourOf(scale, -5)).toEqual(scale.stops[0])
+  expect(colourOf(scale, 1e9)).toEqual(scale.stops.at(-1))
+  expect(scaleOf('leaflets', [pyramid()])).toBeNull()
+})
+
+test('events are put together from parts that come as they like', () => {
+  const reader = new EventReader()
+  expect(reader.read('retry: 2000\n\nid: 7\nevent: pro')).toEqual([])
+  expect(reader.read('gress\ndata: {"a": 1}\n\n: heartbeat\n\n')).toEqual([{ id: '7', event: 'progress', data: '{"a": 1}' }])
+})
+
+test('what is not known is said so', () => {
+  expect(number(null)).toBe('not known')
+  expect(number(-0.01)).toBe('0.0')
+  expect(withUnit(NaN, 'mm')).toBe('not known')
+  expect(withUnit(1.25, 'mm', 2)).toBe('1.25 mm')
+  expect(percent(0.31)).toBe('31 %')
+  expect(seconds(75)).toBe('1 min 15 s')
+})
