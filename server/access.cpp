@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "server/page.h"
+
 namespace coapt {
 namespace {
 
@@ -114,7 +116,7 @@ std::optional<Answer> refuse(const Access& access, const Request& request) {
     return problem(421, ErrorCode::Unsupported,
                    "Host is not a name of this server; see --allow-host");
   }
-  if (!access.token.empty() && !has_token(access.token, request)) {
+  if (!access.token.empty() && !is_page_path(request.path) && !has_token(access.token, request)) {
     Answer answer = problem(401, ErrorCode::MissingField, "a bearer token is needed");
     answer.headers.emplace_back("WWW-Authenticate", "Bearer");
     return answer;

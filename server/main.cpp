@@ -107,19 +107,18 @@ int serve(const ServerOptions& options, const Access& access) {
   JobBoard board(*store, options.service.queue);
   if (const Errors errors = board.resume(); !errors.empty()) return fail(kFailure, errors);
 
+  const std::string folder = options.web.empty() ? usual_page_folder() : options.web;
+  const Expected<Page> read = folder.empty() ? Page{} : read_page(folder);
+  if (!read) return fail(kFailure, read.errors());
+  const Page& page = *read;
+
   Metrics metrics;
   ValveCache known;
   Compute parsing, compute;
   HttpServer* running = nullptr;
-  const Service service{options.service,
-                        ring_catalogue(),
-                        *store,
-                        board,
-                        known,
-                        parsing,
-                        compute,
-                        metrics,
-                        [&running] { return running->load(); }};
+  const Service service{
+      options.service, ring_catalogue(), *store,  board, known,
+      parsing,         compute,          metrics, page,  [&running] { return running->load(); }};
   const Routes routes = routes_of(service);
   HttpServer http(options.http, routes, access, [&](const Exchange& exchange) {
     metrics.observe(exchange);
@@ -152,7 +151,8 @@ int run(int argc, char** argv) {
   app.set_version_flag(
       "--version", "coapt-server " + std::string(version()) + "\n" + std::string(kResearchNotice));
   app.footer(
-      "The API is described at /openapi.json. Jobs outlive the server, however it ends: with the "
+      "The page is at /, the API is described at /openapi.json. Jobs outlive the server, however "
+      "it ends: with the "
       "same --db they\ngo on. SIGTERM and Ctrl-C end it within 10 s.\n\n"
       "Examples:\n"
       "  coapt-server --db coapt.sqlite\n"

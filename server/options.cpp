@@ -60,6 +60,9 @@ void add_options(CLI::App& app, ServerOptions& options) {
                  "Requests must carry its first line: Authorization: Bearer TOKEN");
   app.add_option("--allow-host", options.hosts,
                  "Name by which clients call this server besides localhost (Host, Origin)");
+  app.add_option(
+      "--web", options.web,
+      "Folder of the built page; by default build/web, or share/coapt/web of an installation");
   app.add_flag("--log-requests", options.log_requests,
                "A line on standard error for each request: method, route, status, milliseconds");
   add_http_limits(app, options.http);

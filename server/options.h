@@ -16,6 +16,7 @@ struct ServerOptions {
   std::string database = "coapt.sqlite";
   std::string token_file;          ///< empty: no token is asked for
   std::vector<std::string> hosts;  ///< names by which a proxy may call this server
+  std::string web;                 ///< folder of the page; empty: the usual place (page.h)
   bool log_requests = false;
   HttpLimits http;
   ServiceLimits service;

@@ -9,7 +9,7 @@
 namespace coapt {
 
 Routes routes_of(const Service& service) {
-  const auto& [limits, rings, store, jobs, known, parsing, compute, metrics, load] = service;
+  const auto& [limits, rings, store, jobs, known, parsing, compute, metrics, page, load] = service;
   const ValveSource valves{store, limits, known, parsing};
   const Submitting submitting{valves, jobs};
   return {
@@ -22,6 +22,7 @@ Routes routes_of(const Service& service) {
       {"GET", "/v1/rings", GetRings{rings}},
 
       {"POST", "/v1/closures", PostClosures{valves, compute, rings}},
+      {"POST", "/v1/scenes", PostScenes{valves, compute, rings}},
       {"POST", "/v1/evaluations", PostEvaluations{valves, compute, rings}},
       {"POST", "/v1/plans", PostPlans{submitting, rings}},
       {"POST", "/v1/studies", PostStudies{submitting}},
@@ -46,6 +47,9 @@ Routes routes_of(const Service& service) {
       {"GET", "/metrics", GetMetrics{metrics, jobs, load}},
       {"GET", "/version", GetVersion{}},
       {"GET", "/openapi.json", GetOpenApi{}},
+      {"GET", "/", GetPage{page}},
+      {"GET", "/favicon.svg", GetPage{page}},
+      {"GET", "/assets/{name}", GetPage{page}},
   };
 }
 

@@ -10,6 +10,7 @@
 #include "server/jobs/job_board.h"
 #include "server/limits.h"
 #include "server/metrics.h"
+#include "server/page.h"
 #include "server/route.h"
 #include "server/valve_cache.h"
 
@@ -24,6 +25,7 @@ struct Service {
   Compute& parsing;  ///< turns for bodies that are read
   Compute& compute;  ///< turns for closures that are waited for
   const Metrics& metrics;
+  const Page& page;
   std::function<HttpLoad()> load;  ///< of the HTTP server
 };
 

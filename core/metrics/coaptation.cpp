@@ -168,33 +168,48 @@ std::vector<Leaflet> leaflet_sides(const Valve& valve) {
   return sides;
 }
 
-Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
-                              const CoaptationOptions& asked) {
+std::vector<CoaptationSection> coaptation_sections(const Valve& valve, const Points& closed_mm,
+                                                   const std::vector<double>& along,
+                                                   const CoaptationOptions& asked) {
   const CoaptationOptions options = with_contact_distance(asked, valve);
   const std::vector<Leaflet> sides = leaflet_sides(valve);
   const Surface posterior = surface_of(valve, closed_mm, sides, Leaflet::Posterior);
-  const std::array<SectionPlane, 9> planes = coaptation_planes(valve);
-  Coaptation coaptation;
-  std::vector<double> heights;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    CoaptationSection& section = coaptation.sections[i];
-    const std::vector<SectionLine> lines = cut(valve.faces, closed_mm, planes[i]);
+  std::vector<CoaptationSection> sections;
+  for (const double place : along) {
+    const SectionPlane plane = coaptation_plane(valve, place);
+    const std::vector<SectionLine> lines = cut(valve.faces, closed_mm, plane);
     // Most sections touch, and then the triangles beside the plane are enough.
     const double reach_mm = 2.0 * options.contact_distance_mm;
-    section = measure_section(lines, sides, near_plane(posterior, planes[i], reach_mm), options,
-                              reach_mm);
+    CoaptationSection section =
+        measure_section(lines, sides, near_plane(posterior, plane, reach_mm), options, reach_mm);
     if (section.distance_mm >= reach_mm)
       section = measure_section(lines, sides, posterior, options, kInfinity);
-    section.along = 0.1 * static_cast<double>(i + 1);
-    heights.push_back(section.height_mm);
-    coaptation.height_mean_mm += section.height_mm / static_cast<double>(planes.size());
-    coaptation.distance_max_mm = std::max(coaptation.distance_max_mm, section.distance_mm);
+    section.along = place;
+    sections.push_back(section);
   }
-  const double spacing_mm = (planes[1].point_mm - planes[0].point_mm).norm();
-  for (const CoaptationSection& section : coaptation.sections)
+  return sections;
+}
+
+Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
+                              const CoaptationOptions& options) {
+  Coaptation coaptation;
+  const auto count = coaptation.sections.size();
+  std::vector<double> along, heights;
+  for (std::size_t i = 0; i < count; ++i) along.push_back(0.1 * static_cast<double>(i + 1));
+  const std::vector<CoaptationSection> sections =
+      coaptation_sections(valve, closed_mm, along, options);
+  const double spacing_mm =
+      (coaptation_plane(valve, along[1]).point_mm - coaptation_plane(valve, along[0]).point_mm)
+          .norm();
+  for (std::size_t i = 0; i < count; ++i) {
+    const CoaptationSection& section = coaptation.sections[i] = sections[i];
+    heights.push_back(section.height_mm);
+    coaptation.height_mean_mm += section.height_mm / static_cast<double>(count);
+    coaptation.distance_max_mm = std::max(coaptation.distance_max_mm, section.distance_mm);
     if (!section.contact)
       coaptation.gap_area_mm2 +=
           spacing_mm * std::max(0.0, section.distance_mm - valve.tissue.thickness_mm);
+  }
   coaptation.height_min_mm = quantile(heights, 0.0);
   coaptation.height_p10_mm = quantile(heights, 0.1);
   return coaptation;

@@ -22,8 +22,14 @@ struct CoaptationOptions {
 /// commissures on which they lie at rest.
 std::vector<Leaflet> leaflet_sides(const Valve& valve);
 
-/// A height's and a distance's tenth percentile and extremes are over the nine sections (linear
-/// interpolation). A section without anterior tissue has an infinite distance.
+/// Of the sections at these places along the line between the commissures (coaptation_plane). One without anterior
+/// tissue has an infinite distance.
+std::vector<CoaptationSection> coaptation_sections(const Valve& valve, const Points& closed_mm,
+                                                   const std::vector<double>& along,
+                                                   const CoaptationOptions& options = {});
+
+/// Nine sections, at 0.1 to 0.9. A height's and a distance's tenth percentile and extremes are over them (linear
+/// interpolation).
 Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
                               const CoaptationOptions& options = {});
 

@@ -19,6 +19,7 @@ constexpr double kFarthest_mm = 1000.0;
 constexpr double kArcTolerance_mm = 1e-4;  // 1e-3 would save a sixth of the time
 /// Narrower faces can vanish in the union's rounding: their longest edge is grown apart from it.
 constexpr double kEdgeOn_mm = 1e-4;
+constexpr double kCorner_mm = 0.01;  // of outlines that are drawn
 
 IntPoint to_grid(const Vec2& point_mm) {
   const auto round = [](double mm) {
@@ -107,6 +108,7 @@ Paths grown(const Paths& outlines, const Paths& edge_on, double radius_mm) {
 struct Opening {
   double area_mm2 = 0.0;
   Vec2 moment_mm3 = Vec2::Zero();  ///< centroid times area
+  Paths contours = {};             ///< outer first
 };
 
 void add_contour(Opening& opening, const Path& contour) {
@@ -118,6 +120,7 @@ void add_contour(Opening& opening, const Path& contour) {
     opening.area_mm2 += area;
     opening.moment_mm3 += area * (origin + (a + b) / 3.0);
   }
+  opening.contours.push_back(contour);
 }
 
 /// What `tissue` leaves open of the annulus, largest first.
@@ -150,19 +153,28 @@ double total_mm2(const std::optional<std::vector<Opening>>& openings) {
   return total;
 }
 
+/// What the view shows open; none where the union failed.
+struct Seen {
+  std::optional<std::vector<Opening>> raw, open;  ///< bare mid-surfaces; grown
+};
+
+Seen look(const Valve& valve, const Projection& projection, double half_thickness_mm) {
+  const Silhouette tissue = make_silhouette(valve, projection);
+  const std::optional<Paths> bare = united(tissue.outlines);
+  Seen seen;
+  if (!bare) return seen;
+  seen.raw = openings(projection, *bare);
+  seen.open = half_thickness_mm > 0.0
+                  ? openings(projection, grown(*bare, tissue.edge_on, half_thickness_mm))
+                  : seen.raw;
+  return seen;
+}
+
 }  // namespace
 
 ExactOrifice exact_orifice(const Valve& valve, const Projection& projection,
                            double half_thickness_mm) {
-  const Silhouette tissue = make_silhouette(valve, projection);
-  const std::optional<Paths> bare = united(tissue.outlines);
-  std::optional<std::vector<Opening>> raw, open;
-  if (bare) {
-    raw = openings(projection, *bare);
-    open = half_thickness_mm > 0.0
-               ? openings(projection, grown(*bare, tissue.edge_on, half_thickness_mm))
-               : raw;
-  }
+  const auto [raw, open] = look(valve, projection, half_thickness_mm);
   ExactOrifice exact{total_mm2(open), total_mm2(raw), {}};
   if (!open) return exact;
   for (const Opening& opening : *open) {
@@ -172,6 +184,27 @@ ExactOrifice exact_orifice(const Valve& valve, const Projection& projection,
                               nearest_segment(valve, projection, centroid_mm)});
   }
   return exact;
+}
+
+std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& closed_mm,
+                                             double half_thickness_mm) {
+  const Projection projection = project_valve(valve, closed_mm, annular_plane(valve));
+  std::vector<OrificeOutline> outlines;
+  const Seen seen = look(valve, projection, half_thickness_mm);
+  if (!seen.open) return outlines;
+  for (const Opening& opening : *seen.open) {
+    if (!(opening.area_mm2 > 0.0)) continue;
+    OrificeOutline outline{opening.area_mm2, {}};
+    for (Path contour : opening.contours) {
+      ClipperLib::CleanPolygon(contour, kCorner_mm * kPerMm);
+      Points& points_mm = outline.contours_mm.emplace_back(std::ssize(contour), 3);
+      for (std::size_t i = 0; i < contour.size(); ++i)
+        points_mm.row(static_cast<Eigen::Index>(i)) =
+            unproject(projection.plane, from_grid(contour[i])).transpose();
+    }
+    outlines.push_back(std::move(outline));
+  }
+  return outlines;
 }
 
 ExactOrifice exact_orifice(const Valve& valve, const Points& closed_mm, double half_thickness_mm) {

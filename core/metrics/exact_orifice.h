@@ -30,6 +30,17 @@ ExactOrifice exact_orifice(const Valve& valve, const Projection& projection,
 /// The same on the annulus's plane of best fit.
 ExactOrifice exact_orifice(const Valve& valve, const Points& closed_mm, double half_thickness_mm);
 
+/// The line around an orifice and those around islands of tissue in it, each closed, on the annular plane.
+struct OrificeOutline {
+  double area_mm2 = 0.0;
+  std::vector<Points>
+      contours_mm;  ///< n x 3 each, the outer one first; corners 0.01 mm apart or more
+};
+
+/// Of the orifices that exact_orifice() finds, in that order; empty if the union failed.
+std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& closed_mm,
+                                             double half_thickness_mm);
+
 /// On that plane, with the tissue's thickness, and the mean over the end states.
 OrificeMeasure measure_orifice(const Valve& valve, const ClosureResult& closure);
 

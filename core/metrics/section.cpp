@@ -84,15 +84,10 @@ SectionPlane mid_valve_plane(const Valve& valve) {
   return {saddle_peak, annular_plane(valve).normal.cross(to_posterior).normalized()};
 }
 
-std::array<SectionPlane, 9> coaptation_planes(const Valve& valve) {
+SectionPlane coaptation_plane(const Valve& valve, double along) {
   const Vec3 from = annulus_position_mm(valve, valve.landmarks.anterolateral_commissure);
   const Vec3 to = annulus_position_mm(valve, valve.landmarks.posteromedial_commissure);
-  std::array<SectionPlane, 9> planes;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const double along = 0.1 * static_cast<double>(i + 1);
-    planes[i] = {from + along * (to - from), (to - from).normalized()};
-  }
-  return planes;
+  return {from + along * (to - from), (to - from).normalized()};
 }
 
 }  // namespace coapt

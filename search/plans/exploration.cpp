@@ -160,6 +160,7 @@ void Exploration::take(PlanRecord& record, const Point& point) {
     if (!progress_.empty() && progress_.back().closures == desk_.closures()) progress_.pop_back();
     progress_.push_back({desk_.closures(), cost});
     improved_at_ = desk_.closures();
+    watch_.found(cost);
   }
 }
 

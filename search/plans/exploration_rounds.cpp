@@ -43,6 +43,9 @@ void Exploration::try_random(int count) {
     random_.push_back(records[i]);
     take(*records[i], points[i]);
   }
+  std::vector<double> costs;
+  for (const Progress& expected : random_progress()) costs.push_back(expected.cost);
+  watch_.expect_of_random(std::move(costs));
 }
 
 void Exploration::measure_ladder() {

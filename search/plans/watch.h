@@ -1,12 +1,15 @@
 // Tells a search when to stop, and its caller how far it is. Shared by the threads of a search.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
 #include <limits>
 #include <mutex>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace coapt {
 
@@ -24,6 +27,11 @@ struct SearchProgress {
   int closures = 0, closures_planned = 0;
   double best_leak_mm2 = 0.0;  ///< of plans as planned, so far; infinite before the first
   std::string stage;           ///< "searching", "ranking", ...
+  /// Best so far of one closure a plan, and what random search is expected to have after as many closures; infinite while
+  /// they are not known.
+  double best_cost = kUnknown, random_cost = kUnknown;
+
+  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
 };
 
 class Watch {
@@ -49,11 +57,24 @@ class Watch {
     progress_.closures_planned = closures;
     progress_.stage = stage;
   }
+  void found(double cost) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    progress_.best_cost = cost;
+  }
+  /// @param costs expected of random search after 1, 2, ... closures
+  void expect_of_random(std::vector<double> costs) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    random_costs_ = std::move(costs);
+  }
   /// @param best_leak_mm2 of this plan as planned, infinite if it is none.
   void closed(double leak_mm2) {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++progress_.closures;
     if (leak_mm2 < progress_.best_leak_mm2) progress_.best_leak_mm2 = leak_mm2;
+    if (!random_costs_.empty())
+      progress_.random_cost = random_costs_[std::min(static_cast<std::size_t>(progress_.closures),
+                                                     random_costs_.size()) -
+                                            1];
     if (report_) report_(progress_);
   }
 
@@ -67,7 +88,8 @@ class Watch {
   const std::atomic<bool>* cancelled_;
   Report report_;
   std::mutex mutex_;
-  SearchProgress progress_{0, 0, std::numeric_limits<double>::infinity(), ""};
+  SearchProgress progress_{0, 0, SearchProgress::kUnknown, ""};
+  std::vector<double> random_costs_;
 };
 
 }  // namespace coapt

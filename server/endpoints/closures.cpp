@@ -7,6 +7,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/result_json.h"
+#include "io/json/scene_json.h"
 #include "search/plans/gates.h"
 #include "search/plans/plan_key.h"
 #include "search/plans/plan_search.h"
@@ -24,6 +25,7 @@ std::vector<RepairPlan> read_plans(const JsonPlace& place) {
 }
 
 constexpr double kUsualTriangles = 650.0;
+constexpr int kMostFrames = 60;
 constexpr double kMostSeconds = 60.0;  // of an evaluation: it is waited for
 
 /// How much a closure costs against one of a valve of the usual size, roughly.
@@ -50,29 +52,71 @@ nlohmann::ordered_json in_order(const SearchResult& result, const std::vector<Re
   return answer;
 }
 
+/// A valve, and what is done to it.
+struct Asked {
+  Valve valve;
+  RepairPlan plan;
+};
+
+Expected<Valve> repair(const Asked& asked, const std::vector<RingShape>& rings) {
+  Expected<Valve> repaired = apply_plan(asked.valve, asked.plan, rings);
+  if (repaired) return repaired;
+  ProblemList problems;
+  add_below(problems, "/plan", repaired.errors());
+  return std::move(problems).take();
+}
+
+struct Closed {
+  ClosureResult closure;
+  nlohmann::ordered_json json;  ///< coapt.closure/1, with the warnings of the operation
+};
+
+Closed close(const Asked& asked, const Valve& repaired, const ClosureOptions& options,
+             const std::vector<RingShape>& rings) {
+  const auto start = std::chrono::steady_clock::now();
+  Closed closed{close_valve(repaired, options), {}};
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  closed.json =
+      closure_to_json(repaired, closed.closure, measure(repaired, closed.closure), seconds.count());
+  closed.json["warnings"] =
+      warnings_of(operation_gates({asked.plan, asked.valve, repaired, rings}));
+  return closed;
+}
+
 }  // namespace
 
 Answer PostClosures::operator()(const Request& request) const {
-  Valve valve;
-  RepairPlan plan;
-  if (auto refused = read_body(
-          valves.parsing, request.body,
-          {{"valve", valve_field(valves, valve)}, {"plan", document(plan, plan_from_json), false}}))
+  Asked asked;
+  if (auto refused = read_body(valves.parsing, request.body,
+                               {{"valve", valve_field(valves, asked.valve)},
+                                {"plan", document(asked.plan, plan_from_json), false}}))
     return *std::move(refused);
-  const Expected<Valve> repaired = apply_plan(valve, plan, rings);
-  if (!repaired) {
-    ProblemList problems;
-    add_below(problems, "/plan", repaired.errors());
-    return problem(422, std::move(problems).take());
-  }
+  const Expected<Valve> repaired = repair(asked, rings);
+  if (!repaired) return problem(422, repaired.errors());
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  const auto start = std::chrono::steady_clock::now();
-  const ClosureResult closure = close_valve(*repaired, {.samples = kThesisSamples});
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  auto json = closure_to_json(*repaired, closure, measure(*repaired, closure), seconds.count());
-  json["warnings"] = warnings_of(operation_gates({plan, valve, *repaired, rings}));
-  return json_answer(200, std::move(json));
+  return json_answer(200, close(asked, *repaired, {.samples = kThesisSamples}, rings).json);
+}
+
+Answer PostScenes::operator()(const Request& request) const {
+  Asked asked;
+  int frames = 0;
+  const auto read_frames = [](const JsonPlace& place) {
+    return read_integer_in(place, 0, kMostFrames);
+  };
+  if (auto refused = read_body(valves.parsing, request.body,
+                               {{"valve", valve_field(valves, asked.valve)},
+                                {"plan", document(asked.plan, plan_from_json), false},
+                                {"frames", into(frames, read_frames), false}}))
+    return *std::move(refused);
+  const Expected<Valve> repaired = repair(asked, rings);
+  if (!repaired) return problem(422, repaired.errors());
+  const Compute::Turn turn(compute);
+  if (!turn) return too_busy();
+  Closed closed = close(asked, *repaired, {.motion = frames > 0}, rings);
+  auto scene = scene_to_json({*repaired, closed.closure, asked.plan, frames});
+  scene["closure"] = std::move(closed.json);
+  return json_answer(200, std::move(scene));
 }
 
 Answer PostEvaluations::operator()(const Request& request) const {

@@ -17,6 +17,15 @@ struct PostClosures {
   Answer operator()(const Request& request) const;
 };
 
+/// POST /v1/scenes {"valve", "plan" (optional), "frames" (optional, 0)}: the same closure as everything that is drawn of
+/// it (scene_json.h), one end state instead of five; with frames, the way there.
+struct PostScenes {
+  ValveSource valves;
+  Compute& compute;
+  const std::vector<RingShape>& rings;
+  Answer operator()(const Request& request) const;
+};
+
 /// POST /v1/evaluations {"valve", "plans": [...], "region_points" (optional, 1)}: scores and ranks plans, answered in
 /// the order asked, each with its "index" and "rank"; as one of coapt.plans/1 otherwise.
 struct PostEvaluations {

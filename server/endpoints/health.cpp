@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "core/valve/parametric.h"
+#include "io/json/plans_json.h"
 #include "io/json/result_json.h"
 #include "search/evaluator.h"
 #include "server/answers.h"
@@ -54,7 +55,10 @@ Answer GetMetrics::operator()(const Request& /*request*/) const {
 }
 
 Answer GetVersion::operator()(const Request& /*request*/) const {
-  return json_answer(200, {{"name", "coapt-server"}, {"version", version()}, {"api", "v1"}});
+  return json_answer(200, {{"name", "coapt-server"},
+                           {"version", version()},
+                           {"api", "v1"},
+                           {"not_modelled", not_modelled()}});
 }
 
 Answer GetOpenApi::operator()(const Request& /*request*/) const {

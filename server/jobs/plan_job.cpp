@@ -80,7 +80,8 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
     keep_closure(board, job, [&] { return kept.keep(subject, key, disturbance, closure); });
   };
   context.progress = [&](const SearchProgress& now) {
-    job.note({now.stage, now.closures, now.closures_planned, now.best_leak_mm2});
+    job.note({now.stage, now.closures, now.closures_planned, now.best_leak_mm2, now.best_cost,
+              now.random_cost});
   };
   const double waited = job.waited_s();
   const Expected<SearchResult> result = search_plans(valve, options, context);

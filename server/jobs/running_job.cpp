@@ -42,6 +42,8 @@ nlohmann::ordered_json to_json(const JobProgress& progress, double seconds) {
           {"evaluations", progress.evaluations},
           {"evaluations_planned", progress.evaluations_planned},
           {"best_leak_mm2", progress.best_leak_mm2},  // null if infinite
+          {"best_cost", progress.best_cost},
+          {"random_cost", progress.random_cost},
           {"seconds", seconds}};
 }
 

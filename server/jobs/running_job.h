@@ -16,6 +16,9 @@ struct JobProgress {
   std::string stage = "starting";
   int evaluations = 0, evaluations_planned = 0;                    ///< closures
   double best_leak_mm2 = std::numeric_limits<double>::infinity();  ///< of plans as planned
+  /// Of a search: see SearchProgress.
+  double best_cost = std::numeric_limits<double>::infinity();
+  double random_cost = std::numeric_limits<double>::infinity();
 };
 
 class RunningJob {
@@ -45,7 +48,8 @@ class RunningJob {
   std::chrono::duration<double> waited_{0.0};  // but for now
 };
 
-/// {"stage", "evaluations", "evaluations_planned", "best_leak_mm2", "seconds"}
+/// {"stage", "evaluations", "evaluations_planned", "best_leak_mm2", "best_cost", "random_cost",
+/// "seconds"}
 nlohmann::ordered_json to_json(const JobProgress& progress, double seconds);
 
 }  // namespace coapt

@@ -63,8 +63,9 @@ struct Bench {
   ValveCache known;
   Compute parsing, compute;
   Metrics metrics;
-  Service service{limits,  ring_catalogue(),         store, jobs, known, parsing, compute,
-                  metrics, [] { return HttpLoad{}; }};
+  Page page;
+  Service service{limits,  ring_catalogue(), store, jobs, known, parsing, compute,
+                  metrics, page,             [] { return HttpLoad{}; }};
   Routes routes = routes_of(service);
 
   Bench() {

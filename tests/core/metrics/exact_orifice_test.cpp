@@ -67,6 +67,25 @@ TEST(ExactOrifice, DiscWithRoundHoleHasTheHolesArea) {
   }
 }
 
+TEST(ExactOrifice, OutlinesGoRoundTheOrificeAndTheIslandsInIt) {
+  // A hole of 20 x 14 mm with a free sheet of 6 x 4 mm in it.
+  const Valve valve =
+      leaflets(joined(joined(joined(flap(-20, -10, -10, 10, 0), flap(10, -10, 20, 10, 0)),
+                             joined(flap(-10, -10, 10, -7, 0), flap(-10, 7, 10, 10, 0))),
+                      flap(-3, -2, 3, 2, 0)));
+  const std::vector<OrificeOutline> outlines = orifice_outlines(valve, valve.rest_mm, 0.0);
+  ASSERT_EQ(outlines.size(), 1u);
+  EXPECT_NEAR(outlines[0].area_mm2, 20.0 * 14.0 - 6.0 * 4.0, 1e-6);
+  ASSERT_EQ(outlines[0].contours_mm.size(), 2u);
+  const Points& outer = outlines[0].contours_mm[0];
+  EXPECT_EQ(outer.rows(), 4);
+  EXPECT_NEAR(outer.col(0).cwiseAbs().minCoeff(), 10.0, 1e-5);
+  EXPECT_NEAR(outer.col(1).cwiseAbs().minCoeff(), 7.0, 1e-5);
+  const Points& island = outlines[0].contours_mm[1];
+  EXPECT_EQ(island.rows(), 4);
+  EXPECT_NEAR(island.col(0).cwiseAbs().maxCoeff(), 3.0, 1e-5);
+}
+
 TEST(ExactOrifice, HalfThicknessMovesTheSidesOfAConvexHoleInwards) {
   // Each side of the 128-gon moves by r towards the middle: its inscribed circle shrinks by r.
   const double inscribed = 3.0 * std::cos(kPi / 128) - 0.5;

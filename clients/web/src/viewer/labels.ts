@@ -1,4 +1,5 @@
 // Words over the canvas at points of the scene.
+import { Vector3 } from 'three'
 import type { Vector } from '../api/types'
 import { h } from '../dom'
 import type { Stage } from './stage'
@@ -6,7 +7,7 @@ import type { Stage } from './stage'
 export interface Label {
   point_mm: Vector
   text: string
-  kind: 'landmark' | 'segment' | 'orifice' | 'distance'
+  kind: 'landmark' | 'tip' | 'segment' | 'orifice' | 'distance'
 }
 
 export class Labels {
@@ -24,9 +25,11 @@ export class Labels {
   }
 
   private place(): void {
+    // There the leaflets hide the tips.
+    const fromAbove = this.stage.camera.getWorldDirection(new Vector3()).z < -0.8
     for (const { label, node } of this.placed) {
       const { x, y, depth } = this.stage.place(label.point_mm)
-      node.hidden = depth > 1
+      node.hidden = depth > 1 || (label.kind === 'tip' && fromAbove)
       node.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`
     }
   }

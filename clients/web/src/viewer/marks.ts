@@ -22,7 +22,7 @@ export function namesOf(scene: Scene, nodes: ArrayLike<number>): Label[] {
   }
   for (const [segment, point_mm] of segmentMiddles(scene, nodes)) labels.push({ point_mm, text: segment, kind: 'segment' })
   const first = nodes.length / 3 - scene.heads.length
-  scene.heads.forEach((head, i) => labels.push({ point_mm: at(nodes, first + i), text: head.id, kind: 'landmark' }))
+  scene.heads.forEach((head, i) => labels.push({ point_mm: at(nodes, first + i), text: head.id, kind: 'tip' }))
   return labels
 }
 

@@ -1,5 +1,5 @@
 // Orifices as the view from the atrium shows them: blue areas on the annular plane, in front of everything.
-import { DoubleSide, Group, Mesh, MeshBasicMaterial, Path, Shape, ShapeGeometry, Vector3, Matrix4 } from 'three'
+import { DoubleSide, Group, Mesh, MeshBasicMaterial, Path, Shape, ShapeGeometry, Vector3, Matrix4, type Plane } from 'three'
 import type { Scene, Vector } from '../api/types'
 import { at, blend, dot, minus } from './geometry'
 
@@ -47,6 +47,10 @@ export class Orifices {
       this.group.add(mesh)
       if (area_mm2 >= LEAST_NAMED_MM2) this.labels.push({ point_mm: middle(outer), text: `${area_mm2.toFixed(1)} mm²` })
     }
+  }
+
+  cut(planes: Plane[]): void {
+    this.material.clippingPlanes = planes
   }
 
   dispose(): void {

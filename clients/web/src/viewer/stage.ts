@@ -107,15 +107,19 @@ export class Stage {
 
   /// Follows another stage's camera, and that one this.
   pair(other: Stage): void {
+    let following = false // an update tells of a change, too
     for (const [from, to] of [
       [this, other],
       [other, this],
     ] as const)
       from.controls.addEventListener('change', () => {
-        if (to.camera.position.equals(from.camera.position) && to.controls.target.equals(from.controls.target)) return
+        if (following) return
+        following = true
         to.camera.position.copy(from.camera.position)
         to.controls.target.copy(from.controls.target)
         to.controls.update()
+        following = false
+        to.draw()
       })
   }
 

@@ -3,7 +3,7 @@ import { Plane, Vector3 } from 'three'
 import type { Scene, Vector } from '../api/types'
 import { h } from '../dom'
 import { chordaColours, cornerColours, type ColourMode, type Scale } from './colours'
-import { at, boundaryEdges, chordaLines, closedNodes, nodesAt, section } from './geometry'
+import { at, boundaryEdges, chordaLines, closedNodes, dot, minus, nodesAt, section } from './geometry'
 import { Labels, type Label } from './labels'
 import { Leaflets } from './leaflets'
 import { Lines, pieces } from './lines'
@@ -82,7 +82,9 @@ export class Viewer {
     this.drawCut(scene, look)
     const words: Label[] = look.names ? namesOf(scene, this.nodes) : []
     if (orifices.group.visible) words.push(...orifices.labels.map((label) => ({ ...label, kind: 'orifice' as const })))
-    this.labels.set([...words, ...this.extra])
+    const cut = look.cut === null ? undefined : scene.sections[look.cut]
+    const isLeft = ({ point_mm }: Label): boolean => !cut || dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
+    this.labels.set([...words.filter(isLeft), ...this.extra])
     this.stage.draw()
   }
 
@@ -92,7 +94,7 @@ export class Viewer {
     // From above only the annulus matters.
     if (name !== 'atrial') return this.stage.look(name, centre_mm, radius_mm)
     const annulus = { ...this.scene, rest_mm: this.scene.annulus_mm, heads: [] }
-    this.stage.look(name, this.scene.plane.origin_mm, 1.12 * ballAround(annulus).radius_mm)
+    this.stage.look(name, this.scene.plane.origin_mm, 1.2 * ballAround(annulus).radius_mm)
   }
 
   /// Lines drawn over everything, such as a measured distance: six numbers each.
@@ -127,6 +129,7 @@ export class Viewer {
       ? [new Plane().setFromNormalAndCoplanarPoint(new Vector3(...chosen.normal).negate(), new Vector3(...chosen.point_mm))]
       : []
     this.leaflets?.cut(planes)
+    this.orifices?.cut(planes)
     for (const name of ['chordae', 'ruptured', 'edges', 'annulus', 'sutures'] as const) this.lines[name].cut(planes)
     const traced = chosen ? section(scene, this.nodes, chosen.point_mm, chosen.normal) : []
     this.lines.cut.set(

@@ -1,0 +1,193 @@
+#include "io/json/scene_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/metrics/coaptation.h"
+#include "core/metrics/exact_orifice.h"
+#include "core/metrics/loads.h"
+#include "core/valve/leaflet_coordinates.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kSections = 37;  // from 0.05 to 0.95
+constexpr double kFirstSection = 0.05, kSectionStep = 0.025;
+
+ordered_json rounded(double value, double digits) {
+  return std::isfinite(value) ? ordered_json(std::round(value * digits) / digits) : nullptr;
+}
+
+ordered_json mm(double value) { return rounded(value, 1e3); }
+ordered_json fine(double value) { return rounded(value, 1e4); }
+
+ordered_json point(const Vec3& p) { return {mm(p.x()), mm(p.y()), mm(p.z())}; }
+
+ordered_json direction(const Vec3& d) {
+  return {rounded(d.x(), 1e6), rounded(d.y(), 1e6), rounded(d.z(), 1e6)};
+}
+
+ordered_json flat(const Points& points) {
+  ordered_json list = ordered_json::array();
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    for (Eigen::Index k = 0; k < 3; ++k) list.push_back(mm(points(i, k)));
+  return list;
+}
+
+template <class T, class Write>
+ordered_json list_of(const T& entries, Write write) {
+  ordered_json list = ordered_json::array();
+  for (const auto& entry : entries) list.push_back(write(entry));
+  return list;
+}
+
+ordered_json faces_json(const Faces& faces) {
+  ordered_json list = ordered_json::array();
+  for (Eigen::Index f = 0; f < faces.rows(); ++f)
+    for (Eigen::Index k = 0; k < 3; ++k) list.push_back(faces(f, k));
+  return list;
+}
+
+ordered_json plane_json(const AnnularPlane& plane) {
+  return {{"origin_mm", point(plane.origin_mm)},
+          {"x", direction(plane.x)},
+          {"y", direction(plane.y)},
+          {"normal", direction(plane.normal)}};
+}
+
+ordered_json landmarks_json(const Landmarks& marks) {
+  return {{"saddle_peak", marks.saddle_peak},
+          {"mid_posterior", marks.mid_posterior},
+          {"anterolateral_trigone", marks.anterolateral_trigone},
+          {"posteromedial_trigone", marks.posteromedial_trigone},
+          {"anterolateral_commissure", marks.anterolateral_commissure},
+          {"posteromedial_commissure", marks.posteromedial_commissure}};
+}
+
+ordered_json segment_json(const ChordaSegment& segment, const Vec3& end_mm, double tension_n) {
+  ordered_json json = {
+      {"parent", segment.parent}, {"end_mm", point(end_mm)}, {"tension_n", fine(tension_n)}};
+  if (!segment.inserts) return json;
+  json["face"] = segment.insertion.face;
+  json["weights"] = list_of(segment.insertion.weights, fine);
+  return json;
+}
+
+ordered_json chordae_json(const Valve& valve, const ClosureResult& closure) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    const Chorda& chorda = valve.chordae[c];
+    ordered_json segments = ordered_json::array();
+    for (std::size_t s = 0; s < chorda.segments.size(); ++s)
+      segments.push_back(segment_json(chorda.segments[s],
+                                      closure.branch_points_mm[c].row(static_cast<Eigen::Index>(s)),
+                                      closure.tension_n[c][s]));
+    list.push_back({{"id", chorda.id},
+                    {"kind", to_string(chorda.kind)},
+                    {"head", chorda.head},
+                    {"ruptured", chorda.ruptured},
+                    {"segments", std::move(segments)}});
+  }
+  return list;
+}
+
+ordered_json heads_json(const std::vector<PapillaryHead>& heads) {
+  return list_of(heads, [](const PapillaryHead& head) -> ordered_json {
+    return {{"id", head.id},
+            {"side", to_string(head.side)},
+            {"rest_mm", point(head.rest_mm)},
+            {"tip_mm", point(head.tip_mm)}};
+  });
+}
+
+ordered_json coordinates_json(const Valve& valve) {
+  const LeafletCoordinates coordinates = leaflet_coordinates(valve);
+  return {{"around", list_of(coordinates.around, fine)},
+          {"height", list_of(coordinates.height, fine)}};
+}
+
+ordered_json strains_json(const Valve& valve, const Points& closed_mm) {
+  const std::vector<FaceStrain> strains = face_strains(valve, closed_mm);
+  return {{"circumferential",
+           list_of(strains, [](const FaceStrain& s) { return fine(s.circumferential); })},
+          {"radial", list_of(strains, [](const FaceStrain& s) { return fine(s.radial); })}};
+}
+
+ordered_json orifices_json(const Valve& valve, const Points& closed_mm) {
+  return list_of(orifice_outlines(valve, closed_mm, 0.5 * valve.tissue.thickness_mm),
+                 [](const OrificeOutline& outline) -> ordered_json {
+                   return {{"area_mm2", mm(outline.area_mm2)},
+                           {"contours_mm", list_of(outline.contours_mm, flat)}};
+                 });
+}
+
+ordered_json sections_json(const Valve& valve, const Points& closed_mm) {
+  std::vector<double> along;
+  for (int i = 0; i < kSections; ++i) along.push_back(kFirstSection + kSectionStep * i);
+  return list_of(
+      coaptation_sections(valve, closed_mm, along),
+      [&](const CoaptationSection& section) -> ordered_json {
+        const SectionPlane plane = coaptation_plane(valve, section.along);
+        return {{"along", fine(section.along)},           {"point_mm", point(plane.point_mm)},
+                {"normal", direction(plane.normal)},      {"height_mm", mm(section.height_mm)},
+                {"distance_mm", mm(section.distance_mm)}, {"contact", section.contact}};
+      });
+}
+
+ordered_json sutures_json(const Valve& valve, const RepairPlan& plan) {
+  ordered_json list = ordered_json::array();
+  for (const RepairStep& step : plan.steps)
+    if (const auto* suture = std::get_if<PapillaryApproximation>(&step))
+      list.push_back({{"side", to_string(suture->side)},
+                      {"tip_mm", point(papillary_tip_mm(valve, suture->side))},
+                      {"anchor_mm", point(anchor_mm(valve, *suture))}});
+  return list;
+}
+
+/// `frames` of the states at most, evenly, the first and the last among them.
+ordered_json motion_json(const std::vector<Points>& states, int frames) {
+  const int count = std::min(frames, static_cast<int>(std::ssize(states)));
+  ordered_json list = ordered_json::array();
+  for (int i = 0; i < count; ++i) {
+    const double place = count == 1 ? 1.0 : static_cast<double>(i) / (count - 1);
+    list.push_back(flat(states[static_cast<std::size_t>(
+        std::lround(place * static_cast<double>(states.size() - 1)))]));
+  }
+  return list;
+}
+
+}  // namespace
+
+ordered_json scene_to_json(const Scene& scene) {
+  const auto& [valve, closure, plan, frames] = scene;
+  const bool is_finite = closure.closed_mm.allFinite();
+  ordered_json json = {
+      {"schema", "coapt.scene/1"},
+      {"plane", plane_json(annular_plane(valve))},
+      {"thickness_mm", valve.tissue.thickness_mm},
+      {"rest_mm", flat(valve.rest_mm)},
+      {"closed_mm", nullptr},
+      {"faces", faces_json(valve.faces)},
+      {"segments", list_of(valve.segments, [](Segment s) { return to_string(s); })},
+      {"leaflet_coordinates", coordinates_json(valve)},
+      {"annulus", valve.annulus},
+      {"annulus_mm", flat(valve.annulus_mm)},
+      {"landmarks", landmarks_json(valve.landmarks)},
+      {"heads", heads_json(valve.heads)},
+      {"chordae", chordae_json(valve, closure)},
+      {"sutures", sutures_json(valve, plan)},
+      {"strain", nullptr},
+      {"orifices", ordered_json::array()},
+      {"sections", ordered_json::array()},
+      {"motion_mm", motion_json(closure.motion_mm, frames)}};
+  if (!is_finite) return json;
+  json["closed_mm"] = flat(closure.closed_mm);
+  json["strain"] = strains_json(valve, closure.closed_mm);
+  json["orifices"] = orifices_json(valve, closure.closed_mm);
+  json["sections"] = sections_json(valve, closure.closed_mm);
+  return json;
+}
+
+}  // namespace coapt

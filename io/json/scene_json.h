@@ -1,0 +1,24 @@
+// Everything that is drawn of a closed valve, in one document (coapt.scene/1).
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "core/closure/closure.h"
+#include "core/repair/plan.h"
+#include "core/valve/valve.h"
+
+namespace coapt {
+
+struct Scene {
+  const Valve& valve;  ///< repaired, if it is
+  const ClosureResult& closure;
+  const RepairPlan& plan;  ///< of the repair: its sutures are drawn
+  int frames = 0;          ///< of the motion (ClosureResult::motion_mm), at most; 0: none
+};
+
+/// Long lists of points are flat, [x, y, z, x, y, z, ...], rounded to 0.001 mm; so are strains and tensions, to four
+/// digits after the point. Sections are 0.025 apart along the line between the commissures. Of a closure
+/// that flew apart there is no closed_mm, but null.
+nlohmann::ordered_json scene_to_json(const Scene& scene);
+
+}  // namespace coapt
