@@ -4,7 +4,10 @@ VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
 SOURCES := $(shell find core search io server clients tests bench -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
-.PHONY: help demo test chart bench bench-server instructions rivals build format format-check includes-check openapi-check asan fuzz clean
+WEB := clients/web
+WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public $(WEB)/index.html $(WEB)/vite.config.ts -type f)
+
+.PHONY: help demo serve test web web-test web-pictures chart bench bench-server instructions rivals build format format-check includes-check openapi-check asan fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -15,9 +18,34 @@ demo: build  ## ranked repair plans for a leaking valve of real human anatomy, w
 	$(BIN)/coapt plan $(VALVE) --evaluations 600 --seed 1 --plans 3 -o out/report.html || [ $$? -eq 4 ]
 	@echo "Pictures: out/leaking.png and out/report.html (open it in a browser)"
 
+serve: build web  ## the service with its page at http://127.0.0.1:8080
+	@echo "Open http://127.0.0.1:8080 in a browser; Ctrl-C ends it."
+	$(BIN)/coapt-server --db coapt.sqlite
+
 test: build  ## build and run every test
 	@cmake/install_packages.sh test
 	ctest --preset release --parallel 2
+
+web: build/web/index.html  ## the page, in build/web
+
+build/web/index.html: $(WEB)/node_modules $(WEB_SOURCES)
+	cd $(WEB) && npx --no-install vite build
+	@touch $@
+
+$(WEB)/node_modules: $(WEB)/package-lock.json
+	@command -v npm >/dev/null || cmake/install_packages.sh npm
+	npm ci --ignore-scripts --no-audit --no-fund --prefix $(WEB)
+	@touch $@
+
+web-test: build web  ## types, unit tests, and the page in a real browser with axe-core
+	@cmake/install_packages.sh browser
+	cd $(WEB) && npx --no-install tsc --noEmit && npx --no-install vitest run
+	node --test --test-reporter=spec $(WEB)/test/page/*.test.mjs
+
+web-pictures: build web  ## the page's pictures in docs/images, and its times
+	@cmake/install_packages.sh browser
+	node $(WEB)/test/page/pictures.mjs docs/images
+	node $(WEB)/test/page/times.mjs
 
 chart: build  ## accuracy against time, where methods fail, what the model's ingredients buy, into docs/images
 	$(BIN)/coapt chart speed-accuracy -o docs/images
@@ -65,7 +93,7 @@ openapi-check: build/openapi-check/node_modules  ## fail if the OpenAPI document
 
 build/openapi-check/node_modules: server/openapi-check/package-lock.json
 	@command -v cmake >/dev/null || cmake/install_packages.sh build
-	@command -v npm >/dev/null || cmake/install_packages.sh openapi
+	@command -v npm >/dev/null || cmake/install_packages.sh npm
 	@mkdir -p build/openapi-check
 	@cp server/openapi-check/package*.json build/openapi-check/
 	npm ci --ignore-scripts --no-audit --no-fund --prefix build/openapi-check

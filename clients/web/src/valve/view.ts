@@ -11,6 +11,8 @@ import { measures } from './measures'
 import { openPanel } from './open'
 import { sectionInset } from './section_inset'
 
+const FIRST = 'first valve' // drawn: a mark for who measures the page
+
 export class ValveView implements View {
   readonly element: HTMLElement
   private readonly viewer = new Viewer('The valve in three dimensions; arrow keys turn it, plus and minus zoom')
@@ -57,6 +59,8 @@ export class ValveView implements View {
     if (this.viewer.shown !== before) {
       this.viewer.set(before, this.looks.look([before]))
       this.distance.clear()
+      this.viewer.stage.drawNow()
+      if (performance.getEntriesByName(FIRST).length === 0) performance.mark(FIRST)
       this.measures.replaceChildren(measures(before, null))
     }
     this.draw()

@@ -1,0 +1,55 @@
+// What everybody can use: axe-core over each view, in both themes, at both widths; and with the keyboard alone.
+import assert from 'node:assert/strict'
+import { writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { accessProblems, openView, startBrowser, startService } from './page.mjs'
+
+let service, browser
+before(async () => {
+  service = await startService()
+  browser = await startBrowser()
+})
+after(async () => {
+  await browser.close()
+  await service.stop()
+})
+
+for (const view of ['valve', 'repair', 'search', 'studies'])
+  for (const [theme, width] of [['light', 1280], ['dark', 820]])
+    test(`${view} has nothing against it, ${theme}, ${width} px wide`, async () => {
+      const { page, complaints } = await openView(browser, service.url, view, { theme, width, height: 900 })
+      await page.locator('.open-valve', { hasText: 'human-functional-mr' }).waitFor()
+      if (view === 'repair') await page.getByRole('button', { name: 'Suture AL' }).click()
+      assert.deepEqual(await accessProblems(page), [])
+      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)
+      assert.equal(overflow, 0, 'nothing sticks out to the side')
+      assert.deepEqual(complaints, [])
+      await page.close()
+    })
+
+test('views and steps can be reached with the keyboard alone', async () => {
+  const { page } = await openView(browser, service.url, 'valve')
+  await page.keyboard.press('Tab')
+  assert.equal(await page.evaluate(() => document.activeElement?.textContent), 'Skip to the content')
+  for (let i = 0; i < 2; ++i) await page.keyboard.press('Tab')
+  await page.keyboard.press('Tab')
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('href')), '#search')
+  await page.keyboard.press('Enter')
+  await page.locator('nav [aria-current]', { hasText: 'Search' }).waitFor()
+  await page.close()
+})
+
+test('a service with a token gives the page to everybody, and a valve to who knows it', async () => {
+  const token = 'sixteen-or-more-characters'
+  const file = join(service.folder, 'token')
+  writeFileSync(file, token, { mode: 0o600 })
+  const closed = await startService(['--token-file', file])
+  const { page } = await openView(browser, closed.url, 'valve')
+  const input = page.getByLabel('Token', { exact: true }).last()
+  await input.fill(token)
+  await page.getByRole('button', { name: 'Go on' }).click()
+  await page.locator('.open-valve', { hasText: 'human-functional-mr' }).waitFor()
+  await page.close()
+  await closed.stop()
+})

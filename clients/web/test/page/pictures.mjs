@@ -1,0 +1,42 @@
+// Pictures of each view for docs/images: `node pictures.mjs FOLDER`.
+import { join } from 'node:path'
+import { openView, startBrowser, startService } from './page.mjs'
+
+const folder = process.argv[2] ?? '.'
+const service = await startService()
+const browser = await startBrowser()
+
+async function picture(name, view, options, prepare) {
+  const { page } = await openView(browser, service.url, view, options)
+  await page.locator('.open-valve', { hasText: 'human-functional-mr' }).waitFor()
+  await prepare(page)
+  await page.waitForTimeout(1500)
+  await page.screenshot({ path: join(folder, `page-${name}.png`) })
+  await page.close()
+  console.log(name)
+}
+
+await picture('valve', 'valve', {}, async (page) => {
+  await page.locator('.labels .orifice').first().waitFor()
+})
+await picture('cut', 'valve', { theme: 'dark' }, async (page) => {
+  await page.getByLabel('Preset').selectOption('human-normal')
+  await page.locator('.open-valve', { hasText: 'human-normal' }).waitFor()
+  await page.getByRole('button', { name: 'Oblique' }).click()
+  await page.getByLabel('Colours').selectOption('strain_radial')
+  await page.getByLabel('Place of the cut').fill('18')
+})
+await picture('repair', 'repair', {}, async (page) => {
+  await page.getByRole('button', { name: 'Ring' }).click()
+  await page.getByRole('button', { name: 'Suture PM' }).click()
+  await page.locator('.answer', { hasText: 'Closed' }).waitFor()
+  await page.getByRole('button', { name: 'Accept' }).click()
+})
+await picture('repair-tablet', 'repair', { width: 820, height: 1180, theme: 'dark' }, async (page) => {
+  await page.getByRole('button', { name: 'Suture AL' }).click()
+  await page.locator('.answer', { hasText: 'Closed' }).waitFor()
+  await page.getByRole('button', { name: 'Oblique' }).click()
+})
+
+await browser.close()
+await service.stop()

@@ -1,0 +1,113 @@
+import assert from 'node:assert/strict'
+import { writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { openView, startBrowser, startService } from './page.mjs'
+
+let service, browser, page, complaints
+before(async () => {
+  service = await startService()
+  browser = await startBrowser()
+  ;({ page, complaints } = await openView(browser, service.url, 'repair'))
+  await page.locator('.labels .orifice').first().waitFor()
+})
+after(async () => {
+  assert.deepEqual(complaints, [])
+  await browser.close()
+  await service.stop()
+})
+
+const leak = () => page.locator('.measures tr', { hasText: 'Leak' }).locator('td').allTextContents()
+const answered = () => page.locator('.answer', { hasText: 'Closed and measured' }).waitFor()
+const steps = () => page.locator('.steps .step').allTextContents()
+
+test('a ring of the own shape makes the leak smaller, as the service says', async () => {
+  await page.getByRole('button', { name: 'Ring' }).click()
+  await answered()
+  const plan = { schema: 'coapt.plan/1', steps: [{ step: 'annuloplasty', shape: 'own', sizes_below: 2 }] }
+  const body = JSON.stringify({ valve: 'human-functional-mr', plan })
+  const expected = await (await fetch(`${service.url}/v1/scenes`, { method: 'POST', body })).json()
+  assert.equal((await leak())[1], `${expected.closure.leak_mm2.toFixed(1)} mm²`)
+  assert.ok(Number.parseFloat((await leak())[1]) < Number.parseFloat((await leak())[0]))
+})
+
+test('letting a slider go closes the valve anew', async () => {
+  const before = (await leak())[1]
+  await page.getByLabel('Sizes below').fill('0')
+  await page.waitForFunction((old) => document.querySelector('.measures tr:nth-child(2) td:last-child')?.textContent !== old, before)
+  assert.match((await steps())[0], /0 sizes below/)
+})
+
+test('a suture can be tied to a point that is picked on the annulus', async () => {
+  await page.getByRole('button', { name: 'Suture PM' }).click()
+  await page.getByLabel('Anchor').selectOption('annulus_point')
+  await page.getByRole('button', { name: 'Pick it on the annulus' }).click()
+  const peak = await page.locator('figure').first().locator('.labels span', { hasText: 'saddle peak' }).boundingBox()
+  const middle = await page.locator('figure').first().locator('canvas').boundingBox()
+  // Labels of landmarks stand a seventh of the way outside the annulus.
+  const x = peak.x + peak.width / 2
+  const y = peak.y + peak.height / 2
+  const cx = middle.x + middle.width / 2
+  const cy = middle.y + middle.height / 2
+  await page.mouse.click(cx + (x - cx) / 1.14, cy + (y - cy) / 1.14)
+  await page.waitForFunction(() => /annulus at (7|8|9|10)\d?°/.test(document.querySelector('.steps')?.textContent ?? ''))
+  assert.match((await steps())[1], /Posteromedial papillary muscle to the annulus/)
+})
+
+test('a neochorda is placed by clicking the leaflet and a papillary head', async () => {
+  await page.getByRole('button', { name: 'Neochorda' }).click()
+  const first = page.locator('figure').first()
+  const p2 = await first.locator('.labels span', { hasText: /^P2$/ }).boundingBox()
+  await page.mouse.click(p2.x + p2.width / 2, p2.y + p2.height / 2)
+  await page.locator('.picking', { hasText: 'papillary head' }).waitFor()
+  await page.getByRole('button', { name: 'From the ventricle' }).click()
+  await page.waitForTimeout(500)
+  const head = await first.locator('.labels .tip').first().boundingBox()
+  await page.mouse.click(head.x + head.width / 2, head.y + head.height / 2)
+  await page.waitForFunction(() => /Neochorda from \w+ to P2/.test(document.querySelector('.steps')?.textContent ?? ''))
+  await page.getByRole('button', { name: 'From the atrium' }).click()
+})
+
+test('a chorda can be cut, shortened and moved', async () => {
+  await page.getByRole('button', { name: 'Chorda', exact: true }).click()
+  await page.keyboard.press('Escape')
+  await page.getByLabel('What is done').selectOption('chordal_excision')
+  await page.waitForFunction(() => /Chorda \S+ cut/.test(document.querySelector('.steps')?.textContent ?? ''))
+  await page.getByLabel('What is done').selectOption('chordal_transfer')
+  await page.waitForFunction(() => /Chorda \S+ moved to P2/.test(document.querySelector('.steps')?.textContent ?? ''))
+})
+
+test('undo goes back step by step, redo forth', async () => {
+  const count = (await steps()).length
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await page.waitForFunction((most) => document.querySelectorAll('.steps .step').length < most, count)
+  await page.getByRole('button', { name: 'Redo' }).click()
+  await page.getByRole('button', { name: 'Clear' }).click()
+  await page.getByText('No step yet').waitFor()
+})
+
+test('accepted plans are kept, scored, saved and loaded', async () => {
+  await page.getByRole('button', { name: 'Ring' }).click()
+  await answered()
+  await page.getByRole('button', { name: 'Accept' }).click()
+  await page.getByRole('button', { name: 'Score them' }).click()
+  await page.getByText('Best: plan 1.').waitFor()
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save', exact: true }).click()])
+  assert.equal(saved.suggestedFilename(), 'plans.json')
+  await saved.saveAs(join(service.folder, 'plans.json'))
+  await page.getByLabel('Plans to load').setInputFiles(join(service.folder, 'plans.json'))
+  await page.getByText('1 loaded from plans.json.').waitFor()
+  writeFileSync(join(service.folder, 'no-plan.json'), '{"a": 1}')
+  await page.getByLabel('Plans to load').setInputFiles(join(service.folder, 'no-plan.json'))
+  await page.getByText('it holds no plan').waitFor()
+})
+
+test('a plan that is not possible says why, with its place', async () => {
+  const plan = { schema: 'coapt.plan/1', steps: [{ step: 'papillary_approximation', side: 'anterolateral', anchor: 'saddle_peak', suture_length_mm: 99 }] }
+  writeFileSync(join(service.folder, 'long.json'), JSON.stringify(plan))
+  await page.getByLabel('Plans to load').setInputFiles(join(service.folder, 'long.json'))
+  await page.getByRole('button', { name: 'Revise' }).last().click()
+  await page.locator('.problems code', { hasText: '/plan/steps/0/suture_length_mm' }).waitFor()
+})

@@ -1,0 +1,126 @@
+import assert from 'node:assert/strict'
+import { readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { openView, startBrowser, startService } from './page.mjs'
+
+let service, browser, page, complaints
+before(async () => {
+  service = await startService()
+  browser = await startBrowser()
+  ;({ page, complaints } = await openView(browser, service.url, 'valve'))
+})
+after(async () => {
+  assert.deepEqual(complaints, [])
+  await browser.close()
+  await service.stop()
+})
+
+const measure = (name) => page.locator('.measures tr', { hasText: name }).first().locator('td').last()
+/// How many colours a part of the view has: one where nothing is drawn.
+async function colours() {
+  const png = await page.locator('.viewer canvas').screenshot()
+  return new Set(png.toString('hex').match(/.{6}/g)).size
+}
+
+test('the first valve is closed and measured as the service says, and drawn', async () => {
+  const expected = await (await fetch(`${service.url}/v1/closures`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })).json()
+  await page.locator('.labels .orifice').first().waitFor()
+  assert.equal(await measure('Orifice from the atrium').textContent(), `${expected.orifice_area_mm2.toFixed(1)} mm²`)
+  assert.match(await page.locator('.labels .orifice').first().textContent(), /^\d+\.\d mm²$/)
+  assert.ok((await colours()) > 500)
+  for (const name of ['A2', 'P2', 'saddle peak', 'PM trigone'])
+    assert.ok(await page.locator('.labels span', { hasText: name }).first().isVisible(), name)
+})
+
+test('the cut tells the coaptation height where it is', async () => {
+  const scene = await (await fetch(`${service.url}/v1/scenes`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })).json()
+  for (const index of [4, 18]) {
+    await page.getByLabel('Place of the cut').fill(String(index))
+    const { contact, height_mm, distance_mm } = scene.sections[index]
+    const words = contact ? `coaptation height ${height_mm.toFixed(1)} mm` : `leaflets ${distance_mm.toFixed(1)} mm apart`
+    assert.ok((await page.locator('.looks output').first().textContent()).includes(words), words)
+    assert.ok(await page.locator('svg.section').isVisible())
+  }
+})
+
+test('the valve closes before the eyes: open it leaves no orifice drawn, closed it does', async () => {
+  await page.getByLabel('Open to closed').fill('0')
+  assert.equal(await page.locator('.labels .orifice').count(), 0)
+  await page.getByRole('button', { name: 'Play the closing' }).click()
+  await page.locator('.labels .orifice').first().waitFor()
+})
+
+test('every colouring has a legend', async () => {
+  for (const mode of ['strain_circumferential', 'strain_radial', 'height', 'tension']) {
+    await page.getByLabel('Colours').selectOption(mode)
+    assert.ok(await page.locator('.legend.scale canvas').isVisible(), mode)
+  }
+  await page.getByLabel('Colours').selectOption('leaflets')
+})
+
+test('a distance is measured between two points', async () => {
+  await page.getByLabel('Cut', { exact: true }).uncheck()
+  await page.getByRole('button', { name: 'From the atrium' }).click()
+  await page.getByRole('button', { name: 'Measure a distance' }).click()
+  const box = await page.locator('.viewer canvas').boundingBox()
+  const labels = page.locator('.labels span')
+  for (const name of ['A2', 'P2']) {
+    const at = await labels.filter({ hasText: new RegExp(`^${name}$`) }).boundingBox()
+    await page.mouse.click(at.x + at.width / 2, at.y + at.height / 2)
+  }
+  const text = await page.locator('.labels .distance').textContent()
+  const mm = Number.parseFloat(text)
+  assert.ok(mm > 3 && mm < 40, text)
+  assert.ok(box.width > 300)
+  await page.getByRole('button', { name: 'Measure a distance' }).click()
+})
+
+test('a preset and a file can be opened', async () => {
+  await page.getByLabel('Preset').selectOption('human-p2-prolapse')
+  await page.locator('.open-valve', { hasText: 'human-p2-prolapse' }).waitFor()
+  const valve = await (await fetch(`${service.url}/v1/presets/porcine-1`)).text()
+  const file = join(service.folder, 'mine.json')
+  writeFileSync(file, valve)
+  await page.getByLabel('Your file').setInputFiles(file)
+  await page.locator('.open-valve', { hasText: 'mine.json' }).waitFor()
+  assert.match(await measure('Annulus, anteroposterior').textContent(), /mm$/)
+})
+
+test('all problems of a file are shown with where they are, and the valve stays', async () => {
+  const valve = JSON.parse(readFileSync(join(service.folder, 'mine.json'), 'utf8'))
+  valve.pressure_kpa = -3
+  valve.chordae[0].segments[0].rest_length_mm = 'long'
+  const file = join(service.folder, 'wrong.json')
+  writeFileSync(file, JSON.stringify(valve))
+  await page.getByLabel('Your file').setInputFiles(file)
+  const problems = page.locator('.problems li')
+  await problems.nth(1).waitFor()
+  const texts = (await problems.allTextContents()).join('\n')
+  assert.match(texts, /\/pressure_kpa.*-3/)
+  assert.match(texts, /\/chordae\/0\/segments\/0\/rest_length_mm/)
+  assert.equal(await page.locator('.open-valve').textContent(), 'mine.json')
+  writeFileSync(file, 'no JSON at all <script>alert(1)</script>')
+  await page.getByLabel('Your file').setInputFiles(file)
+  await page.locator('.problems li').first().waitFor()
+})
+
+test('arrow keys turn the valve', async () => {
+  const place = () => page.locator('.labels span', { hasText: 'saddle peak' }).boundingBox()
+  const first = await place()
+  await page.locator('.viewer canvas').focus()
+  for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowDown')
+  await page.waitForTimeout(300)
+  assert.notDeepEqual(await place(), first)
+})
+
+test('it says on every view that it is for research only, and what is not modelled', async () => {
+  for (const view of ['Valve', 'Repair', 'Search', 'Studies']) {
+    await page.getByRole('link', { name: view, exact: true }).click()
+    await page.locator('nav [aria-current]', { hasText: view }).waitFor()
+    assert.ok(await page.getByText('Research use only, not a medical device').isVisible())
+  }
+  await page.getByText('What is not modelled').click()
+  assert.ok((await page.locator('footer li').count()) >= 4)
+  assert.ok(await page.getByText('Blood flow').isVisible())
+})
