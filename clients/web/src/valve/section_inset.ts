@@ -7,6 +7,7 @@ import { closedNodes, distance, dot, minus, section, type SectionPiece } from '.
 
 const CONTACT = 1.25 // of the thickness: mid-surfaces nearer than this touch (coaptation.h)
 const MARGIN_MM = 3
+const LETTERS = 26 // heights of a letter across the drawing
 
 export function sectionInset(scene: Scene, index: number): SVGSVGElement {
   const place = scene.sections[index]
@@ -36,12 +37,15 @@ export function sectionInset(scene: Scene, index: number): SVGSVGElement {
       const touches = others.some((other) => nearness(piece, other) < CONTACT * scene.thickness_mm)
       drawing.append(svg('line', { x1, y1, x2, y2, class: touches ? `${name} contact` : name }))
     }
+  const size = width / LETTERS
+  const text = (x: number, y: number, anchor: string, said: string, name = ''): SVGTextElement =>
+    svg('text', { x, y, 'text-anchor': anchor, 'font-size': size, class: name }, said)
   drawing.append(
-    svg('text', { x: left + 1, y: top + 3 }, 'anterior'),
-    svg('text', { x: left + width - 1, y: top + 3, 'text-anchor': 'end' }, 'posterior'),
-    svg('text', { x: left + width / 2, y: top + 3, 'text-anchor': 'middle', class: 'result' }, words),
+    text(left + 0.5 * size, top + 1.2 * size, 'start', 'anterior'),
+    text(left + width - 0.5 * size, top + 1.2 * size, 'end', 'posterior'),
+    text(left + width / 2, top + 1.2 * size, 'middle', words, 'result'),
     svg('line', { x1: left + 1, y1: top + height - 1, x2: left + 11, y2: top + height - 1, class: 'bar' }),
-    svg('text', { x: left + 1, y: top + height - 1.6 }, '10 mm'),
+    text(left + 1, top + height - 1.6, 'start', '10 mm'),
   )
   return drawing
 }
