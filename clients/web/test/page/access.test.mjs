@@ -28,6 +28,13 @@ for (const view of ['valve', 'repair', 'search', 'studies'])
       await page.close()
     })
 
+test('what is wrong is found', async () => {
+  const { page } = await openView(browser, service.url, 'valve')
+  await page.evaluate(() => document.querySelector('main').append(document.createElement('button')))
+  assert.match((await accessProblems(page)).join(), /button-name/)
+  await page.close()
+})
+
 test('views and steps can be reached with the keyboard alone', async () => {
   const { page } = await openView(browser, service.url, 'valve')
   await page.keyboard.press('Tab')

@@ -33,7 +33,7 @@ test('a ring of the own shape makes the leak smaller, as the service says', asyn
 
 test('letting a slider go closes the valve anew', async () => {
   const before = (await leak())[1]
-  await page.getByLabel('Sizes below').fill('0')
+  await page.getByRole('slider', { name: 'Sizes below' }).fill('0')
   await page.waitForFunction((old) => document.querySelector('.measures tr:nth-child(2) td:last-child')?.textContent !== old, before)
   assert.match((await steps())[0], /0 sizes below/)
 })

@@ -45,6 +45,7 @@ test('the cut tells the coaptation height where it is', async () => {
 })
 
 test('the valve closes before the eyes: open it leaves no orifice drawn, closed it does', async () => {
+  await page.getByLabel('Cut', { exact: true }).uncheck()
   await page.getByLabel('Open to closed').fill('0')
   assert.equal(await page.locator('.labels .orifice').count(), 0)
   await page.getByRole('button', { name: 'Play the closing' }).click()
@@ -60,7 +61,6 @@ test('every colouring has a legend', async () => {
 })
 
 test('a distance is measured between two points', async () => {
-  await page.getByLabel('Cut', { exact: true }).uncheck()
   await page.getByRole('button', { name: 'From the atrium' }).click()
   await page.getByRole('button', { name: 'Measure a distance' }).click()
   const box = await page.locator('.viewer canvas').boundingBox()
