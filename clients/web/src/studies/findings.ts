@@ -1,0 +1,34 @@
+// What the thesis found beside what this valve shows.
+import type { Finding, StudyResult } from '../api/types'
+import { dataTable } from '../charts/data_table'
+import { h } from '../dom'
+import { seconds } from '../format'
+import { grouped } from '../jobs/progress_panel'
+
+export function findingsTable(result: StudyResult): HTMLElement {
+  const { findings } = result
+  const facts: [string, string][] = [
+    ['findings that agree', `${result.agree} of ${findings.length}`],
+    ['configurations', grouped(result.configurations)],
+    ['closed now', grouped(result.closures)],
+    ['not trusted', grouped(result.untrusted)],
+    ['time', seconds(result.seconds)],
+  ]
+  return h(
+    'section',
+    { class: 'panel', 'aria-label': 'Findings' },
+    h('h2', {}, 'Findings of the thesis on this valve'),
+    h('dl', { class: 'figures' }, ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value)))),
+    findings.length === 0
+      ? h('p', {}, 'None: no displacement leaks enough to be repaired.')
+      : dataTable(
+          'Findings',
+          [{ label: 'finding' }, { label: 'section' }, { label: 'thesis' }, { label: 'here' }, { label: '' }, { label: 'judged by' }],
+          findings.map((finding) => [finding.finding, finding.section, finding.thesis, finding.ours, verdict(finding), finding.judged]),
+        ),
+  )
+}
+
+function verdict(finding: Finding): HTMLElement {
+  return finding.agrees ? h('span', { class: 'verdict good' }, '✓ agrees') : h('span', { class: 'verdict warn' }, '≠ differs')
+}

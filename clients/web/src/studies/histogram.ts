@@ -1,0 +1,32 @@
+// How often values fall where.
+
+export interface Histogram {
+  edges: number[] // of the bins, one more than there are bins
+  counts: number[][] // by sample, then bin
+}
+
+/// About `bins` bins of a round width from 0 (or below, if values are) to the largest value, the same for all samples.
+export function histogram(samples: (number | null)[][], bins: number): Histogram {
+  const known = samples.map((sample) => sample.filter((value): value is number => value !== null))
+  const least = Math.min(0, ...known.flat())
+  const most = Math.max(least + 1e-6, ...known.flat())
+  const width = roundUp((most - least) / bins)
+  const from = Math.floor(least / width) * width
+  const count = Math.max(1, Math.floor((most - from) / width) + 1)
+  const edges = Array.from({ length: count + 1 }, (_, i) => Number((from + i * width).toPrecision(12)))
+  const counts = known.map((sample) => {
+    const of = new Array<number>(count).fill(0)
+    for (const value of sample) {
+      const bin = Math.min(count - 1, Math.floor((value - from) / width))
+      of[bin] = (of[bin] ?? 0) + 1
+    }
+    return of
+  })
+  return { edges, counts }
+}
+
+/// 1, 2 or 5 times a power of ten, not below `value`.
+function roundUp(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value))
+  return (([1, 2, 5].find((digit) => digit * power >= value * (1 - 1e-9)) ?? 10) * power)
+}
