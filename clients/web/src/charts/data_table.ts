@@ -12,7 +12,7 @@ export function dataTable(caption: string, columns: TableColumn[], rows: Child[]
   const kind = (i: number) => (columns[i]?.numeric ? 'number' : null)
   return h(
     'div',
-    { class: 'scroll', role: 'region', 'aria-label': caption, tabindex: 0 },
+    { class: 'scroll', role: 'group', 'aria-label': caption, tabindex: 0 },
     h(
       'table',
       {},

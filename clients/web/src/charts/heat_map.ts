@@ -31,7 +31,7 @@ export function heatMap(map: HeatMap): HTMLElement {
   )
   return h(
     'div',
-    { class: 'scroll', role: 'region', 'aria-label': map.title, tabindex: 0 },
+    { class: 'scroll', role: 'group', 'aria-label': map.title, tabindex: 0 },
     h(
       'table',
       { class: 'heat' },

@@ -41,7 +41,7 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
   const element = h(
     'figure',
     { class: 'chart' },
-    h('figcaption', {}, h('h3', {}, chart.title), here),
+    h('figcaption', {}, h('strong', {}, chart.title), here),
     canvas,
     legend,
     asTable(() => table(chart, series)),
@@ -101,10 +101,10 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
       },
       scales: {
         x: { time: false, range: (_u, low, high) => xRange(chart, low, high) },
-        y: chart.y.log ? { distr: 3 } : { range: (_u, _low, high) => [0, chart.y.highest ?? (high > 0 ? 1.05 * high : 1)] },
+        y: chart.y.log ? { distr: 3, range: (_u, low, high) => [0.8 * low, 1.25 * high] } : { range: (_u, _low, high) => [0, chart.y.highest ?? (high > 0 ? 1.05 * high : 1)] },
       },
       axes: [
-        { ...axis, label: chart.x.label, grid: { show: false } },
+        { ...axis, label: chart.x.label, grid: { show: false }, size: 30 },
         { ...axis, label: chart.y.label, grid, size: 52 },
       ],
       series: [

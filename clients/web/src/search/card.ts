@@ -63,7 +63,12 @@ export function planCard(plan: RankedPlan, context: CardContext): Card {
       said.textContent = 'Kept; it is in the list of the view Repair.'
     })
 
-  const more = h('details', { class: 'more' }, h('summary', {}, 'Evidence', h('span', { class: 'unseen' }, ` for plan ${plan.rank}`)))
+  /// Its name tells the plan, for those who hear it alone.
+  const of = <E extends HTMLElement>(element: E): E => {
+    element.append(h('span', { class: 'unseen' }, ` plan ${plan.rank}`))
+    return element
+  }
+  const more = h('details', { class: 'more' }, of(h('summary', {}, 'Evidence')))
   more.addEventListener('toggle', () => {
     if (more.open && more.children.length === 1) more.append(evidence(plan, context.signal))
   })
@@ -75,15 +80,15 @@ export function planCard(plan: RankedPlan, context: CardContext): Card {
     h(
       'div',
       { class: 'about' },
-      h('div', { class: 'row head' }, h('h3', {}, `${plan.rank}.`), ...badges(plan), h('label', { class: 'check compare' }, choose, h('span', {}, 'Compare', h('span', { class: 'unseen' }, ` plan ${plan.rank}`)))),
+      h('div', { class: 'row head' }, h('h3', {}, `${plan.rank}.`), ...badges(plan), h('label', { class: 'check compare' }, choose, of(h('span', {}, 'Compare')))),
       h('ul', { class: 'steps' }, ...(plan.description.length > 0 ? plan.description : ['no repair']).map((step) => h('li', {}, step))),
       figures(plan),
       warnings(plan),
       h(
         'div',
         { class: 'row' },
-        button('Try by hand', () => void tryByHand(), { class: 'primary', 'aria-label': `Try plan ${plan.rank} by hand` }),
-        button('Keep', () => void keep(), { 'aria-label': `Keep plan ${plan.rank}` }),
+        of(button('Try by hand', () => void tryByHand(), { class: 'primary' })),
+        of(button('Keep', () => void keep())),
         said,
       ),
       h(

@@ -13,7 +13,7 @@ export function costChart(series: Series[], signal: AbortSignal): DrawnChart {
     {
       title: 'Best cost so far',
       summary:
-        ours === undefined ? 'Nothing yet.' : `At the end ${number(ours, 2)} mm²; random search is expected to have ${number(random, 2)} mm².`,
+        ours === undefined ? 'Nothing yet.' : `At the end ${number(ours, 2)} mm²; expected of random search: ${number(random, 2)} mm².`,
       x: { label: 'closures', lowest: 0 },
       y: { label: 'cost, mm²', log: true },
       series,
@@ -32,7 +32,12 @@ export function liveSeries(progress: JobProgress[]): Series[] {
   )
 }
 
-export function costSeries(search: CostPoint[], random: CostPoint[]): Series[] {
+/// Of one that has ended: a short one has tried too few plans to say what random search would have.
+export function endedSeries(search: CostPoint[], random: CostPoint[]): Series[] {
+  return costSeries(search, random).filter((one) => one.x.length > 0)
+}
+
+function costSeries(search: CostPoint[], random: CostPoint[]): Series[] {
   return [
     { ...SEARCH, ...pointsOf(search) },
     { ...RANDOM, ...pointsOf(random) },

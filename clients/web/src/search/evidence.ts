@@ -4,7 +4,7 @@ import { dataTable } from '../charts/data_table'
 import { heatMap, heatScale, mostOf } from '../charts/heat_map'
 import { lineChart } from '../charts/line_chart'
 import type { Hue } from '../charts/colours'
-import { h } from '../dom'
+import { h, type Child } from '../dom'
 import { number, percent, words } from '../format'
 import { meanAndSd } from './figures'
 
@@ -18,7 +18,7 @@ const signed = (value: number, digits: number) => (value > 0 ? '+' : '') + numbe
 
 /// `most`: mm2, end of the scale, so that maps can be compared.
 export function leakMap(map: LeakMap, most: number): HTMLElement {
-  const muscle = map.muscle === 'both' ? 'Both sutures alike' : `${map.muscle[0]?.toUpperCase()}${map.muscle.slice(1)} suture alone`
+  const muscle = map.muscle === 'both' ? 'Both muscles alike' : `${map.muscle[0]?.toUpperCase()}${map.muscle.slice(1)} suture alone`
   return heatMap({
     title: `${muscle}: leak, mm².`,
     unit: 'mm²',
@@ -34,12 +34,12 @@ export function evidence(plan: RankedPlan, signal: AbortSignal): HTMLElement {
   return h('div', { class: 'evidence' }, ...maps(plan), ...remodelling(plan, signal), ...sobol(plan), ...gates(plan.gates))
 }
 
-function maps(plan: RankedPlan): (Node | false)[] {
-  if (plan.leak_map.length === 0) return [h('p', { class: 'hint' }, 'No suture holds a papillary muscle, so there is no map over its length and angle.')].filter(() => plan.region_closures > 1)
+function maps(plan: RankedPlan): Child[] {
+  if (plan.leak_map.length === 0) return []
   const most = mapsMost([plan])
   const alone = plan.independent_leak_mm2
   return [
-    h('h4', {}, 'Leak when the sutures are not quite as planned'),
+    h('h4', {}, 'Leak when suture length and muscle are not quite as planned'),
     h('div', { class: 'maps' }, ...plan.leak_map.map((map) => leakMap(map, most))),
     heatScale(most, 'mm²'),
     alone.mean !== null &&

@@ -12,6 +12,7 @@ export interface Figure {
   digits: number
   value(plan: RankedPlan): number | null
   better: 'lower' | 'higher'
+  border?: number // a value there may be larger
   /// Differences up to this say nothing; `why` tells what it is.
   blur?: { of(a: RankedPlan, b: RankedPlan): number; why: string }
 }
@@ -30,8 +31,8 @@ export const FIGURES: Figure[] = [
   { label: 'Orifice over the region, mean', unit: 'mm²', digits: 2, value: (p) => p.orifice_area_mm2.mean, better: 'lower', blur: spread },
   { label: 'Orifice as planned', unit: 'mm²', digits: 1, value: (p) => p.measure.orifice_area_mm2, better: 'lower', blur: oneClosure },
   { label: 'Gap as planned', unit: 'mm²', digits: 1, value: (p) => p.measure.coaptation.gap_area_mm2, better: 'lower', blur: oneClosure },
-  { label: 'Margin to leak, suture length', unit: 'mm', digits: 2, value: (p) => p.margin_to_leak.suture_length_mm, better: 'higher' },
-  { label: 'Margin to leak, angle', unit: '°', digits: 1, value: (p) => p.margin_to_leak.angle_deg, better: 'higher' },
+  { label: 'Margin to leak, suture length', unit: 'mm', digits: 2, value: (p) => p.margin_to_leak.suture_length_mm, better: 'higher', border: FARTHEST.suture_length_mm },
+  { label: 'Margin to leak, angle', unit: '°', digits: 1, value: (p) => p.margin_to_leak.angle_deg, better: 'higher', border: FARTHEST.angle_deg },
   { label: 'Coaptation height, mean', unit: 'mm', digits: 1, value: (p) => p.measure.coaptation.height_mean_mm, better: 'higher' },
   { label: 'Coaptation height, least', unit: 'mm', digits: 1, value: (p) => p.measure.coaptation.height_min_mm, better: 'higher' },
   { label: 'Highest chordal tension', unit: 'N', digits: 2, value: (p) => p.measure.tension_max_n, better: 'lower' },
@@ -42,7 +43,14 @@ export const FIGURES: Figure[] = [
 ]
 
 export function shownFigure(figure: Figure, plan: RankedPlan): string {
-  return withUnit(figure.value(plan), figure.unit, figure.digits).trim()
+  const value = figure.value(plan)
+  const open = value !== null && figure.border !== undefined && value >= figure.border
+  return `${open ? '≥ ' : ''}${withDegrees(value, figure.unit, figure.digits).trim()}`
+}
+
+/// A degree stands at its number.
+function withDegrees(value: number | null, unit: string, digits: number): string {
+  return withUnit(value, unit, digits).replace(' °', '°')
 }
 
 export type Verdict = 'first' | 'second' | 'same' | 'within' | 'unknown'
@@ -61,11 +69,11 @@ export function meanAndSd(statistics: { mean: number | null; sd: number | null }
   return statistics.mean === null ? 'not known' : `${number(statistics.mean)} ± ${number(statistics.sd)} mm²`
 }
 
-/// "more than 1.00 mm, more than 5.0°": a margin at the region's border may be larger.
+/// "suture more than 1.00 mm, angle more than 5.0°": a margin at the region's border may be larger.
 export function marginWords(margin: RankedPlan['margin_to_leak']): string {
   const part = (value: number | null, farthest: number, unit: string, digits: number) =>
-    `${value !== null && value >= farthest ? 'more than ' : ''}${withUnit(value, unit, digits)}`
-  return `${part(margin.suture_length_mm, FARTHEST.suture_length_mm, 'mm', 2)}, ${part(margin.angle_deg, FARTHEST.angle_deg, '°', 1)}`
+    `${value !== null && value >= farthest ? 'more than ' : ''}${withDegrees(value, unit, digits)}`
+  return `suture ${part(margin.suture_length_mm, FARTHEST.suture_length_mm, 'mm', 2)}, angle ${part(margin.angle_deg, FARTHEST.angle_deg, '°', 1)}`
 }
 
 /// What is not to be relied on.

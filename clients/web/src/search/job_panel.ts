@@ -23,6 +23,7 @@ export interface SearchPanelContext extends Omit<CardContext, 'job'> {
 export function searchPanel(first: Job, context: SearchPanelContext): HTMLElement {
   const title = h('h1', {}, 'Search')
   const body = h('div', {})
+  const curves = h('section', { class: 'panel', 'aria-label': 'Best cost so far' }, h('p', { class: 'hint' }, 'The best cost so far is drawn here as soon as plans are scored.'))
   const seen: JobProgress[] = []
   let panel: ProgressPanel | null = null
   let chart: DrawnChart | null = null
@@ -34,8 +35,17 @@ export function searchPanel(first: Job, context: SearchPanelContext): HTMLElemen
     if (hasEnded(job.state)) return void end(job)
     if (panel) return panel.change(job)
     panel = progressPanel(job, 'search')
-    chart = costChart(liveSeries(seen), context.signal)
-    body.replaceChildren(panel.element, h('section', { class: 'panel', 'aria-label': 'Best cost so far' }, chart.element))
+    body.replaceChildren(panel.element, curves)
+    draw()
+  }
+
+  /// There is nothing to draw before the first plans are scored.
+  function draw(): void {
+    const series = liveSeries(seen)
+    if (series.every((one) => one.x.length === 0)) return
+    chart ??= costChart(series, context.signal)
+    if (!chart.element.isConnected) curves.replaceChildren(chart.element)
+    chart.show(series)
   }
 
   function progress(now: JobProgress): void {
@@ -43,7 +53,7 @@ export function searchPanel(first: Job, context: SearchPanelContext): HTMLElemen
     panel?.show(now)
     redraw ||= window.setTimeout(() => {
       redraw = 0
-      chart?.show(liveSeries(seen))
+      draw()
     }, REDRAW_MS)
   }
 

@@ -7,12 +7,12 @@ export class Pictures {
 
   /// Before and after, as the atrium sees it; says so where there is none.
   image(path: string, alt: string): HTMLElement {
-    const image = h('img', { alt, width: 1200, height: 500 })
-    const frame = h('div', { class: 'picture' }, image)
+    const image = h('img', { alt, width: 1300, height: 1210 })
+    const frame = h('a', { class: 'picture', target: '_blank', title: 'Open it in full size' }, image)
     const url = this.urls.get(path) ?? getBlob(path).then((blob) => URL.createObjectURL(blob))
     this.urls.set(path, url)
     url.then(
-      (found) => (image.src = found),
+      (found) => (image.src = frame.href = found),
       () => frame.replaceChildren(h('p', { class: 'hint' }, 'The picture did not come.')),
     )
     return frame

@@ -6,7 +6,7 @@ import { number, seconds, withUnit } from '../format'
 import { grouped } from '../jobs/progress_panel'
 import { inWords, planCard, type CardContext } from './card'
 import { comparison } from './compare'
-import { costChart, costSeries } from './cost_chart'
+import { costChart, endedSeries } from './cost_chart'
 import { downloadButton, reportLink } from '../jobs/downloads'
 
 const STOPS: Record<string, string> = {
@@ -88,7 +88,7 @@ function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
 function rest(result: SearchResult, context: CardContext): HTMLElement[] {
   const parts: HTMLElement[] = []
   if (result.progress.length > 0) {
-    const chart = costChart(costSeries(result.progress, result.random_progress), context.signal)
+    const chart = costChart(endedSeries(result.progress, result.random_progress), context.signal)
     parts.push(h('section', { class: 'panel', 'aria-label': 'How the search went' }, chart.element))
   }
   if (result.pareto_front.length > 0)

@@ -23,8 +23,8 @@ export function findingsTable(result: StudyResult): HTMLElement {
       ? h('p', {}, 'None: no displacement leaks enough to be repaired.')
       : dataTable(
           'Findings',
-          [{ label: 'finding' }, { label: 'section' }, { label: 'thesis' }, { label: 'here' }, { label: '' }, { label: 'judged by' }],
-          findings.map((finding) => [finding.finding, finding.section, finding.thesis, finding.ours, verdict(finding), finding.judged]),
+          [{ label: 'finding' }, { label: 'section' }, { label: 'thesis' }, { label: 'here' }, { label: 'verdict' }, { label: 'judged by' }],
+          findings.map((finding) => [finding.finding.replaceAll('-', ' '), finding.section, finding.thesis, finding.ours, verdict(finding), finding.judged]),
         ),
   )
 }

@@ -42,7 +42,7 @@ export function studyForm(start: (study: Record<string, unknown>) => void): Stud
   })
   const element = h(
     'form',
-    { class: 'panel search-form', 'aria-label': 'A study', novalidate: true },
+    { class: 'panel search-form study-form', 'aria-label': 'A study', novalidate: true },
     h('h2', {}, 'Study ', valve),
     field('Study', which),
     anchors,
