@@ -5,6 +5,7 @@ import '../style/charts.css'
 import { h } from '../dom'
 import { colourOf, hueClass, onTheme } from './colours'
 import { asTable, dataTable, figure } from './data_table'
+import { roundDown, roundsIn, roundUp } from './rounds'
 import { aligned, nearestKnown, type Series } from './series'
 
 export interface LineChart {
@@ -21,6 +22,7 @@ export interface DrawnChart {
 }
 
 const HEIGHT_PX = 260
+const WHOLE = roundsIn(1, 1e6) // between the ticks of whole numbers
 const RANGE_SHIFT_PX = 4 // between the ranges of neighbouring series at one place
 
 /// Drawn until `signal` aborts.
@@ -101,11 +103,11 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
       },
       scales: {
         x: { time: false, range: (_u, low, high) => xRange(chart, low, high) },
-        y: chart.y.log ? { distr: 3, range: (_u, low, high) => [0.8 * low, 1.25 * high] } : { range: (_u, _low, high) => [0, chart.y.highest ?? (high > 0 ? 1.05 * high : 1)] },
+        y: chart.y.log ? { distr: 3, range: (_u, low, high) => [roundDown(0.9 * low), roundUp(1.1 * high)] } : { range: (_u, _low, high) => [0, chart.y.highest ?? (high > 0 ? 1.05 * high : 1)] },
       },
       axes: [
-        { ...axis, label: chart.x.label, grid: { show: false }, size: 30 },
-        { ...axis, label: chart.y.label, grid, size: 52 },
+        { ...axis, label: chart.x.label, grid: { show: false }, size: 30, ...(series.every((one) => one.x.every(Number.isInteger)) ? { incrs: WHOLE } : {}) },
+        { ...axis, label: chart.y.label, grid, size: 52, ...(chart.y.log ? { splits: (_u, _axis, low, high) => roundsIn(low, high), values: (_u, at) => at.map((value) => String(value)) } : {}) },
       ],
       series: [
         {},

@@ -2,6 +2,7 @@
 import type { Job } from '../api/types'
 import { h } from '../dom'
 import { jobsOf } from './calls'
+import { noteOf } from './notes'
 import { stateBadge } from './state'
 import { valveOf } from './valves'
 import { problemList } from '../problems'
@@ -21,12 +22,13 @@ export function jobList(kind: Job['kind'], title: string, open: (job: Job) => vo
 
   function entry(job: Job): HTMLElement {
     const valve = h('span', {}, `valve ${job.valve.slice(0, 8)}`)
+    const note = noteOf(job.id)
     void valveOf(job).then((source) => (valve.textContent = source.label))
     const button = h(
       'button',
       { type: 'button', onclick: () => open(job), 'aria-current': job.id === marked && 'true' },
       h('span', { class: 'when' }, when(job.created)),
-      valve,
+      h('span', {}, valve, note && h('span', { class: 'hint' }, ` ${note}`)),
       stateBadge(job.state),
     )
     buttons.set(job.id, button)

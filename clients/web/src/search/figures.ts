@@ -73,6 +73,7 @@ export function meanAndSd(statistics: { mean: number | null; sd: number | null }
 export function marginWords(margin: RankedPlan['margin_to_leak']): string {
   const part = (value: number | null, farthest: number, unit: string, digits: number) =>
     `${value !== null && value >= farthest ? 'more than ' : ''}${withDegrees(value, unit, digits)}`
+  if (margin.suture_length_mm === null && margin.angle_deg === null) return 'not known (too few region points)'
   return `suture ${part(margin.suture_length_mm, FARTHEST.suture_length_mm, 'mm', 2)}, angle ${part(margin.angle_deg, FARTHEST.angle_deg, '°', 1)}`
 }
 

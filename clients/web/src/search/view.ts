@@ -5,6 +5,8 @@ import type { Job } from '../api/types'
 import { h } from '../dom'
 import { hasEnded } from '../jobs/calls'
 import { jobList } from '../jobs/job_list'
+import { noteJob } from '../jobs/notes'
+import { grouped } from '../jobs/progress_panel'
 import { rememberValve } from '../jobs/valves'
 import type { View } from '../view'
 import { problemsOf, type Workspace } from '../workspace'
@@ -51,6 +53,7 @@ export class SearchView implements View {
     try {
       const job = await postJson<Job>('/v1/plans', { valve: valve.reference, search })
       rememberValve(job.valve, valve)
+      noteJob(job.id, `${grouped(Number(search['evaluations'] ?? 2000))} closures`)
       this.open(job)
     } catch (error) {
       this.form.complain(problemsOf(error))

@@ -1,11 +1,11 @@
-// The papillary muscles that a study displaces.
+// The papillary muscles that a study displaces: its classes of configurations.
 import type { Row } from './csv'
 
-export const CLASSES = ['anterolateral', 'posteromedial', 'both'] as const
+export const CLASSES = ['AL', 'PM', 'both'] as const
 
 const TITLES: Record<string, string> = {
-  anterolateral: 'Anterolateral muscle displaced',
-  posteromedial: 'Posteromedial muscle displaced',
+  AL: 'Anterolateral muscle displaced',
+  PM: 'Posteromedial muscle displaced',
   both: 'Both muscles displaced',
 }
 

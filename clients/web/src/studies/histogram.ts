@@ -1,5 +1,7 @@
 // How often values fall where.
 
+import { roundUp } from '../charts/rounds'
+
 export interface Histogram {
   edges: number[] // of the bins, one more than there are bins
   counts: number[][] // by sample, then bin
@@ -23,10 +25,4 @@ export function histogram(samples: (number | null)[][], bins: number): Histogram
     return of
   })
   return { edges, counts }
-}
-
-/// 1, 2 or 5 times a power of ten, not below `value`.
-function roundUp(value: number): number {
-  const power = 10 ** Math.floor(Math.log10(value))
-  return (([1, 2, 5].find((digit) => digit * power >= value * (1 - 1e-9)) ?? 10) * power)
 }

@@ -1,10 +1,10 @@
 // Orifice against displaced papillary muscles (figures 4.6 to 4.8, table 4.1 of the thesis).
-import { dataTable, figure } from '../charts/data_table'
+import { dataTable } from '../charts/data_table'
 import { lineChart } from '../charts/line_chart'
 import type { Hue } from '../charts/colours'
 import { h } from '../dom'
 import { number } from '../format'
-import { CLASSES, classesIn, classTitle } from './classes'
+import { classesIn, classTitle } from './classes'
 import { mean, numberIn, type Row } from './csv'
 import { alone, DIRECTIONS, largestByAxes } from './displacements'
 import { sliceMap } from './slice_map'
@@ -40,9 +40,9 @@ export function papillaryFigure(rows: Row[], signal: AbortSignal): HTMLElement {
     dataTable(
       'Largest orifice by class and displaced axes, mm², beside the thesis',
       [{ label: 'displaced' }, ...AXES.map((label) => ({ label, numeric: true }))],
-      CLASSES.filter((name) => classes.includes(name)).flatMap((name) => [
+      classes.flatMap((name) => [
         [name, ...largestByAxes(of(name)).map((area) => number(area))],
-        [`${name}, thesis`, ...(DISPLACED_MM2[name] ?? []).map((area) => figure(area))],
+        [`${name}, thesis`, ...(DISPLACED_MM2[name] ?? []).map((area) => number(area))],
       ]),
     ),
   )

@@ -1,5 +1,5 @@
 // What an undersized ring leaves of the orifice (figure 4.9, table 4.2 of the thesis).
-import { dataTable, figure } from '../charts/data_table'
+import { dataTable } from '../charts/data_table'
 import { lineChart } from '../charts/line_chart'
 import type { Hue } from '../charts/colours'
 import { h } from '../dom'
@@ -40,7 +40,7 @@ export function ringFigure(rows: Row[], signal: AbortSignal): HTMLElement {
       [{ label: 'displaced' }, ...SIZES.map((size) => ({ label: `U${size}`, numeric: true }))],
       classes.flatMap((name) => [
         [name, ...SIZES.map((size) => number(spread(percentOf(of(name, size))).high))],
-        [`${name}, thesis`, ...(RING_PERCENT[name] ?? []).map(figure)],
+        [`${name}, thesis`, ...(RING_PERCENT[name] ?? []).map((share) => number(share))],
       ]),
     ),
   )

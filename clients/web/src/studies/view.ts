@@ -7,6 +7,7 @@ import { h } from '../dom'
 import { hasEnded } from '../jobs/calls'
 import { followJob } from '../jobs/follow'
 import { jobList } from '../jobs/job_list'
+import { noteJob } from '../jobs/notes'
 import { progressPanel, type ProgressPanel } from '../jobs/progress_panel'
 import { rememberValve, valveOf } from '../jobs/valves'
 import { problemList } from '../problems'
@@ -49,6 +50,7 @@ export class StudiesView implements View {
     try {
       const job = await postJson<Job>('/v1/studies', { valve: valve.reference, study })
       rememberValve(job.valve, valve)
+      noteJob(job.id, String(study['name']))
       this.open(job)
     } catch (error) {
       this.form.complain(problemsOf(error))

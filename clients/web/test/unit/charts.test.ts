@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest'
 import { shadeOf } from '../../src/charts/colours'
+import { roundDown, roundsIn, roundUp } from '../../src/charts/rounds'
 import { aligned, nearestKnown } from '../../src/charts/series'
 import { histogram } from '../../src/studies/histogram'
 
@@ -31,4 +32,10 @@ test('a histogram counts every known value once, in round bins', () => {
 test('a histogram of nothing but zeros has one bin', () => {
   const { counts } = histogram([[0, 0]], 4)
   expect(counts.flat().reduce((sum, count) => sum + count)).toBe(2)
+})
+
+test('round numbers are 1, 2 and 5 times a power of ten', () => {
+  expect([0.07, 1, 3, 5.1, 20].map(roundUp)).toEqual([0.1, 1, 5, 10, 20])
+  expect([0.07, 1, 3, 5.1, 20].map(roundDown)).toEqual([0.05, 1, 2, 5, 20])
+  expect(roundsIn(0.5, 21)).toEqual([0.5, 1, 2, 5, 10, 20])
 })
