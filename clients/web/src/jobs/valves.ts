@@ -1,4 +1,5 @@
 // Which valve a job is about. Jobs name it by its content; this page opened it by another name.
+import { preset, presets } from '../api/calls'
 import { getJson } from '../api/http'
 import type { Job, ValveDocument } from '../api/types'
 import type { ValveSource, Workspace } from '../workspace'
@@ -31,11 +32,17 @@ export function valveOf(job: Job): Promise<ValveSource> {
 async function nameOf(id: string): Promise<ValveSource> {
   const short = `valve ${id.slice(0, 8)}`
   try {
-    const { name } = await getJson<ValveDocument>(`/v1/valves/${id}`)
-    return { reference: id, label: name || short }
+    const document = await getJson<ValveDocument>(`/v1/valves/${id}`)
+    const { name } = document
+    const isPreset = name !== undefined && (await presets()).includes(name) && sameValve(document, await preset(name))
+    return { reference: isPreset ? name : id, label: name || short }
   } catch {
     return { reference: id, label: short }
   }
+}
+
+function sameValve(a: ValveDocument, b: ValveDocument): boolean {
+  return JSON.stringify({ ...a, notice: null }) === JSON.stringify({ ...b, notice: null })
 }
 
 /// Makes a job's valve the page's, if it is another.

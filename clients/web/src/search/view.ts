@@ -7,6 +7,7 @@ import { hasEnded } from '../jobs/calls'
 import { jobList } from '../jobs/job_list'
 import { noteJob } from '../jobs/notes'
 import { grouped } from '../jobs/progress_panel'
+import { lookAt } from '../jobs/look'
 import { rememberValve } from '../jobs/valves'
 import type { View } from '../view'
 import { problemsOf, type Workspace } from '../workspace'
@@ -19,7 +20,7 @@ const OPENED = 'coapt-search' // in this tab, so that it is open again after a r
 export class SearchView implements View {
   readonly element: HTMLElement
   private readonly form = searchForm((search) => void this.start(search))
-  private readonly list = jobList('plans', 'Earlier searches', (job) => this.open(job))
+  private readonly list = jobList('plans', 'Earlier searches', (job) => this.openAndLook(job))
   private readonly found = h('div', {}, empty())
   private readonly pictures = new Pictures()
   private opened: AbortController | null = null
@@ -54,11 +55,16 @@ export class SearchView implements View {
       const job = await postJson<Job>('/v1/plans', { valve: valve.reference, search })
       rememberValve(job.valve, valve)
       noteJob(job.id, `${grouped(Number(search['evaluations'] ?? 2000))} closures`)
-      this.open(job)
+      this.openAndLook(job)
     } catch (error) {
       this.form.complain(problemsOf(error))
     }
     this.form.busy(false)
+  }
+
+  private openAndLook(job: Job): void {
+    this.open(job)
+    lookAt(this.found)
   }
 
   private open(job: Job): void {

@@ -116,6 +116,7 @@ export function scanFigure(rows: Row[], levels: Row[], signal: AbortSignal): HTM
 function scanChart(name: string, column: string, label: string, rows: Row[], levels: Row[], signal: AbortSignal): HTMLElement {
   const of = rows.filter((row) => row['class'] === name).sort((a, b) => (numberIn(a, 'around') ?? 0) - (numberIn(b, 'around') ?? 0))
   const known = of.map((row) => ({ at: numberIn(row, 'around') ?? 0, value: numberIn(row, column) }))
+  if (known[0]?.at === 0) known.push({ ...known[0], at: 1 }) // once around
   const least = known.reduce((best, one) => (one.value !== null && (best.value === null || one.value < best.value) ? one : best), { at: 0, value: null as number | null })
   return lineChart(
     {

@@ -5,6 +5,8 @@ import { h } from '../dom'
 import { seconds } from '../format'
 import { grouped } from '../jobs/progress_panel'
 
+const MOST_OPEN = 6 // a longer table stands folded above the figures
+
 export function findingsTable(result: StudyResult): HTMLElement {
   const { findings } = result
   const facts: [string, string][] = [
@@ -21,11 +23,11 @@ export function findingsTable(result: StudyResult): HTMLElement {
     h('dl', { class: 'figures' }, ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value)))),
     findings.length === 0
       ? h('p', {}, 'None: no displacement leaks enough to be repaired.')
-      : dataTable(
+      : h('details', { class: 'more', open: findings.length <= MOST_OPEN }, h('summary', {}, `${findings.length} findings: ${result.agree} agree, ${findings.length - result.agree} ${findings.length - result.agree === 1 ? 'differs' : 'differ'}`), dataTable(
           'Findings',
           [{ label: 'finding' }, { label: 'section' }, { label: 'thesis' }, { label: 'here' }, { label: 'verdict' }, { label: 'judged by' }],
-          findings.map((finding) => [finding.finding.replaceAll('-', ' '), finding.section, finding.thesis, finding.ours, verdict(finding), finding.judged]),
-        ),
+          findings.map((finding) => [finding.finding.replaceAll('-', ' ').replace('/', ': '), finding.section, finding.thesis, finding.ours, verdict(finding), finding.judged]),
+        )),
   )
 }
 

@@ -7,12 +7,14 @@ export interface Histogram {
   counts: number[][] // by sample, then bin
 }
 
-/// About `bins` bins of a round width from 0 (or below, if values are) to the largest value, the same for all samples.
+/// About `bins` bins of a round width from the least to the largest value, the same for all samples.
 export function histogram(samples: (number | null)[][], bins: number): Histogram {
   const known = samples.map((sample) => sample.filter((value): value is number => value !== null))
-  const least = Math.min(0, ...known.flat())
-  const most = Math.max(least + 1e-6, ...known.flat())
-  const width = roundUp((most - least) / bins)
+  const all = known.flat()
+  if (all.length === 0) return { edges: [0, 1], counts: known.map(() => [0]) }
+  const least = Math.min(...all)
+  const most = Math.max(...all)
+  const width = most > least ? roundUp((most - least) / bins) : 1
   const from = Math.floor(least / width) * width
   const count = Math.max(1, Math.floor((most - from) / width) + 1)
   const edges = Array.from({ length: count + 1 }, (_, i) => Number((from + i * width).toPrecision(12)))

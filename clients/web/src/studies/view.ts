@@ -9,6 +9,7 @@ import { followJob } from '../jobs/follow'
 import { jobList } from '../jobs/job_list'
 import { noteJob } from '../jobs/notes'
 import { progressPanel, type ProgressPanel } from '../jobs/progress_panel'
+import { lookAt } from '../jobs/look'
 import { rememberValve, valveOf } from '../jobs/valves'
 import { problemList } from '../problems'
 import type { View } from '../view'
@@ -21,7 +22,7 @@ const OPENED = 'coapt-study' // in this tab, so that it is open again after a re
 export class StudiesView implements View {
   readonly element: HTMLElement
   private readonly form = studyForm((study) => void this.start(study))
-  private readonly list = jobList('study', 'Earlier studies', (job) => this.open(job))
+  private readonly list = jobList('study', 'Earlier studies', (job) => this.openAndLook(job))
   private readonly found = h('div', {}, empty())
   private opened: AbortController | null = null
   private states = new Map<string, Job['state']>()
@@ -51,11 +52,16 @@ export class StudiesView implements View {
       const job = await postJson<Job>('/v1/studies', { valve: valve.reference, study })
       rememberValve(job.valve, valve)
       noteJob(job.id, String(study['name']))
-      this.open(job)
+      this.openAndLook(job)
     } catch (error) {
       this.form.complain(problemsOf(error))
     }
     this.form.busy(false)
+  }
+
+  private openAndLook(job: Job): void {
+    this.open(job)
+    lookAt(this.found)
   }
 
   private open(job: Job): void {

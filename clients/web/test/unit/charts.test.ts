@@ -29,9 +29,9 @@ test('a histogram counts every known value once, in round bins', () => {
   expect(counts).toEqual([[2, 1, 0, 1, 0], [0, 0, 0, 0, 1]])
 })
 
-test('a histogram of nothing but zeros has one bin', () => {
-  const { counts } = histogram([[0, 0]], 4)
-  expect(counts.flat().reduce((sum, count) => sum + count)).toBe(2)
+test('a histogram of one value has one bin, one of nothing an empty one', () => {
+  expect(histogram([[5, 5]], 4)).toEqual({ edges: [5, 6], counts: [[2]] })
+  expect(histogram([[null]], 4)).toEqual({ edges: [0, 1], counts: [[0]] })
 })
 
 test('round numbers are 1, 2 and 5 times a power of ten', () => {
