@@ -46,7 +46,7 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
     h('figcaption', {}, h('strong', {}, chart.title), here),
     canvas,
     legend,
-    asTable(() => table(chart, series)),
+    asTable(() => table(chart, series), `Show as table (${chart.y.label})`),
   )
 
   function switchLine(i: number): void {
@@ -180,9 +180,9 @@ function drawRanges(u: uPlot, series: Series[], hidden: Set<number>): void {
 
 function table(chart: LineChart, series: Series[]): HTMLElement {
   const { x, y } = aligned(series)
-  const columns = [chart.x.label, ...series.map((one) => `${one.label}: ${chart.y.label}`)]
+  const columns = [chart.x.label, ...series.map((one) => one.label)]
   return dataTable(
-    `${chart.title}, as a table`,
+    `${chart.title}: ${chart.y.label}`,
     columns.map((label) => ({ label, numeric: true })),
     x.map((place, row) => [figure(place), ...y.map((line) => figure(line[row]))]),
   )

@@ -13,6 +13,7 @@ export async function followJob(id: string, watcher: Watcher, signal: AbortSigna
   let latest = await job(id)
   if (signal.aborted) return
   watcher.changed(latest)
+  if (hasEnded(latest.state)) return
   await follow(
     `/v1/jobs/${id}/events`,
     (event) => {
@@ -20,12 +21,12 @@ export async function followJob(id: string, watcher: Watcher, signal: AbortSigna
       if (event.event === 'progress') watcher.progress(JSON.parse(event.data) as JobProgress)
       if (event.event !== 'state') return
       const { state } = JSON.parse(event.data) as { state: JobState }
-      if (hasEnded(state) || hasEnded(latest.state)) return // told below, with its results
+      if (hasEnded(state)) return // told below, with its results
       latest = { ...latest, state, queue_position: state === 'QUEUED' ? latest.queue_position : null }
       watcher.changed(latest)
     },
     signal,
   )
-  if (signal.aborted || hasEnded(latest.state)) return
+  if (signal.aborted) return
   watcher.changed(await job(id))
 }
