@@ -17,7 +17,11 @@ export function dataTable(caption: string, columns: TableColumn[], rows: Child[]
       'table',
       {},
       h('caption', { class: 'unseen' }, caption),
-      h('thead', {}, h('tr', {}, ...columns.map((column, i) => h('th', { scope: 'col', class: kind(i) }, column.label)))),
+      h(
+        'thead',
+        {},
+        h('tr', {}, ...columns.map((column, i) => h('th', { scope: 'col', class: kind(i) }, column.label))),
+      ),
       h(
         'tbody',
         {},

@@ -35,7 +35,13 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
   const keys = series.map((one) => h('span', { class: `key ${hueClass(one.hue)} ${one.look ?? 'line'}` }))
   const legend = h('div', { class: 'legend', role: 'group', 'aria-label': `Lines of ${chart.title}` })
   series.forEach((one, i) => {
-    const toggle = h('button', { type: 'button', 'aria-pressed': 'true', onclick: () => switchLine(i) }, keys[i], one.label, values[i])
+    const toggle = h(
+      'button',
+      { type: 'button', 'aria-pressed': 'true', onclick: () => switchLine(i) },
+      keys[i],
+      one.label,
+      values[i],
+    )
     legend.append(toggle)
   })
   const canvas = h('div', { class: 'plot', role: 'img', tabindex: 0, 'aria-label': `${chart.title}. ${chart.summary}` })
@@ -103,11 +109,30 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
       },
       scales: {
         x: { time: false, range: (_u, low, high) => xRange(chart, low, high) },
-        y: chart.y.log ? { distr: 3, range: (_u, low, high) => [roundDown(0.9 * low), roundUp(1.1 * high)] } : { range: (_u, _low, high) => [0, chart.y.highest ?? (high > 0 ? 1.05 * high : 1)] },
+        y: chart.y.log
+          ? { distr: 3, range: (_u, low, high) => [roundDown(0.9 * low), roundUp(1.1 * high)] }
+          : { range: (_u, _low, high) => [0, chart.y.highest ?? (high > 0 ? 1.05 * high : 1)] },
       },
       axes: [
-        { ...axis, label: chart.x.label, grid: { show: false }, size: 30, ...(series.every((one) => one.x.every(Number.isInteger)) ? { incrs: WHOLE } : {}) },
-        { ...axis, label: chart.y.label, grid, size: 52, ...(chart.y.log ? { splits: (_u, _axis, low, high) => roundsIn(low, high), values: (_u, at) => at.map((value) => String(value)) } : {}) },
+        {
+          ...axis,
+          label: chart.x.label,
+          grid: { show: false },
+          size: 30,
+          ...(series.every((one) => one.x.every(Number.isInteger)) ? { incrs: WHOLE } : {}),
+        },
+        {
+          ...axis,
+          label: chart.y.label,
+          grid,
+          size: 52,
+          ...(chart.y.log
+            ? {
+                splits: (_u, _axis, low, high) => roundsIn(low, high),
+                values: (_u, at) => at.map((value) => String(value)),
+              }
+            : {}),
+        },
       ],
       series: [
         {},
@@ -120,9 +145,17 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
             show: !hidden.has(i),
             width: dots ? 0 : 2,
             spanGaps: true,
-            points: { show: dots || (one.look === undefined && one.x.length <= 40), size: dots ? 9 : 5, stroke, fill: dots ? 'transparent' : stroke, width: dots ? 2 : 1 },
+            points: {
+              show: dots || (one.look === undefined && one.x.length <= 40),
+              size: dots ? 9 : 5,
+              stroke,
+              fill: dots ? 'transparent' : stroke,
+              width: dots ? 2 : 1,
+            },
             ...(one.look === 'dashed' ? { dash: [6, 4] } : {}),
-            ...(one.look === 'steps' ? { paths: (uPlot.paths.stepped as uPlot.Series.SteppedPathBuilderFactory)({ align: 1 }) } : {}),
+            ...(one.look === 'steps'
+              ? { paths: (uPlot.paths.stepped as uPlot.Series.SteppedPathBuilderFactory)({ align: 1 }) }
+              : {}),
           }
         }),
       ],

@@ -63,9 +63,16 @@ export function progressPanel(first: Job, what: string): ProgressPanel {
     const entries: [string, string][] = [
       [unit, planned > 0 ? `${grouped(evaluations)} of ${grouped(planned)}` : grouped(evaluations)],
       ['time', seconds(progress.seconds)],
-      ['left, about', left === null ? 'not known yet' : `${seconds(left)}${job.kind === 'study' ? ' of this stage' : ''}`],
+      [
+        'left, about',
+        left === null ? 'not known yet' : `${seconds(left)}${job.kind === 'study' ? ' of this stage' : ''}`,
+      ],
     ]
-    if (job.kind === 'plans') entries.push(['least leak as planned', progress.best_leak_mm2 === null ? 'none yet' : `${number(progress.best_leak_mm2)} mm²`])
+    if (job.kind === 'plans')
+      entries.push([
+        'least leak as planned',
+        progress.best_leak_mm2 === null ? 'none yet' : `${number(progress.best_leak_mm2)} mm²`,
+      ])
     figures.replaceChildren(...entries.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))))
   }
 

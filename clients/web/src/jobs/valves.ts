@@ -48,5 +48,6 @@ function sameValve(a: ValveDocument, b: ValveDocument): boolean {
 /// Makes a job's valve the page's, if it is another.
 export async function openValveOf(job: Job, workspace: Workspace): Promise<void> {
   const source = await valveOf(job)
-  if (workspace.valve?.reference !== source.reference && workspace.valve?.reference !== job.valve) await workspace.open(source)
+  if (workspace.valve?.reference !== source.reference && workspace.valve?.reference !== job.valve)
+    await workspace.open(source)
 }

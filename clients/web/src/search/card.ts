@@ -32,7 +32,10 @@ export function inWords(plan: { description: string[] }): string {
 }
 
 export function picture(job: Job, plan: RankedPlan, pictures: Pictures): HTMLElement {
-  return pictures.image(`${planPath(job, plan)}/picture`, `The valve seen from the atrium before and after plan ${plan.rank}: ${inWords(plan)}`)
+  return pictures.image(
+    `${planPath(job, plan)}/picture`,
+    `The valve seen from the atrium before and after plan ${plan.rank}: ${inWords(plan)}`,
+  )
 }
 
 export function planCard(plan: RankedPlan, context: CardContext): Card {
@@ -80,8 +83,18 @@ export function planCard(plan: RankedPlan, context: CardContext): Card {
     h(
       'div',
       { class: 'about' },
-      h('div', { class: 'row head' }, h('h3', {}, `${plan.rank}.`), ...badges(plan), h('label', { class: 'check compare' }, choose, of(h('span', {}, 'Compare')))),
-      h('ul', { class: 'steps' }, ...(plan.description.length > 0 ? plan.description : ['no repair']).map((step) => h('li', {}, step))),
+      h(
+        'div',
+        { class: 'row head' },
+        h('h3', {}, `${plan.rank}.`),
+        ...badges(plan),
+        h('label', { class: 'check compare' }, choose, of(h('span', {}, 'Compare'))),
+      ),
+      h(
+        'ul',
+        { class: 'steps' },
+        ...(plan.description.length > 0 ? plan.description : ['no repair']).map((step) => h('li', {}, step)),
+      ),
       figures(plan),
       warnings(plan),
       h(
@@ -108,7 +121,13 @@ export function planCard(plan: RankedPlan, context: CardContext): Card {
 
 function badges(plan: RankedPlan): HTMLElement[] {
   const { mean, sd } = plan.leak_mm2
-  const robust = plan.status === 'converged' && !plan.crossing && plan.region_failures === 0 && mean !== null && sd !== null && mean + sd < 1
+  const robust =
+    plan.status === 'converged' &&
+    !plan.crossing &&
+    plan.region_failures === 0 &&
+    mean !== null &&
+    sd !== null &&
+    mean + sd < 1
   const badge = (words: string, tone: string) => h('span', { class: `badge ${tone}` }, words)
   return [
     ...(robust ? [badge('✓ robust', 'good')] : [badge('! not known to close robustly', 'warn')]),
@@ -123,12 +142,22 @@ function figures(plan: RankedPlan): HTMLElement {
     ['Leak over the region', meanAndSd(plan.leak_mm2)],
     ['its 95th percentile', withUnit(plan.leak_mm2.p95, 'mm²')],
     ['Orifice over the region', meanAndSd(plan.orifice_area_mm2)],
-    ['Orifice, gap as planned', `${withUnit(measure.orifice_area_mm2, 'mm²')}, ${withUnit(measure.coaptation.gap_area_mm2, 'mm²')}`],
+    [
+      'Orifice, gap as planned',
+      `${withUnit(measure.orifice_area_mm2, 'mm²')}, ${withUnit(measure.coaptation.gap_area_mm2, 'mm²')}`,
+    ],
     ['Margin to leak', marginWords(plan.margin_to_leak)],
-    ['Coaptation, mean (least)', `${withUnit(measure.coaptation.height_mean_mm, 'mm')} (${withUnit(measure.coaptation.height_min_mm, 'mm')})`],
+    [
+      'Coaptation, mean (least)',
+      `${withUnit(measure.coaptation.height_mean_mm, 'mm')} (${withUnit(measure.coaptation.height_min_mm, 'mm')})`,
+    ],
     ['Highest chordal tension', withUnit(measure.tension_max_n, 'N', 2)],
   ]
-  return h('dl', { class: 'plan-figures' }, ...entries.map(([label, value]) => h('div', {}, h('dt', {}, label), h('dd', {}, value))))
+  return h(
+    'dl',
+    { class: 'plan-figures' },
+    ...entries.map(([label, value]) => h('div', {}, h('dt', {}, label), h('dd', {}, value))),
+  )
 }
 
 function warnings(plan: RankedPlan): HTMLElement | null {

@@ -13,7 +13,8 @@ export function comparison(a: RankedPlan, b: RankedPlan, all: RankedPlan[], cont
   const tie = tieWords(a, b, all)
   const side = (plan: RankedPlan) =>
     h('div', {}, h('h3', {}, `Rank ${plan.rank}: ${inWords(plan)}`), picture(context.job, plan, context.pictures))
-  const maps = (plan: RankedPlan) => h('div', {}, h('h3', {}, `Rank ${plan.rank}`), ...plan.leak_map.map((map) => leakMap(map, most)))
+  const maps = (plan: RankedPlan) =>
+    h('div', {}, h('h3', {}, `Rank ${plan.rank}`), ...plan.leak_map.map((map) => leakMap(map, most)))
   return h(
     'section',
     { class: 'panel comparison', 'aria-label': `Ranks ${a.rank} and ${b.rank} compared` },
@@ -22,7 +23,12 @@ export function comparison(a: RankedPlan, b: RankedPlan, all: RankedPlan[], cont
     h('div', { class: 'two' }, side(a), side(b)),
     dataTable(
       'Figures of both plans',
-      [{ label: 'figure' }, { label: `rank ${a.rank}`, numeric: true }, { label: `rank ${b.rank}`, numeric: true }, { label: 'better' }],
+      [
+        { label: 'figure' },
+        { label: `rank ${a.rank}`, numeric: true },
+        { label: `rank ${b.rank}`, numeric: true },
+        { label: 'better' },
+      ],
       FIGURES.map((figure) => row(figure, a, b)),
     ),
     a.leak_map.length + b.leak_map.length > 0 && h('div', { class: 'two' }, maps(a), maps(b)),

@@ -13,7 +13,9 @@ export function costChart(series: Series[], signal: AbortSignal): DrawnChart {
     {
       title: 'Best cost so far',
       summary:
-        ours === undefined ? 'Nothing yet.' : `At the end ${number(ours, 2)} mm²; expected of random search: ${number(random, 2)} mm².`,
+        ours === undefined
+          ? 'Nothing yet.'
+          : `At the end ${number(ours, 2)} mm²; expected of random search: ${number(random, 2)} mm².`,
       x: { label: 'closures', lowest: 0 },
       y: { label: 'cost, mm²', log: true },
       series,

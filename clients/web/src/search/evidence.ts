@@ -18,7 +18,8 @@ const signed = (value: number, digits: number) => (value > 0 ? '+' : '') + numbe
 
 /// `most`: mm2, end of the scale, so that maps can be compared.
 export function leakMap(map: LeakMap, most: number): HTMLElement {
-  const muscle = map.muscle === 'both' ? 'Both muscles alike' : `${map.muscle[0]?.toUpperCase()}${map.muscle.slice(1)} suture alone`
+  const muscle =
+    map.muscle === 'both' ? 'Both muscles alike' : `${map.muscle[0]?.toUpperCase()}${map.muscle.slice(1)} suture alone`
   return heatMap({
     title: `${muscle}: leak, mm².`,
     unit: 'mm²',
@@ -31,7 +32,14 @@ export function leakMap(map: LeakMap, most: number): HTMLElement {
 }
 
 export function evidence(plan: RankedPlan, signal: AbortSignal): HTMLElement {
-  return h('div', { class: 'evidence' }, ...maps(plan), ...remodelling(plan, signal), ...sobol(plan), ...gates(plan.gates))
+  return h(
+    'div',
+    { class: 'evidence' },
+    ...maps(plan),
+    ...remodelling(plan, signal),
+    ...sobol(plan),
+    ...gates(plan.gates),
+  )
 }
 
 function maps(plan: RankedPlan): Child[] {
@@ -43,7 +51,11 @@ function maps(plan: RankedPlan): Child[] {
     h('div', { class: 'maps' }, ...plan.leak_map.map((map) => leakMap(map, most))),
     heatScale(most, 'mm²'),
     alone.mean !== null &&
-      h('p', { class: 'hint' }, `With an error of its own for each suture the leak is ${meanAndSd(alone)}, at worst ${number(alone.worst)} mm².`),
+      h(
+        'p',
+        { class: 'hint' },
+        `With an error of its own for each suture the leak is ${meanAndSd(alone)}, at worst ${number(alone.worst)} mm².`,
+      ),
   ]
 }
 
@@ -57,7 +69,12 @@ function remodelling(plan: RankedPlan, signal: AbortSignal): Node[] {
       summary: `Leak at the end of further remodelling: ${ends}.`,
       x: { label: 'further remodelling, mm' },
       y: { label: 'leak, mm²' },
-      series: curves.map((curve, i) => ({ label: words(curve.direction), hue: (i % 6) as Hue, x: curve.leak_mm2.map((_, mm) => mm), y: curve.leak_mm2 })),
+      series: curves.map((curve, i) => ({
+        label: words(curve.direction),
+        hue: (i % 6) as Hue,
+        x: curve.leak_mm2.map((_, mm) => mm),
+        y: curve.leak_mm2,
+      })),
     },
     signal,
   )

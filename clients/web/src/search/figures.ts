@@ -24,19 +24,86 @@ const spread = {
 }
 
 export const FIGURES: Figure[] = [
-  { label: 'Leak over the region, mean', unit: 'mm²', digits: 2, value: (p) => p.leak_mm2.mean, better: 'lower', blur: spread },
+  {
+    label: 'Leak over the region, mean',
+    unit: 'mm²',
+    digits: 2,
+    value: (p) => p.leak_mm2.mean,
+    better: 'lower',
+    blur: spread,
+  },
   { label: 'its sd', unit: 'mm²', digits: 2, value: (p) => p.leak_mm2.sd, better: 'lower' },
-  { label: 'its 95th percentile', unit: 'mm²', digits: 1, value: (p) => p.leak_mm2.p95, better: 'lower', blur: oneClosure },
+  {
+    label: 'its 95th percentile',
+    unit: 'mm²',
+    digits: 1,
+    value: (p) => p.leak_mm2.p95,
+    better: 'lower',
+    blur: oneClosure,
+  },
   { label: 'its worst', unit: 'mm²', digits: 1, value: (p) => p.leak_mm2.worst, better: 'lower', blur: oneClosure },
-  { label: 'Orifice over the region, mean', unit: 'mm²', digits: 2, value: (p) => p.orifice_area_mm2.mean, better: 'lower', blur: spread },
-  { label: 'Orifice as planned', unit: 'mm²', digits: 1, value: (p) => p.measure.orifice_area_mm2, better: 'lower', blur: oneClosure },
-  { label: 'Gap as planned', unit: 'mm²', digits: 1, value: (p) => p.measure.coaptation.gap_area_mm2, better: 'lower', blur: oneClosure },
-  { label: 'Margin to leak, suture length', unit: 'mm', digits: 2, value: (p) => p.margin_to_leak.suture_length_mm, better: 'higher', border: FARTHEST.suture_length_mm },
-  { label: 'Margin to leak, angle', unit: '°', digits: 1, value: (p) => p.margin_to_leak.angle_deg, better: 'higher', border: FARTHEST.angle_deg },
-  { label: 'Coaptation height, mean', unit: 'mm', digits: 1, value: (p) => p.measure.coaptation.height_mean_mm, better: 'higher' },
-  { label: 'Coaptation height, least', unit: 'mm', digits: 1, value: (p) => p.measure.coaptation.height_min_mm, better: 'higher' },
+  {
+    label: 'Orifice over the region, mean',
+    unit: 'mm²',
+    digits: 2,
+    value: (p) => p.orifice_area_mm2.mean,
+    better: 'lower',
+    blur: spread,
+  },
+  {
+    label: 'Orifice as planned',
+    unit: 'mm²',
+    digits: 1,
+    value: (p) => p.measure.orifice_area_mm2,
+    better: 'lower',
+    blur: oneClosure,
+  },
+  {
+    label: 'Gap as planned',
+    unit: 'mm²',
+    digits: 1,
+    value: (p) => p.measure.coaptation.gap_area_mm2,
+    better: 'lower',
+    blur: oneClosure,
+  },
+  {
+    label: 'Margin to leak, suture length',
+    unit: 'mm',
+    digits: 2,
+    value: (p) => p.margin_to_leak.suture_length_mm,
+    better: 'higher',
+    border: FARTHEST.suture_length_mm,
+  },
+  {
+    label: 'Margin to leak, angle',
+    unit: '°',
+    digits: 1,
+    value: (p) => p.margin_to_leak.angle_deg,
+    better: 'higher',
+    border: FARTHEST.angle_deg,
+  },
+  {
+    label: 'Coaptation height, mean',
+    unit: 'mm',
+    digits: 1,
+    value: (p) => p.measure.coaptation.height_mean_mm,
+    better: 'higher',
+  },
+  {
+    label: 'Coaptation height, least',
+    unit: 'mm',
+    digits: 1,
+    value: (p) => p.measure.coaptation.height_min_mm,
+    better: 'higher',
+  },
   { label: 'Highest chordal tension', unit: 'N', digits: 2, value: (p) => p.measure.tension_max_n, better: 'lower' },
-  { label: 'Papillary movement, larger', unit: 'mm', digits: 1, value: (p) => Math.max(p.anterolateral_movement_mm, p.posteromedial_movement_mm), better: 'lower' },
+  {
+    label: 'Papillary movement, larger',
+    unit: 'mm',
+    digits: 1,
+    value: (p) => Math.max(p.anterolateral_movement_mm, p.posteromedial_movement_mm),
+    better: 'lower',
+  },
   { label: 'Ring sizes below the annulus', unit: '', digits: 1, value: (p) => p.ring_sizes_below, better: 'lower' },
   { label: 'Steps', unit: '', digits: 0, value: (p) => p.steps, better: 'lower' },
   { label: 'Cost of the search', unit: 'mm²', digits: 2, value: (p) => p.cost, better: 'lower' },
@@ -82,7 +149,8 @@ export function doubts(plan: RankedPlan): string[] {
   const found: string[] = []
   if (plan.status !== 'converged') found.push(`The closure did not settle (${plan.status.replace('_', ' ')}).`)
   if (plan.crossing) found.push('Leaflets pass through each other.')
-  if (plan.region_failures > 0) found.push(`${plan.region_failures} of ${plan.region_closures} closures over the region failed and are left out.`)
+  if (plan.region_failures > 0)
+    found.push(`${plan.region_failures} of ${plan.region_closures} closures over the region failed and are left out.`)
   if (plan.region_closures < 2) found.push('The region was not closed: mean, sd and margin are not known.')
   return found
 }
@@ -92,8 +160,11 @@ export function tieWords(a: RankedPlan, b: RankedPlan, all: RankedPlan[]): strin
   const between = all.filter((plan) => plan.rank >= a.rank && plan.rank < b.rank)
   if (between.length === 0) return null
   const ties = between.every((plan) => plan.tie_with_next)
-  if (between.length > 1) return ties ? `Each plan from rank ${a.rank} to ${b.rank} ties with the next: their order says little.` : null
+  if (between.length > 1)
+    return ties ? `Each plan from rank ${a.rank} to ${b.rank} ties with the next: their order says little.` : null
   const ahead = a.probability_outranks_next
   const likely = ahead === null ? '' : `; rank ${a.rank} is ahead with a probability of ${number(100 * ahead, 0)} %`
-  return ties ? `Ranks ${a.rank} and ${b.rank} tie${likely}.` : `Rank ${a.rank} is ahead of rank ${b.rank}${likely.replace(`; rank ${a.rank} is ahead`, '')}.`
+  return ties
+    ? `Ranks ${a.rank} and ${b.rank} tie${likely}.`
+    : `Rank ${a.rank} is ahead of rank ${b.rank}${likely.replace(`; rank ${a.rank} is ahead`, '')}.`
 }

@@ -41,13 +41,25 @@ export function searchForm(start: (search: Record<string, unknown>) => void): Se
       placeholder: option.fallback === null ? 'no limit' : String(option.fallback),
     })
     inputs.set(option, input)
-    return h('div', { class: 'option' }, field(option.label, input, option.unit), option.hint && h('p', { class: 'hint' }, option.hint), slot(option.pointer))
+    return h(
+      'div',
+      { class: 'option' },
+      field(option.label, input, option.unit),
+      option.hint && h('p', { class: 'hint' }, option.hint),
+      slot(option.pointer),
+    )
   }
 
   function switchField(option: options.Switch): HTMLElement {
     const input = h('input', { type: 'checkbox', checked: option.fallback })
     switches.set(option, input)
-    return h('div', { class: 'option' }, check(option.label, input), option.hint && h('p', { class: 'hint' }, option.hint), slot(option.pointer))
+    return h(
+      'div',
+      { class: 'option' },
+      check(option.label, input),
+      option.hint && h('p', { class: 'hint' }, option.hint),
+      slot(option.pointer),
+    )
   }
 
   function techniqueFields(technique: options.Technique): HTMLElement {
@@ -61,7 +73,8 @@ export function searchForm(start: (search: Record<string, unknown>) => void): Se
 
   const allowed = h('div', {})
   rings().then(
-    (answer) => allowed.replaceChildren(...options.techniques(answer.rings.map((ring) => ring.name)).map(techniqueFields)),
+    (answer) =>
+      allowed.replaceChildren(...options.techniques(answer.rings.map((ring) => ring.name)).map(techniqueFields)),
     () => allowed.replaceChildren(...options.techniques([]).map(techniqueFields)),
   )
 
@@ -73,7 +86,12 @@ export function searchForm(start: (search: Record<string, unknown>) => void): Se
     switchField(options.EVIDENCE),
     h('div', { class: 'option' }, check('Keep the steps tried by hand', fixed), steps, slot('/rules/fixed')),
     section('Stop earlier', ...options.STOPS.map(numberField)),
-    section('Allowed', allowed, h('fieldset', {}, h('legend', {}, 'Chordae'), ...options.CHORDAL_STEPS.map(switchField)), slot('/rules/forbidden')),
+    section(
+      'Allowed',
+      allowed,
+      h('fieldset', {}, h('legend', {}, 'Chordae'), ...options.CHORDAL_STEPS.map(switchField)),
+      slot('/rules/forbidden'),
+    ),
     section('Limits of the steps', ...options.LIMITS.map(numberField)),
     section('Weights', h('p', { class: 'hint' }, 'Prices in mm² of leak.'), ...options.WEIGHTS.map(numberField)),
     rest,
@@ -100,7 +118,8 @@ export function searchForm(start: (search: Record<string, unknown>) => void): Se
 
   function complain(problems: Problem[]): void {
     const pointers = [...slots.keys()]
-    const placed = (pointer: string | null) => problems.filter((problem) => options.placeOf(problem, pointers) === pointer)
+    const placed = (pointer: string | null) =>
+      problems.filter((problem) => options.placeOf(problem, pointers) === pointer)
     for (const [pointer, place] of slots) {
       const of = placed(pointer)
       place.replaceChildren(...(of.length > 0 ? [problemList(of)] : []))
@@ -119,7 +138,10 @@ export function searchForm(start: (search: Record<string, unknown>) => void): Se
       const count = present.steps.length
       fixed.disabled = count === 0
       if (count === 0) fixed.checked = false
-      steps.textContent = count === 0 ? 'None at present.' : `${count} ${count === 1 ? 'step' : 'steps'} of the present plan in every plan.`
+      steps.textContent =
+        count === 0
+          ? 'None at present.'
+          : `${count} ${count === 1 ? 'step' : 'steps'} of the present plan in every plan.`
     },
     complain,
     busy(is) {

@@ -23,7 +23,11 @@ export interface SearchPanelContext extends Omit<CardContext, 'job'> {
 export function searchPanel(first: Job, context: SearchPanelContext): HTMLElement {
   const title = h('h1', {}, 'Search')
   const body = h('div', {})
-  const curves = h('section', { class: 'panel', 'aria-label': 'Best cost so far' }, h('p', { class: 'hint' }, 'The best cost so far is drawn here as soon as plans are scored.'))
+  const curves = h(
+    'section',
+    { class: 'panel', 'aria-label': 'Best cost so far' },
+    h('p', { class: 'hint' }, 'The best cost so far is drawn here as soon as plans are scored.'),
+  )
   const seen: JobProgress[] = []
   let panel: ProgressPanel | null = null
   let chart: DrawnChart | null = null
@@ -59,8 +63,12 @@ export function searchPanel(first: Job, context: SearchPanelContext): HTMLElemen
 
   async function end(job: Job): Promise<void> {
     clearTimeout(redraw)
-    if (job.state === 'FAILED') return body.replaceChildren(h('section', { class: 'panel' }, h('h2', {}, 'The search failed'), problemList(job.problems)))
-    if (!job.links['result']) return body.replaceChildren(h('p', { class: 'panel' }, 'It was cancelled before it had found anything.'))
+    if (job.state === 'FAILED')
+      return body.replaceChildren(
+        h('section', { class: 'panel' }, h('h2', {}, 'The search failed'), problemList(job.problems)),
+      )
+    if (!job.links['result'])
+      return body.replaceChildren(h('p', { class: 'panel' }, 'It was cancelled before it had found anything.'))
     try {
       const result = await getJson<SearchResult>(job.links['result'], context.signal)
       body.replaceChildren(searchResults(result, { ...context, job }))

@@ -15,23 +15,98 @@ export interface NumberOption {
 const INTEGER = 1
 
 export const BUDGET: NumberOption[] = [
-  { pointer: '/evaluations', label: 'Closures', least: 1, most: 1_000_000, step: INTEGER, fallback: 2000, hint: 'Spent on searching; ranking comes on top.' },
+  {
+    pointer: '/evaluations',
+    label: 'Closures',
+    least: 1,
+    most: 1_000_000,
+    step: INTEGER,
+    fallback: 2000,
+    hint: 'Spent on searching; ranking comes on top.',
+  },
   { pointer: '/plans', label: 'Ranked plans', least: 1, most: 50, step: INTEGER, fallback: 5 },
-  { pointer: '/region_points', label: 'Region points', least: 1, most: 1089, step: INTEGER, fallback: 1089, hint: 'Small errors of execution that each ranked plan is closed with, of 1,089.' },
-  { pointer: '/seed', label: 'Seed', least: 0, most: Number.MAX_SAFE_INTEGER, step: INTEGER, fallback: 1, hint: 'The same seed gives the same plans.' },
+  {
+    pointer: '/region_points',
+    label: 'Region points',
+    least: 1,
+    most: 1089,
+    step: INTEGER,
+    fallback: 1089,
+    hint: 'Small errors of execution that each ranked plan is closed with, of 1,089.',
+  },
+  {
+    pointer: '/seed',
+    label: 'Seed',
+    least: 0,
+    most: Number.MAX_SAFE_INTEGER,
+    step: INTEGER,
+    fallback: 1,
+    hint: 'The same seed gives the same plans.',
+  },
 ]
 
 export const STOPS: NumberOption[] = [
-  { pointer: '/seconds', label: 'Time limit', unit: 's', least: 0, most: 1_000_000, step: 0.1, fallback: null, hint: 'Its last 40 % is spent on ranking.' },
-  { pointer: '/no_improvement', label: 'No better plan for', unit: 'closures', least: 0, most: 1_000_000, step: INTEGER, fallback: null },
-  { pointer: '/target_mm2', label: 'Good enough at', unit: 'mm²', least: 0, most: 1_000_000, step: 0.1, fallback: null, hint: 'Mean + sd of the leak.' },
+  {
+    pointer: '/seconds',
+    label: 'Time limit',
+    unit: 's',
+    least: 0,
+    most: 1_000_000,
+    step: 0.1,
+    fallback: null,
+    hint: 'Its last 40 % is spent on ranking.',
+  },
+  {
+    pointer: '/no_improvement',
+    label: 'No better plan for',
+    unit: 'closures',
+    least: 0,
+    most: 1_000_000,
+    step: INTEGER,
+    fallback: null,
+  },
+  {
+    pointer: '/target_mm2',
+    label: 'Good enough at',
+    unit: 'mm²',
+    least: 0,
+    most: 1_000_000,
+    step: 0.1,
+    fallback: null,
+    hint: 'Mean + sd of the leak.',
+  },
 ]
 
 export const LIMITS: NumberOption[] = [
   { pointer: '/rules/most_neochordae', label: 'Neochordae, at most', least: 0, most: 4, step: INTEGER, fallback: 4 },
-  { pointer: '/rules/most_movement_mm', label: 'Papillary movement, at most', unit: 'mm', least: 2, most: 15, step: 0.5, fallback: 10, hint: 'More than 10 mm is unusual.' },
-  { pointer: '/rules/suture_lattice_mm', label: 'Suture lengths in steps of', unit: 'mm', least: 0.1, most: 5, step: 0.1, fallback: 0.5 },
-  { pointer: '/rules/neochorda_lattice_mm', label: 'Neochorda lengths in steps of', unit: 'mm', least: 0.5, most: 5, step: 0.1, fallback: 1 },
+  {
+    pointer: '/rules/most_movement_mm',
+    label: 'Papillary movement, at most',
+    unit: 'mm',
+    least: 2,
+    most: 15,
+    step: 0.5,
+    fallback: 10,
+    hint: 'More than 10 mm is unusual.',
+  },
+  {
+    pointer: '/rules/suture_lattice_mm',
+    label: 'Suture lengths in steps of',
+    unit: 'mm',
+    least: 0.1,
+    most: 5,
+    step: 0.1,
+    fallback: 0.5,
+  },
+  {
+    pointer: '/rules/neochorda_lattice_mm',
+    label: 'Neochorda lengths in steps of',
+    unit: 'mm',
+    least: 0.5,
+    most: 5,
+    step: 0.1,
+    fallback: 1,
+  },
 ]
 
 const MOST_WEIGHT = 1_000_000
@@ -67,7 +142,12 @@ export interface Switch {
   hint?: string
 }
 
-export const EVIDENCE: Switch = { pointer: '/evidence', label: 'Evidence', fallback: true, hint: 'Errors of single sutures, further remodelling.' }
+export const EVIDENCE: Switch = {
+  pointer: '/evidence',
+  label: 'Evidence',
+  fallback: true,
+  hint: 'Errors of single sutures, further remodelling.',
+}
 
 export const CHORDAL_STEPS: Switch[] = [
   { pointer: '/rules/chordal_length_change', label: 'Shorten chordae', fallback: false },
@@ -85,7 +165,10 @@ export function techniques(rings: string[]): Technique[] {
   return [
     {
       title: 'Ring',
-      kinds: [['annuloplasty:own', 'the annulus’s own shape'], ...rings.map((name): [string, string] => [`annuloplasty:${name}`, name])],
+      kinds: [
+        ['annuloplasty:own', 'the annulus’s own shape'],
+        ...rings.map((name): [string, string] => [`annuloplasty:${name}`, name]),
+      ],
     },
     {
       title: 'Papillary suture',
@@ -117,7 +200,8 @@ export interface Choices {
 /// What differs from the defaults, as POST /v1/plans takes it.
 export function searchOf(choices: Choices): Record<string, unknown> {
   const search: Record<string, unknown> = {}
-  for (const [option, value] of choices.numbers) if (value !== null && value !== option.fallback) put(search, option.pointer, value)
+  for (const [option, value] of choices.numbers)
+    if (value !== null && value !== option.fallback) put(search, option.pointer, value)
   for (const [option, value] of choices.switches) if (value !== option.fallback) put(search, option.pointer, value)
   if (choices.forbidden.length > 0) put(search, '/rules/forbidden', choices.forbidden)
   if (choices.fixed) put(search, '/rules/fixed', choices.fixed)

@@ -19,7 +19,13 @@ const STOPS: Record<string, string> = {
 }
 
 export function searchResults(result: SearchResult, context: CardContext): HTMLElement {
-  return h('div', { class: 'results' }, overview(result, context), ...ranked(result.plans, context), ...rest(result, context))
+  return h(
+    'div',
+    { class: 'results' },
+    overview(result, context),
+    ...ranked(result.plans, context),
+    ...rest(result, context),
+  )
 }
 
 function overview(result: SearchResult, context: CardContext): HTMLElement {
@@ -35,13 +41,24 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
     ['time', seconds(result.seconds)],
   ]
   const verdict = result.any_competent
-    ? h('p', {}, h('span', { class: 'badge good' }, '✓'), ' A plan closes the valve also when the surgeon’s hand varies.')
-    : h('p', {}, h('span', { class: 'badge warn' }, '!'), ' No plan is known to close the valve also when the surgeon’s hand varies.')
+    ? h(
+        'p',
+        {},
+        h('span', { class: 'badge good' }, '✓'),
+        ' A plan closes the valve also when the surgeon’s hand varies.',
+      )
+    : h(
+        'p',
+        {},
+        h('span', { class: 'badge warn' }, '!'),
+        ' No plan is known to close the valve also when the surgeon’s hand varies.',
+      )
   return h(
     'section',
     { class: 'panel', 'aria-label': 'The search' },
     verdict,
-    before.status !== 'converged' && h('p', { class: 'warn' }, 'The valve as it is did not settle: its figures are not to be relied on.'),
+    before.status !== 'converged' &&
+      h('p', { class: 'warn' }, 'The valve as it is did not settle: its figures are not to be relied on.'),
     before.crossing && h('p', { class: 'warn' }, 'Leaflets of the valve as it is pass through each other.'),
     h('dl', { class: 'figures' }, ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value)))),
     h('p', { class: 'hint' }, STOPS[result.stop] ?? result.stop),
@@ -56,11 +73,22 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
 }
 
 function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
-  if (plans.length === 0) return [h('p', { class: 'panel' }, 'No plan was ranked: the search ended before it had one, or every plan is against a rule.')]
+  if (plans.length === 0)
+    return [
+      h(
+        'p',
+        { class: 'panel' },
+        'No plan was ranked: the search ended before it had one, or every plan is against a rule.',
+      ),
+    ]
   const compared = h('div', { 'aria-live': 'polite' })
   const chosen: RankedPlan[] = []
   const cards = plans.map((plan) => planCard(plan, context))
-  const hint = h('p', { class: 'hint' }, 'Choose two plans to compare them. Leak: the larger of the orifice seen from the atrium and the gap between the leaflets. Region: small errors of execution around the plan.')
+  const hint = h(
+    'p',
+    { class: 'hint' },
+    'Choose two plans to compare them. Leak: the larger of the orifice seen from the atrium and the gap between the leaflets. Region: small errors of execution around the plan.',
+  )
 
   const boxOf = (plan: RankedPlan) => cards[plans.indexOf(plan)]?.choose
   cards.forEach((card, i) => {
@@ -78,11 +106,23 @@ function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
   function compare(): void {
     const [a, b] = [...chosen].sort((one, other) => one.rank - other.rank)
     if (a && b) compared.replaceChildren(comparison(a, b, plans, context))
-    else compared.replaceChildren(...(a ? [h('p', { class: 'panel' }, `Rank ${a.rank} is chosen: choose another one to compare it with.`)] : []))
+    else
+      compared.replaceChildren(
+        ...(a ? [h('p', { class: 'panel' }, `Rank ${a.rank} is chosen: choose another one to compare it with.`)] : []),
+      )
     if (a && b) compared.scrollIntoView({ block: 'start' })
   }
 
-  return [h('h2', { class: 'plans-title' }, plans.length === 1 ? 'One ranked plan' : `${plans.length} ranked plans, best first`), hint, compared, ...cards.map((card) => card.element)]
+  return [
+    h(
+      'h2',
+      { class: 'plans-title' },
+      plans.length === 1 ? 'One ranked plan' : `${plans.length} ranked plans, best first`,
+    ),
+    hint,
+    compared,
+    ...cards.map((card) => card.element),
+  ]
 }
 
 function rest(result: SearchResult, context: CardContext): HTMLElement[] {
@@ -98,8 +138,22 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
         'No other plan that was tried is as good in mean, sd, steps and undersizing, and better in one.',
         dataTable(
           'Pareto front',
-          [{ label: 'plan' }, { label: 'leak, mean, mm²', numeric: true }, { label: 'sd, mm²', numeric: true }, { label: 'steps', numeric: true }, { label: 'ring sizes below', numeric: true }, { label: 'region points', numeric: true }],
-          result.pareto_front.map((plan) => [inWords(plan), figure(plan.mean_mm2), figure(plan.sd_mm2), plan.steps, number(plan.ring_sizes_below), plan.nodes]),
+          [
+            { label: 'plan' },
+            { label: 'leak, mean, mm²', numeric: true },
+            { label: 'sd, mm²', numeric: true },
+            { label: 'steps', numeric: true },
+            { label: 'ring sizes below', numeric: true },
+            { label: 'region points', numeric: true },
+          ],
+          result.pareto_front.map((plan) => [
+            inWords(plan),
+            figure(plan.mean_mm2),
+            figure(plan.sd_mm2),
+            plan.steps,
+            number(plan.ring_sizes_below),
+            plan.nodes,
+          ]),
         ),
       ),
     )
@@ -119,5 +173,9 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
 }
 
 function listed(title: string, hint: string, table: HTMLElement): HTMLElement {
-  return h('section', { class: 'panel' }, h('details', { class: 'more' }, h('summary', {}, title), hint && h('p', { class: 'hint' }, hint), table))
+  return h(
+    'section',
+    { class: 'panel' },
+    h('details', { class: 'more' }, h('summary', {}, title), hint && h('p', { class: 'hint' }, hint), table),
+  )
 }

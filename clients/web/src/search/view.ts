@@ -77,7 +77,9 @@ export class SearchView implements View {
       if (this.states.get(now.id) !== now.state) void this.list.refresh()
       this.states.set(now.id, now.state)
     }
-    this.found.replaceChildren(searchPanel(job, { workspace: this.workspace, pictures: this.pictures, signal: opened.signal, changed }))
+    this.found.replaceChildren(
+      searchPanel(job, { workspace: this.workspace, pictures: this.pictures, signal: opened.signal, changed }),
+    )
   }
 }
 
@@ -89,8 +91,16 @@ function empty(): HTMLElement {
     h(
       'div',
       { class: 'panel' },
-      h('p', {}, 'coapt tries rings, papillary sutures and neochordae on the open valve and ranks the best plans by how they close it, also when the surgeon’s hand varies.'),
-      h('p', {}, 'The defaults are sensible: about half a minute on two cores. A search goes on while you do something else, also when this page is closed.'),
+      h(
+        'p',
+        {},
+        'coapt tries rings, papillary sutures and neochordae on the open valve and ranks the best plans by how they close it, also when the surgeon’s hand varies.',
+      ),
+      h(
+        'p',
+        {},
+        'The defaults are sensible: about half a minute on two cores. A search goes on while you do something else, also when this page is closed.',
+      ),
     ),
   )
 }

@@ -31,7 +31,10 @@ export function annulusFigure(rows: Row[], signal: AbortSignal): HTMLElement {
         summary: `At ${full?.x.at(-1) ?? 0} % dilation the orifice is ${number(last)} mm² with the full height; the thesis has ${number(DILATED.mm2.at(-1))} mm² at 30 %.`,
         x: dilation,
         y: { label: 'orifice, mm²' },
-        series: [...areas, { label: 'thesis, height 100 %', hue: 'ink', look: 'dots', x: DILATED.percent, y: DILATED.mm2 }],
+        series: [
+          ...areas,
+          { label: 'thesis, height 100 %', hue: 'ink', look: 'dots', x: DILATED.percent, y: DILATED.mm2 },
+        ],
       },
       signal,
     ).element,

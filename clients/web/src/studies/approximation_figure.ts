@@ -28,22 +28,51 @@ export function approximationFigure(rows: Row[], signal: AbortSignal): HTMLEleme
     drawn.abort()
     drawn = new AbortController()
     const of = rows.filter((row) => row['protocol'] === protocol)
-    charts.replaceChildren(...classesIn(of).map((name) => samplesChart(of.filter((row) => row['class'] === name), name, measure, drawn.signal)))
+    charts.replaceChildren(
+      ...classesIn(of).map((name) =>
+        samplesChart(
+          of.filter((row) => row['class'] === name),
+          name,
+          measure,
+          drawn.signal,
+        ),
+      ),
+    )
   }
-  const choose = <T extends string>(set: (value: T) => void) => (value: string) => {
-    set(value as T)
-    draw()
-  }
+  const choose =
+    <T extends string>(set: (value: T) => void) =>
+    (value: string) => {
+      set(value as T)
+      draw()
+    }
   draw()
   return h(
     'div',
     {},
-    h('p', { class: 'hint' }, 'How many displaced configurations have, after their repair, a region of interest of such a mean (or sd): the further left, the better the anchor.'),
+    h(
+      'p',
+      { class: 'hint' },
+      'How many displaced configurations have, after their repair, a region of interest of such a mean (or sd): the further left, the better the anchor.',
+    ),
     h(
       'div',
       { class: 'slice-choice' },
-      field('Protocol', select(protocols.map((name): [string, string] => [name, words(name)]), protocol, choose((value) => (protocol = value)))),
-      field('Measure', select(MEASURES, measure, choose<Measure>((value) => (measure = value)))),
+      field(
+        'Protocol',
+        select(
+          protocols.map((name): [string, string] => [name, words(name)]),
+          protocol,
+          choose((value) => (protocol = value)),
+        ),
+      ),
+      field(
+        'Measure',
+        select(
+          MEASURES,
+          measure,
+          choose<Measure>((value) => (measure = value)),
+        ),
+      ),
     ),
     charts,
   )
@@ -51,7 +80,9 @@ export function approximationFigure(rows: Row[], signal: AbortSignal): HTMLEleme
 
 function samplesChart(rows: Row[], name: string, measure: Measure, signal: AbortSignal): HTMLElement {
   const anchors = distinct(rows, 'anchor')
-  const samples = anchors.map((anchor) => rows.filter((row) => row['anchor'] === anchor).map((row) => numberIn(row, measure)))
+  const samples = anchors.map((anchor) =>
+    rows.filter((row) => row['anchor'] === anchor).map((row) => numberIn(row, measure)),
+  )
   const { edges, counts } = histogram(samples, BINS)
   const means = anchors.map((anchor, i) => `${anchor} ${number(mean(samples[i] ?? []))} mm²`).join(', ')
   const label = MEASURES.find(([column]) => column === measure)?.[1] ?? ''
@@ -86,7 +117,14 @@ export function anchorsTable(rows: Row[]): HTMLElement {
   ] as const
   return dataTable(
     'Anchors; mm², slopes in mm² per mm of the tip’s way',
-    [{ label: 'protocol' }, { label: 'displaced' }, { label: 'anchor' }, { label: 'repaired' }, ...columns.map(([, label]) => ({ label, numeric: true })), { label: 'outside the grid', numeric: true }],
+    [
+      { label: 'protocol' },
+      { label: 'displaced' },
+      { label: 'anchor' },
+      { label: 'repaired' },
+      ...columns.map(([, label]) => ({ label, numeric: true })),
+      { label: 'outside the grid', numeric: true },
+    ],
     rows.map((row) => [
       row['protocol'],
       row['class'],
@@ -102,22 +140,41 @@ export function anchorsTable(rows: Row[]): HTMLElement {
 export function scanFigure(rows: Row[], levels: Row[], signal: AbortSignal): HTMLElement {
   const protocol = rows[0]?.['protocol'] ?? ''
   const same = levels.filter((row) => row['protocol'] === protocol)
-  const panels = ([['mean_mm2', 'mean orifice, mm²'], ['sd_mm2', 'sd of the orifice, mm²']] as const).flatMap(([column, label]) =>
-    classesIn(rows).map((name) => scanChart(name, column, label, rows, same, signal)),
-  )
+  const panels = (
+    [
+      ['mean_mm2', 'mean orifice, mm²'],
+      ['sd_mm2', 'sd of the orifice, mm²'],
+    ] as const
+  ).flatMap(([column, label]) => classesIn(rows).map((name) => scanChart(name, column, label, rows, same, signal)))
   return h(
     'div',
     {},
-    h('p', { class: 'hint' }, 'Place: share of the annulus from the posteromedial commissure, 0, over the saddle peak, 0.25, and the anterolateral commissure, 0.5; for the anterolateral muscle mirrored.'),
+    h(
+      'p',
+      { class: 'hint' },
+      'Place: share of the annulus from the posteromedial commissure, 0, over the saddle peak, 0.25, and the anterolateral commissure, 0.5; for the anterolateral muscle mirrored.',
+    ),
     h('div', { class: 'charts' }, ...panels),
   )
 }
 
-function scanChart(name: string, column: string, label: string, rows: Row[], levels: Row[], signal: AbortSignal): HTMLElement {
-  const of = rows.filter((row) => row['class'] === name).sort((a, b) => (numberIn(a, 'around') ?? 0) - (numberIn(b, 'around') ?? 0))
+function scanChart(
+  name: string,
+  column: string,
+  label: string,
+  rows: Row[],
+  levels: Row[],
+  signal: AbortSignal,
+): HTMLElement {
+  const of = rows
+    .filter((row) => row['class'] === name)
+    .sort((a, b) => (numberIn(a, 'around') ?? 0) - (numberIn(b, 'around') ?? 0))
   const known = of.map((row) => ({ at: numberIn(row, 'around') ?? 0, value: numberIn(row, column) }))
   if (known[0]?.at === 0) known.push({ ...known[0], at: 1 }) // once around
-  const least = known.reduce((best, one) => (one.value !== null && (best.value === null || one.value < best.value) ? one : best), { at: 0, value: null as number | null })
+  const least = known.reduce(
+    (best, one) => (one.value !== null && (best.value === null || one.value < best.value) ? one : best),
+    { at: 0, value: null as number | null },
+  )
   return lineChart(
     {
       title: classTitle(name),
@@ -128,7 +185,13 @@ function scanChart(name: string, column: string, label: string, rows: Row[], lev
         { label: 'on the annulus', hue: 2, x: known.map(({ at }) => at), y: known.map(({ value }) => value) },
         ...levels
           .filter((row) => row['class'] === name)
-          .map((row, i) => ({ label: row['anchor'] ?? '', hue: i as Hue, look: 'dashed' as const, x: [0, 1], y: [numberIn(row, column), numberIn(row, column)] })),
+          .map((row, i) => ({
+            label: row['anchor'] ?? '',
+            hue: i as Hue,
+            look: 'dashed' as const,
+            x: [0, 1],
+            y: [numberIn(row, column), numberIn(row, column)],
+          })),
       ],
     },
     signal,

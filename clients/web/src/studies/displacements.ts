@@ -43,7 +43,9 @@ export function largestByAxes(rows: Row[]): (number | null)[] {
     ['transverse_mm', 'posterior_mm', 'apical_mm'],
   ]
   return sets.map((axes) => {
-    const of = rows.filter((row) => DIRECTIONS.every(([axis]) => axes.includes(axis) === (numberIn(row, axis) ?? 0) > 0))
+    const of = rows.filter((row) =>
+      DIRECTIONS.every(([axis]) => axes.includes(axis) === (numberIn(row, axis) ?? 0) > 0),
+    )
     const areas = of.map((row) => numberIn(row, 'orifice_mm2')).filter((area) => area !== null)
     return areas.length > 0 ? Math.max(...areas) : null
   })

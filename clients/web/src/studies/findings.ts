@@ -23,14 +23,39 @@ export function findingsTable(result: StudyResult): HTMLElement {
     h('dl', { class: 'figures' }, ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value)))),
     findings.length === 0
       ? h('p', {}, 'None: no displacement leaks enough to be repaired.')
-      : h('details', { class: 'more', open: findings.length <= MOST_OPEN }, h('summary', {}, `${findings.length} findings: ${result.agree} agree, ${findings.length - result.agree} ${findings.length - result.agree === 1 ? 'differs' : 'differ'}`), dataTable(
-          'Findings',
-          [{ label: 'finding' }, { label: 'section' }, { label: 'thesis' }, { label: 'here' }, { label: 'verdict' }, { label: 'judged by' }],
-          findings.map((finding) => [finding.finding.replaceAll('-', ' ').replace('/', ': '), finding.section, finding.thesis, finding.ours, verdict(finding), finding.judged]),
-        )),
+      : h(
+          'details',
+          { class: 'more', open: findings.length <= MOST_OPEN },
+          h(
+            'summary',
+            {},
+            `${findings.length} findings: ${result.agree} agree, ${findings.length - result.agree} ${findings.length - result.agree === 1 ? 'differs' : 'differ'}`,
+          ),
+          dataTable(
+            'Findings',
+            [
+              { label: 'finding' },
+              { label: 'section' },
+              { label: 'thesis' },
+              { label: 'here' },
+              { label: 'verdict' },
+              { label: 'judged by' },
+            ],
+            findings.map((finding) => [
+              finding.finding.replaceAll('-', ' ').replace('/', ': '),
+              finding.section,
+              finding.thesis,
+              finding.ours,
+              verdict(finding),
+              finding.judged,
+            ]),
+          ),
+        ),
   )
 }
 
 function verdict(finding: Finding): HTMLElement {
-  return finding.agrees ? h('span', { class: 'verdict good' }, '✓ agrees') : h('span', { class: 'verdict warn' }, '≠ differs')
+  return finding.agrees
+    ? h('span', { class: 'verdict good' }, '✓ agrees')
+    : h('span', { class: 'verdict warn' }, '≠ differs')
 }

@@ -21,13 +21,28 @@ export function studyForm(start: (study: Record<string, unknown>) => void): Stud
   })
   const points = h('input', { type: 'number', min: 17, max: 1089, placeholder: 'default' })
   const sites = h('input', { type: 'number', min: 0, max: 360, placeholder: 'default' })
-  const slots = new Map(['/study/protocols', '/study/displacement_step_mm', '/study/region_points', '/study/scan_sites'].map((pointer) => [pointer, h('div', {})]))
+  const slots = new Map(
+    ['/study/protocols', '/study/displacement_step_mm', '/study/region_points', '/study/scan_sites'].map((pointer) => [
+      pointer,
+      h('div', {}),
+    ]),
+  )
   const rest = h('div', {})
-  const steps = select([1, 2, 3, 6].map((step): [string, string] => [String(step), String(step)]), '1', (chosen) => (step_mm = Number(chosen)))
+  const steps = select(
+    [1, 2, 3, 6].map((step): [string, string] => [String(step), String(step)]),
+    '1',
+    (chosen) => (step_mm = Number(chosen)),
+  )
   const anchors = h(
     'div',
     { hidden: true },
-    h('fieldset', {}, h('legend', {}, 'How positions get their orifice'), ...protocols.map(({ label }) => label), slots.get('/study/protocols')),
+    h(
+      'fieldset',
+      {},
+      h('legend', {}, 'How positions get their orifice'),
+      ...protocols.map(({ label }) => label),
+      slots.get('/study/protocols'),
+    ),
     field('Displacements by', steps, 'mm'),
     slots.get('/study/displacement_step_mm'),
     field('Region points', points),

@@ -33,7 +33,8 @@ export function hasAnchors(name: StudyName): boolean {
 export function studyOf(choices: StudyChoices): Record<string, unknown> {
   const { name, protocols, displacement_step_mm, region_points, scan_sites } = choices
   if (!hasAnchors(name)) return { name }
-  const usual = protocols.length === DEFAULT_PROTOCOLS.length && DEFAULT_PROTOCOLS.every((one) => protocols.includes(one))
+  const usual =
+    protocols.length === DEFAULT_PROTOCOLS.length && DEFAULT_PROTOCOLS.every((one) => protocols.includes(one))
   return {
     name,
     ...(usual ? {} : { protocols }),

@@ -32,7 +32,9 @@ export function papillaryFigure(rows: Row[], signal: AbortSignal): HTMLElement {
       [{ label: 'displaced' }, ...DIRECTIONS.map(([, label]) => ({ label, numeric: true }))],
       classes.map((name) => [
         name,
-        ...DIRECTIONS.map(([axis]) => number(mean(of(name).map((row) => numberIn(row, `gradient_${axis.replace('_mm', '')}_mm2_per_mm`))))),
+        ...DIRECTIONS.map(([axis]) =>
+          number(mean(of(name).map((row) => numberIn(row, `gradient_${axis.replace('_mm', '')}_mm2_per_mm`)))),
+        ),
       ]),
     ),
     h('h3', {}, 'Largest orifice by displaced axes, mm² (table 4.1)'),
@@ -50,7 +52,10 @@ export function papillaryFigure(rows: Row[], signal: AbortSignal): HTMLElement {
 
 /// Of displacements along one axis alone: the charts share their scale.
 function most(rows: Row[]): number {
-  return 1.05 * Math.max(1, ...DIRECTIONS.flatMap(([axis]) => alone(rows, axis).map((row) => numberIn(row, 'orifice_mm2') ?? 0)))
+  return (
+    1.05 *
+    Math.max(1, ...DIRECTIONS.flatMap(([axis]) => alone(rows, axis).map((row) => numberIn(row, 'orifice_mm2') ?? 0)))
+  )
 }
 
 function axesChart(name: string, rows: Row[], highest: number, signal: AbortSignal): HTMLElement {

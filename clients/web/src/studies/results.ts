@@ -18,16 +18,35 @@ interface Drawing {
 }
 
 const DRAWINGS: Drawing[] = [
-  { file: 'annulus.csv', title: 'Annular dilation and flattening (figure 4.5)', draw: (rows, _, signal) => annulusFigure(rows, signal) },
-  { file: 'papillary.csv', title: 'Papillary displacement (figures 4.6 to 4.8)', draw: (rows, _, signal) => papillaryFigure(rows, signal) },
+  {
+    file: 'annulus.csv',
+    title: 'Annular dilation and flattening (figure 4.5)',
+    draw: (rows, _, signal) => annulusFigure(rows, signal),
+  },
+  {
+    file: 'papillary.csv',
+    title: 'Papillary displacement (figures 4.6 to 4.8)',
+    draw: (rows, _, signal) => papillaryFigure(rows, signal),
+  },
   { file: 'ring.csv', title: 'Undersized rings (figure 4.9)', draw: (rows, _, signal) => ringFigure(rows, signal) },
-  { file: 'approximation.csv', title: 'Trigone against saddle peak (figure 4.10)', draw: (rows, _, signal) => approximationFigure(rows, signal) },
+  {
+    file: 'approximation.csv',
+    title: 'Trigone against saddle peak (figure 4.10)',
+    draw: (rows, _, signal) => approximationFigure(rows, signal),
+  },
   { file: 'anchors.csv', title: 'Anchors', draw: (rows) => anchorsTable(rows) },
-  { file: 'anchor-scan.csv', title: 'Anchors around the annulus', draw: (rows, tables, signal) => scanFigure(rows, tables.get('anchors.csv') ?? [], signal) },
+  {
+    file: 'anchor-scan.csv',
+    title: 'Anchors around the annulus',
+    draw: (rows, tables, signal) => scanFigure(rows, tables.get('anchors.csv') ?? [], signal),
+  },
 ]
 
 export async function studyResults(job: Job, signal: AbortSignal): Promise<HTMLElement> {
-  const [result, files] = await Promise.all([getJson<StudyResult>(`/v1/jobs/${job.id}/result`, signal), filesOf(job.id)])
+  const [result, files] = await Promise.all([
+    getJson<StudyResult>(`/v1/jobs/${job.id}/result`, signal),
+    filesOf(job.id),
+  ])
   const wanted = DRAWINGS.filter(({ file }) => files.some(({ name }) => name === file))
   const tables = new Map(
     await Promise.all(
@@ -41,7 +60,9 @@ export async function studyResults(job: Job, signal: AbortSignal): Promise<HTMLE
     'div',
     { class: 'results' },
     findingsTable(result),
-    ...wanted.map(({ file, title, draw }) => figureSection(title, files, file, draw(tables.get(file) ?? [], tables, signal))),
+    ...wanted.map(({ file, title, draw }) =>
+      figureSection(title, files, file, draw(tables.get(file) ?? [], tables, signal)),
+    ),
     fileList(job, files),
   )
 }
@@ -68,7 +89,9 @@ function fileList(job: Job, files: JobFile[]): HTMLElement {
       'div',
       { class: 'row' },
       reportLink('Report of the study', `/v1/jobs/${job.id}/report`, 'coapt-study.html', told),
-      ...files.filter(({ name }) => name !== 'index.html').map((file) => downloadButton(file.name, file.path, file.name, told)),
+      ...files
+        .filter(({ name }) => name !== 'index.html')
+        .map((file) => downloadButton(file.name, file.path, file.name, told)),
     ),
     told,
   )

@@ -14,13 +14,30 @@ const SIZES = [1, 2, 3]
 
 export function ringFigure(rows: Row[], signal: AbortSignal): HTMLElement {
   const classes = classesIn(rows)
-  const of = (name: string, size: number) => rows.filter((row) => row['class'] === name && numberIn(row, 'sizes_below') === size)
-  const choices = classes.flatMap((name) => SIZES.map((size): [string, string] => [`${name}:${size}`, `${classTitle(name)}, U${size}`]))
+  const of = (name: string, size: number) =>
+    rows.filter((row) => row['class'] === name && numberIn(row, 'sizes_below') === size)
+  const choices = classes.flatMap((name) =>
+    SIZES.map((size): [string, string] => [`${name}:${size}`, `${classTitle(name)}, U${size}`]),
+  )
   return h(
     'div',
     {},
-    h('p', { class: 'hint' }, 'U1 to U3: a ring one to three sizes below the annulus. Orifice in percent of that under the properly sized one at the same displacement, where that is 1 mm² or more. Median and range over transverse and posterior displacements.'),
-    h('div', { class: 'charts' }, ...classes.map((name) => ratioChart(name, SIZES.map((size) => of(name, size)), signal))),
+    h(
+      'p',
+      { class: 'hint' },
+      'U1 to U3: a ring one to three sizes below the annulus. Orifice in percent of that under the properly sized one at the same displacement, where that is 1 mm² or more. Median and range over transverse and posterior displacements.',
+    ),
+    h(
+      'div',
+      { class: 'charts' },
+      ...classes.map((name) =>
+        ratioChart(
+          name,
+          SIZES.map((size) => of(name, size)),
+          signal,
+        ),
+      ),
+    ),
     h('h3', {}, 'All displacements'),
     sliceMap({
       title: 'Orifice in percent of that under the proper size,',

@@ -28,7 +28,8 @@ export function sliceMap(map: SliceMap): HTMLElement {
     level.max = String(levels.length - 1)
     const apical = levels[Number(level.value)] ?? 0
     const factor = map.factor ?? 1
-    const scaled = (at: number) => slice(rows, at, map.column).map((row) => row.map((value) => (value === null ? null : factor * value)))
+    const scaled = (at: number) =>
+      slice(rows, at, map.column).map((row) => row.map((value) => (value === null ? null : factor * value)))
     const all = levels.flatMap((at) => scaled(at).flat()).filter((value) => value !== null)
     const most = Math.max(1, ...all)
     shown.textContent = `${apical} mm`
@@ -56,7 +57,12 @@ export function sliceMap(map: SliceMap): HTMLElement {
   return h(
     'div',
     { class: 'slice' },
-    h('div', { class: 'slice-choice' }, field('Shown', chosen), h('label', { class: 'field' }, h('span', {}, 'Apical'), level, shown)),
+    h(
+      'div',
+      { class: 'slice-choice' },
+      field('Shown', chosen),
+      h('label', { class: 'field' }, h('span', {}, 'Apical'), level, shown),
+    ),
     holder,
     scale,
   )

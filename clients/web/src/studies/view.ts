@@ -96,8 +96,10 @@ function studyPanel(first: Job, told: (job: Job) => void, signal: AbortSignal): 
   function changed(job: Job): void {
     told(job)
     if (job.state === 'FAILED') return say(h('h2', {}, 'The study failed'), problemList(job.problems))
-    if (job.state === 'CANCELLED') return say(h('p', {}, 'It was cancelled. What it has closed is kept: asked for again it goes on.'))
-    if (job.state === 'SUCCEEDED') return void studyResults(job, signal).then((results) => body.replaceChildren(results), complain)
+    if (job.state === 'CANCELLED')
+      return say(h('p', {}, 'It was cancelled. What it has closed is kept: asked for again it goes on.'))
+    if (job.state === 'SUCCEEDED')
+      return void studyResults(job, signal).then((results) => body.replaceChildren(results), complain)
     if (panel) return panel.change(job)
     panel = progressPanel(job, 'study')
     body.replaceChildren(panel.element)
@@ -115,7 +117,11 @@ function empty(): HTMLElement {
     h(
       'div',
       { class: 'panel' },
-      h('p', {}, 'The studies of the thesis “Fast Surgical Simulation to Improve Mitral Valve Repair”, repeated on the open valve: each of its findings beside what this valve shows, and its figures to be looked into.'),
+      h(
+        'p',
+        {},
+        'The studies of the thesis “Fast Surgical Simulation to Improve Mitral Valve Repair”, repeated on the open valve: each of its findings beside what this valve shows, and its figures to be looked into.',
+      ),
       h('p', {}, 'The study of the annulus takes seconds, all of them about a minute on two cores.'),
     ),
   )

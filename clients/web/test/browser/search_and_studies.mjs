@@ -8,7 +8,10 @@ import { chromium } from 'playwright-core'
 const [base = 'http://127.0.0.1:8080', shots] = process.argv.slice(2)
 const axe = readFileSync(new URL('../../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8')
 const LONG_MS = 300_000 // a search on a busy machine
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] })
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  args: ['--no-sandbox'],
+})
 const page = await browser.newPage({ viewport: { width: 1280, height: 900 } })
 const errors = []
 page.on('pageerror', (error) => errors.push(error.message))
@@ -21,9 +24,17 @@ async function check(name) {
       await page.emulateMedia({ colorScheme })
       await page.setViewportSize({ width, height: 900 })
       await page.evaluate(axe)
-      const found = await page.evaluate(async () => (await window.axe.run(document)).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`))
+      const found = await page.evaluate(async () =>
+        (await window.axe.run(document)).violations.map(
+          ({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`,
+        ),
+      )
       assert.deepEqual(found, [], `${name}, ${colorScheme}, ${width} px`)
-      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0, `${name}: wider than ${width} px`)
+      assert.equal(
+        await page.evaluate(() => document.documentElement.scrollWidth - innerWidth),
+        0,
+        `${name}: wider than ${width} px`,
+      )
       if (shots) await page.screenshot({ path: `${shots}/${name}-${colorScheme}-${width}.png`, fullPage: true })
     }
   await page.emulateMedia({ colorScheme: 'light' })

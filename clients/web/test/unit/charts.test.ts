@@ -9,7 +9,13 @@ test('series with places of their own share one list of them', () => {
     { label: 'a', hue: 0 as const, x: [0, 2], y: [1, 2] },
     { label: 'b', hue: 1 as const, x: [1, 2], y: [3, null] },
   ]
-  expect(aligned(series)).toEqual({ x: [0, 1, 2], y: [[1, null, 2], [null, 3, null]] })
+  expect(aligned(series)).toEqual({
+    x: [0, 1, 2],
+    y: [
+      [1, null, 2],
+      [null, 3, null],
+    ],
+  })
 })
 
 test('the nearest known value is read where a series has none', () => {
@@ -26,7 +32,10 @@ test('shades run from nothing to the most', () => {
 test('a histogram counts every known value once, in round bins', () => {
   const { edges, counts } = histogram([[0, 0.5, 1, 3.9, null], [4]], 4)
   expect(edges).toEqual([0, 1, 2, 3, 4, 5])
-  expect(counts).toEqual([[2, 1, 0, 1, 0], [0, 0, 0, 0, 1]])
+  expect(counts).toEqual([
+    [2, 1, 0, 1, 0],
+    [0, 0, 0, 0, 1],
+  ])
 })
 
 test('a histogram of one value has one bin, one of nothing an empty one', () => {

@@ -4,7 +4,16 @@ import { Pace } from '../../src/jobs/pace'
 import { endedSeries, liveSeries } from '../../src/search/cost_chart'
 
 function progress(stage: string, evaluations: number, seconds: number, more: Partial<JobProgress> = {}): JobProgress {
-  return { stage, evaluations, evaluations_planned: 100, best_leak_mm2: null, best_cost: null, random_cost: null, seconds, ...more }
+  return {
+    stage,
+    evaluations,
+    evaluations_planned: 100,
+    best_leak_mm2: null,
+    best_cost: null,
+    random_cost: null,
+    seconds,
+    ...more,
+  }
 }
 
 test('what is left goes by the pace of the stage', () => {

@@ -66,7 +66,9 @@ test('what is not known is not compared', () => {
 
 test('a margin at the border of the region may be larger', () => {
   expect(marginWords({ suture_length_mm: 1, angle_deg: 2.5, share: null })).toBe('suture more than 1.00 mm, angle 2.5°')
-  expect(marginWords({ suture_length_mm: null, angle_deg: 5, share: null })).toBe('suture not known, angle more than 5.0°')
+  expect(marginWords({ suture_length_mm: null, angle_deg: 5, share: null })).toBe(
+    'suture not known, angle more than 5.0°',
+  )
   expect(shownFigure(figure('Margin to leak, angle'), plan({ angle: 5 }))).toBe('≥ 5.0°')
 })
 
@@ -78,7 +80,9 @@ test('an unknown mean is not zero', () => {
 test('ties are said as ties, also across ranks between', () => {
   const tied = [plan({ rank: 1, tie: true, ahead: 0.75 }), plan({ rank: 2, tie: true }), plan({ rank: 3 })] as const
   expect(tieWords(tied[0], tied[1], [...tied])).toBe('Ranks 1 and 2 tie; rank 1 is ahead with a probability of 75 %.')
-  expect(tieWords(tied[0], tied[2], [...tied])).toBe('Each plan from rank 1 to 3 ties with the next: their order says little.')
+  expect(tieWords(tied[0], tied[2], [...tied])).toBe(
+    'Each plan from rank 1 to 3 ties with the next: their order says little.',
+  )
   const apart = [plan({ rank: 1, ahead: 1 }), plan({ rank: 2 }), plan({ rank: 3 })] as const
   expect(tieWords(apart[0], apart[1], [...apart])).toBe('Rank 1 is ahead of rank 2 with a probability of 100 %.')
   expect(tieWords(apart[0], apart[2], [...apart])).toBeNull()
@@ -86,7 +90,9 @@ test('ties are said as ties, also across ranks between', () => {
 
 test('a plan whose closures failed is doubted', () => {
   expect(doubts(plan({}))).toEqual([])
-  expect(doubts({ ...plan({}), status: 'step_limit', crossing: true, region_failures: 2, region_closures: 65 })).toEqual([
+  expect(
+    doubts({ ...plan({}), status: 'step_limit', crossing: true, region_failures: 2, region_closures: 65 }),
+  ).toEqual([
     'The closure did not settle (step limit).',
     'Leaflets pass through each other.',
     '2 of 65 closures over the region failed and are left out.',

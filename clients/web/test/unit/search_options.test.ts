@@ -1,5 +1,15 @@
 import { expect, test } from 'vitest'
-import { BUDGET, EVIDENCE, LIMITS, placeOf, searchOf, STOPS, techniques, WEIGHTS, type Choices } from '../../src/search/options'
+import {
+  BUDGET,
+  EVIDENCE,
+  LIMITS,
+  placeOf,
+  searchOf,
+  STOPS,
+  techniques,
+  WEIGHTS,
+  type Choices,
+} from '../../src/search/options'
 import schema from '../../../../io/schema/search.schema.json'
 
 const all = [...BUDGET, ...STOPS, ...LIMITS, ...WEIGHTS]
@@ -10,11 +20,21 @@ function said(pointer: string): { minimum: number; maximum: number; default: num
   const [, first = '', second] = pointer.split('/')
   const defs = schema.$defs as Record<string, { properties: Record<string, unknown> }>
   const properties = second ? defs[first]?.properties : schema.properties
-  return (properties as Record<string, unknown>)[second ?? first] as { minimum: number; maximum: number; default: number }
+  return (properties as Record<string, unknown>)[second ?? first] as {
+    minimum: number
+    maximum: number
+    default: number
+  }
 }
 
 test('defaults make an empty search', () => {
-  expect(searchOf({ ...none, numbers: new Map(all.map((option) => [option, option.fallback])), switches: new Map([[EVIDENCE, true]]) })).toEqual({})
+  expect(
+    searchOf({
+      ...none,
+      numbers: new Map(all.map((option) => [option, option.fallback])),
+      switches: new Map([[EVIDENCE, true]]),
+    }),
+  ).toEqual({})
 })
 
 test('what differs from the defaults stands where its pointer says', () => {
@@ -23,7 +43,11 @@ test('what differs from the defaults stands where its pointer says', () => {
   const [neochordae] = LIMITS
   if (!closures || !leak || !neochordae) throw new Error('no options')
   const search = searchOf({
-    numbers: new Map([[closures, 200], [leak, 2], [neochordae, 0]]),
+    numbers: new Map([
+      [closures, 200],
+      [leak, 2],
+      [neochordae, 0],
+    ]),
     switches: new Map([[EVIDENCE, false]]),
     forbidden: ['annuloplasty:own'],
     fixed: { schema: 'coapt.plan/1', steps: [] },
@@ -46,12 +70,15 @@ test('a target of zero is a target', () => {
   expect(searchOf({ ...none, numbers: new Map([[target, 0]]) })).toEqual({ target_mm2: 0 })
 })
 
-test.each(all.map((option) => [option.pointer, option] as const))('%s has the range and the default of the schema', (pointer, option) => {
-  const { minimum, maximum, default: fallback } = said(pointer)
-  if (option.fallback !== null) expect(option.fallback).toBe(fallback)
-  expect(option.least).toBe(option.fallback === null ? Math.max(0, minimum) : minimum)
-  if (pointer !== '/seed') expect(option.most).toBe(maximum) // a seed may be larger than a number of the browser
-})
+test.each(all.map((option) => [option.pointer, option] as const))(
+  '%s has the range and the default of the schema',
+  (pointer, option) => {
+    const { minimum, maximum, default: fallback } = said(pointer)
+    if (option.fallback !== null) expect(option.fallback).toBe(fallback)
+    expect(option.least).toBe(option.fallback === null ? Math.max(0, minimum) : minimum)
+    if (pointer !== '/seed') expect(option.most).toBe(maximum) // a seed may be larger than a number of the browser
+  },
+)
 
 test('every kind of a technique is a word of the rules', () => {
   const words = techniques(['generic-classic']).flatMap(({ kinds }) => kinds.map(([word]) => word))

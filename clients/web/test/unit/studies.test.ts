@@ -4,7 +4,10 @@ import { alone, largestByAxes, places, slice, spread } from '../../src/studies/d
 import { studyOf, type StudyChoices } from '../../src/studies/options'
 
 test('a table is read by its header, with quoted cells and empty ones', () => {
-  expect(parseCsv('a,b\n1,\n"x, ""y""",2\n')).toEqual([{ a: '1', b: '' }, { a: 'x, "y"', b: '2' }])
+  expect(parseCsv('a,b\n1,\n"x, ""y""",2\n')).toEqual([
+    { a: '1', b: '' },
+    { a: 'x, "y"', b: '2' },
+  ])
   expect(parseCsv('a,b\r\n,\r\n')).toEqual([{ a: '', b: '' }])
   expect(parseCsv('')).toEqual([])
 })
@@ -42,7 +45,10 @@ test('one axis alone is read off the grid in its order', () => {
 })
 
 test('a slice has posterior displacements downwards from the largest, transverse ones across', () => {
-  expect(slice(grid, 3, 'orifice_mm2')).toEqual([[6, 7], [4, 5]])
+  expect(slice(grid, 3, 'orifice_mm2')).toEqual([
+    [6, 7],
+    [4, 5],
+  ])
 })
 
 test('the largest orifices come by displaced axes', () => {
@@ -50,10 +56,18 @@ test('the largest orifices come by displaced axes', () => {
 })
 
 test('a study says only what differs from its defaults', () => {
-  const usual: StudyChoices = { name: 'approximation', protocols: ['lookup-extended', 'lookup-clamped'], displacement_step_mm: 1, region_points: null, scan_sites: null }
+  const usual: StudyChoices = {
+    name: 'approximation',
+    protocols: ['lookup-extended', 'lookup-clamped'],
+    displacement_step_mm: 1,
+    region_points: null,
+    scan_sites: null,
+  }
   expect(studyOf(usual)).toEqual({ name: 'approximation' })
   expect(studyOf({ ...usual, name: 'ring', region_points: 65 })).toEqual({ name: 'ring' })
-  expect(studyOf({ ...usual, protocols: ['closed'], displacement_step_mm: 6, region_points: 65, scan_sites: 0 })).toEqual({
+  expect(
+    studyOf({ ...usual, protocols: ['closed'], displacement_step_mm: 6, region_points: 65, scan_sites: 0 }),
+  ).toEqual({
     name: 'approximation',
     protocols: ['closed'],
     displacement_step_mm: 6,
