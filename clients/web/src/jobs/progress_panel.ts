@@ -1,5 +1,4 @@
 // What a running job does: stage, closures of planned, time gone and time left; and the way to end it.
-import '../style/jobs.css'
 import type { Job, JobProgress } from '../api/types'
 import { button, h } from '../dom'
 import { number, seconds, words } from '../format'

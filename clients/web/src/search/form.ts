@@ -2,18 +2,11 @@
 import { rings } from '../api/calls'
 import type { Plan, Problem } from '../api/types'
 import { button, field, h } from '../dom'
+import type { Asked, JobForm } from '../jobs/job_view'
 import { problemList } from '../problems'
 import * as options from './options'
 
-export interface SearchForm {
-  element: HTMLElement
-  /// Of the page's valve and plan at present.
-  show(valve: string | null, plan: Plan): void
-  complain(problems: Problem[]): void
-  busy(is: boolean): void
-}
-
-export function searchForm(start: (search: Record<string, unknown>) => void): SearchForm {
+export function searchForm(start: (search: Asked) => void): JobForm {
   const inputs = new Map<options.NumberOption, HTMLInputElement>()
   const switches = new Map<options.Switch, HTMLInputElement>()
   const kinds = new Map<string, HTMLInputElement>()

@@ -13,6 +13,7 @@ export interface NumberOption {
 }
 
 const INTEGER = 1
+export const DEFAULT_CLOSURES = 2000
 
 export const BUDGET: NumberOption[] = [
   {
@@ -21,7 +22,7 @@ export const BUDGET: NumberOption[] = [
     least: 1,
     most: 1_000_000,
     step: INTEGER,
-    fallback: 2000,
+    fallback: DEFAULT_CLOSURES,
     hint: 'Spent on searching; ranking comes on top.',
   },
   { pointer: '/plans', label: 'Ranked plans', least: 1, most: 50, step: INTEGER, fallback: 5 },

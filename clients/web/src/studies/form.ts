@@ -1,17 +1,11 @@
 // Which study of the open valve, and how.
 import type { Problem } from '../api/types'
 import { field, h, select } from '../dom'
+import type { Asked, JobForm } from '../jobs/job_view'
 import { problemList } from '../problems'
 import { DEFAULT_PROTOCOLS, hasAnchors, PROTOCOLS, STUDIES, studyOf, type StudyName } from './options'
 
-export interface StudyForm {
-  element: HTMLElement
-  show(valve: string | null): void
-  complain(problems: Problem[]): void
-  busy(is: boolean): void
-}
-
-export function studyForm(start: (study: Record<string, unknown>) => void): StudyForm {
+export function studyForm(start: (study: Asked) => void): JobForm {
   let name: StudyName = 'annulus'
   let step_mm = 1
   const valve = h('strong', {}, 'opening ...')
