@@ -1,0 +1,73 @@
+// A service of its own and a browser on its page, for the tests of the page. What the browser says against the page
+// (errors, blocked by policy, requests to elsewhere) is collected in `complaints`.
+import { spawn } from 'node:child_process'
+import { mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { createRequire } from 'node:module'
+import { chromium } from 'playwright-core'
+
+const ROOT = fileURLToPath(new URL('../../../../', import.meta.url))
+const SERVER = process.env.COAPT_SERVER ?? join(ROOT, 'build/release/bin/coapt-server')
+const BROWSER = process.env.CHROMIUM ?? '/usr/bin/chromium'
+const AXE = createRequire(import.meta.url).resolve('axe-core/axe.min.js')
+export const PATIENCE_MS = 120_000 // machines are shared and slow
+
+/// The service; `stop` ends it and removes what it kept.
+export async function startService(flags = []) {
+  const folder = mkdtempSync(join(tmpdir(), 'coapt-page-'))
+  const child = spawn(SERVER, ['--port', '0', '--db', join(folder, 'jobs.sqlite'), '--web', join(ROOT, 'build/web'), ...flags], {
+    stdio: ['ignore', 'ignore', 'pipe'],
+  })
+  let said = ''
+  const url = await new Promise((resolve, reject) => {
+    child.once('exit', () => reject(new Error(`the service ended: ${said}`)))
+    child.stderr.on('data', (part) => {
+      said += part
+      const found = /listening on (http:\/\/\S+)/.exec(said)
+      if (found) resolve(found[1])
+    })
+  })
+  const stop = () =>
+    new Promise((resolve) => {
+      child.once('exit', () => {
+        rmSync(folder, { recursive: true, force: true })
+        resolve()
+      })
+      child.kill('SIGTERM')
+    })
+  return { url, folder, stop }
+}
+
+export function startBrowser() {
+  const args = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
+  return chromium.launch({ executablePath: BROWSER, args })
+}
+
+/// A page with the view `name` and a closed valve in it.
+export async function openView(browser, url, name, { width = 1280, height = 800, theme = 'light' } = {}) {
+  const page = await browser.newPage({ viewport: { width, height }, colorScheme: theme, reducedMotion: 'reduce' })
+  page.setDefaultTimeout(PATIENCE_MS)
+  const complaints = []
+  page.on('pageerror', (error) => complaints.push(error.message))
+  page.on('console', (message) => {
+    if (message.type() === 'error' && !/\b(401|422)\b/.test(message.text())) complaints.push(message.text())
+  })
+  page.on('request', (request) => {
+    if (!request.url().startsWith(url) && !/^(blob|data):/.test(request.url())) complaints.push(`asks ${request.url()}`)
+  })
+  await page.goto(`${url}/#${name}`)
+  await page.locator('main h1').first().waitFor({ state: 'attached' })
+  return { page, complaints }
+}
+
+/// What axe-core finds against the page as it is, as text.
+export async function accessProblems(page) {
+  await page.evaluate(() => document.fonts.ready)
+  const source = await import('node:fs/promises').then((fs) => fs.readFile(AXE, 'utf8'))
+  // The page's policy allows no script of a test's; the browser's own way in is not bound by it.
+  await page.evaluate(source)
+  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }))
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 160)).join(' | ')}`)
+}
