@@ -171,6 +171,24 @@ export interface Gate {
   source: string
 }
 
+/// Rows of `leak_mm2` by length, columns by angle; null: not closed.
+export interface LeakMap {
+  muscle: 'both' | Side
+  suture_length_mm: number[]
+  outwards_deg: number[]
+  leak_mm2: (number | null)[][]
+}
+
+export interface ParetoPlan {
+  plan: Plan
+  description: string[]
+  mean_mm2: number | null
+  sd_mm2: number | null
+  steps: number
+  ring_sizes_below: number
+  nodes: number
+}
+
 export interface RankedPlan {
   rank: number
   plan: Plan
@@ -191,7 +209,7 @@ export interface RankedPlan {
   pareto: boolean
   probability_outranks_next: number | null
   tie_with_next: boolean
-  leak_map: { muscle: string; suture_length_mm: number[]; outwards_deg: number[]; leak_mm2: (number | null)[] }[]
+  leak_map: LeakMap[]
   sobol: Record<'first' | 'total', Record<'suture_length' | 'outwards' | 'posterior', number | null>>
   independent_leak_mm2: Statistics
   remodelling: { direction: string; leak_mm2: (number | null)[] }[]
@@ -211,6 +229,10 @@ export interface SearchResult {
   plans: RankedPlan[]
   progress: CostPoint[]
   random_progress: CostPoint[]
+  pareto_front: ParetoPlan[]
+  cut: { what: string; why: string }[]
+  plans_possible: number
+  plans_tried: number
   stop: string
   closures: number
   evaluations: number
@@ -240,11 +262,43 @@ export interface Job {
   kind: 'plans' | 'study'
   state: JobState
   created: string
+  started: string | null
   finished: string | null
-  valve: string
+  valve: string // the id of its content
+  cancel_requested: boolean
   waiting_for: string | null
   queue_position: number | null
   progress: JobProgress
   problems: Problem[]
+  findings?: number // of a study that has ended
+  agree?: number
   links: Record<string, string>
+}
+
+export interface JobFile {
+  name: string
+  type: string
+  bytes: number
+  path: string
+}
+
+export interface Finding {
+  finding: string
+  section: string // of the thesis
+  thesis: string
+  ours: string
+  judged: string
+  agrees: boolean
+}
+
+/// What a study ends with.
+export interface StudyResult {
+  study: string
+  valve: string
+  configurations: number // five end states each
+  closures: number // made now
+  untrusted: number
+  seconds: number
+  findings: Finding[]
+  agree: number
 }

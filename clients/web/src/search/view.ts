@@ -1,14 +1,64 @@
+// Searches for repair plans of the open valve.
+import '../style/search.css'
 import { h } from '../dom'
+import { JobView, type JobKind } from '../jobs/job_view'
+import { grouped } from '../jobs/progress_panel'
 import type { View } from '../view'
 import type { Workspace } from '../workspace'
+import { searchForm } from './form'
+import { searchPanel } from './job_panel'
+import { DEFAULT_CLOSURES } from './options'
+import { Pictures } from './pictures'
 
 export class SearchView implements View {
-  readonly element = h('div', {}, h('h1', {}, 'Search'))
+  readonly element: HTMLElement
+  private readonly jobs: JobView
 
-  constructor(private readonly workspace: Workspace) {}
+  constructor(workspace: Workspace) {
+    const searches: JobKind = {
+      kind: 'plans',
+      path: '/v1/plans',
+      member: 'search',
+      earlier: 'Earlier searches',
+      form: searchForm,
+      note: (search) => `${grouped(Number(search['evaluations'] ?? DEFAULT_CLOSURES))} closures`,
+      empty: empty(),
+      panel(job, changed, signal) {
+        const pictures = new Pictures()
+        signal.addEventListener('abort', () => pictures.release())
+        return searchPanel(job, { workspace, pictures, signal, changed })
+      },
+    }
+    this.jobs = new JobView(workspace, searches)
+    this.element = this.jobs.element
+  }
 
   show(): void {
-    void this.workspace
+    void this.jobs.show()
   }
   hide(): void {}
+}
+
+function empty(): HTMLElement {
+  return h(
+    'div',
+    {},
+    h('h1', {}, 'Search'),
+    h(
+      'div',
+      { class: 'panel' },
+      h(
+        'p',
+        {},
+        'coapt tries rings, papillary sutures and neochordae on the open valve and ranks the best plans by how they close ' +
+          'it, also when the surgeon’s hand varies.',
+      ),
+      h(
+        'p',
+        {},
+        'The defaults are sensible: about half a minute on two cores. A search goes on while you do something else, also ' +
+          'when this page is closed.',
+      ),
+    ),
+  )
 }

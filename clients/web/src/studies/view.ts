@@ -1,14 +1,53 @@
+// The thesis's studies of the open valve.
+import '../style/search.css'
+import '../style/studies.css'
 import { h } from '../dom'
+import { JobView, type JobKind } from '../jobs/job_view'
 import type { View } from '../view'
 import type { Workspace } from '../workspace'
+import { studyForm } from './form'
+import { studyPanel } from './job_panel'
 
 export class StudiesView implements View {
-  readonly element = h('div', {}, h('h1', {}, 'Studies'))
+  readonly element: HTMLElement
+  private readonly jobs: JobView
 
-  constructor(private readonly workspace: Workspace) {}
+  constructor(workspace: Workspace) {
+    const studies: JobKind = {
+      kind: 'study',
+      path: '/v1/studies',
+      member: 'study',
+      earlier: 'Earlier studies',
+      form: studyForm,
+      note: (study) => String(study['name']),
+      empty: empty(),
+      panel: studyPanel,
+    }
+    this.jobs = new JobView(workspace, studies)
+    this.element = this.jobs.element
+  }
 
   show(): void {
-    void this.workspace
+    void this.jobs.show()
   }
   hide(): void {}
+}
+
+function empty(): HTMLElement {
+  return h(
+    'div',
+    {},
+    h('h1', {}, 'Studies'),
+    h(
+      'div',
+      { class: 'panel' },
+      h(
+        'p',
+        {},
+        'The studies of the thesis “Fast Surgical Simulation to Improve Mitral Valve Repair”, repeated on the open valve: ' +
+          'each of its findings beside what this valve shows, and its figures to be looked into.',
+      ),
+      h('p', {}, 'The study of the annulus takes seconds, all of them about a minute on two cores.'),
+    ),
+  )
 }

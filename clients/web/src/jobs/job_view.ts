@@ -1,0 +1,97 @@
+// A view over jobs of one kind: what asks for one and the earlier ones on the left, the open one on the right.
+import '../style/jobs.css'
+import { postJson } from '../api/http'
+import type { Job, Plan, Problem } from '../api/types'
+import { h } from '../dom'
+import { problemsOf, type Workspace } from '../workspace'
+import { hasEnded } from './calls'
+import { jobList, type JobList } from './job_list'
+import { noteJob } from './notes'
+import { rememberValve } from './valves'
+
+export type Asked = Record<string, unknown> // "search" or "study" of a request
+
+export interface JobForm {
+  element: HTMLElement
+  show(valve: string | null, plan: Plan): void // of the page, at present
+  complain(problems: Problem[]): void
+  busy(is: boolean): void
+}
+
+export interface JobKind {
+  kind: Job['kind']
+  path: string // that takes requests
+  member: string // of the request, what is asked
+  earlier: string // title of the list
+  form(start: (asked: Asked) => void): JobForm
+  note(asked: Asked): string // in a few words
+  empty: HTMLElement // while none is open
+  /// Shows a job until `signal` aborts; `changed` is told its states.
+  panel(job: Job, changed: (job: Job) => void, signal: AbortSignal): HTMLElement
+}
+
+export class JobView {
+  readonly element: HTMLElement
+  private readonly form: JobForm
+  private readonly list: JobList
+  private readonly found: HTMLElement
+  private readonly stored: string // names the open job in this tab, so that it is open again after a reload
+  private readonly states = new Map<string, Job['state']>()
+  private opened: AbortController | null = null
+
+  constructor(
+    private readonly workspace: Workspace,
+    private readonly kind: JobKind,
+  ) {
+    this.stored = `coapt-open-${kind.kind}`
+    this.form = kind.form((asked) => void this.start(asked))
+    this.list = jobList(kind.kind, kind.earlier, (job) => this.openAndLook(job))
+    this.found = h('div', {}, kind.empty)
+    this.element = h('div', { class: 'job-view' }, h('div', {}, this.form.element, this.list.element), this.found)
+    const showValve = () => this.form.show(workspace.valve?.label ?? null, workspace.plan)
+    workspace.subscribe(showValve)
+    showValve()
+  }
+
+  /// The job that was open before a reload, or one that runs, is opened.
+  async show(): Promise<void> {
+    const jobs = await this.list.refresh()
+    if (this.opened) return
+    const last = jobs.find((job) => job.id === sessionStorage.getItem(this.stored))
+    const job = last ?? jobs.find((one) => !hasEnded(one.state))
+    if (job) this.open(job)
+  }
+
+  private async start(asked: Asked): Promise<void> {
+    const { valve } = this.workspace
+    if (!valve) return
+    this.form.complain([])
+    this.form.busy(true)
+    try {
+      const job = await postJson<Job>(this.kind.path, { valve: valve.reference, [this.kind.member]: asked })
+      rememberValve(job.valve, valve)
+      noteJob(job.id, this.kind.note(asked))
+      this.openAndLook(job)
+    } catch (error) {
+      this.form.complain(problemsOf(error))
+    }
+    this.form.busy(false)
+  }
+
+  private openAndLook(job: Job): void {
+    this.open(job)
+    if (this.found.getBoundingClientRect().top > innerHeight / 2) this.found.scrollIntoView() // it stands below
+  }
+
+  private open(job: Job): void {
+    this.opened?.abort()
+    this.opened = new AbortController()
+    sessionStorage.setItem(this.stored, job.id)
+    this.list.mark(job.id)
+    const changed = (now: Job) => {
+      if (this.states.get(now.id) !== now.state) void this.list.refresh()
+      this.states.set(now.id, now.state)
+    }
+    this.found.replaceChildren(this.kind.panel(job, changed, this.opened.signal))
+  }
+}

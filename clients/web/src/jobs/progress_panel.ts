@@ -1,0 +1,84 @@
+// What a running job does: stage, closures of planned, time gone and time left; and the way to end it.
+import type { Job, JobProgress } from '../api/types'
+import { button, h } from '../dom'
+import { number, seconds, words } from '../format'
+import { problemList } from '../problems'
+import { problemsOf } from '../workspace'
+import { cancelJob } from './calls'
+import { Pace } from './pace'
+import { standing, stateBadge } from './state'
+
+export interface ProgressPanel {
+  element: HTMLElement
+  show(progress: JobProgress): void
+  change(job: Job): void
+}
+
+export function progressPanel(first: Job, what: string): ProgressPanel {
+  const pace = new Pace()
+  let job = first
+  let unit = 'closures'
+  const bar = h('progress', { max: 1, 'aria-label': `Progress of the ${what}` })
+  const state = h('span', {})
+  const stage = h('strong', {})
+  const standingText = h('p', { class: 'hint', 'aria-live': 'polite' })
+  const figures = h('dl', { class: 'figures' })
+  const failed = h('div', {})
+  const cancel = button('Cancel', () => void end())
+  const element = h(
+    'section',
+    { class: 'panel progress', 'aria-label': `Running ${what}` },
+    h('div', { class: 'row' }, state, stage, cancel),
+    bar,
+    figures,
+    standingText,
+    failed,
+  )
+
+  async function end(): Promise<void> {
+    cancel.disabled = true
+    try {
+      change({ ...(await cancelJob(job.id)), state: job.state })
+    } catch (error) {
+      cancel.disabled = false
+      failed.replaceChildren(problemList(problemsOf(error)))
+    }
+  }
+
+  function change(now: Job): void {
+    job = now
+    state.replaceChildren(stateBadge(job.state))
+    standingText.textContent = standing(job)
+    cancel.disabled = job.cancel_requested
+    if (job.progress.evaluations > 0) show(job.progress)
+  }
+
+  function show(progress: JobProgress): void {
+    if (job.kind === 'study') unit = 'configurations'
+    const { evaluations, evaluations_planned: planned } = progress
+    stage.textContent = words(progress.stage)
+    if (planned > 0) bar.value = evaluations / planned
+    const left = pace.left(progress)
+    const entries: [string, string][] = [
+      [unit, planned > 0 ? `${grouped(evaluations)} of ${grouped(planned)}` : grouped(evaluations)],
+      ['time', seconds(progress.seconds)],
+      [
+        'left, about',
+        left === null ? 'not known yet' : `${seconds(left)}${job.kind === 'study' ? ' of this stage' : ''}`,
+      ],
+    ]
+    if (job.kind === 'plans')
+      entries.push([
+        'least leak as planned',
+        progress.best_leak_mm2 === null ? 'none yet' : `${number(progress.best_leak_mm2)} mm²`,
+      ])
+    figures.replaceChildren(...entries.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))))
+  }
+
+  change(first)
+  return { element, show, change }
+}
+
+export function grouped(count: number): string {
+  return count.toLocaleString('en-GB')
+}

@@ -1,0 +1,54 @@
+// The best cost so far against what trying plans at random is expected to have reached.
+import type { CostPoint, JobProgress } from '../api/types'
+import { lineChart, type DrawnChart } from '../charts/line_chart'
+import type { Series } from '../charts/series'
+import { number } from '../format'
+
+const SEARCH = { label: 'coapt', hue: 0 as const, look: 'steps' as const }
+const RANDOM = { label: 'random search, expected', hue: 1 as const, look: 'dashed' as const }
+
+export function costChart(series: Series[], signal: AbortSignal): DrawnChart {
+  const [ours, random] = series.map((one) => one.y.at(-1))
+  return lineChart(
+    {
+      title: 'Best cost so far',
+      summary:
+        ours === undefined
+          ? 'Nothing yet.'
+          : `At the end ${number(ours, 2)} mm²; expected of random search: ${number(random, 2)} mm².`,
+      x: { label: 'closures', lowest: 0 },
+      y: { label: 'cost, mm²', log: true },
+      series,
+    },
+    signal,
+  )
+}
+
+/// While it runs.
+export function liveSeries(progress: JobProgress[]): Series[] {
+  const line = (of: (now: JobProgress) => number | null | undefined): CostPoint[] =>
+    progress.map((now) => ({ closures: now.evaluations, cost: of(now) ?? null })).filter((point) => point.cost !== null)
+  return costSeries(
+    line((now) => now.best_cost),
+    line((now) => now.random_cost),
+  )
+}
+
+/// Of one that has ended: a short one has tried too few plans to say what random search would have.
+export function endedSeries(search: CostPoint[], random: CostPoint[]): Series[] {
+  return costSeries(search, random).filter((one) => one.x.length > 0)
+}
+
+function costSeries(search: CostPoint[], random: CostPoint[]): Series[] {
+  return [
+    { ...SEARCH, ...pointsOf(search) },
+    { ...RANDOM, ...pointsOf(random) },
+  ]
+}
+
+/// One point per number of closures, the last one said. A logarithm knows no zero.
+function pointsOf(points: CostPoint[]): Pick<Series, 'x' | 'y'> {
+  const at = new Map(points.map(({ closures, cost }) => [closures, cost === null ? null : Math.max(cost, 0.01)]))
+  const x = [...at.keys()].sort((a, b) => a - b)
+  return { x, y: x.map((closures) => at.get(closures) ?? null) }
+}

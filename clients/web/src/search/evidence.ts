@@ -1,0 +1,123 @@
+// What speaks for and against one plan: its leak over the region, further remodelling, the rules of practice.
+import type { Gate, LeakMap, RankedPlan } from '../api/types'
+import { dataTable } from '../charts/data_table'
+import { heatMap, heatScale, mostOf } from '../charts/heat_map'
+import { lineChart } from '../charts/line_chart'
+import type { Hue } from '../charts/colours'
+import { h, type Child } from '../dom'
+import { number, percent, words } from '../format'
+import { meanAndSd } from './figures'
+
+const LEAST_SCALE_MM2 = 1 // a map of next to nothing is not shaded as if it leaked
+
+export function mapsMost(plans: RankedPlan[]): number {
+  return Math.max(LEAST_SCALE_MM2, ...plans.flatMap((plan) => plan.leak_map.map((map) => mostOf(map.leak_mm2))))
+}
+
+const signed = (value: number, digits: number) => (value > 0 ? '+' : '') + number(value, digits)
+
+/// `most`: mm2, end of the scale, so that maps can be compared.
+export function leakMap(map: LeakMap, most: number): HTMLElement {
+  const muscle =
+    map.muscle === 'both' ? 'Both muscles alike' : `${map.muscle[0]?.toUpperCase()}${map.muscle.slice(1)} suture alone`
+  return heatMap({
+    title: `${muscle}: leak, mm².`,
+    unit: 'mm²',
+    rows: { label: 'suture length, mm', ticks: map.suture_length_mm.map((value) => signed(value, 2)) },
+    columns: { label: 'muscle outwards, degrees', ticks: map.outwards_deg.map((value) => signed(value, 0)) },
+    values: map.leak_mm2,
+    most,
+    marked: { row: map.suture_length_mm.indexOf(0), column: map.outwards_deg.indexOf(0) },
+  })
+}
+
+export function evidence(plan: RankedPlan, signal: AbortSignal): HTMLElement {
+  return h(
+    'div',
+    { class: 'evidence' },
+    ...maps(plan),
+    ...remodelling(plan, signal),
+    ...sobol(plan),
+    ...gates(plan.gates),
+  )
+}
+
+function maps(plan: RankedPlan): Child[] {
+  if (plan.leak_map.length === 0) return []
+  const most = mapsMost([plan])
+  const alone = plan.independent_leak_mm2
+  return [
+    h('h4', {}, 'Leak when suture length and muscle are not quite as planned'),
+    h('div', { class: 'maps' }, ...plan.leak_map.map((map) => leakMap(map, most))),
+    heatScale(most, 'mm²'),
+    alone.mean !== null &&
+      h(
+        'p',
+        { class: 'hint' },
+        `With an error of its own for each suture the leak is ${meanAndSd(alone)}, at worst ${number(alone.worst)} mm².`,
+      ),
+  ]
+}
+
+function remodelling(plan: RankedPlan, signal: AbortSignal): Node[] {
+  const curves = plan.remodelling.filter((curve) => curve.leak_mm2.some((leak) => leak !== null))
+  if (curves.length === 0) return []
+  const ends = curves.map((curve) => `${curve.direction} ${number(curve.leak_mm2.at(-1))} mm²`).join('; ')
+  const chart = lineChart(
+    {
+      title: 'Leak if the papillary muscles go on moving',
+      summary: `Leak at the end of further remodelling: ${ends}.`,
+      x: { label: 'further remodelling, mm' },
+      y: { label: 'leak, mm²' },
+      series: curves.map((curve, i) => ({
+        label: words(curve.direction),
+        hue: (i % 6) as Hue,
+        x: curve.leak_mm2.map((_, mm) => mm),
+        y: curve.leak_mm2,
+      })),
+    },
+    signal,
+  )
+  return [chart.element]
+}
+
+const AXES = [
+  ['suture_length', 'suture length'],
+  ['outwards', 'angle outwards'],
+  ['posterior', 'angle to posterior'],
+] as const
+
+function sobol(plan: RankedPlan): Node[] {
+  const { first, total } = plan.sobol
+  if (AXES.every(([axis]) => total[axis] === null)) return []
+  return [
+    h('h4', {}, 'Which error decides'),
+    dataTable(
+      'Shares of the leak’s variance (Sobol indices)',
+      [{ label: 'error of' }, { label: 'alone', numeric: true }, { label: 'with others', numeric: true }],
+      AXES.map(([axis, label]) => [label, percent(first[axis]), percent(total[axis])]),
+    ),
+  ]
+}
+
+const VERDICTS: Record<Gate['severity'], [words: string, tone: string]> = {
+  pass: ['✓ pass', 'good'],
+  warn: ['! warn', 'warn'],
+  reject: ['✗ reject', 'bad'],
+  not_assessed: ['– not assessed', 'soft'],
+}
+
+function gates(list: Gate[]): Node[] {
+  if (list.length === 0) return []
+  return [
+    h('h4', {}, 'Rules of practice'),
+    dataTable(
+      'Rules of practice',
+      [{ label: 'rule' }, { label: 'verdict' }, { label: 'finding' }, { label: 'source' }],
+      list.map((gate) => {
+        const [verdict, tone] = VERDICTS[gate.severity]
+        return [words(gate.rule), h('span', { class: `verdict ${tone}` }, verdict), gate.finding, gate.source]
+      }),
+    ),
+  ]
+}

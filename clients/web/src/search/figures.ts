@@ -1,0 +1,170 @@
+// The figures of a ranked plan that matter, and which of two plans has the better one.
+import type { RankedPlan } from '../api/types'
+import { number, withUnit } from '../format'
+
+// One closure of one plan is not known better than this (README: "Speed against accuracy").
+const CLOSURE_MM2 = 0.5
+const FARTHEST = { suture_length_mm: 1, angle_deg: 5 } // borders of the region of interest
+
+export interface Figure {
+  label: string
+  unit: string
+  digits: number
+  value(plan: RankedPlan): number | null
+  better: 'lower' | 'higher'
+  border?: number // a value there may be larger
+  /// Differences up to this say nothing; `why` tells what it is.
+  blur?: { of(a: RankedPlan, b: RankedPlan): number; why: string }
+}
+
+const oneClosure = { of: () => CLOSURE_MM2, why: `below the ${CLOSURE_MM2} mm² that one closure can tell` }
+const spread = {
+  of: (a: RankedPlan, b: RankedPlan) => Math.max(a.leak_mm2.sd ?? 0, b.leak_mm2.sd ?? 0),
+  why: 'within the spread over the region',
+}
+
+export const FIGURES: Figure[] = [
+  {
+    label: 'Leak over the region, mean',
+    unit: 'mm²',
+    digits: 2,
+    value: (p) => p.leak_mm2.mean,
+    better: 'lower',
+    blur: spread,
+  },
+  { label: 'its sd', unit: 'mm²', digits: 2, value: (p) => p.leak_mm2.sd, better: 'lower' },
+  {
+    label: 'its 95th percentile',
+    unit: 'mm²',
+    digits: 1,
+    value: (p) => p.leak_mm2.p95,
+    better: 'lower',
+    blur: oneClosure,
+  },
+  { label: 'its worst', unit: 'mm²', digits: 1, value: (p) => p.leak_mm2.worst, better: 'lower', blur: oneClosure },
+  {
+    label: 'Orifice over the region, mean',
+    unit: 'mm²',
+    digits: 2,
+    value: (p) => p.orifice_area_mm2.mean,
+    better: 'lower',
+    blur: spread,
+  },
+  {
+    label: 'Orifice as planned',
+    unit: 'mm²',
+    digits: 1,
+    value: (p) => p.measure.orifice_area_mm2,
+    better: 'lower',
+    blur: oneClosure,
+  },
+  {
+    label: 'Gap as planned',
+    unit: 'mm²',
+    digits: 1,
+    value: (p) => p.measure.coaptation.gap_area_mm2,
+    better: 'lower',
+    blur: oneClosure,
+  },
+  {
+    label: 'Margin to leak, suture length',
+    unit: 'mm',
+    digits: 2,
+    value: (p) => p.margin_to_leak.suture_length_mm,
+    better: 'higher',
+    border: FARTHEST.suture_length_mm,
+  },
+  {
+    label: 'Margin to leak, angle',
+    unit: '°',
+    digits: 1,
+    value: (p) => p.margin_to_leak.angle_deg,
+    better: 'higher',
+    border: FARTHEST.angle_deg,
+  },
+  {
+    label: 'Coaptation height, mean',
+    unit: 'mm',
+    digits: 1,
+    value: (p) => p.measure.coaptation.height_mean_mm,
+    better: 'higher',
+  },
+  {
+    label: 'Coaptation height, least',
+    unit: 'mm',
+    digits: 1,
+    value: (p) => p.measure.coaptation.height_min_mm,
+    better: 'higher',
+  },
+  { label: 'Highest chordal tension', unit: 'N', digits: 2, value: (p) => p.measure.tension_max_n, better: 'lower' },
+  {
+    label: 'Papillary movement, larger',
+    unit: 'mm',
+    digits: 1,
+    value: (p) => Math.max(p.anterolateral_movement_mm, p.posteromedial_movement_mm),
+    better: 'lower',
+  },
+  { label: 'Ring sizes below the annulus', unit: '', digits: 1, value: (p) => p.ring_sizes_below, better: 'lower' },
+  { label: 'Steps', unit: '', digits: 0, value: (p) => p.steps, better: 'lower' },
+  { label: 'Cost of the search', unit: 'mm²', digits: 2, value: (p) => p.cost, better: 'lower' },
+]
+
+export function shownFigure(figure: Figure, plan: RankedPlan): string {
+  const value = figure.value(plan)
+  const open = value !== null && figure.border !== undefined && value >= figure.border
+  return `${open ? '≥ ' : ''}${withDegrees(value, figure.unit, figure.digits).trim()}`
+}
+
+/// A degree stands at its number.
+function withDegrees(value: number | null, unit: string, digits: number): string {
+  return withUnit(value, unit, digits).replace(' °', '°')
+}
+
+export type Verdict = 'first' | 'second' | 'same' | 'within' | 'unknown'
+
+/// Equal as shown is the same.
+export function judge(figure: Figure, a: RankedPlan, b: RankedPlan): Verdict {
+  const [first, second] = [figure.value(a), figure.value(b)]
+  if (first === null || second === null || !Number.isFinite(first) || !Number.isFinite(second)) return 'unknown'
+  if (number(first, figure.digits) === number(second, figure.digits)) return 'same'
+  if (figure.blur && Math.abs(first - second) <= figure.blur.of(a, b)) return 'within'
+  return first < second === (figure.better === 'lower') ? 'first' : 'second'
+}
+
+/// "0.3 ± 0.2", "not known".
+export function meanAndSd(statistics: { mean: number | null; sd: number | null }): string {
+  return statistics.mean === null ? 'not known' : `${number(statistics.mean)} ± ${number(statistics.sd)} mm²`
+}
+
+/// "suture more than 1.00 mm, angle more than 5.0°": a margin at the region's border may be larger.
+export function marginWords(margin: RankedPlan['margin_to_leak']): string {
+  const part = (value: number | null, farthest: number, unit: string, digits: number) =>
+    `${value !== null && value >= farthest ? 'more than ' : ''}${withDegrees(value, unit, digits)}`
+  if (margin.suture_length_mm === null && margin.angle_deg === null) return 'not known (too few region points)'
+  return `suture ${part(margin.suture_length_mm, FARTHEST.suture_length_mm, 'mm', 2)}, angle ${part(margin.angle_deg, FARTHEST.angle_deg, '°', 1)}`
+}
+
+/// What is not to be relied on.
+export function doubts(plan: RankedPlan): string[] {
+  const found: string[] = []
+  if (plan.status !== 'converged') found.push(`The closure did not settle (${plan.status.replace('_', ' ')}).`)
+  if (plan.crossing) found.push('Leaflets pass through each other.')
+  if (plan.region_failures > 0)
+    found.push(`${plan.region_failures} of ${plan.region_closures} closures over the region failed and are left out.`)
+  if (plan.region_closures < 2) found.push('The region was not closed: mean, sd and margin are not known.')
+  return found
+}
+
+/// How sure it is that `a`, ranked first, is the better one; null: nothing is said of the two.
+export function tieWords(a: RankedPlan, b: RankedPlan, all: RankedPlan[]): string | null {
+  const between = all.filter((plan) => plan.rank >= a.rank && plan.rank < b.rank)
+  if (between.length === 0) return null
+  const ties = between.every((plan) => plan.tie_with_next)
+  if (between.length > 1)
+    return ties ? `Each plan from rank ${a.rank} to ${b.rank} ties with the next: their order says little.` : null
+  const ahead = a.probability_outranks_next
+  const likely = ahead === null ? '' : `; rank ${a.rank} is ahead with a probability of ${number(100 * ahead, 0)} %`
+  return ties
+    ? `Ranks ${a.rank} and ${b.rank} tie${likely}.`
+    : `Rank ${a.rank} is ahead of rank ${b.rank}${likely.replace(`; rank ${a.rank} is ahead`, '')}.`
+}

@@ -1,0 +1,223 @@
+// What a search may be told, by where it stands in the request (io/schema/search.schema.json), and the request made of it.
+import type { Plan, Problem } from '../api/types'
+
+export interface NumberOption {
+  pointer: string // into the search
+  label: string
+  unit?: string
+  least: number
+  most: number
+  step: number // 1: an integer
+  fallback: number | null // null: no limit, which is an empty field
+  hint?: string
+}
+
+const INTEGER = 1
+export const DEFAULT_CLOSURES = 2000
+
+export const BUDGET: NumberOption[] = [
+  {
+    pointer: '/evaluations',
+    label: 'Closures',
+    least: 1,
+    most: 1_000_000,
+    step: INTEGER,
+    fallback: DEFAULT_CLOSURES,
+    hint: 'Spent on searching; ranking comes on top.',
+  },
+  { pointer: '/plans', label: 'Ranked plans', least: 1, most: 50, step: INTEGER, fallback: 5 },
+  {
+    pointer: '/region_points',
+    label: 'Region points',
+    least: 1,
+    most: 1089,
+    step: INTEGER,
+    fallback: 1089,
+    hint: 'Small errors of execution that each ranked plan is closed with, of 1,089.',
+  },
+  {
+    pointer: '/seed',
+    label: 'Seed',
+    least: 0,
+    most: Number.MAX_SAFE_INTEGER,
+    step: INTEGER,
+    fallback: 1,
+    hint: 'The same seed gives the same plans.',
+  },
+]
+
+export const STOPS: NumberOption[] = [
+  {
+    pointer: '/seconds',
+    label: 'Time limit',
+    unit: 's',
+    least: 0,
+    most: 1_000_000,
+    step: 0.1,
+    fallback: null,
+    hint: 'Its last 40 % is spent on ranking.',
+  },
+  {
+    pointer: '/no_improvement',
+    label: 'No better plan for',
+    unit: 'closures',
+    least: 0,
+    most: 1_000_000,
+    step: INTEGER,
+    fallback: null,
+  },
+  {
+    pointer: '/target_mm2',
+    label: 'Good enough at',
+    unit: 'mm²',
+    least: 0,
+    most: 1_000_000,
+    step: 0.1,
+    fallback: null,
+    hint: 'Mean + sd of the leak.',
+  },
+]
+
+export const LIMITS: NumberOption[] = [
+  { pointer: '/rules/most_neochordae', label: 'Neochordae, at most', least: 0, most: 4, step: INTEGER, fallback: 4 },
+  {
+    pointer: '/rules/most_movement_mm',
+    label: 'Papillary movement, at most',
+    unit: 'mm',
+    least: 2,
+    most: 15,
+    step: 0.5,
+    fallback: 10,
+    hint: 'More than 10 mm is unusual.',
+  },
+  {
+    pointer: '/rules/suture_lattice_mm',
+    label: 'Suture lengths in steps of',
+    unit: 'mm',
+    least: 0.1,
+    most: 5,
+    step: 0.1,
+    fallback: 0.5,
+  },
+  {
+    pointer: '/rules/neochorda_lattice_mm',
+    label: 'Neochorda lengths in steps of',
+    unit: 'mm',
+    least: 0.5,
+    most: 5,
+    step: 0.1,
+    fallback: 1,
+  },
+]
+
+const MOST_WEIGHT = 1_000_000
+const weight = (name: string, label: string, fallback: number): NumberOption => ({
+  pointer: `/weights/${name}`,
+  label,
+  least: 0,
+  most: MOST_WEIGHT,
+  step: 0.1,
+  fallback,
+})
+
+export const WEIGHTS: NumberOption[] = [
+  weight('leak', 'Leak, per mm² of mean + share of sd', 1),
+  weight('sd_share', 'Share of the sd beside the mean', 1),
+  weight('incompetence', 'Leak above 1 mm², more per mm²', 5),
+  weight('margin', 'A plan that leaks at once', 1),
+  weight('coaptation', 'Coaptation below 8 mm, per mm', 0.5),
+  weight('gap', 'Leaflets apart, per mm', 2),
+  weight('movement', 'Papillary movement, per mm', 0.2),
+  weight('movement_above_10', 'Movement above 10 mm, more per mm', 1),
+  weight('undersizing', 'Undersizing, per ring size', 0.5),
+  weight('undersizing_above_4', 'Above 4 sizes, more per size', 2),
+  weight('step', 'Each step of the operation', 1),
+  weight('tension', 'Chordal tension above today’s, per N', 1),
+  weight('untrusted', 'Closures that failed, by share', 10_000),
+]
+
+export interface Switch {
+  pointer: string
+  label: string
+  fallback: boolean
+  hint?: string
+}
+
+export const EVIDENCE: Switch = {
+  pointer: '/evidence',
+  label: 'Evidence',
+  fallback: true,
+  hint: 'Errors of single sutures, further remodelling.',
+}
+
+export const CHORDAL_STEPS: Switch[] = [
+  { pointer: '/rules/chordal_length_change', label: 'Shorten chordae', fallback: false },
+  { pointer: '/rules/chordal_excision', label: 'Cut strut chordae', fallback: false },
+  { pointer: '/rules/chordal_transfer', label: 'Transfer chordae', fallback: false },
+]
+
+/// What can be forbidden: the word of the rules and what it means.
+export interface Technique {
+  title: string
+  kinds: [word: string, label: string][]
+}
+
+export function techniques(rings: string[]): Technique[] {
+  return [
+    {
+      title: 'Ring',
+      kinds: [
+        ['annuloplasty:own', 'the annulus’s own shape'],
+        ...rings.map((name): [string, string] => [`annuloplasty:${name}`, name]),
+      ],
+    },
+    {
+      title: 'Papillary suture',
+      kinds: [
+        ['papillary_approximation:anterolateral', 'anterolateral muscle'],
+        ['papillary_approximation:posteromedial', 'posteromedial muscle'],
+        ['papillary_approximation:ipsilateral_trigone', 'to the trigone'],
+        ['papillary_approximation:saddle_peak', 'to the saddle peak'],
+        ['papillary_approximation:annulus_point', 'to any point of the annulus'],
+      ],
+    },
+    {
+      title: 'Neochordae',
+      kinds: [
+        ['neochorda:anterior', 'anterior leaflet'],
+        ['neochorda:posterior', 'posterior leaflet'],
+      ],
+    },
+  ]
+}
+
+export interface Choices {
+  numbers: Map<NumberOption, number | null> // null: left empty
+  switches: Map<Switch, boolean>
+  forbidden: string[]
+  fixed: Plan | null
+}
+
+/// What differs from the defaults, as POST /v1/plans takes it.
+export function searchOf(choices: Choices): Record<string, unknown> {
+  const search: Record<string, unknown> = {}
+  for (const [option, value] of choices.numbers)
+    if (value !== null && value !== option.fallback) put(search, option.pointer, value)
+  for (const [option, value] of choices.switches) if (value !== option.fallback) put(search, option.pointer, value)
+  if (choices.forbidden.length > 0) put(search, '/rules/forbidden', choices.forbidden)
+  if (choices.fixed) put(search, '/rules/fixed', choices.fixed)
+  return search
+}
+
+function put(search: Record<string, unknown>, pointer: string, value: unknown): void {
+  const names = pointer.slice(1).split('/')
+  const last = names.pop() as string
+  let place = search
+  for (const name of names) place = (place[name] ??= {}) as Record<string, unknown>
+  place[last] = value
+}
+
+/// The problem's option among these pointers into the search; null: the search as a whole.
+export function placeOf(problem: Problem, pointers: string[]): string | null {
+  return pointers.find((pointer) => `${problem.path}/`.startsWith(`/search${pointer}/`)) ?? null
+}

@@ -1,0 +1,25 @@
+// Pictures of plans: fetched once, since images cannot carry a token.
+import { getBlob } from '../api/http'
+import { h } from '../dom'
+
+export class Pictures {
+  private readonly urls = new Map<string, Promise<string>>()
+
+  /// Before and after, as the atrium sees it; says so where there is none.
+  image(path: string, alt: string): HTMLElement {
+    const image = h('img', { alt, width: 1300, height: 1210 })
+    const frame = h('a', { class: 'picture', target: '_blank', title: 'Open it in full size' }, image)
+    const url = this.urls.get(path) ?? getBlob(path).then((blob) => URL.createObjectURL(blob))
+    this.urls.set(path, url)
+    url.then(
+      (found) => (image.src = frame.href = found),
+      () => frame.replaceChildren(h('p', { class: 'hint' }, 'The picture did not come.')),
+    )
+    return frame
+  }
+
+  release(): void {
+    for (const url of this.urls.values()) url.then(URL.revokeObjectURL, () => {})
+    this.urls.clear()
+  }
+}

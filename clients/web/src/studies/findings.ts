@@ -1,0 +1,61 @@
+// What the thesis found beside what this valve shows.
+import type { Finding, StudyResult } from '../api/types'
+import { dataTable } from '../charts/data_table'
+import { h } from '../dom'
+import { seconds } from '../format'
+import { grouped } from '../jobs/progress_panel'
+
+const MOST_OPEN = 6 // a longer table stands folded above the figures
+
+export function findingsTable(result: StudyResult): HTMLElement {
+  const { findings } = result
+  const facts: [string, string][] = [
+    ['findings that agree', `${result.agree} of ${findings.length}`],
+    ['configurations', grouped(result.configurations)],
+    ['closed now', grouped(result.closures)],
+    ['not trusted', grouped(result.untrusted)],
+    ['time', seconds(result.seconds)],
+  ]
+  return h(
+    'section',
+    { class: 'panel', 'aria-label': 'Findings' },
+    h('h2', {}, 'Findings of the thesis on this valve'),
+    h('dl', { class: 'figures' }, ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value)))),
+    findings.length === 0
+      ? h('p', {}, 'None: no displacement leaks enough to be repaired.')
+      : h(
+          'details',
+          { class: 'more', open: findings.length <= MOST_OPEN },
+          h(
+            'summary',
+            {},
+            `${findings.length} findings: ${result.agree} agree, ${findings.length - result.agree} ${findings.length - result.agree === 1 ? 'differs' : 'differ'}`,
+          ),
+          dataTable(
+            'Findings',
+            [
+              { label: 'finding' },
+              { label: 'section' },
+              { label: 'thesis' },
+              { label: 'here' },
+              { label: 'verdict' },
+              { label: 'judged by' },
+            ],
+            findings.map((finding) => [
+              finding.finding.replaceAll('-', ' ').replace('/', ': '),
+              finding.section,
+              finding.thesis,
+              finding.ours,
+              verdict(finding),
+              finding.judged,
+            ]),
+          ),
+        ),
+  )
+}
+
+function verdict(finding: Finding): HTMLElement {
+  return finding.agrees
+    ? h('span', { class: 'verdict good' }, '✓ agrees')
+    : h('span', { class: 'verdict warn' }, '≠ differs')
+}

@@ -1,0 +1,69 @@
+// A grid of displacements, one apical level at a time.
+import { heatMap, heatScale } from '../charts/heat_map'
+import { field, h, select } from '../dom'
+import type { Row } from './csv'
+import { places, slice } from './displacements'
+
+export interface SliceMap {
+  title: string
+  unit: string
+  column: string
+  factor?: number // from the column to the unit
+  digits: number
+  choices: [name: string, label: string][] // what may be looked at
+  rowsOf(choice: string): Row[]
+}
+
+export function sliceMap(map: SliceMap): HTMLElement {
+  let [choice = ''] = map.choices[0] ?? []
+  const holder = h('div', {})
+  const level = h('input', { type: 'range', min: 0, step: 1 })
+  const shown = h('output', {})
+  const scale = h('div', {})
+  level.addEventListener('input', draw)
+
+  function draw(): void {
+    const rows = map.rowsOf(choice)
+    const levels = places(rows, 'apical_mm')
+    level.max = String(levels.length - 1)
+    const apical = levels[Number(level.value)] ?? 0
+    const factor = map.factor ?? 1
+    const scaled = (at: number) =>
+      slice(rows, at, map.column).map((row) => row.map((value) => (value === null ? null : factor * value)))
+    const all = levels.flatMap((at) => scaled(at).flat()).filter((value) => value !== null)
+    const most = Math.max(1, ...all)
+    shown.textContent = `${apical} mm`
+    level.setAttribute('aria-valuetext', `${apical} mm`)
+    holder.replaceChildren(
+      heatMap({
+        title: `${map.title} at ${apical} mm apical.`,
+        unit: map.unit,
+        rows: { label: 'posterior displacement, mm', ticks: places(rows, 'posterior_mm').reverse().map(String) },
+        columns: { label: 'transverse displacement, mm', ticks: places(rows, 'transverse_mm').map(String) },
+        values: scaled(apical),
+        most,
+        digits: map.digits,
+      }),
+    )
+    scale.replaceChildren(heatScale(most, map.unit))
+  }
+
+  const chosen = select(map.choices, choice, (name) => {
+    choice = name
+    draw()
+  })
+  level.value = '0'
+  draw()
+  return h(
+    'div',
+    { class: 'slice' },
+    h(
+      'div',
+      { class: 'slice-choice' },
+      field('Shown', chosen),
+      h('label', { class: 'field' }, h('span', {}, 'Apical'), level, shown),
+    ),
+    holder,
+    scale,
+  )
+}

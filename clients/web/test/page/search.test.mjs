@@ -1,0 +1,121 @@
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { after, before, test } from 'node:test'
+import { accessProblems, openView, startBrowser, startService } from './page.mjs'
+
+let service, browser, page, complaints
+before(async () => {
+  service = await startService()
+  browser = await startBrowser()
+  ;({ page, complaints } = await openView(browser, service.url, 'search'))
+  await page.locator('.search-form h2', { hasText: 'human-functional-mr' }).waitFor()
+})
+after(async () => {
+  assert.deepEqual(complaints, [])
+  await browser.close()
+  await service.stop()
+})
+
+const set = (label, value) => page.getByLabel(label, { exact: true }).fill(value)
+const start = () => page.getByRole('button', { name: 'Start the search' }).click()
+const accessible = async () => assert.deepEqual(await accessProblems(page), [])
+
+async function saved(button) {
+  const [download] = await Promise.all([page.waitForEvent('download'), button.click()])
+  return { name: download.suggestedFilename(), content: readFileSync(await download.path(), 'utf8') }
+}
+
+test('what the service says against an option stands at it', async () => {
+  await set('Ranked plans', '0')
+  await page.getByText('Allowed', { exact: true }).click()
+  for (const box of await page.getByRole('group', { name: 'Ring' }).getByRole('checkbox').all()) await box.uncheck()
+  await start()
+  await page.locator('.option', { hasText: 'Ranked plans' }).locator('.problems code', { hasText: '/search/plans' }).waitFor()
+  await accessible()
+  await page.getByRole('button', { name: 'Defaults' }).click()
+  assert.equal(await page.locator('.problems').count(), 0)
+})
+
+test('a search that is cancelled shows the best so far', async () => {
+  await set('Closures', '5000')
+  await set('Ranked plans', '1')
+  await set('Region points', '17')
+  await page.getByLabel('Evidence').uncheck()
+  await start()
+  await page.locator('.progress .figures', { hasText: 'of 5,' }).waitFor()
+  await page.locator('.plot canvas').waitFor()
+  await accessible()
+  await page.getByRole('button', { name: 'Cancel' }).click()
+  await page.getByText('It was cancelled; this is the best so far.').waitFor()
+  assert.equal(await page.locator('.plan').count(), 1)
+})
+
+test('a search goes on when the page is loaded again', async () => {
+  await set('Closures', '60')
+  await set('Ranked plans', '2')
+  await set('Region points', '33')
+  await page.getByLabel('Evidence').check()
+  const [answer] = await Promise.all([page.waitForResponse((response) => response.status() === 202), start()])
+  const { id } = await answer.json()
+  await page.waitForFunction((job) => sessionStorage.getItem('coapt-open-plans') === job, id)
+  await page.reload()
+  await page.locator('.plan').nth(1).waitFor()
+  assert.equal(await page.locator('.jobs li').count(), 2)
+})
+
+test('a plan shows the figures of the result', async () => {
+  const id = await page.evaluate(() => sessionStorage.getItem('coapt-open-plans'))
+  const [best] = (await (await fetch(`${service.url}/v1/jobs/${id}/result`)).json()).plans
+  const { mean, sd } = best.leak_mm2
+  const leak = page.locator('.plan').first().locator('dl > div', { hasText: 'Leak over the region' }).locator('dd')
+  assert.equal(await leak.textContent(), `${mean.toFixed(1)} ± ${sd.toFixed(1)} mm²`)
+  assert.deepEqual(await page.locator('.plan').first().locator('.steps li').allTextContents(), best.description)
+})
+
+test('its evidence holds a map, curves that can be read and hidden, and the rules of practice', async () => {
+  const plan = page.locator('.plan').first()
+  await plan.getByText('Evidence').click()
+  assert.equal(await plan.locator('.heat').first().locator('tbody td').count(), 99)
+  await plan.locator('.plot').focus()
+  await page.keyboard.press('ArrowRight')
+  assert.notEqual(await plan.locator('.legend .value').first().textContent(), '')
+  const toggle = plan.locator('.legend button').first()
+  await toggle.press('Enter')
+  assert.equal(await toggle.getAttribute('aria-pressed'), 'false')
+  await plan.getByText('Show as table').click()
+  assert.equal(await plan.locator('.as-table tbody tr').count(), 7) // 0 to 6 mm
+  await plan.getByText('opening area').waitFor()
+})
+
+test('two plans are compared, their maps in one scale', async () => {
+  await page.getByRole('checkbox', { name: 'Compare plan 1' }).check()
+  await page.getByRole('checkbox', { name: 'Compare plan 2' }).check()
+  const comparison = page.getByRole('region', { name: 'Ranks 1 and 2 compared' })
+  assert.equal(await comparison.locator('img').count(), 2)
+  assert.equal(await comparison.locator('.heat-scale').count(), 1)
+  await comparison.getByText('Highest chordal tension').waitFor()
+  for (const [theme, width] of [['dark', 820], ['light', 1280]]) {
+    await page.emulateMedia({ colorScheme: theme })
+    await page.setViewportSize({ width, height: 900 })
+    await accessible()
+  }
+})
+
+test('plans and meshes can be saved, the report opened', async () => {
+  const plan = page.locator('.plan').first()
+  const { content } = await saved(plan.getByRole('button', { name: 'Plan (JSON)' }))
+  assert.equal(JSON.parse(content).schema, 'coapt.plan/1')
+  await plan.getByLabel('Format of the mesh').selectOption('obj')
+  assert.match((await saved(plan.getByRole('button', { name: 'Mesh' }))).content, /^v /m)
+  const [report] = await Promise.all([page.waitForEvent('popup'), plan.getByRole('link', { name: 'Report' }).click()])
+  assert.match(await report.title(), /human-functional-mr/)
+  await report.close()
+})
+
+test('a plan is kept, and tried by hand', async () => {
+  const plan = page.locator('.plan').first()
+  await plan.getByRole('button', { name: 'Keep' }).click()
+  await plan.getByText('Kept;').waitFor()
+  await plan.getByRole('button', { name: 'Try by hand' }).click()
+  await page.waitForFunction(() => location.hash === '#repair')
+})

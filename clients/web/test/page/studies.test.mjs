@@ -1,0 +1,53 @@
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { after, before, test } from 'node:test'
+import { accessProblems, openView, startBrowser, startService } from './page.mjs'
+
+let service, browser, page, complaints
+before(async () => {
+  service = await startService()
+  browser = await startBrowser()
+  ;({ page, complaints } = await openView(browser, service.url, 'studies'))
+  await page.locator('.study-form h2', { hasText: 'human-functional-mr' }).waitFor()
+})
+after(async () => {
+  assert.deepEqual(complaints, [])
+  await browser.close()
+  await service.stop()
+})
+
+const start = () => page.getByRole('button', { name: 'Start the study' }).click()
+
+test('what the service says against an option stands at it', async () => {
+  await page.getByLabel('Study', { exact: true }).selectOption('approximation')
+  await page.getByLabel('Region points').fill('3')
+  await start()
+  await page.locator('.problems code', { hasText: '/study/region_points' }).waitFor()
+})
+
+test('a study draws its figure, beside the thesis, with a table of the same values', async () => {
+  await page.getByLabel('Study', { exact: true }).selectOption('annulus')
+  await start()
+  const figure = page.locator('.chart', { hasText: 'Orifice of a dilated and flattened annulus' })
+  await figure.locator('canvas').waitFor()
+  await figure.getByRole('button', { name: 'thesis, height 100 %' }).waitFor()
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'annulus.csv' }).first().click()])
+  const first = readFileSync(await download.path(), 'utf8').split('\n')[1].split(',').map(Number)
+  await figure.getByText('Show as table').click()
+  const shown = await figure.locator('tbody tr').first().locator('td').first().textContent()
+  assert.ok(Math.abs(Number(shown) - first[2]) < 0.06)
+})
+
+test('each finding says whether it agrees', async () => {
+  const verdicts = await page.locator('.verdict').allTextContents()
+  assert.equal(verdicts.length, 5)
+  for (const verdict of verdicts) assert.match(verdict, /agrees|differs/)
+})
+
+test('it has nothing against it, in both themes, also on a tablet', async () => {
+  for (const [theme, width] of [['dark', 820], ['light', 1280]]) {
+    await page.emulateMedia({ colorScheme: theme })
+    await page.setViewportSize({ width, height: 900 })
+    assert.deepEqual(await accessProblems(page), [])
+  }
+})

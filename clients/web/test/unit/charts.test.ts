@@ -1,0 +1,50 @@
+import { expect, test } from 'vitest'
+import { shadeOf } from '../../src/charts/colours'
+import { roundDown, roundsIn, roundUp } from '../../src/charts/rounds'
+import { aligned, nearestKnown } from '../../src/charts/series'
+import { histogram } from '../../src/studies/histogram'
+
+test('series with places of their own share one list of them', () => {
+  const series = [
+    { label: 'a', hue: 0 as const, x: [0, 2], y: [1, 2] },
+    { label: 'b', hue: 1 as const, x: [1, 2], y: [3, null] },
+  ]
+  expect(aligned(series)).toEqual({
+    x: [0, 1, 2],
+    y: [
+      [1, null, 2],
+      [null, 3, null],
+    ],
+  })
+})
+
+test('the nearest known value is read where a series has none', () => {
+  expect(nearestKnown([1, null, null, 4], 2)).toBe(3)
+  expect(nearestKnown([1, null, undefined, 4], 1)).toBe(0)
+  expect(nearestKnown([null, null], 1)).toBe(1)
+})
+
+test('shades run from nothing to the most', () => {
+  expect([0, 4, 8, 9, -1].map((value) => shadeOf(value, 8))).toEqual([0, 4, 8, 8, 0])
+  expect(shadeOf(1, 0)).toBe(0)
+})
+
+test('a histogram counts every known value once, in round bins', () => {
+  const { edges, counts } = histogram([[0, 0.5, 1, 3.9, null], [4]], 4)
+  expect(edges).toEqual([0, 1, 2, 3, 4, 5])
+  expect(counts).toEqual([
+    [2, 1, 0, 1, 0],
+    [0, 0, 0, 0, 1],
+  ])
+})
+
+test('a histogram of one value has one bin, one of nothing an empty one', () => {
+  expect(histogram([[5, 5]], 4)).toEqual({ edges: [5, 6], counts: [[2]] })
+  expect(histogram([[null]], 4)).toEqual({ edges: [0, 1], counts: [[0]] })
+})
+
+test('round numbers are 1, 2 and 5 times a power of ten', () => {
+  expect([0.07, 1, 3, 5.1, 20].map(roundUp)).toEqual([0.1, 1, 5, 10, 20])
+  expect([0.07, 1, 3, 5.1, 20].map(roundDown)).toEqual([0.05, 1, 2, 5, 20])
+  expect(roundsIn(0.5, 21)).toEqual([0.5, 1, 2, 5, 10, 20])
+})

@@ -1,0 +1,100 @@
+import { expect, test } from 'vitest'
+import type { RankedPlan } from '../../src/api/types'
+import { doubts, FIGURES, judge, marginWords, meanAndSd, shownFigure, tieWords } from '../../src/search/figures'
+
+interface Given {
+  rank?: number
+  mean?: number | null
+  sd?: number | null
+  tension?: number | null
+  angle?: number | null
+  tie?: boolean
+  ahead?: number | null
+}
+
+function plan({ rank = 1, mean = 1, sd = 0, tension = 1, angle = 1, tie = false, ahead = null }: Given): RankedPlan {
+  const statistics = { nominal: mean, mean, sd, worst: mean, p95: mean, below_5: 1, below_10: 1, below_20: 1 }
+  return {
+    rank,
+    leak_mm2: statistics,
+    orifice_area_mm2: statistics,
+    measure: { orifice_area_mm2: mean, tension_max_n: tension, coaptation: {} },
+    margin_to_leak: { suture_length_mm: null, angle_deg: angle, share: null },
+    tie_with_next: tie,
+    probability_outranks_next: ahead,
+    status: 'converged',
+    crossing: false,
+    region_closures: 65,
+    region_failures: 0,
+  } as unknown as RankedPlan
+}
+
+function figure(label: string) {
+  const found = FIGURES.find((one) => one.label === label)
+  if (!found) throw new Error(`no figure ${label}`)
+  return found
+}
+
+test('less tension is better', () => {
+  expect(judge(figure('Highest chordal tension'), plan({ tension: 1 }), plan({ tension: 2 }))).toBe('first')
+  expect(judge(figure('Highest chordal tension'), plan({ tension: 2 }), plan({ tension: 1 }))).toBe('second')
+})
+
+test('a larger margin is better', () => {
+  expect(judge(figure('Margin to leak, angle'), plan({ angle: 1 }), plan({ angle: 2 }))).toBe('second')
+})
+
+test('what looks the same is the same', () => {
+  expect(judge(figure('Highest chordal tension'), plan({ tension: 1.001 }), plan({ tension: 1.004 }))).toBe('same')
+})
+
+test('means that differ by less than their spread are not told apart', () => {
+  const mean = figure('Leak over the region, mean')
+  expect(judge(mean, plan({ mean: 1, sd: 0.5 }), plan({ mean: 1.4, sd: 0.1 }))).toBe('within')
+  expect(judge(mean, plan({ mean: 1, sd: 0.5 }), plan({ mean: 1.6, sd: 0.1 }))).toBe('first')
+})
+
+test('one closure does not tell half a square millimetre', () => {
+  const orifice = figure('Orifice as planned')
+  expect(judge(orifice, plan({ mean: 1 }), plan({ mean: 1.5 }))).toBe('within')
+  expect(judge(orifice, plan({ mean: 1 }), plan({ mean: 1.6 }))).toBe('first')
+})
+
+test('what is not known is not compared', () => {
+  expect(judge(figure('Highest chordal tension'), plan({ tension: null }), plan({}))).toBe('unknown')
+})
+
+test('a margin at the border of the region may be larger', () => {
+  expect(marginWords({ suture_length_mm: 1, angle_deg: 2.5, share: null })).toBe('suture more than 1.00 mm, angle 2.5°')
+  expect(marginWords({ suture_length_mm: null, angle_deg: 5, share: null })).toBe(
+    'suture not known, angle more than 5.0°',
+  )
+  expect(shownFigure(figure('Margin to leak, angle'), plan({ angle: 5 }))).toBe('≥ 5.0°')
+})
+
+test('an unknown mean is not zero', () => {
+  expect(meanAndSd({ mean: null, sd: null })).toBe('not known')
+  expect(meanAndSd({ mean: 0.04, sd: 0.1 })).toBe('0.0 ± 0.1 mm²')
+})
+
+test('ties are said as ties, also across ranks between', () => {
+  const tied = [plan({ rank: 1, tie: true, ahead: 0.75 }), plan({ rank: 2, tie: true }), plan({ rank: 3 })] as const
+  expect(tieWords(tied[0], tied[1], [...tied])).toBe('Ranks 1 and 2 tie; rank 1 is ahead with a probability of 75 %.')
+  expect(tieWords(tied[0], tied[2], [...tied])).toBe(
+    'Each plan from rank 1 to 3 ties with the next: their order says little.',
+  )
+  const apart = [plan({ rank: 1, ahead: 1 }), plan({ rank: 2 }), plan({ rank: 3 })] as const
+  expect(tieWords(apart[0], apart[1], [...apart])).toBe('Rank 1 is ahead of rank 2 with a probability of 100 %.')
+  expect(tieWords(apart[0], apart[2], [...apart])).toBeNull()
+})
+
+test('a plan whose closures failed is doubted', () => {
+  expect(doubts(plan({}))).toEqual([])
+  expect(
+    doubts({ ...plan({}), status: 'step_limit', crossing: true, region_failures: 2, region_closures: 65 }),
+  ).toEqual([
+    'The closure did not settle (step limit).',
+    'Leaflets pass through each other.',
+    '2 of 65 closures over the region failed and are left out.',
+  ])
+})

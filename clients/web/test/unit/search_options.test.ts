@@ -1,0 +1,94 @@
+import { expect, test } from 'vitest'
+import {
+  BUDGET,
+  EVIDENCE,
+  LIMITS,
+  placeOf,
+  searchOf,
+  STOPS,
+  techniques,
+  WEIGHTS,
+  type Choices,
+} from '../../src/search/options'
+import schema from '../../../../io/schema/search.schema.json'
+
+const all = [...BUDGET, ...STOPS, ...LIMITS, ...WEIGHTS]
+const none: Choices = { numbers: new Map(), switches: new Map(), forbidden: [], fixed: null }
+
+/// What the schema says of an option.
+function said(pointer: string): { minimum: number; maximum: number; default: number } {
+  const [, first = '', second] = pointer.split('/')
+  const defs = schema.$defs as Record<string, { properties: Record<string, unknown> }>
+  const properties = second ? defs[first]?.properties : schema.properties
+  return (properties as Record<string, unknown>)[second ?? first] as {
+    minimum: number
+    maximum: number
+    default: number
+  }
+}
+
+test('defaults make an empty search', () => {
+  expect(
+    searchOf({
+      ...none,
+      numbers: new Map(all.map((option) => [option, option.fallback])),
+      switches: new Map([[EVIDENCE, true]]),
+    }),
+  ).toEqual({})
+})
+
+test('what differs from the defaults stands where its pointer says', () => {
+  const [closures] = BUDGET
+  const [leak] = WEIGHTS
+  const [neochordae] = LIMITS
+  if (!closures || !leak || !neochordae) throw new Error('no options')
+  const search = searchOf({
+    numbers: new Map([
+      [closures, 200],
+      [leak, 2],
+      [neochordae, 0],
+    ]),
+    switches: new Map([[EVIDENCE, false]]),
+    forbidden: ['annuloplasty:own'],
+    fixed: { schema: 'coapt.plan/1', steps: [] },
+  })
+  expect(search).toEqual({
+    evaluations: 200,
+    evidence: false,
+    weights: { leak: 2 },
+    rules: { most_neochordae: 0, forbidden: ['annuloplasty:own'], fixed: { schema: 'coapt.plan/1', steps: [] } },
+  })
+})
+
+test('an empty field leaves the option out', () => {
+  expect(searchOf({ ...none, numbers: new Map(STOPS.map((option) => [option, null])) })).toEqual({})
+})
+
+test('a target of zero is a target', () => {
+  const target = STOPS.find(({ pointer }) => pointer === '/target_mm2')
+  if (!target) throw new Error('no target')
+  expect(searchOf({ ...none, numbers: new Map([[target, 0]]) })).toEqual({ target_mm2: 0 })
+})
+
+test.each(all.map((option) => [option.pointer, option] as const))(
+  '%s has the range and the default of the schema',
+  (pointer, option) => {
+    const { minimum, maximum, default: fallback } = said(pointer)
+    if (option.fallback !== null) expect(option.fallback).toBe(fallback)
+    expect(option.least).toBe(option.fallback === null ? Math.max(0, minimum) : minimum)
+    if (pointer !== '/seed') expect(option.most).toBe(maximum) // a seed may be larger than a number of the browser
+  },
+)
+
+test('every kind of a technique is a word of the rules', () => {
+  const words = techniques(['generic-classic']).flatMap(({ kinds }) => kinds.map(([word]) => word))
+  expect(words).toContain('annuloplasty:generic-classic')
+  for (const word of words) expect(word).toMatch(/^(annuloplasty|papillary_approximation|neochorda):/)
+})
+
+test('a problem belongs to the option that its pointer leads into', () => {
+  const problem = (path: string) => ({ code: 'out_of_range', path, message: '' })
+  expect(placeOf(problem('/search/plans'), ['/plan', '/plans'])).toBe('/plans')
+  expect(placeOf(problem('/search/rules/forbidden/0'), ['/rules/forbidden'])).toBe('/rules/forbidden')
+  expect(placeOf(problem('/valve'), ['/plans'])).toBeNull()
+})
