@@ -239,6 +239,7 @@ Expected<FramedSource> into_import_frame(const ImportSource& source) {
   for (ImportedChorda& chorda : framed.chordae) {
     chorda.insertion_mm = frame->into(chorda.insertion_mm);
     chorda.tip_mm = frame->into(chorda.tip_mm);
+    for (ImportedSegment& segment : chorda.segments) segment.end_mm = frame->into(segment.end_mm);
   }
   check_framed(framed, problems);
   if (!problems.empty()) return std::move(problems).take();
