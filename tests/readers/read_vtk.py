@@ -1,0 +1,70 @@
+"""Files as VTK (Debian's python3-vtk9) reads them."""
+
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+READERS = {".vtk": vtk.vtkPolyDataReader, ".ply": vtk.vtkPLYReader, ".obj": vtk.vtkOBJReader, ".stl": vtk.vtkSTLReader}
+
+
+def errors_of(reader):
+    """Collects what VTK complains of; it goes on reading nevertheless."""
+    errors = []
+    reader.AddObserver("ErrorEvent", lambda source, event: errors.append("VTK finds an error"))
+    reader.AddObserver("WarningEvent", lambda source, event: errors.append("VTK warns"))
+    return errors
+
+
+def read(path):
+    """The vtkPolyData of a file, and what is wrong with the file."""
+    vtk.vtkObject.GlobalWarningDisplayOff()
+    reader = READERS[path.suffix]()
+    errors = errors_of(reader)
+    reader.SetFileName(str(path))
+    if path.suffix == ".vtk":
+        reader.ReadAllScalarsOn()
+    reader.Update()
+    return reader.GetOutput(), errors
+
+
+def points(data):
+    return vtk_to_numpy(data.GetPoints().GetData()) if data.GetNumberOfPoints() else []
+
+
+def area(data):
+    """Of all triangles, mm2."""
+    triangles = vtk.vtkTriangleFilter()
+    triangles.PassLinesOff()
+    triangles.SetInputData(data)
+    mass = vtk.vtkMassProperties()
+    mass.SetInputConnection(triangles.GetOutputPort())
+    mass.Update()
+    return mass.GetSurfaceArea()
+
+
+def cells(data):
+    """(number of lines, number of triangles)"""
+    return data.GetNumberOfLines(), data.GetNumberOfPolys()
+
+
+def arrays(data):
+    """Names of the data of points and of cells."""
+    point, cell = data.GetPointData(), data.GetCellData()
+    return ({point.GetArrayName(i) for i in range(point.GetNumberOfArrays())},
+            {cell.GetArrayName(i) for i in range(cell.GetNumberOfArrays())})
+
+
+def glb(path):
+    """Bounds of the scene as it is shown (metres), the number of animations, errors."""
+    vtk.vtkObject.GlobalWarningDisplayOff()
+    reader = vtk.vtkGLTFReader()
+    errors = errors_of(reader)
+    reader.SetFileName(str(path))
+    reader.Update()
+    blocks, box = reader.GetOutput(), vtk.vtkBoundingBox()
+    iterator = blocks.NewIterator()
+    while not iterator.IsDoneWithTraversal():
+        box.AddBounds(iterator.GetCurrentDataObject().GetBounds())
+        iterator.GoToNextItem()
+    bounds = [0.0] * 6
+    box.GetBounds(bounds)
+    return bounds, reader.GetNumberOfAnimations(), errors
