@@ -13,9 +13,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kMostTargets = 24;
+constexpr std::size_t kMostTargets = 16;
 constexpr double kClosingSeconds = 1.5, kHoldSeconds = 1.0;
 constexpr double kRingRadius_mm = 1.2, kSutureRadius_mm = 0.35;
+constexpr double kOverlap_mm = 0.15;  // of the ring's pieces, so that no wedge gapes between them
 
 // Linear, not sRGB. Anterior warm, posterior cool, the middle segment darker; commissures pale.
 constexpr Colour8 kSegmentColours[] = {
@@ -24,7 +25,8 @@ constexpr Colour8 kSegmentColours[] = {
 constexpr Colour8 kChordaColour = {215, 200, 170, 255}, kNeochordaColour = {40, 160, 70, 255},
                   kRingColour = {225, 225, 230, 255}, kSutureColour = {30, 60, 200, 255};
 
-/// A mesh in all its states, the first is the one that is there.
+/// A mesh in all its states, the first is the one that is there. Tubes hardly turn: they have the normals of the
+/// first state alone.
 struct MorphedMesh {
   std::string name;
   std::vector<Points> vertices_mm, normals;
@@ -87,7 +89,7 @@ MorphedMesh tubes(const std::string& name, const std::vector<ValveShape>& states
   for (const ValveShape& state : states) {
     Tubes shape = make_tubes(axes_of(state), first);
     mesh.vertices_mm.push_back(std::move(shape.vertices_mm));
-    mesh.normals.push_back(std::move(shape.normals));
+    if (mesh.normals.empty()) mesh.normals.push_back(std::move(shape.normals));
     mesh.faces = std::move(shape.faces);
   }
   for (const Colour8& colour : colour_of_piece)
@@ -127,8 +129,10 @@ MorphedMesh repair(const ExportedValve& exported, const std::vector<ValveShape>&
       if (!is_ring && !markup.name.starts_with("suture")) continue;
       const Eigen::Index points = markup.points_mm.rows();
       for (Eigen::Index i = is_ring ? 0 : 1; i < points; ++i) {
-        axes.push_back({markup.points_mm.row((i + points - 1) % points), markup.points_mm.row(i),
-                        is_ring ? kRingRadius_mm : kSutureRadius_mm});
+        const Vec3 from = markup.points_mm.row((i + points - 1) % points),
+                   to = markup.points_mm.row(i);
+        const Vec3 over = is_ring ? Vec3(kOverlap_mm * (to - from).normalized()) : Vec3::Zero();
+        axes.push_back({from - over, to + over, is_ring ? kRingRadius_mm : kSutureRadius_mm});
         colours.push_back(is_ring ? kRingColour : kSutureColour);
       }
     }
@@ -161,11 +165,14 @@ ordered_json primitive(const MorphedMesh& mesh, GlbBuffer& buffer) {
                          {"COLOR_0", buffer.add_colours(mesh.colours)}}},
                        {"indices", buffer.add_triangles(mesh.faces)},
                        {"material", 0}};
-  for (std::size_t i = 1; i < mesh.vertices_mm.size(); ++i)
-    json["targets"].push_back(
-        {{"POSITION",
-          buffer.add_vectors(in_metres(mesh.vertices_mm[i] - mesh.vertices_mm[0]), true)},
-         {"NORMAL", buffer.add_vectors(turned(mesh.normals[i] - mesh.normals[0]), false)}});
+  for (std::size_t i = 1; i < mesh.vertices_mm.size(); ++i) {
+    ordered_json target = {
+        {"POSITION",
+         buffer.add_vectors(in_metres(mesh.vertices_mm[i] - mesh.vertices_mm[0]), true)}};
+    if (i < mesh.normals.size())
+      target["NORMAL"] = buffer.add_vectors(turned(mesh.normals[i] - mesh.normals[0]), false);
+    json["targets"].push_back(std::move(target));
+  }
   return json;
 }
 

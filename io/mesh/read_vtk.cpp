@@ -21,13 +21,19 @@ class Words {
   std::string_view next() {
     while (at_ == words_.size()) {
       const auto line = lines_.next();
-      if (!line) return {};
+      if (!line) {
+        ended_ = true;
+        return {};
+      }
       words_ = words(line->text);
       at_ = 0;
     }
     return words_[at_++];
   }
-  void back() { --at_; }
+  /// Before the word that next() gave last.
+  void back() {
+    if (!ended_) --at_;
+  }
   void skip_line() { at_ = words_.size(); }
   /// The rest of the line, then lines until one is empty.
   void skip_block() {
@@ -46,6 +52,7 @@ class Words {
   LineScanner lines_;
   std::vector<std::string_view> words_;
   std::size_t at_ = 0;
+  bool ended_ = false;
 };
 
 enum class Data { None, Points, Cells };

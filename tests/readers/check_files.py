@@ -100,14 +100,16 @@ def check_glb(path, validate, vtk_path, animated):
     problems = (result.stdout + result.stderr).splitlines() if result.returncode else []
     if problems:
         return problems
-    bounds, animations, problems = read_vtk.glb(path)
+    bounds, played, problems = read_vtk.glb(path)
     low_x, high_x, low_y, high_y, low_z, high_z = read_vtk.read(vtk_path)[0].GetBounds()
     # Metres; y to the atrium, z posterior; tubes and the ring are thicker than lines.
     expected = [low_x, high_x, low_z, high_z, -high_y, -low_y]
     if max(abs(1e3 * a - b) for a, b in zip(bounds, expected)) > 1.5:
         problems.append(f"bounds are {bounds} m, not {expected} mm")
-    if animations != (1 if animated else 0):
-        problems.append(f"has {animations} animations")
+    if bool(played) != animated:
+        problems.append("is animated" if played else "is not animated")
+    if played and (max(abs(a - b) for a, b in zip(played[1], bounds)) > 1e-5 or played[0] == played[1]):
+        problems.append("its animation does not end in the valve that is shown")
     return problems
 
 
@@ -134,7 +136,7 @@ def checks(folder, validate, name):
     """(file, a function without arguments that lists what is wrong with it)"""
     sheets = folder / "folder"
     valve = folder / "valve.vtk"
-    yield valve, lambda: check_vtk(valve) + check_chordae(valve, valve)
+    yield valve, lambda: check_vtk(valve) + check_chordae(valve, sheets / "leaflets.vtk")
     yield sheets / "Chords_mesh.vtk", lambda: (check_vtk(sheets / "Chords_mesh.vtk", has_faces=False) +
                                               check_chordae(sheets / "Chords_mesh.vtk", sheets / "leaflets.vtk"))
     for sheet in ("leaflets", "anterior_leaflet", "posterior_leaflet"):

@@ -53,18 +53,29 @@ def arrays(data):
             {cell.GetArrayName(i) for i in range(cell.GetNumberOfArrays())})
 
 
-def glb(path):
-    """Bounds of the scene as it is shown (metres), the number of animations, errors."""
-    vtk.vtkObject.GlobalWarningDisplayOff()
-    reader = vtk.vtkGLTFReader()
-    errors = errors_of(reader)
-    reader.SetFileName(str(path))
-    reader.Update()
-    blocks, box = reader.GetOutput(), vtk.vtkBoundingBox()
-    iterator = blocks.NewIterator()
+def bounds_of(blocks):
+    box, iterator = vtk.vtkBoundingBox(), blocks.NewIterator()
     while not iterator.IsDoneWithTraversal():
         box.AddBounds(iterator.GetCurrentDataObject().GetBounds())
         iterator.GoToNextItem()
     bounds = [0.0] * 6
     box.GetBounds(bounds)
-    return bounds, reader.GetNumberOfAnimations(), errors
+    return bounds
+
+
+def glb(path):
+    """Bounds of the scene as it is shown (metres), and where its animation begins and ends (none: it has none); errors."""
+    vtk.vtkObject.GlobalWarningDisplayOff()
+    reader = vtk.vtkGLTFReader()
+    errors = errors_of(reader)
+    reader.SetFileName(str(path))
+    reader.SetFrameRate(10)
+    reader.Update()
+    shown, played = bounds_of(reader.GetOutput()), []
+    if reader.GetNumberOfAnimations() == 1:
+        reader.EnableAnimation(0)
+        reader.UpdateInformation()
+        for seconds in (0.0, reader.GetAnimationDuration(0)):
+            reader.UpdateTimeStep(seconds)
+            played.append(bounds_of(reader.GetOutput()))
+    return shown, played, errors

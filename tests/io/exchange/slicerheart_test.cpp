@@ -133,7 +133,7 @@ TEST(SlicerHeart, ProblemsOfAllFilesNameFileAndPlace) {
   const Errors errors = problems(files);
   std::vector<std::string> paths;
   for (const Error& error : errors) paths.push_back(error.path);
-  EXPECT_EQ(paths[0].substr(0, 34), "anterior_leaflet.vtk/vertices_mm/0") << paths[0];
+  EXPECT_TRUE(paths[0].starts_with("anterior_leaflet.vtk/vertices_mm/")) << paths[0];
   EXPECT_EQ(paths[1], "annulus.mrk.json/@schema");
   EXPECT_EQ(paths.back(), "chords.csv/chordae/1");
 }

@@ -116,6 +116,10 @@ TEST(Vtk, AStripIsTrianglesThatFaceOneSide) {
   }
 }
 
+TEST(Vtk, ASectionMayBeEmptyAtTheEnd) {
+  EXPECT_EQ(read(std::string(kText) + "VERTICES 0 0\n").faces.rows(), 1);
+}
+
 TEST(Vtk, LeafletsAreReadAsAMesh) {
   const Expected<TriangleMesh> mesh = read_mesh(kText, "vtk");
   ASSERT_TRUE(mesh);
