@@ -77,13 +77,14 @@ std::optional<Side> side_of_label(std::string label) {
   return {};
 }
 
-std::optional<Side> side_of_nearest(const Vec3& tip_mm, const std::vector<LabelledTip>& tips) {
+/// The labelled tip within reach, or null.
+const LabelledTip* nearest_tip(const Vec3& tip_mm, const std::vector<LabelledTip>& tips) {
   const auto nearest =
       std::min_element(tips.begin(), tips.end(), [&](const LabelledTip& a, const LabelledTip& b) {
         return (a.position_mm - tip_mm).norm() < (b.position_mm - tip_mm).norm();
       });
-  if (nearest == tips.end() || (nearest->position_mm - tip_mm).norm() > kSameTip_mm) return {};
-  return side_of_label(nearest->label);
+  if (nearest == tips.end() || (nearest->position_mm - tip_mm).norm() > kSameTip_mm) return nullptr;
+  return &*nearest;
 }
 
 /// The posteromedial direction, as far as two sheets tell; of the length 0 if they do not.
@@ -161,7 +162,9 @@ std::vector<ImportedChorda> chorda_trees(const std::vector<TracedLine>& lines,
     mean_tip += chorda.tip_mm / static_cast<double>(chordae.size());
   const Vec3 medial = posteromedial(source, mean_tip);
   for (std::size_t i = 0; i < chordae.size(); ++i) {
-    const std::optional<Side> labelled = side_of_nearest(chordae[i].tip_mm, tips);
+    const LabelledTip* tip = nearest_tip(chordae[i].tip_mm, tips);
+    const std::optional<Side> labelled = tip ? side_of_label(tip->label) : std::nullopt;
+    if (tip) chordae[i].pressed_tip_mm = tip->pressed_mm;
     if (!labelled && medial.norm() == 0.0)
       add(lines[trunks[i]], ErrorCode::MissingField,
           "begins at a tip whose side is not told: label the papillary tips AL or PM (a list named "

@@ -22,6 +22,7 @@ struct TracedLine {
 struct LabelledTip {
   Vec3 position_mm = Vec3::Zero();
   std::string label;
+  std::optional<Vec3> pressed_mm;  ///< where it is under pressure, if that is told
 };
 
 /// Lines hang together where one begins within 1e-4 mm of where another ends. A line that begins at no other's

@@ -139,6 +139,8 @@ Expected<std::vector<NamedFile>> write_slicerheart(const ExportedValve& exported
       {"landmarks.mrk.json", write_markups({landmark_markup(valve, shape)})}};
   if (const auto repair = repair_markups(exported, shape); !repair.empty())
     files.push_back({"repair.mrk.json", write_markups(repair)});
+  if (const auto pressed = pressed_markups(valve); options.open && !pressed.empty())
+    files.push_back({"under_pressure.mrk.json", write_markups(pressed)});
   if (!options.open) files.push_back({"measurements.csv", write_measurements_csv(exported)});
   return files;
 }

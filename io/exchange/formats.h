@@ -38,7 +38,7 @@ struct NamedFile {
 };
 
 /// What SlicerHeart's ValveFemExport leaves in a folder, and its markups and measurements: both leaflets together and
-/// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Measurements only of the closed shape.
+/// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Measurements only of the closed shape; of the open one where annulus and tips go.
 Expected<std::vector<NamedFile>> write_slicerheart(const ExportedValve& exported,
                                                    const ExportOptions& options = {});
 

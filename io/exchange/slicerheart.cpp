@@ -122,11 +122,18 @@ void choose_leaflets(const Found& found, ImportSource& source, ProblemList& prob
   }
 }
 
+bool under_pressure(const Markup& markup) { return has(markup.name, "under pressure"); }
+
 void choose_annulus(const Found& found, ImportSource& source, ProblemList& problems) {
   std::vector<const Markup*> curves;
-  for (const Markup& markup : found.markups)
-    if (markup.type == MarkupType::ClosedCurve && !has(markup.name, "ring"))
+  for (const Markup& markup : found.markups) {
+    if (markup.type != MarkupType::ClosedCurve || has(markup.name, "ring:")) continue;
+    if (under_pressure(markup)) {
+      source.pressed_annulus_mm = markup.points_mm;
+    } else {
       curves.push_back(&markup);
+    }
+  }
   if (curves.size() > 1)
     std::erase_if(curves, [](const Markup* curve) { return !has(curve->name, "annulus"); });
   if (curves.size() == 1) {
@@ -141,11 +148,22 @@ void choose_annulus(const Found& found, ImportSource& source, ProblemList& probl
 
 std::vector<LabelledTip> tips_of(const Found& found) {
   std::vector<LabelledTip> tips;
-  for (const Markup& markup : found.markups) {
-    if (markup.type != MarkupType::Fiducial || !has(markup.name, "papillary")) continue;
-    for (Eigen::Index i = 0; i < markup.points_mm.rows(); ++i)
-      tips.push_back({markup.points_mm.row(i), markup.labels[static_cast<std::size_t>(i)]});
-  }
+  const auto each = [&](bool pressed, const auto& take) {
+    for (const Markup& markup : found.markups) {
+      if (markup.type != MarkupType::Fiducial || !has(markup.name, "papillary") ||
+          under_pressure(markup) != pressed)
+        continue;
+      for (Eigen::Index i = 0; i < markup.points_mm.rows(); ++i)
+        take(Vec3(markup.points_mm.row(i)), markup.labels[static_cast<std::size_t>(i)]);
+    }
+  };
+  each(false, [&](const Vec3& position_mm, const std::string& label) {
+    tips.push_back({position_mm, label, {}});
+  });
+  each(true, [&](const Vec3& position_mm, const std::string& label) {
+    for (LabelledTip& tip : tips)
+      if (tip.label == label) tip.pressed_mm = position_mm;
+  });
   return tips;
 }
 

@@ -7,7 +7,8 @@
 //   branches. Data rest_length_mm, diameter_mm and kind are taken where they are there (valve_vtk.h).
 // - *.csv with rows index,x,y,z,x,y,z,name: chordae, straight, as older versions of ValveFemExport write them.
 // - *.mrk.json: a closed curve is the annulus (several: the one named so); points of a list named "papillary" are the
-//   tips, labelled with their side (AL..., PM..., or words). ValveFemExport writes no markups: save
+//   tips, labelled with their side (AL..., PM..., or words). Those named "under pressure" say point by point where the
+//   others go when the valve closes. ValveFemExport writes no markups: save
 //   them there from Slicer.
 // A tip without label gets its side from where it lies, which needs an anterior and a posterior sheet.
 #pragma once

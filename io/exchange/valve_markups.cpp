@@ -73,6 +73,19 @@ Markup papillary_markup(const Valve& valve, const ValveShape& shape) {
   return {MarkupType::Fiducial, "papillary muscle tips", std::move(labels), shape.heads_mm};
 }
 
+std::vector<Markup> pressed_markups(const Valve& valve) {
+  ValveShape pressed = unstressed_shape(valve);
+  const ValveShape rest = pressed;
+  pressed.vertices_mm(valve.annulus, Eigen::all) = valve.annulus_mm;
+  for (std::size_t h = 0; h < valve.heads.size(); ++h)
+    pressed.heads_mm.row(static_cast<Eigen::Index>(h)) = valve.heads[h].tip_mm;
+  std::vector<Markup> markups;
+  if (pressed.vertices_mm != rest.vertices_mm) markups.push_back(annulus_markup(valve, pressed));
+  if (pressed.heads_mm != rest.heads_mm) markups.push_back(papillary_markup(valve, pressed));
+  for (Markup& markup : markups) markup.name += " under pressure";
+  return markups;
+}
+
 Markup landmark_markup(const Valve& valve, const ValveShape& shape) {
   const auto vertices = landmark_vertices(valve);
   return {MarkupType::Fiducial,

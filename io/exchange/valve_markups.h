@@ -8,6 +8,9 @@ namespace coapt {
 
 Markup annulus_markup(const Valve& valve, const ValveShape& shape);
 
+/// Where annulus and tips go under pressure, named "... under pressure"; none if they stay.
+std::vector<Markup> pressed_markups(const Valve& valve);
+
 /// Labelled by the heads' ids ("AL1", ...).
 Markup papillary_markup(const Valve& valve, const ValveShape& shape);
 

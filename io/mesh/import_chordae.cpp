@@ -67,19 +67,21 @@ SurfacePoint nearest_on_surface(const Valve& valve, const Vec3& point) {
 /// Index of the head at a tip; heads are ordered from anterior to posterior.
 void add_heads(const std::vector<ImportedChorda>& chordae, Valve& valve) {
   for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
-    std::vector<Vec3> tips;
+    std::vector<Vec3> tips;  // at rest
+    std::vector<PapillaryHead> heads;
     for (const ImportedChorda& chorda : chordae) {
       const auto same = [&](const Vec3& tip) {
         return (tip - chorda.tip_mm).norm() <= kSameTip_mm;
       };
       if (chorda.side != side || std::any_of(tips.begin(), tips.end(), same)) continue;
       tips.push_back(chorda.tip_mm);
+      heads.push_back({"", side, chorda.tip_mm, chorda.pressed_tip_mm.value_or(chorda.tip_mm)});
     }
-    std::stable_sort(tips.begin(), tips.end(),
-                     [](const Vec3& p, const Vec3& q) { return p.y() > q.y(); });
-    for (std::size_t i = 0; i < tips.size(); ++i) {
-      const std::string id = (side == Side::Anterolateral ? "AL" : "PM") + std::to_string(i + 1);
-      valve.heads.push_back({id, side, tips[i], tips[i]});
+    std::stable_sort(heads.begin(), heads.end(),
+                     [](const auto& p, const auto& q) { return p.rest_mm.y() > q.rest_mm.y(); });
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+      heads[i].id = (side == Side::Anterolateral ? "AL" : "PM") + std::to_string(i + 1);
+      valve.heads.push_back(heads[i]);
     }
   }
 }

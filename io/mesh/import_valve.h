@@ -4,7 +4,7 @@
 // Assumed: sheets and annulus are star-shaped about that axis, sheets are open surfaces that begin
 // within 3 mm of the annulus, coordinates are right-handed millimetres; any frame. The papillary
 // tips orient the valve (import_frame.h). The imaged state is taken as unstressed, and its annulus
-// and tips as those under pressure.
+// and tips as those under pressure, unless those are given, too.
 #pragma once
 
 #include <optional>
@@ -34,6 +34,7 @@ struct ImportedChorda {
   ChordaKind kind = ChordaKind::Marginal;  ///< no neochordae
   Vec3 insertion_mm = Vec3::Zero();
   Vec3 tip_mm = Vec3::Zero();
+  std::optional<Vec3> pressed_tip_mm;  ///< under pressure; none: where it is
   /// Its tree, if that was traced: kept, with its insertions moved to the leaflet, instead of the branches that
   /// ImportOptions describes. insertion_mm is then the mean of where it inserts.
   std::vector<ImportedSegment> segments = {};
@@ -44,6 +45,7 @@ struct ImportSource {
   std::vector<std::string> provenance;
   std::vector<TriangleMesh> leaflets;  ///< the anterior, then the posterior sheet, or one skirt
   Points annulus_mm;                   ///< closed loop, n x 3, either direction
+  Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
 };
 

@@ -22,7 +22,9 @@ std::vector<TracedLine> lines() {
           line(kTip, kBranch), line({10.0, 0.0, -25.0}, {9.0, 0.0, -12.0})};
 }
 
-std::vector<LabelledTip> tips() { return {{kTip, "AL1"}, {{10.0, 0.0, -25.0}, "posteromedial"}}; }
+std::vector<LabelledTip> tips() {
+  return {{kTip, "AL1", Vec3(-11.0, 0.0, -27.0)}, {{10.0, 0.0, -25.0}, "posteromedial", {}}};
+}
 
 TEST(ChordaTrees, LinesHangTogetherWhateverTheirOrder) {
   ProblemList problems;
@@ -39,6 +41,8 @@ TEST(ChordaTrees, LinesHangTogetherWhateverTheirOrder) {
   EXPECT_EQ(tree.insertion_mm, Vec3(-9.0, 0.0, -12.0));
   EXPECT_EQ(chordae[1].side, Side::Posteromedial);
   EXPECT_EQ(chordae[1].segments.size(), 1U);
+  EXPECT_EQ(tree.pressed_tip_mm, Vec3(-11.0, 0.0, -27.0));
+  EXPECT_FALSE(chordae[1].pressed_tip_mm);
 }
 
 TEST(ChordaTrees, RoundedPointsStillMeet) {
