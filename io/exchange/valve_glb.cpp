@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "io/exchange/glb.h"
 #include "io/exchange/tubes.h"
@@ -56,14 +57,45 @@ Points vertex_normals(const Faces& faces, const Points& vertices_mm) {
   return normals;
 }
 
-/// A vertex for each segment that it lies in, so that colours end where segments do.
+/// Edges that one face alone has, each as the corners (face, corner of its start).
+std::vector<std::pair<Eigen::Index, int>> free_edges(const Faces& faces) {
+  std::set<std::pair<int, int>> directed;
+  for (const auto& face : faces.rowwise())
+    for (int k = 0; k < 3; ++k) directed.insert({face[k], face[(k + 1) % 3]});
+  std::vector<std::pair<Eigen::Index, int>> edges;
+  for (Eigen::Index f = 0; f < faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k)
+      if (!directed.contains({faces(f, (k + 1) % 3), faces(f, k)})) edges.push_back({f, k});
+  return edges;
+}
+
+/// Both sides of a sheet of faces and the rim that joins them: vertex i above, i + sheet_vertices below.
+Faces thick(const Faces& sheet, int sheet_vertices,
+            const std::vector<std::pair<Eigen::Index, int>>& rim) {
+  Faces faces(2 * sheet.rows() + 2 * std::ssize(rim), 3);
+  faces.topRows(sheet.rows()) = sheet;
+  for (Eigen::Index f = 0; f < sheet.rows(); ++f)
+    faces.row(sheet.rows() + f) << sheet(f, 0) + sheet_vertices, sheet(f, 2) + sheet_vertices,
+        sheet(f, 1) + sheet_vertices;
+  Eigen::Index next = 2 * sheet.rows();
+  for (const auto& [f, k] : rim) {
+    const int a = sheet(f, k), b = sheet(f, (k + 1) % 3);
+    faces.row(next++) << b, a, a + sheet_vertices;
+    faces.row(next++) << b, a + sheet_vertices, b + sheet_vertices;
+  }
+  return faces;
+}
+
+/// With their thickness, without which coapting leaflets seem apart, and a vertex for each segment that it lies
+/// in, so that colours end where segments do.
 MorphedMesh leaflets(const Valve& valve, const std::vector<ValveShape>& states) {
-  MorphedMesh mesh{"leaflets", {}, {}, {}, valve.faces};
+  MorphedMesh mesh{"leaflets", {}, {}, {}, {}};
+  Faces sheet = valve.faces;
   std::vector<int> source;
   std::map<std::pair<int, Segment>, int> index;
   for (Eigen::Index f = 0; f < valve.faces.rows(); ++f) {
     const Segment segment = valve.segments[static_cast<std::size_t>(f)];
-    for (int& vertex : mesh.faces.row(f)) {
+    for (int& vertex : sheet.row(f)) {
       const auto [found, fresh] =
           index.try_emplace({vertex, segment}, static_cast<int>(source.size()));
       if (fresh) {
@@ -73,9 +105,15 @@ MorphedMesh leaflets(const Valve& valve, const std::vector<ValveShape>& states) 
       vertex = found->second;
     }
   }
+  mesh.faces = thick(sheet, static_cast<int>(source.size()), free_edges(valve.faces));
+  const std::vector<Colour8> above = mesh.colours;
+  mesh.colours.insert(mesh.colours.end(), above.begin(), above.end());
   for (const ValveShape& state : states) {
-    mesh.vertices_mm.push_back(state.vertices_mm(source, Eigen::all));
-    mesh.normals.push_back(vertex_normals(valve.faces, state.vertices_mm)(source, Eigen::all));
+    const Points middle = state.vertices_mm(source, Eigen::all);
+    const Points normals = vertex_normals(valve.faces, state.vertices_mm)(source, Eigen::all);
+    const Points half = 0.5 * valve.tissue.thickness_mm * normals;
+    mesh.vertices_mm.emplace_back(2 * middle.rows(), 3) << middle + half, middle - half;
+    mesh.normals.emplace_back(2 * middle.rows(), 3) << normals, -normals;
   }
   return mesh;
 }

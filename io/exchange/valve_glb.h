@@ -1,6 +1,6 @@
 // A valve as a scene of glTF 2.0, which browsers, presentation programs and VR viewers open.
 //
-// Metres, y to the atrium, x posteromedial, z posterior (glTF wants y up). Leaflets coloured by segment,
+// Metres, y to the atrium, x posteromedial, z posterior (glTF wants y up). Leaflets coloured by segment, as thick as they are,
 // chordae as tubes, ring and sutures of a repair. What is there is the closed valve; the states on
 // the way to it are morph targets, evenly spaced by how far the leaflets move, and the animation "closing" plays
 // them in 1.5 s and holds the end for 1 s. The way is the relaxation's, not that of real time.

@@ -34,7 +34,7 @@ struct ImportedChorda {
   ChordaKind kind = ChordaKind::Marginal;  ///< no neochordae
   Vec3 insertion_mm = Vec3::Zero();
   Vec3 tip_mm = Vec3::Zero();
-  std::optional<Vec3> pressed_tip_mm;  ///< under pressure; none: where it is
+  std::optional<Vec3> pressed_tip_mm = {};  ///< under pressure; none: where it is
   /// Its tree, if that was traced: kept, with its insertions moved to the leaflet, instead of the branches that
   /// ImportOptions describes. insertion_mm is then the mean of where it inserts.
   std::vector<ImportedSegment> segments = {};

@@ -155,18 +155,18 @@ def checks(folder, validate, name):
 
 def damaged(path, content):
     """The same file with one thing wrong in it."""
-    if path.suffix == ".vtk":
-        lines = content.split(b"\n")
-        last = next(i for i, line in enumerate(lines) if line.startswith((b"LINES", b"POLYGONS"))) - 1
-        if b"LINES" in content:  # the end of the last chorda is moved by what nobody sees
-            lines[last] = lines[last] + b"1" if b"." in lines[last].split()[-1] else lines[last] + b".1"
-        else:
-            del lines[last]
-        return b"\n".join(lines)
+    lines = content.rstrip().split(b"\n")
+    if path.suffix == ".vtk" and b"LINES" in content:  # the end of the last chorda is moved by what nobody sees
+        last = next(i for i, line in enumerate(lines) if line.startswith(b"LINES")) - 1
+        lines[last] += b"1" if b"." in lines[last].split()[-1] else b".1"
+        return b"\n".join(lines) + b"\n"
+    if path.suffix in (".vtk", ".obj"):
+        return b"\n".join(lines[:-1]) + b"\n"
+    if path.suffix == ".ply":  # VTK itself dies of a file that is cut off
+        first = lines.index(b"end_header") + 1
+        return b"\n".join([*lines[:first], b"99 0 0", *lines[first + 1:]]) + b"\n"
     if path.suffix == ".stl":
         return content[:-25]
-    if path.suffix in (".ply", ".obj"):
-        return b"\n".join(content.rstrip().split(b"\n")[:-1]) + b"\n"
     replacements = {".glb": (b'"VEC3"', b'"VEC2"'), ".json": (b'"defined"', b'"preview"'), ".csv": (b",mm\n", b",cm\n"),
                     ".feb": (b'discrete_set="1.1', b'discrete_set="0.1')}
     old, new = replacements[path.suffix]

@@ -1,33 +1,29 @@
 """Files as VTK (Debian's python3-vtk9) reads them."""
 
 import vtk
-from vtk.util.numpy_support import vtk_to_numpy
 
 READERS = {".vtk": vtk.vtkPolyDataReader, ".ply": vtk.vtkPLYReader, ".obj": vtk.vtkOBJReader, ".stl": vtk.vtkSTLReader}
 
 
-def errors_of(reader):
-    """Collects what VTK complains of; it goes on reading nevertheless."""
-    errors = []
-    reader.AddObserver("ErrorEvent", lambda source, event: errors.append("VTK finds an error"))
-    reader.AddObserver("WarningEvent", lambda source, event: errors.append("VTK warns"))
-    return errors
+MESSAGES = vtk.vtkStringOutputWindow()
+vtk.vtkOutputWindow.SetInstance(MESSAGES)
+vtk.vtkLogger.SetStderrVerbosity(vtk.vtkLogger.VERBOSITY_OFF)
+
+
+def complaints(before):
+    """What VTK has said since it had said `before`; it goes on reading nevertheless."""
+    said = MESSAGES.GetOutput()[len(before):].strip()
+    return [f"VTK says: {' '.join(said.split())[:200]}"] if said else []
 
 
 def read(path):
     """The vtkPolyData of a file, and what is wrong with the file."""
-    vtk.vtkObject.GlobalWarningDisplayOff()
-    reader = READERS[path.suffix]()
-    errors = errors_of(reader)
+    before, reader = MESSAGES.GetOutput(), READERS[path.suffix]()
     reader.SetFileName(str(path))
     if path.suffix == ".vtk":
         reader.ReadAllScalarsOn()
     reader.Update()
-    return reader.GetOutput(), errors
-
-
-def points(data):
-    return vtk_to_numpy(data.GetPoints().GetData()) if data.GetNumberOfPoints() else []
+    return reader.GetOutput(), complaints(before)
 
 
 def area(data):
@@ -65,9 +61,7 @@ def bounds_of(blocks):
 
 def glb(path):
     """Bounds of the scene as it is shown (metres), and where its animation begins and ends (none: it has none); errors."""
-    vtk.vtkObject.GlobalWarningDisplayOff()
-    reader = vtk.vtkGLTFReader()
-    errors = errors_of(reader)
+    before, reader = MESSAGES.GetOutput(), vtk.vtkGLTFReader()
     reader.SetFileName(str(path))
     reader.SetFrameRate(10)
     reader.Update()
@@ -78,4 +72,4 @@ def glb(path):
         for seconds in (0.0, reader.GetAnimationDuration(0)):
             reader.UpdateTimeStep(seconds)
             played.append(bounds_of(reader.GetOutput()))
-    return shown, played, errors
+    return shown, played, complaints(before)

@@ -43,11 +43,19 @@ TEST(Glb, PointsAreMetresWithTheAtriumUp) {
   const std::string glb = write_glb(exported);
   const nlohmann::json json = json_of(glb);
   const int position = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+  const int sheet = json["accessors"][static_cast<std::size_t>(position)]["count"].get<int>() / 2;
+  const auto middle = [&](int vertex) -> Vec3 {
+    return 0.5 * (vector_of(glb, position, vertex) + vector_of(glb, position, vertex + sheet));
+  };
+  const auto thickness = [&](int vertex) {
+    return (vector_of(glb, position, vertex) - vector_of(glb, position, vertex + sheet)).norm();
+  };
   // Face 0 begins with vertex 0, at (18, 0, 0) mm; its third corner is vertex 8: (13.5, 0, -8).
-  EXPECT_LT((vector_of(glb, position, 0) - Vec3(0.018, 0.0, 0.0)).norm(), 1e-7);
-  EXPECT_LT((vector_of(glb, position, 2) - Vec3(0.0135, -0.008, 0.0)).norm(), 1e-7);
+  EXPECT_LT((middle(0) - Vec3(0.018, 0.0, 0.0)).norm(), 1e-7);
+  EXPECT_LT((middle(2) - Vec3(0.0135, -0.008, 0.0)).norm(), 1e-7);
+  EXPECT_NEAR(thickness(2), 0.001, 1e-8);
   // Vertex 1 of the face is vertex 1: y anterior becomes -z.
-  EXPECT_LT(vector_of(glb, position, 1).z(), -0.009);
+  EXPECT_LT(middle(1).z(), -0.009);
 }
 
 TEST(Glb, TheMotionIsATargetAndEndsInTheClosedValve) {
@@ -65,8 +73,8 @@ TEST(Glb, TheMotionIsATargetAndEndsInTheClosedValve) {
 TEST(Glb, ColoursEndWhereSegmentsDo) {
   const nlohmann::json json = json_of(write_glb(still_valve()));
   const std::size_t colours = json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"];
-  // Six blocks of segments round the valve, each with one column of three vertices more than columns: 8 + 6 columns.
-  EXPECT_EQ(json["accessors"][colours]["count"], 3 * (8 + 6));
+  // Above and below: six blocks of segments round the valve, each with one column of three vertices more than columns: 8 + 6 columns.
+  EXPECT_EQ(json["accessors"][colours]["count"], 2 * 3 * (8 + 6));
 }
 
 TEST(Glb, TheOpenValveIsStillAndTheNoticeIsInIt) {

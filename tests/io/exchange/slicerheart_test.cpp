@@ -49,7 +49,9 @@ void expect_closes_alike(const std::string& preset) {
   EXPECT_EQ(after.closure.status, ClosureStatus::Converged);
   EXPECT_FALSE(after.closure.crossing);
   EXPECT_NEAR(after.measure.annulus.area_mm2, before.annulus.area_mm2, 5.0);
-  EXPECT_NEAR(after.measure.orifice.area_mm2, before.orifice.area_mm2, 6.0) << preset;
+  // Meshes of one leaking valve differ by a fifth (README, "How it works").
+  const double orifice = before.orifice.area_mm2;
+  EXPECT_NEAR(after.measure.orifice.area_mm2, orifice, std::max(3.0, 0.25 * orifice)) << preset;
   EXPECT_NEAR(after.measure.coaptation.height_mean_mm, before.coaptation.height_mean_mm, 1.0);
 }
 
