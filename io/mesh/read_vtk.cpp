@@ -210,7 +210,9 @@ class VtkReader {
     long long components = 1;
     std::string_view word = words_.next();
     if (word != "LOOKUP_TABLE") {
-      components = to_integer(word).value_or(1);
+      components = to_integer(word).value_or(0);
+      if (components < 1 || components > 4)
+        return (void)fail(ErrorCode::OutOfRange, "/data", "must have 1 to 4 components");
       word = words_.next();
     }
     if (word == "LOOKUP_TABLE") {

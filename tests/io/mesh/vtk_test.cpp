@@ -149,6 +149,8 @@ TEST(Vtk, WhatIsWrongIsToldWithItsLine) {
           .code,
       ErrorCode::BadReference);
   EXPECT_EQ(problem(start + "POINTS 99999999999 float\n").path, "/vertices_mm");
+  EXPECT_EQ(problem(std::string(kText) + "CELL_DATA 3\nSCALARS a int 9000000000000000000\n").path,
+            "/data");
   EXPECT_EQ(problem(start + "SURPRISE 1\n").code, ErrorCode::Unsupported);
   EXPECT_EQ(problem(start + "POINTS 1 float\n1e9 0 0\nLINES 1 3\n2 0 0\n").code,
             ErrorCode::OutOfRange);
