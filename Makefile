@@ -2,12 +2,12 @@
 BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
-SOURCES := $(shell find core search io server clients tests bench -name "*.h" -o -name "*.cpp" -o -name "*.inl")
+SOURCES := $(shell git ls-files -co --exclude-standard "*.h" "*.cpp" "*.inl")
 
 WEB := clients/web
 WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public $(WEB)/index.html $(WEB)/vite.config.ts -type f)
 
-.PHONY: help demo serve test web web-test web-pictures chart bench bench-server instructions rivals build format format-check includes-check openapi-check asan fuzz clean
+.PHONY: help demo serve test web web-test web-pictures chart bench bench-server instructions rivals build format format-check includes-check openapi-check readers-check asan fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -97,6 +97,17 @@ build/openapi-check/node_modules: server/openapi-check/package-lock.json
 	@mkdir -p build/openapi-check
 	@cp server/openapi-check/package*.json build/openapi-check/
 	npm ci --ignore-scripts --no-audit --no-fund --prefix build/openapi-check
+	@touch $@
+
+readers-check: build build/readers-check/node_modules  ## fail if VTK, the glTF validator or another reader finds a file of coapt wrong
+	@cmake/install_packages.sh readers
+	tests/readers/check_files.py $(BIN)/coapt env NODE_PATH=build/readers-check/node_modules node tests/readers/validate_glb.js
+
+build/readers-check/node_modules: tests/readers/package-lock.json
+	@command -v npm >/dev/null || cmake/install_packages.sh npm
+	@mkdir -p build/readers-check
+	@cp tests/readers/package*.json build/readers-check/
+	npm ci --ignore-scripts --no-audit --no-fund --prefix build/readers-check
 	@touch $@
 
 asan:  ## build and test with the address and undefined-behaviour sanitizers, but the long tests

@@ -18,6 +18,7 @@ void add_valve_info(CLI::App& parent, int& status);
 void add_valve_remodel(CLI::App& parent, int& status);
 void add_close(CLI::App& parent, int& status);
 void add_evaluate(CLI::App& parent, int& status);
+void add_export(CLI::App& parent, int& status);
 void add_bench(CLI::App& parent, int& status);
 void add_chart(CLI::App& parent, int& status);
 void add_plan(CLI::App& parent, int& status);

@@ -42,6 +42,7 @@ int run(int argc, char** argv) {
   add_valve_remodel(*valve, status);
   add_close(app, status);
   add_evaluate(app, status);
+  add_export(app, status);
   add_plan(app, status);
   add_bench(app, status);
   add_chart(app, status);

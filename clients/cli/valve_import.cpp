@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/number_option.h"
+#include "io/exchange/markups.h"
+#include "io/exchange/slicerheart.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/import_valve.h"
 
@@ -17,7 +20,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> leaflets;
-  std::string annulus, chordae;
+  std::string annulus, chordae, slicerheart;
   std::string name;
   std::vector<std::string> provenance;
   ImportOptions options;
@@ -44,23 +47,75 @@ int read_part(const std::string& path, const Parse& parse, T& value) {
   return exit_code::kOk;
 }
 
-int run(const Arguments& arguments) {
-  ImportSource source;
-  source.name = arguments.name;
-  source.provenance = arguments.provenance;
+Expected<Points> read_contour(std::string_view text, const std::string& format) {
+  if (format != "json") return read_points_csv(text);
+  const Expected<std::vector<Markup>> markups = read_markups(text);
+  if (!markups) return markups.errors();
+  for (const Markup& markup : *markups)
+    if (markup.type == MarkupType::ClosedCurve) return markup.points_mm;
+  return Error{ErrorCode::MissingField, "/markups", "has no ClosedCurve"};
+}
+
+/// The files of a folder that a valve can be made of, in the order of their names.
+Expected<std::vector<NamedFile>> read_folder(const std::string& path) {
+  std::error_code failed;
+  std::vector<std::filesystem::path> paths;
+  for (auto entry = std::filesystem::directory_iterator(path, failed);
+       !failed && entry != std::filesystem::directory_iterator(); entry.increment(failed)) {
+    const std::string format = format_of(entry->path());
+    if (format == "vtk" || format == "csv" || format == "json") paths.push_back(entry->path());
+  }
+  if (failed) return Error{ErrorCode::InputOutput, "", "cannot be opened as a folder"};
+  std::sort(paths.begin(), paths.end());
+  std::vector<NamedFile> files;
+  for (const auto& file : paths) {
+    Expected<std::string> bytes = read_input(file);
+    if (!bytes) return Error{ErrorCode::InputOutput, file.filename(), "cannot be read"};
+    files.push_back({file.filename(), *std::move(bytes)});
+  }
+  return files;
+}
+
+/// The files that options name one by one.
+int read_parts(const Arguments& arguments, ImportSource& source) {
+  for (const auto& [missing, option] : {std::pair(arguments.leaflets.empty(), "--leaflet"),
+                                        {arguments.annulus.empty(), "--annulus"},
+                                        {arguments.chordae.empty(), "--chordae"}}) {
+    if (!missing) continue;
+    std::cerr << "coapt: valve import: " << option << " is required (or --slicerheart)\n";
+    return exit_code::kBadInput;
+  }
   for (const std::string& path : arguments.leaflets) {
     source.leaflets.emplace_back();
     if (const int failed = read_part(path, read_mesh, source.leaflets.back())) return failed;
   }
-  const auto read_contour = [](std::string_view text, const std::string& /*format*/) {
-    return read_points_csv(text);
-  };
   if (const int failed = read_part(arguments.annulus, read_contour, source.annulus_mm)) {
     return failed;
   }
-  if (const int failed = read_part(arguments.chordae, read_chordae, source.chordae)) return failed;
+  return read_part(arguments.chordae, read_chordae, source.chordae);
+}
+
+int read_slicerheart_folder(const Arguments& arguments, ImportSource& source) {
+  Expected<std::vector<NamedFile>> files = read_folder(arguments.slicerheart);
+  if (!files) return report_errors(arguments.slicerheart, files.errors());
+  Expected<ImportSource> read = read_slicerheart(*files);
+  if (!read) return report_errors(arguments.slicerheart, read.errors());
+  source = *std::move(read);
+  return exit_code::kOk;
+}
+
+int run(const Arguments& arguments) {
+  ImportSource source;
+  const bool folder = !arguments.slicerheart.empty();
+  if (const int failed =
+          folder ? read_slicerheart_folder(arguments, source) : read_parts(arguments, source))
+    return failed;
+  source.name = arguments.name;
+  source.provenance.insert(source.provenance.begin(), arguments.provenance.begin(),
+                           arguments.provenance.end());
   const Expected<Valve> valve = import_valve(source, arguments.options);
   if (!valve) {
+    if (folder) return report_errors(arguments.slicerheart, valve.errors());
     return report_option_errors("valve import", valve.errors(),
                                 {{"/leaflets", "--leaflet"}, {"/annulus_mm", "--annulus"}});
   }
@@ -77,13 +132,18 @@ void add_valve_import(CLI::App& parent, int& status) {
   command
       ->add_option(
           "--leaflet", arguments->leaflets,
-          "Leaflet mesh (OBJ, PLY or STL, millimetres): anterior and posterior, or one skirt")
-      ->required()
+          "Leaflet mesh (OBJ, PLY, STL or VTK, millimetres): anterior and posterior, or one skirt")
       ->expected(1, 2);
-  command->add_option("--annulus", arguments->annulus, "Closed loop, CSV of x,y,z lines")
-      ->required();
-  command->add_option("--chordae", arguments->chordae, "Insertions and papillary tips, CSV or JSON")
-      ->required();
+  command->add_option("--annulus", arguments->annulus,
+                      "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json)");
+  command->add_option("--chordae", arguments->chordae,
+                      "Insertions and papillary tips, CSV or JSON");
+  command
+      ->add_option("--slicerheart", arguments->slicerheart,
+                   "Folder that SlicerHeart's ValveFemExport or `coapt export` wrote, instead")
+      ->excludes("--leaflet")
+      ->excludes("--annulus")
+      ->excludes("--chordae");
   command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
       ->required();
   command->add_option("--triangles", options.triangles, "About how many triangles")
@@ -100,9 +160,12 @@ void add_valve_import(CLI::App& parent, int& status) {
   command->add_option("--provenance", arguments->provenance,
                       "Source or licence, kept in the valve");
   command->footer(
-      "Example:\n"
+      "Examples:\n"
       "  coapt valve import --leaflet anterior.obj posterior.obj --annulus annulus.csv \\\n"
-      "    --chordae chordae.csv --triangles 1400 -o valve.json");
+      "    --chordae chordae.csv --triangles 1400 -o valve.json\n\n"
+      "A folder holds the leaflets and the chordae as .vtk (chordae as lines, or as .csv tables),\n"
+      "the annulus as a closed curve and the papillary tips, labelled AL and PM, as .mrk.json:\n"
+      "  coapt valve import --slicerheart FEM-model/ -o valve.json");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -67,19 +67,21 @@ SurfacePoint nearest_on_surface(const Valve& valve, const Vec3& point) {
 /// Index of the head at a tip; heads are ordered from anterior to posterior.
 void add_heads(const std::vector<ImportedChorda>& chordae, Valve& valve) {
   for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
-    std::vector<Vec3> tips;
+    std::vector<Vec3> tips;  // at rest
+    std::vector<PapillaryHead> heads;
     for (const ImportedChorda& chorda : chordae) {
       const auto same = [&](const Vec3& tip) {
         return (tip - chorda.tip_mm).norm() <= kSameTip_mm;
       };
       if (chorda.side != side || std::any_of(tips.begin(), tips.end(), same)) continue;
       tips.push_back(chorda.tip_mm);
+      heads.push_back({"", side, chorda.tip_mm, chorda.pressed_tip_mm.value_or(chorda.tip_mm)});
     }
-    std::stable_sort(tips.begin(), tips.end(),
-                     [](const Vec3& p, const Vec3& q) { return p.y() > q.y(); });
-    for (std::size_t i = 0; i < tips.size(); ++i) {
-      const std::string id = (side == Side::Anterolateral ? "AL" : "PM") + std::to_string(i + 1);
-      valve.heads.push_back({id, side, tips[i], tips[i]});
+    std::stable_sort(heads.begin(), heads.end(),
+                     [](const auto& p, const auto& q) { return p.rest_mm.y() > q.rest_mm.y(); });
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+      heads[i].id = (side == Side::Anterolateral ? "AL" : "PM") + std::to_string(i + 1);
+      valve.heads.push_back(heads[i]);
     }
   }
 }
@@ -122,28 +124,81 @@ std::vector<ChordaSegment> grow(const std::vector<Insertion>& insertions, const 
   return segments;
 }
 
+/// Where a traced end goes: the free edge if that is near, else the nearest point of the surface.
+struct Landing {
+  Insertion insertion;
+  bool at_edge = false;
+  double distance_mm = 0.0;
+};
+
+Landing land(const Vec3& end_mm, ChordaKind kind, const Skirt& skirt, const Valve& valve) {
+  const EdgePoint edge = nearest_on_edge(skirt, end_mm);
+  if (kind == ChordaKind::Marginal && edge.distance_mm <= kMarginalReach_mm)
+    return {on_edge(skirt, edge.station), true, edge.distance_mm};
+  const SurfacePoint nearest = nearest_on_surface(valve, end_mm);
+  return {nearest.insertion, false, nearest.distance_mm};
+}
+
+/// The traced tree with its insertions where `landings` (one for each that inserts) say.
+std::vector<ChordaSegment> traced(const ImportedChorda& imported,
+                                  const std::vector<Landing>& landings, const Vec3& tip,
+                                  double slack, const Valve& valve) {
+  std::vector<ChordaSegment> segments;
+  std::vector<Vec3> ends_mm;
+  for (std::size_t i = 0, landed = 0; i < imported.segments.size(); ++i) {
+    const ImportedSegment& piece = imported.segments[i];
+    ChordaSegment& segment = segments.emplace_back();
+    segment.parent = piece.parent;
+    segment.diameter_mm = piece.diameter_mm;
+    segment.inserts = piece.inserts;
+    Vec3 end_mm = piece.end_mm;
+    if (piece.inserts) {
+      segment.insertion = landings[landed++].insertion;
+      end_mm = position(segment.insertion, valve.faces, valve.rest_mm);
+    } else {
+      segment.branch_point_mm = end_mm;
+    }
+    const auto parent = static_cast<std::size_t>(piece.parent);
+    const bool from_tip = piece.parent < 0;
+    const double length = (end_mm - (from_tip ? tip : ends_mm[parent])).norm();
+    const double traced_length =
+        (piece.end_mm - (from_tip ? imported.tip_mm : imported.segments[parent].end_mm)).norm();
+    segment.rest_length_mm =
+        piece.rest_length_mm ? *piece.rest_length_mm + length - traced_length : slack * length;
+    ends_mm.push_back(end_mm);
+  }
+  return segments;
+}
+
 /// What was done, for the provenance.
 struct Attached {
-  int marginal = 0, inner = 0;
+  int marginal = 0, inner = 0, trees = 0, lengths = 0;
   double edge_max_mm = 0.0, surface_max_mm = 0.0;
 };
 
 std::string described(const Attached& attached, const Valve& valve, const ImportOptions& options) {
   std::string text = "chordae: " + std::to_string(attached.marginal) +
                      " marginal, moved to the free edge by at most " +
-                     figure(attached.edge_max_mm) + " mm, each with " +
-                     std::to_string(options.branches) + " insertions";
-  if (options.branches > 1) {
-    text += " a sixtieth of the annulus apart, branching at " + figure(100.0 * options.branch_at) +
-            " % of the way";
+                     figure(attached.edge_max_mm) + " mm, ";
+  if (attached.trees > 0) {
+    text += std::to_string(attached.trees) + " of all keep the tree that was traced";
+  } else {
+    text += "each with " + std::to_string(options.branches) + " insertions";
+    if (options.branches > 1) {
+      text += " a sixtieth of the annulus apart, branching at " +
+              figure(100.0 * options.branch_at) + " % of the way";
+    }
   }
   if (attached.inner > 0) {
     text += "; " + std::to_string(attached.inner) +
             " strut and basal, moved to the leaflet by at most " + figure(attached.surface_max_mm) +
             " mm";
   }
-  return text + "; lengths are straight distances at rest times " + figure(options.slack) + "; " +
-         std::to_string(valve.heads.size()) + " papillary heads";
+  if (attached.lengths > 0)
+    text += "; " + std::to_string(attached.lengths) + " pieces keep the slack they came with";
+  return text + "; lengths are straight distances at rest times " + figure(options.slack) +
+         (attached.lengths > 0 ? " elsewhere; " : "; ") + std::to_string(valve.heads.size()) +
+         " papillary heads";
 }
 
 }  // namespace
@@ -158,36 +213,46 @@ Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
     Chorda chorda;
     chorda.kind = imported.kind;
     chorda.head = head_of(imported, valve);
-    const EdgePoint edge = nearest_on_edge(skirt, imported.insertion_mm);
+    const bool tree = !imported.segments.empty();
+    std::vector<Landing> landings;
+    for (const ImportedSegment& segment : imported.segments) {
+      attached.lengths += segment.rest_length_mm ? 1 : 0;
+      if (segment.inserts) landings.push_back(land(segment.end_mm, imported.kind, skirt, valve));
+    }
+    if (!tree) landings.push_back(land(imported.insertion_mm, imported.kind, skirt, valve));
+    const bool marginal = std::any_of(landings.begin(), landings.end(),
+                                      [](const Landing& landing) { return landing.at_edge; });
     std::vector<Insertion> insertions;
-    if (imported.kind == ChordaKind::Marginal && edge.distance_mm <= kMarginalReach_mm) {
+    for (const Landing& landing : landings) {
+      insertions.push_back(landing.insertion);
+      double& most = landing.at_edge ? attached.edge_max_mm : attached.surface_max_mm;
+      most = std::max(most, landing.distance_mm);
+      if (landing.at_edge || landing.distance_mm <= kSurfaceReach_mm) continue;
+      problems.add(
+          ErrorCode::BadGeometry, "/chordae/" + std::to_string(i) + "/insertion_mm",
+          "is " + shown(landing.distance_mm) + " mm from the leaflets, must be within 8 mm");
+    }
+    (marginal ? attached.marginal : attached.inner) += 1;
+    attached.trees += tree ? 1 : 0;
+    if (imported.kind == ChordaKind::Marginal && !marginal) {
+      const Segment at = valve.segments[static_cast<std::size_t>(insertions.front().face)];
+      chorda.kind = is_anterior(at) ? ChordaKind::Strut : ChordaKind::Basal;
+    }
+    if (!tree && marginal) {
+      const double station = nearest_on_edge(skirt, imported.insertion_mm).station;
+      insertions.clear();
       for (int twig = 0; twig < options.branches; ++twig) {
         const double offset = (twig - 0.5 * (options.branches - 1)) * kTwigArc * skirt.stations;
-        insertions.push_back(on_edge(skirt, edge.station + offset));
+        insertions.push_back(on_edge(skirt, station + offset));
       }
-      ++attached.marginal;
-      attached.edge_max_mm = std::max(attached.edge_max_mm, edge.distance_mm);
-    } else {
-      const SurfacePoint nearest = nearest_on_surface(valve, imported.insertion_mm);
-      insertions = {nearest.insertion};
-      if (imported.kind == ChordaKind::Marginal) {
-        const Segment at = valve.segments[static_cast<std::size_t>(nearest.insertion.face)];
-        chorda.kind = is_anterior(at) ? ChordaKind::Strut : ChordaKind::Basal;
-      }
-      if (nearest.distance_mm > kSurfaceReach_mm) {
-        problems.add(
-            ErrorCode::BadGeometry, "/chordae/" + std::to_string(i) + "/insertion_mm",
-            "is " + shown(nearest.distance_mm) + " mm from the leaflets, must be within 8 mm");
-      }
-      ++attached.inner;
-      attached.surface_max_mm = std::max(attached.surface_max_mm, nearest.distance_mm);
     }
     const PapillaryHead& head = valve.heads[static_cast<std::size_t>(chorda.head)];
     const Segment segment =
         valve.segments[static_cast<std::size_t>(insertions[insertions.size() / 2].face)];
     chorda.id =
         head.id + '-' + to_string(segment) + '-' + to_string(chorda.kind) + '-' + imported.id;
-    chorda.segments = grow(insertions, head.rest_mm, options, valve);
+    chorda.segments = tree ? traced(imported, landings, head.rest_mm, options.slack, valve)
+                           : grow(insertions, head.rest_mm, options, valve);
     valve.chordae.push_back(std::move(chorda));
   }
   valve.provenance.push_back(described(attached, valve, options));

@@ -115,14 +115,24 @@ void check_chordae(const std::vector<ImportedChorda>& chordae, ProblemList& prob
   }
 }
 
-Points without_repeats(const Points& loop) {
-  Points kept(loop.rows(), 3);
-  Eigen::Index count = 0;
+/// The points that are not where the next one is.
+std::vector<Eigen::Index> without_repeats(const Points& loop) {
+  std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < loop.rows(); ++i) {
     const Eigen::Index next = (i + 1) % loop.rows();
-    if ((loop.row(next) - loop.row(i)).norm() > kSamePoint_mm) kept.row(count++) = loop.row(i);
+    if ((loop.row(next) - loop.row(i)).norm() > kSamePoint_mm) kept.push_back(i);
   }
-  return kept.topRows(count);
+  return kept;
+}
+
+void check_pressed(const ImportSource& source, ProblemList& problems) {
+  const Points& pressed = source.pressed_annulus_mm;
+  if (pressed.rows() == 0 || (pressed.rows() == source.annulus_mm.rows() && pressed.allFinite()))
+    return;
+  problems.add(ErrorCode::OutOfRange, "/pressed_annulus_mm",
+               "has " + std::to_string(pressed.rows()) +
+                   " points, must have as many as the annulus, " +
+                   std::to_string(source.annulus_mm.rows()) + ", all finite");
 }
 
 Vec3 mean_by_arc(const Points& loop) {
@@ -219,19 +229,26 @@ Expected<FramedSource> into_import_frame(const ImportSource& source) {
   ProblemList problems;
   check_leaflets(source.leaflets, problems);
   check_annulus(source.annulus_mm, problems);
+  check_pressed(source, problems);
   check_chordae(source.chordae, problems);
   if (!problems.empty()) return std::move(problems).take();
-  const Points loop = without_repeats(source.annulus_mm);
+  const std::vector<Eigen::Index> kept = without_repeats(source.annulus_mm);
+  const Points loop = source.annulus_mm(kept, Eigen::all);
   const Expected<Frame> frame = find_frame(loop, source.chordae);
   if (!frame) return frame.errors();
   FramedSource framed;
   framed.annulus_mm = frame->into(loop);
+  if (source.pressed_annulus_mm.rows() > 0)
+    framed.pressed_annulus_mm = frame->into(Points(source.pressed_annulus_mm(kept, Eigen::all)));
   double area = 0.0;
   for (Eigen::Index i = 0; i < loop.rows(); ++i) {
     const Vec3 a = framed.annulus_mm.row(i), b = framed.annulus_mm.row((i + 1) % loop.rows());
     area += a.x() * b.y() - a.y() * b.x();
   }
-  if (area < 0.0) framed.annulus_mm = framed.annulus_mm.colwise().reverse().eval();
+  if (area < 0.0) {
+    framed.annulus_mm = framed.annulus_mm.colwise().reverse().eval();
+    framed.pressed_annulus_mm = framed.pressed_annulus_mm.colwise().reverse().eval();
+  }
   for (const TriangleMesh& mesh : source.leaflets) {
     framed.leaflets.push_back({frame->into(mesh.vertices_mm), mesh.faces});
   }
@@ -239,6 +256,8 @@ Expected<FramedSource> into_import_frame(const ImportSource& source) {
   for (ImportedChorda& chorda : framed.chordae) {
     chorda.insertion_mm = frame->into(chorda.insertion_mm);
     chorda.tip_mm = frame->into(chorda.tip_mm);
+    if (chorda.pressed_tip_mm) chorda.pressed_tip_mm = frame->into(*chorda.pressed_tip_mm);
+    for (ImportedSegment& segment : chorda.segments) segment.end_mm = frame->into(segment.end_mm);
   }
   check_framed(framed, problems);
   if (!problems.empty()) return std::move(problems).take();

@@ -12,6 +12,7 @@ struct FramedSource {
   std::vector<TriangleMesh> leaflets;
   Points
       annulus_mm;  ///< counter-clockwise seen from the atrium, no point twice, star-shaped about z
+  Points pressed_annulus_mm;  ///< point by point as annulus_mm, or empty
   std::vector<ImportedChorda> chordae;
   std::string change;  ///< in words
 };

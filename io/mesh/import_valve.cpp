@@ -71,6 +71,23 @@ void add_mesh(const Skirt& skirt, Valve& valve) {
   }
 }
 
+/// Where a point of the annulus at rest goes under pressure: as the points beside it.
+Vec3 pressed(const FramedSource& source, const Vec3& rest_mm) {
+  const Points &loop = source.annulus_mm, &target = source.pressed_annulus_mm;
+  double best = 1e300;
+  Vec3 goes = rest_mm;
+  for (Eigen::Index i = 0; i < loop.rows(); ++i) {
+    const Eigen::Index next = (i + 1) % loop.rows();
+    const Vec3 a = loop.row(i), along = Vec3(loop.row(next)) - a;
+    const double share = std::clamp(along.dot(rest_mm - a) / along.squaredNorm(), 0.0, 1.0);
+    const double distance = (a + share * along - rest_mm).norm();
+    if (distance >= best) continue;
+    best = distance;
+    goes = Vec3((1.0 - share) * target.row(i) + share * target.row(next));
+  }
+  return goes;
+}
+
 Landmarks find_landmarks(const Skirt& skirt) {
   const int lateral = skirt.lateral_commissure;
   const double middle = 0.5 * lateral;
@@ -178,8 +195,12 @@ void tell_changes(const FramedSource& source, const Skirt& skirt, Valve& valve) 
       ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
       "from the peak to the commissures; segments by thirds of arc, fibres circumferential");
   told.push_back(
-      "the imaged state is taken as unstressed, and its annulus and papillary tips as those under "
-      "pressure; tissue of thesis table 2.1");
+      source.pressed_annulus_mm.rows() > 0
+          ? "the imaged state is taken as unstressed; annulus and papillary tips under pressure "
+            "came "
+            "with it; tissue of thesis table 2.1"
+          : "the imaged state is taken as unstressed, and its annulus and papillary tips as those "
+            "under pressure; tissue of thesis table 2.1");
 }
 
 }  // namespace
@@ -196,6 +217,8 @@ Expected<Valve> import_valve(const ImportSource& source, const ImportOptions& op
   valve.name = source.name.empty() ? "imported" : source.name;
   valve.provenance = source.provenance;
   add_mesh(*skirt, valve);
+  if (framed->pressed_annulus_mm.rows() > 0)
+    for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();
   valve.landmarks = find_landmarks(*skirt);
   tell_changes(*framed, *skirt, valve);
   if (Errors errors = add_imported_chordae(*framed, *skirt, options, valve); !errors.empty())

@@ -4,9 +4,10 @@
 // Assumed: sheets and annulus are star-shaped about that axis, sheets are open surfaces that begin
 // within 3 mm of the annulus, coordinates are right-handed millimetres; any frame. The papillary
 // tips orient the valve (import_frame.h). The imaged state is taken as unstressed, and its annulus
-// and tips as those under pressure.
+// and tips as those under pressure, unless those are given, too.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,15 @@
 
 namespace coapt {
 
+/// One straight piece of a tree that was traced.
+struct ImportedSegment {
+  int parent = -1;  ///< index into ImportedChorda::segments, smaller than its own; -1: the tip
+  Vec3 end_mm = Vec3::Zero();
+  bool inserts = true;                   ///< ends in the leaflet (else in a branch point)
+  std::optional<double> rest_length_mm;  ///< none: as long as it is, times ImportOptions::slack
+  double diameter_mm = 1.0;
+};
+
 /// A straight chorda as it was traced. Marginal means: at the free edge if it ends within 3 mm of
 /// it; else it becomes a strut (anterior leaflet) or basal chorda.
 struct ImportedChorda {
@@ -24,6 +34,10 @@ struct ImportedChorda {
   ChordaKind kind = ChordaKind::Marginal;  ///< no neochordae
   Vec3 insertion_mm = Vec3::Zero();
   Vec3 tip_mm = Vec3::Zero();
+  std::optional<Vec3> pressed_tip_mm = {};  ///< under pressure; none: where it is
+  /// Its tree, if that was traced: kept, with its insertions moved to the leaflet, instead of the branches that
+  /// ImportOptions describes. insertion_mm is then the mean of where it inserts.
+  std::vector<ImportedSegment> segments = {};
 };
 
 struct ImportSource {
@@ -31,6 +45,7 @@ struct ImportSource {
   std::vector<std::string> provenance;
   std::vector<TriangleMesh> leaflets;  ///< the anterior, then the posterior sheet, or one skirt
   Points annulus_mm;                   ///< closed loop, n x 3, either direction
+  Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
 };
 

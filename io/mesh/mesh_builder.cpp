@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "io/mesh/vtk.h"
+
 namespace coapt {
 namespace {
 
@@ -12,6 +14,12 @@ constexpr std::size_t kMaxCorners = 1000;
 
 std::string at_line(int line) {
   return line > 0 ? "line " + std::to_string(line) + ": " : std::string();
+}
+
+Points as_points(const std::vector<Vec3>& list) {
+  Points points(std::ssize(list), 3);
+  for (std::size_t i = 0; i < list.size(); ++i) points.row(static_cast<Eigen::Index>(i)) = list[i];
+  return points;
 }
 
 }  // namespace
@@ -76,10 +84,7 @@ Expected<TriangleMesh> MeshBuilder::take() && {
     add_problem(ErrorCode::MissingField, "/faces", 0, "is empty; a leaflet needs triangles");
   }
   if (!problems_.empty()) return std::move(problems_).take();
-  TriangleMesh mesh{Points(std::ssize(vertices_), 3), Faces(static_cast<Eigen::Index>(usable), 3)};
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    mesh.vertices_mm.row(static_cast<Eigen::Index>(i)) = vertices_[i];
-  }
+  TriangleMesh mesh{as_points(vertices_), Faces(static_cast<Eigen::Index>(usable), 3)};
   for (std::size_t i = 0; i < usable; ++i) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       mesh.faces(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(corner)) =
@@ -89,12 +94,25 @@ Expected<TriangleMesh> MeshBuilder::take() && {
   return mesh;
 }
 
+Expected<Points> MeshBuilder::take_points() && {
+  if (!problems_.empty()) return std::move(problems_).take();
+  return as_points(vertices_);
+}
+
 Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format) {
   if (format == "obj") return read_obj(bytes);
   if (format == "ply") return read_ply(bytes);
   if (format == "stl") return read_stl(bytes);
-  return Error{ErrorCode::Unsupported, "",
-               "mesh format '" + std::string(format.substr(0, 20)) + "', accepted: obj, ply, stl"};
+  if (format == "vtk") {
+    Expected<VtkPolyData> data = read_vtk(bytes);
+    if (!data) return data.errors();
+    if (data->faces.rows() == 0)
+      return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};
+    return TriangleMesh{std::move(data->points_mm), std::move(data->faces)};
+  }
+  return Error{
+      ErrorCode::Unsupported, "",
+      "mesh format '" + std::string(format.substr(0, 20)) + "', accepted: obj, ply, stl, vtk"};
 }
 
 }  // namespace coapt

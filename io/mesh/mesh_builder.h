@@ -34,6 +34,9 @@ class MeshBuilder {
   /// The mesh, without triangles that name a vertex twice, or all problems.
   Expected<TriangleMesh> take() &&;
 
+  /// The vertices of a file without faces, or all problems.
+  Expected<Points> take_points() &&;
+
  private:
   struct Triangle {
     std::array<long long, 3> corners;

@@ -1,5 +1,5 @@
 // Triangle meshes in the formats that segmentation tools write: OBJ, PLY (ASCII and binary), STL
-// (ASCII and binary).
+// (ASCII and binary), legacy VTK (ASCII).
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct TriangleMesh {
   Faces faces;         ///< m x 3
 };
 
-/// @param format "obj", "ply" or "stl". Polygons are split into fans; STL vertices are welded.
+/// @param format "obj", "ply", "stl" or "vtk". Polygons are split into fans; STL vertices are welded.
 Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format);
 
 }  // namespace coapt

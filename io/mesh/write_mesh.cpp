@@ -1,14 +1,11 @@
 #include "io/mesh/write_mesh.h"
 
-#include <algorithm>
-#include <bit>
 #include <cassert>
-#include <charconv>
-#include <cstdint>
-#include <cstring>
-#include <optional>
 
+#include "io/mesh/little_endian.h"
 #include "io/mesh/mesh_builder.h"
+#include "io/mesh/mesh_text.h"
+#include "io/mesh/vtk.h"
 
 namespace coapt {
 namespace {
@@ -41,38 +38,6 @@ Errors check(const TriangleMesh& mesh) {
   return problems.empty() ? Errors{} : std::move(problems).take();
 }
 
-/// @param digits as of %.*g; none: as few as read back to the same bits
-void append_number(std::string& text, double number, std::optional<int> digits) {
-  char characters[32];
-  char* const end = characters + sizeof characters;
-  const auto written =
-      digits ? std::to_chars(characters, end, number, std::chars_format::general, *digits)
-             : std::to_chars(characters, end, number);
-  text.append(characters, written.ptr);
-}
-
-void append_points(std::string& text, const Points& points, const char* before,
-                   std::optional<int> digits) {
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    text += before;
-    for (int axis = 0; axis < 3; ++axis) {
-      append_number(text, points(i, axis), digits);
-      text += axis < 2 ? ' ' : '\n';
-    }
-  }
-}
-
-/// @param first the number of the first vertex
-void append_faces(std::string& text, const Faces& faces, const char* before, int first) {
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    text += before;
-    for (int corner = 0; corner < 3; ++corner) {
-      text += std::to_string(faces(f, corner) + first);
-      text += corner < 2 ? ' ' : '\n';
-    }
-  }
-}
-
 std::string ply(const TriangleMesh& mesh) {
   std::string text = "ply\nformat ascii 1.0\ncomment coapt, millimetres\nelement vertex " +
                      std::to_string(mesh.vertices_mm.rows()) +
@@ -92,25 +57,7 @@ std::string obj(const TriangleMesh& mesh) {
 }
 
 std::string vtk(const TriangleMesh& mesh) {
-  constexpr int kDigits = 9;
-  const std::string faces = std::to_string(mesh.faces.rows());
-  std::string text =
-      "# vtk DataFile Version 4.2\n"
-      "coapt, millimetres, axes of the valve; SPACE=LPS\n"
-      "ASCII\nDATASET POLYDATA\nPOINTS " +
-      std::to_string(mesh.vertices_mm.rows()) + " double\n";
-  append_points(text, mesh.vertices_mm, "", kDigits);
-  text += "POLYGONS " + faces + ' ' + std::to_string(4 * mesh.faces.rows()) + '\n';
-  append_faces(text, mesh.faces, "3 ", 0);
-  return text;
-}
-
-template <class T>
-void append_little_endian(std::string& bytes, T value) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  if constexpr (std::endian::native == std::endian::big) std::reverse(raw, raw + sizeof(T));
-  bytes.append(raw, sizeof(T));
+  return write_vtk({kVtkTitle, mesh.vertices_mm, {}, mesh.faces, {}, {}, {}});
 }
 
 void append_vector(std::string& bytes, const Vec3& vector) {

@@ -14,9 +14,7 @@ namespace coapt {
 /// "obj": likewise.
 /// "stl": binary, single precision (7 digits), which is what tools expect; faces of no area have the
 ///   normal 0. STL has no vertices: those that no face has are lost, equal ones become one.
-/// "vtk": legacy VTK 4.2, ASCII POLYDATA, nine digits. The header says SPACE=LPS, by which SlicerHeart
-///   and FEBio Studio take the numbers as they are; the axes stay the valve's own (core/valve/valve.h),
-///   which are not the patient's.
+/// "vtk": legacy VTK, the triangles alone (vtk.h).
 /// All in millimetres. Unsupported: another format. OutOfRange: a coordinate that read_mesh() would
 /// refuse. BadReference: a corner that is no vertex.
 Expected<std::string> write_mesh(const TriangleMesh& mesh, std::string_view format);

@@ -1,11 +1,12 @@
 #include "server/endpoints/job_results.h"
 
 #include "core/repair/apply_plan.h"
+#include "io/exchange/formats.h"
 #include "io/json/json_reader.h"
 #include "io/json/plan_json.h"
-#include "io/mesh/write_mesh.h"
 #include "io/picture/picture.h"
 #include "server/answers.h"
+#include "server/endpoints/exports.h"
 #include "server/jobs/closure_keeping.h"
 #include "server/query.h"
 
@@ -51,13 +52,6 @@ ordered_json ranked(const Ended& ended, const Request& request) {
   return nullptr;
 }
 
-/// Null if it is no format of write_mesh(). RFC 9695 has no type for PLY and VTK.
-const char* mesh_media_type(const std::string& format) {
-  if (format == "obj") return "model/obj";
-  if (format == "stl") return "model/stl";
-  return format == "ply" || format == "vtk" ? "application/octet-stream" : nullptr;
-}
-
 Answer file_answer(const JobStore& store, const std::string& id, const std::string& name) {
   const Expected<std::optional<JobFile>> file = store.file(id, name);
   if (!file) return store_problem(file.errors());
@@ -73,22 +67,23 @@ ClosedValve closed(const Valve& valve) {
 /// The valve of a job, and as the plan leaves it.
 struct Repair {
   Valve before, after;
+  RepairPlan plan;
   std::optional<Answer> refusal = {};
 };
 
 Repair repair_of(const JobStore& store, const Request& request,
                  const std::vector<RingShape>& rings) {
   const Ended ended = ended_job(store, request, true);
-  if (ended.refusal) return {{}, {}, ended.refusal};
+  if (ended.refusal) return {{}, {}, {}, ended.refusal};
   const ordered_json ranked_plan = ranked(ended, request);
-  if (ranked_plan.is_null()) return {{}, {}, not_found("plan")};
+  if (ranked_plan.is_null()) return {{}, {}, {}, not_found("plan")};
   const Expected<Valve> valve = valve_of(store, ended.job);
-  if (!valve) return {{}, {}, store_problem(valve.errors())};
+  if (!valve) return {{}, {}, {}, store_problem(valve.errors())};
   const Expected<RepairPlan> plan = plan_from_json(nlohmann::json(ranked_plan["plan"]));
-  if (!plan) return {{}, {}, problem(500, plan.errors())};
+  if (!plan) return {{}, {}, {}, problem(500, plan.errors())};
   const Expected<Valve> repaired = apply_plan(*valve, *plan, rings);
-  if (!repaired) return {{}, {}, problem(500, repaired.errors())};
-  return {*valve, *repaired};
+  if (!repaired) return {{}, {}, {}, problem(500, repaired.errors())};
+  return {*valve, *repaired, *plan};
 }
 
 }  // namespace
@@ -129,20 +124,16 @@ Answer GetPlanMesh::operator()(const Request& request) const {
   ProblemList problems;
   check_query(request, {"format"}, problems);
   const auto asked = request.query.find("format");
-  const std::string format = asked == request.query.end() ? "ply" : asked->second;
-  const char* const type = mesh_media_type(format);
-  if (type == nullptr)
-    problems.add(ErrorCode::Unsupported, "?format", "must be ply, obj, stl or vtk");
+  const FileFormat* const format =
+      format_named(asked == request.query.end() ? "ply" : asked->second);
+  if (format == nullptr)
+    problems.add(ErrorCode::Unsupported, "?format", "must be one of " + format_names());
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Repair repair = repair_of(store, request, rings);
   if (repair.refusal) return *repair.refusal;
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  const ClosureResult closure = close_valve(repair.after);
-  const Expected<std::string> mesh =
-      write_mesh(leaflet_mesh(repair.after, closure.closed_mm), format);
-  if (!mesh) return problem(500, mesh.errors());
-  return {200, Content{type, *mesh}};
+  return valve_file_answer(close_for_export(repair.after, repair.plan), *format);
 }
 
 Answer GetPlanPicture::operator()(const Request& request) const {

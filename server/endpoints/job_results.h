@@ -26,7 +26,7 @@ struct GetPlan {
   Answer operator()(const Request& request) const;
 };
 
-/// GET /v1/jobs/{id}/plans/{rank}/mesh?format=: the leaflets as the plan leaves them, closed.
+/// GET /v1/jobs/{id}/plans/{rank}/mesh?format=: the valve as the plan leaves it, closed, as a file (io/exchange).
 struct GetPlanMesh {
   const JobStore& store;
   Compute& compute;

@@ -9,6 +9,8 @@ from openapi_runs import OpenApiTest
 from programs import SOURCE
 from server_runs import search_of
 
+FILE_STARTS = {"glb": b"glTF", "vtk": b"# vtk", "ply": b"ply", "obj": b"#", "stl": b"coapt", "mrk.json": b"{",
+               "csv": b"Metric,", "feb": b"<?xml"}
 LONG_SEARCH = {"valve": "human-functional-mr", "search": search_of(seed=3, evaluations=100000)}
 
 
@@ -45,8 +47,10 @@ class OpenApi(OpenApiTest):
             if operation.method == "GET":
                 with self.subTest(operation.id):
                     self.assertEqual(self.send(operation.id).status, 200)
-        for format, start in [("ply", b"ply"), ("obj", b"#"), ("stl", b""), ("vtk", b"# vtk")]:
-            self.assertTrue(self.send("getJobPlanMesh", query=f"?format={format}").body.startswith(start))
+        for format, start in FILE_STARTS.items():
+            self.assertTrue(self.send("getJobPlanMesh", query=f"?format={format}").body.startswith(start), format)
+            reply = self.send("exportValve", {"valve": "human-normal", "format": format})
+            self.assertTrue(reply.status == 200 and reply.body.startswith(start), format)
         self.assertEqual(self.send("listJobs", query="?page_size=1&state=SUCCEEDED").status, 200)
         self.assertEqual(self.send("getJobResult").json()["schema"], "coapt.plans/1")
 

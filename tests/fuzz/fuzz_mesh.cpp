@@ -1,29 +1,33 @@
-// Mesh and chordae files: the first byte chooses the reader.
+// Mesh, chordae and markups files: the first byte chooses the reader.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
+#include "io/exchange/markups.h"
 #include "io/mesh/import_valve.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace coapt;
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(bytes) + 1, size - 1);
-  constexpr std::string_view kMeshes[] = {"obj", "ply", "stl"};
-  switch (bytes[0] % 6) {
-    case 3:
+  constexpr std::string_view kMeshes[] = {"obj", "ply", "stl", "vtk"};
+  switch (bytes[0] % 8) {
+    case 4:
       (void)read_chordae(text, "csv");
       return 0;
-    case 4:
+    case 5:
       (void)read_chordae(text, "json");
       return 0;
-    case 5:
+    case 6:
       (void)read_points_csv(text);
+      return 0;
+    case 7:
+      (void)read_markups(text);
       return 0;
     default:
       break;
   }
-  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 6]);
+  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 8]);
   if (!mesh) return 0;
   const bool indices =
       mesh->faces.minCoeff() >= 0 && mesh->faces.maxCoeff() < mesh->vertices_mm.rows();

@@ -32,6 +32,12 @@ TEST(ImportErrors, AnAnnulusOfOnePointIsNotCalledMetres) {
   EXPECT_EQ(error.message.find("metres"), std::string::npos) << error.message;
 }
 
+TEST(ImportErrors, AnAnnulusUnderPressureHasAsManyPoints) {
+  ImportSource source = cone_source();
+  source.pressed_annulus_mm = source.annulus_mm.topRows(7);
+  EXPECT_EQ(problem(source).path, "/pressed_annulus_mm");
+}
+
 TEST(ImportErrors, SheetsInTheWrongOrderAreRefused) {
   ImportSource source = cone_source_with_gaps();
   std::swap(source.leaflets[0], source.leaflets[1]);

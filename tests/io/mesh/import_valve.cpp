@@ -103,6 +103,27 @@ TEST(ImportValve, FibresLieAlongTheAnnulus) {
   }
 }
 
+TEST(ImportValve, AnAnnulusUnderPressureAndATreeOfChordaeAreKept) {
+  ImportSource source = cone_source();
+  source.pressed_annulus_mm = 1.1 * source.annulus_mm;
+  source.chordae[0].pressed_tip_mm = Vec3(-10.0, 0.0, -28.0);
+  source.chordae[1].segments = {{-1, {11.0, 0.0, -20.0}, false, 6.0, 1.5},
+                                {0, on_cone(0.0, 1.0), true, {}, 0.8},
+                                {0, on_cone(10.0, 1.0), true, {}, 0.8}};
+  ImportOptions options;
+  options.slack = 1.2;
+  const Valve valve = imported(source, options);
+  EXPECT_LT((valve.annulus_mm - 1.1 * valve.rest_mm.topRows(60)).norm(), 1e-9);
+  EXPECT_EQ(valve.heads[0].tip_mm - valve.heads[0].rest_mm, Vec3(0.0, 0.0, -3.0));
+  const std::vector<ChordaSegment>& segments = valve.chordae[1].segments;
+  ASSERT_EQ(segments.size(), 3U);
+  EXPECT_DOUBLE_EQ(segments[0].rest_length_mm, 6.0);  // nothing moved, so as it was given
+  EXPECT_DOUBLE_EQ(segments[0].diameter_mm, 1.5);
+  // From (11, 0, -20) to (12, 0, -15), with slack.
+  EXPECT_NEAR(segments[1].rest_length_mm, 1.2 * std::sqrt(26.0), 0.05);
+  EXPECT_EQ(valve.chordae[1].kind, ChordaKind::Marginal);
+}
+
 TEST(ImportValve, AStraightChordaIsAsLongAsItsDistanceTimesSlack) {
   ImportOptions options;
   options.branches = 1;

@@ -65,7 +65,8 @@ TEST(WriteMesh, StlIsBinaryWithUnitNormalsThatAgreeWithTheWinding) {
 TEST(WriteMesh, VtkIsThisText) {
   EXPECT_EQ(written(square(), "vtk"),
             "# vtk DataFile Version 4.2\n"
-            "coapt, millimetres, axes of the valve; SPACE=LPS\n"
+            "coapt: research software, not a medical device; millimetres, axes of the valve; "
+            "SPACE=LPS\n"
             "ASCII\n"
             "DATASET POLYDATA\n"
             "POINTS 4 double\n"

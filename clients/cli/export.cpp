@@ -1,0 +1,123 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "core/repair/apply_plan.h"
+#include "io/exchange/formats.h"
+#include "io/json/plan_json.h"
+
+namespace coapt {
+namespace {
+
+struct Arguments {
+  std::string valve, plan;
+  std::vector<std::string> outputs;
+  ExportOptions options;
+};
+
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return path.ends_with('/') || std::filesystem::is_directory(path, ignored);
+}
+
+/// A usage error unless the path says what to write.
+std::string refuse_unknown_format(const std::string& path) {
+  if (is_folder(path) || format_of_path(path) != nullptr) return "";
+  return "'" + path + "' must end in one of " + format_names() + ", or be a folder";
+}
+
+int write_folder(const std::string& path, const ExportedValve& exported,
+                 const ExportOptions& options) {
+  const Expected<std::vector<NamedFile>> files = write_slicerheart(exported, options);
+  if (!files) return report_errors("export", files.errors());
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  for (const NamedFile& file : *files)
+    if (const int code = write_output(std::filesystem::path(path) / file.name, file.bytes))
+      return code;
+  return exit_code::kOk;
+}
+
+int write_file(const std::string& path, const ExportedValve& exported,
+               const ExportOptions& options) {
+  const Expected<std::string> bytes = write_valve_file(exported, *format_of_path(path), options);
+  if (!bytes) return report_errors(path, bytes.errors());
+  return write_output(path, *bytes);
+}
+
+/// Says it if chordae had to be moved for files whose chordae end at vertices.
+void note_attachment(const Arguments& arguments, const ExportedValve& exported) {
+  const double shift = attachment_shift_mm(exported.valve, unstressed_shape(exported.valve));
+  bool concerned = false;
+  for (const std::string& path : arguments.outputs) {
+    const FileFormat* format = format_of_path(path);
+    const std::string name = format == nullptr ? "" : format->name;
+    concerned = concerned || is_folder(path) || name == "vtk" || name == "feb";
+  }
+  if (!concerned || shift < 0.001) return;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", shift);
+  std::cerr << "coapt: chordae end at the nearest vertices of the mesh in .vtk and .feb, at most "
+            << text << " mm from their insertions\n";
+}
+
+int run(const Arguments& arguments) {
+  const Expected<Valve> valve = read_valve_argument(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  Expected<RepairPlan> plan = RepairPlan{};
+  if (!arguments.plan.empty()) plan = read_plan_argument(arguments.plan);
+  if (!plan) return report_errors(arguments.plan, plan.errors());
+  const Expected<Valve> repaired = apply_plan(*valve, *plan, ring_catalogue());
+  if (!repaired) return report_errors(arguments.plan, repaired.errors());
+  for (const std::string& path : arguments.outputs)
+    if (const int failed = is_folder(path) ? exit_code::kOk : check_output(path)) return failed;
+
+  const ExportedValve exported = close_for_export(*repaired, *plan);
+  for (const std::string& path : arguments.outputs) {
+    const auto write = is_folder(path) ? write_folder : write_file;
+    if (const int failed = write(path, exported, arguments.options)) return failed;
+  }
+  note_attachment(arguments, exported);
+  return exit_code_of(exported.closure);
+}
+
+}  // namespace
+
+void add_export(CLI::App& parent, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      parent.add_subcommand("export", "Close a valve and write files that other programs open");
+  command->add_option("valve", arguments->valve, kValveHelp)->required();
+  command->add_option("--plan", arguments->plan, "Repair plan (coapt.plan/1) to apply first");
+  command
+      ->add_option("-o,--output", arguments->outputs,
+                   "File to write, its end says the format; a folder (DIR/) for what SlicerHeart's "
+                   "ValveFemExport writes; may be given several times")
+      ->required()
+      ->check(CLI::Validator(refuse_unknown_format, "FILE"));
+  command->add_flag("--open", arguments->options.open, "The unstressed shape, not the closed one");
+  std::string formats = "Formats:\n";
+  for (const FileFormat& format : file_formats())
+    formats += "  ." + std::string(format.name) +
+               std::string(10 - std::string_view(format.name).size(), ' ') + format.what + '\n';
+  command->footer(
+      formats +
+      "All but .glb (metres) in millimetres and in the valve's axes, which are not the patient's.\n"
+      "Exit code 3 if the closure did not converge or leaflets cross; the files are written all "
+      "the "
+      "same.\n\n"
+      "Examples:\n"
+      "  coapt export human-normal -o valve.glb\n"
+      "  coapt export valve.json --plan plan.json -o repaired.vtk -o repaired.mrk.json\n"
+      "  coapt export valve.json -o valve.feb\n"
+      "  coapt export valve.json --open -o FEM-model/     # coapt valve import --slicerheart reads "
+      "it");
+  command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace coapt

@@ -1,0 +1,49 @@
+// What files are written of: a valve with its closure, and what it looks like in some state.
+#pragma once
+
+#include <vector>
+
+#include "core/closure/closure.h"
+#include "core/metrics/measure.h"
+#include "core/repair/plan.h"
+
+namespace coapt {
+
+struct ExportedValve {
+  Valve valve;  ///< as it was closed: repaired, if it was
+  ClosureResult closure;
+  ValveMeasure measure;
+  RepairPlan plan = {};  ///< by which it was repaired; no steps: it was not
+};
+
+/// Closes it with its motion kept and measures it. @param plan by which it was repaired
+ExportedValve close_for_export(const Valve& repaired, const RepairPlan& plan);
+
+/// The valve in one state, in its own frame.
+struct ValveShape {
+  Points vertices_mm;                  ///< |V| x 3
+  Points heads_mm;                     ///< |heads| x 3
+  std::vector<Points> chorda_ends_mm;  ///< [chorda]: one row per segment: its far end
+};
+
+ValveShape closed_shape(const ExportedValve& exported);
+ValveShape unstressed_shape(const Valve& valve);
+
+/// From the state where the closure began to the closed one; empty if the motion was not kept.
+std::vector<ValveShape> motion_shapes(const ExportedValve& exported);
+
+/// Where a segment begins: at its papillary head or at the end of its parent.
+Vec3 segment_start(const ValveShape& shape, const Chorda& chorda, std::size_t index_of_chorda,
+                   std::size_t segment);
+
+/// The mesh vertex that stands for an insertion where only vertices can hold a chorda: the heaviest of
+/// its weights, which does not depend on the state.
+int attached_vertex(const Valve& valve, const Insertion& insertion);
+
+/// The shape with every insertion at its attached_vertex().
+ValveShape attached_shape(const Valve& valve, ValveShape shape);
+
+/// How far that moves the end of a chorda at most, mm.
+double attachment_shift_mm(const Valve& valve, const ValveShape& shape);
+
+}  // namespace coapt

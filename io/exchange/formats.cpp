@@ -1,0 +1,148 @@
+#include "io/exchange/formats.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "io/exchange/feb.h"
+#include "io/exchange/measurements_csv.h"
+#include "io/exchange/valve_glb.h"
+#include "io/exchange/valve_markups.h"
+#include "io/exchange/valve_vtk.h"
+#include "io/mesh/write_mesh.h"
+
+namespace coapt {
+namespace {
+
+using Writer = Expected<std::string> (*)(const ExportedValve&, const ValveShape&,
+                                         const ExportOptions&);
+
+struct Format {
+  FileFormat file;
+  Writer write;
+};
+
+template <const char* Name>
+Expected<std::string> mesh(const ExportedValve& exported, const ValveShape& shape,
+                           const ExportOptions&) {
+  return write_mesh(leaflet_mesh(exported.valve, shape.vertices_mm), Name);
+}
+
+Expected<std::string> vtk(const ExportedValve& exported, const ValveShape& shape,
+                          const ExportOptions&) {
+  return write_vtk(valve_vtk(exported, shape));
+}
+
+Expected<std::string> glb(const ExportedValve& exported, const ValveShape&,
+                          const ExportOptions& options) {
+  return options.open ? write_open_glb(exported) : write_glb(exported);
+}
+
+Expected<std::string> markups(const ExportedValve& exported, const ValveShape& shape,
+                              const ExportOptions&) {
+  return write_markups(valve_markups(exported, shape));
+}
+
+Expected<std::string> measurements(const ExportedValve& exported, const ValveShape&,
+                                   const ExportOptions& options) {
+  if (options.open)
+    return Error{ErrorCode::Unsupported, "",
+                 "measurements are of the closed valve, not the open one"};
+  return write_measurements_csv(exported);
+}
+
+Expected<std::string> feb(const ExportedValve& exported, const ValveShape&, const ExportOptions&) {
+  return write_feb(exported.valve);
+}
+
+constexpr const char* kBytes = "application/octet-stream";
+constexpr char kPly[] = "ply", kObj[] = "obj", kStl[] = "stl";
+
+constexpr std::array<Format, 8> kFormats = {
+    {{{"glb", "model/gltf-binary", "leaflets and chordae, the closing animated (metres)"}, glb},
+     {{"vtk", kBytes, "leaflets and chordae with data (legacy VTK)"}, vtk},
+     {{kPly, kBytes, "the leaflets"}, mesh<kPly>},
+     {{kObj, "model/obj", "the leaflets"}, mesh<kObj>},
+     {{kStl, "model/stl", "the leaflets"}, mesh<kStl>},
+     {{"mrk.json", "application/json", "annulus, tips, landmarks, repair as Slicer's markups"},
+      markups},
+     {{"csv", "text/csv", "measurements under SlicerHeart's names"}, measurements},
+     {{"feb", "application/xml", "a model of the open valve for FEBio 4"}, feb}}};
+
+Errors check_finite(const ExportedValve& exported, const ExportOptions& options) {
+  if (options.open || exported.closure.closed_mm.allFinite()) return {};
+  return {
+      {ErrorCode::BadGeometry, "", "the closure flew apart: there is no closed shape to write"}};
+}
+
+ValveShape shape_of(const ExportedValve& exported, const ExportOptions& options) {
+  return options.open ? unstressed_shape(exported.valve) : closed_shape(exported);
+}
+
+}  // namespace
+
+std::span<const FileFormat> file_formats() {
+  static constexpr auto kFiles = [] {
+    std::array<FileFormat, kFormats.size()> files{};
+    for (std::size_t i = 0; i < files.size(); ++i) files[i] = kFormats[i].file;
+    return files;
+  }();
+  return kFiles;
+}
+
+const FileFormat* format_named(std::string_view name) {
+  const auto formats = file_formats();
+  const auto found = std::find_if(formats.begin(), formats.end(),
+                                  [&](const FileFormat& format) { return name == format.name; });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+const FileFormat* format_of_path(std::string_view path) {
+  std::string lower(path);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto formats = file_formats();
+  const auto found = std::find_if(formats.begin(), formats.end(), [&](const FileFormat& format) {
+    return lower.ends_with('.' + std::string(format.name));
+  });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+std::string format_names() {
+  std::string names;
+  for (const FileFormat& format : file_formats())
+    names += (names.empty() ? "" : ", ") + std::string(format.name);
+  return names;
+}
+
+Expected<std::string> write_valve_file(const ExportedValve& exported, const FileFormat& format,
+                                       const ExportOptions& options) {
+  if (Errors errors = check_finite(exported, options); !errors.empty()) return errors;
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) {
+    return std::string_view(f.file.name) == format.name;
+  });
+  return found->write(exported, shape_of(exported, options), options);
+}
+
+Expected<std::vector<NamedFile>> write_slicerheart(const ExportedValve& exported,
+                                                   const ExportOptions& options) {
+  if (Errors errors = check_finite(exported, options); !errors.empty()) return errors;
+  const Valve& valve = exported.valve;
+  const ValveShape shape = shape_of(exported, options);
+  std::vector<NamedFile> files = {
+      {"leaflets.vtk", write_vtk(leaflets_vtk(exported, shape))},
+      {"anterior_leaflet.vtk", write_vtk(leaflet_vtk(exported, shape, Leaflet::Anterior))},
+      {"posterior_leaflet.vtk", write_vtk(leaflet_vtk(exported, shape, Leaflet::Posterior))},
+      {"Chords_mesh.vtk", write_vtk(chordae_vtk(exported, shape))},
+      {"annulus.mrk.json", write_markups({annulus_markup(valve, shape)})},
+      {"papillary_muscle_tips.mrk.json", write_markups({papillary_markup(valve, shape)})},
+      {"landmarks.mrk.json", write_markups({landmark_markup(valve, shape)})}};
+  if (const auto repair = repair_markups(exported, shape); !repair.empty())
+    files.push_back({"repair.mrk.json", write_markups(repair)});
+  if (const auto pressed = pressed_markups(valve); options.open && !pressed.empty())
+    files.push_back({"under_pressure.mrk.json", write_markups(pressed)});
+  if (!options.open) files.push_back({"measurements.csv", write_measurements_csv(exported)});
+  return files;
+}
+
+}  // namespace coapt

@@ -1,0 +1,45 @@
+// The files that a closed valve can be written to.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/exchange/exported_valve.h"
+
+namespace coapt {
+
+struct FileFormat {
+  const char* name;        ///< also the extension: "glb", "mrk.json"
+  const char* media_type;  ///< as registered, else application/octet-stream
+  const char* what;        ///< in words
+};
+
+std::span<const FileFormat> file_formats();
+
+/// By its name ("glb"), or by the end of a path ("a/valve.GLB", "x.mrk.json"); null if there is none.
+const FileFormat* format_named(std::string_view name);
+const FileFormat* format_of_path(std::string_view path);
+/// "glb, vtk, ...", for messages.
+std::string format_names();
+
+struct ExportOptions {
+  bool open = false;  ///< the unstressed shape instead of the closed one; .feb is always unstressed
+};
+
+/// Errors: a closure that flew apart has no closed shape.
+Expected<std::string> write_valve_file(const ExportedValve& exported, const FileFormat& format,
+                                       const ExportOptions& options = {});
+
+struct NamedFile {
+  std::string name;
+  std::string bytes;
+};
+
+/// What SlicerHeart's ValveFemExport leaves in a folder, and its markups and measurements: both leaflets together and
+/// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Measurements only of the closed shape; of the open one where annulus and tips go.
+Expected<std::vector<NamedFile>> write_slicerheart(const ExportedValve& exported,
+                                                   const ExportOptions& options = {});
+
+}  // namespace coapt

@@ -1,0 +1,139 @@
+#include "io/exchange/markups.h"
+
+#include "io/json/json_reader.h"
+#include "io/json/result_json.h"
+#include "io/mesh/mesh_builder.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr const char* kSchema =
+    "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
+    "Schema/markups-schema-v1.0.3.json#";
+constexpr std::string_view kVersions =
+    "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
+    "Schema/markups-schema-v1.";
+constexpr MarkupType kTypes[] = {MarkupType::Fiducial, MarkupType::Line, MarkupType::ClosedCurve};
+
+ordered_json control_points(const Markup& markup) {
+  ordered_json points = ordered_json::array();
+  for (Eigen::Index i = 0; i < markup.points_mm.rows(); ++i) {
+    const auto& p = markup.points_mm.row(i);
+    points.push_back({{"id", std::to_string(i + 1)},
+                      {"label", markup.labels[static_cast<std::size_t>(i)]},
+                      {"position", {p[0], p[1], p[2]}},
+                      {"selected", true},
+                      {"locked", true},
+                      {"visibility", true},
+                      {"positionStatus", "defined"}});
+  }
+  return points;
+}
+
+/// The member if it is there and a string.
+std::string text_of(const json& object, const char* name, const char* otherwise) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
+}
+
+/// The points that are defined and their labels.
+void read_control_points(const JsonPlace& place, double sign, Markup& markup) {
+  std::vector<Vec3> points;
+  read_array(place, [&](const JsonPlace& entry) {
+    if (!entry.value.is_object())
+      return add_problem(entry, ErrorCode::WrongType, "must be an object");
+    if (text_of(entry.value, "positionStatus", "defined") != "defined") return;
+    const auto position = read_member(entry, "position");
+    if (!position) return;
+    Vec3 point = read_vector(*position);
+    for (const double coordinate : point)
+      if (coordinate < kMeshCoordinateMm.min || coordinate > kMeshCoordinateMm.max)
+        add_problem(*position, ErrorCode::OutOfRange,
+                    "is " + shown(coordinate) + ", must be from -1e5 to 1e5 mm");
+    points.emplace_back(sign * point.x(), sign * point.y(), point.z());
+    markup.labels.push_back(text_of(entry.value, "label", ""));
+  });
+  markup.points_mm.resize(std::ssize(points), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    markup.points_mm.row(static_cast<Eigen::Index>(i)) = points[i];
+}
+
+}  // namespace
+
+std::string write_markups(const std::vector<Markup>& markups) {
+  ordered_json list = ordered_json::array();
+  for (const Markup& markup : markups)
+    list.push_back(
+        {{"type", to_string(markup.type)},
+         {"name", markup.name},
+         {"coordinateSystem", "LPS"},
+         {"coordinateUnits", "mm"},
+         {"locked", true},
+         {"fixedNumberOfControlPoints", true},
+         {"labelFormat", "%N-%d"},
+         {"controlPoints", control_points(markup)},
+         {"display",
+          {{"visibility", true}, {"pointLabelsVisibility", markup.type == MarkupType::Fiducial}}}});
+  const ordered_json document = {{"@schema", kSchema},
+                                 {"coapt",
+                                  {{"notice", kResearchNotice},
+                                   {"axes",
+                                    "of the valve, not the patient's: origin annulus "
+                                    "centroid, x to the posteromedial commissure, y "
+                                    "anterior, z to the atrium"}}},
+                                 {"markups", std::move(list)}};
+  return document.dump(1) + '\n';
+}
+
+Expected<std::vector<Markup>> read_markups(std::string_view text) {
+  const Expected<json> document = parse_json(text);
+  if (!document) return document.errors();
+  ProblemList problems;
+  const JsonPlace root{*document, problems};
+  std::vector<Markup> markups;
+  if (const auto schema = read_member(root, "@schema");
+      schema && !read_string(*schema).starts_with(kVersions))
+    add_problem(*schema, ErrorCode::Unsupported,
+                "must be that of Slicer's markups, version 1 ('" + std::string(kSchema) + "')");
+  if (const auto list = read_member(root, "markups")) {
+    read_array(*list, [&](const JsonPlace& place) {
+      if (!place.value.is_object())
+        return add_problem(place, ErrorCode::WrongType, "must be an object");
+      const std::string type = text_of(place.value, "type", "");
+      for (const MarkupType known : kTypes) {
+        if (type != to_string(known)) continue;
+        const std::string system = text_of(place.value, "coordinateSystem", "LPS");
+        const bool is_ras = system == "RAS" || system == "0";
+        if (!is_ras && system != "LPS" && system != "1")
+          add_problem(place, ErrorCode::Unsupported,
+                      "has coordinateSystem '" + system.substr(0, 20) + "', must be LPS or RAS");
+        if (text_of(place.value, "coordinateUnits", "mm") != "mm")
+          add_problem(place, ErrorCode::Unsupported, "has other coordinateUnits than mm");
+        Markup& markup = markups.emplace_back();
+        markup.type = known;
+        markup.name = text_of(place.value, "name", "");
+        if (const auto points = read_member(place, "controlPoints"))
+          read_control_points(*points, is_ras ? -1.0 : 1.0, markup);
+      }
+    });
+  }
+  if (!problems.empty()) return std::move(problems).take();
+  return markups;
+}
+
+const char* to_string(MarkupType type) {
+  switch (type) {
+    case MarkupType::Fiducial:
+      return "Fiducial";
+    case MarkupType::Line:
+      return "Line";
+    case MarkupType::ClosedCurve:
+      return "ClosedCurve";
+  }
+  return "";
+}
+
+}  // namespace coapt

@@ -1,0 +1,30 @@
+// 3D Slicer's markups (.mrk.json, schema 1.0.3): named points, lines and closed curves.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/valve/types.h"
+
+namespace coapt {
+
+enum class MarkupType { Fiducial, Line, ClosedCurve };
+
+struct Markup {
+  MarkupType type = MarkupType::Fiducial;
+  std::string name;
+  std::vector<std::string> labels;  ///< one for each point
+  Points points_mm;                 ///< n x 3, LPS
+};
+
+/// In coordinate system LPS, all points "defined". The axes stay the valve's own, as kVtkTitle says.
+std::string write_markups(const std::vector<Markup>& markups);
+
+/// Markups of these types with the points that are defined, in LPS; others are passed over. Errors are JSON
+/// pointers: no markups, unknown coordinate system, units other than millimetres, numbers beyond 1e5.
+Expected<std::vector<Markup>> read_markups(std::string_view text);
+
+const char* to_string(MarkupType type);
+
+}  // namespace coapt

@@ -1,0 +1,197 @@
+#include "io/exchange/slicerheart.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "core/valve/problem_list.h"
+#include "io/exchange/chorda_trees.h"
+#include "io/exchange/markups.h"
+#include "io/mesh/csv_table.h"
+#include "io/mesh/vtk.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kChordRowFields = 7;  // at least: index, two points
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool has(const std::string& text, const char* part) {
+  return lower(text).find(part) != std::string::npos;
+}
+
+void add_below(ProblemList& problems, const std::string& file, const Errors& errors) {
+  for (const Error& error : errors) problems.add(error.code, file + error.path, error.message);
+}
+
+/// All that the files hold, in LPS.
+struct Found {
+  std::map<std::string, TriangleMesh> surfaces;  ///< by file
+  std::vector<TracedLine> lines;
+  std::vector<Markup> markups;
+};
+
+void take_vtk(const NamedFile& file, Found& found, ProblemList& problems) {
+  Expected<VtkPolyData> data = read_vtk(file.bytes);
+  if (!data) return add_below(problems, file.name, data.errors());
+  if (data->title.find("SPACE=RAS") != std::string::npos) data->points_mm.leftCols(2) *= -1.0;
+  const auto scalars = [&](const char* name) -> const VtkScalars* {
+    for (const VtkScalars& s : data->line_data)
+      if (s.name == name) return &s;
+    return nullptr;
+  };
+  const VtkScalars *rest = scalars("rest_length_mm"), *diameter = scalars("diameter_mm"),
+                   *kind = scalars("kind");
+  for (std::size_t i = 0; i < data->lines.size(); ++i) {
+    TracedLine& line = found.lines.emplace_back();
+    line.file = file.name;
+    line.place = "/lines/" + std::to_string(i);
+    line.start_mm = data->points_mm.row(data->lines[i][0]);
+    line.end_mm = data->points_mm.row(data->lines[i][1]);
+    if (rest != nullptr) line.rest_length_mm = rest->values[i];
+    if (diameter != nullptr) line.diameter_mm = diameter->values[i];
+    if (kind != nullptr && kind->values[i] == static_cast<double>(ChordaKind::Strut))
+      line.kind = ChordaKind::Strut;
+    if (kind != nullptr && kind->values[i] == static_cast<double>(ChordaKind::Basal))
+      line.kind = ChordaKind::Basal;
+  }
+  if (data->faces.rows() > 0 && data->lines.empty() && !has(file.name, "annulus"))
+    found.surfaces[file.name] = {std::move(data->points_mm), std::move(data->faces)};
+}
+
+/// A table of chords if its first row is one; else another table, which is none of ours.
+void take_csv(const NamedFile& file, Found& found, ProblemList& problems) {
+  const Expected<CsvTable> table = read_csv(file.bytes, {});
+  if (!table) return add_below(problems, file.name, table.errors());
+  if (table->rows.empty() || table->rows[0].fields.size() < kChordRowFields ||
+      !to_integer(table->rows[0].fields[0]))
+    return;
+  for (std::size_t i = 0; i < table->rows.size(); ++i) {
+    const CsvRow& row = table->rows[i];
+    TracedLine line;
+    line.file = file.name;
+    line.place = "/chordae/" + std::to_string(i);
+    bool good = row.fields.size() >= kChordRowFields;
+    for (std::size_t k = 0; good && k < 6; ++k) {
+      const auto number = to_number(row.fields[k + 1]);
+      good = number && std::abs(*number) <= 1e5;
+      if (good) (k < 3 ? line.start_mm : line.end_mm)[static_cast<Eigen::Index>(k % 3)] = *number;
+    }
+    if (good) {
+      found.lines.push_back(line);
+    } else {
+      problems.add(ErrorCode::WrongType, file.name + line.place,
+                   "line " + std::to_string(row.line) +
+                       ": must be index,x,y,z,x,y,z,name with numbers from -1e5 to 1e5 mm");
+    }
+  }
+}
+
+void take_markups(const NamedFile& file, Found& found, ProblemList& problems) {
+  Expected<std::vector<Markup>> markups = read_markups(file.bytes);
+  if (!markups) return add_below(problems, file.name, markups.errors());
+  for (Markup& markup : *markups) {
+    if (markup.name.empty()) markup.name = file.name;
+    found.markups.push_back(std::move(markup));
+  }
+}
+
+void choose_leaflets(const Found& found, ImportSource& source, ProblemList& problems) {
+  std::vector<std::string> anterior, posterior, others;
+  for (const auto& [name, mesh] : found.surfaces)
+    (has(name, "anterior")    ? anterior
+     : has(name, "posterior") ? posterior
+                              : others)
+        .push_back(name);
+  if (anterior.size() == 1 && posterior.size() == 1) {
+    source.leaflets = {found.surfaces.at(anterior[0]), found.surfaces.at(posterior[0])};
+  } else if (anterior.empty() && posterior.empty() && others.size() == 1) {
+    source.leaflets = {found.surfaces.at(others[0])};
+  } else {
+    problems.add(
+        ErrorCode::MissingField, "",
+        "has " + std::to_string(anterior.size()) + " surfaces named anterior, " +
+            std::to_string(posterior.size()) + " named posterior and " +
+            std::to_string(others.size()) +
+            " others (.vtk); must be one anterior and one posterior leaflet, or one skirt");
+  }
+}
+
+bool under_pressure(const Markup& markup) { return has(markup.name, "under pressure"); }
+
+void choose_annulus(const Found& found, ImportSource& source, ProblemList& problems) {
+  std::vector<const Markup*> curves;
+  for (const Markup& markup : found.markups) {
+    if (markup.type != MarkupType::ClosedCurve || has(markup.name, "ring:")) continue;
+    if (under_pressure(markup)) {
+      source.pressed_annulus_mm = markup.points_mm;
+    } else {
+      curves.push_back(&markup);
+    }
+  }
+  if (curves.size() > 1)
+    std::erase_if(curves, [](const Markup* curve) { return !has(curve->name, "annulus"); });
+  if (curves.size() == 1) {
+    source.annulus_mm = curves[0]->points_mm;
+    return;
+  }
+  problems.add(ErrorCode::MissingField, "",
+               "has " + std::to_string(curves.size()) +
+                   " closed curves for the annulus; must have one: save the annulus contour curve "
+                   "from Slicer as .mrk.json there (ValveFemExport writes no markups)");
+}
+
+std::vector<LabelledTip> tips_of(const Found& found) {
+  std::vector<LabelledTip> tips;
+  const auto each = [&](bool pressed, const auto& take) {
+    for (const Markup& markup : found.markups) {
+      if (markup.type != MarkupType::Fiducial || !has(markup.name, "papillary") ||
+          under_pressure(markup) != pressed)
+        continue;
+      for (Eigen::Index i = 0; i < markup.points_mm.rows(); ++i)
+        take(Vec3(markup.points_mm.row(i)), markup.labels[static_cast<std::size_t>(i)]);
+    }
+  };
+  each(false, [&](const Vec3& position_mm, const std::string& label) {
+    tips.push_back({position_mm, label, {}});
+  });
+  each(true, [&](const Vec3& position_mm, const std::string& label) {
+    for (LabelledTip& tip : tips)
+      if (tip.label == label) tip.pressed_mm = position_mm;
+  });
+  return tips;
+}
+
+}  // namespace
+
+Expected<ImportSource> read_slicerheart(const std::vector<NamedFile>& files) {
+  Found found;
+  ProblemList problems;
+  for (const NamedFile& file : files) {
+    const std::string name = lower(file.name);
+    if (name.ends_with(".vtk")) take_vtk(file, found, problems);
+    if (name.ends_with(".csv")) take_csv(file, found, problems);
+    if (name.ends_with(".mrk.json")) take_markups(file, found, problems);
+  }
+  if (!problems.empty()) return std::move(problems).take();
+  ImportSource source;
+  choose_leaflets(found, source, problems);
+  choose_annulus(found, source, problems);
+  if (found.lines.empty())
+    problems.add(ErrorCode::MissingField, "",
+                 "has no chordae: a .vtk of lines, or a .csv of index,x,y,z,x,y,z,name");
+  if (!problems.empty()) return std::move(problems).take();
+  source.chordae = chorda_trees(found.lines, tips_of(found), source, problems);
+  if (!problems.empty()) return std::move(problems).take();
+  source.provenance = {"SlicerHeart folder: " + std::to_string(source.leaflets.size()) +
+                       " leaflet surfaces, " + std::to_string(found.lines.size()) +
+                       " lines of chordae"};
+  return source;
+}
+
+}  // namespace coapt

@@ -1,0 +1,324 @@
+// Sections begin with a keyword and say how much follows, so the file is a stream of words; only
+// METADATA, which ends at an empty line, needs to know lines.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "io/mesh/mesh_builder.h"
+#include "io/mesh/text_scan.h"
+#include "io/mesh/vtk.h"
+
+namespace coapt {
+namespace {
+
+constexpr long long kMaxNumbers = 20'000'000;  // of a section
+constexpr std::size_t kMaxLines = 100'000;
+
+class Words {
+ public:
+  explicit Words(std::string_view text) : lines_(text) {}
+  /// The next word of the file; empty at its end.
+  std::string_view next() {
+    while (at_ == words_.size()) {
+      const auto line = lines_.next();
+      if (!line) {
+        ended_ = true;
+        return {};
+      }
+      words_ = words(line->text);
+      at_ = 0;
+    }
+    return words_[at_++];
+  }
+  /// Before the word that next() gave last.
+  void back() {
+    if (!ended_) --at_;
+  }
+  void skip_line() { at_ = words_.size(); }
+  /// The rest of the line, then lines until one is empty.
+  void skip_block() {
+    at_ = words_.size();
+    for (auto line = lines_.next(); line && !trimmed(line->text).empty();) line = lines_.next();
+  }
+  std::optional<std::string_view> whole_line() {
+    at_ = words_.size();
+    const auto line = lines_.next();
+    if (!line) return {};
+    return line->text;
+  }
+  int line() const { return lines_.number(); }
+
+ private:
+  LineScanner lines_;
+  std::vector<std::string_view> words_;
+  std::size_t at_ = 0;
+  bool ended_ = false;
+};
+
+enum class Data { None, Points, Cells };
+
+class VtkReader {
+ public:
+  explicit VtkReader(std::string_view text) : words_(text) {}
+
+  Expected<VtkPolyData> read() {
+    if (header()) {
+      for (std::string_view keyword = words_.next(); !keyword.empty() && good_;
+           keyword = words_.next())
+        section(keyword);
+    }
+    return finish();
+  }
+
+ private:
+  struct Cells {
+    std::vector<long long> corners,
+        offsets = {0};  ///< offsets: where each cell begins, and the end
+    std::size_t count() const { return offsets.size() - 1; }
+    std::vector<long long> cell(std::size_t i) const {
+      return {corners.begin() + offsets[i], corners.begin() + offsets[i + 1]};
+    }
+  };
+
+  bool fail(ErrorCode code, const std::string& path, const std::string& message) {
+    if (good_) mesh_.add_problem(code, path, words_.line(), message);
+    good_ = false;
+    return false;
+  }
+
+  bool header() {
+    const auto first = words_.whole_line();
+    if (!first || !first->starts_with("# vtk DataFile"))
+      return fail(ErrorCode::InputOutput, "",
+                  "is no legacy VTK file: '# vtk DataFile' must begin it");
+    data_.title = words_.whole_line().value_or("");
+    if (trimmed(words_.whole_line().value_or("")) != "ASCII")
+      return fail(ErrorCode::Unsupported, "", "is not ASCII; save it without compression");
+    if (words_.next() != "DATASET" || words_.next() != "POLYDATA")
+      return fail(ErrorCode::Unsupported, "", "must be DATASET POLYDATA");
+    return true;
+  }
+
+  long long count(const char* path) {
+    const auto number = to_integer(words_.next());
+    if (number && *number >= 0 && *number <= kMaxNumbers) return *number;
+    fail(ErrorCode::WrongType, path, "must be a count, 0 to 20000000");
+    return 0;
+  }
+
+  double number(const std::string& path) {
+    const std::string_view word = words_.next();
+    const auto value = to_number(word);
+    if (!value)
+      fail(word.empty() ? ErrorCode::InputOutput : ErrorCode::WrongType, path,
+           word.empty() ? "is truncated" : "must be a number");
+    return value.value_or(0.0);
+  }
+
+  void pass_over(long long numbers) {
+    for (long long i = 0; i < numbers && good_; ++i)
+      if (words_.next().empty()) fail(ErrorCode::InputOutput, "", "is truncated");
+  }
+
+  void points() {
+    const long long points = count("/vertices_mm");
+    words_.next();  // the type
+    for (long long i = 0; i < points && good_ && !mesh_.full(); ++i) {
+      const std::string path = "/vertices_mm/" + std::to_string(i);
+      Vec3 point;
+      for (double& coordinate : point) coordinate = number(path);
+      if (good_) mesh_.add_vertex(point, words_.line());
+    }
+  }
+
+  std::vector<long long> integers(long long length, const char* path) {
+    std::vector<long long> list;
+    for (long long i = 0; i < length && good_; ++i) {
+      const auto value = to_integer(words_.next());
+      if (!value) fail(ErrorCode::WrongType, path, "must be an integer");
+      list.push_back(value.value_or(0));
+    }
+    return list;
+  }
+
+  /// Up to version 4: a count before the corners of each cell; from 5 on: all offsets, all corners.
+  Cells cells(const char* path) {
+    const long long first = count(path), size = count(path);
+    Cells cells;
+    if (words_.next() == "OFFSETS") {
+      words_.next();
+      cells.offsets = integers(first, path);
+      if (words_.next() != "CONNECTIVITY")
+        fail(ErrorCode::WrongType, path, "must have CONNECTIVITY behind OFFSETS");
+      words_.next();
+      cells.corners = integers(size, path);
+      bool ascending = !cells.offsets.empty() && cells.offsets.front() == 0;
+      for (std::size_t i = 1; i < cells.offsets.size(); ++i)
+        ascending = ascending && cells.offsets[i] >= cells.offsets[i - 1];
+      if (good_ && (!ascending || cells.offsets.back() > size))
+        fail(ErrorCode::BadReference, path, "must have offsets from 0 on, ascending, to its size");
+    } else {
+      words_.back();
+      for (long long i = 0; i < first && good_; ++i) {
+        const long long corners = count(path);
+        const auto list = integers(corners, path);
+        cells.corners.insert(cells.corners.end(), list.begin(), list.end());
+        cells.offsets.push_back(std::ssize(cells.corners));
+      }
+    }
+    if (!good_) return {};
+    return cells;
+  }
+
+  void lines() {
+    const Cells cells = this->cells("/lines");
+    for (std::size_t i = 0; i < cells.count() && good_; ++i) {
+      const auto cell = cells.cell(i);
+      for (std::size_t k = 1; k < cell.size() && good_; ++k) {
+        for (const long long point : {cell[k - 1], cell[k]})
+          if (point < 0 || point >= mesh_.vertices())
+            fail(ErrorCode::BadReference, "/lines/" + std::to_string(i),
+                 "names point " + std::to_string(point) + " counted from 0, must be below " +
+                     std::to_string(mesh_.vertices()));
+        data_.lines.push_back({static_cast<int>(cell[k - 1]), static_cast<int>(cell[k])});
+        cell_of_line_.push_back(other_cells_ + i);
+        if (data_.lines.size() > kMaxLines)
+          fail(ErrorCode::OutOfRange, "/lines", "has more than the 100,000 lines accepted");
+      }
+    }
+    other_cells_ += cells.count();
+  }
+
+  void polygons() {
+    const Cells cells = this->cells("/faces");
+    for (std::size_t i = 0; i < cells.count() && !mesh_.full(); ++i)
+      mesh_.add_polygon(cells.cell(i), words_.line());
+  }
+
+  void strips() {
+    const Cells cells = this->cells("/faces");
+    for (std::size_t i = 0; i < cells.count(); ++i) {
+      const auto strip = cells.cell(i);
+      for (std::size_t k = 2; k < strip.size() && !mesh_.full(); ++k)
+        mesh_.add_polygon({strip[k - 2], strip[k - 1 + k % 2], strip[k - k % 2]}, words_.line());
+    }
+  }
+
+  void scalars() {
+    VtkScalars scalars{std::string(words_.next()), {}};
+    words_.next();  // the type
+    long long components = 1;
+    std::string_view word = words_.next();
+    if (word != "LOOKUP_TABLE") {
+      components = to_integer(word).value_or(0);
+      if (components < 1 || components > 4)
+        return (void)fail(ErrorCode::OutOfRange, "/data", "must have 1 to 4 components");
+      word = words_.next();
+    }
+    if (word == "LOOKUP_TABLE") {
+      words_.next();
+    } else {
+      words_.back();
+    }
+    array(std::move(scalars), components);
+  }
+
+  void field() {
+    words_.next();
+    const long long arrays = count("/data");
+    for (long long i = 0; i < arrays && good_; ++i) {
+      VtkScalars scalars{std::string(words_.next()), {}};
+      const long long components = count("/data"), tuples = count("/data");
+      const std::string_view type = words_.next();
+      if (scalars.name == "METADATA") return words_.skip_block();
+      if (type == "string" || where_ == Data::None || tuples != tuples_) {
+        if (type == "string") {
+          for (long long k = 0; k < tuples; ++k) (void)words_.whole_line();
+        } else {
+          pass_over(components * tuples);
+        }
+        continue;
+      }
+      array(std::move(scalars), components);
+    }
+  }
+
+  void array(VtkScalars scalars, long long components) {
+    if (where_ != Data::Cells || components != 1) return pass_over(components * tuples_);
+    for (long long i = 0; i < tuples_ && good_; ++i)
+      scalars.values.push_back(number("/data/" + scalars.name));
+    cell_data_.push_back(std::move(scalars));
+  }
+
+  void section(std::string_view keyword) {
+    if (keyword == "POINTS") return points();
+    if (keyword == "VERTICES") {
+      other_cells_ += cells("/vertices").count();
+      return;
+    }
+    if (keyword == "LINES") return lines();
+    if (keyword == "POLYGONS") return polygons();
+    if (keyword == "TRIANGLE_STRIPS") return strips();
+    if (keyword == "POINT_DATA" || keyword == "CELL_DATA") {
+      where_ = keyword == "POINT_DATA" ? Data::Points : Data::Cells;
+      tuples_ = count("/data");
+      return;
+    }
+    if (keyword == "SCALARS") return scalars();
+    if (keyword == "FIELD") return field();
+    if (keyword == "METADATA") return words_.skip_block();
+    if (keyword == "NORMALS" || keyword == "VECTORS" || keyword == "TENSORS") {
+      words_.skip_line();
+      return pass_over((keyword == "TENSORS" ? 9 : 3) * tuples_);
+    }
+    if (keyword == "TEXTURE_COORDINATES" || keyword == "COLOR_SCALARS") {
+      words_.next();
+      const long long components = count("/data");
+      words_.skip_line();
+      return pass_over(components * tuples_);
+    }
+    if (keyword == "LOOKUP_TABLE") {
+      words_.next();
+      return pass_over(4 * count("/data"));
+    }
+    fail(ErrorCode::Unsupported, "",
+         "'" + std::string(keyword.substr(0, 20)) + "' is no section of a POLYDATA file");
+  }
+
+  Expected<VtkPolyData> finish() {
+    for (const VtkScalars& cells : cell_data_) {
+      VtkScalars& scalars = data_.line_data.emplace_back();
+      scalars.name = cells.name;
+      for (const std::size_t cell : cell_of_line_)
+        scalars.values.push_back(cell < cells.values.size() ? cells.values[cell] : 0.0);
+    }
+    if (good_ && mesh_.faces() == 0 && !data_.lines.empty()) {
+      Expected<Points> points = std::move(mesh_).take_points();
+      if (!points) return points.errors();
+      data_.points_mm = *std::move(points);
+      data_.faces.resize(0, 3);
+      return std::move(data_);
+    }
+    Expected<TriangleMesh> mesh = std::move(mesh_).take();
+    if (!mesh) return mesh.errors();
+    data_.points_mm = std::move(mesh->vertices_mm);
+    data_.faces = std::move(mesh->faces);
+    return std::move(data_);
+  }
+
+  Words words_;
+  MeshBuilder mesh_;
+  VtkPolyData data_;
+  std::vector<std::size_t> cell_of_line_;
+  std::size_t other_cells_ = 0;  ///< before the next section of cells
+  std::vector<VtkScalars> cell_data_;
+  Data where_ = Data::None;
+  long long tuples_ = 0;
+  bool good_ = true;
+};
+
+}  // namespace
+
+Expected<VtkPolyData> read_vtk(std::string_view text) { return VtkReader(text).read(); }
+
+}  // namespace coapt

@@ -1,0 +1,43 @@
+// Legacy VTK files, ASCII POLYDATA: what SlicerHeart's ValveFemExport, FEBio Studio's "Import Springs"
+// and ParaView exchange. Lines of less than 255 characters, which is what FEBio Studio reads.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/valve/types.h"
+
+namespace coapt {
+
+/// One number for each point, line or face.
+struct VtkScalars {
+  std::string name;  ///< without blanks
+  std::vector<double> values;
+  bool integers = false;  ///< written as int
+};
+
+struct VtkPolyData {
+  std::string title;  ///< one line, at most 255 characters
+  Points points_mm;
+  std::vector<std::array<int, 2>> lines;
+  Faces faces;
+  std::vector<VtkScalars> point_data, line_data, face_data;
+};
+
+/// The title of every file that coapt writes: what it is not, units and SPACE=LPS, by which SlicerHeart
+/// takes the numbers as they are. The axes stay the valve's own (core/valve/valve.h), which are not the patient's:
+/// shape, handedness and millimetres are right, and the letters L, P and S that a viewer shows mean nothing.
+inline constexpr const char* kVtkTitle =
+    "coapt: research software, not a medical device; millimetres, axes of the valve; SPACE=LPS";
+
+/// Version 4.2, nine digits. Lines come before faces; data that only one of them has is 0 for the other,
+/// because ASCII readers take no NaN. @pre indices are in range, data have their length.
+std::string write_vtk(const VtkPolyData& data);
+
+/// Versions 2 to 5. Polylines become pieces, polygons and strips triangles; of the data only scalars of
+/// lines are kept. Errors name the line. Unsupported: binary files, other datasets than POLYDATA.
+Expected<VtkPolyData> read_vtk(std::string_view text);
+
+}  // namespace coapt

@@ -1,0 +1,24 @@
+// Closures as files that other programs open.
+#pragma once
+
+#include "core/repair/plan.h"
+#include "io/exchange/formats.h"
+#include "server/compute.h"
+#include "server/json_body.h"
+#include "server/route.h"
+
+namespace coapt {
+
+/// POST /v1/exports {"valve", "plan" (optional), "format", "open" (optional)}
+struct PostExports {
+  ValveSource valves;
+  Compute& compute;
+  const std::vector<RingShape>& rings;
+  Answer operator()(const Request& request) const;
+};
+
+/// The file, with a name that browsers save it under.
+Answer valve_file_answer(const ExportedValve& exported, const FileFormat& format,
+                         const ExportOptions& options = {});
+
+}  // namespace coapt

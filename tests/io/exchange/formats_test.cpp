@@ -1,0 +1,52 @@
+#include "io/exchange/formats.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "still_valve.h"
+
+namespace coapt {
+namespace {
+
+TEST(Formats, AreToldByTheEndOfAPath) {
+  EXPECT_STREQ(format_of_path("a/b.GLB")->name, "glb");
+  EXPECT_STREQ(format_of_path("x.mrk.json")->name, "mrk.json");
+  EXPECT_EQ(format_of_path("x.json"), nullptr);
+  EXPECT_EQ(format_of_path("glb"), nullptr);
+  EXPECT_EQ(format_named("xyz"), nullptr);
+}
+
+TEST(Formats, EachIsWrittenOfTheClosedValveAndOfTheOpenOneButMeasurements) {
+  const ExportedValve exported = still_valve();
+  for (const FileFormat& format : file_formats()) {
+    EXPECT_TRUE(write_valve_file(exported, format)) << format.name;
+    const bool open = bool(write_valve_file(exported, format, {.open = true}));
+    EXPECT_EQ(open, std::string_view(format.name) != "csv") << format.name;
+  }
+}
+
+TEST(Formats, AClosureThatFlewApartHasNoClosedShape) {
+  ExportedValve exported = still_valve();
+  exported.closure.closed_mm(3, 1) = std::numeric_limits<double>::quiet_NaN();
+  for (const FileFormat& format : file_formats()) {
+    const Expected<std::string> bytes = write_valve_file(exported, format);
+    ASSERT_FALSE(bytes) << format.name;
+    EXPECT_EQ(bytes.errors()[0].code, ErrorCode::BadGeometry);
+  }
+  EXPECT_FALSE(write_slicerheart(exported));
+  EXPECT_TRUE(write_slicerheart(exported, {.open = true}));
+}
+
+TEST(Formats, MeasurementsOfAnEllipseAreItsOwn) {
+  const Expected<std::string> csv = write_valve_file(still_valve(), *format_named("csv"));
+  ASSERT_TRUE(csv);
+  for (const char* row :
+       {"Metric,Value,Unit,Definition\n", "\nA-P distance,28.0,mm,\n",
+        "\nAL-PM distance,36.0,mm,\n", "\nALC-PMC distance,36.0,mm,\n",
+        "\nSphericity index (A-P / AL-PM),0.78,mm/mm,\n", "\nAnnulus height,0.0,mm,\n"})
+    EXPECT_NE(csv->find(row), std::string::npos) << row << *csv;
+}
+
+}  // namespace
+}  // namespace coapt

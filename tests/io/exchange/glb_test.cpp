@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "io/exchange/valve_glb.h"
+#include "still_valve.h"
+
+namespace coapt {
+namespace {
+
+template <class T>
+T number_at(const std::string& bytes, std::size_t at) {
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof(T));
+  return value;
+}
+
+nlohmann::json json_of(const std::string& glb) {
+  return nlohmann::json::parse(glb.substr(20, number_at<std::uint32_t>(glb, 12)));
+}
+
+/// Three floats of an accessor's row.
+Vec3 vector_of(const std::string& glb, int accessor, int row) {
+  const nlohmann::json json = json_of(glb);
+  const std::size_t view = json["accessors"][static_cast<std::size_t>(accessor)]["bufferView"];
+  const std::size_t binary = 20 + number_at<std::uint32_t>(glb, 12) + 8;
+  const std::size_t at = binary + json["bufferViews"][view]["byteOffset"].get<std::size_t>() +
+                         static_cast<std::size_t>(12 * row);
+  return {number_at<float>(glb, at), number_at<float>(glb, at + 4), number_at<float>(glb, at + 8)};
+}
+
+TEST(Glb, TheHeaderSaysHowLongTheFileIs) {
+  const std::string glb = write_glb(still_valve());
+  EXPECT_EQ(glb.substr(0, 4), "glTF");
+  EXPECT_EQ(number_at<std::uint32_t>(glb, 4), 2U);
+  EXPECT_EQ(number_at<std::uint32_t>(glb, 8), glb.size());
+  EXPECT_EQ(glb.size() % 4, 0U);
+}
+
+TEST(Glb, PointsAreMetresWithTheAtriumUp) {
+  const ExportedValve exported = still_valve();
+  const std::string glb = write_glb(exported);
+  const nlohmann::json json = json_of(glb);
+  const int position = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+  const int sheet = json["accessors"][static_cast<std::size_t>(position)]["count"].get<int>() / 2;
+  const auto middle = [&](int vertex) -> Vec3 {
+    return 0.5 * (vector_of(glb, position, vertex) + vector_of(glb, position, vertex + sheet));
+  };
+  const auto thickness = [&](int vertex) {
+    return (vector_of(glb, position, vertex) - vector_of(glb, position, vertex + sheet)).norm();
+  };
+  // Face 0 begins with vertex 0, at (18, 0, 0) mm; its third corner is vertex 8: (13.5, 0, -8).
+  EXPECT_LT((middle(0) - Vec3(0.018, 0.0, 0.0)).norm(), 1e-7);
+  EXPECT_LT((middle(2) - Vec3(0.0135, -0.008, 0.0)).norm(), 1e-7);
+  EXPECT_NEAR(thickness(2), 0.001, 1e-8);
+  // Vertex 1 of the face is vertex 1: y anterior becomes -z.
+  EXPECT_LT(middle(1).z(), -0.009);
+}
+
+TEST(Glb, TheMotionIsATargetAndEndsInTheClosedValve) {
+  const std::string glb = write_glb(still_valve());
+  const nlohmann::json json = json_of(glb);
+  const nlohmann::json& primitive = json["meshes"][0]["primitives"][0];
+  ASSERT_EQ(primitive["targets"].size(), 1U);
+  const int target = primitive["targets"][0]["POSITION"];
+  EXPECT_LT((vector_of(glb, target, 5) - Vec3(0.0, 0.002, 0.0)).norm(), 1e-8);
+  ASSERT_EQ(json["animations"].size(), 1U);
+  EXPECT_EQ(json["animations"][0]["channels"].size(), 2U);  // leaflets and chordae
+  EXPECT_EQ(json["nodes"].size(), 3U);
+}
+
+TEST(Glb, ColoursEndWhereSegmentsDo) {
+  const nlohmann::json json = json_of(write_glb(still_valve()));
+  const std::size_t colours = json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"];
+  // Above and below: six blocks of segments round the valve, each with one column of three vertices more than columns: 8 + 6 columns.
+  EXPECT_EQ(json["accessors"][colours]["count"], 2 * 3 * (8 + 6));
+}
+
+TEST(Glb, TheOpenValveIsStillAndTheNoticeIsInIt) {
+  const nlohmann::json json = json_of(write_open_glb(still_valve()));
+  EXPECT_FALSE(json.contains("animations"));
+  EXPECT_FALSE(json["meshes"][0].contains("weights"));
+  EXPECT_NE(json["asset"]["copyright"].get<std::string>().find("research software"),
+            std::string::npos);
+  EXPECT_EQ(json["asset"]["extras"]["provenance"][0], "made by hand for tests");
+}
+
+TEST(Glb, ARingAndASutureAreAMeshOfTheirOwn) {
+  ExportedValve exported = still_valve();
+  exported.plan.steps = {
+      Annuloplasty{"own", 0.0, 1},
+      PapillaryApproximation{Side::Anterolateral, Anchor::SaddlePeak, 0.25, 20.0}};
+  const nlohmann::json json = json_of(write_glb(exported));
+  ASSERT_EQ(json["meshes"].size(), 3U);
+  EXPECT_EQ(json["meshes"][2]["name"], "repair");
+  const std::size_t position = json["meshes"][2]["primitives"][0]["attributes"]["POSITION"];
+  EXPECT_EQ(json["accessors"][position]["count"], 12 * (8 + 1));
+}
+
+}  // namespace
+}  // namespace coapt

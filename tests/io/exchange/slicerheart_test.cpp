@@ -1,0 +1,144 @@
+#include "io/exchange/slicerheart.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/presets/presets.h"
+#include "core/valve/validate.h"
+#include "io/exchange/markups.h"
+
+namespace coapt {
+namespace {
+
+std::vector<NamedFile> folder_of(const Valve& valve) {
+  const Expected<std::vector<NamedFile>> files =
+      write_slicerheart(close_for_export(valve, {}), {.open = true});
+  EXPECT_TRUE(files);
+  return files ? *files : std::vector<NamedFile>{};
+}
+
+Expected<Valve> imported(const std::vector<NamedFile>& files, int triangles) {
+  const Expected<ImportSource> source = read_slicerheart(files);
+  if (!source) return source.errors();
+  ImportOptions options;
+  options.triangles = triangles;
+  return import_valve(*source, options);
+}
+
+Errors problems(const std::vector<NamedFile>& files) {
+  const Expected<ImportSource> source = read_slicerheart(files);
+  EXPECT_FALSE(source) << "was read";
+  return source ? Errors{{}} : source.errors();
+}
+
+NamedFile& named(std::vector<NamedFile>& files, const std::string& name) {
+  return *std::find_if(files.begin(), files.end(),
+                       [&](const NamedFile& file) { return file.name == name; });
+}
+
+/// What both show of a closed valve, compared as two meshes of one valve may be.
+void expect_closes_alike(const std::string& preset) {
+  const Valve valve = *make_preset(preset);
+  const Expected<Valve> again = imported(folder_of(valve), static_cast<int>(valve.faces.rows()));
+  ASSERT_TRUE(again) << again.errors()[0].path << ": " << again.errors()[0].message;
+  EXPECT_TRUE(validate(*again).empty());
+  EXPECT_EQ(again->chordae.size(), valve.chordae.size());
+  const ValveMeasure before = close_for_export(valve, {}).measure;
+  const ExportedValve after = close_for_export(*again, {});
+  EXPECT_EQ(after.closure.status, ClosureStatus::Converged);
+  EXPECT_FALSE(after.closure.crossing);
+  EXPECT_NEAR(after.measure.annulus.area_mm2, before.annulus.area_mm2, 5.0);
+  // Meshes of one leaking valve differ by a fifth (README, "How it works").
+  const double orifice = before.orifice.area_mm2;
+  EXPECT_NEAR(after.measure.orifice.area_mm2, orifice, std::max(3.0, 0.25 * orifice)) << preset;
+  EXPECT_NEAR(after.measure.coaptation.height_mean_mm, before.coaptation.height_mean_mm, 1.0);
+}
+
+TEST(SlicerHeart, ACompetentValveThatGoesOutAndInClosesAlike) {
+  expect_closes_alike("human-normal");
+}
+
+TEST(SlicerHeart, ALeakingValveThatGoesOutAndInClosesAlike) {
+  expect_closes_alike("human-functional-mr");
+}
+
+TEST(SlicerHeart, TreesRestLengthsAndHeadsComeBack) {
+  const Valve valve = *make_preset("human-normal");
+  const Expected<Valve> again = imported(folder_of(valve), static_cast<int>(valve.faces.rows()));
+  ASSERT_TRUE(again);
+  ASSERT_EQ(again->chordae.size(), valve.chordae.size());
+  EXPECT_EQ(again->heads.size(), valve.heads.size());
+  double before = 0.0, after = 0.0;
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    EXPECT_EQ(again->chordae[c].segments.size(), valve.chordae[c].segments.size());
+    for (const ChordaSegment& segment : valve.chordae[c].segments) before += segment.rest_length_mm;
+    for (const ChordaSegment& segment : again->chordae[c].segments) after += segment.rest_length_mm;
+  }
+  EXPECT_NEAR(after, before, 0.03 * before);
+}
+
+TEST(SlicerHeart, SidesAreToldByTheLeafletsWhereTipsHaveNoLabels) {
+  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  std::erase_if(files, [](const NamedFile& file) { return file.name.starts_with("papillary"); });
+  EXPECT_TRUE(imported(files, 648));
+}
+
+TEST(SlicerHeart, ASkirtAloneAndATableOfChordsAreTaken) {
+  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  std::erase_if(files, [](const NamedFile& file) {
+    return file.name.ends_with("_leaflet.vtk") || file.name == "Chords_mesh.vtk";
+  });
+  const Expected<std::vector<Markup>> tips =
+      read_markups(named(files, "papillary_muscle_tips.mrk.json").bytes);
+  ASSERT_TRUE(tips);
+  std::string table;
+  for (Eigen::Index i = 0; i < (*tips)[0].points_mm.rows(); ++i) {
+    const Vec3 tip = (*tips)[0].points_mm.row(i);
+    table += std::to_string(i + 1) + ',' + std::to_string(tip.x()) + ',' + std::to_string(tip.y()) +
+             ',' + std::to_string(tip.z()) + ',' + std::to_string(0.8 * tip.x()) +
+             ",-6,-13,leaflet-primary-x-01\n";
+  }
+  files.push_back({"leaflet-primary.csv", table});
+  const Expected<ImportSource> source = read_slicerheart(files);
+  ASSERT_TRUE(source) << source.errors()[0].message;
+  EXPECT_EQ(source->leaflets.size(), 1U);
+  EXPECT_EQ(std::ssize(source->chordae), (*tips)[0].points_mm.rows());
+}
+
+TEST(SlicerHeart, AFolderInRasIsTurned) {
+  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  NamedFile& sheet = named(files, "anterior_leaflet.vtk");
+  const Expected<ImportSource> lps = read_slicerheart(files);
+  const std::size_t at = sheet.bytes.find("SPACE=LPS");
+  sheet.bytes.replace(at, 9, "SPACE=RAS");
+  const Expected<ImportSource> ras = read_slicerheart(files);
+  ASSERT_TRUE(lps && ras);
+  EXPECT_EQ(ras->leaflets[0].vertices_mm.col(0), -lps->leaflets[0].vertices_mm.col(0));
+  EXPECT_EQ(ras->leaflets[0].vertices_mm.col(2), lps->leaflets[0].vertices_mm.col(2));
+}
+
+TEST(SlicerHeart, WhatIsMissingIsAllListed) {
+  const Errors errors =
+      problems({{"notes.txt", "hello"}, {"measurements.csv", "Metric,Value,Unit\n"}});
+  ASSERT_EQ(errors.size(), 3U);
+  EXPECT_NE(errors[0].message.find("one anterior and one posterior"), std::string::npos);
+  EXPECT_NE(errors[1].message.find("save the annulus contour curve"), std::string::npos);
+  EXPECT_NE(errors[2].message.find("no chordae"), std::string::npos);
+}
+
+TEST(SlicerHeart, ProblemsOfAllFilesNameFileAndPlace) {
+  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  named(files, "anterior_leaflet.vtk").bytes.insert(200, " x ");
+  named(files, "annulus.mrk.json").bytes = "{}";
+  files.push_back({"chords.csv", "1,0,0,0,1,1,1,a\n2,0,0,zero,1,1,1,b\n"});
+  const Errors errors = problems(files);
+  std::vector<std::string> paths;
+  for (const Error& error : errors) paths.push_back(error.path);
+  EXPECT_TRUE(paths[0].starts_with("anterior_leaflet.vtk/vertices_mm/")) << paths[0];
+  EXPECT_EQ(paths[1], "annulus.mrk.json/@schema");
+  EXPECT_EQ(paths.back(), "chords.csv/chordae/1");
+}
+
+}  // namespace
+}  // namespace coapt
