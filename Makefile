@@ -2,7 +2,7 @@
 BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
-SOURCES := $(shell git ls-files -co --exclude-standard "*.h" "*.cpp" "*.inl")
+SOURCES := $(shell find core search io server clients/cli tests bench -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 WEB := clients/web
 WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public $(WEB)/index.html $(WEB)/vite.config.ts -type f)
