@@ -73,22 +73,23 @@ ClosedValve closed(const Valve& valve) {
 /// The valve of a job, and as the plan leaves it.
 struct Repair {
   Valve before, after;
+  RepairMarks marks;
   std::optional<Answer> refusal = {};
 };
 
 Repair repair_of(const JobStore& store, const Request& request,
                  const std::vector<RingShape>& rings) {
   const Ended ended = ended_job(store, request, true);
-  if (ended.refusal) return {{}, {}, ended.refusal};
+  if (ended.refusal) return {{}, {}, {}, ended.refusal};
   const ordered_json ranked_plan = ranked(ended, request);
-  if (ranked_plan.is_null()) return {{}, {}, not_found("plan")};
+  if (ranked_plan.is_null()) return {{}, {}, {}, not_found("plan")};
   const Expected<Valve> valve = valve_of(store, ended.job);
-  if (!valve) return {{}, {}, store_problem(valve.errors())};
+  if (!valve) return {{}, {}, {}, store_problem(valve.errors())};
   const Expected<RepairPlan> plan = plan_from_json(nlohmann::json(ranked_plan["plan"]));
-  if (!plan) return {{}, {}, problem(500, plan.errors())};
+  if (!plan) return {{}, {}, {}, problem(500, plan.errors())};
   const Expected<Valve> repaired = apply_plan(*valve, *plan, rings);
-  if (!repaired) return {{}, {}, problem(500, repaired.errors())};
-  return {*valve, *repaired};
+  if (!repaired) return {{}, {}, {}, problem(500, repaired.errors())};
+  return {*valve, *repaired, repair_marks(*valve, *repaired, *plan)};
 }
 
 }  // namespace
@@ -150,8 +151,9 @@ Answer GetPlanPicture::operator()(const Request& request) const {
   if (repair.refusal) return *repair.refusal;
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  return {200, Content{"image/png",
-                       comparison_picture_png(closed(repair.before), closed(repair.after))}};
+  ClosedValve after = closed(repair.after);
+  after.repair = repair.marks;
+  return {200, Content{"image/png", comparison_picture_png(closed(repair.before), after)}};
 }
 
 Answer GetPlanReport::operator()(const Request& request) const {
