@@ -144,7 +144,7 @@ std::string atrial_pair_png(const ClosedValve& before, const ClosedValve& after)
 }
 
 std::string section_change_png(const ClosedValve& before, const ClosedValve& after) {
-  constexpr int kWidth = 470, kHeight = 316;
+  constexpr int kWidth = 470, kHeight = 304;
   const Canvas canvas = make_canvas(kWidth, kHeight, kDense);
   fill_box(canvas, {0.0, 0.0, kWidth, kHeight}, palette::kPaper);
   const Box section{0.0, 22.0, kWidth, kHeight - 22.0};

@@ -91,10 +91,7 @@ std::string figure_words(const RegionReport& region) {
   if (!region.maps.empty())
     words +=
         "Heat maps: the leak for sutures up to 1 mm too short or too long (upwards) and tips up to "
-        "5 "
-        "degrees inwards or outwards (to the right); the framed cell is the plan as planned, pale "
-        "is "
-        "tight. ";
+        "5 degrees inwards or outwards (to the right); the framed cell is the plan as planned. ";
   if (!region.remodelling.empty())
     words +=
         "Remodelling: the leak when the tips are drawn further away after the repair, a taut "

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kOthersShown = 5;  // rows that leave the page a page
 constexpr std::size_t kWarningsShown = 5;
+constexpr double kCounted = 0.99;  // 400 resamples say no more
 
 std::string key_figure(const std::string& name, const std::string& value,
                        const std::string& remark) {
@@ -32,7 +33,7 @@ std::string tie_words(const std::vector<RankedPlan>& plans, std::size_t index) {
   const double ahead = plans[index].probability_outranks_next;
   if (index + 1 == plans.size() || !std::isfinite(ahead)) return "";
   return "Ahead of plan " + std::to_string(plans[index + 1].rank) + " with a probability of " +
-         percent(ahead) + ".";
+         (ahead > kCounted ? "more than 99 %" : percent(ahead)) + ".";
 }
 
 std::string stop_words(SearchStop stop) {
@@ -100,11 +101,10 @@ std::string pictures(const PlanReport& report, std::size_t index) {
              "Closed under systolic pressure, same scale; anterior up, anterolateral left. "
              "Sutures and neochordae lie behind the leaflets.") +
          "</div>\n<div class=\"cut\">" +
-         picture_html(
-             section_change_png(report.before, after),
-             "Long-axis section through the middle of both leaflets after the repair, "
-             "leaflets before it in grey",
-             "Long axis, atrium up, anterior left. Off-plane tips and sutures projected.") +
+         picture_html(section_change_png(report.before, after),
+                      "Long-axis section through the middle of both leaflets after the repair, "
+                      "leaflets before it in grey",
+                      "Long axis; papillary tips and sutures are projected.") +
          "</div>\n";
 }
 
@@ -194,7 +194,7 @@ std::string other_row(const PlanReport& report, const RankedPlan& plan, bool in_
           (is_told(report, plan) ? "<a href=\"#plan-" + rank + "\">" + rank + "</a>" : rank) +
           (closes_robustly(plan) ? " <span class=\"badge\">robust</span>" : "") +
           "</th><td class=\"words\">" + escape_html(short_words(plan)) +
-          (ties_with_next(plan) ? " <em>(ties with the next)</em>" : "") + "</td>";
+          (ties_with_next(plan) ? " <em>(tie)</em>" : "") + "</td>";
   for (const std::string& cell : {mean_and_sd(leak), fixed(leak.p95, 1), percent(leak.below_5),
                                   suture_margin(plan.region.margin_to_leak) + " · " +
                                       angle_margin(plan.region.margin_to_leak),

@@ -32,7 +32,7 @@ font-size:1rem}
 .first .dense td,.first .dense th{padding:.25rem .36rem}
 .this td,.this th{background:var(--good-paper)}
 tbody th{font-size:inherit;color:inherit;text-align:left}
-.badge{display:inline-block;margin:0 0 0 .2rem}
+.first .badge{display:inline-block;margin:0 0 0 .2rem}#ranked .badge{margin-left:0}
 a{color:var(--accent)}
 .fold h3{margin-top:.8rem}
 summary h3{display:inline;margin:0}
@@ -51,7 +51,7 @@ html{font-size:11.6px}
 body{font-size:1rem;line-height:1.27}
 .first dl div{padding:.2rem .5rem}.first dl{gap:.35rem}
 .first>.robust,.first>.least-bad,.notice{margin:.25rem 0}
-.first figure{margin:.2rem 0}.first .plan li{margin-bottom:.2rem}
+.first figure{margin:.2rem 0}.cut img{width:auto;max-width:100%;max-height:50mm}.first .plan li{margin-bottom:.2rem}
 main{padding:0;max-width:none}
 h1{font-size:1.3rem}
 .contents{display:none}
@@ -76,7 +76,7 @@ a{color:inherit;text-decoration:none}
 .plan-evidence table,#search table{font-size:.84rem}
 .plan-evidence :is(td,th),#search :is(td,th){padding:.2rem .4rem}
 .narrow{max-width:135mm}
-.dense .words{min-width:8rem}
+.dense .words{min-width:11rem}
 .chart .coapt-panels .tick,.chart .coapt-panels .small{font-size:13px;opacity:1}
 .chart .coapt-panels .note{opacity:1}
 .chart .coapt-panels text{fill:#000}.chart .coapt-panels [class*=" on"]{fill:currentColor}
