@@ -61,6 +61,8 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
             " variations of the plan converged, and mean + sd of the leak stay below 1 mm².";
   else if (plan.status != ClosureStatus::Converged || plan.crossing)
     words = "The simulation of this plan failed: its figures are not to be trusted.";
+  else if (!varied(plan))
+    words = "Whether this plan closes the valve robustly is not known: it was not varied.";
   else
     words = "Does not close this valve robustly in the simulation.";
   std::string html = robust ? "<p class=\"robust\"><strong>" : "<p class=\"least-bad\"><strong>";

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kTold_mm = 0.5;    // parts of a movement below it are not told
 constexpr double kFreeEdge = 0.95;  // heights from here on are the free edge, as describe() says
-constexpr std::size_t kOpeningsTold = 3;
+constexpr std::size_t kOpeningsTold = 3, kNamesTold = 4;
 
 std::string mm(double value) { return with_unit(value, 1, "mm"); }
 
@@ -212,8 +212,9 @@ std::string short_words(const RankedPlan& plan) {
 std::string valve_words(const ClosedValve& before) {
   const ValveMeasure& measure = before.measure;
   const std::vector<Orifice>& openings = measure.orifice.orifices;
-  const auto ruptured = std::count_if(before.valve.chordae.begin(), before.valve.chordae.end(),
-                                      [](const Chorda& chorda) { return chorda.ruptured; });
+  std::vector<std::string> ruptured;
+  for (const Chorda& chorda : before.valve.chordae)
+    if (chorda.ruptured) ruptured.push_back(chorda.id);
   std::string told = "Before repair it leaks through " +
                      with_unit(measure.orifice.area_mm2, 1, "mm²") + " seen from the atrium";
   for (std::size_t i = 0; i < openings.size() && i < kOpeningsTold; ++i)
@@ -226,9 +227,11 @@ std::string valve_words(const ClosedValve& before) {
           with_unit(measure.coaptation.gap_area_mm2, 1, "mm²") + ". Annulus " +
           fixed(measure.annulus.al_pm_mm, 1) + " mm across, " + fixed(measure.annulus.ap_mm, 1) +
           " mm front to back; tenting height " + mm(measure.tenting_height_mm) + ".";
-  if (ruptured > 0)
-    told += " " + std::to_string(ruptured) + (ruptured == 1 ? " chorda is" : " chordae are") +
-            " ruptured.";
+  for (std::size_t i = 0; i < ruptured.size() && i < kNamesTold; ++i)
+    told += (i == 0 ? " Ruptured: " : ", ") + ruptured[i];
+  if (ruptured.size() > kNamesTold)
+    told += " and " + std::to_string(ruptured.size() - kNamesTold) + " more chordae";
+  if (!ruptured.empty()) told += ".";
   return told;
 }
 

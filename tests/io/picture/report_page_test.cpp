@@ -80,6 +80,15 @@ TEST(FirstPage, OfAPlanWhoseClosureFailedTrustsNoFigure) {
   EXPECT_TRUE(contains(page, "n/a"));
 }
 
+TEST(FirstPage, OfAPlanThatWasNotVariedSaysThatItIsNotKnown) {
+  SearchResult result = search_result();
+  result.plans[0].region = plans_scene::third().region;
+  result.plans[0].region.failures = 0;
+  const std::string page = first_sheet(html_of(result));
+  EXPECT_TRUE(contains(page, "is not known: it was not varied"));
+  EXPECT_FALSE(contains(page, "Does not close"));
+}
+
 TEST(Report, OfOnePlanHasItInFrontAndItsEvidenceAlone) {
   const std::string html = html_of(search_result(), 2);
   EXPECT_TRUE(contains(html, "<h1>Repair plan 2 of 3 for leaky</h1>"));

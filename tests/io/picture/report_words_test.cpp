@@ -145,7 +145,7 @@ TEST(ValveWords, SayWhereItLeaksAndWhatIsRuptured) {
       std::string::npos)
       << words;
   EXPECT_NE(words.find("Annulus 36.0 mm across, 28.0 mm front to back"), std::string::npos);
-  EXPECT_NE(words.find("1 chorda is ruptured."), std::string::npos);
+  EXPECT_NE(words.find(" Ruptured: PM1-A2-strut-1."), std::string::npos);
 }
 
 TEST(ValveWords, OfAClosureThatFlewApartSayThatNothingIsKnown) {
