@@ -66,7 +66,8 @@ int run(const Arguments& arguments) {
     for (const std::string& warning : warnings) std::cout << "  ! " << warning << '\n';
   }
   if (!arguments.picture.empty()) {
-    const std::string picture = closure_picture_png({*repaired, closure, measured});
+    const std::string picture =
+        closure_picture_png({*repaired, closure, measured, repair_marks(*valve, *repaired, *plan)});
     if (const int failed = write_output(arguments.picture, picture)) return failed;
   }
   return exit_code_of(closure);

@@ -1,5 +1,6 @@
 #include "io/picture/canvas.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "io/picture/text.h"
@@ -22,11 +23,13 @@ void shorten(std::string& text) {
 
 }  // namespace
 
-Canvas make_canvas(int width, int height) {
-  Canvas canvas{
-      {cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height), &cairo_surface_destroy},
-      {nullptr, &cairo_destroy}};
+Canvas make_canvas(int width, int height, double scale) {
+  const auto pixels = [scale](int units) { return static_cast<int>(std::ceil(scale * units)); };
+  Canvas canvas{{cairo_image_surface_create(CAIRO_FORMAT_ARGB32, pixels(width), pixels(height)),
+                 &cairo_surface_destroy},
+                {nullptr, &cairo_destroy}};
   canvas.context.reset(cairo_create(canvas.surface.get()));
+  cairo_scale(canvas.context.get(), scale, scale);
   cairo_set_line_join(canvas.context.get(), CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(canvas.context.get(), CAIRO_LINE_CAP_ROUND);
   return canvas;

@@ -26,6 +26,9 @@ inline constexpr Colour kAnnulus{0.16, 0.22, 0.30};
 inline constexpr Colour kChorda{0.55, 0.47, 0.38};
 inline constexpr Colour kNeochorda{0.02, 0.52, 0.48};
 inline constexpr Colour kPapillary{0.58, 0.26, 0.24};
+inline constexpr Colour kRing{0.98, 0.96, 0.89};
+inline constexpr Colour kBefore{0.72, 0.75, 0.79};
+inline constexpr Colour kSuture{0.46, 0.07, 0.48};
 }  // namespace palette
 
 /// Pixels, y down.
@@ -50,8 +53,8 @@ struct Canvas {
   Context context;
 };
 
-/// Transparent.
-Canvas make_canvas(int width, int height);
+/// Transparent. `scale`: pixels of the sheet for each unit that is drawn.
+Canvas make_canvas(int width, int height, double scale = 1.0);
 
 void fill_box(const Canvas& canvas, const Box& box, const Colour& colour);
 void fill_circle(const Canvas& canvas, const Eigen::Vector2d& centre, double radius,

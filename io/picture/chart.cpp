@@ -103,6 +103,8 @@ std::string draw_axes(const Chart& chart, const Axis& x_axis, const Axis& y_axis
   return svg;
 }
 
+std::string line_class(const Series& series) { return series.dashed ? "line dashed" : "line"; }
+
 std::string draw_series(const Series& series, const std::string& colour, const Axis& x_axis,
                         const Axis& y_axis) {
   const std::size_t count = std::min(series.x.size(), series.y.size());
@@ -121,7 +123,8 @@ std::string draw_series(const Series& series, const std::string& colour, const A
       markers += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"3.2\" fill=\"" + colour + "\"/>\n";
   }
   if (!series.line) return markers;
-  return "<path class=\"line\" stroke=\"" + colour + "\" d=\"" + path + "\"/>\n" + markers;
+  return "<path class=\"" + line_class(series) + "\" stroke=\"" + colour + "\" d=\"" + path +
+         "\"/>\n" + markers;
 }
 
 /// Below the title, from the left; each entry takes the room of its text.
@@ -134,9 +137,9 @@ std::string draw_legend(const Chart& chart) {
     const std::string& label = chart.series[i].label;
     const double width = 26.0 + kCharacter * static_cast<double>(label.size());
     if (x > kLeft && x + width > kWidth - kRight) x = kLeft, y += kLegendLine;
-    svg += "<line class=\"line\" stroke=\"" + std::string(kColours[i % kColours.size()]) +
-           "\" x1=\"" + fixed(x, 1) + "\" y1=\"" + fixed(y, 1) + "\" x2=\"" + fixed(x + 20.0, 1) +
-           "\" y2=\"" + fixed(y, 1) + "\"/>\n";
+    svg += "<line class=\"" + line_class(chart.series[i]) + "\" stroke=\"" +
+           std::string(kColours[i % kColours.size()]) + "\" x1=\"" + fixed(x, 1) + "\" y1=\"" +
+           fixed(y, 1) + "\" x2=\"" + fixed(x + 20.0, 1) + "\" y2=\"" + fixed(y, 1) + "\"/>\n";
     svg += text_at(x + 26.0, y + 4.0, "class=\"tick\"", label);
     x += width + 24.0;
   }
@@ -159,11 +162,12 @@ std::string chart_svg(const Chart& given) {
   svg +=
       "<style>\n"
       ".coapt-chart{color:#26313d;font:13px system-ui,\"Segoe UI\",\"DejaVu Sans\",sans-serif}\n"
-      "@media (prefers-color-scheme:dark){.coapt-chart{color:#d8dee6}}\n"
+      "@media screen and (prefers-color-scheme:dark){.coapt-chart{color:#d8dee6}}\n"
       ".coapt-chart text{fill:currentColor}.coapt-chart .title{font-size:16px;font-weight:600}\n"
       ".coapt-chart .tick{opacity:.75}.coapt-chart .grid{stroke:currentColor;opacity:.14}\n"
       ".coapt-chart .axis{stroke:currentColor;opacity:.55}\n"
       ".coapt-chart .line{fill:none;stroke-width:2.2;stroke-linejoin:round;stroke-linecap:round}\n"
+      ".coapt-chart .dashed{stroke-dasharray:7 5;stroke-linecap:butt}\n"
       "</style>\n";
   svg += text_at(kLeft, 22.0, "class=\"title\"", chart.title);
   svg += draw_legend(chart);

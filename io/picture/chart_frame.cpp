@@ -25,6 +25,9 @@ constexpr const char* kStyle =
     ".coapt-panels .line{fill:none;stroke:currentColor;stroke-width:2.1;stroke-linejoin:round;"
     "stroke-linecap:round}\n"
     ".coapt-panels .dashed{stroke-dasharray:6 4;stroke-width:1.6;stroke-linecap:butt}\n"
+    ".coapt-panels .long{stroke-dasharray:12 4;stroke-linecap:butt}\n"
+    ".coapt-panels .dotted{stroke-dasharray:.1 5}\n"
+    ".coapt-panels .dashdot{stroke-dasharray:9 4 1 4;stroke-linecap:butt}\n"
     ".coapt-panels .thin{stroke-width:1.1;opacity:.7}\n"
     ".coapt-panels .solid{fill:currentColor}\n"
     ".coapt-panels .hollow{fill:none;stroke:currentColor;stroke-width:1.8}\n"
@@ -41,7 +44,7 @@ constexpr const char* kStyle =
     ".coapt-panels .on0,.coapt-panels .on1,.coapt-panels .on2{color:#0b1016}\n"
     ".coapt-panels .on3,.coapt-panels .on4,.coapt-panels .on5,.coapt-panels .on6,"
     ".coapt-panels .on7{color:#fff}\n"
-    "@media (prefers-color-scheme:dark){\n"
+    "@media screen and (prefers-color-scheme:dark){\n"
     ".coapt-panels{color:#d8dee6}\n"
     ".coapt-panels .c-blue{color:#4c9be8}.coapt-panels .c-vermillion{color:#f0803c}\n"
     ".coapt-panels .c-green{color:#2cc295}.coapt-panels .c-purple{color:#dd92bd}\n"
@@ -70,9 +73,11 @@ std::string draw_key(const LegendEntry& entry, double x, double y) {
   const std::string middle = fixed(x + 11.0, 1), height = fixed(y, 1);
   switch (entry.mark) {
     case Mark::Line:
-      return line_at(("line " + entry.colour).c_str(), x, y, x + 22.0, y);
     case Mark::Dashed:
-      return line_at(("line dashed " + entry.colour).c_str(), x, y, x + 22.0, y);
+    case Mark::LongDashed:
+    case Mark::Dotted:
+    case Mark::DashDotted:
+      return line_at((line_class(entry.mark) + " " + entry.colour).c_str(), x, y, x + 22.0, y);
     case Mark::Dot:
     case Mark::Hollow:
       return "<circle class=\"" +
@@ -86,6 +91,26 @@ std::string draw_key(const LegendEntry& entry, double x, double y) {
 }
 
 }  // namespace
+
+std::string line_class(Mark mark) {
+  switch (mark) {
+    case Mark::Line:
+      return "line";
+    case Mark::Dashed:
+      return "line dashed";
+    case Mark::LongDashed:
+      return "line long";
+    case Mark::Dotted:
+      return "line dotted";
+    case Mark::DashDotted:
+      return "line dashdot";
+    case Mark::Dot:
+    case Mark::Hollow:
+    case Mark::Area:
+      return "";
+  }
+  return "";
+}
 
 const char* css_class(Hue hue) {
   switch (hue) {

@@ -55,7 +55,9 @@ struct FrameWords {
 /// Grid, ticks and words, which stand up to 26 px above, 40 px below and 48 px left of the plot.
 std::string draw_frame(const Frame& frame, const FrameWords& words);
 
-enum class Mark { Line, Dashed, Dot, Hollow, Area };
+enum class Mark { Line, Dashed, LongDashed, Dotted, DashDotted, Dot, Hollow, Area };
+/// Of the path of a line's mark; "" of marks that are no lines.
+std::string line_class(Mark mark);
 struct LegendEntry {
   std::string label, colour;  ///< colour: class
   Mark mark = Mark::Line;

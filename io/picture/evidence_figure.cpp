@@ -22,8 +22,8 @@ constexpr double kLengthStep_mm = 0.25;
 
 using Panel = std::function<std::string(const Box&)>;
 
-/// No row with a single panel where that can be helped.
-int columns_for(std::size_t panels) { return panels == 1 ? 1 : panels == 2 || panels == 4 ? 2 : 3; }
+/// Two, that numbers in cells can be read on paper.
+int columns_for(std::size_t panels) { return panels == 1 ? 1 : 2; }
 
 bool any_finite(const std::vector<std::vector<double>>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const std::vector<double>& row) {
@@ -73,10 +73,15 @@ std::string draw_with_keys(const LinePanel& panel, const Box& box) {
 Panel remodelling_panel(const std::vector<RemodellingCurve>& curves) {
   return [&curves](const Box& box) {
     constexpr std::array kHues = {Hue::Blue, Hue::Green, Hue::Orange, Hue::Vermillion};
+    constexpr std::array kMarks = {Mark::Line, Mark::LongDashed, Mark::Dotted, Mark::DashDotted};
     LinePanel panel{{"If remodelling goes on", "tips further, mm", "leak, mm²"}, {}};
     double farthest = 0.0;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      PanelSeries series{curves[i].direction, {}, curves[i].leak_mm2, kHues[i % kHues.size()]};
+      PanelSeries series{curves[i].direction,
+                         {},
+                         curves[i].leak_mm2,
+                         kHues[i % kHues.size()],
+                         kMarks[i % kMarks.size()]};
       for (std::size_t mm = 0; mm < series.y.size(); ++mm)
         series.x.push_back(static_cast<double>(mm));
       farthest = std::max(farthest, static_cast<double>(series.y.size()) - 1.0);

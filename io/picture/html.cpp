@@ -41,6 +41,9 @@ std::string list_html(const std::vector<std::string>& words, const std::string& 
 }
 
 std::string table_html(const std::vector<std::vector<std::string>>& cells) {
+  const auto opening = [&](std::size_t row, bool words) {
+    return std::string(row == 0 ? "<th scope=\"col\"" : "<td") + (words ? " class=\"text\">" : ">");
+  };
   const auto is_words = [&](std::size_t column) {
     return std::any_of(cells.begin() + 1, cells.end(), [&](const std::vector<std::string>& row) {
       return column < row.size() && !is_number(row[column]);
@@ -48,11 +51,10 @@ std::string table_html(const std::vector<std::vector<std::string>>& cells) {
   };
   std::string html = "<div class=\"scroll\"><table><thead>";
   for (std::size_t row = 0; row < cells.size(); ++row) {
-    const std::string cell = row == 0 ? "th" : "td";
     html += "<tr>";
     for (std::size_t c = 0; c < cells[row].size(); ++c)
-      html += "<" + cell + (is_words(c) ? " class=\"text\">" : ">") + escape_html(cells[row][c]) +
-              "</" + cell + ">";
+      html +=
+          opening(row, is_words(c)) + escape_html(cells[row][c]) + (row == 0 ? "</th>" : "</td>");
     html += row == 0 ? "</tr></thead>\n<tbody>" : "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
@@ -64,8 +66,10 @@ std::string picture_html(const std::string& png, const std::string& alternative,
          base64(png) + "\"><figcaption>" + escape_html(caption) + "</figcaption></figure>\n";
 }
 
-std::string chart_html(const std::string& svg) {
-  return "<figure><div class=\"chart\">" + svg + "</div></figure>\n";
+std::string chart_html(const std::string& svg, const std::string& caption) {
+  return "<figure><div class=\"chart\">" + svg + "</div>" +
+         (caption.empty() ? "" : "<figcaption>" + escape_html(caption) + "</figcaption>") +
+         "</figure>\n";
 }
 
 }  // namespace coapt

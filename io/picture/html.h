@@ -25,7 +25,7 @@ std::string table_html(const std::vector<std::vector<std::string>>& cells);
 std::string picture_html(const std::string& png, const std::string& alternative,
                          const std::string& caption);
 
-/// `svg` as it is, in a frame.
-std::string chart_html(const std::string& svg);
+/// `svg` as it is, in a frame, with words below.
+std::string chart_html(const std::string& svg, const std::string& caption = "");
 
 }  // namespace coapt

@@ -37,7 +37,7 @@ std::string circle(const PanelSeries& series, double x, double y) {
 
 std::string draw_series(const Frame& frame, const PanelSeries& series) {
   const std::size_t count = std::min(series.x.size(), series.y.size());
-  const bool line = series.mark == Mark::Line || series.mark == Mark::Dashed;
+  const bool line = !line_class(series.mark).empty();
   const bool dots = !line || (series.mark == Mark::Line && count <= kDotsUpTo);
   const std::string hue = css_class(series.hue);
   std::string path, marks;
@@ -60,8 +60,8 @@ std::string draw_series(const Frame& frame, const PanelSeries& series) {
       marks += text_at(x + 9.0, y + 4.0, "class=\"" + hue + "\"", series.names[i]);
   }
   if (!line || path.empty()) return marks;
-  return "<path class=\"line " + std::string(series.mark == Mark::Dashed ? "dashed " : "") + hue +
-         "\" d=\"" + path + "\"/>\n" + marks;
+  return "<path class=\"" + line_class(series.mark) + " " + hue + "\" d=\"" + path + "\"/>\n" +
+         marks;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/json/result_json.h"
+#include "io/picture/repair_paint.h"
 #include "io/picture/text.h"
 #include "io/picture/views.h"
 
@@ -10,6 +11,7 @@ namespace coapt {
 namespace {
 
 constexpr double kMargin = 32.0;
+constexpr double kDense = 2.0;          // pixels a unit, for print
 constexpr double kCompetent_mm2 = 1.0;  // below it there is no leak to speak of
 
 struct Line {
@@ -70,6 +72,12 @@ void draw_heading(const Canvas& canvas, const Box& box, const std::string& text)
   draw_text(canvas, {box.x + 4.0, box.y - 12.0}, text, {16.0, palette::kMuted});
 }
 
+/// The largest scale at which both fit.
+double common_scale(double (*scale)(const Box&, const ClosedValve&), const Box& box,
+                    const ClosedValve& before, const ClosedValve& after) {
+  return std::min(scale(box, before), scale(box, after));
+}
+
 }  // namespace
 
 std::string closure_picture_png(const ClosedValve& closed) {
@@ -84,22 +92,22 @@ std::string closure_picture_png(const ClosedValve& closed) {
   draw_atrial_view(canvas, {atrial, atrial_scale(atrial, closed)}, closed);
   draw_heading(canvas, section, "Long axis, through the middle of both leaflets");
   draw_section_view(canvas, {section, section_scale(section, closed)}, closed);
+  draw_legend(canvas, {atrial.x + 4.0, atrial.y + atrial.height + 4.0}, kWidth - 2.0 * kMargin,
+              {&closed});
   draw_caption(canvas, {section.x + 4.0, section.y + section.height + 20.0}, closed, section.width);
   draw_notice(canvas, kWidth, kHeight);
   return to_png(canvas);
 }
 
 std::string comparison_picture_png(const ClosedValve& before, const ClosedValve& after) {
-  constexpr int kWidth = 1300, kHeight = 1210;
+  constexpr int kWidth = 1300, kHeight = 1245;
   const Canvas canvas = make_canvas(kWidth, kHeight);
   fill_box(canvas, {0.0, 0.0, kWidth, kHeight}, palette::kPaper);
   constexpr double kColumn = 0.5 * kWidth - 1.5 * kMargin;
   const auto atrial = [](double x) { return Box{x, 70.0, kColumn, 490.0}; };
   const auto section = [](double x) { return Box{x, 570.0, kColumn, 410.0}; };
-  const double seen_from_atrium =
-      std::min(atrial_scale(atrial(0.0), before), atrial_scale(atrial(0.0), after));
-  const double seen_in_section =
-      std::min(section_scale(section(0.0), before), section_scale(section(0.0), after));
+  const double seen_from_atrium = common_scale(atrial_scale, atrial(0.0), before, after);
+  const double seen_in_section = common_scale(section_scale, section(0.0), before, after);
   double x = kMargin;
   for (const auto& [closed, title] : {std::pair(&before, "Before"), std::pair(&after, "After")}) {
     draw_text(canvas, {x + 4.0, 44.0}, title, {24.0, palette::kInk, Align::Left, true});
@@ -111,9 +119,39 @@ std::string comparison_picture_png(const ClosedValve& before, const ClosedValve&
   set_colour(canvas, palette::kHairline);
   cairo_set_line_width(canvas.context.get(), 1.0);
   cairo_move_to(canvas.context.get(), 0.5 * kWidth, 30.0);
-  cairo_line_to(canvas.context.get(), 0.5 * kWidth, kHeight - 50.0);
+  cairo_line_to(canvas.context.get(), 0.5 * kWidth, kHeight - 85.0);
   cairo_stroke(canvas.context.get());
+  draw_legend(canvas, {kMargin + 4.0, kHeight - 72.0}, kWidth - 2.0 * kMargin, {&before, &after});
   draw_notice(canvas, kWidth, kHeight);
+  return to_png(canvas);
+}
+
+std::string atrial_pair_png(const ClosedValve& before, const ClosedValve& after) {
+  constexpr int kWidth = 960, kHeight = 340;
+  const Canvas canvas = make_canvas(kWidth, kHeight, kDense);
+  fill_box(canvas, {0.0, 0.0, kWidth, kHeight}, palette::kPaper);
+  const auto column = [](double x) { return Box{x, 26.0, 0.5 * kWidth - 4.0, 284.0}; };
+  const double scale = common_scale(atrial_scale, column(0.0), before, after);
+  double x = 0.0;
+  for (const auto& [closed, title] :
+       {std::pair(&before, "Before, seen from the atrium"), std::pair(&after, "After")}) {
+    draw_text(canvas, {x + 8.0, 20.0}, title, {16.0, palette::kInk, Align::Left, true});
+    draw_atrial_view(canvas, {column(x), scale}, *closed);
+    x += 0.5 * kWidth + 4.0;
+  }
+  draw_legend(canvas, {8.0, 313.0}, kWidth - 16.0, {&before, &after});
+  return to_png(canvas);
+}
+
+std::string section_change_png(const ClosedValve& before, const ClosedValve& after) {
+  constexpr int kWidth = 470, kHeight = 304;
+  const Canvas canvas = make_canvas(kWidth, kHeight, kDense);
+  fill_box(canvas, {0.0, 0.0, kWidth, kHeight}, palette::kPaper);
+  const Box section{0.0, 22.0, kWidth, kHeight - 22.0};
+  draw_text(canvas, {8.0, 20.0}, "After, cut through the middle; grey: before",
+            {16.0, palette::kInk, Align::Left, true}, kWidth - 16.0);
+  draw_section_view(canvas, {section, common_scale(section_scale, section, before, after)}, after,
+                    &before);
   return to_png(canvas);
 }
 

@@ -7,6 +7,7 @@
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
 #include "core/valve/valve.h"
+#include "io/picture/repair_marks.h"
 
 namespace coapt {
 
@@ -15,6 +16,7 @@ struct ClosedValve {
   Valve valve;
   ClosureResult closure;
   ValveMeasure measure;
+  RepairMarks repair{};  ///< drawn if there is any
 };
 
 /// PNG bytes: atrial view with the orifices coloured beside a long-axis section, captioned.
@@ -23,10 +25,16 @@ std::string closure_picture_png(const ClosedValve& closed);
 /// PNG bytes: atrial view of before and after side by side with sections below.
 std::string comparison_picture_png(const ClosedValve& before, const ClosedValve& after);
 
+/// PNG bytes, for a page that says the figures itself: before and after from the atrium in one scale, with
+/// a legend; and the section of after, before behind it in grey.
+std::string atrial_pair_png(const ClosedValve& before, const ClosedValve& after);
+std::string section_change_png(const ClosedValve& before, const ClosedValve& after);
+
 struct Series {
   std::string label;
   std::vector<double> x, y;
   bool line = true;  ///< through the points; else markers alone
+  bool dashed = false;
 };
 struct Chart {
   std::string title, x_label, y_label;

@@ -9,6 +9,8 @@
 namespace coapt {
 namespace {
 
+constexpr std::size_t kPictures = 10;  // a third of a megabyte each
+
 const char* words_of(GateSeverity severity) {
   switch (severity) {
     case GateSeverity::Pass:
@@ -31,9 +33,10 @@ std::string in_words(std::string rule) {
 std::string gates_table(const std::vector<Gate>& gates) {
   if (gates.empty()) return "";
   std::string html =
-      "<h3>Rules of practice</h3>\n<div class=\"scroll\"><table><thead><tr>"
-      "<th class=\"text\">Rule</th><th class=\"text\">Verdict</th><th class=\"text\">Finding</th>"
-      "<th class=\"text\">Source</th></tr></thead><tbody>\n";
+      "<h4>Rules of practice</h4>\n<div class=\"scroll\"><table class=\"whole\"><thead><tr>"
+      "<th scope=\"col\" class=\"text\">Rule</th><th scope=\"col\" class=\"text\">Verdict</th><th "
+      "scope=\"col\" class=\"text\">Finding</th>"
+      "<th scope=\"col\" class=\"text\">Source</th></tr></thead><tbody>\n";
   for (const Gate& gate : gates)
     html += "<tr><td class=\"text\">" + escape_html(in_words(gate.rule)) +
             "</td><td class=\"text\"><span class=\"verdict-of " + to_string(gate.severity) + "\">" +
@@ -55,8 +58,8 @@ std::vector<std::string> measures_row(const std::string& name, const ValveMeasur
 }
 
 std::string before_and_after(const ValveMeasure& before, const ValveMeasure& after) {
-  return "<h3>Before and after, as planned</h3>\n" +
-         table_html({{"", "Orifice, mm²", "Gap, mm²", "Coaptation, mean, mm", "least, mm",
+  return "<h4>Before and after, as planned</h4>\n" +
+         table_html({{"Valve", "Orifice, mm²", "Gap, mm²", "Coaptation, mean, mm", "least, mm",
                       "Tenting, mm", "Chordal tension, peak, N", "sum, N"},
                      measures_row("Before", before),
                      measures_row("After", after)});
@@ -82,28 +85,49 @@ std::string joined_steps(const RankedPlan& plan) {
   return words;
 }
 
+/// What the panels show, those that are there.
+std::string figure_words(const RegionReport& region) {
+  std::string words;
+  if (!region.maps.empty())
+    words +=
+        "Heat maps: the leak for sutures up to 1 mm too short or too long (upwards) and tips up to "
+        "5 degrees inwards or outwards (to the right); the framed cell is the plan as planned. ";
+  if (!region.remodelling.empty())
+    words +=
+        "Remodelling: the leak when the tips are drawn further away after the repair, a taut "
+        "suture "
+        "holding; above the dashed line it is no longer a good repair. ";
+  if (std::isfinite(region.indices.total[0]))
+    words += "Bars: which of the errors the leak answers to. ";
+  return words + "Coaptation: how high the leaflets touch, from commissure to commissure.";
+}
+
 std::string details(const PlanReport& report, std::size_t index) {
   const RankedPlan& plan = report.result.plans[index];
   const ValveMeasure& before = report.result.before.measure;
-  std::string html = index == 0 ? "<details open>" : "<details>";
-  html += "<summary>Rank " + std::to_string(plan.rank) +
-          (plan.name.empty() ? "" : " (" + escape_html(plan.name) + ")") + " <small>" +
+  const std::string rank = std::to_string(plan.rank);
+  std::string html = "<div class=\"plan-evidence\">";
+  html += index == plan_in_front(report) ? "<details open>" : "<details>";
+  html += "<summary id=\"plan-" + rank + "\"><h3>Rank " + rank +
+          (plan.name.empty() ? "" : " (" + escape_html(plan.name) + ")") + "</h3> <small>" +
           escape_html(joined_steps(plan) + ". " + region_words(plan.region)) +
-          ".</small></summary>\n" + chart_html(evidence_svg(plan, before)) +
+          ".</small></summary>\n" +
+          chart_html(evidence_svg(plan, before), figure_words(plan.region)) +
           independent_words(plan.region.independent_leak_mm2) +
           before_and_after(before, plan.measure) + gates_table(plan.gates);
-  if (index > 0 && index < report.after.size())
+  if (index < report.after.size() && index < kPictures)
     html +=
         picture_html(closure_picture_png(report.after[index]), "Atrial view and long-axis section",
-                     "Rank " + std::to_string(plan.rank) + ", closed under systolic pressure.");
-  return html + "</details>\n";
+                     "Rank " + rank + ", closed under systolic pressure.");
+  return html + "</details></div>\n";
 }
 
 }  // namespace
 
 std::string evidence_section(const PlanReport& report) {
-  std::string html = "<section><h2>Evidence, plan by plan</h2>\n";
-  for (std::size_t i = 0; i < report.result.plans.size(); ++i) html += details(report, i);
+  std::string html = "<section id=\"evidence\"><h2>Evidence, plan by plan</h2>\n";
+  for (std::size_t i = 0; i < report.result.plans.size(); ++i)
+    if (is_told(report, report.result.plans[i])) html += details(report, i);
   return html + "</section>\n";
 }
 

@@ -4,6 +4,7 @@
 #include "io/picture/html.h"
 #include "io/picture/line_chart.h"
 #include "io/picture/report_parts.h"
+#include "io/picture/report_words.h"
 #include "io/picture/text.h"
 
 namespace coapt {
@@ -20,9 +21,9 @@ std::string cell(const std::string& words, const std::string& attributes = "") {
 }
 
 std::string rank_cell(const RankedPlan& plan) {
-  return "<td>" + std::to_string(plan.rank) +
-         (closes_robustly(plan) ? "<span class=\"badge\">robust</span>" : "") +
-         (plan.pareto ? "<span class=\"badge plain\">Pareto</span>" : "") + "</td>";
+  return "<th scope=\"row\">" + std::to_string(plan.rank) +
+         (closes_robustly(plan) ? " <span class=\"badge\">robust</span>" : "") +
+         (plan.pareto ? " <span class=\"badge plain\">Pareto</span>" : "") + "</th>";
 }
 
 std::vector<std::string> remarks_on(const RankedPlan& plan) {
@@ -45,8 +46,8 @@ std::string rows_of(const RankedPlan& plan) {
   const std::vector<std::string> remarks = remarks_on(plan);
   std::string html = remarks.empty() ? "<tr>" : "<tr class=\"has-more\">";
   html += rank_cell(plan) + "<td class=\"words\">";
-  if (!plan.name.empty()) html += "<strong>" + escape_html(plan.name) + "</strong>";
-  html += list_html(steps_of(plan)) + "</td>";
+  if (!plan.name.empty()) html += "<strong>" + escape_html(plan.name) + "</strong><br>";
+  html += escape_html(short_words(plan)) + "</td>";
   for (const std::string& figure :
        {fixed(plan.measure.orifice.area_mm2, 1), fixed(plan.measure.coaptation.gap_area_mm2, 1),
         mean_and_sd(leak), fixed(leak.p95, 1), fixed(leak.worst, 1), percent(leak.below_5),
@@ -99,7 +100,10 @@ std::string trade_offs(const SearchResult& result) {
       {trade(result, {"", "steps of the operation", "leak, mean + sd, mm²"}, steps, upper),
        trade(result, {"", "ring sizes below the annulus", "leak, mean + sd, mm²"}, sizes, upper),
        trade(result, {"", "leak, mean, mm²", "leak, sd, mm²"}, mean, sd)}};
-  return chart_html(line_chart_svg(chart));
+  return chart_html(
+      line_chart_svg(chart),
+      "Each number is a plan. Full points: no other plan is as good in everything and "
+      "better in something (Pareto front). Hollow ones are beaten by another plan.");
 }
 
 }  // namespace
@@ -120,18 +124,25 @@ std::string angle_margin(const LeakMargin& to_leak) {
   return margin(to_leak.angle_deg, kFarthest_deg, 1);
 }
 
-std::string ranked_section(const SearchResult& result) {
+std::string ranked_section(const PlanReport& report) {
+  const SearchResult& result = report.result;
   std::string html =
-      "<section><h2>All ranked plans</h2>\n<div class=\"scroll\"><table class=\"dense\"><thead>"
-      "<tr><th class=\"group\" colspan=\"2\"></th><th class=\"group\" colspan=\"2\">As planned</th>"
-      "<th class=\"group\" colspan=\"4\">Leak when the repair varies</th>"
-      "<th class=\"group\" colspan=\"2\">Margin to leak</th>"
-      "<th class=\"group\" colspan=\"4\"></th></tr>"
-      "<tr><th>Rank</th><th class=\"words\">Steps</th><th>Orifice<br>mm²</th><th>Gap<br>mm²</th>"
-      "<th>mean ± sd<br>mm²</th><th>95th p.<br>mm²</th><th>worst<br>mm²</th>"
-      "<th>below<br>5 "
-      "mm²</th><th>suture<br>mm</th><th>angle<br>°</th><th>Coap-<br>tation<br>mm</th>"
-      "<th>Tension<br>N</th><th>Cost</th><th>Ahead of<br>the next</th></tr></thead><tbody>\n";
+      "<section id=\"ranked\"><h2>All ranked plans</h2>\n<div class=\"scroll\"><table "
+      "class=\"dense\"><thead>"
+      "<tr><td class=\"group\" colspan=\"2\"></td><th scope=\"colgroup\" class=\"group\" "
+      "colspan=\"2\">As planned</th>"
+      "<th scope=\"colgroup\" class=\"group\" colspan=\"4\">Leak when the repair varies</th>"
+      "<th scope=\"colgroup\" class=\"group\" colspan=\"2\">Margin to leak</th>"
+      "<td class=\"group\" colspan=\"4\"></td></tr>"
+      "<tr><th scope=\"col\">Rank</th><th scope=\"col\" class=\"words\">Steps</th><th "
+      "scope=\"col\">Orifice<br>mm²</th><th scope=\"col\">Gap<br>mm²</th>"
+      "<th scope=\"col\">mean ± sd<br>mm²</th><th scope=\"col\">95th p.<br>mm²</th><th "
+      "scope=\"col\">worst<br>mm²</th>"
+      "<th scope=\"col\">below<br>5 "
+      "mm²</th><th scope=\"col\">suture<br>mm</th><th scope=\"col\">angle<br>°</th><th "
+      "scope=\"col\">Coap-<br>tation<br>mm</th>"
+      "<th scope=\"col\">Tension<br>N</th><th scope=\"col\">Cost</th><th scope=\"col\">Ahead "
+      "of<br>the next</th></tr></thead><tbody>\n";
   for (const RankedPlan& plan : result.plans) html += rows_of(plan);
   return html +
          "</tbody></table></div>\n<p class=\"small\">Orifice: as planned, seen from the atrium. "

@@ -57,16 +57,17 @@ std::string progress_chart(const SearchResult& result) {
               "cost, mm² (lower is better)",
               {staircase(result.progress, most, end)},
               true};
-  Series random{"what plans at random are expected to reach", {}, {}};
+  Series random{"what plans at random are expected to reach", {}, {}, true, true};
   for (const Progress& at : result.random_progress)
     if (at.cost <= most) {
       random.x.push_back(at.closures);
       random.y.push_back(at.cost);
     }
   if (!random.x.empty()) chart.series.push_back(std::move(random));
-  return "<div class=\"narrow\">" + chart_html(chart_svg(chart)) +
-         "</div>\n<p class=\"small\">Each plan closed once. Costs above " + fixed(most, 0) +
-         " are not drawn.</p>\n";
+  return "<div class=\"narrow\">" +
+         chart_html(chart_svg(chart), "Each plan closed once; lower is better. Costs above " +
+                                          fixed(most, 0) + " are not drawn.") +
+         "</div>\n";
 }
 
 std::string counts(const SearchResult& result) {
@@ -121,9 +122,10 @@ std::string cut_table(const std::vector<CutBranches>& cut) {
 }  // namespace
 
 std::string search_section(const SearchResult& result) {
-  return "<section><h2>How the search went</h2>\n" + counts(result) + progress_chart(result) +
-         "<div class=\"pair\"><div>" + subset_table(result.plans) + "</div><div>" +
-         ladder_table(result.ladder) + "</div></div>\n" + cut_table(result.cut) + "</section>\n";
+  return "<section id=\"search\"><h2>How the search went</h2>\n" + counts(result) +
+         progress_chart(result) + "<div class=\"pair\"><div>" + subset_table(result.plans) +
+         "</div><div>" + ladder_table(result.ladder) + "</div></div>\n" + cut_table(result.cut) +
+         "</section>\n";
 }
 
 }  // namespace coapt

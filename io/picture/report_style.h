@@ -8,7 +8,7 @@ namespace coapt {
 inline constexpr std::string_view kReportStyle = R"(
 :root{--paper:#fbfaf8;--card:#fff;--ink:#1d2732;--muted:#647080;--line:#dfe3e8;--accent:#2456c8;
 --warn:#a3340f;--warn-paper:#fdf1ea;--good:#00694d;--good-paper:#e6f4ee;color-scheme:light dark}
-@media (prefers-color-scheme:dark){:root{--paper:#14181d;--card:#1c2229;--ink:#e4e9ef;--muted:#98a4b3;
+@media screen and (prefers-color-scheme:dark){:root{--paper:#14181d;--card:#1c2229;--ink:#e4e9ef;--muted:#98a4b3;
 --line:#323b46;--accent:#86aaff;--warn:#ffab84;--warn-paper:#33231b;--good:#3fd3a2;--good-paper:#16302a}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--paper);color:var(--ink);

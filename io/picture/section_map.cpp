@@ -29,6 +29,8 @@ Extents extents(const ClosedValve& closed, const SectionMap& map) {
   for (const SectionLine& line : cut(valve.faces, closed.closure.closed_mm, mid_valve_plane(valve)))
     for (const Vec3& point : line.points_mm) found.leaflets.extend(map(point));
   for (const PapillaryHead& head : valve.heads) found.tips.extend(map(head.tip_mm));
+  for (const SutureMark& suture : closed.repair.sutures)
+    found.tips.extend(map(suture.tip_before_mm));
   return found;
 }
 

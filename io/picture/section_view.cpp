@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/metrics/coaptation.h"
+#include "io/picture/repair_paint.h"
 #include "io/picture/section_map.h"
 #include "io/picture/text.h"
 
@@ -41,7 +42,20 @@ void draw_leaflets(const Canvas& canvas, const ClosedValve& closed,
   }
 }
 
-/// Chordae that insert near the plane, whole, and fainter the farther off they insert.
+/// In the same plane, thin and grey.
+void draw_before(const Canvas& canvas, const ClosedValve& before, const SectionPlane& plane,
+                 const SectionMap& map) {
+  if (!before.closure.closed_mm.allFinite()) return;
+  for (const SectionLine& section : cut(before.valve.faces, before.closure.closed_mm, plane))
+    for (std::size_t i = 0; i + 1 < section.points_mm.size(); ++i)
+      line(canvas, map(section.points_mm[i]), map(section.points_mm[i + 1]));
+  set_colour(canvas, palette::kBefore);
+  cairo_set_line_width(canvas.context.get(),
+                       0.6 * before.valve.tissue.thickness_mm * map.pixels_per_mm);
+  cairo_stroke(canvas.context.get());
+}
+
+/// Native chordae that insert near the plane, whole, and fainter the farther off they insert.
 void draw_chordae(const Canvas& canvas, const ClosedValve& closed, const SectionMap& map) {
   const Valve& valve = closed.valve;
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
@@ -49,7 +63,7 @@ void draw_chordae(const Canvas& canvas, const ClosedValve& closed, const Section
     const int segments = static_cast<int>(chorda.segments.size());
     const bool solved = c < closed.closure.branch_points_mm.size() &&
                         closed.closure.branch_points_mm[c].rows() == segments;
-    if (chorda.ruptured || !solved) continue;
+    if (chorda.ruptured || !solved || chorda.kind == ChordaKind::Neochorda) continue;
     const auto end_mm = [&](int segment) -> Vec3 {
       return segment < 0 ? valve.heads[static_cast<std::size_t>(chorda.head)].tip_mm
                          : Vec3(closed.closure.branch_points_mm[c].row(segment).transpose());
@@ -59,7 +73,7 @@ void draw_chordae(const Canvas& canvas, const ClosedValve& closed, const Section
       if (chorda.segments[static_cast<std::size_t>(s)].inserts)
         nearness = std::max(nearness, 1.0 - map.off_plane_mm(end_mm(s)) / kChordaReach_mm);
     if (nearness == 0.0) continue;
-    Colour colour = chorda.kind == ChordaKind::Neochorda ? palette::kNeochorda : palette::kChorda;
+    Colour colour = palette::kChorda;
     colour.alpha = 0.2 + 0.7 * nearness;
     for (int s = 0; s < segments; ++s) {
       const ChordaSegment& segment = chorda.segments[static_cast<std::size_t>(s)];
@@ -143,7 +157,8 @@ void draw_heights(const Canvas& canvas, const Tenting& tenting,
 
 }  // namespace
 
-void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed) {
+void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed,
+                       const ClosedValve* before) {
   if (!closed.closure.closed_mm.allFinite()) return draw_unknown(canvas, frame);
   const Valve& valve = closed.valve;
   const Box& box = frame.box;
@@ -151,14 +166,15 @@ void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const Close
   const Vec3 mid_posterior_mm = annulus_position_mm(valve, valve.landmarks.mid_posterior);
   const SectionMap map = section_map(frame, closed);
   const AnnularLine annulus{map(saddle_peak_mm), map(mid_posterior_mm)};
-  const std::vector<SectionLine> lines =
-      cut(valve.faces, closed.closure.closed_mm, mid_valve_plane(valve));
+  const SectionPlane plane = mid_valve_plane(valve);
+  const std::vector<SectionLine> lines = cut(valve.faces, closed.closure.closed_mm, plane);
   const Tenting tenting = measure_tenting(valve, closed.closure.closed_mm);
 
   cairo_t* cairo = canvas.context.get();
   cairo_save(cairo);
   cairo_rectangle(cairo, box.x, box.y, box.width, box.height);
   cairo_clip(cairo);
+  if (before != nullptr) draw_before(canvas, *before, plane, map);
   draw_chordae(canvas, closed, map);
   draw_tips(canvas, valve, map, box);
   draw_leaflets(canvas, closed, lines, map);
@@ -168,6 +184,9 @@ void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const Close
   cairo_stroke(cairo);
   for (const Vec2& end : {annulus.saddle_peak, annulus.mid_posterior})
     fill_circle(canvas, end, 5.0, palette::kAnnulus);
+  const RepairSheet repair{canvas, map, map.pixels_per_mm};
+  draw_sutures(repair, closed);
+  draw_ring_cut(repair, closed, {saddle_peak_mm, mid_posterior_mm});
   draw_heights(canvas, tenting, lines, annulus, map);
   double left = annulus.saddle_peak.x(), right = annulus.mid_posterior.x();
   for (const SectionLine& section : lines)
@@ -176,9 +195,9 @@ void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const Close
       right = std::max(right, map(point).x());
     }
   draw_text(canvas, {left - 14.0, annulus.saddle_peak.y() + 5.0}, "anterior",
-            {13.0, palette::kMuted, Align::Right});
+            {13.0, palette::kMuted, Align::Right, false, 3.0});
   draw_text(canvas, {right + 14.0, annulus.mid_posterior.y() + 5.0}, "posterior",
-            {13.0, palette::kMuted});
+            {13.0, palette::kMuted, Align::Left, false, 3.0});
   draw_text(canvas, Vec2(box.x + 0.5 * box.width, box.y + 22.0), "left atrium",
             {14.0, palette::kMuted, Align::Centre});
   draw_text(canvas, Vec2(box.x + box.width - 16.0, box.y + box.height - 18.0), "left ventricle",

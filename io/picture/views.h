@@ -14,8 +14,10 @@ struct ViewFrame {
 /// As the surgeon sees it: anterior up, anterolateral left. Orifices in blue with their areas.
 void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed);
 
-/// Long-axis section through the saddle peak and mid-posterior: atrium up, anterior left.
-void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed);
+/// Long-axis section through the saddle peak and mid-posterior: atrium up, anterior left. Leaflets of
+/// `before` stand behind in grey, cut by the same plane.
+void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed,
+                       const ClosedValve* before = nullptr);
 
 /// The largest scales at which the annulus with its labels, and the section down to the papillary
 /// tips, fit into a box.

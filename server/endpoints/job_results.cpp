@@ -141,8 +141,9 @@ Answer GetPlanPicture::operator()(const Request& request) const {
   if (repair.refusal) return *repair.refusal;
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  return {200, Content{"image/png",
-                       comparison_picture_png(closed(repair.before), closed(repair.after))}};
+  ClosedValve after = closed(repair.after);
+  after.repair = repair_marks(repair.before, repair.after, repair.plan);
+  return {200, Content{"image/png", comparison_picture_png(closed(repair.before), after)}};
 }
 
 Answer GetPlanReport::operator()(const Request& request) const {

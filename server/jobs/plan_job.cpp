@@ -48,11 +48,11 @@ std::vector<JobFile> reports_of(const Valve& valve, const SearchResult& result,
   std::vector<JobFile> files = {
       {"report.html", kHtmlType,
        plan_report_html({pictures.before, pictures.after, result, request})}};
-  for (std::size_t i = 0; i < result.plans.size() && !stopped(); ++i) {
-    SearchResult one = result;
-    one.plans = {result.plans[i]};
-    files.push_back({"plan-" + std::to_string(result.plans[i].rank) + ".html", kHtmlType,
-                     plan_report_html({pictures.before, {pictures.after[i]}, one, request})});
+  for (const RankedPlan& plan : result.plans) {
+    if (stopped()) break;
+    files.push_back(
+        {"plan-" + std::to_string(plan.rank) + ".html", kHtmlType,
+         plan_report_html({pictures.before, pictures.after, result, request, plan.rank})});
   }
   return files;
 }

@@ -55,7 +55,8 @@ TEST(StudyPage, EscapesEveryFreeText) {
 TEST(StudyPage, SetsColumnsOfWordsLeftAndSplitsParagraphs) {
   const std::string html = study_page(
       "t", "", {{"h", "one\ntwo\n\nthree", "", {{"class", "mm2"}, {"AL", "-1.5"}, {"PM", "n/a"}}}});
-  EXPECT_EQ(count(html, "<th class=\"text\">class</th><th>mm2</th>"), 1u);
+  EXPECT_EQ(count(html, "<th scope=\"col\" class=\"text\">class</th><th scope=\"col\">mm2</th>"),
+            1u);
   EXPECT_EQ(count(html, "<td class=\"text\">AL</td><td>-1.5</td>"), 1u);
   EXPECT_EQ(count(html, "<p>one two</p>\n<p>three</p>"), 1u);
   EXPECT_EQ(count(html, "class=\"lead\""), 0u);

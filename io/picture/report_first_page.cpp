@@ -1,0 +1,256 @@
+// What a surgeon asks, in that order: does it close, what is done, how it looks, which figures and how sure,
+// what to watch, what else there is.
+#include <algorithm>
+#include <cmath>
+
+#include "io/picture/html.h"
+#include "io/picture/report_parts.h"
+#include "io/picture/report_words.h"
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kOthersShown = 5;  // rows that leave the page a page
+constexpr std::size_t kWarningsShown = 5;
+constexpr double kCounted = 0.99;  // 400 resamples say no more
+
+std::string key_figure(const std::string& name, const std::string& value,
+                       const std::string& remark) {
+  return "<div><dt>" + escape_html(name) + "</dt><dd>" + escape_html(value) + "<small>" +
+         escape_html(remark) + "</small></dd></div>\n";
+}
+
+bool varied(const RankedPlan& plan) { return std::isfinite(plan.region.leak_mm2.mean); }
+
+std::string tie_words(const std::vector<RankedPlan>& plans, std::size_t index) {
+  std::size_t first = index, last = index;
+  while (first > 0 && ties_with_next(plans[first - 1])) --first;
+  while (last + 1 < plans.size() && ties_with_next(plans[last])) ++last;
+  if (first < last)
+    return "Plans " + std::to_string(plans[first].rank) + (last == first + 1 ? " and " : " to ") +
+           std::to_string(plans[last].rank) + " tie: the simulation cannot tell which is better.";
+  const double ahead = plans[index].probability_outranks_next;
+  if (index + 1 == plans.size() || !std::isfinite(ahead)) return "";
+  return "Ahead of plan " + std::to_string(plans[index + 1].rank) + " with a probability of " +
+         (ahead > kCounted ? "more than 99 %" : percent(ahead)) + ".";
+}
+
+std::string stop_words(SearchStop stop) {
+  switch (stop) {
+    case SearchStop::Cancelled:
+      return "The search was cancelled: this is the best so far.";
+    case SearchStop::TimeLimit:
+      return "The search ran out of time: this is the best so far.";
+    case SearchStop::EvaluationLimit:
+    case SearchStop::Exhausted:
+    case SearchStop::NoImprovement:
+    case SearchStop::TargetReached:
+      return "";
+  }
+  return "";
+}
+
+/// What may be believed of the closing, first.
+std::string verdict(const PlanReport& report, const RankedPlan& plan) {
+  const bool robust = closes_robustly(plan);
+  const RegionReport& region = plan.region;
+  std::string words;
+  if (robust)
+    words = "Closes this valve robustly in the simulation: all " + grouped(region.closures) +
+            " variations of the plan converged, and mean + sd of the leak stay below 1 mm².";
+  else if (plan.status != ClosureStatus::Converged || plan.crossing)
+    words = "The simulation of this plan failed: its figures are not to be trusted.";
+  else if (!varied(plan))
+    words = "Whether this plan closes the valve robustly is not known: it was not varied.";
+  else
+    words = "Does not close this valve robustly in the simulation.";
+  std::string html = robust ? "<p class=\"robust\"><strong>" : "<p class=\"least-bad\"><strong>";
+  html += escape_html(words) + "</strong>";
+  if (!report.result.any_competent)
+    html += " No plan closes this valve robustly; ranked least bad.";
+  for (const std::string& more :
+       {tie_words(report.result.plans, plan_in_front(report)), stop_words(report.result.stop)})
+    if (!more.empty()) html += " " + escape_html(more);
+  return html + "</p>\n";
+}
+
+std::string operation(const PlanReport& report, const RankedPlan& plan) {
+  const std::string heading = report.about == 0 ? "The plan that came first"
+                                                : "Plan " + std::to_string(plan.rank) + " of " +
+                                                      std::to_string(report.result.plans.size());
+  std::string html = "<div class=\"operation\">" + tag("h2", escape_html(heading));
+  if (!plan.name.empty()) html += "<p class=\"small\">" + escape_html(plan.name) + "</p>\n";
+  html += "<ol class=\"plan\">\n";
+  for (const StepWords& words : surgical_words(report.before, plan))
+    html += "<li><strong>" + escape_html(words.step) + "</strong>" +
+            (words.detail.empty() ? "" : "<br><span>" + escape_html(words.detail) + "</span>") +
+            "</li>\n";
+  return html + "</ol></div>\n";
+}
+
+std::string pictures(const PlanReport& report, std::size_t index) {
+  if (index >= report.after.size()) return "";
+  const ClosedValve& after = report.after[index];
+  const ValveMeasure &was = report.before.measure, &is = after.measure;
+  const std::string change = "orifice " + with_unit(was.orifice.area_mm2, 1, "mm²") + " before, " +
+                             with_unit(is.orifice.area_mm2, 1, "mm²") + " after";
+  return "<div class=\"atrial\">" +
+         picture_html(
+             atrial_pair_png(report.before, after),
+             "The closed valve seen from the atrium, anterior up, anterolateral left: " + change +
+                 ". What the repair put in is drawn over the leaflets.",
+             "Closed under systolic pressure, same scale; anterior up, anterolateral left. "
+             "Sutures and neochordae lie behind the leaflets.") +
+         "</div>\n<div class=\"cut\">" +
+         picture_html(section_change_png(report.before, after),
+                      "Long-axis section through the middle of both leaflets after the repair, "
+                      "leaflets before it in grey",
+                      "Long axis; papillary tips and sutures are projected.") +
+         "</div>\n";
+}
+
+std::string undersizing(const RankedPlan& plan) {
+  const bool ring = std::any_of(
+      plan.plan.steps.begin(), plan.plan.steps.end(),
+      [](const RepairStep& step) { return std::holds_alternative<Annuloplasty>(step); });
+  return ring ? fixed(plan.effort.sizes_below, 1) + " sizes" : "no ring";
+}
+
+std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
+  const OrificeStatistics& leak = plan.region.leak_mm2;
+  const LeakMargin& margin = plan.region.margin_to_leak;
+  const ValveMeasure& after = plan.measure;
+  const std::string of_variations =
+      varied(plan) ? "of " + grouped(plan.region.closures) + " variations" : "was not varied";
+  const std::string moved = fixed(plan.effort.anterolateral_movement_mm, 1) + " / " +
+                            fixed(plan.effort.posteromedial_movement_mm, 1) + " mm";
+  return "<dl>\n" +
+         key_figure("Leak as planned", with_unit(leak_mm2(after), 1, "mm²"),
+                    "before " + fixed(leak_mm2(before), 1) + "; one closure ± 0.5 mm²") +
+         key_figure("Leak when the repair varies",
+                    varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
+                    "± sd; 95 % below " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +
+         key_figure("Good repair, below 5 mm²", percent(leak.below_5), of_variations) +
+         key_figure("Margin to leak",
+                    suture_margin(margin) + (std::isfinite(margin.suture_length_mm) ? " mm" : "") +
+                        " · " + angle_margin(margin) + (std::isfinite(margin.angle_deg) ? "°" : ""),
+                    "first error that leaks 1 mm²") +
+         key_figure("Coaptation height", with_unit(after.coaptation.height_mean_mm, 1, "mm"),
+                    "least " + fixed(after.coaptation.height_min_mm, 1) + "; before " +
+                        fixed(before.coaptation.height_mean_mm, 1) + ", least " +
+                        fixed(before.coaptation.height_min_mm, 1)) +
+         key_figure("Highest chordal tension", with_unit(after.tension_max_n, 2, "N"),
+                    "before " + with_unit(before.tension_max_n, 2, "N")) +
+         key_figure("Ring undersizing", undersizing(plan), "2 to 4 usual, more is rejected") +
+         key_figure("Muscles moved, AL / PM", moved, "more than 10 mm is unusual") + "</dl>\n";
+}
+
+std::string how_sure(const RankedPlan& plan) {
+  std::string words;
+  if (varied(plan)) {
+    words =
+        "Leak: the larger of orifice and hidden gap. The repair varies: suture length (without a "
+        "suture, "
+        "the tip's distance from its trigone) by up to 1 mm, direction of the tips by up to 5°, "
+        "in " +
+        grouped(plan.region.closures) + (plan.region.closures == 1 ? " closure" : " closures");
+    if (plan.region.failures > 0)
+      words += ", " + std::to_string(plan.region.failures) + " of which failed and are left out";
+    words += ". ";
+  } else {
+    words = "This plan was not closed under variations: how it bears small errors is not known. ";
+  }
+  return "<p class=\"small\">" + escape_html(words) +
+         "Other errors (imaging, tissue, ring placement) are not in the spread; see <a "
+         "href=\"#limits\">limits</a>.</p>\n";
+}
+
+std::string care(const RankedPlan& plan) {
+  std::string html = "<div class=\"care\"><h3>What to watch</h3>\n";
+  std::vector<std::string> shown(
+      plan.warnings.begin(),
+      plan.warnings.begin() + std::min<std::ptrdiff_t>(std::ssize(plan.warnings), kWarningsShown));
+  if (shown.size() < plan.warnings.size())
+    shown.push_back(std::to_string(plan.warnings.size() - shown.size()) +
+                    " more: see the rules of practice");
+  html += shown.empty() ? "<p>No rule of practice that coapt can check objects.</p>\n"
+                        : list_html(shown, "<ul class=\"warning\">");
+  std::string unseen;
+  for (const Gate& gate : plan.gates)
+    if (gate.severity == GateSeverity::NotAssessed) {
+      std::string rule = gate.rule;
+      std::replace(rule.begin(), rule.end(), '_', ' ');
+      unseen += (unseen.empty() ? "" : ", ") + rule;
+    }
+  if (!unseen.empty())
+    html += "<p class=\"small\">Not assessed: " + escape_html(unseen) + ".</p>\n";
+  return html + "</div>\n";
+}
+
+std::string other_row(const PlanReport& report, const RankedPlan& plan, bool in_front) {
+  const std::string rank = std::to_string(plan.rank);
+  const OrificeStatistics& leak = plan.region.leak_mm2;
+  std::string html = in_front ? "<tr class=\"this\">" : "<tr>";
+  html += "<th scope=\"row\">" +
+          (is_told(report, plan) ? "<a href=\"#plan-" + rank + "\">" + rank + "</a>" : rank) +
+          (closes_robustly(plan) ? " <span class=\"badge\">robust</span>" : "") +
+          "</th><td class=\"words\">" + escape_html(short_words(plan)) +
+          (ties_with_next(plan) ? " <em>(tie)</em>" : "") + "</td>";
+  for (const std::string& cell : {mean_and_sd(leak), fixed(leak.p95, 1), percent(leak.below_5),
+                                  suture_margin(plan.region.margin_to_leak) + " · " +
+                                      angle_margin(plan.region.margin_to_leak),
+                                  fixed(plan.effort.sizes_below, 1),
+                                  fixed(plan.effort.anterolateral_movement_mm, 1) + " / " +
+                                      fixed(plan.effort.posteromedial_movement_mm, 1),
+                                  fixed(plan.measure.tension_max_n, 2)})
+    html += "<td>" + escape_html(cell) + "</td>";
+  return html + "</tr>\n";
+}
+
+std::string others(const PlanReport& report, std::size_t front) {
+  const std::vector<RankedPlan>& plans = report.result.plans;
+  if (plans.size() < 2) return "";
+  std::string html =
+      "<div class=\"others\"><h3>This plan among the others</h3>\n<div class=\"scroll\"><table "
+      "class=\"dense\"><thead><tr><th scope=\"col\">Rank</th><th scope=\"col\" "
+      "class=\"words\">Operation</th><th scope=\"col\">Leak, mm²<br>mean ± sd</th><th "
+      "scope=\"col\">95 %<br>below</th><th scope=\"col\">Below<br>5 mm²</th><th "
+      "scope=\"col\">Margin<br>mm · °</th><th scope=\"col\">Sizes<br>below</th><th "
+      "scope=\"col\">Moved, mm<br>AL / PM</th><th "
+      "scope=\"col\">Tension<br>N</th></tr></thead><tbody>\n";
+  const std::size_t first = front < kOthersShown ? kOthersShown : kOthersShown - 1;
+  for (std::size_t i = 0; i < plans.size(); ++i)
+    if (i < first || i == front) html += other_row(report, plans[i], i == front);
+  html += "</tbody></table></div>\n";
+  if (plans.size() > kOthersShown)
+    html += "<p class=\"small\">" + std::to_string(plans.size() - kOthersShown) +
+            " more in <a href=\"#ranked\">all ranked plans</a>.</p>\n";
+  return html + "</div>\n";
+}
+
+}  // namespace
+
+std::size_t plan_in_front(const PlanReport& report) {
+  const std::vector<RankedPlan>& plans = report.result.plans;
+  const auto found = std::find_if(plans.begin(), plans.end(), [&](const RankedPlan& plan) {
+    return plan.rank == report.about;
+  });
+  return found == plans.end() ? 0 : static_cast<std::size_t>(found - plans.begin());
+}
+
+bool is_told(const PlanReport& report, const RankedPlan& plan) {
+  return report.about == 0 || plan.rank == report.result.plans[plan_in_front(report)].rank;
+}
+
+std::string first_page(const PlanReport& report) {
+  const std::size_t front = plan_in_front(report);
+  const RankedPlan& plan = report.result.plans[front];
+  return "<section class=\"first\">\n" + verdict(report, plan) + operation(report, plan) +
+         pictures(report, front) +
+         "<div class=\"key\"><h3>Figures that matter, and how sure they are</h3>\n" +
+         figures(report.result.before.measure, plan) + how_sure(plan) + "</div>\n" + care(plan) +
+         others(report, front) + "</section>\n";
+}
+
+}  // namespace coapt

@@ -1,0 +1,238 @@
+#include "io/picture/report_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include "core/repair/annuloplasty.h"
+#include "core/repair/apply_plan.h"
+#include "core/repair/limits.h"
+#include "core/valve/annulus_frame.h"
+#include "io/json/plan_json.h"
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kTold_mm = 0.5;    // parts of a movement below it are not told
+constexpr double kFreeEdge = 0.95;  // heights from here on are the free edge, as describe() says
+constexpr std::size_t kOpeningsTold = 3, kNamesTold = 4;
+
+std::string mm(double value) { return with_unit(value, 1, "mm"); }
+
+std::string capitalised(std::string words) {
+  if (!words.empty())
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return words;
+}
+
+/// The plan with the valve before and, where it can be done, after.
+struct Operated {
+  const ClosedValve& before;
+  const RankedPlan& plan;
+  Expected<Valve> repaired;
+};
+
+double ring_across_mm(const Annuloplasty& step, double annulus_mm) {
+  if (step.shape == "own") return annulus_mm - kRingSizeStep_mm * step.sizes_below;
+  const RingShape* ring = find_ring(ring_catalogue(), step.shape);
+  return ring != nullptr ? ring_width_mm(*ring, step.size_mm) : std::nan("");
+}
+
+StepWords words(const Operated& operated, const Annuloplasty& step, std::size_t) {
+  const Valve& valve = operated.before.valve;
+  const double across = transverse_diameter_mm(valve, annulus_frame(valve));
+  const double narrower = (across - ring_across_mm(step, across)) / kRingSizeStep_mm;
+  const AnnulusMeasure& was = operated.before.measure.annulus;
+  const AnnulusMeasure& is = operated.plan.measure.annulus;
+  const RingShape* ring = find_ring(ring_catalogue(), step.shape);
+  StepWords told;
+  told.step =
+      step.shape == "own"
+          ? "Annuloplasty ring of the annulus's own shape, " +
+                (step.sizes_below == 0 ? std::string("at its size")
+                                       : counted(step.sizes_below, "size") + " below it")
+          : "Annuloplasty ring, size " + fixed(step.size_mm, 0) + " mm, shape " + step.shape;
+  if (ring != nullptr && !ring->note.empty()) told.detail = capitalised(ring->note) + ". ";
+  told.detail += "Annulus from " + fixed(was.al_pm_mm, 1) + " × " + fixed(was.ap_mm, 1) + " to " +
+                 fixed(is.al_pm_mm, 1) + " × " + fixed(is.ap_mm, 1) +
+                 " mm (across × front to back). Undersized by " +
+                 fixed(operated.plan.effort.sizes_below, 1) + " sizes by area, " +
+                 (std::isfinite(narrower) ? fixed(std::max(0.0, narrower), 1) : "n/a") +
+                 " in width (2 mm a size).";
+  return told;
+}
+
+std::string anchor_words(const PapillaryApproximation& step) {
+  constexpr std::array kBorders = {"posteromedial commissure", "saddle peak",
+                                   "anterolateral commissure", "mid-posterior point",
+                                   "posteromedial commissure"};
+  switch (step.anchor) {
+    case Anchor::IpsilateralTrigone:
+      return std::string("the ") + to_string(step.side) + " trigone";
+    case Anchor::SaddlePeak:
+      return "the saddle peak (middle of the anterior annulus)";
+    case Anchor::AnnulusPoint:
+      break;
+  }
+  const double quarters = 4.0 * std::clamp(step.annulus_around, 0.0, 1.0);
+  const auto first = static_cast<std::size_t>(std::min(3.0, std::floor(quarters)));
+  return std::string("the annulus, ") + percent(quarters - static_cast<double>(first)) +
+         " of the way from " + kBorders[first] + " to " + kBorders[first + 1];
+}
+
+/// The parts of a movement, the largest first; `inwards`: the sign of x towards the middle.
+std::string direction_words(const Vec3& movement_mm, double inwards) {
+  struct Part {
+    double mm;
+    const char *along, *against;
+  };
+  std::array<Part, 3> parts = {
+      Part{movement_mm.z(), "up towards the annulus", "down towards the apex"},
+      Part{movement_mm.y(), "anteriorly", "posteriorly"},
+      Part{movement_mm.x() * inwards, "towards the other muscle", "outwards"}};
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Part& a, const Part& b) { return std::abs(a.mm) > std::abs(b.mm); });
+  std::string told;
+  for (const Part& part : parts)
+    if (std::abs(part.mm) >= kTold_mm)
+      told += (told.empty() ? "" : ", ") + mm(std::abs(part.mm)) + " " +
+              (part.mm > 0.0 ? part.along : part.against);
+  return told;
+}
+
+StepWords words(const Operated& operated, const PapillaryApproximation& step, std::size_t) {
+  const bool al = step.side == Side::Anterolateral;
+  const double moved_mm = al ? operated.plan.effort.anterolateral_movement_mm
+                             : operated.plan.effort.posteromedial_movement_mm;
+  StepWords told{capitalised(to_string(step.side)) + " papillary muscle tied to " +
+                     anchor_words(step) + ", suture " + mm(step.suture_length_mm),
+                 "Moves the muscle by " + mm(moved_mm) + ", from " +
+                     fixed(step.suture_length_mm + moved_mm, 1) + " to " +
+                     mm(step.suture_length_mm) + " from its anchor"};
+  if (operated.repaired) {
+    const Vec3 movement_mm = papillary_tip_mm(*operated.repaired, step.side) -
+                             papillary_tip_mm(operated.before.valve, step.side);
+    if (const std::string parts = direction_words(movement_mm, al ? 1.0 : -1.0); !parts.empty())
+      told.detail += ": " + parts;
+  }
+  told.detail += ".";
+  return told;
+}
+
+StepWords words_as_described(const Operated& operated, std::size_t step) {
+  const std::vector<std::string>& lines = operated.plan.description;
+  return {capitalised(step < lines.size() ? lines[step] : "a step"), ""};
+}
+
+std::string place_words(const Valve& valve, const LeafletPoint& point) {
+  const Insertion insertion = locate(valve, leaflet_coordinates(valve), point);
+  const std::string segment = to_string(valve.segments[static_cast<std::size_t>(insertion.face)]);
+  if (point.height >= kFreeEdge) return "the free edge of " + segment;
+  return "the belly of " + segment + ", " + percent(point.height) +
+         " of the way from annulus to free edge";
+}
+
+StepWords words(const Operated& operated, const Neochorda& step, std::size_t) {
+  const Valve& valve = operated.before.valve;
+  const auto head = std::find_if(valve.heads.begin(), valve.heads.end(),
+                                 [&](const PapillaryHead& one) { return one.id == step.head; });
+  const std::string from = head == valve.heads.end()
+                               ? step.head
+                               : std::string("the ") + to_string(head->side) +
+                                     " papillary muscle (head " + step.head + ")";
+  return {"Neochorda of " + mm(step.length_mm) + " from " + from + " to " +
+              place_words(valve, step.insertion),
+          ""};
+}
+
+StepWords words(const Operated& operated, const ChordalLengthChange&, std::size_t index) {
+  return words_as_described(operated, index);
+}
+StepWords words(const Operated& operated, const ChordalExcision&, std::size_t index) {
+  return words_as_described(operated, index);
+}
+StepWords words(const Operated& operated, const ChordalTransfer&, std::size_t index) {
+  return words_as_described(operated, index);
+}
+
+std::string in_short(const Annuloplasty& step) {
+  return step.shape == "own" ? "ring of own shape, " + counted(step.sizes_below, "size") + " below"
+                             : "ring " + step.shape + " " + fixed(step.size_mm, 0);
+}
+std::string in_short(const PapillaryApproximation& step) {
+  const char* anchor = step.anchor == Anchor::IpsilateralTrigone ? "trigone"
+                       : step.anchor == Anchor::SaddlePeak       ? "saddle peak"
+                                                                 : "annulus";
+  return std::string(step.side == Side::Anterolateral ? "AL" : "PM") + " muscle to " + anchor +
+         ", " + mm(step.suture_length_mm);
+}
+std::string in_short(const Neochorda& step) {
+  return "neochorda " + step.head + " to " + to_string(step.insertion.leaflet) + " leaflet, " +
+         mm(step.length_mm);
+}
+std::string in_short(const ChordalLengthChange& step) {
+  return step.chorda + (step.change_mm < 0.0 ? " shortened" : " lengthened");
+}
+std::string in_short(const ChordalExcision& step) { return step.chorda + " cut"; }
+std::string in_short(const ChordalTransfer& step) { return step.chorda + " transferred"; }
+
+}  // namespace
+
+std::string with_unit(double value, int decimals, const char* unit) {
+  const std::string text = fixed(value, decimals);
+  return std::isfinite(value) ? text + " " + unit : text;
+}
+
+std::vector<StepWords> surgical_words(const ClosedValve& before, const RankedPlan& plan) {
+  std::vector<StepWords> told;
+  if (plan.plan.steps.empty()) {
+    for (const std::string& line : plan.description) told.push_back({capitalised(line), ""});
+    if (told.empty()) told.push_back({"No repair", "The valve as it is."});
+    return told;
+  }
+  const Operated operated{before, plan, apply_plan(before.valve, plan.plan, ring_catalogue())};
+  for (std::size_t i = 0; i < plan.plan.steps.size(); ++i)
+    told.push_back(
+        std::visit([&](const auto& step) { return words(operated, step, i); }, plan.plan.steps[i]));
+  return told;
+}
+
+std::string short_words(const RankedPlan& plan) {
+  std::string told;
+  for (const RepairStep& step : plan.plan.steps)
+    told += (told.empty() ? "" : " + ") +
+            std::visit([](const auto& one) { return in_short(one); }, step);
+  if (!told.empty()) return told;
+  for (const std::string& line : plan.description) told += (told.empty() ? "" : " + ") + line;
+  return told.empty() ? "no repair" : told;
+}
+
+std::string valve_words(const ClosedValve& before) {
+  const ValveMeasure& measure = before.measure;
+  const std::vector<Orifice>& openings = measure.orifice.orifices;
+  std::vector<std::string> ruptured;
+  for (const Chorda& chorda : before.valve.chordae)
+    if (chorda.ruptured) ruptured.push_back(chorda.id);
+  std::string told = "Before repair it leaks through " +
+                     with_unit(measure.orifice.area_mm2, 1, "mm²") + " seen from the atrium";
+  for (std::size_t i = 0; i < openings.size() && i < kOpeningsTold; ++i)
+    told += (i == 0 ? " (" : ", ") + with_unit(openings[i].area_mm2, 1, "mm²") + " at " +
+            to_string(openings[i].segment);
+  if (openings.size() > kOpeningsTold)
+    told += ", " + std::to_string(openings.size() - kOpeningsTold) + " smaller";
+  told += std::string(openings.empty() ? "" : ")") +
+          "; gap between the leaflets in three dimensions " +
+          with_unit(measure.coaptation.gap_area_mm2, 1, "mm²") + ". Annulus " +
+          fixed(measure.annulus.al_pm_mm, 1) + " mm across, " + fixed(measure.annulus.ap_mm, 1) +
+          " mm front to back; tenting height " + mm(measure.tenting_height_mm) + ".";
+  for (std::size_t i = 0; i < ruptured.size() && i < kNamesTold; ++i)
+    told += (i == 0 ? " Ruptured: " : ", ") + ruptured[i];
+  if (ruptured.size() > kNamesTold)
+    told += " and " + std::to_string(ruptured.size() - kNamesTold) + " more chordae";
+  if (!ruptured.empty()) told += ".";
+  return told;
+}
+
+}  // namespace coapt

@@ -1,0 +1,197 @@
+// The report as a page: its first sheet, its structure, how it prints, and what it makes of odd results.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "io/json/result_json.h"
+#include "io/picture/report.h"
+#include "io/picture/report_page_style.h"
+#include "tests/io/picture/markup.h"
+#include "tests/io/plans_scene.h"
+#include "tests/scenes/sheets.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+ClosedValve closed(const std::string& name, double hole_mm = 5.0) {
+  Valve valve = disc_with_hole(15.0, hole_mm, 64);
+  valve.name = name;
+  const ClosureResult closure = closed_at_rest(valve);
+  return {valve, closure, measure(valve, closure)};
+}
+
+std::string html_of(const SearchResult& result, int about = 0,
+                    const ClosedValve& before = closed("leaky")) {
+  return plan_report_html({before, {}, result, search_request(), about});
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Up to the evidence.
+std::string first_sheet(const std::string& html) {
+  return html.substr(0, html.find("<section id=\"ranked\""));
+}
+
+TEST(FirstPage, HasTheFiguresThatMatterWithTheirUncertainty) {
+  const std::string page = first_sheet(html_of(search_result()));
+  for (const char* part :
+       {"<dd>0.3 mm²<small>before 52.0;", "<dd>0.4 ± 0.5 mm²<small>± sd; 95 % below 1.4, worst 5.6",
+        "<dd>99.2 %<small>of 1,089 variations", "<dd>0.75 mm · 4.0°<small>",
+        "<dd>6.8 mm<small>least 4.8; before 2.6", "<dd>0.61 N<small>before 0.48 N",
+        "<dd>2.1 sizes<small>", "<dd>4.6 / 11.5 mm<small>"})
+    EXPECT_TRUE(contains(page, part)) << part;
+}
+
+TEST(FirstPage, SaysWhatToWatchAndWhatIsNotAssessed) {
+  const std::string page = first_sheet(html_of(search_result()));
+  EXPECT_TRUE(contains(page, "posteromedial muscle moved by 11 mm; more than 10 mm is unusual"));
+  EXPECT_TRUE(contains(page, "leaks more than 5 mm2 somewhere in the region of interest"));
+  EXPECT_TRUE(contains(page, "Not assessed: filling."));
+}
+
+TEST(FirstPage, NamesAllPlansThatTieInARow) {
+  SearchResult result = search_result();  // 1 ties with 2, 2 is ahead of 3
+  EXPECT_TRUE(contains(first_sheet(html_of(result)), "Plans 1 and 2 tie"));
+  EXPECT_TRUE(contains(first_sheet(html_of(result, 2)), "Plans 1 and 2 tie"));
+  EXPECT_FALSE(contains(first_sheet(html_of(result, 3)), "tie:"));
+  result.plans[1].probability_outranks_next = 0.5;
+  EXPECT_TRUE(contains(first_sheet(html_of(result)), "Plans 1 to 3 tie"));
+  result.plans[0].probability_outranks_next = 0.97;
+  EXPECT_TRUE(
+      contains(first_sheet(html_of(result)), "Ahead of plan 2 with a probability of 97.0 %."));
+}
+
+TEST(FirstPage, SaysWhenTheSearchWasStoppedEarly) {
+  SearchResult result = search_result();
+  result.stop = SearchStop::Cancelled;
+  EXPECT_TRUE(contains(first_sheet(html_of(result)), "The search was cancelled"));
+  result.stop = SearchStop::TimeLimit;
+  EXPECT_TRUE(contains(first_sheet(html_of(result)), "ran out of time"));
+}
+
+TEST(FirstPage, OfAPlanWhoseClosureFailedTrustsNoFigure) {
+  const std::string page = first_sheet(html_of(search_result(), 3));
+  EXPECT_TRUE(contains(page, "The simulation of this plan failed"));
+  EXPECT_FALSE(contains(page, "Closes this valve robustly in"));
+  EXPECT_TRUE(contains(page, "n/a"));
+}
+
+TEST(FirstPage, OfAPlanThatWasNotVariedSaysThatItIsNotKnown) {
+  SearchResult result = search_result();
+  result.plans[0].region = plans_scene::third().region;
+  result.plans[0].region.failures = 0;
+  const std::string page = first_sheet(html_of(result));
+  EXPECT_TRUE(contains(page, "is not known: it was not varied"));
+  EXPECT_FALSE(contains(page, "Does not close"));
+}
+
+TEST(Report, OfOnePlanHasItInFrontAndItsEvidenceAlone) {
+  const std::string html = html_of(search_result(), 2);
+  EXPECT_TRUE(contains(html, "<h1>Repair plan 2 of 3 for leaky</h1>"));
+  EXPECT_TRUE(contains(html, "<h2>Plan 2 of 3</h2>"));
+  EXPECT_TRUE(contains(html, "id=\"plan-2\""));
+  EXPECT_FALSE(contains(html, "id=\"plan-1\""));
+  EXPECT_EQ(count(html, "<div class=\"plan-evidence\">"), 1u);
+  EXPECT_TRUE(contains(html, "Plan 2 as a file"));
+  EXPECT_EQ(count(first_sheet(html), "<tr class=\"this\">"), 1u);
+}
+
+TEST(Report, ItsHeadingsGoDownOneLevelAtATime) {
+  const std::string html = html_of(search_result());
+  int level = 0, seen = 0;
+  for (std::size_t at = html.find("<h"); at != std::string::npos; at = html.find("<h", at + 1)) {
+    const char digit = html[at + 2];
+    if (digit < '1' || digit > '6') continue;
+    EXPECT_LE(digit - '0', level + 1) << html.substr(at, 60);
+    level = digit - '0';
+    ++seen;
+  }
+  EXPECT_GT(seen, 12);
+  EXPECT_EQ(count(html, "<h1>"), 1u);
+}
+
+TEST(Report, EveryLinkHasItsTargetOnceAndEveryHeaderItsScope) {
+  const std::string html = html_of(search_result());
+  for (std::size_t at = html.find("href=\"#"); at != std::string::npos;
+       at = html.find("href=\"#", at + 1)) {
+    const std::string target = html.substr(at + 7, html.find('"', at + 7) - at - 7);
+    EXPECT_EQ(count(html, "id=\"" + target + "\""), 1u) << target;
+  }
+  EXPECT_EQ(count(html, "<th>") + count(html, "<th class"), 0u);
+}
+
+TEST(Report, PrintsTheNoticeTheNameAndPageNumbersOnEverySheet) {
+  const std::string html = html_of(search_result());
+  const std::string page = html.substr(html.find("@page{"), 900);
+  EXPECT_TRUE(contains(page, "@top-left{content:\"leaky\""));
+  EXPECT_TRUE(contains(page, "@bottom-left{content:\"coapt is research software"));
+  EXPECT_TRUE(contains(page, "not for clinical decisions"));
+  EXPECT_TRUE(contains(page, "counter(page)"));
+}
+
+TEST(ReportPageStyle, ANameCannotLeaveItsString) {
+  const std::string style = report_page_style("a\"}</style><b>\\\n{;");
+  EXPECT_FALSE(contains(style, "</style"));
+  EXPECT_FALSE(contains(style, "<b>"));
+  EXPECT_TRUE(contains(style, "content:\"a\\22 \\7d \\3c \\2f style\\3e \\3c b\\3e \\5c "));
+}
+
+TEST(Report, ALongNameIsCutBetweenItsLetters) {
+  std::string name;
+  for (int i = 0; i < 400; ++i) name += "ä";
+  const std::string html = html_of(search_result(), 0, closed(name));
+  EXPECT_FALSE(contains(html, "\xEF\xBF\xBD")) << "no broken letter";
+  EXPECT_TRUE(contains(html, "ä…</h1>"));
+}
+
+TEST(Report, OfFiftyPlansKeepsItsFirstSheetShort) {
+  SearchResult result = search_result();
+  result.plans.assign(50, plans_scene::first());
+  for (int i = 0; i < 50; ++i) result.plans[static_cast<std::size_t>(i)].rank = i + 1;
+  const std::string all = html_of(result), one = html_of(result, 37);
+  EXPECT_EQ(count(first_sheet(all), "<th scope=\"row\">"), 5u);
+  EXPECT_EQ(count(first_sheet(one), "<th scope=\"row\">"), 5u);
+  EXPECT_TRUE(contains(first_sheet(one), "45 more in"));
+  EXPECT_EQ(count(all, "<div class=\"plan-evidence\">"), 50u);
+  EXPECT_EQ(count(one, "<div class=\"plan-evidence\">"), 1u);
+}
+
+TEST(Report, OfNothingButUnknownFiguresSaysSo) {
+  SearchResult result = search_result();
+  ClosedValve before = closed("leaky");
+  before.closure.closed_mm(0, 0) = kUnknown;
+  before.measure = measure(before.valve, before.closure);
+  result.before.measure = before.measure;
+  result.any_competent = false;
+  result.random_progress.clear();
+  for (Progress& at : result.progress) at.cost = kUnknown;
+  for (RankedPlan& plan : result.plans) {
+    plan.measure = before.measure;
+    plan.status = ClosureStatus::Diverged;
+    plan.cost = plan.subset_cost = plan.probability_outranks_next = kUnknown;
+    plan.effort = {kUnknown, kUnknown, kUnknown, 1};
+    plan.region = plans_scene::third().region;
+  }
+  const std::string html =
+      plan_report_html({before, {before, before, before}, result, search_request()});
+  for (const char* broken : {">nan", "nan ", "=\"nan", "inf ", "NaN"})
+    EXPECT_FALSE(contains(html, broken)) << broken;
+  EXPECT_TRUE(contains(html, "The simulation of this plan failed"));
+  EXPECT_TRUE(contains(html, "No plan closes this valve robustly"));
+}
+
+TEST(Report, OfAPlanWithoutStepsSaysNoRepair) {
+  SearchResult result;
+  result.plans.resize(1);
+  result.plans[0].rank = 1;
+  const std::string html = html_of(result);
+  EXPECT_TRUE(contains(html, "<strong>No repair</strong>"));
+  EXPECT_FALSE(contains(html, "This plan among the others"));
+}
+
+}  // namespace
+}  // namespace coapt
