@@ -6,7 +6,7 @@ import { h } from '../dom'
 import { colourOf, hueClass, onTheme } from './colours'
 import { asTable, dataTable, figure } from './data_table'
 import { roundDown, roundsIn, roundUp } from './rounds'
-import { aligned, nearestKnown, type Series } from './series'
+import { aligned, readAt, type Series } from './series'
 
 export interface LineChart {
   title: string
@@ -105,7 +105,7 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
       cursor: {
         y: false,
         drag: { x: false, y: false },
-        dataIdx: (u, line, at) => (line === 0 ? at : nearestKnown(u.data[line] ?? [], at)),
+        dataIdx: (u, line, at) => (line === 0 ? at : readAt(series[line - 1]?.look, u.data[line] ?? [], at)),
       },
       scales: {
         x: { time: false, range: (_u, low, high) => xRange(chart, low, high) },

@@ -21,10 +21,12 @@ export function aligned(series: Series[]): { x: number[]; y: (number | null)[][]
   return { x, y }
 }
 
-/// Where a list has a value, the nearest such place to `index`; `index` itself if there is none.
-export function nearestKnown(values: ArrayLike<number | null | undefined>, index: number): number {
+/// The place whose value is read for a line at `index`: the nearest that has one; of steps the one before; of dots none
+/// but its own.
+export function readAt(look: Series['look'], values: ArrayLike<number | null | undefined>, index: number): number {
+  if (look === 'dots') return index
   for (let way = 0; way < values.length; ++way)
-    for (const place of [index - way, index + way]) {
+    for (const place of look === 'steps' ? [index - way] : [index - way, index + way]) {
       const value = values[place]
       if (value !== null && value !== undefined) return place
     }

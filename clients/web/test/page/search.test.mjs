@@ -74,7 +74,7 @@ test('a plan shows the figures of the result', async () => {
 
 test('its evidence holds a map, curves that can be read and hidden, and the rules of practice', async () => {
   const plan = page.locator('.plan').first()
-  await plan.getByText('Evidence').click()
+  await plan.locator('summary', { hasText: 'Evidence' }).click()
   assert.equal(await plan.locator('.heat').first().locator('tbody td').count(), 99)
   await plan.locator('.plot').focus()
   await page.keyboard.press('ArrowRight')
@@ -108,6 +108,7 @@ test('plans and meshes can be saved, the report opened', async () => {
   await plan.getByLabel('Format of the mesh').selectOption('obj')
   assert.match((await saved(plan.getByRole('button', { name: 'Mesh' }))).content, /^v /m)
   const [report] = await Promise.all([page.waitForEvent('popup'), plan.getByRole('link', { name: 'Report' }).click()])
+  await report.waitForURL(/\/report$/, { waitUntil: 'load' })
   assert.match(await report.title(), /human-functional-mr/)
   await report.close()
 })

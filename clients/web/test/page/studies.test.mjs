@@ -19,14 +19,14 @@ after(async () => {
 const start = () => page.getByRole('button', { name: 'Start the study' }).click()
 
 test('what the service says against an option stands at it', async () => {
-  await page.getByLabel('Study', { exact: true }).selectOption('approximation')
+  await page.locator('.study-form select').first().selectOption('approximation')
   await page.getByLabel('Region points').fill('3')
   await start()
   await page.locator('.problems code', { hasText: '/study/region_points' }).waitFor()
 })
 
 test('a study draws its figure, beside the thesis, with a table of the same values', async () => {
-  await page.getByLabel('Study', { exact: true }).selectOption('annulus')
+  await page.locator('.study-form select').first().selectOption('annulus')
   await start()
   const figure = page.locator('.chart', { hasText: 'Orifice of a dilated and flattened annulus' })
   await figure.locator('canvas').waitFor()

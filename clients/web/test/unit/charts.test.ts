@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { shadeOf } from '../../src/charts/colours'
 import { roundDown, roundsIn, roundUp } from '../../src/charts/rounds'
-import { aligned, nearestKnown } from '../../src/charts/series'
+import { aligned, readAt } from '../../src/charts/series'
 import { histogram } from '../../src/studies/histogram'
 
 test('series with places of their own share one list of them', () => {
@@ -18,10 +18,12 @@ test('series with places of their own share one list of them', () => {
   })
 })
 
-test('the nearest known value is read where a series has none', () => {
-  expect(nearestKnown([1, null, null, 4], 2)).toBe(3)
-  expect(nearestKnown([1, null, undefined, 4], 1)).toBe(0)
-  expect(nearestKnown([null, null], 1)).toBe(1)
+test('where a line has no value the nearest is read, of steps the one before, of dots none', () => {
+  const values = [1, null, undefined, 4]
+  expect([1, 2].map((index) => readAt('line', values, index))).toEqual([0, 3])
+  expect([1, 2].map((index) => readAt('steps', values, index))).toEqual([0, 0])
+  expect([1, 2].map((index) => readAt('dots', values, index))).toEqual([1, 2])
+  expect(readAt('line', [null, null], 1)).toBe(1)
 })
 
 test('shades run from nothing to the most', () => {
