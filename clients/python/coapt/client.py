@@ -13,7 +13,7 @@ from typing import Any, Literal, TypeAlias
 from .errors import Problem
 from .jobs import Job
 from .repair import Plan
-from .results import Closure, Evaluations, RankedPlan, SearchResult, StudyResult
+from .results import Closure, Evaluations, RankedPlan, SearchResult, StudyResult, known_fields
 from .transport import Transport
 
 Valve: TypeAlias = str | Mapping[str, Any] | os.PathLike[str]
@@ -95,7 +95,7 @@ class Client:
 
     def rings(self) -> list[RingShape]:
         """Shapes that Ring() may name."""
-        return [RingShape(**ring) for ring in self._get("/v1/rings")["rings"]]
+        return [RingShape(**known_fields(RingShape, ring)) for ring in self._get("/v1/rings")["rings"]]
 
     def put_valve(self, valve: Valve) -> StoredValve:
         """Stores a valve; the same valve has the same id."""

@@ -7,7 +7,7 @@ apart. Areas are anatomic, from geometry: not an effective regurgitant orifice a
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any, Literal
 
 from . import tables
@@ -19,6 +19,11 @@ from .transport import Transport
 Status = Literal["converged", "step_limit", "diverged"]
 Document = Mapping[str, Any]
 MeshFormat = Literal["ply", "obj", "stl", "vtk"]
+
+
+def known_fields(kind: Any, json: Document) -> dict[str, Any]:
+    """Those of a dataclass: a later service may say more."""
+    return {one.name: json[one.name] for one in fields(kind)}
 
 
 @dataclass(frozen=True)
@@ -97,7 +102,7 @@ class Statistics:
 
     @classmethod
     def from_json(cls, json: Document) -> Statistics:
-        return cls(**json)
+        return cls(**known_fields(cls, json))
 
 
 @dataclass(frozen=True)
@@ -261,7 +266,7 @@ class StudyResult:
     @classmethod
     def from_json(cls, json: Document, transport: Transport, job_path: str) -> StudyResult:
         return cls(json["study"], json["valve"], json["configurations"], json["closures"], json["untrusted"], json["seconds"],
-                   tuple(Finding(**finding) for finding in json["findings"]), json)
+                   tuple(Finding(**known_fields(Finding, finding)) for finding in json["findings"]), json)
 
     def _repr_html_(self) -> str:
         return tables.findings_html(self)

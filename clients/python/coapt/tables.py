@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 NOTICE = "coapt is research software, not a medical device; not for clinical decisions."
 _NOTICE_HTML = f'<p style="font-size:smaller;opacity:.75">{NOTICE}</p>'
-_BAR_WIDTH, _BAR_HEIGHT, _LONGEST_MM = 36, 90, 10.0  # of the drawing of coaptation, px; what its height stands for
+_BAR_WIDTH, _BAR_HEIGHT = 36, 90  # of the drawing of coaptation, px
+_LEAST_RANGE_MM = 10.0  # that its height stands for
 
 
 def number(value: float | None, decimals: int = 1) -> str:
@@ -49,16 +50,17 @@ def _figures(measure: Measure) -> list[tuple[str, str]]:
 def coaptation_svg(sections: Sequence[Any]) -> str:
     """Bars of coaptation height along the line of coaptation; a section whose leaflets do not touch has its distance in red
     below the line."""
-    middle, scale = _BAR_HEIGHT, _BAR_HEIGHT / _LONGEST_MM
+    middle = _BAR_HEIGHT
+    scale = _BAR_HEIGHT / max([_LEAST_RANGE_MM, *(section["height_mm"] or 0.0 for section in sections)])
     bars = []
     for i, section in enumerate(sections):
         x, height, apart = i * _BAR_WIDTH, section["height_mm"] or 0.0, section["distance_mm"] or 0.0
         if section["contact"]:
-            up = min(height, _LONGEST_MM) * scale
+            up = height * scale
             bars.append(f'<rect x="{x + 3}" y="{middle - up:.1f}" width="{_BAR_WIDTH - 6}" height="{up:.1f}" fill="#3b7dd8">'
                         f"<title>{number(height)} mm coaptation</title></rect>")
         else:
-            down = min(apart, _LONGEST_MM) * scale / 2
+            down = min(apart * scale, middle) / 2
             bars.append(f'<rect x="{x + 3}" y="{middle}" width="{_BAR_WIDTH - 6}" height="{down:.1f}" fill="#c8372d">'
                         f"<title>{number(apart)} mm apart</title></rect>")
         label = number(height if section["contact"] else apart)
@@ -89,12 +91,13 @@ _PLANS_HEAD = ("", "plan", "leak as planned, mm²", "mean ± sd over the region"
 
 def _plan_row(plan: RankedPlan) -> tuple[str, ...]:
     leak = plan.leak_mm2
-    margin = f"{number(plan.margin_mm, 2)} mm, {number(plan.margin_deg)}°"
+    margins = [f"{number(plan.margin_mm, 2)} mm"] * (plan.margin_mm is not None)
+    margins += [f"{number(plan.margin_deg)}°"] * (plan.margin_deg is not None)
     what = _list(plan.description) or "no repair"
     warned = f"<br><small>{_list(plan.warnings, '! ')}</small>" if plan.warnings else ""
     tie = "<br><small>ties with the next</small>" if plan.tie_with_next else ""
     return (str(plan.rank), what + warned + tie, number(leak.nominal), f"{number(leak.mean)} ± {number(leak.sd)}",
-            number(leak.worst), margin, number(plan.measure.tension_max_n, 2))
+            number(leak.worst), ", ".join(margins) or "-", number(plan.measure.tension_max_n, 2))
 
 
 def plan_html(plan: RankedPlan, picture: Picture | None) -> str:
