@@ -22,7 +22,7 @@ readonly reserved='
 nlopt           : search bench/rivals
 clipper[.]hpp   : core/metrics
 cairo           : io/picture
-httplib[.]h     : server
+httplib[.]h     : server clients/cli
 CLI/            : clients/cli server
 nlohmann/       : io server clients/cli
 sqlite3[.]h     : io/store

@@ -160,7 +160,11 @@ int run(int argc, char** argv) {
       "  curl -d '{\"valve\": \"human-functional-mr\", \"search\": {\"seed\": 1}}' "
       "http://127.0.0.1:8080/v1/plans\n\n" +
       std::string(kResearchNotice));
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kOk : kBadInput;
+  }
 
   Access access;
   access.hosts.insert(options.hosts.begin(), options.hosts.end());

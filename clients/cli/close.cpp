@@ -9,6 +9,7 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/print.h"
+#include "clients/cli/server_option.h"
 #include "core/metrics/oblique.h"
 #include "core/repair/apply_plan.h"
 #include "io/json/plan_json.h"
@@ -21,10 +22,37 @@ namespace {
 
 struct Arguments {
   std::string valve, plan, picture;
+  ServerOption server;
   ClosureOptions closure;
   std::optional<double> accuracy_mm2;
   bool json = false, oblique = false;
 };
+
+/// Prints coapt.closure/1; returns an exit code.
+int show(const Arguments& arguments, const nlohmann::ordered_json& closure) {
+  if (arguments.json) {
+    std::cout << closure.dump(2) << '\n';
+  } else {
+    print_closure(std::cout, closure);
+  }
+  return exit_code_of_closure(closure);
+}
+
+int run_by(const Service& service, const Arguments& arguments) {
+  const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  nlohmann::ordered_json request = {{"valve", *valve}};
+  if (!arguments.plan.empty()) {
+    const Expected<RepairPlan> plan = read_plan_argument(arguments.plan);
+    if (!plan) return report_errors(arguments.plan, plan.errors());
+    request["plan"] = to_json(*plan);
+  }
+  const Expected<nlohmann::ordered_json> closure = post_json(service, "/v1/closures", request);
+  if (!closure)
+    return report_service_errors("close", closure.errors(),
+                                 {{"/valve", arguments.valve}, {"/plan", arguments.plan}});
+  return show(arguments, *closure);
+}
 
 int run(const Arguments& arguments) {
   ClosureOptions options = arguments.closure;
@@ -52,25 +80,18 @@ int run(const Arguments& arguments) {
   const std::vector<std::string> warnings =
       warnings_of(operation_gates({*plan, *valve, *repaired, ring_catalogue()}));
 
-  if (arguments.json) {
-    auto json = closure_to_json(*repaired, closure, measured, seconds.count());
-    if (arguments.oblique)
-      json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : nlohmann::ordered_json();
-    if (*accuracy) json["accuracy"] = to_json(**accuracy, options.membrane);
-    json["warnings"] = warnings;
-    std::cout << json.dump(2) << '\n';
-  } else {
-    print_closure(std::cout, repaired->name, closure);
-    print_measure(std::cout, measured);
-    if (oblique) print_oblique(std::cout, *oblique);
-    for (const std::string& warning : warnings) std::cout << "  ! " << warning << '\n';
-  }
+  auto json = closure_to_json(*repaired, closure, measured, seconds.count());
+  if (arguments.oblique)
+    json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : nlohmann::ordered_json();
+  if (*accuracy) json["accuracy"] = to_json(**accuracy, options.membrane);
+  json["warnings"] = warnings;
+  const int status = show(arguments, json);
   if (!arguments.picture.empty()) {
     const std::string picture =
         closure_picture_png({*repaired, closure, measured, repair_marks(*valve, *repaired, *plan)});
     if (const int failed = write_output(arguments.picture, picture)) return failed;
   }
-  return exit_code_of(closure);
+  return status;
 }
 
 }  // namespace
@@ -88,6 +109,7 @@ void add_close(CLI::App& parent, int& status) {
   command->add_flag("--oblique", arguments->oblique,
                     "Also find the direction with the widest straight passage (eccentric jets)");
   command->add_flag("--json", arguments->json, "Print JSON");
+  add_server_option(*command, arguments->server);
   command->footer(
       "Exit code 3 if the closure did not converge or leaflets cross; the result is printed all "
       "the\n"
@@ -96,8 +118,18 @@ void add_close(CLI::App& parent, int& status) {
       "  coapt close human-functional-mr --render leaking.png\n"
       "  coapt close human-p2-prolapse --oblique\n"
       "  coapt close valve.json --accuracy 0.05\n"
-      "  coapt close valve.json --plan plan.json --json");
-  command->callback([arguments, &status] { status = run(*arguments); });
+      "  coapt close valve.json --plan plan.json --json\n"
+      "  coapt close valve.json --server http://127.0.0.1:8080");
+  command->callback([arguments, command, &status] {
+    const auto service =
+        service_of(*command, arguments->server,
+                   {"--method", "--membrane", "--accuracy", "--render", "--oblique"});
+    if (!service) {
+      status = report_errors("close", service.errors());
+    } else {
+      status = *service ? run_by(**service, *arguments) : run(*arguments);
+    }
+  });
 }
 
 }  // namespace coapt

@@ -1,4 +1,5 @@
 #include <iostream>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/progress_bar.h"
+#include "clients/cli/server_option.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 
@@ -20,6 +22,7 @@ struct Arguments {
   std::string valve, store;
   std::vector<std::string> plans;
   SearchOptions options;
+  ServerOption server;
   bool json = false, no_evidence = false;
 };
 
@@ -53,6 +56,67 @@ int report_plan_errors(const std::vector<NamedPlan>& plans, const Errors& errors
   return exit_code::kBadInput;
 }
 
+/// Prints coapt.plans/1; returns an exit code.
+int show(const Arguments& arguments, nlohmann::ordered_json result) {
+  for (nlohmann::ordered_json& plan : result["plans"]) plan["file"] = plan["name"];
+  if (arguments.json) {
+    std::cout << result.dump(2) << '\n';
+  } else {
+    print_ranked(std::cout, result);
+  }
+  return exit_code_of_plans(result);
+}
+
+/// The service's answer, which has the plans in the order asked, as a ranking of named plans.
+nlohmann::ordered_json ranking_of(const nlohmann::ordered_json& answer,
+                                  const std::vector<NamedPlan>& plans) {
+  std::map<int, nlohmann::ordered_json> by_rank;
+  for (const nlohmann::ordered_json& plan : answer["plans"]) {
+    const int rank = plan["rank"];
+    const std::string& name = plans.at(plan["index"]).name;
+    if (const auto twice = by_rank.find(rank); twice != by_rank.end()) {
+      twice->second["name"] = twice->second["name"].get<std::string>() + ", " + name;
+      continue;
+    }
+    nlohmann::ordered_json named = {{"rank", rank}, {"name", name}};
+    named.update(plan);
+    named.erase("index");
+    by_rank[rank] = std::move(named);
+  }
+  nlohmann::ordered_json result = to_json(SearchResult{});
+  for (const auto& [name, value] : answer.items()) result[name] = value;
+  result["plans"] = nlohmann::ordered_json::array();
+  for (auto& [rank, plan] : by_rank) result["plans"].push_back(std::move(plan));
+  return result;
+}
+
+/// The files of a request's plans, by their pointers.
+std::map<std::string, std::string> sources_of(const Arguments& arguments) {
+  std::map<std::string, std::string> sources = {{"/valve", arguments.valve}};
+  for (std::size_t i = 0; i < arguments.plans.size(); ++i)
+    sources["/plans/" + std::to_string(i)] = arguments.plans[i];
+  return sources;
+}
+
+int run_by(const Service& service, const Arguments& arguments) {
+  const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  std::vector<NamedPlan> plans;
+  if (const int failed = read_plans(arguments.plans, plans)) return failed;
+  if (!arguments.no_evidence)
+    return report_errors("evaluate",
+                         {Error{ErrorCode::Unsupported, "",
+                                "a service scores plans without evidence: say "
+                                "--no-evidence, or do the work here with --server ''"}});
+  nlohmann::ordered_json request = {{"valve", *valve},
+                                    {"plans", nlohmann::ordered_json::array()},
+                                    {"region_points", arguments.options.region_points}};
+  for (const NamedPlan& plan : plans) request["plans"].push_back(to_json(plan.plan));
+  const Expected<nlohmann::ordered_json> answer = post_json(service, "/v1/evaluations", request);
+  if (!answer) return report_service_errors("evaluate", answer.errors(), sources_of(arguments));
+  return show(arguments, ranking_of(*answer, plans));
+}
+
 int run(Arguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
@@ -70,14 +134,7 @@ int run(Arguments arguments) {
   };
   const Expected<SearchResult> result = evaluate();
   if (!result) return report_plan_errors(plans, result.errors());
-  if (arguments.json) {
-    nlohmann::ordered_json json = to_json(*result);
-    for (nlohmann::ordered_json& plan : json["plans"]) plan["file"] = plan["name"];
-    std::cout << json.dump(2) << '\n';
-  } else {
-    print_ranked(std::cout, *result);
-  }
-  return exit_code_of(*result);
+  return show(arguments, to_json(*result));
 }
 
 }  // namespace
@@ -93,10 +150,22 @@ void add_evaluate(CLI::App& parent, int& status) {
                     "Leave out errors of single sutures and further remodelling");
   command->add_flag("--json", arguments->json,
                     "Print JSON, as coapt plan does, with each \"file\"");
+  add_server_option(*command, arguments->server);
   command->footer(
-      "Example:\n"
-      "  coapt evaluate human-functional-mr ring.json ring-and-suture.json");
-  command->callback([arguments, &status] { status = run(*arguments); });
+      "A service scores plans without evidence, at 1,000 closures at most (plans times "
+      "--region-points).\n\n"
+      "Examples:\n"
+      "  coapt evaluate human-functional-mr ring.json ring-and-suture.json\n"
+      "  coapt evaluate valve.json ring.json --no-evidence --region-points 65 --server "
+      "http://127.0.0.1:8080");
+  command->callback([arguments, command, &status] {
+    const auto service = service_of(*command, arguments->server, {"--store", "--threads"});
+    if (!service) {
+      status = report_errors("evaluate", service.errors());
+    } else {
+      status = *service ? run_by(**service, *arguments) : run(*arguments);
+    }
+  });
 }
 
 }  // namespace coapt

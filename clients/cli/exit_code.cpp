@@ -1,16 +1,18 @@
 #include "clients/cli/exit_code.h"
 
-#include "search/evaluator.h"
+#include <nlohmann/json.hpp>
 
 namespace coapt {
 
-int exit_code_of(const ClosureResult& closure) {
-  return trusted(closure) ? exit_code::kOk : exit_code::kNotClosed;
+int exit_code_of_closure(const nlohmann::ordered_json& closure) {
+  const bool trusted = closure["status"] == "converged" && !closure["crossing"].get<bool>();
+  return trusted ? exit_code::kOk : exit_code::kNotClosed;
 }
 
-int exit_code_of(const SearchResult& result) {
-  if (result.stop == SearchStop::Cancelled) return exit_code::kInterrupted;
-  return closes_robustly(result) ? exit_code::kOk : exit_code::kNoRobustPlan;
+int exit_code_of_plans(const nlohmann::ordered_json& result) {
+  if (result["stop"] == "cancelled") return exit_code::kInterrupted;
+  // Plans that close robustly are ranked before those that do not.
+  return result["any_competent"].get<bool>() ? exit_code::kOk : exit_code::kNoRobustPlan;
 }
 
 }  // namespace coapt

@@ -1,8 +1,7 @@
 // Exit codes of coapt; the README and `coapt --help` list them.
 #pragma once
 
-#include "core/closure/closure.h"
-#include "search/plans/plan_search.h"
+#include <nlohmann/json_fwd.hpp>
 
 namespace coapt {
 
@@ -15,9 +14,10 @@ inline constexpr int kNoRobustPlan = 4;  ///< the best plan is not known to clos
 inline constexpr int kInterrupted = 130;  ///< Ctrl-C; the best so far was printed
 }  // namespace exit_code
 
-int exit_code_of(const ClosureResult& closure);
+/// Of coapt.closure/1.
+int exit_code_of_closure(const nlohmann::ordered_json& closure);
 
-/// kOk if the best-ranked plan closes robustly (search/search.h).
-int exit_code_of(const SearchResult& result);
+/// Of coapt.plans/1: kOk if the best-ranked plan closes robustly.
+int exit_code_of_plans(const nlohmann::ordered_json& result);
 
 }  // namespace coapt

@@ -103,6 +103,13 @@ int write_output(const std::string& path, std::string_view bytes) {
   return report_unwritable(path);
 }
 
+Errors make_directory(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (!failed) return {};
+  return {Error{ErrorCode::InputOutput, "", path + ": cannot be made: " + failed.message()}};
+}
+
 int report_errors(const std::string& source, const Errors& errors) {
   for (const Error& error : errors) {
     std::cerr << "coapt: " << source << ": ";

@@ -36,6 +36,9 @@ int check_output(const std::string& path);
 /// an exit code and says on standard error why it failed.
 int write_output(const std::string& path, std::string_view bytes);
 
+/// With those above it, if it is not there. Errors: InputOutput.
+Errors make_directory(const std::string& path);
+
 /// Prints every error to standard error as "coapt: SOURCE: POINTER: message"; returns kBadInput.
 int report_errors(const std::string& source, const Errors& errors);
 

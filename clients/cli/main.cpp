@@ -13,24 +13,23 @@
 
 namespace {
 
+using namespace coapt;
+
+/// Every command's help ends in what coapt is not.
+void end_with_notice(CLI::App& command) {
+  for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; }))
+    end_with_notice(*below);
+  const std::string footer = command.get_footer();
+  command.footer(footer + (footer.empty() ? "" : "\n\n") + std::string(kResearchNotice));
+}
+
 int run(int argc, char** argv) {
-  using namespace coapt;
   CLI::App app(
       "Closes a mitral valve in simulation, measures what leaks, and searches for repairs.",
       "coapt");
   app.set_version_flag("--version",
                        "coapt " + std::string(version()) + "\n" + std::string(kResearchNotice));
   app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 done; 1 coapt failed; 2 bad input or usage; 3 closure not converged or "
-      "leaflets\n"
-      "cross; 4 the best plan is not known to close the valve robustly; 130 interrupted, best so "
-      "far printed.\n\n"
-      "Examples:\n"
-      "  coapt valve make human-functional-mr -o valve.json\n"
-      "  coapt close valve.json --render closed.png\n"
-      "  coapt plan valve.json --evaluations 300 --seed 1 -o report.html\n\n" +
-      std::string(kResearchNotice));
 
   int status = exit_code::kOk;
   CLI::App* valve = app.add_subcommand("valve", "Make, import, check, describe and remodel valves");
@@ -47,6 +46,24 @@ int run(int argc, char** argv) {
   add_bench(app, status);
   add_chart(app, status);
   add_study(app, status);
+  // After the commands, which would take it over.
+  app.footer(
+      "Examples:\n"
+      "  coapt close human-functional-mr                  # a preset leaks: how much, and where\n"
+      "  coapt plan human-functional-mr -o report.html    # ranked repair plans\n"
+      "  coapt valve import --leaflet a.obj p.obj --annulus ring.csv --chordae chordae.csv -o "
+      "mine.json\n"
+      "  coapt plan mine.json --server http://127.0.0.1:8080\n"
+      "Each command's --help has more; `man coapt` has all.\n\n"
+      "Exit codes: 0 done; 1 coapt failed; 2 bad input or usage; 3 closure not converged or "
+      "leaflets\n"
+      "cross; 4 the best plan is not known to close the valve robustly; 130 interrupted, best so "
+      "far printed.");
+  end_with_notice(app);
+  if (argc == 1) {
+    std::cerr << app.help();
+    return exit_code::kBadInput;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
@@ -73,7 +90,7 @@ void occupy_standard_streams() {
 int after_output(int status) {
   if (std::cout.flush()) return status;
   std::cerr << "coapt: standard output: cannot be written\n";
-  return coapt::exit_code::kFailure;
+  return exit_code::kFailure;
 }
 
 }  // namespace
@@ -84,6 +101,6 @@ int main(int argc, char** argv) {
     return after_output(run(argc, argv));
   } catch (const std::exception& error) {
     std::cerr << "coapt: " << error.what() << '\n';
-    return coapt::exit_code::kFailure;
+    return exit_code::kFailure;
   }
 }

@@ -1,68 +1,27 @@
-#include <algorithm>
-#include <cctype>
 #include <cstdint>
-#include <cstring>
 #include <iostream>
 #include <limits>
 #include <memory>
-#include <sstream>
 #include <string>
-#include <vector>
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
 #include "clients/cli/number_option.h"
+#include "clients/cli/plan_arguments.h"
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/progress_bar.h"
-#include "io/json/json_reader.h"
+#include "clients/cli/service_job.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
-#include "io/json/valve_json.h"
 #include "io/picture/report.h"
 #include "io/store/subject.h"
 
 namespace coapt {
 namespace {
-
-struct Arguments {
-  std::string valve, report, search, fixed, store;
-  SearchOptions options;
-  std::vector<std::string> forbidden;
-  bool json = false, no_evidence = false;
-};
-
-/// For a shell.
-std::string quoted(const std::string& word) {
-  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::strchr("-_./:,+", c) != nullptr;
-  });
-  if (plain && !word.empty()) return word;
-  std::string text = "'";
-  for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
-  return text + '\'';
-}
-
-/// What gives the same plans again, unless the search was cancelled or out of time; threads and store
-/// change nothing but the time it takes.
-std::string command_line(const Arguments& arguments) {
-  const SearchOptions& options = arguments.options;
-  std::ostringstream line;
-  line.precision(17);
-  line << "coapt plan " << quoted(arguments.valve);
-  if (!arguments.search.empty()) line << " --search " << quoted(arguments.search);
-  line << " --evaluations " << options.evaluations << " --seed " << options.seed << " --plans "
-       << options.plans << " --region-points " << options.region_points;
-  if (!arguments.fixed.empty()) line << " --fix " << quoted(arguments.fixed);
-  for (const std::string& word : arguments.forbidden) line << " --forbid " << word;
-  if (options.no_improvement > 0) line << " --no-improvement " << options.no_improvement;
-  if (options.target_mm2 >= 0.0) line << " --target " << options.target_mm2;
-  if (!options.evidence) line << " --no-evidence";
-  return line.str();
-}
 
 std::string report_html(const Valve& valve, const SearchResult& result,
                         const SearchRequest& request) {
@@ -70,62 +29,53 @@ std::string report_html(const Valve& valve, const SearchResult& result,
   return plan_report_html({pictures.before, pictures.after, result, request});
 }
 
-/// The search object of a file, with what the command line says in its place.
-int complete_options(const CLI::App& command, Arguments& arguments) {
-  SearchOptions& given = arguments.options;
-  if (!arguments.search.empty()) {
-    const Expected<std::string> text = read_input(arguments.search);
-    if (!text) return report_errors(arguments.search, text.errors());
-    const Expected<nlohmann::json> json = parse_json(*text);
-    if (!json) return report_errors(arguments.search, json.errors());
-    Expected<SearchOptions> read = search_options_from_json(*json);
-    if (!read) return report_errors(arguments.search, read.errors());
-    const auto keep = [&](const char* name, auto member) {
-      if (command.count(name) > 0) (*read).*member = given.*member;
-    };
-    keep("--evaluations", &SearchOptions::evaluations);
-    keep("--seed", &SearchOptions::seed);
-    keep("--threads", &SearchOptions::threads);
-    keep("--seconds", &SearchOptions::seconds);
-    keep("--plans", &SearchOptions::plans);
-    keep("--region-points", &SearchOptions::region_points);
-    keep("--no-improvement", &SearchOptions::no_improvement);
-    keep("--target", &SearchOptions::target_mm2);
-    given = *read;
+/// Prints coapt.plans/1; returns an exit code.
+int show(const PlanArguments& arguments, const nlohmann::ordered_json& result) {
+  if (arguments.json) {
+    std::cout << result.dump(2) << '\n';
+  } else {
+    print_ranked(std::cout, result);
   }
-  if (arguments.no_evidence) given.evidence = false;
-  for (const std::string& word : arguments.forbidden) given.rules.forbidden.push_back(word);
-  if (!arguments.fixed.empty()) {
-    const Expected<RepairPlan> fixed = read_plan_argument(arguments.fixed);
-    if (!fixed) return report_errors(arguments.fixed, fixed.errors());
-    given.rules.fixed = *fixed;
-  }
-  return exit_code::kOk;
+  return exit_code_of_plans(result);
 }
 
-/// Each with the option or the file that it comes from.
-int report_search_errors(const Arguments& arguments, const Errors& errors) {
-  const std::string fixed = "/rules/fixed", forbidden = "/rules/forbidden";
+/// Errors below "/search" are those of the options, all others of the request.
+int report_refused_search(const PlanArguments& arguments, const Errors& errors) {
+  Errors of_options, others;
   for (Error error : errors) {
-    if (!arguments.fixed.empty() && error.path.starts_with(fixed)) {
-      error.path.replace(0, fixed.size(), "--fix");
-    } else if (!arguments.forbidden.empty() && error.path.starts_with(forbidden)) {
-      error.path.replace(0, forbidden.size(), "--forbid");
-    } else if (!arguments.search.empty()) {
-      report_errors(arguments.search, {error});
-      continue;
-    } else if (error.path == "/rules") {
-      error.path.clear();
-    } else {
-      report_option_errors("plan", {error}, {{"/target_mm2", "--target"}});
-      continue;
-    }
-    report_errors("plan", {error});
+    const bool is_option = error.path.starts_with("/search/");
+    if (is_option) error.path.erase(0, std::string("/search").size());
+    (is_option ? of_options : others).push_back(error);
   }
-  return exit_code::kBadInput;
+  report_search_errors(arguments, of_options);
+  return report_service_errors("plan", others, {{"/valve", arguments.valve}});
 }
 
-int run(const CLI::App& command, Arguments arguments) {
+int run_by(const Service& service, const CLI::App& command, PlanArguments arguments) {
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  if (const int failed = complete_options(command, arguments)) return failed;
+  if (const int failed = check_output(arguments.report)) return failed;
+  const nlohmann::ordered_json request = {{"valve", *valve},
+                                          {"search", to_json(arguments.options)}};
+  const Expected<ServiceJob> job = run_job(service, "/v1/plans", request, interrupted);
+  if (!job) return report_refused_search(arguments, job.errors());
+  Expected<nlohmann::ordered_json> result = get_json(service, job->path + "/result");
+  if (!result) {
+    const int failed = report_service_errors("plan", result.errors(), {});
+    return job->state == "CANCELLED" ? exit_code::kInterrupted : failed;
+  }
+  (*result)["reproduce"]["command"] = command_line(arguments);
+  const int status = show(arguments, *result);
+  if (arguments.report.empty()) return status;
+  const Expected<std::string> report = get(service, job->path + "/report");
+  if (!report) return report_service_errors("plan", report.errors(), {});
+  const int failed = write_output(arguments.report, *report);
+  return failed != exit_code::kOk ? failed : status;
+}
+
+int run(const CLI::App& command, PlanArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
@@ -146,22 +96,18 @@ int run(const CLI::App& command, Arguments arguments) {
 
   const SearchRequest request{options, subject_of(*valve, options.closure),
                               command_line(arguments)};
-  if (arguments.json) {
-    std::cout << to_json(*result, request).dump(2) << '\n';
-  } else {
-    print_ranked(std::cout, *result);
-  }
+  const int status = show(arguments, to_json(*result, request));
   if (!arguments.report.empty()) {
     const std::string report = report_html(*valve, *result, request);
     if (const int failed = write_output(arguments.report, report)) return failed;
   }
-  return exit_code_of(*result);
+  return status;
 }
 
 }  // namespace
 
 void add_plan(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<PlanArguments>();
   SearchOptions& options = arguments->options;
   CLI::App* command = parent.add_subcommand("plan", "Search repair plans and rank them");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
@@ -201,6 +147,7 @@ void add_plan(CLI::App& parent, int& status) {
   command->add_flag("--json", arguments->json, "Print JSON");
   command->add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
       ->check(CLI::Validator(refuse_standard_output, "FILE"));
+  add_server_option(*command, arguments->server);
   command->footer(
       "Closures in all: 1 of the valve as it is, at most --evaluations on searching, then for the\n"
       "ranking at most 65 for each of three times --plans finalists and the other nodes of the "
@@ -223,8 +170,16 @@ void add_plan(CLI::App& parent, int& status) {
       "Examples:\n"
       "  coapt plan human-functional-mr --seed 1 -o report.html\n"
       "  coapt plan valve.json --fix ring30.json --forbid papillary_approximation:saddle_peak\n"
-      "  coapt plan valve.json --plans 10 --store valve.sqlite --json > plans.json");
-  command->callback([arguments, command, &status] { status = run(*command, *arguments); });
+      "  coapt plan valve.json --plans 10 --store valve.sqlite --json > plans.json\n"
+      "  coapt plan valve.json --server http://127.0.0.1:8080 -o report.html");
+  command->callback([arguments, command, &status] {
+    const auto service = service_of(*command, arguments->server, {"--store"});
+    if (!service) {
+      status = report_errors("plan", service.errors());
+    } else {
+      status = *service ? run_by(**service, *command, *arguments) : run(*command, *arguments);
+    }
+  });
 }
 
 }  // namespace coapt

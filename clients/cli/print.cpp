@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "io/picture/text.h"
@@ -10,70 +12,100 @@
 namespace coapt {
 namespace {
 
+using nlohmann::ordered_json;
+
 constexpr double kSmallestListed_mm2 = 0.05;  // less is shown as 0.0
 
 std::ostream& row(std::ostream& out, const char* label) {
   return out << "  " << std::left << std::setw(16) << label << std::right;
 }
 
-const char* crossing_words(bool crossing) { return crossing ? "leaflets cross" : "no crossing"; }
-
-}  // namespace
-
-void print_closure(std::ostream& out, const std::string& name, const ClosureResult& closure) {
-  out << printable(name) << ": " << to_string(closure.status) << " after " << closure.steps
-      << " steps, residual " << fixed(closure.residual, 4) << ", "
-      << crossing_words(closure.crossing) << '\n';
-  if (closure.attempts.size() < 2) return;
-  for (const ClosureAttempt& attempt : closure.attempts)
-    out << "  tried " << attempt.how << ": " << to_string(attempt.status) << " after "
-        << attempt.steps << " steps, " << attempt.crossing_pairs << " crossings\n";
+/// "n/a" if it is null.
+std::string rounded(const ordered_json& value, int decimals) {
+  return fixed(number_of(value), decimals);
 }
 
-void print_measure(std::ostream& out, const ValveMeasure& measure) {
-  const OrificeMeasure& orifice = measure.orifice;
-  const Coaptation& coaptation = measure.coaptation;
-  const double hidden = coaptation.gap_area_mm2 - orifice.area_mm2;
-  row(out, "leak") << fixed(leak_mm2(measure), 1) << " mm2, the larger of orifice and gap";
+void print_attempts(std::ostream& out, const ordered_json& attempts) {
+  if (attempts.size() < 2) return;
+  for (const ordered_json& attempt : attempts)
+    out << "  tried " << attempt["how"].get<std::string>() << ": "
+        << attempt["status"].get<std::string>() << " after " << attempt["steps"] << " steps, "
+        << attempt["crossing_pairs"] << " crossings\n";
+}
+
+void print_measure(std::ostream& out, const ordered_json& measure) {
+  const ordered_json& coaptation = measure["coaptation"];
+  const double hidden =
+      number_of(coaptation["gap_area_mm2"]) - number_of(measure["orifice_area_mm2"]);
+  row(out, "leak") << rounded(measure["leak_mm2"], 1) << " mm2, the larger of orifice and gap";
   if (hidden > kCompetentLeak_mm2) {
     out << "; the view from the atrium hides " << fixed(hidden, 1) << " mm2 of it";
   }
   out << '\n';
-  row(out, "orifice") << fixed(orifice.area_mm2, 1) << " mm2 (raw "
-                      << fixed(orifice.area_raw_mm2, 1) << ", mean of end states "
-                      << fixed(orifice.area_mean_mm2, 1) << ")\n";
-  for (const Orifice& opening : orifice.orifices) {
-    if (opening.area_mm2 < kSmallestListed_mm2) continue;
-    row(out, "") << fixed(opening.area_mm2, 1) << " mm2 at " << to_string(opening.segment) << '\n';
+  row(out, "orifice") << rounded(measure["orifice_area_mm2"], 1) << " mm2 (raw "
+                      << rounded(measure["orifice_area_raw_mm2"], 1) << ", mean of end states "
+                      << rounded(measure["orifice_area_mean_mm2"], 1) << ")\n";
+  for (const ordered_json& opening : measure["orifices"]) {
+    if (number_of(opening["area_mm2"]) < kSmallestListed_mm2) continue;
+    row(out, "") << rounded(opening["area_mm2"], 1) << " mm2 at "
+                 << opening["segment"].get<std::string>() << '\n';
   }
-  row(out, "gap") << fixed(coaptation.gap_area_mm2, 1) << " mm2 between the leaflets, up to "
-                  << fixed(coaptation.distance_max_mm, 2)
+  row(out, "gap") << rounded(coaptation["gap_area_mm2"], 1) << " mm2 between the leaflets, up to "
+                  << rounded(coaptation["distance_max_mm"], 2)
                   << " mm from mid-surface to mid-surface\n";
-  const auto touching = std::count_if(coaptation.sections.begin(), coaptation.sections.end(),
-                                      [](const CoaptationSection& s) { return s.contact; });
-  row(out, "coaptation") << "height min " << fixed(coaptation.height_min_mm, 1) << ", mean "
-                         << fixed(coaptation.height_mean_mm, 1) << " mm; contact at " << touching
-                         << " of " << coaptation.sections.size() << " sections\n";
-  const AnnulusMeasure& annulus = measure.annulus;
-  row(out, "annulus") << "AP " << fixed(annulus.ap_mm, 1) << ", AL-PM "
-                      << fixed(annulus.al_pm_mm, 1) << ", circumference "
-                      << fixed(annulus.circumference_mm, 1) << ", saddle "
-                      << fixed(annulus.saddle_height_mm, 1) << " mm; area "
-                      << fixed(annulus.area_mm2, 0) << " mm2\n";
-  row(out, "tenting") << "height " << fixed(measure.tenting_height_mm, 1) << " mm, area "
-                      << fixed(measure.tenting_area_mm2, 0) << " mm2\n";
-  row(out, "chordae") << "peak tension " << fixed(measure.tension_max_n, 2) << " N, sum "
-                      << fixed(measure.tension_sum_n, 1) << " N\n";
+  const ordered_json& sections = coaptation["sections"];
+  const auto touching =
+      std::count_if(sections.begin(), sections.end(),
+                    [](const ordered_json& section) { return section["contact"].get<bool>(); });
+  row(out, "coaptation") << "height min " << rounded(coaptation["height_min_mm"], 1) << ", mean "
+                         << rounded(coaptation["height_mean_mm"], 1) << " mm; contact at "
+                         << touching << " of " << sections.size() << " sections\n";
+  const ordered_json& annulus = measure["annulus"];
+  row(out, "annulus") << "AP " << rounded(annulus["ap_mm"], 1) << ", AL-PM "
+                      << rounded(annulus["al_pm_mm"], 1) << ", circumference "
+                      << rounded(annulus["circumference_mm"], 1) << ", saddle "
+                      << rounded(annulus["saddle_height_mm"], 1) << " mm; area "
+                      << rounded(annulus["area_mm2"], 0) << " mm2\n";
+  row(out, "tenting") << "height " << rounded(measure["tenting_height_mm"], 1) << " mm, area "
+                      << rounded(measure["tenting_area_mm2"], 0) << " mm2\n";
+  row(out, "chordae") << "peak tension " << rounded(measure["tension_max_n"], 2) << " N, sum "
+                      << rounded(measure["tension_sum_n"], 1) << " N\n";
   row(out, "leaflet strain") << "circumferential "
-                             << fixed(100.0 * measure.strain_circumferential_max, 1)
-                             << " %, radial " << fixed(100.0 * measure.strain_radial_max, 1)
-                             << " %\n";
+                             << fixed(100.0 * number_of(measure["strain_circumferential_max"]), 1)
+                             << " %, radial "
+                             << fixed(100.0 * number_of(measure["strain_radial_max"]), 1) << " %\n";
 }
 
-void print_oblique(std::ostream& out, const ObliqueOrifice& widest) {
-  row(out, "widest passage") << fixed(widest.area_mm2, 1) << " mm2, " << fixed(widest.tilt_deg, 0)
+void print_oblique(std::ostream& out, const ordered_json& widest) {
+  row(out, "widest passage") << rounded(widest["max"], 1) << " mm2, "
+                             << rounded(widest["tilt_deg"], 0)
                              << " degrees from the annulus's normal, azimuth "
-                             << fixed(widest.azimuth_deg, 0) << " (0 posteromedial, 90 anterior)\n";
+                             << rounded(widest["azimuth_deg"], 0)
+                             << " (0 posteromedial, 90 anterior)\n";
+}
+
+}  // namespace
+
+double number_of(const ordered_json& value) {
+  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+const char* crossing_words(const ordered_json& closure) {
+  return closure["crossing"].get<bool>() ? "leaflets cross" : "no crossing";
+}
+
+void print_closure(std::ostream& out, const ordered_json& closure) {
+  out << printable(closure["valve"].get<std::string>()) << ": "
+      << closure["status"].get<std::string>() << " after " << closure["steps"]
+      << " steps, residual " << rounded(closure["residual"], 4) << ", " << crossing_words(closure)
+      << '\n';
+  print_attempts(out, closure["attempts"]);
+  print_measure(out, closure);
+  if (const auto oblique = closure.find("orifice_oblique_mm2");
+      oblique != closure.end() && !oblique->is_null())
+    print_oblique(out, *oblique);
+  for (const ordered_json& warning : closure["warnings"])
+    out << "  ! " << warning.get<std::string>() << '\n';
 }
 
 }  // namespace coapt

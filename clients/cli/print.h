@@ -1,22 +1,23 @@
-// Results in words, for people; scripts ask for --json.
+// Results in words, for people; scripts ask for --json. What is printed comes from the JSON, so that it is the
+// same whether the work was done here or by a service.
 #pragma once
 
 #include <iosfwd>
-#include <string>
-
-#include "core/closure/closure.h"
-#include "core/metrics/measure.h"
-#include "core/metrics/oblique.h"
-#include "search/plans/plan_search.h"
+#include <nlohmann/json_fwd.hpp>
 
 namespace coapt {
 
-void print_closure(std::ostream& out, const std::string& name, const ClosureResult& closure);
-void print_measure(std::ostream& out, const ValveMeasure& measure);
-void print_oblique(std::ostream& out, const ObliqueOrifice& widest);
+/// Of coapt.closure/1.
+void print_closure(std::ostream& out, const nlohmann::ordered_json& closure);
 
-/// The state before, then one row per plan with its steps and warnings below, then how the search went; "-"
-/// where the region is not known. At most 100 columns.
-void print_ranked(std::ostream& out, const SearchResult& result);
+/// Of coapt.plans/1: the state before, then one row per plan with its steps and warnings below, then how the search
+/// went; "-" where the region is not known. At most 100 columns.
+void print_ranked(std::ostream& out, const nlohmann::ordered_json& result);
+
+/// NaN if it is null.
+double number_of(const nlohmann::ordered_json& value);
+
+/// Of what has a member "crossing".
+const char* crossing_words(const nlohmann::ordered_json& closure);
 
 }  // namespace coapt

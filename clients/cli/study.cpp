@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -6,8 +7,12 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "clients/cli/interrupt.h"
 #include "clients/cli/number_option.h"
+#include "clients/cli/server_option.h"
+#include "clients/cli/service_job.h"
 #include "clients/cli/study_desk.h"
+#include "io/json/findings_json.h"
 #include "io/picture/study_report.h"
 
 namespace coapt {
@@ -20,25 +25,96 @@ struct Arguments {
   bool json = false;
   std::vector<std::string> protocols;
   ThesisStudyOptions options;
+  ServerOption server;
 };
+
+/// Prints a study's summary (study.json) and its findings; returns an exit code.
+int show(const Arguments& arguments, const nlohmann::ordered_json& study,
+         const nlohmann::ordered_json& findings) {
+  if (arguments.json) {
+    std::cout << study.dump(2) << '\n';
+    return exit_code::kOk;
+  }
+  if (findings.empty()) std::cout << "No displacement leaks enough to be repaired.\n";
+  for (const nlohmann::ordered_json& finding : findings)
+    std::cout << (finding["agrees"].get<bool>() ? "agrees   " : "DIFFERS  ")
+              << finding["finding"].get<std::string>() << ": " << finding["ours"].get<std::string>()
+              << '\n';
+  std::cout << study["agree"] << " of " << findings.size() << " findings agree. "
+            << study_timing(study) << "\nWritten to " << arguments.directory << "/index.html\n";
+  return exit_code::kOk;
+}
 
 int finish(const Arguments& arguments, const StudyDesk& desk, const OrificeTable& table,
            StudyReport report) {
   const nlohmann::ordered_json answer = complete(report, arguments.kind, table, desk.seconds());
   for (const auto& [name, content] : report.files)
     if (const int error = desk.write(name, content)) return error;
-  if (arguments.json) {
-    std::cout << answer.dump(2) << '\n';
-    return exit_code::kOk;
+  return show(arguments, answer, to_json(report.findings));
+}
+
+/// The protocols of --protocol in place of the default, in their order.
+void choose_protocols(Arguments& arguments) {
+  if (arguments.protocols.empty()) return;
+  arguments.options.protocols.clear();
+  for (const Protocol protocol : kProtocols)
+    for (const std::string& name : arguments.protocols)
+      if (name == to_string(protocol)) arguments.options.protocols.push_back(protocol);
+}
+
+nlohmann::ordered_json request_of(const Arguments& arguments) {
+  const ThesisStudyOptions& options = arguments.options;
+  nlohmann::ordered_json study = {{"name", to_string(arguments.kind)}};
+  if (arguments.kind != StudyKind::Approximation && arguments.kind != StudyKind::Thesis)
+    return study;
+  for (const Protocol protocol : options.protocols)
+    study["protocols"].push_back(to_string(protocol));
+  study["displacement_step_mm"] = options.approximation.displacement_step_mm;
+  study["region_points"] = options.approximation.region_points;
+  study["scan_sites"] = options.scan_sites;
+  return study;
+}
+
+/// Puts the files that a job has left into the directory. Returns an exit code.
+int fetch_files(const Service& service, const ServiceJob& job, const std::string& directory) {
+  namespace fs = std::filesystem;
+  const Expected<nlohmann::ordered_json> listed = get_json(service, job.path + "/files");
+  if (!listed) return report_service_errors("study", listed.errors(), {});
+  for (const nlohmann::ordered_json& file : (*listed)["files"]) {
+    // Only its last part: a service must not write elsewhere.
+    const std::string name = fs::path(file["name"].get<std::string>()).filename().string();
+    const Expected<std::string> content = get(service, job.path + "/files/" + name);
+    if (!content) return report_service_errors("study", content.errors(), {});
+    if (const int failed = write_output((fs::path(directory) / name).string(), *content))
+      return failed;
   }
-  if (report.findings.empty()) std::cout << "No displacement leaks enough to be repaired.\n";
-  for (const Finding& finding : report.findings)
-    std::cout << (finding.agrees ? "agrees   " : "DIFFERS  ") << finding.finding << ": "
-              << finding.ours << '\n';
-  std::cout << answer["agree"] << " of " << report.findings.size() << " findings agree. "
-            << study_timing(table, desk.seconds()) << "\nWritten to " << arguments.directory
-            << "/index.html\n";
   return exit_code::kOk;
+}
+
+int run_by(const Service& service, Arguments arguments) {
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  if (const Errors errors = make_directory(arguments.directory); !errors.empty()) {
+    report_errors("study", errors);
+    return exit_code::kFailure;
+  }
+  choose_protocols(arguments);
+  const nlohmann::ordered_json request = {{"valve", *valve}, {"study", request_of(arguments)}};
+  const Expected<ServiceJob> job = run_job(service, "/v1/studies", request, interrupted);
+  if (!job) return report_service_errors("study", job.errors(), {{"/valve", arguments.valve}});
+  if (job->state == "CANCELLED") {
+    std::cerr
+        << "coapt: study: cancelled; the service keeps its closures, so it goes on when it is "
+           "asked for again\n";
+    return exit_code::kInterrupted;
+  }
+  Expected<nlohmann::ordered_json> study = get_json(service, job->path + "/result");
+  if (!study) return report_service_errors("study", study.errors(), {});
+  if (const int failed = fetch_files(service, *job, arguments.directory)) return failed;
+  const nlohmann::ordered_json findings = (*study)["findings"];
+  (*study)["findings"] = findings.size();
+  return show(arguments, *study, findings);
 }
 
 int run(Arguments arguments) {
@@ -50,14 +126,14 @@ int run(Arguments arguments) {
     report_errors("study", desk.errors());
     return exit_code::kFailure;
   }
-  if (!arguments.protocols.empty()) arguments.options.protocols.clear();
-  for (const Protocol protocol : kProtocols)
-    for (const std::string& name : arguments.protocols)
-      if (name == to_string(protocol)) arguments.options.protocols.push_back(protocol);
+  choose_protocols(arguments);
   arguments.options.stage = [&](const std::string& stage) { (*desk)->begin(stage); };
   OrificeTable table = (*desk)->table(*valve);
   return finish(arguments, **desk, table, run_study(arguments.kind, table, arguments.options));
 }
+
+constexpr const char* kResumes =
+    "A study that was stopped, run again with the same directory, goes on where it was.\n\n";
 
 CLI::App* add_one(CLI::App& parent, int& status, StudyKind kind, const char* help,
                   const std::shared_ptr<Arguments>& arguments) {
@@ -74,7 +150,17 @@ CLI::App* add_one(CLI::App& parent, int& status, StudyKind kind, const char* hel
       ->check(number_from(0, 1024))
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "A summary as JSON on standard output");
-  command->callback([=, &status] { status = run(*arguments); });
+  add_server_option(*command, arguments->server);
+  const std::string name = to_string(kind);
+  command->footer(kResumes + ("Example:\n  coapt study " + name + " porcine-thesis -o " + name));
+  command->callback([=, &status] {
+    const auto service = service_of(*command, arguments->server, {"--threads"});
+    if (!service) {
+      status = report_errors("study", service.errors());
+    } else {
+      status = *service ? run_by(**service, *arguments) : run(*arguments);
+    }
+  });
   return command;
 }
 
@@ -102,9 +188,6 @@ void add_anchor_options(CLI::App& command, const std::shared_ptr<Arguments>& arg
       ->check(number_from(0, 360))
       ->capture_default_str();
 }
-
-constexpr const char* kResumes =
-    "A study that was stopped, run again with the same directory, goes on where it was.\n\n";
 
 }  // namespace
 
@@ -137,8 +220,9 @@ void add_study(CLI::App& parent, int& status) {
               "All of them, each finding of the thesis beside this valve's", everything);
   add_anchor_options(*thesis, everything);
   thesis->footer(std::string(kResumes) +
-                 "Example:\n"
-                 "  coapt study thesis porcine-thesis -o thesis --threads 2 --json");
+                 "Examples:\n"
+                 "  coapt study thesis porcine-thesis -o thesis --threads 2 --json\n"
+                 "  coapt study thesis porcine-thesis -o thesis --server http://127.0.0.1:8080");
   add_calibrate(*study, status);
   add_anchor_question(*study, status);
   add_generality(*study, status);

@@ -14,10 +14,7 @@ namespace {
 }  // namespace
 
 Expected<std::unique_ptr<StudyDesk>> StudyDesk::open(const std::string& directory, int threads) {
-  std::error_code failed;
-  std::filesystem::create_directories(directory, failed);
-  if (failed)
-    return Error{ErrorCode::InputOutput, "", directory + ": cannot be made: " + failed.message()};
+  if (Errors errors = make_directory(directory); !errors.empty()) return errors;
   Expected<ClosureStore> store =
       ClosureStore::open((std::filesystem::path(directory) / "closures.sqlite").string());
   if (!store) return store.errors();

@@ -1,11 +1,11 @@
 #!/bin/bash
 # search.sh VALVE [SEARCH]: stores a valve file, searches repair plans for it, prints them ranked.
 #
-# VALVE is a coapt.valve/1, SEARCH the "search" of a request ({} by default). COAPT_URL says where the service is
+# VALVE is a coapt.valve/1, SEARCH the "search" of a request ({} by default). COAPT_SERVER says where the service is
 # (http://127.0.0.1:8080), COAPT_TOKEN its token. Ctrl-C ends the search early; its best so far is printed.
 set -euo pipefail
 
-url=${COAPT_URL:-http://127.0.0.1:8080}
+url=${COAPT_SERVER:-http://127.0.0.1:8080}
 [[ $# -eq 1 || $# -eq 2 ]] || { sed -n '2,5s/^# \?//p' "$0" >&2; exit 2; }
 answer=$(mktemp)
 trap 'rm -f "$answer"' EXIT

@@ -1,9 +1,19 @@
 #include "io/json/result_json.h"
 
+#include <algorithm>
+#include <array>
+
 namespace coapt {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr std::array kErrorCodes = {
+    ErrorCode::InvalidJson, ErrorCode::MissingField, ErrorCode::UnknownField,
+    ErrorCode::WrongType,   ErrorCode::OutOfRange,   ErrorCode::BadReference,
+    ErrorCode::BadTopology, ErrorCode::BadGeometry,  ErrorCode::ImpossibleStep,
+    ErrorCode::Unsupported, ErrorCode::InputOutput,  ErrorCode::Busy,
+    ErrorCode::NoSpace};
 
 const char* name_of(ErrorCode code) {
   switch (code) {
@@ -87,6 +97,19 @@ ordered_json to_json(const Errors& errors) {
         {{"code", name_of(error.code)}, {"path", error.path}, {"message", error.message}});
   }
   return list;
+}
+
+Errors errors_from_json(const ordered_json& list) {
+  Errors errors;
+  for (const ordered_json& one : list) {
+    if (!one.is_object()) continue;
+    const std::string name = one.value("code", "");
+    const auto code = std::find_if(kErrorCodes.begin(), kErrorCodes.end(),
+                                   [&](ErrorCode known) { return name == name_of(known); });
+    errors.push_back({code == kErrorCodes.end() ? ErrorCode::Unsupported : *code,
+                      one.value("path", ""), one.value("message", "")});
+  }
+  return errors;
 }
 
 ordered_json to_json(const ValveMeasure& measure) {

@@ -18,6 +18,8 @@ inline constexpr std::string_view kResearchNotice =
 std::string_view version();
 
 nlohmann::ordered_json to_json(const Errors& errors);  ///< [{"code","path","message"}, ...]
+/// Of such a list; a code that is not known becomes Unsupported.
+Errors errors_from_json(const nlohmann::ordered_json& list);
 nlohmann::ordered_json to_json(const ValveMeasure& measure);
 
 nlohmann::ordered_json to_json(

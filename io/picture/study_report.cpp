@@ -205,10 +205,11 @@ StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOpti
   return {};
 }
 
-std::string study_timing(const OrificeTable& table, double seconds) {
-  return std::to_string(table.configurations()) + " configurations, five end states each; " +
-         std::to_string(table.closures()) + " closed now, in " + fixed(seconds, 1) + " s; " +
-         std::to_string(table.untrusted()) +
+std::string study_timing(const nlohmann::ordered_json& study) {
+  return std::to_string(study["configurations"].get<int>()) +
+         " configurations, five end states each; " + std::to_string(study["closures"].get<int>()) +
+         " closed now, in " + fixed(study["seconds"].get<double>(), 1) + " s; " +
+         std::to_string(study["untrusted"].get<int>()) +
          " not trusted (not converged, or crossed). The thesis: " +
          std::to_string(thesis::kConfigurations) + " in about " + fixed(thesis::kHours, 0) +
          " hours.";
@@ -230,9 +231,8 @@ nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, const Orifi
                                    {"notice", kResearchNotice}};
   report.files.emplace_back("study.json", answer.dump(2) + "\n");
   report.files.emplace_back("findings.json", to_json(report.findings).dump(2) + "\n");
-  report.files.emplace_back("index.html",
-                            findings_page(table.valve().name, report.findings, report.figures,
-                                          study_timing(table, seconds)));
+  report.files.emplace_back("index.html", findings_page(table.valve().name, report.findings,
+                                                        report.figures, study_timing(answer)));
   return answer;
 }
 

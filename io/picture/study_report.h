@@ -31,7 +31,8 @@ struct StudyReport {
 StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOptions& options);
 
 /// How many configurations were closed in what time, a sentence or two.
-std::string study_timing(const OrificeTable& table, double seconds);
+/// @param study what complete() returns
+std::string study_timing(const nlohmann::ordered_json& study);
 
 /// Adds study.json, findings.json and index.html. Returns what study.json holds.
 nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, const OrificeTable& table,

@@ -48,7 +48,9 @@ nlohmann::ordered_json in_order(const SearchResult& result, const std::vector<Re
   }
   nlohmann::ordered_json answer = {{"version", json["version"]}, {"before", json["before"]}};
   answer["plans"] = std::move(plans);
-  for (const char* name : {"closures", "seconds", "not_modelled"}) answer[name] = json[name];
+  for (const char* name : {"any_competent", "ladder", "plans_tried", "closures", "evaluations",
+                           "closures_not_converged", "closures_crossed", "seconds", "not_modelled"})
+    answer[name] = json[name];
   return answer;
 }
 

@@ -24,7 +24,7 @@ class CurlClient(ProgramTest):
 
     def start(self, *arguments, token=TOKEN):
         """In a group of its own, as a shell starts it."""
-        surroundings = os.environ | {"COAPT_URL": f"http://127.0.0.1:{self.server.port}", "COAPT_TOKEN": token}
+        surroundings = os.environ | {"COAPT_SERVER": f"http://127.0.0.1:{self.server.port}", "COAPT_TOKEN": token}
         return subprocess.Popen([CLIENT, *map(str, arguments)], env=surroundings, text=True, process_group=0,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 

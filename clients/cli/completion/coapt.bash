@@ -1,0 +1,66 @@
+# Completion of coapt and coapt-server for bash. Commands and options come from the program's own --help, so that none is
+# missing; what options take stands here.
+
+# Options of a command: the first words of lines that begin with a dash.
+_coapt_options() {
+  "$@" --help 2>/dev/null | awk '/^ +-/ { gsub(",", "\n", $1); print $1 }'
+}
+
+# Its subcommands.
+_coapt_subcommands() {
+  "$@" --help 2>/dev/null | awk '/^[^ ]/ { listed = /^Subcommands:/; next } listed && /^  [a-z]/ { print $1 }'
+}
+
+_coapt_presets='porcine-1 porcine-2 porcine-3 porcine-4 porcine-5 porcine-thesis porcine-thesis-tables human-normal
+  human-functional-mr human-p2-prolapse'
+
+# What follows an option; nothing: a file, or anything.
+_coapt_values() {
+  case $1 in
+    --method) echo fast thesis ;;
+    --membrane) echo springs continuum ;;
+    --protocol) echo lookup-clamped lookup-extended closed optimum ;;
+    --displacement-step) echo 1 2 3 6 ;;
+    --server) echo http://127.0.0.1:8080 ;;
+    --forbid)
+      echo annuloplasty papillary_approximation neochorda chordal_length_change chordal_excision chordal_transfer \
+        annuloplasty:own annuloplasty:generic-classic annuloplasty:generic-etlogix-like annuloplasty:generic-geoform-like \
+        papillary_approximation:anterolateral papillary_approximation:posteromedial \
+        papillary_approximation:ipsilateral_trigone papillary_approximation:saddle_peak \
+        papillary_approximation:annulus_point neochorda:anterior neochorda:posterior
+      ;;
+  esac
+}
+
+_coapt() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+  # Readline breaks words at colons; --forbid's hold some.
+  local whole=$current
+  if [[ $previous == : || $current == : ]]; then
+    local line=${COMP_LINE:0:COMP_POINT}
+    whole=${line##* }
+    previous=${line% *}
+    previous=${previous##* }
+  fi
+  local -a command=("${COMP_WORDS[0]}")
+  local word names
+  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+    names=$(_coapt_subcommands "${command[@]}")
+    [[ -n $names ]] || break
+    grep -qxF -e "$word" <<<"$names" && command+=("$word")
+  done
+
+  local words=''
+  if [[ $whole == -* ]]; then
+    words=$(_coapt_options "${command[@]}")
+  else
+    words=$([[ $previous != -* ]] || _coapt_values "$previous")
+    [[ -n $words || $previous == -* ]] || words=$(_coapt_subcommands "${command[@]}")
+    [[ -n $words || $previous == -* || ${COMP_WORDS[0]} == *coapt-server ]] || words=$_coapt_presets
+  fi
+  mapfile -t COMPREPLY < <(compgen -W "$words" -- "$whole")
+  [[ $whole != *:* ]] || COMPREPLY=("${COMPREPLY[@]#"${whole%:*}:"}")
+}
+
+# Where nothing fits, and beside presets, files are offered.
+complete -o bashdefault -o default -F _coapt coapt coapt-server

@@ -1,0 +1,98 @@
+#include "clients/cli/plan_arguments.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <sstream>
+
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "io/json/json_reader.h"
+#include "io/json/search_options_json.h"
+
+namespace coapt {
+namespace {
+
+/// For a shell.
+std::string quoted(const std::string& word) {
+  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("-_./:,+", c) != nullptr;
+  });
+  if (plain && !word.empty()) return word;
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return text + '\'';
+}
+
+}  // namespace
+
+std::string command_line(const PlanArguments& arguments) {
+  const SearchOptions& options = arguments.options;
+  std::ostringstream line;
+  line.precision(17);
+  line << "coapt plan " << quoted(arguments.valve);
+  if (!arguments.search.empty()) line << " --search " << quoted(arguments.search);
+  line << " --evaluations " << options.evaluations << " --seed " << options.seed << " --plans "
+       << options.plans << " --region-points " << options.region_points;
+  if (!arguments.fixed.empty()) line << " --fix " << quoted(arguments.fixed);
+  for (const std::string& word : arguments.forbidden) line << " --forbid " << word;
+  if (options.no_improvement > 0) line << " --no-improvement " << options.no_improvement;
+  if (options.target_mm2 >= 0.0) line << " --target " << options.target_mm2;
+  if (!options.evidence) line << " --no-evidence";
+  return line.str();
+}
+
+int complete_options(const CLI::App& command, PlanArguments& arguments) {
+  SearchOptions& given = arguments.options;
+  if (!arguments.search.empty()) {
+    const Expected<std::string> text = read_input(arguments.search);
+    if (!text) return report_errors(arguments.search, text.errors());
+    const Expected<nlohmann::json> json = parse_json(*text);
+    if (!json) return report_errors(arguments.search, json.errors());
+    Expected<SearchOptions> read = search_options_from_json(*json);
+    if (!read) return report_errors(arguments.search, read.errors());
+    const auto keep = [&](const char* name, auto member) {
+      if (command.count(name) > 0) (*read).*member = given.*member;
+    };
+    keep("--evaluations", &SearchOptions::evaluations);
+    keep("--seed", &SearchOptions::seed);
+    keep("--threads", &SearchOptions::threads);
+    keep("--seconds", &SearchOptions::seconds);
+    keep("--plans", &SearchOptions::plans);
+    keep("--region-points", &SearchOptions::region_points);
+    keep("--no-improvement", &SearchOptions::no_improvement);
+    keep("--target", &SearchOptions::target_mm2);
+    given = *read;
+  }
+  if (arguments.no_evidence) given.evidence = false;
+  for (const std::string& word : arguments.forbidden) given.rules.forbidden.push_back(word);
+  if (!arguments.fixed.empty()) {
+    const Expected<RepairPlan> fixed = read_plan_argument(arguments.fixed);
+    if (!fixed) return report_errors(arguments.fixed, fixed.errors());
+    given.rules.fixed = *fixed;
+  }
+  return exit_code::kOk;
+}
+
+int report_search_errors(const PlanArguments& arguments, const Errors& errors) {
+  const std::string fixed = "/rules/fixed", forbidden = "/rules/forbidden";
+  for (Error error : errors) {
+    if (!arguments.fixed.empty() && error.path.starts_with(fixed)) {
+      error.path.replace(0, fixed.size(), "--fix");
+    } else if (!arguments.forbidden.empty() && error.path.starts_with(forbidden)) {
+      error.path.replace(0, forbidden.size(), "--forbid");
+    } else if (!arguments.search.empty()) {
+      report_errors(arguments.search, {error});
+      continue;
+    } else if (error.path == "/rules") {
+      error.path.clear();
+    } else {
+      report_option_errors("plan", {error}, {{"/target_mm2", "--target"}});
+      continue;
+    }
+    report_errors("plan", {error});
+  }
+  return exit_code::kBadInput;
+}
+
+}  // namespace coapt

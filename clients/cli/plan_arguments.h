@@ -1,0 +1,31 @@
+// What the command line of coapt plan asks for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clients/cli/server_option.h"
+#include "search/plans/plan_search.h"
+
+namespace coapt {
+
+struct PlanArguments {
+  std::string valve, report, search, fixed, store;
+  SearchOptions options;
+  std::vector<std::string> forbidden;
+  ServerOption server;
+  bool json = false, no_evidence = false;
+};
+
+/// A command line that gives the same plans again, unless the search was cancelled or out of time; threads, store and
+/// server change nothing but the time it takes.
+std::string command_line(const PlanArguments& arguments);
+
+/// Puts the search object of --search, with what the command line says in its place, into the options. Returns an exit
+/// code.
+int complete_options(const CLI::App& command, PlanArguments& arguments);
+
+/// Prints errors that point into the options, each with the option or the file that it comes from; returns kBadInput.
+int report_search_errors(const PlanArguments& arguments, const Errors& errors);
+
+}  // namespace coapt

@@ -1,0 +1,101 @@
+#include "clients/cli/server_option.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "core/valve/problem_list.h"
+#include "io/json/valve_json.h"
+
+namespace coapt {
+namespace {
+
+/// The first line, without what ends it.
+Expected<std::string> read_token(const std::string& file) {
+  if (file.empty()) {
+    const char* const token = std::getenv("COAPT_TOKEN");
+    return std::string(token == nullptr ? "" : token);
+  }
+  const Expected<std::string> text = read_input(file);
+  if (!text)
+    return Error{ErrorCode::InputOutput, "",
+                 "--token-file: " + file + ": " + text.errors().front().message};
+  std::string token = text->substr(0, text->find('\n'));
+  if (token.ends_with('\r')) token.pop_back();
+  if (token.empty())
+    return Error{ErrorCode::MissingField, "",
+                 "--token-file: " + file + ": its first line is empty"};
+  return token;
+}
+
+bool is_url(const std::string& url) {
+  for (const std::string scheme : {"http://", "https://"})
+    if (url.starts_with(scheme) && url.size() > scheme.size() && url[scheme.size()] != '/')
+      return true;
+  return false;
+}
+
+}  // namespace
+
+void add_server_option(CLI::App& command, ServerOption& option) {
+  command
+      .add_option("--server", option.url,
+                  "Let this coapt-server do it: http://127.0.0.1:8080, https://...; '': do it here")
+      ->option_text("URL")
+      ->envname("COAPT_SERVER")
+      ->group("Service");
+  command
+      .add_option("--token-file", option.token_file,
+                  "Its first line is the service's token; otherwise COAPT_TOKEN is")
+      ->option_text("FILE")
+      ->group("Service");
+}
+
+Expected<std::optional<Service>> service_of(const CLI::App& command, const ServerOption& option,
+                                            const std::vector<std::string>& only_here) {
+  if (option.url.empty()) return std::optional<Service>();
+  ProblemList problems;
+  if (!is_url(option.url))
+    problems.add(ErrorCode::OutOfRange, "",
+                 "--server: is " + option.url + ", must be like http://127.0.0.1:8080");
+  for (const std::string& name : only_here)
+    if (command.count(name) > 0)
+      problems.add(ErrorCode::Unsupported, "",
+                   name +
+                       ": a service does not offer it; leave it out, or do the work here with "
+                       "--server ''");
+  const Expected<std::string> token = read_token(option.token_file);
+  if (!token) problems.add(token.errors().front().code, "", token.errors().front().message);
+  if (!problems.empty()) return std::move(problems).take();
+  return std::optional<Service>(Service{option.url, *token});
+}
+
+Expected<nlohmann::ordered_json> valve_to_send(const std::string& argument) {
+  std::error_code ignored;
+  if (argument != "-" && !std::filesystem::exists(argument, ignored))
+    return nlohmann::ordered_json(argument);
+  const Expected<Valve> valve = read_valve_argument(argument);
+  if (!valve) return valve.errors();
+  return nlohmann::ordered_json::parse(write_valve(*valve));
+}
+
+int report_service_errors(const std::string& command, const Errors& errors,
+                          const std::map<std::string, std::string>& sources) {
+  int status = exit_code::kBadInput;
+  for (Error error : errors) {
+    std::string source = command;
+    for (const auto& [pointer, file] : sources) {
+      if (error.path != pointer && !error.path.starts_with(pointer + "/")) continue;
+      source = file;
+      error.path.erase(0, pointer.size());
+    }
+    report_errors(source, {error});
+    if (error.code == ErrorCode::InputOutput || error.code == ErrorCode::Busy ||
+        error.code == ErrorCode::NoSpace)
+      status = exit_code::kFailure;
+  }
+  return status;
+}
+
+}  // namespace coapt

@@ -1,0 +1,36 @@
+// --server: the work is done by a coapt-server.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/cli/service.h"
+#include "core/repair/plan.h"
+
+namespace coapt {
+
+struct ServerOption {
+  std::string url, token_file;
+};
+
+/// --server (or COAPT_SERVER) and --token-file (or the token itself in COAPT_TOKEN).
+void add_server_option(CLI::App& command, ServerOption& option);
+
+/// The service to ask; none if the work is done here. Errors: an address that is none, a token that cannot be read, or
+/// one of the options `only_here` of `command` was given, which the service does not offer.
+Expected<std::optional<Service>> service_of(const CLI::App& command, const ServerOption& option,
+                                            const std::vector<std::string>& only_here);
+
+/// A valve for a request: a file (or "-") is checked here and sent; any other word is the service's preset, or the id of
+/// a valve that it has stored.
+Expected<nlohmann::ordered_json> valve_to_send(const std::string& argument);
+
+/// Prints every error as report_errors() does, those below a member of `sources` (pointer into the request, file) with
+/// that file. Returns an exit code: kFailure for what is not the request's fault.
+int report_service_errors(const std::string& command, const Errors& errors,
+                          const std::map<std::string, std::string>& sources);
+
+}  // namespace coapt

@@ -1,0 +1,240 @@
+#include "clients/cli/service.h"
+
+#include <httplib.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <sstream>
+#include <thread>
+
+#include "io/json/result_json.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kTries = 5;
+constexpr std::chrono::milliseconds kFirstPause(250);  // before the second try; doubled with each
+constexpr std::chrono::seconds kLongestPause(30), kStreamPause(2), kPatience(60);
+constexpr std::chrono::seconds kConnect(10), kAnswer(300),
+    kHeartbeats(45);  // the service's is 15 s
+
+struct Reply {
+  int status = 0;
+  std::string body, retry_after;
+};
+
+struct Call {
+  std::string method, path, body, key;
+};
+
+/// Blocks SIGPIPE for this thread, which a service that closes early would raise; where results are printed it keeps
+/// its meaning.
+class BrokenPipesAreErrors {
+ public:
+  BrokenPipesAreErrors() {
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  ~BrokenPipesAreErrors() {
+    const timespec now{};
+    while (sigtimedwait(&pipe_, nullptr, &now) > 0) continue;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  BrokenPipesAreErrors(const BrokenPipesAreErrors&) = delete;
+  BrokenPipesAreErrors& operator=(const BrokenPipesAreErrors&) = delete;
+
+ private:
+  sigset_t pipe_{}, before_{};
+};
+
+/// "http://host:port" and the path below which the service is.
+std::pair<std::string, std::string> split_url(const std::string& url) {
+  const std::size_t host = url.find("://");
+  const std::size_t path = host == std::string::npos ? host : url.find('/', host + 3);
+  std::string prefix = path == std::string::npos ? "" : url.substr(path);
+  while (prefix.ends_with('/')) prefix.pop_back();
+  return {url.substr(0, path), prefix};
+}
+
+httplib::Headers headers_of(const Service& service) {
+  httplib::Headers headers = {{"User-Agent", "coapt/" + std::string(version())}};
+  if (!service.token.empty()) headers.emplace("Authorization", "Bearer " + service.token);
+  return headers;
+}
+
+httplib::Client client_of(const std::string& origin, std::chrono::seconds patience) {
+  httplib::Client client(origin);
+  client.set_connection_timeout(kConnect);
+  client.set_read_timeout(patience);
+  client.set_write_timeout(patience);
+  return client;
+}
+
+Errors unreachable(const Service& service, httplib::Error error) {
+  std::ostringstream why;
+  why << service.url << " does not answer: " << httplib::to_string(error);
+  return {Error{ErrorCode::InputOutput, "", why.str()}};
+}
+
+Expected<Reply> call_once(const Service& service, const Call& call) {
+  const BrokenPipesAreErrors guard;
+  const auto [origin, prefix] = split_url(service.url);
+  httplib::Client client = client_of(origin, kAnswer);
+  httplib::Headers headers = headers_of(service);
+  if (!call.key.empty()) headers.emplace("Idempotency-Key", call.key);
+  const std::string path = prefix + call.path;
+  const httplib::Result result = call.method == "GET"
+                                     ? client.Get(path, headers)
+                                     : client.Post(path, headers, call.body, "application/json");
+  if (!result) return unreachable(service, result.error());
+  return Reply{result->status, result->body, result->get_header_value("Retry-After")};
+}
+
+/// What a service, or a proxy before it, says against a request.
+Errors problems_of(const Service& service, const Reply& reply) {
+  const auto json = ordered_json::parse(reply.body, nullptr, false);
+  if (json.is_object() && json.contains("problems"))
+    if (Errors errors = errors_from_json(json["problems"]); !errors.empty()) return errors;
+  return {Error{reply.status >= 500 ? ErrorCode::InputOutput : ErrorCode::Unsupported, "",
+                service.url + " answers with status " + std::to_string(reply.status)}};
+}
+
+bool is_busy(int status) { return status == 429 || status == 503; }
+
+std::chrono::milliseconds pause_after(const Reply& reply, std::chrono::milliseconds otherwise) {
+  int seconds = 0;
+  const std::string& said = reply.retry_after;
+  std::from_chars(said.data(), said.data() + said.size(), seconds);
+  const std::chrono::milliseconds asked = seconds > 0 ? std::chrono::seconds(seconds) : otherwise;
+  return std::min<std::chrono::milliseconds>(asked, kLongestPause);
+}
+
+Expected<Reply> call(const Service& service, const Call& one) {
+  std::chrono::milliseconds pause = kFirstPause;
+  for (int tries = 1;; ++tries, pause *= 2) {
+    Expected<Reply> reply = call_once(service, one);
+    if (reply && reply->status < 400) return reply;
+    if (reply && !is_busy(reply->status)) return problems_of(service, *reply);
+    if (tries == kTries) return reply ? problems_of(service, *reply) : reply.errors();
+    std::this_thread::sleep_for(reply ? pause_after(*reply, pause) : pause);
+  }
+}
+
+Expected<ordered_json> json_of(const Service& service, const Expected<Reply>& reply) {
+  if (!reply) return reply.errors();
+  ordered_json json = ordered_json::parse(reply->body, nullptr, false);
+  if (json.is_discarded())
+    return Error{ErrorCode::InputOutput, "",
+                 service.url + " answers with something else than JSON"};
+  return json;
+}
+
+/// Takes a stream of server-sent events in as it comes.
+class EventReader {
+ public:
+  explicit EventReader(const std::function<void(const ServiceEvent&)>& tell) : tell_(tell) {}
+
+  void take(const char* bytes, std::size_t size) {
+    text_.append(bytes, size);
+    for (std::size_t end; (end = text_.find("\n\n")) != std::string::npos;) {
+      read(text_.substr(0, end));
+      text_.erase(0, end + 2);
+    }
+  }
+  /// Before another stream: what broke off comes again.
+  void restart() { text_.clear(); }
+  const std::string& last() const { return last_; }
+  bool has_ended() const { return ended_; }
+
+ private:
+  void read(const std::string& event) {
+    std::istringstream lines(event);
+    std::string kind, data;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("id: ")) last_ = line.substr(4);
+      if (line.starts_with("event: ")) kind = line.substr(7);
+      if (line.starts_with("data: ")) data = line.substr(6);
+    }
+    const ordered_json json = ordered_json::parse(data, nullptr, false);
+    if (!json.is_object()) return;
+    const std::string state = kind == "state" ? json.value("state", "") : "";
+    ended_ = state == "SUCCEEDED" || state == "FAILED" || state == "CANCELLED";
+    tell_({state, kind == "progress" ? json : ordered_json()});
+  }
+
+  const std::function<void(const ServiceEvent&)>& tell_;
+  std::string text_, last_ = "0";
+  bool ended_ = false;
+};
+
+/// One stream, until it ends. The reply's body is that of a refusal.
+Expected<Reply> read_stream(const Service& service, const std::string& path, EventReader& reader) {
+  const BrokenPipesAreErrors guard;
+  const auto [origin, prefix] = split_url(service.url);
+  httplib::Client client = client_of(origin, kHeartbeats);
+  httplib::Headers headers = headers_of(service);
+  headers.emplace("Last-Event-ID", reader.last());
+  Reply reply;
+  reader.restart();
+  const httplib::Result result = client.Get(
+      prefix + path, headers,
+      [&](const httplib::Response& response) {
+        reply.status = response.status;
+        reply.retry_after = response.get_header_value("Retry-After");
+        return true;
+      },
+      [&](const char* bytes, std::size_t size) {
+        if (reply.status == 200) {
+          reader.take(bytes, size);
+        } else {
+          reply.body.append(bytes, size);
+        }
+        return !reader.has_ended();
+      });
+  if (!result && !reader.has_ended()) return unreachable(service, result.error());
+  return reply;
+}
+
+}  // namespace
+
+Expected<std::string> get(const Service& service, const std::string& path) {
+  Expected<Reply> reply = call(service, {"GET", path, "", ""});
+  if (!reply) return reply.errors();
+  return std::move(reply->body);
+}
+
+Expected<ordered_json> get_json(const Service& service, const std::string& path) {
+  return json_of(service, call(service, {"GET", path, "", ""}));
+}
+
+Expected<ordered_json> post_json(const Service& service, const std::string& path,
+                                 const ordered_json& body, const std::string& key) {
+  return json_of(service, call(service, {"POST", path, body.dump(), key}));
+}
+
+Errors follow_job(const Service& service, const std::string& job_path,
+                  const std::function<void(const ServiceEvent&)>& tell) {
+  EventReader reader(tell);
+  Clock::time_point heard = Clock::now();
+  while (!reader.has_ended()) {
+    const std::string last = reader.last();
+    const Expected<Reply> reply = read_stream(service, job_path + "/events", reader);
+    if (reply && reply->status == 204) return {};
+    if (reply && reply->status >= 400 && !is_busy(reply->status))
+      return problems_of(service, *reply);
+    if (reply || reader.last() != last) heard = Clock::now();
+    if (!reply && Clock::now() - heard > kPatience) return reply.errors();
+    if (!reader.has_ended())
+      std::this_thread::sleep_for(reply ? pause_after(*reply, kStreamPause) : kStreamPause);
+  }
+  return {};
+}
+
+}  // namespace coapt

@@ -1,0 +1,42 @@
+// A coapt-server, asked over HTTP (server/openapi.json). cpp-httplib's client stands behind this file alone.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "core/valve/types.h"
+
+namespace coapt {
+
+struct Service {
+  std::string url;    ///< "https://coapt.example.org/lab", "http://127.0.0.1:8080"
+  std::string token;  ///< empty: none
+};
+
+/// The answer to a GET. What the service refuses is all its problems, with pointers into the request; InputOutput, if
+/// it cannot be reached or does not work; Busy, if it has no time after several tries (its Retry-After is kept).
+Expected<std::string> get(const Service& service, const std::string& path);
+
+/// The same, as JSON.
+Expected<nlohmann::ordered_json> get_json(const Service& service, const std::string& path);
+
+/// The JSON that answers a POST, which is sent again if the answer gets lost. @param key Idempotency-Key; may be empty
+Expected<nlohmann::ordered_json> post_json(const Service& service, const std::string& path,
+                                           const nlohmann::ordered_json& body,
+                                           const std::string& key = "");
+
+/// What happened to a job: one of a state and a progress (Progress of openapi.json).
+struct ServiceEvent {
+  std::string state;
+  nlohmann::ordered_json progress;
+};
+
+/// Tells every event of a job until it has ended. A stream that breaks off is taken up after the last event, also when
+/// the service was started again in between. Errors: the job is not there, or the service stays away for a minute.
+Errors follow_job(const Service& service, const std::string& job_path,
+                  const std::function<void(const ServiceEvent&)>& tell);
+
+}  // namespace coapt

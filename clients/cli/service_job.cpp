@@ -1,0 +1,66 @@
+#include "clients/cli/service_job.h"
+
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "clients/cli/print.h"
+#include "clients/cli/progress_bar.h"
+#include "io/json/result_json.h"
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::chrono::milliseconds kLook(100);  // for Ctrl-C
+
+/// 128 random bits.
+std::string new_key() {
+  std::random_device random;
+  std::ostringstream key;
+  key << std::hex;
+  for (int i = 0; i < 4; ++i) key << random() << '-';
+  return key.str();
+}
+
+void show(const ProgressBar& bar, const ordered_json& progress) {
+  const double best_mm2 = number_of(progress["best_leak_mm2"]);
+  const std::string best =
+      std::isnan(best_mm2) ? "" : ", least leak as planned " + fixed(best_mm2, 1) + " mm2";
+  bar.show(progress["evaluations"], progress["evaluations_planned"],
+           "closures, " + progress["stage"].get<std::string>() + best);
+}
+
+}  // namespace
+
+Expected<ServiceJob> run_job(const Service& service, const std::string& path,
+                             const ordered_json& request, const std::atomic<bool>& interrupted) {
+  const Expected<ordered_json> submitted = post_json(service, path, request, new_key());
+  if (!submitted) return submitted.errors();
+  ServiceJob job{"/v1/jobs/" + (*submitted)["id"].get<std::string>(), ""};
+
+  // Cancels beside the stream, which may be silent.
+  const std::jthread watcher([&](const std::stop_token& over) {
+    while (!over.stop_requested() && !interrupted) std::this_thread::sleep_for(kLook);
+    if (interrupted)
+      static_cast<void>(post_json(service, job.path + ":cancel", ordered_json::object()));
+  });
+  {
+    const ProgressBar bar;
+    const Errors errors = follow_job(service, job.path, [&](const ServiceEvent& event) {
+      if (!event.progress.is_null()) show(bar, event.progress);
+    });
+    if (!errors.empty()) return errors;
+  }
+  const Expected<ordered_json> ended = get_json(service, job.path);
+  if (!ended) return ended.errors();
+  job.state = (*ended)["state"];
+  if (job.state == "FAILED") return errors_from_json((*ended)["problems"]);
+  return job;
+}
+
+}  // namespace coapt

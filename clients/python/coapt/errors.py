@@ -1,0 +1,108 @@
+"""What can go wrong between a client and the service; every error is a CoaptError."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing that is wrong with a request, or with a job.
+
+    path is a JSON pointer into the request's body ("/plan/steps/0/size_mm"), "?NAME" for a parameter of the query, empty
+    for the whole. message says what is wrong and what is accepted.
+    """
+
+    code: str
+    path: str
+    message: str
+
+    @classmethod
+    def from_json(cls, json: Mapping[str, Any]) -> Problem:
+        return cls(json.get("code", ""), json.get("path", ""), json.get("message", ""))
+
+    def __str__(self) -> str:
+        return f"{self.path}: {self.message}" if self.path else self.message
+
+
+class CoaptError(Exception):
+    """All that this package raises on purpose. problems may be empty."""
+
+    def __init__(self, message: str, problems: Sequence[Problem] = ()) -> None:
+        self.problems: tuple[Problem, ...] = tuple(problems)
+        super().__init__("\n  ".join([message, *map(str, self.problems)]))
+
+
+class Unreachable(CoaptError):
+    """No answer: nothing listens there, the connection broke, or time ran out, after all tries."""
+
+
+class Refused(CoaptError):
+    """An answer with an error: status is HTTP's, problems are all that the service says is wrong.
+
+    retry_after_s: seconds after which the service asks to be tried again; None: it does not say.
+    """
+
+    def __init__(self, status: int, title: str, problems: Sequence[Problem] = (), retry_after_s: float | None = None) -> None:
+        self.status = status
+        self.title = title
+        self.retry_after_s = retry_after_s
+        super().__init__(f"{status} {title}", problems)
+
+
+class InvalidRequest(Refused):
+    """400, 413, 422 and others: what was sent is wrong; problems say where."""
+
+
+class AccessDenied(Refused):
+    """401, 403, 421: no token or a wrong one, or a name by which the service does not want to be called."""
+
+
+class NotFound(Refused):
+    """404: no such valve, job, plan or file."""
+
+
+class Conflict(Refused):
+    """409: not in this state; the job has not ended, or jobs refer to the valve."""
+
+
+class Busy(Refused):
+    """429, 503: not now, after all tries; see retry_after_s."""
+
+
+class ServiceFailed(Refused):
+    """500, 507: a fault of the service, or its disk is full."""
+
+
+class JobFailed(CoaptError):
+    """The job ended as FAILED; problems say why."""
+
+    def __init__(self, job_id: str, problems: Sequence[Problem]) -> None:
+        self.job_id = job_id
+        super().__init__(f"job {job_id} failed", problems)
+
+
+class NotEnded(CoaptError):
+    """The job has not ended within the time that was given; it goes on."""
+
+
+_KINDS: dict[int, type[Refused]] = {
+    401: AccessDenied, 403: AccessDenied, 421: AccessDenied, 404: NotFound, 409: Conflict, 429: Busy, 503: Busy,
+}
+
+
+def refusal(status: int, body: bytes, retry_after: str | None) -> Refused:
+    """The error of an answer. The body is a problem+json, or what a proxy made of it."""
+    try:
+        said = json.loads(body)
+    except ValueError:
+        said = None
+    if not isinstance(said, dict):
+        said = {}
+    kind = _KINDS.get(status) or (ServiceFailed if status >= 500 else InvalidRequest)
+    problems = [Problem.from_json(one) for one in said.get("problems", [])]
+    seconds = float(retry_after) if retry_after is not None and retry_after.isdigit() else None
+    return kind(status, said.get("title") or "the service refuses", problems, seconds)

@@ -1,0 +1,166 @@
+"""Long work: a job of the service, followed from here."""
+
+from __future__ import annotations
+
+import html
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, Generic, TypeVar
+
+from . import tables
+from .errors import Busy, JobFailed, NotEnded, Problem
+from .events import ENDED, Event, JobState, Progress, read_events
+from .transport import LOST, Transport
+
+Result = TypeVar("Result")
+
+_HEARTBEAT_S = 15.0  # of the service's event streams
+_PAUSE_S = 2.0  # before a stream is opened again, as the service asks
+
+
+def show_progress(progress: Progress) -> None:
+    """One line on standard error, written over and over: job.wait(progress=show_progress)."""
+    print(f"\r\033[K{progress}", end="", file=sys.stderr, flush=True)
+
+
+class Job(Generic[Result]):
+    """A search or a study. It goes on without its client: Client.job(id) finds it again.
+
+    json is the job as it was when the service was last asked; see refresh().
+    """
+
+    def __init__(self, transport: Transport, json: Mapping[str, Any], read: Callable[[Any, Transport, str], Result],
+                 patience_s: float = 60.0) -> None:
+        self._transport, self._read, self._patience_s = transport, read, patience_s
+        self.json = json
+
+    @property
+    def id(self) -> str:
+        return str(self.json["id"])
+
+    @property
+    def kind(self) -> str:
+        """"plans" or "study"."""
+        return str(self.json["kind"])
+
+    @property
+    def state(self) -> JobState:
+        state: JobState = self.json["state"]
+        return state
+
+    @property
+    def ended(self) -> bool:
+        return self.state in ENDED
+
+    @property
+    def progress(self) -> Progress:
+        return Progress.from_json(self.json["progress"])
+
+    @property
+    def problems(self) -> tuple[Problem, ...]:
+        """Of a failed job: why."""
+        return tuple(map(Problem.from_json, self.json["problems"]))
+
+    @property
+    def path(self) -> str:
+        return f"/v1/jobs/{self.id}"
+
+    def refresh(self) -> Job[Result]:
+        """Asks the service how the job is now; the same job."""
+        self.json = self._transport.request("GET", self.path).json()
+        return self
+
+    def events(self, after: int = 0, timeout_s: float | None = None) -> Iterator[Event]:
+        """What has happened since event number `after`, then what happens, until the job has ended.
+
+        A stream that breaks off is taken up where it was, also when the service was started again. A connection that stays
+        away longer than the client's patience is Unreachable.
+
+        :raises NotEnded: timeout_s is over
+        """
+        deadline = None if timeout_s is None else time.monotonic() + timeout_s
+        heard = time.monotonic()
+        while True:
+            pause_s = _PAUSE_S
+            try:
+                with self._transport.open("GET", f"{self.path}/events", headers={"Last-Event-ID": str(after)},
+                                          timeout_s=self._left(deadline, 3 * _HEARTBEAT_S)) as response:
+                    if response.status == 204:
+                        return
+                    for event in read_events(response):
+                        heard = time.monotonic()
+                        after = event.number
+                        yield event
+                        if event.state in ENDED:
+                            return
+                    heard = time.monotonic()
+            except Busy as busy:
+                heard = time.monotonic()
+                pause_s = busy.retry_after_s or pause_s
+            except LOST as error:
+                if time.monotonic() - heard > self._patience_s:
+                    raise self._transport.unreachable(error) from error
+            self._transport.sleep(self._left(deadline, pause_s))
+
+    def _left(self, deadline: float | None, most_s: float) -> float:
+        """Seconds that may pass."""
+        if deadline is None:
+            return most_s
+        left = deadline - time.monotonic()
+        if left <= 0:
+            raise NotEnded(f"job {self.id} has not ended in time; it goes on")
+        return min(left, most_s)
+
+    def wait(self, progress: Callable[[Progress], object] | None = None, timeout_s: float | None = None) -> Job[Result]:
+        """Until the job has ended, SUCCEEDED or CANCELLED; the same job.
+
+        :param progress: called with each news of it, for instance show_progress or print
+        :raises JobFailed: it ended otherwise
+        :raises NotEnded: timeout_s is over; the job goes on
+        """
+        if not self.ended:
+            for event in self.events(timeout_s=timeout_s):
+                if event.progress is not None and progress is not None:
+                    progress(event.progress)
+            self.refresh()
+        if progress is show_progress:
+            print(file=sys.stderr)
+        if self.state == "FAILED":
+            raise JobFailed(self.id, self.problems)
+        return self
+
+    def result(self, timeout_s: float | None = None) -> Result:
+        """What it has found, after waiting for its end. A cancelled search has its best so far.
+
+        :raises NotFound: it was cancelled before it had anything
+        """
+        self.wait(timeout_s=timeout_s)
+        return self._read(self._transport.request("GET", f"{self.path}/result").json(), self._transport, self.path)
+
+    def cancel(self) -> Job[Result]:
+        """Ends it soon, with the best so far; wait() for that. An ended job stays as it is."""
+        self.json = self._transport.request("POST", f"{self.path}:cancel", {}).json()
+        return self
+
+    def delete(self) -> None:
+        """Removes an ended job with all its results."""
+        self._transport.request("DELETE", self.path)
+
+    def report(self) -> str:
+        """The page about it: HTML that stands alone."""
+        return self._transport.request("GET", f"{self.path}/report").body.decode()
+
+    def files(self) -> dict[str, int]:
+        """Names of its pages, tables and charts, with their bytes."""
+        listed = self._transport.request("GET", f"{self.path}/files").json()["files"]
+        return {file["name"]: file["bytes"] for file in listed}
+
+    def file(self, name: str) -> bytes:
+        return self._transport.request("GET", f"{self.path}/files/{name}").body
+
+    def __repr__(self) -> str:
+        return f"Job({self.id}, {self.kind}, {self.state})"
+
+    def _repr_html_(self) -> str:
+        return f"<p>{html.escape(repr(self))}: {html.escape(str(self.progress))}</p><p><small>{tables.NOTICE}</small></p>"

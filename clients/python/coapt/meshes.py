@@ -1,0 +1,60 @@
+"""Pictures and meshes as notebooks and numpy take them."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from dataclasses import dataclass
+from typing import Any
+
+try:
+    import numpy
+except ImportError:
+    numpy = None  # type: ignore[assignment]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A PNG; a notebook shows it."""
+
+    png: bytes
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        pathlib.Path(path).write_bytes(self.png)
+
+    def _repr_png_(self) -> bytes:
+        return self.png
+
+    def __repr__(self) -> str:
+        return f"Picture({len(self.png):,} bytes of PNG)"
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Triangles. vertices_mm: V x 3, frame of the valve (x posteromedial, y anterior, z to the atrium). faces: F x 3, numbers
+    of vertices from 0. Arrays of numpy (float64, int64) where it is installed, lists of lists elsewhere."""
+
+    vertices_mm: Any
+    faces: Any
+
+    @classmethod
+    def from_ply(cls, content: bytes) -> Mesh:
+        """Of the service's PLY: ASCII, first the vertices' three coordinates, then triangles.
+
+        :raises ValueError: it is another
+        """
+        head, end, body = content.decode("ascii").partition("end_header\n")
+        counts = {words[1]: int(words[2]) for words in map(str.split, head.splitlines()) if words[:1] == ["element"]}
+        if not end or "format ascii 1.0" not in head or list(counts) != ["vertex", "face"]:
+            raise ValueError("no ASCII PLY of vertices and faces")
+        lines = body.splitlines()
+        vertices = [[float(word) for word in line.split()] for line in lines[:counts["vertex"]]]
+        faces = [[int(word) for word in line.split()[1:]] for line in lines[counts["vertex"]:][:counts["face"]]]
+        if len(faces) < counts["face"] or any(len(row) != 3 for row in vertices + faces):
+            raise ValueError("a PLY that breaks off, or not of triangles")
+        if numpy is None:
+            return cls(vertices, faces)
+        return cls(numpy.array(vertices, dtype=numpy.float64), numpy.array(faces, dtype=numpy.int64))
+
+    def __repr__(self) -> str:
+        return f"Mesh({len(self.vertices_mm)} vertices, {len(self.faces)} triangles)"

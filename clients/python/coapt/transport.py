@@ -1,0 +1,116 @@
+"""Requests over HTTP, each on a connection of its own, tried again where that is safe."""
+
+from __future__ import annotations
+
+import http.client
+import itertools
+import json
+import ssl
+import time
+import urllib.parse
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any
+
+from .errors import Busy, CoaptError, Unreachable, refusal
+
+LOST = (OSError, http.client.HTTPException)  # the answer, or a part of it, did not come
+_FIRST_PAUSE_S = 0.25  # before the second try; doubled with each
+_LONGEST_PAUSE_S = 30.0
+
+
+@dataclass(frozen=True)
+class Answer:
+    status: int
+    headers: Mapping[str, str]  # names in lower case
+    body: bytes
+
+    def json(self) -> Any:
+        return json.loads(self.body)
+
+
+@dataclass(frozen=True)
+class Transport:
+    """Where the service is, and how patient its client.
+
+    timeout_s: for the service to answer, from the last byte that came. retries: further tries of a request whose answer
+    got lost or that the service is too busy for (429, 503), after the pause that the service asks for in Retry-After.
+    """
+
+    url: str
+    token: str | None = field(default=None, repr=False)
+    timeout_s: float = 120.0
+    retries: int = 3
+    sleep: Callable[[float], object] = time.sleep
+
+    def __post_init__(self) -> None:
+        parts = urllib.parse.urlsplit(self.url)
+        if parts.scheme not in ("http", "https") or not parts.hostname:
+            raise CoaptError(f"{self.url!r} is no address of a service; must be like http://127.0.0.1:8080")
+
+    def request(self, method: str, path: str, body: Any = None, headers: Mapping[str, str] | None = None,
+                query: Mapping[str, Any] | None = None) -> Answer:
+        """The answer, of a status below 400.
+
+        :param body: sent as JSON unless None
+        :raises Refused: the service says what is wrong
+        :raises Unreachable: no answer
+        """
+        content = None if body is None else json.dumps(body, allow_nan=False).encode()
+        # What was removed by a request whose answer got lost would not be found by the next.
+        further = 0 if method == "DELETE" else self.retries
+        for tried in itertools.count():
+            pause_s = _FIRST_PAUSE_S * 2**tried
+            try:
+                with self.open(method, path, content, headers, query) as response:
+                    return Answer(response.status, _headers(response), response.read())
+            except Busy as busy:
+                if tried == further:
+                    raise
+                pause_s = busy.retry_after_s or pause_s
+            except LOST as error:
+                if tried == further:
+                    raise self.unreachable(error) from error
+            self.sleep(min(pause_s, _LONGEST_PAUSE_S))
+        raise AssertionError("the last try returns or raises")
+
+    def unreachable(self, error: Exception) -> Unreachable:
+        return Unreachable(f"{self.url} does not answer: {error or type(error).__name__}")
+
+    @contextmanager
+    def open(self, method: str, path: str, content: bytes | None = None, headers: Mapping[str, str] | None = None,
+             query: Mapping[str, Any] | None = None, timeout_s: float | None = None) -> Iterator[http.client.HTTPResponse]:
+        """One try: the answer, still to be read. Raises Refused, OSError and http.client.HTTPException."""
+        parts = urllib.parse.urlsplit(self.url)
+        target = parts.path.rstrip("/") + path
+        if query:
+            target += "?" + urllib.parse.urlencode(query)
+        connection = self._connection(parts, self.timeout_s if timeout_s is None else timeout_s)
+        try:
+            connection.request(method, target, content, self._sent(content, headers))
+            response = connection.getresponse()
+            if response.status >= 400:
+                raise refusal(response.status, response.read(), response.getheader("Retry-After"))
+            yield response
+        finally:
+            connection.close()
+
+    def _connection(self, parts: urllib.parse.SplitResult, timeout_s: float) -> http.client.HTTPConnection:
+        assert parts.hostname
+        if parts.scheme == "https":
+            context = ssl.create_default_context()
+            return http.client.HTTPSConnection(parts.hostname, parts.port, timeout=timeout_s, context=context)
+        return http.client.HTTPConnection(parts.hostname, parts.port, timeout=timeout_s)
+
+    def _sent(self, content: bytes | None, headers: Mapping[str, str] | None) -> dict[str, str]:
+        sent = {"User-Agent": "coapt-python"} | dict(headers or {})
+        if content is not None:
+            sent["Content-Type"] = "application/json"
+        if self.token is not None:
+            sent["Authorization"] = f"Bearer {self.token}"
+        return sent
+
+
+def _headers(response: http.client.HTTPResponse) -> dict[str, str]:
+    return {name.lower(): value for name, value in response.getheaders()}

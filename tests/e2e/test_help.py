@@ -1,0 +1,107 @@
+"""What help, man pages and completion say, and that they leave nothing out."""
+
+import re
+import subprocess
+import unittest
+
+from helps import commands, flags, help_of
+from plan_runs import VALVE, options
+from programs import BAD_INPUT, COAPT, OK, SERVER, SOURCE, coapt
+
+NOTICE = "coapt is research software, not a medical device; not for clinical decisions."
+COMPLETION = SOURCE / "clients/cli/completion/coapt.bash"
+
+
+class Help(unittest.TestCase):
+    def test_every_command_has_an_example_and_says_what_coapt_is_not(self):
+        for words, text in commands(COAPT):
+            with self.subTest(" ".join(words[1:])):
+                self.assertIn(NOTICE, text)
+                self.assertRegex(text, rf"\n  (.*\| )?coapt {' '.join(words[1:])}\b")
+        self.assertIn(NOTICE, help_of(COAPT))
+        self.assertIn(NOTICE, help_of(SERVER))
+
+    def test_without_arguments_it_prints_its_help_as_an_error(self):
+        nothing = coapt()
+        self.assertEqual((nothing.returncode, nothing.stdout), (BAD_INPUT, ""))
+        self.assertEqual(nothing.stderr, help_of(COAPT))
+
+    def test_the_version_says_what_coapt_is_not(self):
+        self.assertRegex(coapt("--version").stdout, rf"^coapt \d+\.\d+\.\d+\n{re.escape(NOTICE)}\n$")
+
+    def test_a_server_with_bad_flags_does_not_start(self):
+        run = subprocess.run([SERVER, "--port", "x"], capture_output=True, text=True)
+        self.assertEqual(run.returncode, BAD_INPUT)
+
+
+class ManPages(unittest.TestCase):
+    def section(self, page, heading):
+        """Of the page of scdoc; the first line below the heading that begins so."""
+        text = (SOURCE / f"docs/man/{page}.1.scd").read_text()
+        found = re.search(rf"^##? {heading}\b.*?(?=^#|\Z)", text, re.MULTILINE | re.DOTALL)
+        self.assertIsNotNone(found, f"{page} has no section {heading}")
+        return found.group()
+
+    def test_every_flag_of_every_command_is_in_its_section(self):
+        for words, text in commands(COAPT):
+            name = " ".join(["coapt", *words[1:]])
+            section = self.section("coapt", name)
+            for flag in flags(text) - {"-h", "--help"}:
+                self.assertIn(f"*{flag}*", section, f"coapt.1.scd, {name}")
+
+    def test_no_section_has_a_flag_that_is_gone(self):
+        for words, text in commands(COAPT):
+            name = " ".join(["coapt", *words[1:]])
+            described = re.findall(r"^\*(-.*?)\*(?: _|$|, )", self.section("coapt", name), re.MULTILINE)
+            self.assertLessEqual(set(described), flags(text), name)
+
+    def test_every_flag_of_the_server_is_described(self):
+        described = self.section("coapt-server", "OPTIONS") + self.section("coapt-server", "LIMITS")
+        for flag in flags(help_of(SERVER)):
+            self.assertIn(f"*{flag}*", described)
+
+
+class Completion(unittest.TestCase):
+    def complete(self, *words):
+        """What is offered for the last of the words."""
+        line = " ".join(words).replace(" : ", ":")
+        script = (f'source {COMPLETION}; COMP_LINE=$0; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '
+                  'COMP_POINT=${#COMP_LINE}; _coapt; printf "%s\\n" "${COMPREPLY[@]}"')
+        run = subprocess.run(["bash", "-c", script, line, *words], capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stderr), (OK, ""), line)
+        return set(run.stdout.split())
+
+    def test_every_flag_of_every_command_is_offered(self):
+        for words, text in commands(COAPT):
+            self.assertEqual(self.complete(*words, "-"), flags(text), words)
+        self.assertEqual(self.complete(SERVER, "--"), {flag for flag in flags(help_of(SERVER)) if flag.startswith("--")})
+
+    def test_commands_are_offered_by_their_beginning(self):
+        self.assertEqual(self.complete(COAPT, ""), {"valve", "close", "evaluate", "plan", "bench", "chart", "study"})
+        self.assertEqual(self.complete(COAPT, "valve", "re"), {"remodel"})
+        self.assertEqual(self.complete(COAPT, "study", "porcine-", "--prot"), set())
+        self.assertEqual(self.complete(COAPT, "plan", "--seed", "3", "human-normal", "--ev"), {"--evaluations"})
+
+    def test_presets_are_those_of_the_program(self):
+        said = coapt("close", "no-such-valve").stderr
+        presets = set(re.search(r"not a preset \((.*)\)", said).group(1).split(", "))
+        self.assertEqual(self.complete(COAPT, "close", ""), presets)
+        self.assertEqual(self.complete(COAPT, "plan", "human-p"), {"human-p2-prolapse"})
+
+    def test_values_are_those_that_the_program_takes(self):
+        for option, before in [("--method", ["close"]), ("--membrane", ["close"]), ("--protocol", ["study", "thesis"]),
+                               ("--displacement-step", ["study", "thesis"])]:
+            offered = self.complete(COAPT, *before, option, "")
+            self.assertGreater(len(offered), 1)
+            for value in offered:
+                said = coapt(*before, "no-such-valve", option, value).stderr
+                self.assertNotIn(option, said)
+
+    def test_what_is_forbidden_is_known_to_the_search(self):
+        for word in self.complete(COAPT, "plan", "--forbid", ""):
+            self.assertNotIn("--forbid", coapt("plan", VALVE, *options(evaluations=1), "--forbid", word).stderr)
+        self.assertEqual(self.complete(COAPT, "plan", "--forbid", "papillary_approximation", ":", "sad"), {"saddle_peak"})
+
+
+if __name__ == "__main__":
+    unittest.main()

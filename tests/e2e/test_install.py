@@ -1,0 +1,29 @@
+"""cmake --install: what a package would hold."""
+
+import shutil
+import subprocess
+import tempfile
+import pathlib
+import unittest
+
+from programs import COAPT, OK
+
+
+class Install(unittest.TestCase):
+    def test_programs_completion_and_man_pages_are_installed(self):
+        build = pathlib.Path(COAPT).parents[1]
+        with tempfile.TemporaryDirectory() as prefix:
+            run = subprocess.run(["cmake", "--install", build, "--prefix", prefix], capture_output=True, text=True)
+            self.assertEqual(run.returncode, OK, run.stderr)
+            names = {str(path.relative_to(prefix)) for path in pathlib.Path(prefix).rglob("*") if path.is_file()}
+            expected = {"bin/coapt", "bin/coapt-server", "share/bash-completion/completions/coapt",
+                        "share/bash-completion/completions/coapt-server"}
+            if shutil.which("scdoc"):
+                expected |= {"share/man/man1/coapt.1", "share/man/man1/coapt-server.1"}
+            self.assertLessEqual(expected, names)
+            version = subprocess.run([f"{prefix}/bin/coapt", "--version"], capture_output=True, text=True)
+            self.assertEqual(version.returncode, OK)
+
+
+if __name__ == "__main__":
+    unittest.main()

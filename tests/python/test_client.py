@@ -1,0 +1,90 @@
+"""What the service answers at once: valves, closures, evaluations; and what it refuses."""
+
+import inspect
+import json
+import unittest
+
+import coapt
+from client_runs import VALVE, ClientTest
+from coapt import Client, OwnRing, PapillaryApproximation, Plan, Ring
+from programs import SOURCE, coapt as coapt_command
+
+
+class Valves(ClientTest):
+    def test_presets_and_rings_are_listed(self):
+        self.assertIn(VALVE, self.client.presets())
+        self.assertEqual({ring.name: ring.ap_over_transverse for ring in self.client.rings()}["generic-classic"], 0.75)
+        self.assertEqual(self.client.version(), coapt.__version__)
+
+    def test_a_valve_is_stored_read_and_removed(self):
+        file = self.make("human-normal")
+        stored = self.client.put_valve(file)
+        self.assertEqual(self.client.put_valve(json.loads(file.read_text())), stored)
+        valve = self.client.get_valve(stored.id)
+        self.assertEqual((len(valve["vertices_mm"]), len(valve["faces"])), (stored.vertices, stored.triangles))
+        self.client.delete_valve(stored.id)
+        self.assertEqual(self.refused(coapt.NotFound, self.client.get_valve, stored.id).status, 404)
+
+    def test_every_problem_of_a_valve_is_told_with_its_place(self):
+        self.assertEqual(self.client.validate_valve(self.client.get_valve("porcine-1")), ())
+        wrong = self.client.get_valve("porcine-1") | {"pressure_kpa": -1, "faces": "none"}
+        self.assertEqual({problem.path for problem in self.client.validate_valve(wrong)} & {"/pressure_kpa", "/faces"},
+                         {"/pressure_kpa", "/faces"})
+        error = self.refused(coapt.InvalidRequest, self.client.put_valve, wrong)
+        self.assertEqual(error.status, 422)
+        self.assertIn("/pressure_kpa: ", str(error))
+
+    def test_a_valve_that_jobs_refer_to_stays(self):
+        job = self.client.search(VALVE, evaluations=6, plans=1, region_points=2, evidence=False).wait()
+        self.assertEqual(self.refused(coapt.Conflict, self.client.delete_valve, job.json["valve"]).status, 409)
+        job.delete()
+        self.client.delete_valve(job.json["valve"])
+
+
+class Closures(ClientTest):
+    def test_a_closure_is_the_one_of_the_command_line(self):
+        plan = Plan(Ring("generic-classic", size_mm=30))
+        plan.write(self.folder / "plan.json")
+        printed = json.loads(coapt_command("close", VALVE, "--plan", self.folder / "plan.json", "--json").stdout)
+        closure = self.client.close(VALVE, plan)
+        self.assertEqual(closure.json | {"seconds": 0}, printed | {"seconds": 0})
+        self.assertEqual(closure.measure.leak_mm2, printed["leak_mm2"])
+        self.assertEqual(closure.measure.gap_area_mm2, printed["coaptation"]["gap_area_mm2"])
+        self.assertTrue(closure.trusted)
+        self.assertEqual(self.client.close(VALVE, plan.to_json()).measure, closure.measure)
+
+    def test_an_impossible_plan_is_refused_with_the_place_of_the_step(self):
+        plan = Plan(OwnRing(1), PapillaryApproximation("posteromedial", suture_length_mm=99))
+        self.assertEqual(self.problems(coapt.InvalidRequest, self.client.close, VALVE, plan),
+                         [("/plan/steps/1/suture_length_mm", "impossible_step")])
+
+    def test_own_plans_are_scored_in_the_order_given(self):
+        plans = [Plan(), Plan(Ring("generic-classic", 28)), Plan(OwnRing(1))]
+        scored = self.client.evaluate(VALVE, plans, region_points=2)
+        self.assertEqual([plan.plan for plan in scored.plans], plans)
+        self.assertEqual(sorted(plan.rank for plan in scored.plans), [1, 2, 3])
+        self.assertEqual(scored.plans[0].measure, scored.before.measure)
+        self.assertEqual(self.client.evaluate(VALVE, scored.plans[1:2]).plans[0].plan, plans[1])
+        self.assertEqual(self.problems(coapt.InvalidRequest, self.client.evaluate, VALVE, [Plan()] * 2, 1000),
+                         [("/plans", "out_of_range")])
+        with self.assertRaisesRegex(coapt.CoaptError, "search"):
+            scored.plans[0].picture()
+
+
+class Options(unittest.TestCase):
+    def options(self, function):
+        return {name for name, parameter in inspect.signature(function).parameters.items()
+                if parameter.kind == inspect.Parameter.KEYWORD_ONLY} - {"idempotency_key"}
+
+    def test_a_search_has_every_option_of_the_schema(self):
+        schema = json.loads((SOURCE / "io/schema/search.schema.json").read_text())
+        self.assertEqual(self.options(Client.search), set(schema["properties"]) | {"fixed", "forbidden"})
+
+    def test_a_study_has_every_option_of_the_document(self):
+        document = json.loads((SOURCE / "server/openapi.json").read_text())
+        fields = {name for kind in document["components"]["schemas"]["Study"]["oneOf"] for name in kind["properties"]}
+        self.assertEqual(self.options(Client.study), fields - {"name"})
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,144 @@
+"""Tokens, services that are busy, connections that break."""
+
+import unittest
+
+import coapt
+from client_runs import ENDLESS, SMALL, TOKEN, VALVE, ClientTest
+from programs import ProgramTest
+from relay import Relay
+
+
+class Tokens(ClientTest):
+    def setUp(self):
+        token = self.write_token()
+        self.flags = ("--token-file", token)
+        super().setUp()
+
+    def write_token(self):
+        ProgramTest.setUp(self)
+        token = self.write("token", TOKEN)
+        token.chmod(0o600)
+        return token
+
+    def test_only_those_with_the_token_come_in(self):
+        for token in (None, "wrong-token-wrong-token"):
+            error = self.refused(coapt.AccessDenied, coapt.Client(self.url, token).presets)
+            self.assertEqual(error.status, 401)
+        self.assertIn(VALVE, coapt.Client(self.url, TOKEN).presets())
+        self.assertEqual(list(coapt.Client(self.url, TOKEN).search(VALVE, **SMALL).events())[-1].state, "SUCCEEDED")
+
+    def test_a_token_is_not_shown(self):
+        self.assertNotIn(TOKEN, repr(coapt.Client(self.url, TOKEN)._transport))
+
+
+class Busy(ClientTest):
+    flags = ("--queue", 1, "--running-jobs", 1)
+
+    def fill(self):
+        """A job that runs, one that waits: there is no place for another."""
+        running = self.client.search(VALVE, **ENDLESS)
+        next(event for event in running.events() if event.state == "RUNNING")
+        self.addCleanup(running.cancel)
+        return self.client.search(VALVE, **ENDLESS | {"seed": 9})
+
+    def client_that_sleeps(self, sleep, **options):
+        client = coapt.Client(self.url, **options)
+        object.__setattr__(client._transport, "sleep", sleep)
+        return client
+
+    def test_a_full_queue_is_tried_again_when_the_service_says(self):
+        waiting, pauses = self.fill(), []
+
+        def sleep(seconds):
+            pauses.append(seconds)
+            waiting.cancel()
+
+        job = self.client_that_sleeps(sleep).search(VALVE, **ENDLESS)
+        self.assertEqual(job.cancel().state, "CANCELLED")
+        said = self.retry_after()
+        self.assertEqual(pauses, [said])
+
+    def retry_after(self):
+        """What the service says in Retry-After when its queue is full."""
+        waiting = self.client.search(VALVE, **ENDLESS)
+        self.addCleanup(waiting.cancel)
+        return self.refused(coapt.Busy, coapt.Client(self.url, retries=0).search, VALVE, **ENDLESS).retry_after_s
+
+    def test_a_queue_that_stays_full_is_an_error(self):
+        self.addCleanup(self.fill().cancel)
+        pauses = []
+        client = self.client_that_sleeps(pauses.append, retries=2)
+        error = self.refused(coapt.Busy, client.search, VALVE, **ENDLESS)
+        self.assertEqual((error.status, len(pauses)), (429, 2))
+        self.assertEqual(pauses, [error.retry_after_s] * 2)
+
+
+class Streams(ClientTest):
+    flags = ("--streams", 0)
+
+    def test_a_job_that_cannot_be_followed_is_not_lost(self):
+        job = self.client.search(VALVE, **SMALL)
+        self.refused(coapt.NotEnded, job.wait, timeout_s=1)
+        self.server.wait_for_end(job.id)
+        self.assertEqual(job.refresh().result().plans[0].rank, 1)
+
+
+class Broken(ClientTest):
+    def setUp(self):
+        super().setUp()
+        self.relay = Relay(self.server.port)
+        self.addCleanup(self.relay.close)
+        self.remote = coapt.Client(f"http://127.0.0.1:{self.relay.port}")
+
+    def test_a_lost_answer_makes_no_second_job(self):
+        self.relay.drop_answers = 1
+        job = self.remote.search(VALVE, **SMALL)
+        self.assertEqual(self.relay.connections, 2)
+        self.assertEqual([one.id for one in self.client.jobs()], [job.id])
+
+    def test_a_key_of_ones_own_finds_the_job_again(self):
+        first = self.client.search(VALVE, **SMALL, idempotency_key="mine")
+        self.assertEqual(self.client.search(VALVE, **SMALL, idempotency_key="mine").id, first.id)
+        self.refused(coapt.InvalidRequest, self.client.search, VALVE, **ENDLESS, idempotency_key="mine")
+        self.assertNotEqual(self.client.search(VALVE, **SMALL).id, first.id)
+
+    def test_events_go_on_over_streams_that_break_off(self):
+        self.relay.cut_after = 600
+        job = self.remote.search(VALVE, **SMALL | {"evaluations": 20})
+        object.__setattr__(job._transport, "sleep", lambda seconds: None)
+        numbers = [event.number for event in job.events()]
+        self.relay.cut_after = None
+        self.assertEqual(numbers, [event.number for event in job.events()])
+        self.assertEqual(numbers, list(range(1, len(numbers) + 1)))
+        self.assertGreater(self.relay.connections, 3)
+
+    def test_a_job_is_followed_over_the_death_of_its_service(self):
+        job = self.remote.search(VALVE, **SMALL | {"evaluations": 20})
+        numbers = []
+        for event in job.events():
+            numbers.append(event.number)
+            if len(numbers) == 4:
+                self.server.kill()
+                self.server = self.start_server()
+                self.relay.target = self.server.port
+        self.assertEqual(event.state, "SUCCEEDED")
+        self.assertEqual(numbers, list(range(1, len(numbers) + 1)))
+
+    def test_a_service_that_is_not_there_is_an_error(self):
+        self.server.stop()
+        pauses = []
+        object.__setattr__(self.client._transport, "sleep", pauses.append)
+        with self.assertRaisesRegex(coapt.Unreachable, self.url):
+            self.client.presets()
+        self.assertEqual(pauses, [0.25, 0.5, 1.0])
+
+
+class Addresses(unittest.TestCase):
+    def test_an_address_that_is_none_is_refused_at_once(self):
+        for url in ("localhost:8080", "ftp://localhost", "http://"):
+            with self.assertRaisesRegex(coapt.CoaptError, "http://127"):
+                coapt.Client(url)
+
+
+if __name__ == "__main__":
+    unittest.main()
