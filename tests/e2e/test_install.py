@@ -18,6 +18,8 @@ class Install(unittest.TestCase):
             names = {str(path.relative_to(prefix)) for path in pathlib.Path(prefix).rglob("*") if path.is_file()}
             expected = {"bin/coapt", "bin/coapt-server", "share/bash-completion/completions/coapt",
                         "share/bash-completion/completions/coapt-server"}
+            if (build.parent / "web/index.html").exists():
+                expected |= {"share/coapt/web/index.html"}
             if shutil.which("scdoc"):
                 expected |= {"share/man/man1/coapt.1", "share/man/man1/coapt-server.1"}
             self.assertLessEqual(expected, names)
