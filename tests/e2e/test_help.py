@@ -77,7 +77,7 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.complete(SERVER, "--"), {flag for flag in flags(help_of(SERVER)) if flag.startswith("--")})
 
     def test_commands_are_offered_by_their_beginning(self):
-        self.assertEqual(self.complete(COAPT, ""), {"valve", "close", "evaluate", "plan", "bench", "chart", "study"})
+        self.assertEqual(self.complete(COAPT, ""), {"valve", "close", "export", "evaluate", "plan", "bench", "chart", "study"})
         self.assertEqual(self.complete(COAPT, "valve", "re"), {"remodel"})
         self.assertEqual(self.complete(COAPT, "study", "porcine-", "--prot"), set())
         self.assertEqual(self.complete(COAPT, "plan", "--seed", "3", "human-normal", "--ev"), {"--evaluations"})
