@@ -10,6 +10,7 @@
 #include "core/repair/apply_plan.h"
 #include "io/exchange/formats.h"
 #include "io/json/plan_json.h"
+#include "search/evaluator.h"
 
 namespace coapt {
 namespace {
@@ -83,7 +84,7 @@ int run(const Arguments& arguments) {
     if (const int failed = write(path, exported, arguments.options)) return failed;
   }
   note_attachment(arguments, exported);
-  return exit_code_of(exported.closure);
+  return trusted(exported.closure) ? exit_code::kOk : exit_code::kNotClosed;
 }
 
 }  // namespace
