@@ -83,6 +83,7 @@ test('its evidence holds a map, curves that can be read and hidden, and the rule
   await toggle.press('Enter')
   assert.equal(await toggle.getAttribute('aria-pressed'), 'false')
   await plan.getByText('Show as table').click()
+  await plan.locator('.as-table tbody').waitFor()
   assert.equal(await plan.locator('.as-table tbody tr').count(), 7) // 0 to 6 mm
   await plan.getByText('opening area').waitFor()
 })
