@@ -75,6 +75,7 @@ test('a plan shows the figures of the result', async () => {
 test('its evidence holds a map, curves that can be read and hidden, and the rules of practice', async () => {
   const plan = page.locator('.plan').first()
   await plan.locator('summary', { hasText: 'Evidence' }).click()
+  await plan.locator('.heat').first().waitFor()
   assert.equal(await plan.locator('.heat').first().locator('tbody td').count(), 99)
   await plan.locator('.plot').focus()
   await page.keyboard.press('ArrowRight')
@@ -92,6 +93,7 @@ test('two plans are compared, their maps in one scale', async () => {
   await page.getByRole('checkbox', { name: 'Compare plan 1' }).check()
   await page.getByRole('checkbox', { name: 'Compare plan 2' }).check()
   const comparison = page.getByRole('region', { name: 'Ranks 1 and 2 compared' })
+  await comparison.waitFor()
   assert.equal(await comparison.locator('img').count(), 2)
   assert.equal(await comparison.locator('.heat-scale').count(), 1)
   await comparison.getByText('Highest chordal tension').waitFor()
