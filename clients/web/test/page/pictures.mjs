@@ -38,5 +38,21 @@ await picture('repair-tablet', 'repair', { width: 820, height: 1180, theme: 'dar
   await page.getByRole('button', { name: 'Oblique' }).click()
 })
 
+await picture('search', 'search', { height: 1000 }, async (page) => {
+  await page.getByLabel('Closures', { exact: true }).fill('300')
+  await page.getByRole('spinbutton', { name: 'Plans' }).fill('3')
+  await page.getByRole('button', { name: 'Start the search' }).click()
+  await page.locator('.plan img[src]').nth(2).waitFor()
+  const plan = page.locator('.plan').first()
+  await plan.locator('summary').click()
+  await plan.evaluate((card) => card.scrollIntoView())
+})
+await picture('studies', 'studies', { theme: 'dark' }, async (page) => {
+  await page.getByRole('button', { name: 'Start the study' }).click()
+  await page.locator('.plot canvas').nth(1).waitFor()
+  await page.locator('.study-figure').first().evaluate((figure) => figure.scrollIntoView({ block: 'end' }))
+  await page.locator('.plot').first().hover()
+})
+
 await browser.close()
 await service.stop()
