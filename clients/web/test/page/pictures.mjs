@@ -40,7 +40,7 @@ await picture('repair-tablet', 'repair', { width: 820, height: 1180, theme: 'dar
 
 await picture('search', 'search', { height: 1000 }, async (page) => {
   await page.getByLabel('Closures', { exact: true }).fill('300')
-  await page.getByRole('spinbutton', { name: 'Plans' }).fill('3')
+  await page.getByLabel('Ranked plans').fill('3')
   await page.getByRole('button', { name: 'Start the search' }).click()
   await page.locator('.plan img[src]').nth(2).waitFor()
   const plan = page.locator('.plan').first()
