@@ -120,7 +120,7 @@ Expected<Reply> call(const Service& service, const Call& one) {
   std::chrono::milliseconds pause = kFirstPause;
   for (int tries = 1;; ++tries, pause *= 2) {
     Expected<Reply> reply = call_once(service, one);
-    if (reply && reply->status < 400) return reply;
+    if (reply && reply->status < 300) return reply;
     if (reply && !is_busy(reply->status)) return problems_of(service, *reply);
     if (tries == kTries) return reply ? problems_of(service, *reply) : reply.errors();
     std::this_thread::sleep_for(reply ? pause_after(*reply, pause) : pause);
@@ -227,7 +227,7 @@ Errors follow_job(const Service& service, const std::string& job_path,
     const std::string last = reader.last();
     const Expected<Reply> reply = read_stream(service, job_path + "/events", reader);
     if (reply && reply->status == 204) return {};
-    if (reply && reply->status >= 400 && !is_busy(reply->status))
+    if (reply && reply->status >= 300 && !is_busy(reply->status))
       return problems_of(service, *reply);
     if (reply || reader.last() != last) heard = Clock::now();
     if (!reply && Clock::now() - heard > kPatience) return reply.errors();

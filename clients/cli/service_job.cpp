@@ -28,11 +28,11 @@ std::string new_key() {
 }
 
 void show(const ProgressBar& bar, const ordered_json& progress) {
-  const double best_mm2 = number_of(progress["best_leak_mm2"]);
+  const double best_mm2 = number_of(progress.at("best_leak_mm2"));
   const std::string best =
       std::isnan(best_mm2) ? "" : ", least leak as planned " + fixed(best_mm2, 1) + " mm2";
-  bar.show(progress["evaluations"], progress["evaluations_planned"],
-           "closures, " + progress["stage"].get<std::string>() + best);
+  bar.show(progress.at("evaluations"), progress.at("evaluations_planned"),
+           "closures, " + progress.at("stage").get<std::string>() + best);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ Expected<ServiceJob> run_job(const Service& service, const std::string& path,
                              const ordered_json& request, const std::atomic<bool>& interrupted) {
   const Expected<ordered_json> submitted = post_json(service, path, request, new_key());
   if (!submitted) return submitted.errors();
-  ServiceJob job{"/v1/jobs/" + (*submitted)["id"].get<std::string>(), ""};
+  ServiceJob job{"/v1/jobs/" + submitted->at("id").get<std::string>(), ""};
 
   // Cancels beside the stream, which may be silent.
   const std::jthread watcher([&](const std::stop_token& over) {
@@ -58,8 +58,8 @@ Expected<ServiceJob> run_job(const Service& service, const std::string& path,
   }
   const Expected<ordered_json> ended = get_json(service, job.path);
   if (!ended) return ended.errors();
-  job.state = (*ended)["state"];
-  if (job.state == "FAILED") return errors_from_json((*ended)["problems"]);
+  job.state = ended->at("state");
+  if (job.state == "FAILED") return errors_from_json(ended->at("problems"));
   return job;
 }
 

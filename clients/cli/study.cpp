@@ -80,9 +80,9 @@ int fetch_files(const Service& service, const ServiceJob& job, const std::string
   namespace fs = std::filesystem;
   const Expected<nlohmann::ordered_json> listed = get_json(service, job.path + "/files");
   if (!listed) return report_service_errors("study", listed.errors(), {});
-  for (const nlohmann::ordered_json& file : (*listed)["files"]) {
+  for (const nlohmann::ordered_json& file : listed->at("files")) {
     // Only its last part: a service must not write elsewhere.
-    const std::string name = fs::path(file["name"].get<std::string>()).filename().string();
+    const std::string name = fs::path(file.at("name").get<std::string>()).filename().string();
     const Expected<std::string> content = get(service, job.path + "/files/" + name);
     if (!content) return report_service_errors("study", content.errors(), {});
     if (const int failed = write_output((fs::path(directory) / name).string(), *content))

@@ -197,12 +197,13 @@ std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& c
     OrificeOutline outline{opening.area_mm2, {}};
     for (Path contour : opening.contours) {
       ClipperLib::CleanPolygon(contour, kCorner_mm * kPerMm);
+      if (contour.size() < 3) continue;  // a speck
       Points& points_mm = outline.contours_mm.emplace_back(std::ssize(contour), 3);
       for (std::size_t i = 0; i < contour.size(); ++i)
         points_mm.row(static_cast<Eigen::Index>(i)) =
             unproject(projection.plane, from_grid(contour[i])).transpose();
     }
-    outlines.push_back(std::move(outline));
+    if (!outline.contours_mm.empty()) outlines.push_back(std::move(outline));
   }
   return outlines;
 }

@@ -37,7 +37,7 @@ struct OrificeOutline {
       contours_mm;  ///< n x 3 each, the outer one first; corners 0.01 mm apart or more
 };
 
-/// Of the orifices that exact_orifice() finds, in that order; empty if the union failed.
+/// Of the orifices that exact_orifice() finds, in that order, without specks; empty if the union failed.
 std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& closed_mm,
                                              double half_thickness_mm);
 

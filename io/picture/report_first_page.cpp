@@ -27,9 +27,12 @@ std::string tie_words(const std::vector<RankedPlan>& plans, std::size_t index) {
   std::size_t first = index, last = index;
   while (first > 0 && ties_with_next(plans[first - 1])) --first;
   while (last + 1 < plans.size() && ties_with_next(plans[last])) ++last;
-  if (first < last)
-    return "Plans " + std::to_string(plans[first].rank) + (last == first + 1 ? " and " : " to ") +
-           std::to_string(plans[last].rank) + " tie: the simulation cannot tell which is better.";
+  const std::string ranks = std::to_string(plans[first].rank) +
+                            (last == first + 1 ? " and " : " to ") +
+                            std::to_string(plans[last].rank);
+  if (last == first + 1)
+    return "Plans " + ranks + " tie: the simulation cannot tell which is better.";
+  if (first < last) return "Plans " + ranks + " tie, each with the next: their order says little.";
   const double ahead = plans[index].probability_outranks_next;
   if (index + 1 == plans.size() || !std::isfinite(ahead)) return "";
   return "Ahead of plan " + std::to_string(plans[index + 1].rank) + " with a probability of " +

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Generic, TypeVar
 
 from . import tables
@@ -88,7 +88,7 @@ class Job(Generic[Result]):
                                           timeout_s=self._left(deadline, 3 * _HEARTBEAT_S)) as response:
                     if response.status == 204:
                         return
-                    for event in read_events(response):
+                    for event in read_events(self._within(deadline, response)):
                         heard = time.monotonic()
                         after = event.number
                         yield event
@@ -102,6 +102,12 @@ class Job(Generic[Result]):
                 if time.monotonic() - heard > self._patience_s:
                     raise self._transport.unreachable(error) from error
             self._transport.sleep(self._left(deadline, pause_s))
+
+    def _within(self, deadline: float | None, lines: Iterable[bytes]) -> Iterator[bytes]:
+        """The lines that come in time: heartbeats, too, are a time to look at the clock."""
+        for line in lines:
+            self._left(deadline, 0.0)
+            yield line
 
     def _left(self, deadline: float | None, most_s: float) -> float:
         """Seconds that may pass."""

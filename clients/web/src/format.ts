@@ -19,9 +19,10 @@ export function percent(share: number | null | undefined): string {
 }
 
 export function seconds(value: number): string {
-  if (value < 60) return `${Math.round(value)} s`
-  const minutes = Math.floor(value / 60)
-  return minutes < 60 ? `${minutes} min ${Math.round(value % 60)} s` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`
+  const whole = Math.round(value)
+  if (whole < 60) return `${whole} s`
+  const minutes = Math.floor(whole / 60)
+  return minutes < 60 ? `${minutes} min ${whole % 60} s` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`
 }
 
 /// "papillary_approximation" -> "papillary approximation"

@@ -20,7 +20,7 @@ const makers: Record<ViewName, (workspace: Workspace) => Promise<View>> = {
 
 const app = document.getElementById('app') as HTMLElement
 const workspace = new Workspace()
-const views = new Map<ViewName, View>()
+const views = new Map<ViewName, Promise<View>>()
 const main = h('main', { id: 'main', tabindex: -1 })
 let shown: View | null = null
 
@@ -31,8 +31,12 @@ function asked(): ViewName {
 
 async function show(): Promise<void> {
   const name = asked()
-  const view = views.get(name) ?? (await makers[name](workspace))
-  views.set(name, view)
+  let making = views.get(name)
+  if (!making) views.set(name, (making = makers[name](workspace)))
+  const view = await making.catch((error: unknown) => {
+    views.delete(name)
+    return said(error)
+  })
   if (name !== asked() || view === shown) return
   shown?.hide()
   main.replaceChildren(view.element)
@@ -40,6 +44,13 @@ async function show(): Promise<void> {
   view.show()
   bar.mark(name)
   document.title = `coapt: ${VIEWS.find(([view]) => view === name)?.[1] ?? ''}`
+}
+
+/// In the place of a view that cannot be shown: its file did not come, or the browser draws nothing in three dimensions.
+function said(error: unknown): View {
+  const words = error instanceof Error ? error.message : String(error)
+  const element = h('p', { class: 'bad', role: 'alert' }, `This view cannot be shown: ${words}`)
+  return { element, show: () => {}, hide: () => {} }
 }
 
 const bar = header(workspace)

@@ -13,7 +13,7 @@ export interface ValveSource {
 export interface KeptPlan {
   name: string
   plan: Plan
-  valve: string // reference of the valve that it was made for
+  valve: ValveSource // that it was made for
 }
 
 export const NO_PLAN: Plan = { schema: 'coapt.plan/1', steps: [] }
@@ -21,18 +21,26 @@ export const NO_PLAN: Plan = { schema: 'coapt.plan/1', steps: [] }
 export class Workspace {
   valve: ValveSource | null = null
   before: Scene | null = null
-  after: Scene | null = null // of the present plan; null while it has no steps
+  after: Scene | null = null // of closedPlan; null if that has no steps or cannot be closed
   kept: KeptPlan[] = []
   answer_ms: number | null = null // from letting go to the answer, of the last closure
-  problems: Problem[] = [] // what is said against the valve or the present plan
+  problems: Problem[] = [] // what is said against the valve or closedPlan
 
+  private closedPlan: Plan = NO_PLAN // the last that was answered
   private plans: Plan[] = [NO_PLAN] // undo goes back in them
   private at = 0
+  private dragging = false
+  private closing = false
+  private opened = 0 // valves asked for
+  private changed_at = 0
   private listeners: (() => void)[] = []
-  private asked: AbortController | null = null
 
   get plan(): Plan {
     return this.plans[this.at] ?? NO_PLAN
+  }
+  /// Whether `after` and `problems` are of the present plan: else its closure is on its way.
+  get isAnswered(): boolean {
+    return this.closedPlan === this.plan
   }
   get canUndo(): boolean {
     return this.at > 0
@@ -46,39 +54,46 @@ export class Workspace {
     this.listeners.push(listener)
   }
 
+  /// Of several valves that are asked for the last one is opened, whichever is answered first.
   async open(valve: ValveSource): Promise<void> {
+    const mine = ++this.opened
     const before = await drawScene(valve.reference, null, FRAMES)
-    this.asked?.abort()
-    Object.assign(this, { valve, before, after: null, problems: [], answer_ms: null })
+    if (mine !== this.opened) return
+    Object.assign(this, { valve, before, after: null, problems: [], answer_ms: null, dragging: false })
     this.plans = [NO_PLAN]
     this.at = 0
+    this.closedPlan = NO_PLAN
     this.changed()
   }
 
-  /// Takes a plan as the present one and closes the valve with it; undo comes back from it. A plan that is given while
-  /// a value is dragged (`passing`) takes the place of the one before.
+  /// Takes a plan as the present one and closes the valve with it; undo comes back from it. While a value is dragged
+  /// (`passing`) and when it is let go, the plan takes the place of the one before: one drag is undone at once.
   async setPlan(steps: Step[], passing = false): Promise<void> {
-    const plan: Plan = { schema: 'coapt.plan/1', steps }
-    if (passing && this.dragging) this.plans[this.at] = plan
-    else this.plans = [...this.plans.slice(0, ++this.at), plan]
+    const isSame = JSON.stringify(steps) === JSON.stringify(this.plan.steps)
+    if (!isSame) {
+      const plan: Plan = { schema: 'coapt.plan/1', steps }
+      if (this.dragging) this.plans[this.at] = plan
+      else this.plans = [...this.plans.slice(0, ++this.at), plan]
+    }
     this.dragging = passing
     await this.close()
   }
-  private dragging = false
 
   async undo(): Promise<void> {
     if (!this.canUndo) return
     --this.at
+    this.dragging = false
     await this.close()
   }
   async redo(): Promise<void> {
     if (!this.canRedo) return
     ++this.at
+    this.dragging = false
     await this.close()
   }
 
-  keep(name: string, plan = this.plan): void {
-    if (this.valve) this.kept.push({ name, plan, valve: this.valve.reference })
+  keep(name: string, plan = this.plan, valve = this.valve): void {
+    if (valve) this.kept.push({ name, plan, valve })
     this.changed()
   }
   forget(kept: KeptPlan): void {
@@ -86,24 +101,29 @@ export class Workspace {
     this.changed()
   }
 
-  /// Only the last one asked for is answered.
+  /// One closure at a time: those of plans that were only passed through are left out.
   private async close(): Promise<void> {
-    if (!this.valve) return
-    this.asked?.abort()
-    const asked = (this.asked = new AbortController())
-    const { plan } = this
-    const start = performance.now()
+    this.changed_at = performance.now()
     this.changed()
+    if (this.closing) return
+    this.closing = true
+    while (this.valve && !this.isAnswered) await this.closePresent(this.valve, this.plan)
+    this.closing = false
+  }
+
+  private async closePresent(valve: ValveSource, plan: Plan): Promise<void> {
+    let after: Scene | null = null
+    let problems: Problem[] = []
     try {
-      const after = plan.steps.length > 0 ? await drawScene(this.valve.reference, plan, 0, asked.signal) : null
-      if (asked.signal.aborted) return
-      this.after = after
-      this.problems = []
-      this.answer_ms = after ? performance.now() - start : null
+      if (plan.steps.length > 0) after = await drawScene(valve.reference, plan, 0)
     } catch (error) {
-      if (asked.signal.aborted) return
-      this.problems = problemsOf(error)
+      problems = problemsOf(error)
     }
+    if (valve !== this.valve) return
+    this.after = after
+    this.problems = problems
+    this.answer_ms = after ? performance.now() - this.changed_at : null
+    this.closedPlan = plan
     this.changed()
   }
 

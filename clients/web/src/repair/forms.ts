@@ -1,11 +1,10 @@
 // The controls of one step. `change` gets the step as it is set; `passing` while a slider is dragged.
-import type { LeafletPoint, Rings, Scene, Step } from '../api/types'
+import type { LeafletPoint, Rings, Step } from '../api/types'
 import { button, field, h, select } from '../dom'
 import { withUnit } from '../format'
-import { ANCHORS, CHANGE_MM, NEOCHORDA_MM, newApproximation, sutureRange, type Approximation } from './steps'
+import { ANCHORS, CHANGE_MM, NEOCHORDA_MM, newApproximation, sutureRange, type Anatomy, type Approximation } from './steps'
 
-export interface StepContext {
-  scene: Scene // the valve before the repair
+export interface StepContext extends Anatomy {
   rings: Rings
   change(step: Step, passing: boolean): void
   pickInsertion(use: (point: LeafletPoint) => void): void
@@ -40,7 +39,7 @@ export function stepForm(step: Step, context: StepContext): HTMLElement {
 function ringForm(step: Extract<Step, { step: 'annuloplasty' }>, context: StepContext): HTMLElement {
   const { rings, sizes_mm } = context.rings
   const shapes = [['own', 'own shape'] as const, ...rings.map(({ name }) => [name, name] as const)]
-  const usual = 2 * Math.round(context.scene.closure.annulus.al_pm_mm / 2) - 4
+  const usual = 2 * Math.round(context.before.closure.annulus.al_pm_mm / 2) - 4
   const choose = (shape: string): void => {
     const size_mm = Math.min(Math.max(usual, sizes_mm.min), sizes_mm.max)
     context.change(shape === 'own' ? { step: 'annuloplasty', shape, sizes_below: 2 } : { step: 'annuloplasty', shape, size_mm }, false)
@@ -58,20 +57,19 @@ function ringForm(step: Extract<Step, { step: 'annuloplasty' }>, context: StepCo
 }
 
 function approximationForm(step: Approximation, context: StepContext): HTMLElement {
-  const { scene } = context
   const choose = (anchor: string): void =>
-    context.change(newApproximation(scene, step.side, anchor as Approximation['anchor'], step.annulus_around), false)
+    context.change(newApproximation(context, step.side, anchor as Approximation['anchor'], step.annulus_around), false)
   const around =
     step.anchor === 'annulus_point' &&
     h(
       'div',
       {},
       slider('Place', 360 * (step.annulus_around ?? 0), { min: 0, max: 360, step: 2 }, '°', (degrees, passing) =>
-        context.change(within(scene, { ...step, annulus_around: degrees / 360 }), passing),
+        context.change(within(context, { ...step, annulus_around: degrees / 360 }), passing),
       ),
       h('p', { class: 'hint' }, '0° posteromedial commissure, 90° saddle peak, 180° anterolateral commissure, 270° mid-posterior.'),
       button('Pick it on the annulus', () =>
-        context.pickAnchor((annulus_around) => context.change(within(scene, { ...step, annulus_around }), false)),
+        context.pickAnchor((annulus_around) => context.change(within(context, { ...step, annulus_around }), false)),
       ),
     )
   return h(
@@ -79,20 +77,20 @@ function approximationForm(step: Approximation, context: StepContext): HTMLEleme
     {},
     field('Anchor', select(ANCHORS, step.anchor, choose)),
     around,
-    slider('Suture', step.suture_length_mm, sutureRange(scene, step), 'mm', (suture_length_mm, passing) =>
+    slider('Suture', step.suture_length_mm, sutureRange(context, step), 'mm', (suture_length_mm, passing) =>
       context.change({ ...step, suture_length_mm }, passing),
     ),
   )
 }
 
 /// With the suture's length inside what its anchor allows.
-function within(scene: Scene, step: Approximation): Approximation {
-  const { min, max } = sutureRange(scene, step)
+function within(anatomy: Anatomy, step: Approximation): Approximation {
+  const { min, max } = sutureRange(anatomy, step)
   return { ...step, suture_length_mm: Math.min(Math.max(step.suture_length_mm, min), max) }
 }
 
-export function headField(head: string, { scene }: StepContext, choose: (head: string) => void): HTMLElement {
-  return field('Papillary head', select(scene.heads.map(({ id }) => [id, id] as const), head, choose))
+function headField(head: string, { before }: StepContext, choose: (head: string) => void): HTMLElement {
+  return field('Papillary head', select(before.heads.map(({ id }) => [id, id] as const), head, choose))
 }
 
 function insertionFields(

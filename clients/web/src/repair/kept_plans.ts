@@ -1,6 +1,6 @@
 // Plans that were kept: loaded, saved, scored over small errors of execution, taken up again.
 import { evaluate } from '../api/calls'
-import type { Plan, RankedPlan, Step } from '../api/types'
+import type { Plan, RankedPlan } from '../api/types'
 import { button, download, h } from '../dom'
 import { number, percent, withUnit } from '../format'
 import { problemList } from '../problems'
@@ -50,21 +50,38 @@ export class KeptPlans {
     return h(
       'tr',
       {},
-      h('td', {}, h('strong', {}, kept.name), h('br'), h('span', { class: 'hint' }, kept.plan.steps.map(describe).join('; '))),
+      h(
+        'td',
+        {},
+        h('strong', {}, kept.name),
+        kept.valve.reference !== this.workspace.valve?.reference && ` of ${kept.valve.label}`,
+        h('br'),
+        h('span', { class: 'hint' }, kept.plan.steps.map(describe).join('; ')),
+      ),
       h('td', {}, leak ? `${number(leak.mean)} ± ${withUnit(leak.sd, 'mm²')}` : 'not scored'),
       h('td', {}, leak ? percent(leak.below_5) : ''),
       h(
         'td',
         { class: 'row' },
-        button('Revise', () => void this.workspace.setPlan(kept.plan.steps)),
+        button('Revise', () => void this.revise(kept), { 'aria-label': `Revise ${kept.name}` }),
         button('Remove', () => this.workspace.forget(kept), { class: 'quiet', 'aria-label': `Remove ${kept.name}` }),
       ),
     )
   }
 
+  /// Opens the plan's valve first, if another one is open.
+  private async revise({ plan, valve }: KeptPlan): Promise<void> {
+    try {
+      if (valve.reference !== this.workspace.valve?.reference) await this.workspace.open(valve)
+      await this.workspace.setPlan(plan.steps)
+    } catch (error) {
+      this.problems.replaceChildren(problemList(problemsOf(error)))
+    }
+  }
+
   private async score(): Promise<void> {
     const { valve } = this.workspace
-    const kept = this.workspace.kept.filter((plan) => plan.valve === valve?.reference)
+    const kept = this.workspace.kept.filter((plan) => plan.valve.reference === valve?.reference)
     if (!valve || kept.length === 0) return this.say('There is no kept plan of this valve.')
     this.say(`closing each plan ${REGION_POINTS} times ...`)
     try {
@@ -84,7 +101,7 @@ export class KeptPlans {
   }
 
   private save(): void {
-    const plans = this.workspace.kept.map(({ name, plan, valve }) => ({ name, valve, plan }))
+    const plans = this.workspace.kept
     download('plans.json', new Blob([JSON.stringify({ plans }, null, 1)], { type: 'application/json' }))
   }
 
@@ -94,7 +111,8 @@ export class KeptPlans {
     if (!chosen) return
     try {
       const found = plansIn(await chosen.text())
-      for (const { name, plan } of found) this.workspace.keep(name ?? chosen.name, plan)
+      if (!this.workspace.valve) throw new Error('open a valve first')
+      for (const { name, plan, valve } of found) this.workspace.keep(name ?? chosen.name, plan, valve ?? this.workspace.valve)
       this.say(`${found.length} loaded from ${chosen.name}.`)
     } catch (error) {
       this.say(`${chosen.name} cannot be read: ${error instanceof Error ? error.message : ''}`)
@@ -107,10 +125,19 @@ export class KeptPlans {
   }
 }
 
-export function plansIn(text: string): { name?: string; plan: Plan }[] {
-  const json = JSON.parse(text) as { schema?: string; steps?: Step[]; plans?: { name?: string; plan?: Plan }[] }
-  if (json.schema === 'coapt.plan/1' && Array.isArray(json.steps)) return [{ plan: json as Plan }]
-  const plans = (json.plans ?? []).filter((entry): entry is { name?: string; plan: Plan } => Array.isArray(entry.plan?.steps))
+/// What save() has written, or one plan. Those that cannot be said in words are no plans.
+export function plansIn(text: string): Partial<KeptPlan>[] & { plan: Plan }[] {
+  const json = JSON.parse(text) as { plans?: Partial<KeptPlan>[] } & Partial<Plan>
+  const entries = json.schema === 'coapt.plan/1' ? [{ plan: json as Plan }] : (json.plans ?? [])
+  const plans = entries.filter((entry): entry is Partial<KeptPlan> & { plan: Plan } => isPlan(entry?.plan))
   if (plans.length === 0) throw new Error('it holds no plan (coapt.plan/1)')
   return plans
+}
+
+function isPlan(plan: Plan | undefined): boolean {
+  try {
+    return plan !== undefined && plan.steps.map(describe).every((words) => typeof words === 'string')
+  } catch {
+    return false
+  }
 }

@@ -5,7 +5,7 @@ import { button, h, select } from '../dom'
 import type { Pick, PickKind } from '../viewer/pick'
 import { problemsOf, type Workspace } from '../workspace'
 import { stepForm, type StepContext } from './forms'
-import { describe, newApproximation, newNeochorda, SIDES } from './steps'
+import { describe, newApproximation, newNeochorda, SIDES, type Anatomy } from './steps'
 
 /// Asks for a click on the valve; `hint` says what for.
 export type AskForPick = (hint: string, kinds: PickKind[], use: (pick: Pick) => void) => void
@@ -17,7 +17,7 @@ export class PlanEditor {
   private readonly redo = button('Redo', () => void this.workspace.redo())
   private rings: Rings = { rings: [], sizes_mm: { min: 24, max: 40, step: 2 } }
   private open = -1 // step whose controls are shown
-  private shown: Step[] | null = null
+  private shown = '' // steps whose items are in the list, and the annulus that they are for
 
   constructor(
     private readonly workspace: Workspace,
@@ -40,11 +40,29 @@ export class PlanEditor {
     this.undo.disabled = !this.workspace.canUndo
     this.redo.disabled = !this.workspace.canRedo
     const { steps } = this.workspace.plan
-    if (steps === this.shown) return
-    this.shown = steps
-    const { before } = this.workspace
-    if (before) this.list.replaceChildren(...steps.map((step, i) => this.item(before, step, i)))
+    const key = this.key(steps)
+    if (key === this.shown) return
+    this.shown = key
+    const focused = this.controls().indexOf(document.activeElement as HTMLElement)
+    const anatomy = this.anatomy()
+    if (anatomy) this.list.replaceChildren(...steps.map((step, i) => this.item(anatomy, step, i)))
     if (steps.length === 0) this.list.replaceChildren(h('li', { class: 'hint' }, 'No step yet: add one above.'))
+    // Who sets values with the keyboard goes on where they were.
+    if (focused >= 0) this.controls()[focused]?.focus()
+  }
+
+  private controls(): HTMLElement[] {
+    return [...this.list.querySelectorAll<HTMLElement>('button, input, select')]
+  }
+
+  private anatomy(): Anatomy | null {
+    const { before, after } = this.workspace
+    return before && { before, ringed: after ?? before }
+  }
+
+  private key(steps: Step[]): string {
+    const ringed = this.workspace.after?.annulus_mm.slice(0, 3)
+    return JSON.stringify([this.workspace.valve?.reference, this.open, steps, ringed])
   }
 
   private adding(): HTMLElement {
@@ -53,11 +71,15 @@ export class PlanEditor {
       void this.set([...this.workspace.plan.steps, step])
     }
     const withScene = (use: (scene: Scene) => void) => () => this.workspace.before && use(this.workspace.before)
+    const withAnatomy = (use: (anatomy: Anatomy) => void) => () => {
+      const anatomy = this.anatomy()
+      if (anatomy) use(anatomy)
+    }
     const sutures = SIDES.map(([side, label]) =>
-      button(`Suture ${label.slice(0, 1) === 'A' ? 'AL' : 'PM'}`, withScene((scene) => {
+      button(`Suture ${label.slice(0, 1) === 'A' ? 'AL' : 'PM'}`, withAnatomy((anatomy) => {
         const others = this.workspace.plan.steps.filter((step) => step.step !== 'papillary_approximation' || step.side !== side)
         this.open = others.length
-        void this.set([...others, newApproximation(scene, side, 'ipsilateral_trigone')])
+        void this.set([...others, newApproximation(anatomy, side, 'ipsilateral_trigone')])
       }), { title: `${label} papillary muscle to the annulus` }),
     )
     return h(
@@ -93,14 +115,14 @@ export class PlanEditor {
     })
   }
 
-  private item(scene: Scene, step: Step, i: number): HTMLElement {
+  private item(anatomy: Anatomy, step: Step, i: number): HTMLElement {
     const title = h('button', { type: 'button', class: 'quiet step', 'aria-expanded': String(i === this.open), onclick: () => this.unfold(i) }, describe(step))
     const remove = button('Remove', () => void this.set(this.workspace.plan.steps.filter((_, other) => other !== i)), {
       class: 'quiet',
       'aria-label': `Remove: ${describe(step)}`,
     })
     const item = h('li', {}, h('div', { class: 'row' }, title, remove))
-    if (i === this.open) item.append(this.chordaFields(scene, step, i) ?? '', stepForm(step, this.context(scene, i)))
+    if (i === this.open) item.append(this.chordaFields(anatomy.before, step, i) ?? '', stepForm(step, this.context(anatomy, i)))
     return item
   }
 
@@ -126,9 +148,9 @@ export class PlanEditor {
     )
   }
 
-  private context(scene: Scene, i: number): StepContext {
+  private context(anatomy: Anatomy, i: number): StepContext {
     return {
-      scene,
+      ...anatomy,
       rings: this.rings,
       change: (step, passing) => this.change(i, step, passing),
       pickInsertion: (use) =>
@@ -140,13 +162,12 @@ export class PlanEditor {
 
   private unfold(i: number): void {
     this.open = i === this.open ? -1 : i
-    this.shown = null
     this.update()
   }
 
   private change(i: number, step: Step, passing: boolean): void {
     const steps = this.workspace.plan.steps.map((other, at) => (at === i ? step : other))
-    if (passing) this.shown = steps // its controls are in use
+    if (passing) this.shown = this.key(steps) // its controls are in use
     void this.workspace.setPlan(steps, passing)
   }
 

@@ -50,7 +50,7 @@ export function placeWords({ leaflet, along, height }: LeafletPoint): string {
   return `${leaflet === 'anterior' ? 'A' : 'P'}${third}, ${level}`
 }
 
-/// Where a suture of this kind is tied, on the valve before the repair.
+/// Where a suture of this kind is tied.
 export function anchorPoint(scene: Scene, step: Approximation): Vector {
   if (step.anchor === 'annulus_point') return annulusPoint(scene, step.annulus_around ?? 0)
   const landmark = step.anchor === 'saddle_peak' ? 'saddle_peak' : `${step.side}_trigone`
@@ -58,21 +58,24 @@ export function anchorPoint(scene: Scene, step: Approximation): Vector {
   return at(scene.annulus_mm, Math.max(place, 0))
 }
 
-/// From half of the distance between tip and anchor (12 mm at least) to the whole of it: what the service takes.
-export function sutureRange(scene: Scene, step: Approximation): { min: number; max: number; step: number } {
-  const whole = distance(papillaryTip(scene, step.side), anchorPoint(scene, step))
-  return {
-    min: Math.max(12, Math.ceil(0.5 * whole / HALF_MM) * HALF_MM),
-    max: Math.floor(whole / HALF_MM) * HALF_MM,
-    step: HALF_MM,
-  }
+/// The valve before the repair, and with the ring of the plan if it has one: sutures are tied to the ringed annulus.
+export interface Anatomy {
+  before: Scene
+  ringed: Scene
+}
+
+/// From half of the distance between tip and anchor (12 mm at least) to the whole of it (100 mm at most).
+export function sutureRange({ before, ringed }: Anatomy, step: Approximation): { min: number; max: number; step: number } {
+  const whole = distance(papillaryTip(before, step.side), anchorPoint(ringed, step))
+  const max = Math.min(100, Math.floor(whole / HALF_MM) * HALF_MM)
+  return { min: Math.min(max, Math.max(12, Math.ceil((0.5 * whole) / HALF_MM) * HALF_MM)), max, step: HALF_MM }
 }
 
 /// With a suture of a length that is possible there.
-export function newApproximation(scene: Scene, side: Side, anchor: Approximation['anchor'], annulus_around?: number): Approximation {
+export function newApproximation(anatomy: Anatomy, side: Side, anchor: Approximation['anchor'], annulus_around?: number): Approximation {
   const step: Approximation = { step: 'papillary_approximation', side, anchor, suture_length_mm: 0 }
   if (anchor === 'annulus_point') step.annulus_around = annulus_around ?? (side === 'posteromedial' ? 0.1 : 0.4)
-  const { min, max } = sutureRange(scene, step)
+  const { min, max } = sutureRange(anatomy, step)
   step.suture_length_mm = Math.max(min, Math.round((MOVED_AT_FIRST * max) / HALF_MM) * HALF_MM)
   return step
 }

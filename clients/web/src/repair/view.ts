@@ -2,6 +2,7 @@
 import '../style/viewer.css'
 import '../style/repair.css'
 import { request } from '../api/http'
+import type { Plan } from '../api/types'
 import { button, download, h } from '../dom'
 import { problemList } from '../problems'
 import type { View } from '../view'
@@ -10,7 +11,7 @@ import { measures } from '../valve/measures'
 import { sectionInset } from '../valve/section_inset'
 import { legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
-import type { Workspace } from '../workspace'
+import { problemsOf, type Workspace } from '../workspace'
 import { KeptPlans } from './kept_plans'
 import { PlanEditor } from './plan_editor'
 
@@ -27,13 +28,17 @@ export class RepairView implements View {
   private readonly problems = h('div', {})
   private readonly said = h('p', { class: 'answer', 'aria-live': 'polite' })
   private readonly picking = h('p', { class: 'picking', role: 'status', hidden: true })
+  private readonly save = button('Save as GLB', () => void this.saveMesh(), { class: 'quiet' })
+  private pickedFor: Plan | null = null
   private readonly accept = button('Accept', () => this.keep(), { class: 'primary' })
 
   constructor(private readonly workspace: Workspace) {
     this.editor = new PlanEditor(workspace, (hint, kinds, use) => {
       this.picking.textContent = hint
       this.picking.hidden = false
-      for (const viewer of [this.before, this.after]) {
+      this.pickedFor = workspace.plan
+      // Chordae of the plan itself are none that it may change.
+      for (const viewer of kinds.includes('chorda') ? [this.before] : [this.before, this.after]) {
         viewer.picks = kinds
         viewer.onPick = (pick) => {
           this.endPicking()
@@ -53,7 +58,7 @@ export class RepairView implements View {
         'div',
         { class: 'stage' },
         h('h1', { class: 'unseen' }, 'Repair'),
-        h('div', { class: 'row' }, this.looks.views, this.accept, button('Save mesh', () => void this.saveMesh(), { class: 'quiet' })),
+        h('div', { class: 'row' }, this.looks.views, this.accept, this.save),
         this.picking,
         h('div', { class: 'stage-body' }, titled('Before', this.before.element), titled('Repaired', this.after.element)),
         this.said,
@@ -80,8 +85,10 @@ export class RepairView implements View {
   }
 
   private take(): void {
-    const { before, problems, plan, answer_ms } = this.workspace
+    const { before, problems, plan, answer_ms, isAnswered } = this.workspace
     if (!before || !this.element.isConnected) return
+    if (plan !== this.pickedFor) this.endPicking()
+    this.element.classList.toggle('waiting', !isAnswered)
     const after = this.workspace.after ?? before
     const scenes = this.workspace.after ? [before, after] : [before]
     const look = this.looks.look(scenes)
@@ -89,9 +96,9 @@ export class RepairView implements View {
     if (this.after.shown !== after) this.after.set(after, look, plan.steps.some((step) => step.step === 'annuloplasty'))
     this.editor.update()
     this.kept.update()
-    this.accept.disabled = this.workspace.after === null
+    this.accept.disabled = this.save.disabled = this.workspace.after === null || !isAnswered
     this.problems.replaceChildren(problemList(problems))
-    this.said.textContent = answer_ms === null ? '' : `Closed and measured in ${Math.round(answer_ms)} ms.`
+    this.said.textContent = !isAnswered ? 'closing ...' : answer_ms === null ? '' : `Closed and measured in ${Math.round(answer_ms)} ms.`
     const { warnings } = after.closure
     this.measures.replaceChildren(
       h('h2', {}, 'Measured'),
@@ -110,7 +117,9 @@ export class RepairView implements View {
     this.after.show(look)
     this.legend.replaceChildren(legend(look.mode, look.scale))
     const { cut } = look
-    this.insets.replaceChildren(...(cut === null ? [] : [before, after].map((scene) => sectionInset(scene, cut))))
+    const sections = [titled('Before', sectionInset(before, cut ?? 0))]
+    if (this.workspace.after) sections.push(titled('Repaired', sectionInset(after, cut ?? 0)))
+    this.insets.replaceChildren(...(cut === null ? [] : sections))
   }
 
   private keep(): void {
@@ -120,11 +129,15 @@ export class RepairView implements View {
   private async saveMesh(): Promise<void> {
     const { valve, plan } = this.workspace
     if (!valve) return
-    const answer = await request('POST', '/v1/exports', { valve: valve.reference, plan, format: 'glb' })
-    download('repaired.glb', await answer.blob())
+    try {
+      const answer = await request('POST', '/v1/exports', { valve: valve.reference, plan, format: 'glb' })
+      download('repaired.glb', await answer.blob())
+    } catch (error) {
+      this.problems.replaceChildren(problemList(problemsOf(error)))
+    }
   }
 }
 
-function titled(title: string, viewer: HTMLElement): HTMLElement {
+function titled(title: string, viewer: Element): HTMLElement {
   return h('figure', {}, h('figcaption', {}, title), viewer)
 }

@@ -2,7 +2,7 @@
 import type { Job, RankedPlan } from '../api/types'
 import { button, h } from '../dom'
 import { withUnit } from '../format'
-import { openValveOf } from '../jobs/valves'
+import { openValveOf, valveOf } from '../jobs/valves'
 import { problemList } from '../problems'
 import { problemsOf, type Workspace } from '../workspace'
 import { downloadButton, meshDownload, reportLink, saveJson } from '../jobs/downloads'
@@ -60,11 +60,10 @@ export function planCard(plan: RankedPlan, context: CardContext): Card {
       location.hash = '#repair'
       await closing
     })
-  const keep = () =>
-    take(() => {
-      workspace.keep(`Rank ${plan.rank}: ${inWords(plan)}`, plan.plan)
-      said.textContent = 'Kept; it is in the list of the view Repair.'
-    })
+  const keep = async (): Promise<void> => {
+    workspace.keep(`Rank ${plan.rank}: ${inWords(plan)}`, plan.plan, await valveOf(job))
+    said.textContent = 'Kept; it is in the list of the view Repair.'
+  }
 
   /// Its name tells the plan, for those who hear it alone.
   const of = <E extends HTMLElement>(element: E): E => {

@@ -31,7 +31,8 @@ export function measures(before: Scene, after: Scene | null): HTMLElement {
     table.append(row(name, scenes.map(({ closure }) => withUnit(value(closure), unit, digits))))
   table.append(row('Circumferential strain (99 %)', scenes.map(({ closure }) => percent(closure.strain_circumferential_max))))
   table.append(row('Radial strain (99 %)', scenes.map(({ closure }) => percent(closure.strain_radial_max))))
-  return h('div', {}, ...scenes.map(({ closure }) => distrust(closure)), table)
+  const names = after ? ['before the repair', 'after it'] : ['of this closure']
+  return h('div', {}, ...scenes.map(({ closure }, i) => distrust(closure, names[i] ?? '')), table)
 }
 
 function row(name: string, values: string[]): HTMLElement {
@@ -39,8 +40,8 @@ function row(name: string, values: string[]): HTMLElement {
 }
 
 /// Said where the figures do not count; else nothing.
-function distrust(closure: Closure): HTMLElement | null {
+function distrust(closure: Closure, which: string): HTMLElement | null {
   if (closure.status === 'converged' && !closure.crossing) return null
   const why = closure.crossing ? 'leaflets pass through each other' : `the closure ended as ${closure.status.replace('_', ' ')}`
-  return h('p', { class: 'bad', role: 'alert' }, `Do not trust these figures: ${why}.`)
+  return h('p', { class: 'bad', role: 'alert' }, `Do not trust the figures ${which}: ${why}.`)
 }

@@ -21,6 +21,7 @@ export class ValveView implements View {
   private readonly legend = h('div', {})
   private readonly inset = h('div', { class: 'inset' })
   private readonly measures = h('div', {})
+  private share = 1 // of the closing, as it is drawn
 
   constructor(private readonly workspace: Workspace) {
     this.looks.onChange = () => this.draw()
@@ -70,6 +71,10 @@ export class ValveView implements View {
     const { before } = this.workspace
     if (!before || this.viewer.shown !== before) return
     const look = this.looks.look([before])
+    if (look.share !== this.share) {
+      this.share = look.share
+      return this.distance.clear() // and draws
+    }
     this.viewer.show(look)
     this.legend.replaceChildren(legend(look.mode, look.scale))
     this.inset.replaceChildren(...(look.cut === null ? [] : [sectionInset(before, look.cut)]))

@@ -122,26 +122,6 @@ export function leafletPointAt(scene: Scene, face: number, weights: Vector): Lea
   return { ...leafletPlace(turn), height: Math.min(Math.max(up, 0), 1) }
 }
 
-/// `around` of the point of the annulus under pressure that is nearest to `point`.
-export function annulusAround(scene: Scene, point: Vector): number {
-  const count = scene.annulus.length
-  let nearest = Infinity
-  let found = 0
-  for (let i = 0; i < count; ++i) {
-    const a = at(scene.annulus_mm, i)
-    const b = at(scene.annulus_mm, (i + 1) % count)
-    const edge = minus(b, a)
-    const share = Math.min(Math.max(dot(minus(point, a), edge) / dot(edge, edge), 0), 1)
-    const away = distance(point, blend(a, b, share))
-    if (away >= nearest) continue
-    nearest = away
-    const from = scene.leaflet_coordinates.around[scene.annulus[i] as number] as number
-    const to = scene.leaflet_coordinates.around[scene.annulus[(i + 1) % count] as number] as number
-    found = from + share * (to - Math.round(to - from) - from)
-  }
-  return ((found % 1) + 1) % 1
-}
-
 /// The point of the annulus under pressure at `around`.
 export function annulusPoint(scene: Scene, around: number): Vector {
   const count = scene.annulus.length

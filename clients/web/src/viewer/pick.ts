@@ -1,7 +1,7 @@
 // What lies under the pointer, in terms of a repair plan.
-import { Raycaster, Triangle, Vector3, type Mesh } from 'three'
+import { Raycaster, Triangle, Vector3, type Intersection, type Material, type Mesh } from 'three'
 import type { LeafletPoint, Scene, Vector } from '../api/types'
-import { annulusAround, at, chordaLines, leafletPointAt } from './geometry'
+import { at, chordaLines, leafletPointAt } from './geometry'
 import type { Stage } from './stage'
 
 export type Pick =
@@ -23,23 +23,21 @@ export function pickAt(event: MouseEvent, stage: Stage, scene: Scene, nodes: Flo
     const seen = stage.place(point)
     return Math.hypot(seen.x - x, seen.y - y)
   }
+  const hit = kinds.includes('leaflet') ? leafletHit(event, stage, mesh) : null
   if (kinds.includes('head')) {
     const found = nearest(scene.heads.map((head, i) => ({ id: head.id, point: at(nodes, nodes.length / 3 - scene.heads.length + i) })), (c) => away(c.point))
-    if (found) return { kind: 'head', id: found.id, point_mm: found.point }
+    const isHidden = hit && found && hit.distance < stage.camera.position.distanceTo(new Vector3(...found.point))
+    if (found && !isHidden) return { kind: 'head', id: found.id, point_mm: found.point }
   }
   if (kinds.includes('chorda')) {
     const found = nearest(chordaPoints(scene, nodes), (c) => away(c.point))
     if (found) return { kind: 'chorda', id: found.id, point_mm: found.point }
   }
   if (kinds.includes('annulus')) {
-    const points = Array.from({ length: scene.annulus_mm.length / 3 }, (_, i) => at(scene.annulus_mm, i))
-    const found = nearest(points, away)
-    if (found) return { kind: 'annulus', around: annulusAround(scene, found), point_mm: found }
+    const points = scene.annulus.map((vertex) => ({ vertex, point: at(nodes, vertex) }))
+    const found = nearest(points, (c) => away(c.point))
+    if (found) return { kind: 'annulus', around: scene.leaflet_coordinates.around[found.vertex] ?? 0, point_mm: found.point }
   }
-  if (!kinds.includes('leaflet')) return null
-  const ray = new Raycaster()
-  ray.setFromCamera(stage.pointer(event), stage.camera)
-  const hit = ray.intersectObject(mesh)[0]
   if (!hit || hit.faceIndex === undefined || hit.faceIndex === null) return null
   const face = hit.faceIndex
   const corners = [0, 1, 2].map((k) => new Vector3(...at(nodes, scene.faces[3 * face + k] as number))) as [Vector3, Vector3, Vector3]
@@ -49,6 +47,15 @@ export function pickAt(event: MouseEvent, stage: Stage, scene: Scene, nodes: Flo
     point: leafletPointAt(scene, face, [weights.x, weights.y, weights.z]),
     point_mm: [hit.point.x, hit.point.y, hit.point.z],
   }
+}
+
+/// Of the leaflets as they are shown: what is cut away is not hit.
+function leafletHit(event: MouseEvent, stage: Stage, mesh: Mesh): Intersection | null {
+  const ray = new Raycaster()
+  ray.setFromCamera(stage.pointer(event), stage.camera)
+  const planes = (mesh.material as Material).clippingPlanes ?? []
+  const isShown = ({ point }: Intersection): boolean => planes.every((plane) => plane.distanceToPoint(point) >= 0)
+  return ray.intersectObject(mesh).find(isShown) ?? null
 }
 
 function nearest<T>(candidates: T[], away: (candidate: T) => number): T | null {

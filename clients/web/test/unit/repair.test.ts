@@ -8,11 +8,22 @@ import { number, percent, seconds, withUnit } from '../../src/format'
 import { pyramid } from './scenes'
 
 test('a suture may leave from half of the distance to its anchor to the whole of it', () => {
-  const step = newApproximation(pyramid(), 'anterolateral', 'ipsilateral_trigone')
+  const anatomy = { before: pyramid(), ringed: pyramid() }
+  const step = newApproximation(anatomy, 'anterolateral', 'ipsilateral_trigone')
   // From (-8, 0, -20) to the trigone at (-10, 0, 0): 20.1 mm.
   expect(anchorPoint(pyramid(), step)).toEqual([-10, 0, 0])
-  expect(sutureRange(pyramid(), step)).toEqual({ min: 12, max: 20, step: 0.5 })
+  expect(sutureRange(anatomy, step)).toEqual({ min: 12, max: 20, step: 0.5 })
   expect(step.suture_length_mm).toBe(17)
+})
+
+test('a suture is tied to the ringed annulus', () => {
+  const ringed = pyramid()
+  ringed.annulus_mm = ringed.annulus_mm.map((x) => 0.8 * x)
+  const anatomy = { before: pyramid(), ringed }
+  // From (-8, 0, -20) to the trigone at (-8, 0, 0).
+  expect(sutureRange(anatomy, newApproximation(anatomy, 'anterolateral', 'ipsilateral_trigone')).max).toBe(20)
+  // To the saddle peak at (0, 8, 0): 23 mm; without the ring it is 23.7.
+  expect(sutureRange(anatomy, newApproximation(anatomy, 'anterolateral', 'saddle_peak')).max).toBe(22.5)
 })
 
 test('a new neochorda reaches the place of the other leaflet', () => {
@@ -27,6 +38,8 @@ test('plans are read from a list or alone, and nothing else is', () => {
   expect(plansIn(JSON.stringify(plan))).toHaveLength(1)
   expect(plansIn(JSON.stringify({ plans: [{ name: 'a', plan }, {}] }))).toEqual([{ name: 'a', plan }])
   expect(() => plansIn('{}')).toThrow(/no plan/)
+  expect(() => plansIn('{"schema": "coapt.plan/1", "steps": [null]}')).toThrow(/no plan/)
+  expect(() => plansIn('{"schema": "coapt.plan/1", "steps": [{"step": "papillary_approximation"}]}')).toThrow(/no plan/)
   expect(() => plansIn('[')).toThrow()
 })
 
