@@ -1,16 +1,9 @@
 // Files of a job for the person at the browser.
 import { getBlob, hasToken } from '../api/http'
-import { button, download, h, select } from '../dom'
+import { button, download, h } from '../dom'
+import { fileSaver } from '../files'
 import { problemList } from '../problems'
 import { problemsOf } from '../workspace'
-
-const FORMATS = [
-  ['ply', 'PLY'],
-  ['obj', 'OBJ'],
-  ['stl', 'STL'],
-  ['vtk', 'VTK'],
-  ['glb', 'GLB'],
-] as const
 
 /// A button that fetches `path` and saves it as `name`; what goes wrong is said in `told`.
 export function downloadButton(label: string, path: string, name: string, told: HTMLElement): HTMLButtonElement {
@@ -31,11 +24,7 @@ async function save(path: string, name: string, told: HTMLElement, pressed: HTML
 
 /// Of one plan: `path` is .../plans/RANK, `name` without what follows the dot.
 export function meshDownload(path: string, name: string, told: HTMLElement): HTMLElement {
-  let format = 'ply'
-  const formats = select(FORMATS, format, (chosen) => (format = chosen))
-  formats.setAttribute('aria-label', 'Format of the mesh')
-  const get = button('Mesh', () => void save(`${path}/mesh?format=${format}`, `${name}.${format}`, told, get))
-  return h('span', { class: 'joined' }, get, formats)
+  return fileSaver('Mesh', (format) => getBlob(`${path}/mesh?format=${format}`), () => name, told).element
 }
 
 /// A page: in a tab of its own, or saved where only requests with a token get it.

@@ -1,9 +1,9 @@
 // A repair by hand: the valve before and after, side by side, and what it would measure.
 import '../style/viewer.css'
 import '../style/repair.css'
-import { request } from '../api/http'
 import type { Plan } from '../api/types'
-import { button, download, h } from '../dom'
+import { button, h } from '../dom'
+import { closureSaver, type FileSaver } from '../files'
 import { problemList } from '../problems'
 import type { View } from '../view'
 import { Looks } from '../valve/looks'
@@ -11,7 +11,7 @@ import { measures } from '../valve/measures'
 import { sectionInset } from '../valve/section_inset'
 import { legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
-import { problemsOf, type Workspace } from '../workspace'
+import type { Workspace } from '../workspace'
 import { KeptPlans } from './kept_plans'
 import { PlanEditor } from './plan_editor'
 
@@ -28,11 +28,12 @@ export class RepairView implements View {
   private readonly problems = h('div', {})
   private readonly said = h('p', { class: 'answer', 'aria-live': 'polite' })
   private readonly picking = h('p', { class: 'picking', role: 'status', hidden: true })
-  private readonly save = button('Save as GLB', () => void this.saveMesh(), { class: 'quiet' })
+  private readonly save: FileSaver
   private pickedFor: Plan | null = null
   private readonly accept = button('Accept', () => this.keep(), { class: 'primary' })
 
   constructor(private readonly workspace: Workspace) {
+    this.save = closureSaver(workspace, true, this.problems)
     this.editor = new PlanEditor(workspace, (hint, kinds, use) => {
       this.picking.textContent = hint
       this.picking.hidden = false
@@ -58,7 +59,7 @@ export class RepairView implements View {
         'div',
         { class: 'stage' },
         h('h1', { class: 'unseen' }, 'Repair'),
-        h('div', { class: 'row' }, this.looks.views, this.accept, this.save),
+        h('div', { class: 'row' }, this.looks.views, this.accept, this.save.element),
         this.picking,
         h('div', { class: 'stage-body' }, titled('Before', this.before.element), titled('Repaired', this.after.element)),
         this.said,
@@ -96,7 +97,7 @@ export class RepairView implements View {
     if (this.after.shown !== after) this.after.set(after, look, plan.steps.some((step) => step.step === 'annuloplasty'))
     this.editor.update()
     this.kept.update()
-    this.accept.disabled = this.save.disabled = this.workspace.after === null || !isAnswered
+    this.accept.disabled = this.save.button.disabled = this.workspace.after === null || !isAnswered
     this.problems.replaceChildren(problemList(problems))
     this.said.textContent = !isAnswered ? 'closing ...' : answer_ms === null ? '' : `Closed and measured in ${Math.round(answer_ms)} ms.`
     const { warnings } = after.closure
@@ -124,17 +125,6 @@ export class RepairView implements View {
 
   private keep(): void {
     this.workspace.keep(`plan ${this.workspace.kept.length + 1}`)
-  }
-
-  private async saveMesh(): Promise<void> {
-    const { valve, plan } = this.workspace
-    if (!valve) return
-    try {
-      const answer = await request('POST', '/v1/exports', { valve: valve.reference, plan, format: 'glb' })
-      download('repaired.glb', await answer.blob())
-    } catch (error) {
-      this.problems.replaceChildren(problemList(problemsOf(error)))
-    }
   }
 }
 

@@ -1,6 +1,7 @@
 // A valve as it is: opened, closing, measured, cut.
 import '../style/viewer.css'
 import { button, download, h } from '../dom'
+import { closureSaver } from '../files'
 import type { View } from '../view'
 import { legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
@@ -24,6 +25,7 @@ export class ValveView implements View {
   private share = 1 // of the closing, as it is drawn
 
   constructor(private readonly workspace: Workspace) {
+    const told = h('div', {})
     this.looks.onChange = () => this.draw()
     this.looks.onView = (view) => this.viewer.view(view)
     this.distance.onResult = () => this.draw()
@@ -41,7 +43,8 @@ export class ValveView implements View {
         'div',
         { class: 'stage' },
         h('h1', { class: 'unseen' }, 'Valve'),
-        h('div', { class: 'row' }, this.looks.views, this.distance.element, button('Save picture', () => this.savePicture(), { class: 'quiet' })),
+        h('div', { class: 'row' }, this.looks.views, this.distance.element, closureSaver(workspace, false, told).element, button('Save picture', () => this.savePicture(), { class: 'quiet' })),
+        told,
         h('div', { class: 'stage-body' }, this.viewer.element, this.inset),
         this.legend,
       ),

@@ -94,7 +94,7 @@ test('accepted plans are kept, scored, saved and loaded', async () => {
   await page.getByRole('button', { name: 'Accept' }).click()
   await page.getByRole('button', { name: 'Score them' }).click()
   await page.getByText('Best: plan 1.').waitFor()
-  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save', exact: true }).click()])
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save plans' }).click()])
   assert.equal(saved.suggestedFilename(), 'plans.json')
   await saved.saveAs(join(service.folder, 'plans.json'))
   await page.getByLabel('Plans to load').setInputFiles(join(service.folder, 'plans.json'))
@@ -102,6 +102,12 @@ test('accepted plans are kept, scored, saved and loaded', async () => {
   writeFileSync(join(service.folder, 'no-plan.json'), '{"a": 1}')
   await page.getByLabel('Plans to load').setInputFiles(join(service.folder, 'no-plan.json'))
   await page.getByText('it holds no plan').waitFor()
+})
+
+test('what is repaired is saved as other programs read it', async () => {
+  await page.getByLabel('Format of the file').selectOption('csv')
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save file' }).click()])
+  assert.equal(saved.suggestedFilename(), 'repaired.csv')
 })
 
 test('a plan that is not possible says why, with its place', async () => {

@@ -109,7 +109,7 @@ test('plans and meshes can be saved, the report opened', async () => {
   const plan = page.locator('.plan').first()
   const { content } = await saved(plan.getByRole('button', { name: 'Plan (JSON)' }))
   assert.equal(JSON.parse(content).schema, 'coapt.plan/1')
-  await plan.getByLabel('Format of the mesh').selectOption('obj')
+  await plan.getByLabel('Format of the file').selectOption('obj')
   assert.match((await saved(plan.getByRole('button', { name: 'Mesh' }))).content, /^v /m)
   const [report] = await Promise.all([page.waitForEvent('popup'), plan.getByRole('link', { name: 'Report' }).click()])
   await report.waitForURL(/\/report$/, { waitUntil: 'load' })
