@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/presets/presets.h"
+#include "core/repair/apply_plan.h"
 #include "io/json/valve_json.h"
 #include "server/answers.h"
 
@@ -26,6 +27,15 @@ void add_below(ProblemList& problems, const std::string& pointer, const Errors& 
   for (const Error& error : errors) {
     problems.add(error.code, pointer + error.path, error.message);
   }
+}
+
+Expected<Valve> repaired_valve(const Valve& valve, const RepairPlan& plan,
+                               const std::vector<RingShape>& rings) {
+  Expected<Valve> repaired = apply_plan(valve, plan, rings);
+  if (repaired) return repaired;
+  ProblemList problems;
+  add_below(problems, "/plan", repaired.errors());
+  return std::move(problems).take();
 }
 
 Errors check_size(const Valve& valve, const ServiceLimits& limits) {

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "core/repair/plan.h"
 #include "core/valve/valve.h"
 #include "io/json/json_reader.h"
 #include "io/store/job_store.h"
@@ -30,6 +31,10 @@ std::function<void(const JsonPlace&)> document(T& target,
     }
   };
 }
+
+/// The valve of a request as its plan leaves it; paths point below /plan.
+Expected<Valve> repaired_valve(const Valve& valve, const RepairPlan& plan,
+                               const std::vector<RingShape>& rings);
 
 /// What is said against a valve that is too large for the service; paths point into the valve.
 Errors check_size(const Valve& valve, const ServiceLimits& limits);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/repair/apply_plan.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/result_json.h"
@@ -60,14 +59,6 @@ struct Asked {
   RepairPlan plan;
 };
 
-Expected<Valve> repair(const Asked& asked, const std::vector<RingShape>& rings) {
-  Expected<Valve> repaired = apply_plan(asked.valve, asked.plan, rings);
-  if (repaired) return repaired;
-  ProblemList problems;
-  add_below(problems, "/plan", repaired.errors());
-  return std::move(problems).take();
-}
-
 struct Closed {
   ClosureResult closure;
   nlohmann::ordered_json json;  ///< coapt.closure/1, with the warnings of the operation
@@ -93,7 +84,7 @@ Answer PostClosures::operator()(const Request& request) const {
                                {{"valve", valve_field(valves, asked.valve)},
                                 {"plan", document(asked.plan, plan_from_json), false}}))
     return *std::move(refused);
-  const Expected<Valve> repaired = repair(asked, rings);
+  const Expected<Valve> repaired = repaired_valve(asked.valve, asked.plan, rings);
   if (!repaired) return problem(422, repaired.errors());
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
@@ -111,7 +102,7 @@ Answer PostScenes::operator()(const Request& request) const {
                                 {"plan", document(asked.plan, plan_from_json), false},
                                 {"frames", into(frames, read_frames), false}}))
     return *std::move(refused);
-  const Expected<Valve> repaired = repair(asked, rings);
+  const Expected<Valve> repaired = repaired_valve(asked.valve, asked.plan, rings);
   if (!repaired) return problem(422, repaired.errors());
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();

@@ -1,6 +1,5 @@
 #include "server/endpoints/exports.h"
 
-#include "core/repair/apply_plan.h"
 #include "io/json/plan_json.h"
 #include "server/answers.h"
 
@@ -27,12 +26,8 @@ Answer PostExports::operator()(const Request& request) const {
                                 {"format", into(format, read_format)},
                                 {"open", into(options.open, read_boolean), false}}))
     return *std::move(refused);
-  const Expected<Valve> repaired = apply_plan(valve, plan, rings);
-  if (!repaired) {
-    ProblemList problems;
-    add_below(problems, "/plan", repaired.errors());
-    return problem(422, std::move(problems).take());
-  }
+  const Expected<Valve> repaired = repaired_valve(valve, plan, rings);
+  if (!repaired) return problem(422, repaired.errors());
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
   return valve_file_answer(close_for_export(*repaired, plan), *format, options);
@@ -42,10 +37,12 @@ Answer valve_file_answer(const ExportedValve& exported, const FileFormat& format
                          const ExportOptions& options) {
   Expected<std::string> bytes = write_valve_file(exported, format, options);
   if (!bytes) return problem(422, bytes.errors());
+  const ClosureResult& closure = exported.closure;
   return {
       200,
       Content{format.media_type, *std::move(bytes)},
-      {{"Content-Disposition", std::string("attachment; filename=\"valve.") + format.name + '"'}}};
+      {{"Content-Disposition", std::string("attachment; filename=\"valve.") + format.name + '"'},
+       {"Coapt-Closure", closure.crossing ? "crossing" : to_string(closure.status)}}};
 }
 
 }  // namespace coapt
