@@ -25,7 +25,7 @@ const { page } = await openView(browser, service.url, 'repair')
 await page.locator('.labels .orifice').first().waitFor()
 await page.getByRole('button', { name: 'Suture PM' }).click()
 const answers = []
-const slider = page.getByLabel('Suture', { exact: true })
+const slider = page.getByRole('slider', { name: /^Suture/ })
 for (let i = 0; i < 3 * RUNS; ++i) {
   const length = Number(await slider.inputValue()) + (i % 2 === 0 ? -0.5 : 0.5)
   answers.push(
