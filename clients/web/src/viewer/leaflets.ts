@@ -7,21 +7,17 @@ export class Leaflets {
   private readonly points: Float32Array
   private readonly normals: Float32Array
 
-  constructor(private readonly scene: Scene) {
+  /// `material`: leafletMaterial(), the same for all closures of a view: a new one would have its program compiled again.
+  constructor(
+    private readonly scene: Scene,
+    material: MeshLambertMaterial,
+  ) {
     this.points = new Float32Array(3 * scene.faces.length)
     this.normals = new Float32Array(3 * scene.faces.length)
     const geometry = new BufferGeometry()
     geometry.setAttribute('position', new BufferAttribute(this.points, 3))
     geometry.setAttribute('normal', new BufferAttribute(this.normals, 3))
     geometry.setAttribute('color', new BufferAttribute(new Float32Array(this.points.length).fill(0.8), 3))
-    // Drawn a little behind lines that lie on it.
-    const material = new MeshLambertMaterial({
-      vertexColors: true,
-      side: DoubleSide,
-      polygonOffset: true,
-      polygonOffsetFactor: 1,
-      polygonOffsetUnits: 1,
-    })
     this.mesh = new Mesh(geometry, material)
   }
 
@@ -69,8 +65,13 @@ export class Leaflets {
 
   dispose(): void {
     this.mesh.geometry.dispose()
-    this.mesh.material.dispose()
   }
+}
+
+/// Drawn a little behind lines that lie on it.
+export function leafletMaterial(): MeshLambertMaterial {
+  const offset = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }
+  return new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, ...offset })
 }
 
 function toLinear(part: number): number {

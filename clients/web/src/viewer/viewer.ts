@@ -5,7 +5,7 @@ import { h } from '../dom'
 import { chordaColours, cornerColours, type ColourMode, type Scale } from './colours'
 import { at, boundaryEdges, chordaLines, closedNodes, dot, minus, nodesAt, section } from './geometry'
 import { Labels, type Label } from './labels'
-import { Leaflets } from './leaflets'
+import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines, pieces } from './lines'
 import { ballAround, namesOf } from './marks'
 import { Orifices } from './orifices'
@@ -30,6 +30,7 @@ export class Viewer {
   private scene: Scene | null = null
   private nodes: Float32Array = new Float32Array()
   private leaflets: Leaflets | null = null
+  private readonly material = leafletMaterial()
   private orifices: Orifices | null = null
   private readonly labels: Labels
   private readonly lines = {
@@ -59,7 +60,7 @@ export class Viewer {
     this.orifices?.dispose()
     if (this.leaflets) this.stage.scene.remove(this.leaflets.mesh)
     if (this.orifices) this.stage.scene.remove(this.orifices.group)
-    this.leaflets = new Leaflets(scene)
+    this.leaflets = new Leaflets(scene, this.material)
     this.orifices = new Orifices(scene)
     this.stage.add(this.leaflets.mesh, this.orifices.group)
     this.lines.annulus.set(pieces(scene.annulus_mm, true))
