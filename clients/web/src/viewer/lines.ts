@@ -56,11 +56,6 @@ export class Lines {
   cut(planes: Plane[]): void {
     this.material.clippingPlanes = planes
   }
-
-  dispose(): void {
-    this.object.geometry.dispose()
-    this.material.dispose()
-  }
 }
 
 /// Consecutive points of a line, closed if `closed`, as six numbers a piece.
