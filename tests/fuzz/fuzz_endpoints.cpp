@@ -64,8 +64,8 @@ struct Bench {
   Compute parsing, compute;
   Metrics metrics;
   Page page;
-  Service service{limits,  ring_catalogue(), store, jobs, known, parsing, compute,
-                  metrics, page,             [] { return HttpLoad{}; }};
+  Service service{limits,  ring_catalogue(), store,   jobs, known,
+                  parsing, compute,          metrics, page, [] { return HttpLoad{}; }};
   Routes routes = routes_of(service);
 
   Bench() {
