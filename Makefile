@@ -7,18 +7,18 @@ SOURCES := $(shell find core search io server clients/cli tests bench -name "*.h
 WEB := clients/web
 WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public $(WEB)/index.html $(WEB)/vite.config.ts -type f)
 
-.PHONY: help demo serve test web web-test web-pictures chart bench bench-server instructions rivals build format format-check includes-check openapi-check readers-check asan fuzz clean
+.PHONY: help demo serve test web web-test web-pictures chart bench bench-server instructions rivals build programs configure format format-check includes-check openapi-check readers-check asan fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
 
-demo: build  ## ranked repair plans for a leaking valve of real human anatomy, with pictures
+demo: programs  ## ranked repair plans for a leaking valve of real human anatomy, with pictures
 	@mkdir -p out
 	$(BIN)/coapt close $(VALVE) --render out/leaking.png || [ $$? -eq 3 ]
 	$(BIN)/coapt plan $(VALVE) --evaluations 600 --seed 1 --plans 3 -o out/report.html || [ $$? -eq 4 ]
 	@echo "Pictures: out/leaking.png and out/report.html (open it in a browser)"
 
-serve: build web  ## the service with its page at http://127.0.0.1:8080
+serve: programs web  ## the service with its page at http://127.0.0.1:8080
 	@echo "Open http://127.0.0.1:8080 in a browser; Ctrl-C ends it."
 	$(BIN)/coapt-server --db coapt.sqlite
 
@@ -42,12 +42,12 @@ web-test: build web  ## types, unit tests, and the page in a real browser with a
 	cd $(WEB) && npx --no-install tsc --noEmit && npx --no-install vitest run
 	node --test --test-reporter=spec $(WEB)/test/page/*.test.mjs
 
-web-pictures: build web  ## the page's pictures in docs/images, and its times
+web-pictures: programs web  ## the page's pictures in docs/images, and its times
 	@cmake/install_packages.sh browser
 	node $(WEB)/test/page/pictures.mjs docs/images
 	node $(WEB)/test/page/times.mjs
 
-chart: build  ## accuracy against time, where methods fail, what the model's ingredients buy, into docs/images
+chart: programs  ## accuracy against time, where methods fail, what the model's ingredients buy, into docs/images
 	$(BIN)/coapt chart speed-accuracy -o docs/images
 	$(BIN)/coapt chart stability -o docs/images
 	$(BIN)/coapt chart ablation -o docs/images
@@ -70,10 +70,15 @@ rivals:  ## coapt-rivals, the optimisers of pagmo and dlib that the search is me
 	cmake --preset release -DCOAPT_RIVALS=ON
 	cmake --build --preset release --target coapt-rivals
 
-build:  ## the release build in build/release
+build: configure  ## the release build in build/release: programs, tests, benchmarks
+	cmake --build --preset release
+
+programs: configure  ## coapt and coapt-server alone
+	cmake --build --preset release --target coapt coapt-server
+
+configure:
 	@cmake/install_packages.sh build
 	cmake --preset release
-	cmake --build --preset release
 
 format:  ## lay the sources out with clang-format
 	@cmake/install_packages.sh format

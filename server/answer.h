@@ -13,6 +13,8 @@
 
 namespace coapt {
 
+inline constexpr const char* kHtmlType = "text/html; charset=utf-8";
+
 /// Bytes of some other kind than JSON.
 struct Content {
   std::string type;  ///< "image/png", "text/html; charset=utf-8"

@@ -20,7 +20,7 @@ constexpr const char* kPolicy =
 
 std::string media_type(const fs::path& file) {
   const std::string extension = file.extension();
-  if (extension == ".html") return "text/html; charset=utf-8";
+  if (extension == ".html") return kHtmlType;
   if (extension == ".js") return "text/javascript; charset=utf-8";
   if (extension == ".css") return "text/css; charset=utf-8";
   if (extension == ".svg") return "image/svg+xml";

@@ -1,4 +1,5 @@
 #include "server/endpoints/closures.h"
+#include "server/endpoints/evaluations.h"
 #include "server/endpoints/exports.h"
 #include "server/endpoints/health.h"
 #include "server/endpoints/job_results.h"
@@ -25,6 +26,7 @@ Routes routes_of(const Service& service) {
       {"POST", "/v1/closures", PostClosures{valves, compute, rings}},
       {"POST", "/v1/scenes", PostScenes{valves, compute, rings}},
       {"POST", "/v1/evaluations", PostEvaluations{valves, compute, rings}},
+      {"POST", "/v1/reports", PostReports{valves, compute, rings}},
       {"POST", "/v1/exports", PostExports{valves, compute, rings}},
       {"POST", "/v1/plans", PostPlans{submitting, rings}},
       {"POST", "/v1/studies", PostStudies{submitting}},

@@ -14,12 +14,14 @@
 #include "clients/cli/server_option.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
+#include "io/picture/report.h"
+#include "io/store/subject.h"
 
 namespace coapt {
 namespace {
 
 struct Arguments {
-  std::string valve, store;
+  std::string valve, report, store;
   std::vector<std::string> plans;
   SearchOptions options;
   ServerOption server;
@@ -99,6 +101,7 @@ std::map<std::string, std::string> sources_of(const Arguments& arguments) {
 }
 
 int run_by(const Service& service, const Arguments& arguments) {
+  if (const int failed = check_output(arguments.report)) return failed;
   const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   std::vector<NamedPlan> plans;
@@ -114,7 +117,19 @@ int run_by(const Service& service, const Arguments& arguments) {
   for (const NamedPlan& plan : plans) request["plans"].push_back(to_json(plan.plan));
   const Expected<nlohmann::ordered_json> answer = post_json(service, "/v1/evaluations", request);
   if (!answer) return report_service_errors("evaluate", answer.errors(), sources_of(arguments));
-  return show(arguments, ranking_of(*answer, plans));
+  const int status = show(arguments, ranking_of(*answer, plans));
+  if (arguments.report.empty()) return status;
+  const Expected<std::string> report = post(service, "/v1/reports", request);
+  if (!report) return report_service_errors("evaluate", report.errors(), sources_of(arguments));
+  const int failed = write_output(arguments.report, *report);
+  return failed != exit_code::kOk ? failed : status;
+}
+
+std::string command_line(const Arguments& arguments) {
+  std::string line = "coapt evaluate " + shell_quoted(arguments.valve);
+  for (const std::string& plan : arguments.plans) line += ' ' + shell_quoted(plan);
+  line += " --region-points " + std::to_string(arguments.options.region_points);
+  return arguments.no_evidence ? line + " --no-evidence" : line;
 }
 
 int run(Arguments arguments) {
@@ -123,6 +138,7 @@ int run(Arguments arguments) {
   if (!valve) return report_errors(arguments.valve, valve.errors());
   std::vector<NamedPlan> plans;
   if (const int failed = read_plans(arguments.plans, plans)) return failed;
+  if (const int failed = check_output(arguments.report)) return failed;
   arguments.options.evidence = !arguments.no_evidence;
   SearchContext context{.catalogue = ring_catalogue(), .cancelled = &interrupted};
   const auto store = use_store(arguments.store, *valve, arguments.options.closure, context);
@@ -134,7 +150,12 @@ int run(Arguments arguments) {
   };
   const Expected<SearchResult> result = evaluate();
   if (!result) return report_plan_errors(plans, result.errors());
-  return show(arguments, to_json(*result));
+  const int status = show(arguments, to_json(*result));
+  if (arguments.report.empty()) return status;
+  const SearchRequest request{arguments.options, subject_of(*valve, arguments.options.closure),
+                              command_line(arguments)};
+  const int failed = write_output(arguments.report, plan_report_html(*valve, *result, request));
+  return failed != exit_code::kOk ? failed : status;
 }
 
 }  // namespace
@@ -144,6 +165,8 @@ void add_evaluate(CLI::App& parent, int& status) {
   CLI::App* command = parent.add_subcommand("evaluate", "Score and rank plans of your own");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command->add_option("plan", arguments->plans, "Repair plans (coapt.plan/1)")->required();
+  command->add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
+      ->check(CLI::Validator(refuse_standard_output, "FILE"));
   add_region_options(*command, arguments->options);
   add_store_option(*command, arguments->store);
   command->add_flag("--no-evidence", arguments->no_evidence,
@@ -155,7 +178,7 @@ void add_evaluate(CLI::App& parent, int& status) {
       "A service scores plans without evidence, at 1,000 closures at most (plans times "
       "--region-points).\n\n"
       "Examples:\n"
-      "  coapt evaluate human-functional-mr ring.json ring-and-suture.json\n"
+      "  coapt evaluate human-functional-mr ring.json ring-and-suture.json -o report.html\n"
       "  coapt evaluate valve.json ring.json --no-evidence --region-points 65 --server "
       "http://127.0.0.1:8080");
   command->callback([arguments, command, &status] {

@@ -1,6 +1,8 @@
 #include "clients/cli/files.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -108,6 +110,16 @@ Errors make_directory(const std::string& path) {
   std::filesystem::create_directories(path, failed);
   if (!failed) return {};
   return {Error{ErrorCode::InputOutput, "", path + ": cannot be made: " + failed.message()}};
+}
+
+std::string shell_quoted(const std::string& word) {
+  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("-_./:,+", c) != nullptr;
+  });
+  if (plain && !word.empty()) return word;
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return text + '\'';
 }
 
 int report_errors(const std::string& source, const Errors& errors) {

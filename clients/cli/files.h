@@ -39,6 +39,9 @@ int write_output(const std::string& path, std::string_view bytes);
 /// With those above it, if it is not there. Errors: InputOutput.
 Errors make_directory(const std::string& path);
 
+/// A word as a shell reads it.
+std::string shell_quoted(const std::string& word);
+
 /// Prints every error to standard error as "coapt: SOURCE: POINTER: message"; returns kBadInput.
 int report_errors(const std::string& source, const Errors& errors);
 

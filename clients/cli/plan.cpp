@@ -23,12 +23,6 @@
 namespace coapt {
 namespace {
 
-std::string report_html(const Valve& valve, const SearchResult& result,
-                        const SearchRequest& request) {
-  const PlanPictures pictures = close_for_report(valve, result, request.options.closure);
-  return plan_report_html({pictures.before, pictures.after, result, request});
-}
-
 /// Prints coapt.plans/1; returns an exit code.
 int show(const PlanArguments& arguments, const nlohmann::ordered_json& result) {
   if (arguments.json) {
@@ -98,7 +92,7 @@ int run(const CLI::App& command, PlanArguments arguments) {
                               command_line(arguments)};
   const int status = show(arguments, to_json(*result, request));
   if (!arguments.report.empty()) {
-    const std::string report = report_html(*valve, *result, request);
+    const std::string report = plan_report_html(*valve, *result, request);
     if (const int failed = write_output(arguments.report, report)) return failed;
   }
   return status;

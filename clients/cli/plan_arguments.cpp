@@ -1,8 +1,5 @@
 #include "clients/cli/plan_arguments.h"
 
-#include <algorithm>
-#include <cctype>
-#include <cstring>
 #include <sstream>
 
 #include "clients/cli/exit_code.h"
@@ -11,30 +8,16 @@
 #include "io/json/search_options_json.h"
 
 namespace coapt {
-namespace {
-
-/// For a shell.
-std::string quoted(const std::string& word) {
-  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::strchr("-_./:,+", c) != nullptr;
-  });
-  if (plain && !word.empty()) return word;
-  std::string text = "'";
-  for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
-  return text + '\'';
-}
-
-}  // namespace
 
 std::string command_line(const PlanArguments& arguments) {
   const SearchOptions& options = arguments.options;
   std::ostringstream line;
   line.precision(17);
-  line << "coapt plan " << quoted(arguments.valve);
-  if (!arguments.search.empty()) line << " --search " << quoted(arguments.search);
+  line << "coapt plan " << shell_quoted(arguments.valve);
+  if (!arguments.search.empty()) line << " --search " << shell_quoted(arguments.search);
   line << " --evaluations " << options.evaluations << " --seed " << options.seed << " --plans "
        << options.plans << " --region-points " << options.region_points;
-  if (!arguments.fixed.empty()) line << " --fix " << quoted(arguments.fixed);
+  if (!arguments.fixed.empty()) line << " --fix " << shell_quoted(arguments.fixed);
   for (const std::string& word : arguments.forbidden) line << " --forbid " << word;
   if (options.no_improvement > 0) line << " --no-improvement " << options.no_improvement;
   if (options.target_mm2 >= 0.0) line << " --target " << options.target_mm2;

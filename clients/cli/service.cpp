@@ -127,6 +127,11 @@ Expected<Reply> call(const Service& service, const Call& one) {
   }
 }
 
+Expected<std::string> body_of(Expected<Reply> reply) {
+  if (!reply) return reply.errors();
+  return std::move(reply->body);
+}
+
 Expected<ordered_json> json_of(const Service& service, const Expected<Reply>& reply) {
   if (!reply) return reply.errors();
   ordered_json json = ordered_json::parse(reply->body, nullptr, false);
@@ -205,9 +210,12 @@ Expected<Reply> read_stream(const Service& service, const std::string& path, Eve
 }  // namespace
 
 Expected<std::string> get(const Service& service, const std::string& path) {
-  Expected<Reply> reply = call(service, {"GET", path, "", ""});
-  if (!reply) return reply.errors();
-  return std::move(reply->body);
+  return body_of(call(service, {"GET", path, "", ""}));
+}
+
+Expected<std::string> post(const Service& service, const std::string& path,
+                           const ordered_json& body) {
+  return body_of(call(service, {"POST", path, body.dump(), ""}));
 }
 
 Expected<ordered_json> get_json(const Service& service, const std::string& path) {

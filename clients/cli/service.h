@@ -23,6 +23,10 @@ Expected<std::string> get(const Service& service, const std::string& path);
 /// The same, as JSON.
 Expected<nlohmann::ordered_json> get_json(const Service& service, const std::string& path);
 
+/// What answers a POST, as it is: a page, a file.
+Expected<std::string> post(const Service& service, const std::string& path,
+                           const nlohmann::ordered_json& body);
+
 /// The JSON that answers a POST, which is sent again if the answer gets lost. @param key Idempotency-Key; may be empty
 Expected<nlohmann::ordered_json> post_json(const Service& service, const std::string& path,
                                            const nlohmann::ordered_json& body,

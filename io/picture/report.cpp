@@ -77,4 +77,10 @@ PlanPictures close_for_report(const Valve& valve, const SearchResult& result,
   return pictures;
 }
 
+std::string plan_report_html(const Valve& valve, const SearchResult& result,
+                             const SearchRequest& request) {
+  const PlanPictures pictures = close_for_report(valve, result, request.options.closure);
+  return plan_report_html({pictures.before, pictures.after, result, request});
+}
+
 }  // namespace coapt

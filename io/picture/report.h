@@ -29,4 +29,8 @@ struct PlanPictures {
 PlanPictures close_for_report(const Valve& valve, const SearchResult& result,
                               const ClosureOptions& closure);
 
+/// The report on all plans; closes the valve and the plans for its pictures.
+std::string plan_report_html(const Valve& valve, const SearchResult& result,
+                             const SearchRequest& request);
+
 }  // namespace coapt

@@ -70,6 +70,9 @@ std::string progress_chart(const SearchResult& result) {
          "</div>\n";
 }
 
+/// Else plans that were given were scored.
+bool is_search(const SearchResult& result) { return result.branches > 0; }
+
 std::string counts(const SearchResult& result) {
   std::string words = grouped(result.closures) + (result.closures == 1 ? " closure" : " closures") +
                       " in " + fixed(result.seconds, 1) + " s, ranking included; " +
@@ -78,11 +81,13 @@ std::string counts(const SearchResult& result) {
   if (result.closures_known > 0)
     words += ", " + grouped(result.closures_known) + " were known from an earlier run";
   words += ". ";
-  if (result.branches > 0)
+  if (is_search(result))
     words += grouped(result.plans_tried) + " plans tried of " + grouped(result.plans_possible) +
              " possible ones in " + grouped(result.branches) +
              (result.branches == 1 ? " branch. " : " branches. ");
-  return "<p>" + escape_html(words + stop_words(result.stop)) + "</p>\n";
+  words += is_search(result) ? stop_words(result.stop)
+                             : "The plans were given, and scored as a search scores its finalists.";
+  return "<p>" + escape_html(words) + "</p>\n";
 }
 
 std::string ladder_table(const std::vector<LadderStep>& ladder) {
@@ -101,8 +106,9 @@ std::string ladder_table(const std::vector<LadderStep>& ladder) {
          "the cheaper figure alone rules no plan out: more plans are closed more often.</p>\n";
 }
 
-std::string subset_table(const std::vector<RankedPlan>& plans) {
-  if (plans.empty()) return "";
+std::string subset_table(const SearchResult& result) {
+  const std::vector<RankedPlan>& plans = result.plans;
+  if (plans.empty() || !is_search(result)) return "";
   std::vector<std::vector<std::string>> cells = {
       {"Rank", "Nodes chosen by", "Cost over those", "Nodes closed", "Cost over what all closed"}};
   for (const RankedPlan& plan : plans)
@@ -122,8 +128,9 @@ std::string cut_table(const std::vector<CutBranches>& cut) {
 }  // namespace
 
 std::string search_section(const SearchResult& result) {
-  return "<section id=\"search\"><h2>How the search went</h2>\n" + counts(result) +
-         progress_chart(result) + "<div class=\"pair\"><div>" + subset_table(result.plans) +
+  const char* title = is_search(result) ? "How the search went" : "How the plans were scored";
+  return "<section id=\"search\"><h2>" + std::string(title) + "</h2>\n" + counts(result) +
+         progress_chart(result) + "<div class=\"pair\"><div>" + subset_table(result) +
          "</div><div>" + ladder_table(result.ladder) + "</div></div>\n" + cut_table(result.cut) +
          "</section>\n";
 }

@@ -26,13 +26,4 @@ struct PostScenes {
   Answer operator()(const Request& request) const;
 };
 
-/// POST /v1/evaluations {"valve", "plans": [...], "region_points" (optional, 1)}: scores and ranks plans, answered in
-/// the order asked, each with its "index" and "rank"; as one of coapt.plans/1 otherwise.
-struct PostEvaluations {
-  ValveSource valves;
-  Compute& compute;
-  const std::vector<RingShape>& rings;
-  Answer operator()(const Request& request) const;
-};
-
 }  // namespace coapt

@@ -12,7 +12,6 @@
 namespace coapt {
 
 inline constexpr const char* kJobStops = "the job stops";
-inline constexpr const char* kHtmlType = "text/html; charset=utf-8";
 
 /// What `read` answers, however long it cannot: a file that is locked, a disk that is full. Throws if the server stops,
 /// the job is cancelled, or it never will.

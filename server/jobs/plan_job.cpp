@@ -10,6 +10,7 @@
 #include "io/picture/report.h"
 #include "io/store/plan_store.h"
 #include "io/store/subject.h"
+#include "server/answer.h"
 #include "server/jobs/closure_keeping.h"
 
 namespace coapt {

@@ -56,6 +56,15 @@ class Evaluate(ProgramTest):
         self.assertIn("\nNo plan closes this valve robustly; ranked least bad.\n", words.stdout)
         self.assertIn(f"{self.mild}:\n", words.stdout)
 
+    def test_the_report_is_that_of_a_search_without_a_search(self):
+        report = self.folder / "report.html"
+        self.evaluate(self.mending, *SMALL, "-o", report)
+        page = report.read_text()
+        for words in ["How the plans were scored", "The plans were given", "not a medical device",
+                      "coapt evaluate human-functional-mr", "<img "]:
+            self.assertIn(words, page)
+        self.assertNotIn("How the search went", page)
+
     def test_evidence_is_24_closures_more_for_a_plan_without_suture(self):
         answer, _ = self.evaluate(self.mild, "--region-points", "2")
         self.assertEqual(answer["closures"], 1 + 2 + 24)

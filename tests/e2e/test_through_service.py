@@ -66,10 +66,16 @@ class SameOutput(ThroughService):
     def test_a_search_from_a_file_has_the_same_report(self):
         search = self.write("search.json", {"evaluations": 8, "plans": 1, "region_points": 2, "evidence": False,
                                             "weights": {"movement": 0.5}})
+        self.assert_same_pictures("plan", VALVE, "--search", search, "--seed", 7)
+
+    def test_a_report_on_own_plans_is_the_same(self):
+        self.assert_same_pictures("evaluate", VALVE, self.own, self.ring, "--no-evidence", "--region-points", 2)
+
+    def assert_same_pictures(self, *command):
         pages = []
         for run in (coapt, self.remote):
             page = self.folder / "report.html"
-            self.assertIn(run("plan", VALVE, "--search", search, "--seed", 7, "-o", page).returncode, (0, 4))
+            self.assertIn(run(*command, "-o", page).returncode, (0, 4))
             pages.append(without_seconds(page.read_text()))
         # They differ in the command line that a page tells: a request has none.
         pictures = [PICTURE.findall(page) for page in pages]

@@ -53,6 +53,20 @@ class Closures(ClientTest):
         self.assertTrue(closure.trusted)
         self.assertEqual(self.client.close(VALVE, plan.to_json()).measure, closure.measure)
 
+    def test_files_for_other_programs_are_those_of_the_command_line(self):
+        plan = Plan(Ring("generic-classic", size_mm=30))
+        plan.write(self.folder / "plan.json")
+        file = self.folder / "valve.stl"
+        coapt_command("export", VALVE, "--plan", self.folder / "plan.json", "-o", file)
+        self.assertEqual(self.client.export(VALVE, "stl", plan), file.read_bytes())
+        self.assertNotEqual(self.client.export(VALVE, "stl", plan, open=True), file.read_bytes())
+
+    def test_own_plans_have_a_report(self):
+        page = self.client.report(VALVE, [Plan(Ring("generic-classic", size_mm=30))], region_points=2)
+        self.assertIn("How the plans were scored", page)
+        self.assertEqual(self.problems(coapt.InvalidRequest, self.client.report, VALVE, 11 * [Plan(OwnRing(1))]),
+                         [("/plans", "out_of_range")])
+
     def test_an_impossible_plan_is_refused_with_the_place_of_the_step(self):
         plan = Plan(OwnRing(1), PapillaryApproximation("posteromedial", suture_length_mm=99))
         self.assertEqual(self.problems(coapt.InvalidRequest, self.client.close, VALVE, plan),

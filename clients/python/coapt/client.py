@@ -20,6 +20,7 @@ Valve: TypeAlias = str | Mapping[str, Any] | os.PathLike[str]
 """A preset's name or the id of a stored valve; a coapt.valve/1 document; or the path (pathlib.Path) of a file of one."""
 
 Protocol = Literal["lookup-clamped", "lookup-extended", "closed", "optimum"]
+FileFormat = Literal["glb", "vtk", "ply", "obj", "stl", "mrk.json", "csv", "feb"]
 StudyName = Literal["annulus", "papillary", "ring", "approximation", "thesis"]
 
 LOCAL = "http://127.0.0.1:8080"
@@ -55,6 +56,14 @@ def _plan(plan: Plan | RankedPlan | Mapping[str, Any]) -> Any:
     if isinstance(plan, RankedPlan):
         plan = plan.plan
     return plan.to_json() if isinstance(plan, Plan) else plan
+
+
+def _repair(valve: Valve, plan: Plan | RankedPlan | Mapping[str, Any] | None) -> dict[str, Any]:
+    return {"valve": _document(valve)} | ({} if plan is None else {"plan": _plan(plan)})
+
+
+def _plans(valve: Valve, plans: Iterable[Plan | RankedPlan | Mapping[str, Any]], region_points: int | None) -> dict[str, Any]:
+    return {"valve": _document(valve), "plans": [_plan(plan) for plan in plans]} | _given(region_points=region_points)
 
 
 def _given(**fields: Any) -> dict[str, Any]:
@@ -119,8 +128,16 @@ class Client:
 
     def close(self, valve: Valve, plan: Plan | RankedPlan | Mapping[str, Any] | None = None) -> Closure:
         """Closes a valve, repaired if there is a plan, and measures what leaks. Look at Closure.trusted."""
-        request = {"valve": _document(valve)} | ({} if plan is None else {"plan": _plan(plan)})
-        return Closure.from_json(self._post("/v1/closures", request))
+        return Closure.from_json(self._post("/v1/closures", _repair(valve, plan)))
+
+    def export(self, valve: Valve, format: FileFormat, plan: Plan | RankedPlan | Mapping[str, Any] | None = None, *,
+               open: bool = False) -> bytes:
+        """A file that other programs open, of the valve closed, repaired if there is a plan.
+
+        :param open: the unstressed shape, not the closed one; not for csv
+        """
+        request = _repair(valve, plan) | {"format": format, "open": open}
+        return self._transport.request("POST", "/v1/exports", request).body
 
     def evaluate(self, valve: Valve, plans: Iterable[Plan | RankedPlan | Mapping[str, Any]],
                  region_points: int | None = None) -> Evaluations:
@@ -129,8 +146,13 @@ class Client:
         :param region_points: 1 to 1,089 nodes of each plan's region of interest, 1 by default; plans times nodes must stay
             below the service's limit (1,000 closures)
         """
-        request = {"valve": _document(valve), "plans": [_plan(plan) for plan in plans]} | _given(region_points=region_points)
-        return Evaluations.from_json(self._post("/v1/evaluations", request))
+        return Evaluations.from_json(self._post("/v1/evaluations", _plans(valve, plans, region_points)))
+
+    def report(self, valve: Valve, plans: Iterable[Plan | RankedPlan | Mapping[str, Any]],
+               region_points: int | None = None) -> str:
+        """The page about plans of one's own, ten at most, scored as evaluate() does: HTML that stands alone."""
+        request = _plans(valve, plans, region_points)
+        return self._transport.request("POST", "/v1/reports", request).body.decode()
 
     # Long work
 

@@ -1,5 +1,5 @@
 // What the page asks of the service.
-import { getJson, postJson } from './http'
+import { getJson, postJson, request } from './http'
 import type { Evaluations, Plan, Problem, Rings, Scene, ValveDocument } from './types'
 
 /// `valve`: a preset's name or a stored valve's id. `frames`: states of the closing, at most.
@@ -31,6 +31,11 @@ export async function problemsOfValve(text: string): Promise<Problem[]> {
 
 export function evaluate(valve: string, plans: Plan[], region_points: number): Promise<Evaluations> {
   return postJson('/v1/evaluations', { valve, plans, region_points })
+}
+
+/// One HTML page.
+export async function report(valve: string, plans: Plan[], region_points: number): Promise<Blob> {
+  return (await request('POST', '/v1/reports', { valve, plans, region_points })).blob()
 }
 
 export function version(): Promise<{ version: string; not_modelled: string[] }> {

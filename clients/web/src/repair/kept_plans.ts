@@ -1,5 +1,5 @@
 // Plans that were kept: loaded, saved, scored over small errors of execution, taken up again.
-import { evaluate } from '../api/calls'
+import { evaluate, report } from '../api/calls'
 import type { Plan, RankedPlan } from '../api/types'
 import { button, download, h } from '../dom'
 import { number, percent, withUnit } from '../format'
@@ -63,6 +63,7 @@ export class KeptPlans {
       h(
         'td',
         { class: 'row' },
+        button('Report', () => void this.report(kept), { title: 'One page to read, print and hand on', 'aria-label': `Report on ${kept.name}` }),
         button('Revise', () => void this.revise(kept), { 'aria-label': `Revise ${kept.name}` }),
         button('Remove', () => this.workspace.forget(kept), { class: 'quiet', 'aria-label': `Remove ${kept.name}` }),
       ),
@@ -98,6 +99,18 @@ export class KeptPlans {
       this.problems.replaceChildren(problemList(problemsOf(error)))
     }
     this.update()
+  }
+
+  private async report({ name, plan, valve }: KeptPlan): Promise<void> {
+    this.say(`closing ${name} ${REGION_POINTS} times ...`)
+    try {
+      download(`${name}.html`, await report(valve.reference, [plan], REGION_POINTS))
+      this.say('')
+      this.problems.replaceChildren()
+    } catch (error) {
+      this.say(`There is no report on ${name}.`)
+      this.problems.replaceChildren(problemList(problemsOf(error)))
+    }
   }
 
   private save(): void {

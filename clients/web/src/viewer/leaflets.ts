@@ -7,7 +7,7 @@ export class Leaflets {
   private readonly points: Float32Array
   private readonly normals: Float32Array
 
-  /// `material`: leafletMaterial(), the same for all closures of a view: a new one would have its program compiled again.
+  /// `material`: leafletMaterial(), the same for all closures of a view.
   constructor(
     private readonly scene: Scene,
     material: MeshLambertMaterial,

@@ -14,15 +14,12 @@ export interface OrificeLabel {
 export class Orifices {
   readonly group = new Group()
   readonly labels: OrificeLabel[] = []
-  private readonly material = new MeshBasicMaterial({
-    color: COLOUR,
-    side: DoubleSide,
-    depthTest: false,
-    transparent: true,
-    opacity: 0.85,
-  })
 
-  constructor(scene: Scene) {
+  /// `material`: orificeMaterial(), the same for all closures of a view.
+  constructor(
+    scene: Scene,
+    private readonly material: MeshBasicMaterial,
+  ) {
     const { origin_mm, x, y, normal } = scene.plane
     const onPlane = (contour: number[]): [number, number][] =>
       Array.from({ length: contour.length / 3 }, (_, i) => {
@@ -55,8 +52,12 @@ export class Orifices {
 
   dispose(): void {
     for (const child of this.group.children) if (child instanceof Mesh) (child.geometry as ShapeGeometry).dispose()
-    this.material.dispose()
   }
+}
+
+/// In front of everything.
+export function orificeMaterial(): MeshBasicMaterial {
+  return new MeshBasicMaterial({ color: COLOUR, side: DoubleSide, depthTest: false, transparent: true, opacity: 0.85 })
 }
 
 function trace(path: Path, points: [number, number][]): void {

@@ -60,13 +60,12 @@ export class Stage {
   /// Draws once before the next frame of the screen, however often it is asked.
   draw(): void {
     if (this.asked !== 0) return
-    this.asked = requestAnimationFrame(() => {
-      this.asked = 0
-      this.drawNow()
-    })
+    this.asked = requestAnimationFrame(() => this.drawNow())
   }
 
   drawNow(): void {
+    cancelAnimationFrame(this.asked)
+    this.asked = 0
     if (this.canvas.clientWidth === 0) return
     this.scene.background = new Color(getComputedStyle(this.canvas).getPropertyValue('--view').trim() || '#e9edf2')
     this.renderer.render(this.scene, this.camera)

@@ -8,7 +8,7 @@ import { Labels, type Label } from './labels'
 import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines, pieces } from './lines'
 import { ballAround, namesOf } from './marks'
-import { Orifices } from './orifices'
+import { orificeMaterial, Orifices } from './orifices'
 import { pickAt, type Pick, type PickKind } from './pick'
 import { Stage, type ViewName } from './stage'
 
@@ -30,8 +30,11 @@ export class Viewer {
   private scene: Scene | null = null
   private nodes: Float32Array = new Float32Array()
   private leaflets: Leaflets | null = null
-  private readonly material = leafletMaterial()
   private orifices: Orifices | null = null
+  // Kept: a new one would have its program compiled again.
+  private readonly materials = { leaflets: leafletMaterial(), orifices: orificeMaterial() }
+  private edges: [number, number][] = []
+  private drawn = '' // the look of the scene that is drawn
   private readonly labels: Labels
   private readonly lines = {
     chordae: new Lines({ pixels: 1.6 }),
@@ -60,8 +63,10 @@ export class Viewer {
     this.orifices?.dispose()
     if (this.leaflets) this.stage.scene.remove(this.leaflets.mesh)
     if (this.orifices) this.stage.scene.remove(this.orifices.group)
-    this.leaflets = new Leaflets(scene, this.material)
-    this.orifices = new Orifices(scene)
+    this.leaflets = new Leaflets(scene, this.materials.leaflets)
+    this.orifices = new Orifices(scene, this.materials.orifices)
+    this.edges = boundaryEdges(scene.faces)
+    this.drawn = ''
     this.stage.add(this.leaflets.mesh, this.orifices.group)
     this.lines.annulus.set(pieces(scene.annulus_mm, true))
     this.lines.annulus.object.visible = ring
@@ -72,13 +77,15 @@ export class Viewer {
 
   show(look: Look): void {
     const { scene, leaflets, orifices, lines } = this
-    if (!scene || !leaflets || !orifices) return
+    const asked = JSON.stringify([look, this.extra])
+    if (!scene || !leaflets || !orifices || asked === this.drawn) return
+    this.drawn = asked
     const closed = look.share >= 1 || scene.motion_mm.length < 2
     this.nodes = closed ? closedNodes(scene) : nodesAt(scene, look.share)
     leaflets.move(this.nodes)
     leaflets.paint(cornerColours(scene, look.mode, look.scale))
     this.drawChordae(scene, look)
-    lines.edges.set(boundaryEdges(scene.faces).flatMap(([a, b]) => [...at(this.nodes, a), ...at(this.nodes, b)]))
+    lines.edges.set(this.edges.flatMap(([a, b]) => [...at(this.nodes, a), ...at(this.nodes, b)]))
     orifices.group.visible = look.orifices && closed
     this.drawCut(scene, look)
     const words: Label[] = look.names ? namesOf(scene, this.nodes) : []

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict'
-import { writeFileSync } from 'node:fs'
+import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
 import { openView, startBrowser, startService } from './page.mjs'
@@ -94,6 +94,10 @@ test('accepted plans are kept, scored, saved and loaded', async () => {
   await page.getByRole('button', { name: 'Accept' }).click()
   await page.getByRole('button', { name: 'Score them' }).click()
   await page.getByText('Best: plan 1.').waitFor()
+  const [report] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Report on plan 1' }).click()])
+  assert.equal(report.suggestedFilename(), 'plan 1.html')
+  await report.saveAs(join(service.folder, 'report.html'))
+  assert.match(readFileSync(join(service.folder, 'report.html'), 'utf8'), /How the plans were scored/)
   const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save plans' }).click()])
   assert.equal(saved.suggestedFilename(), 'plans.json')
   await saved.saveAs(join(service.folder, 'plans.json'))
