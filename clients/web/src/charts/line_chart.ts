@@ -18,7 +18,7 @@ export interface LineChart {
 
 export interface DrawnChart {
   element: HTMLElement
-  show(series: Series[]): void // in place of those before: as many
+  show(series: Series[], summary: string): void // in place of those before: as many
 }
 
 const HEIGHT_PX = 260
@@ -44,7 +44,8 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
     )
     legend.append(toggle)
   })
-  const canvas = h('div', { class: 'plot', role: 'img', tabindex: 0, 'aria-label': `${chart.title}. ${chart.summary}` })
+  const canvas = h('div', { class: 'plot', role: 'img', tabindex: 0 })
+  tell(chart.summary)
   canvas.addEventListener('keydown', (event) => step(event))
   const element = h(
     'figure',
@@ -54,6 +55,10 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
     legend,
     asTable(() => table(chart, series), `Show as table (${chart.y.label})`),
   )
+
+  function tell(summary: string): void {
+    canvas.setAttribute('aria-label', `${chart.title}. ${summary}`)
+  }
 
   function switchLine(i: number): void {
     if (!hidden.delete(i)) hidden.add(i)
@@ -175,8 +180,9 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
   })
   return {
     element,
-    show(others) {
+    show(others, summary) {
       series = others
+      tell(summary)
       plot?.setData(data())
     },
   }

@@ -8,20 +8,22 @@ const SEARCH = { label: 'coapt', hue: 0 as const, look: 'steps' as const }
 const RANDOM = { label: 'random search, expected', hue: 1 as const, look: 'dashed' as const }
 
 export function costChart(series: Series[], signal: AbortSignal): DrawnChart {
-  const [ours, random] = series.map((one) => one.y.at(-1))
   return lineChart(
     {
       title: 'Best cost so far',
-      summary:
-        ours === undefined
-          ? 'Nothing yet.'
-          : `At the end ${number(ours, 2)} mm²; expected of random search: ${number(random, 2)} mm².`,
+      summary: costSummary(series),
       x: { label: 'closures', lowest: 0 },
       y: { label: 'cost, mm²', log: true },
       series,
     },
     signal,
   )
+}
+
+export function costSummary(series: Series[]): string {
+  const [ours, random] = series.map((one) => one.y.at(-1))
+  if (ours === undefined) return 'Nothing yet.'
+  return `At the end ${number(ours, 2)} mm²; expected of random search: ${number(random, 2)} mm².`
 }
 
 /// While it runs.

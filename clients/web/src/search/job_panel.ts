@@ -10,7 +10,7 @@ import { problemList } from '../problems'
 import { problemsOf } from '../workspace'
 import type { DrawnChart } from '../charts/line_chart'
 import type { CardContext } from './card'
-import { costChart, liveSeries } from './cost_chart'
+import { costChart, costSummary, liveSeries } from './cost_chart'
 import { searchResults } from './results'
 
 const REDRAW_MS = 250 // of the chart while progress comes in
@@ -49,7 +49,7 @@ export function searchPanel(first: Job, context: SearchPanelContext): HTMLElemen
     if (series.every((one) => one.x.length === 0)) return
     chart ??= costChart(series, context.signal)
     if (!chart.element.isConnected) curves.replaceChildren(chart.element)
-    chart.show(series)
+    chart.show(series, costSummary(series))
   }
 
   function progress(now: JobProgress): void {
