@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -36,11 +37,21 @@ int write_folder(const std::string& path, const ExportedValve& exported,
                  const ExportOptions& options) {
   const Expected<std::vector<NamedFile>> files = write_slicerheart(exported, options);
   if (!files) return report_errors("export", files.errors());
+  const std::filesystem::path folder = path;
+  for (const char* name : kOptionalFiles) {
+    const bool is_written = std::any_of(files->begin(), files->end(),
+                                        [&](const NamedFile& f) { return f.name == name; });
+    std::error_code ignored;
+    if (!is_written && std::filesystem::exists(folder / name, ignored))
+      return report_errors("export", {{ErrorCode::InputOutput, "",
+                                       (folder / name).string() +
+                                           " is of an earlier export, and would be read with this "
+                                           "one: remove it, or choose another folder"}});
+  }
   std::error_code failed;
-  std::filesystem::create_directories(path, failed);
+  std::filesystem::create_directories(folder, failed);
   for (const NamedFile& file : *files)
-    if (const int code = write_output(std::filesystem::path(path) / file.name, file.bytes))
-      return code;
+    if (const int code = write_output(folder / file.name, file.bytes)) return code;
   return exit_code::kOk;
 }
 
@@ -53,14 +64,17 @@ int write_file(const std::string& path, const ExportedValve& exported,
 
 /// Says it if chordae had to be moved for files whose chordae end at vertices.
 void note_attachment(const Arguments& arguments, const ExportedValve& exported) {
-  const double shift = attachment_shift_mm(exported.valve, unstressed_shape(exported.valve));
-  bool concerned = false;
+  double shift = 0.0;
   for (const std::string& path : arguments.outputs) {
     const FileFormat* format = format_of_path(path);
-    const std::string name = format == nullptr ? "" : format->name;
-    concerned = concerned || is_folder(path) || name == "vtk" || name == "feb";
+    const std::string name = format == nullptr || is_folder(path) ? "vtk" : format->name;
+    if (name != "vtk" && name != "feb") continue;
+    const bool open = arguments.options.open || name == "feb";
+    shift =
+        std::max(shift, attachment_shift_mm(exported.valve, open ? unstressed_shape(exported.valve)
+                                                                 : closed_shape(exported)));
   }
-  if (!concerned || shift < 0.001) return;
+  if (shift < 0.001) return;
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", shift);
   std::cerr << "coapt: chordae end at the nearest vertices of the mesh in .vtk and .feb, at most "

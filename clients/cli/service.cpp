@@ -147,6 +147,7 @@ class EventReader {
   explicit EventReader(const std::function<void(const ServiceEvent&)>& tell) : tell_(tell) {}
 
   void take(const char* bytes, std::size_t size) {
+    heard_ = Clock::now();
     text_.append(bytes, size);
     for (std::size_t end; (end = text_.find("\n\n")) != std::string::npos;) {
       read(text_.substr(0, end));
@@ -157,6 +158,8 @@ class EventReader {
   void restart() { text_.clear(); }
   const std::string& last() const { return last_; }
   bool has_ended() const { return ended_; }
+  /// When something came, be it a heartbeat.
+  Clock::time_point heard() const { return heard_; }
 
  private:
   void read(const std::string& event) {
@@ -177,6 +180,7 @@ class EventReader {
   const std::function<void(const ServiceEvent&)>& tell_;
   std::string text_, last_ = "0";
   bool ended_ = false;
+  Clock::time_point heard_ = Clock::now();
 };
 
 /// One stream, until it ends. The reply's body is that of a refusal.
@@ -230,15 +234,15 @@ Expected<ordered_json> post_json(const Service& service, const std::string& path
 Errors follow_job(const Service& service, const std::string& job_path,
                   const std::function<void(const ServiceEvent&)>& tell) {
   EventReader reader(tell);
-  Clock::time_point heard = Clock::now();
+  Clock::time_point answered = Clock::now();
   while (!reader.has_ended()) {
-    const std::string last = reader.last();
     const Expected<Reply> reply = read_stream(service, job_path + "/events", reader);
     if (reply && reply->status == 204) return {};
     if (reply && reply->status >= 300 && !is_busy(reply->status))
       return problems_of(service, *reply);
-    if (reply || reader.last() != last) heard = Clock::now();
-    if (!reply && Clock::now() - heard > kPatience) return reply.errors();
+    if (reply) answered = Clock::now();
+    if (!reply && Clock::now() - std::max(answered, reader.heard()) > kPatience)
+      return reply.errors();
     if (!reader.has_ended())
       std::this_thread::sleep_for(reply ? pause_after(*reply, kStreamPause) : kStreamPause);
   }

@@ -35,7 +35,8 @@ ValveShape closed_shape(const ExportedValve& exported) {
   const Valve& valve = exported.valve;
   Points heads(std::ssize(valve.heads), 3);
   for (std::size_t h = 0; h < valve.heads.size(); ++h) heads.row(as_row(h)) = valve.heads[h].tip_mm;
-  return {exported.closure.closed_mm, std::move(heads), exported.closure.branch_points_mm};
+  return {exported.closure.closed_mm, std::move(heads), exported.closure.branch_points_mm,
+          exported.closure.tension_n};
 }
 
 ValveShape unstressed_shape(const Valve& valve) {

@@ -21,9 +21,10 @@ ExportedValve close_for_export(const Valve& repaired, const RepairPlan& plan);
 
 /// The valve in one state, in its own frame.
 struct ValveShape {
-  Points vertices_mm;                  ///< |V| x 3
-  Points heads_mm;                     ///< |heads| x 3
-  std::vector<Points> chorda_ends_mm;  ///< [chorda]: one row per segment: its far end
+  Points vertices_mm;                               ///< |V| x 3
+  Points heads_mm;                                  ///< |heads| x 3
+  std::vector<Points> chorda_ends_mm;               ///< [chorda]: one row per segment: its far end
+  std::vector<std::vector<double>> tension_n = {};  ///< [chorda][segment]; empty: there is none
 };
 
 ValveShape closed_shape(const ExportedValve& exported);

@@ -138,10 +138,10 @@ Expected<std::vector<NamedFile>> write_slicerheart(const ExportedValve& exported
       {"papillary_muscle_tips.mrk.json", write_markups({papillary_markup(valve, shape)})},
       {"landmarks.mrk.json", write_markups({landmark_markup(valve, shape)})}};
   if (const auto repair = repair_markups(exported, shape); !repair.empty())
-    files.push_back({"repair.mrk.json", write_markups(repair)});
+    files.push_back({kOptionalFiles[0], write_markups(repair)});
   if (const auto pressed = pressed_markups(valve); options.open && !pressed.empty())
-    files.push_back({"under_pressure.mrk.json", write_markups(pressed)});
-  if (!options.open) files.push_back({"measurements.csv", write_measurements_csv(exported)});
+    files.push_back({kOptionalFiles[1], write_markups(pressed)});
+  if (!options.open) files.push_back({kOptionalFiles[2], write_measurements_csv(exported)});
   return files;
 }
 

@@ -1,6 +1,7 @@
 // The files that a closed valve can be written to.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,6 +37,10 @@ struct NamedFile {
   std::string name;
   std::string bytes;
 };
+
+/// Of a folder those that not every valve has: left over from an earlier export they would be read with a later one.
+inline constexpr std::array<const char*, 3> kOptionalFiles = {
+    "repair.mrk.json", "under_pressure.mrk.json", "measurements.csv"};
 
 /// What SlicerHeart's ValveFemExport leaves in a folder, and its markups and measurements: both leaflets together and
 /// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Measurements only of the closed shape; of the open one where annulus and tips go.

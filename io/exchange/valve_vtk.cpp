@@ -88,7 +88,7 @@ VtkPolyData chordae_vtk(const ExportedValve& exported, const ValveShape& shape) 
       kind.values.push_back(static_cast<double>(chorda.kind));
       rest.values.push_back(chorda.segments[s].rest_length_mm);
       diameter.values.push_back(chorda.segments[s].diameter_mm);
-      tension.values.push_back(exported.closure.tension_n[c][s]);
+      tension.values.push_back(shape.tension_n.empty() ? 0.0 : shape.tension_n[c][s]);
     }
   }
   data.points_mm.resize(std::ssize(points), 3);

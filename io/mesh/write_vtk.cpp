@@ -15,17 +15,20 @@ void append_scalars(std::string& text, const VtkScalars& scalars) {
   }
 }
 
-/// Those of the lines, then those of the faces, each filled up with 0 where it says nothing.
+/// What stands where an array says nothing: of integers, which are labels, none.
+double nothing(const VtkScalars& scalars) { return scalars.integers ? -1.0 : 0.0; }
+
+/// Those of the lines, then those of the faces, each filled up.
 std::vector<VtkScalars> cell_data(const VtkPolyData& data) {
   const std::size_t lines = data.lines.size(), faces = static_cast<std::size_t>(data.faces.rows());
   std::vector<VtkScalars> cells = data.line_data;
-  for (VtkScalars& scalars : cells) scalars.values.resize(lines + faces, 0.0);
+  for (VtkScalars& scalars : cells) scalars.values.resize(lines + faces, nothing(scalars));
   for (const VtkScalars& scalars : data.face_data) {
     const auto same = std::find_if(cells.begin(), cells.end(),
                                    [&](const VtkScalars& s) { return s.name == scalars.name; });
     if (same == cells.end()) {
       cells.push_back(scalars);
-      cells.back().values.insert(cells.back().values.begin(), lines, 0.0);
+      cells.back().values.insert(cells.back().values.begin(), lines, nothing(scalars));
     } else {
       std::copy(scalars.values.begin(), scalars.values.end(),
                 same->values.begin() + static_cast<std::ptrdiff_t>(lines));

@@ -52,6 +52,12 @@ class Export(ProgramTest):
         self.assertEqual(after["status"], "converged")
         self.assertAlmostEqual(after["orifice_area_mm2"], before["orifice_area_mm2"], delta=3)
 
+    def test_a_folder_of_another_valve_is_not_mixed_with_this_one(self):
+        self.run_ok("export", "human-normal", "-o", f"{self.folder}/model/")
+        result = coapt("export", "human-normal", "--open", "-o", f"{self.folder}/model/")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("model/measurements.csv is of an earlier export", result.stderr)
+
     def test_a_folder_with_problems_is_refused_with_all_of_them(self):
         self.run_ok("export", "human-normal", "--open", "-o", f"{self.folder}/model/")
         (self.folder / "model/Chords_mesh.vtk").write_text("# vtk DataFile Version 4.2\nt\nBINARY\n")

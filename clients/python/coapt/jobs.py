@@ -81,6 +81,16 @@ class Job(Generic[Result]):
         """
         deadline = None if timeout_s is None else time.monotonic() + timeout_s
         heard = time.monotonic()
+
+        def lines(response: Iterable[bytes]) -> Iterator[bytes]:
+            """Those that come in time: heartbeats, too, are a sign of life, and a time to look at the clock."""
+            nonlocal heard
+            for line in response:
+                heard = time.monotonic()
+                self._left(deadline, 0.0)
+                yield line
+            heard = time.monotonic()
+
         while True:
             pause_s = _PAUSE_S
             try:
@@ -88,13 +98,11 @@ class Job(Generic[Result]):
                                           timeout_s=self._left(deadline, 3 * _HEARTBEAT_S)) as response:
                     if response.status == 204:
                         return
-                    for event in read_events(self._within(deadline, response)):
-                        heard = time.monotonic()
+                    for event in read_events(lines(response)):
                         after = event.number
                         yield event
                         if event.state in ENDED:
                             return
-                    heard = time.monotonic()
             except Busy as busy:
                 heard = time.monotonic()
                 pause_s = busy.retry_after_s or pause_s
@@ -102,12 +110,6 @@ class Job(Generic[Result]):
                 if time.monotonic() - heard > self._patience_s:
                     raise self._transport.unreachable(error) from error
             self._transport.sleep(self._left(deadline, pause_s))
-
-    def _within(self, deadline: float | None, lines: Iterable[bytes]) -> Iterator[bytes]:
-        """The lines that come in time: heartbeats, too, are a time to look at the clock."""
-        for line in lines:
-            self._left(deadline, 0.0)
-            yield line
 
     def _left(self, deadline: float | None, most_s: float) -> float:
         """Seconds that may pass."""

@@ -86,15 +86,23 @@ def closure_html(closure: Closure) -> str:
             f"<p>{_list(closure.warnings, '! ')}</p>{_NOTICE_HTML}")
 
 
+_FARTHEST_MM, _FARTHEST_DEG = 1.0, 5.0  # borders of the region of interest: a margin there may be larger
+
+
+def _margin(value: float | None, farthest: float, decimals: int, unit: str) -> list[str]:
+    return [] if value is None else [f"{'more than ' * (value >= farthest)}{number(value, decimals)}{unit}"]
+
+
 _PLANS_HEAD = ("", "plan", "leak as planned, mm²", "mean ± sd over the region", "worst", "margin", "tension, N")
 
 
 def _plan_row(plan: RankedPlan) -> tuple[str, ...]:
     leak = plan.leak_mm2
-    margins = [f"{number(plan.margin_mm, 2)} mm"] * (plan.margin_mm is not None)
-    margins += [f"{number(plan.margin_deg)}°"] * (plan.margin_deg is not None)
+    margins = _margin(plan.margin_mm, _FARTHEST_MM, 2, " mm") + _margin(plan.margin_deg, _FARTHEST_DEG, 1, "°")
     what = _list(plan.description) or "no repair"
-    warned = f"<br><small>{_list(plan.warnings, '! ')}</small>" if plan.warnings else ""
+    settled = plan.status == "converged" and not plan.crossing
+    warnings = (() if settled else (_state(plan.status, plan.crossing),)) + plan.warnings
+    warned = f"<br><small>{_list(warnings, '! ')}</small>" if warnings else ""
     tie = "<br><small>ties with the next</small>" if plan.tie_with_next else ""
     return (str(plan.rank), what + warned + tie, number(leak.nominal), f"{number(leak.mean)} ± {number(leak.sd)}",
             number(leak.worst), ", ".join(margins) or "-", number(plan.measure.tension_max_n, 2))

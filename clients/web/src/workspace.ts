@@ -42,6 +42,10 @@ export class Workspace {
   get isAnswered(): boolean {
     return this.closedPlan === this.plan
   }
+  /// Between the first passing value and the one where the person let go.
+  get isDragging(): boolean {
+    return this.dragging
+  }
   get canUndo(): boolean {
     return this.at > 0
   }

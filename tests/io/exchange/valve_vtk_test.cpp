@@ -60,6 +60,12 @@ TEST(ValveVtk, ChordaeLeadFromTheHeadOverTheBranchPointToVertices) {
   EXPECT_EQ(data.faces.rows(), 0);
 }
 
+TEST(ValveVtk, UnstressedChordaeHaveNoTension) {
+  const ExportedValve exported = still_valve();
+  const VtkPolyData data = chordae_vtk(exported, unstressed_shape(exported.valve));
+  EXPECT_EQ(named(data.line_data, "tension_n").values, (std::vector<double>{0.0, 0.0, 0.0, 0.0}));
+}
+
 TEST(ValveVtk, RupturedChordaeAreLeftOut) {
   ExportedValve exported = still_valve();
   exported.valve.chordae[0].ruptured = true;

@@ -1,5 +1,5 @@
 // Server-sent events over fetch: EventSource cannot carry a token.
-import { request } from './http'
+import { ApiError, request } from './http'
 
 export interface ServerEvent {
   id: string
@@ -31,7 +31,7 @@ export class EventReader {
 const PAUSE_MS = 1000
 
 /// Follows a job's events until it has ended or `signal` says so, and goes on after a lost connection where it was.
-/// `seen` is called for each event.
+/// `seen` is called for each event. A service without time is waited for; what it refuses otherwise is thrown at once.
 export async function follow(path: string, seen: (event: ServerEvent) => void, signal: AbortSignal): Promise<void> {
   let last = '0'
   let failures = 0
@@ -53,7 +53,8 @@ export async function follow(path: string, seen: (event: ServerEvent) => void, s
       }
     } catch (error) {
       if (signal.aborted) return
-      if (++failures > 30) throw error
+      const isBusy = error instanceof ApiError && (error.status === 429 || error.status === 503)
+      if (!isBusy && (error instanceof ApiError || ++failures > 30)) throw error
       await new Promise((resolve) => setTimeout(resolve, PAUSE_MS))
     }
   }

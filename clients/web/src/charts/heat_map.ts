@@ -46,15 +46,15 @@ export function heatMap(map: HeatMap): HTMLElement {
   )
 }
 
-/// What the shades mean, from 0 to `most`.
-export function heatScale(most: number, unit: string): HTMLElement {
+/// What the shades mean, from 0 to `most`, and `none` what a dash does.
+export function heatScale(most: number, unit: string, none = 'not closed'): HTMLElement {
   const shades = Array.from({ length: SHADES }, (_, i) => h('span', { class: `heat-${i}` }))
   return h(
     'div',
     { class: 'heat-scale' },
     h('span', {}, '0'),
     h('span', { class: 'shades', 'aria-hidden': 'true' }, ...shades),
-    h('span', {}, `${number(most, most < 10 ? 1 : 0)} ${unit}; – not closed`),
+    h('span', {}, `${number(most, most < 10 ? 1 : 0)} ${unit}; – ${none}`),
   )
 }
 

@@ -110,7 +110,7 @@ function insertionFields(
   )
 }
 
-/// `set` with passing true on each move, false when it is let go.
+/// `set` with passing true on each move, false when it is let go; a change is none for the browser if it ends where it began.
 function slider(
   label: string,
   value: number,
@@ -129,6 +129,7 @@ function slider(
       set(Number(input.value), true)
     },
     onchange: () => set(Number(input.value), false),
+    onpointerup: () => set(Number(input.value), false),
   })
   return h('label', { class: 'field' }, h('span', {}, label), input, shown)
 }

@@ -3,6 +3,7 @@ import { evaluate, report } from '../api/calls'
 import type { Plan, RankedPlan } from '../api/types'
 import { button, download, h } from '../dom'
 import { number, percent, withUnit } from '../format'
+import { doubts } from '../search/figures'
 import { problemList } from '../problems'
 import { problemsOf, type KeptPlan, type Workspace } from '../workspace'
 import { describe } from './steps'
@@ -47,6 +48,7 @@ export class KeptPlans {
   private row(kept: KeptPlan): HTMLElement {
     const score = this.scores.get(kept)
     const leak = score?.leak_mm2
+    const warnings = score ? [...doubts(score), ...score.warnings] : []
     return h(
       'tr',
       {},
@@ -57,6 +59,7 @@ export class KeptPlans {
         kept.valve.reference !== this.workspace.valve?.reference && ` of ${kept.valve.label}`,
         h('br'),
         h('span', { class: 'hint' }, kept.plan.steps.map(describe).join('; ')),
+        warnings.length > 0 && h('ul', { class: 'warn' }, ...warnings.map((warning) => h('li', {}, warning))),
       ),
       h('td', {}, leak ? `${number(leak.mean)} ± ${withUnit(leak.sd, 'mm²')}` : 'not scored'),
       h('td', {}, leak ? percent(leak.below_5) : ''),

@@ -41,7 +41,7 @@ export class PlanEditor {
     this.redo.disabled = !this.workspace.canRedo
     const { steps } = this.workspace.plan
     const key = this.key(steps)
-    if (key === this.shown) return
+    if (key === this.shown || this.workspace.isDragging) return
     this.shown = key
     const focused = this.controls().indexOf(document.activeElement as HTMLElement)
     const anatomy = this.anatomy()
@@ -66,9 +66,11 @@ export class PlanEditor {
   }
 
   private adding(): HTMLElement {
-    const add = (step: Step): void => {
-      this.open = this.workspace.plan.steps.length
+    /// Where it stands in the plan.
+    const add = (step: Step): number => {
+      const index = (this.open = this.workspace.plan.steps.length)
       void this.set([...this.workspace.plan.steps, step])
+      return index
     }
     const withScene = (use: (scene: Scene) => void) => () => this.workspace.before && use(this.workspace.before)
     const withAnatomy = (use: (anatomy: Anatomy) => void) => () => {
@@ -92,26 +94,26 @@ export class PlanEditor {
       }),
       ...sutures,
       button('Neochorda', withScene((scene) => {
-        add(newNeochorda(scene, scene.heads[0]?.id ?? '', { leaflet: 'posterior', along: 0.5, height: 1 }))
-        this.ask('Click where the neochorda is to insert, then a papillary head.', ['leaflet'], (place) => this.placeNeochorda(scene, place))
+        const index = add(newNeochorda(scene, scene.heads[0]?.id ?? '', { leaflet: 'posterior', along: 0.5, height: 1 }))
+        this.ask('Click where the neochorda is to insert, then a papillary head.', ['leaflet'], (place) => this.placeNeochorda(scene, index, place))
       })),
       button('Chorda', withScene((scene) => this.chooseChorda(scene, add))),
     )
   }
 
-  private placeNeochorda(scene: Scene, place: Pick): void {
+  private placeNeochorda(scene: Scene, index: number, place: Pick): void {
     if (place.kind !== 'leaflet') return
     this.ask('Now click a papillary head.', ['head'], (head) => {
-      if (head.kind === 'head') this.change(this.open, newNeochorda(scene, head.id, place.point), false)
+      if (head.kind === 'head') this.change(index, newNeochorda(scene, head.id, place.point), false)
     })
   }
 
   /// A chorda is picked on the valve or by its name, then shortened, cut or moved.
-  private chooseChorda(scene: Scene, add: (step: Step) => void): void {
+  private chooseChorda(scene: Scene, add: (step: Step) => number): void {
     const first = scene.chordae[0]?.id ?? ''
-    add({ step: 'chordal_length_change', chorda: first, change_mm: -2 })
+    const index = add({ step: 'chordal_length_change', chorda: first, change_mm: -2 })
     this.ask('Click a chorda.', ['chorda'], (pick) => {
-      if (pick.kind === 'chorda') this.change(this.open, { step: 'chordal_length_change', chorda: pick.id, change_mm: -2 }, false)
+      if (pick.kind === 'chorda') this.change(index, { step: 'chordal_length_change', chorda: pick.id, change_mm: -2 }, false)
     })
   }
 

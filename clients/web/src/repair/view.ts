@@ -30,6 +30,8 @@ export class RepairView implements View {
   private readonly picking = h('p', { class: 'picking', role: 'status', hidden: true })
   private readonly save: FileSaver
   private pickedFor: Plan | null = null
+  private ringed = false // the valve on the right has a ring
+  private readonly afterTitle = h('figcaption', {})
   private readonly accept = button('Accept', () => this.keep(), { class: 'primary' })
 
   constructor(private readonly workspace: Workspace) {
@@ -61,7 +63,7 @@ export class RepairView implements View {
         h('h1', { class: 'unseen' }, 'Repair'),
         h('div', { class: 'row' }, this.looks.views, this.accept, this.save.element),
         this.picking,
-        h('div', { class: 'stage-body' }, titled('Before', this.before.element), titled('Repaired', this.after.element)),
+        h('div', { class: 'stage-body' }, titled('Before', this.before.element), h('figure', {}, this.afterTitle, this.after.element)),
         this.said,
         this.problems,
         this.legend,
@@ -91,10 +93,13 @@ export class RepairView implements View {
     if (plan !== this.pickedFor) this.endPicking()
     this.element.classList.toggle('waiting', !isAnswered)
     const after = this.workspace.after ?? before
-    const scenes = this.workspace.after ? [before, after] : [before]
-    const look = this.looks.look(scenes)
+    const isClosed = this.workspace.after !== null
+    const look = this.looks.look(isClosed ? [before, after] : [before])
+    const ringed = isClosed && plan.steps.some((step) => step.step === 'annuloplasty')
     if (this.before.shown !== before) this.before.set(before, look)
-    if (this.after.shown !== after) this.after.set(after, look, plan.steps.some((step) => step.step === 'annuloplasty'))
+    if (this.after.shown !== after || this.ringed !== ringed) this.after.set(after, look, ringed)
+    this.ringed = ringed
+    this.afterTitle.textContent = problems.length > 0 ? 'Not closed: the valve without a repair' : 'Repaired'
     this.editor.update()
     this.kept.update()
     this.accept.disabled = this.save.button.disabled = this.workspace.after === null || !isAnswered

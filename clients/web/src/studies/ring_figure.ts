@@ -42,6 +42,7 @@ export function ringFigure(rows: Row[], signal: AbortSignal): HTMLElement {
     sliceMap({
       title: 'Orifice in percent of that under the proper size,',
       unit: '%',
+      none: 'less than 1 mm² to reduce, or not closed',
       column: 'ratio_to_proper_size',
       factor: 100,
       digits: 0,

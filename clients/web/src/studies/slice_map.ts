@@ -10,6 +10,7 @@ export interface SliceMap {
   column: string
   factor?: number // from the column to the unit
   digits: number
+  none?: string // why there is no value
   choices: [name: string, label: string][] // what may be looked at
   rowsOf(choice: string): Row[]
 }
@@ -45,7 +46,7 @@ export function sliceMap(map: SliceMap): HTMLElement {
         digits: map.digits,
       }),
     )
-    scale.replaceChildren(heatScale(most, map.unit))
+    scale.replaceChildren(heatScale(most, map.unit, map.none))
   }
 
   const chosen = select(map.choices, choice, (name) => {

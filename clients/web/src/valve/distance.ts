@@ -20,15 +20,15 @@ export class DistanceTool {
   private switch(): void {
     const on = this.toggle.getAttribute('aria-pressed') !== 'true'
     this.toggle.setAttribute('aria-pressed', String(on))
-    this.clear()
     this.viewer.picks = on ? ['head', 'annulus', 'leaflet'] : []
     this.viewer.onPick = on ? (pick) => this.take(pick) : null
-    this.said.textContent = on ? 'Click two points: leaflet, annulus or tip.' : ''
+    this.clear()
   }
 
   /// Of another state of the valve nothing is measured.
   clear(): void {
     this.first = null
+    this.said.textContent = this.viewer.onPick ? 'Click two points: leaflet, annulus or tip.' : ''
     this.viewer.extra = []
     this.viewer.draw([])
     this.onResult()

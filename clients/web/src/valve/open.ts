@@ -3,31 +3,40 @@ import { presets, problemsOfValve, storeValve } from '../api/calls'
 import type { Problem } from '../api/types'
 import { field, h, select } from '../dom'
 import { problemList } from '../problems'
-import { problemsOf, type Workspace } from '../workspace'
+import { problemsOf, type ValveSource, type Workspace } from '../workspace'
 
 const CONTEXT = 60 // characters of the file around a problem
 
 export function openPanel(workspace: Workspace): HTMLElement {
   const problems = h('div', {})
-  const said = h('p', { class: 'hint', 'aria-live': 'polite' }, 'coapt.valve/1, for instance of `coapt valve import`.')
+  const said = h('p', { class: 'hint', 'aria-live': 'polite' })
   const file = h('input', { type: 'file', accept: '.json,application/json', onchange: () => void take(file.files?.[0]) })
   const names = h('span', {})
+  let choice: HTMLSelectElement | null = null
+  let told: ValveSource | null = null // the valve that is said to be open
   presets().then(
     (list) => {
-      const chosen = workspace.valve?.reference ?? 'human-functional-mr'
-      names.replaceChildren(
-        field('Preset', select(list.map((name) => [name, name] as const), chosen, (name) => void open(name, name))),
-      )
+      choice = select(list.map((name) => [name, name] as const), workspace.valve?.reference ?? '', (name) => void open(name, name))
+      names.replaceChildren(field('Preset', choice))
+      tell()
     },
     (error: unknown) => show(problemsOf(error), ''),
   )
+  workspace.subscribe(() => workspace.valve !== told && tell())
+
+  /// Whoever opened it, here or in another view.
+  function tell(): void {
+    told = workspace.valve
+    if (!told) return
+    if (choice) choice.value = told.reference // of a file: none
+    show([], '')
+    said.textContent = `${told.label} is open.`
+  }
 
   async function open(reference: string, label: string): Promise<void> {
     said.textContent = `closing ${label} ...`
     try {
       await workspace.open({ reference, label })
-      show([], '')
-      said.textContent = `${label} is open.`
     } catch (error) {
       show(problemsOf(error), '')
     }
@@ -36,6 +45,7 @@ export function openPanel(workspace: Workspace): HTMLElement {
   async function take(chosen: File | undefined): Promise<void> {
     if (!chosen) return
     const text = await chosen.text()
+    file.value = '' // the same file, corrected, is another choice
     said.textContent = `reading ${chosen.name} ...`
     try {
       const found = await problemsOfValve(text)
@@ -44,7 +54,6 @@ export function openPanel(workspace: Workspace): HTMLElement {
     } catch (error) {
       show(problemsOf(error), text)
     }
-    file.value = ''
   }
 
   function show(found: Problem[], text: string): void {
@@ -64,6 +73,7 @@ export function openPanel(workspace: Workspace): HTMLElement {
     h('h2', {}, 'Valve'),
     names,
     field('Your file', file),
+    h('p', { class: 'hint' }, 'coapt.valve/1, for instance of `coapt valve import`.'),
     said,
     problems,
   )

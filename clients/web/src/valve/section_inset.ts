@@ -3,7 +3,7 @@
 import type { Scene, Vector } from '../api/types'
 import { svg } from '../dom'
 import { withUnit } from '../format'
-import { closedNodes, distance, dot, minus, section, type SectionPiece } from '../viewer/geometry'
+import { blend, closedNodes, distance, dot, minus, section, type SectionPiece } from '../viewer/geometry'
 
 const CONTACT = 1.25 // of the thickness: mid-surfaces nearer than this touch (coaptation.h)
 const MARGIN_MM = 3
@@ -54,6 +54,13 @@ function isAnterior(scene: Scene, face: number): boolean {
   return scene.segments[face]?.startsWith('A') ?? false
 }
 
+/// Of pieces that do not cross.
 function nearness(a: SectionPiece, b: SectionPiece): number {
-  return Math.min(distance(a.from, b.from), distance(a.from, b.to), distance(a.to, b.from), distance(a.to, b.to))
+  return Math.min(toPiece(a.from, b), toPiece(a.to, b), toPiece(b.from, a), toPiece(b.to, a))
+}
+
+function toPiece(point: Vector, { from, to }: SectionPiece): number {
+  const way = minus(to, from)
+  const share = dot(minus(point, from), way) / Math.max(dot(way, way), 1e-12)
+  return distance(point, blend(from, to, Math.min(Math.max(share, 0), 1)))
 }

@@ -69,30 +69,27 @@ export function scaleOf(mode: ColourMode, scenes: Scene[]): Scale | null {
     case 'strain_radial': {
       const part = mode === 'strain_radial' ? 'radial' : 'circumferential'
       const all = scenes.flatMap((scene) => scene.strain?.[part] ?? [])
-      return { title: `${part} strain`, unit: '%', from: 0, to: 100 * Math.max(upTo(all, 0.99), 0.01), stops: RISING }
+      return { title: `${part} strain of the closed valve`, unit: '%', from: 0, to: 100 * Math.max(upTo(all, 0.99), 0.01), stops: RISING }
     }
     case 'height': {
-      const most = Math.max(1, ...scenes.map((scene) => upTo(heights(scene).map(Math.abs), 0.95)))
+      const most = Math.max(1, ...scenes.map((scene) => upTo(heights(scene, scene.closed_mm ?? scene.rest_mm).map(Math.abs), 0.95)))
       return { title: 'height over the annular plane', unit: 'mm', from: -most, to: most, stops: BALANCED }
     }
     case 'tension': {
       const all = scenes.flatMap((scene) => scene.chordae.flatMap((c) => c.segments.map((s) => s.tension_n ?? 0)))
-      return { title: 'tension of chordae', unit: 'N', from: 0, to: Math.max(0.1, ...all), stops: RISING }
+      return { title: 'tension of chordae, valve closed', unit: 'N', from: 0, to: Math.max(0.1, ...all), stops: RISING }
     }
   }
 }
 
-function heights(scene: Scene): number[] {
-  const closed = scene.closed_mm ?? scene.rest_mm
-  return Array.from({ length: closed.length / 3 }, (_, i) =>
-    dot(minus(at(closed, i), scene.plane.origin_mm), scene.plane.normal),
-  )
+function heights({ plane, rest_mm }: Scene, nodes: ArrayLike<number>): number[] {
+  return Array.from({ length: rest_mm.length / 3 }, (_, i) => dot(minus(at(nodes, i), plane.origin_mm), plane.normal))
 }
 
-/// One colour for each corner of each face.
-export function cornerColours(scene: Scene, mode: ColourMode, scale: Scale | null): Float32Array {
+/// One colour for each corner of each face; `nodes` is the state that is drawn.
+export function cornerColours(scene: Scene, mode: ColourMode, scale: Scale | null, nodes: ArrayLike<number>): Float32Array {
   const colours: number[] = []
-  const up = mode === 'height' ? heights(scene) : []
+  const up = mode === 'height' ? heights(scene, nodes) : []
   for (let face = 0; face < scene.segments.length; ++face)
     for (let k = 0; k < 3; ++k) {
       const vertex = scene.faces[3 * face + k] as number

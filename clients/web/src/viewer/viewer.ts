@@ -12,6 +12,8 @@ import { orificeMaterial, Orifices } from './orifices'
 import { pickAt, type Pick, type PickKind } from './pick'
 import { Stage, type ViewName } from './stage'
 
+const TURNED_PX = 4 // a pointer that moved so far has turned the valve, not clicked it
+
 export interface Look {
   mode: ColourMode
   scale: Scale | null
@@ -34,6 +36,7 @@ export class Viewer {
   // Kept: a new one would have its program compiled again.
   private readonly materials = { leaflets: leafletMaterial(), orifices: orificeMaterial() }
   private edges: [number, number][] = []
+  private pressed: [number, number] = [0, 0] // where on the screen
   private drawn = '' // the look of the scene that is drawn
   private readonly labels: Labels
   private readonly lines = {
@@ -52,6 +55,7 @@ export class Viewer {
     this.element = h('div', { class: 'viewer' }, this.stage.canvas, this.labels.element)
     this.stage.add(...Object.values(this.lines).map((line) => line.object))
     this.stage.onFrame.push(() => Object.values(this.lines).forEach((line) => line.resolution(this.stage.size)))
+    this.stage.canvas.addEventListener('pointerdown', ({ clientX, clientY }) => (this.pressed = [clientX, clientY]))
     this.stage.canvas.addEventListener('click', (event) => this.click(event))
   }
 
@@ -83,8 +87,10 @@ export class Viewer {
     const closed = look.share >= 1 || scene.motion_mm.length < 2
     this.nodes = closed ? closedNodes(scene) : nodesAt(scene, look.share)
     leaflets.move(this.nodes)
-    leaflets.paint(cornerColours(scene, look.mode, look.scale))
-    this.drawChordae(scene, look)
+    // Strain and tension are those of the closed valve.
+    const mode = closed || look.mode === 'height' ? look.mode : 'leaflets'
+    leaflets.paint(cornerColours(scene, mode, look.scale, this.nodes))
+    this.drawChordae(scene, mode, look.scale)
     lines.edges.set(this.edges.flatMap(([a, b]) => [...at(this.nodes, a), ...at(this.nodes, b)]))
     orifices.group.visible = look.orifices && closed
     this.drawCut(scene, look)
@@ -111,9 +117,9 @@ export class Viewer {
     this.stage.draw()
   }
 
-  private drawChordae(scene: Scene, look: Look): void {
+  private drawChordae(scene: Scene, mode: ColourMode, scale: Scale | null): void {
     const all = chordaLines(scene, this.nodes)
-    const colours = chordaColours(scene, look.mode, look.scale)
+    const colours = chordaColours(scene, mode, scale)
     const whole: number[] = []
     const wholeColours: number[] = []
     const ruptured: number[] = []
@@ -151,6 +157,8 @@ export class Viewer {
 
   private click(event: MouseEvent): void {
     if (!this.scene || !this.leaflets || !this.onPick || this.picks.length === 0) return
+    const [x, y] = this.pressed
+    if (Math.hypot(event.clientX - x, event.clientY - y) > TURNED_PX) return
     const pick = pickAt(event, this.stage, this.scene, this.nodes, this.leaflets.mesh, this.picks)
     if (pick) this.onPick(pick)
   }

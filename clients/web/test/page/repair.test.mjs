@@ -38,6 +38,21 @@ test('letting a slider go closes the valve anew', async () => {
   assert.match((await steps())[0], /0 sizes below/)
 })
 
+test('a slider that is dragged slowly stays under the pointer; one undo takes the whole drag back', async () => {
+  const box = await page.getByRole('slider', { name: 'Sizes below' }).boundingBox()
+  const at = (share) => [box.x + share * box.width, box.y + box.height / 2]
+  await page.mouse.move(...at(0.02))
+  await page.mouse.down()
+  for (const share of [0.3, 0.6, 0.98]) {
+    await page.mouse.move(...at(share))
+    await page.waitForTimeout(700) // closures are answered meanwhile
+  }
+  await page.mouse.up()
+  await page.waitForFunction(() => /6 sizes below/.test(document.querySelector('.steps')?.textContent ?? ''))
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await page.waitForFunction(() => /0 sizes below/.test(document.querySelector('.steps')?.textContent ?? ''))
+})
+
 test('a suture can be tied to a point that is picked on the annulus', async () => {
   await page.getByRole('button', { name: 'Suture PM' }).click()
   await page.getByLabel('Anchor').selectOption('annulus_point')
@@ -58,7 +73,16 @@ test('a neochorda is placed by clicking the leaflet and a papillary head', async
   await page.getByRole('button', { name: 'Neochorda' }).click()
   const first = page.locator('figure').first()
   const p2 = await first.locator('.labels span', { hasText: /^P2$/ }).boundingBox()
-  await page.mouse.click(p2.x + p2.width / 2, p2.y + p2.height / 2)
+  const [x, y] = [p2.x + p2.width / 2, p2.y + p2.height / 2]
+  // Turning the valve to see better picks nothing.
+  await page.mouse.move(x + 40, y)
+  await page.mouse.down()
+  await page.mouse.move(x, y, { steps: 4 })
+  await page.mouse.up()
+  await page.getByRole('button', { name: 'From the atrium' }).click()
+  await page.waitForTimeout(500)
+  assert.match(await page.locator('.picking').textContent(), /Click where the neochorda/)
+  await page.mouse.click(x, y)
   await page.locator('.picking', { hasText: 'papillary head' }).waitFor()
   await page.getByRole('button', { name: 'From the ventricle' }).click()
   await page.waitForTimeout(500)
