@@ -71,7 +71,7 @@ std::string progress_chart(const SearchResult& result) {
 }
 
 /// Else plans that were given were scored.
-bool is_search(const SearchResult& result) { return result.branches > 0; }
+bool is_search(const SearchResult& result) { return result.branches > 0 || result.plans.empty(); }
 
 std::string counts(const SearchResult& result) {
   std::string words = grouped(result.closures) + (result.closures == 1 ? " closure" : " closures") +
