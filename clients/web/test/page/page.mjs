@@ -52,7 +52,7 @@ export async function openView(browser, url, name, { width = 1280, height = 800,
   const complaints = []
   page.on('pageerror', (error) => complaints.push(error.message))
   page.on('console', (message) => {
-    if (message.type() === 'error' && !/\b(401|422)\b/.test(message.text())) complaints.push(message.text())
+    if (message.type() === 'error' && !/\b(400|401|422)\b/.test(message.text())) complaints.push(message.text())
   })
   page.on('request', (request) => {
     if (!request.url().startsWith(url) && !/^(blob|data):/.test(request.url())) complaints.push(`asks ${request.url()}`)

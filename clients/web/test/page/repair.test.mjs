@@ -12,9 +12,9 @@ before(async () => {
   await page.locator('.labels .orifice').first().waitFor()
 })
 after(async () => {
-  assert.deepEqual(complaints, [])
   await browser.close()
   await service.stop()
+  assert.deepEqual(complaints, [])
 })
 
 const leak = () => page.locator('.measures tr', { hasText: 'Leak' }).locator('td').allTextContents()

@@ -11,9 +11,9 @@ before(async () => {
   await page.locator('.search-form h2', { hasText: 'human-functional-mr' }).waitFor()
 })
 after(async () => {
-  assert.deepEqual(complaints, [])
   await browser.close()
   await service.stop()
+  assert.deepEqual(complaints, [])
 })
 
 const set = (label, value) => page.getByLabel(label, { exact: true }).fill(value)

@@ -11,9 +11,9 @@ before(async () => {
   await page.locator('.study-form h2', { hasText: 'human-functional-mr' }).waitFor()
 })
 after(async () => {
-  assert.deepEqual(complaints, [])
   await browser.close()
   await service.stop()
+  assert.deepEqual(complaints, [])
 })
 
 const start = () => page.getByRole('button', { name: 'Start the study' }).click()

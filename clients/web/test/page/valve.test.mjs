@@ -11,9 +11,9 @@ before(async () => {
   ;({ page, complaints } = await openView(browser, service.url, 'valve'))
 })
 after(async () => {
-  assert.deepEqual(complaints, [])
   await browser.close()
   await service.stop()
+  assert.deepEqual(complaints, [])
 })
 
 const measure = (name) => page.locator('.measures tr', { hasText: name }).first().locator('td').last()
@@ -102,7 +102,7 @@ test('all problems of a file are shown with where they are, and the valve stays'
   assert.equal(await page.locator('.open-valve').textContent(), 'mine.json')
   writeFileSync(file, 'no JSON at all <script>alert(1)</script>')
   await page.getByLabel('Your file').setInputFiles(file)
-  await page.locator('.problems li').first().waitFor()
+  await page.locator('.problems li', { hasText: 'JSON' }).waitFor()
 })
 
 test('arrow keys turn the valve', async () => {
