@@ -102,7 +102,7 @@ test('all problems of a file are shown with where they are, and the valve stays'
   assert.equal(await page.locator('.open-valve').textContent(), 'mine.json')
   writeFileSync(file, 'no JSON at all <script>alert(1)</script>')
   await page.getByLabel('Your file').setInputFiles(file)
-  await page.locator('.problems li', { hasText: 'JSON' }).waitFor()
+  await page.locator('.problems li', { hasText: 'parse error' }).waitFor()
 })
 
 test('arrow keys turn the valve', async () => {
