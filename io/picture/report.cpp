@@ -32,7 +32,8 @@ std::string shortened(std::string text, std::size_t most) {
 std::string title_of(const PlanReport& report) {
   const std::string name = shortened(report.before.valve.name, kLongestTitle);
   const auto plans = report.result.plans.size();
-  if (report.about == 0 || plans == 0) return "Repair plans for " + name;
+  if (report.about == 0 || plans == 0)
+    return std::string(plans == 1 ? "Repair plan for " : "Repair plans for ") + name;
   return "Repair plan " + std::to_string(report.result.plans[plan_in_front(report)].rank) + " of " +
          std::to_string(plans) + " for " + name;
 }

@@ -106,9 +106,8 @@ std::string ladder_table(const std::vector<LadderStep>& ladder) {
          "the cheaper figure alone rules no plan out: more plans are closed more often.</p>\n";
 }
 
-std::string subset_table(const SearchResult& result) {
-  const std::vector<RankedPlan>& plans = result.plans;
-  if (plans.empty() || !is_search(result)) return "";
+std::string subset_table(const std::vector<RankedPlan>& plans) {
+  if (plans.empty()) return "";
   std::vector<std::vector<std::string>> cells = {
       {"Rank", "Nodes chosen by", "Cost over those", "Nodes closed", "Cost over what all closed"}};
   for (const RankedPlan& plan : plans)
@@ -128,9 +127,11 @@ std::string cut_table(const std::vector<CutBranches>& cut) {
 }  // namespace
 
 std::string search_section(const SearchResult& result) {
-  const char* title = is_search(result) ? "How the search went" : "How the plans were scored";
-  return "<section id=\"search\"><h2>" + std::string(title) + "</h2>\n" + counts(result) +
-         progress_chart(result) + "<div class=\"pair\"><div>" + subset_table(result) +
+  if (!is_search(result))
+    return "<section id=\"search\"><h2>How the plans were scored</h2>\n" + counts(result) +
+           "</section>\n";
+  return "<section id=\"search\"><h2>How the search went</h2>\n" + counts(result) +
+         progress_chart(result) + "<div class=\"pair\"><div>" + subset_table(result.plans) +
          "</div><div>" + ladder_table(result.ladder) + "</div></div>\n" + cut_table(result.cut) +
          "</section>\n";
 }
