@@ -79,9 +79,11 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
 }
 
 std::string operation(const PlanReport& report, const RankedPlan& plan) {
-  const std::string heading = report.about == 0 ? "The plan that came first"
-                                                : "Plan " + std::to_string(plan.rank) + " of " +
-                                                      std::to_string(report.result.plans.size());
+  const std::size_t count = report.result.plans.size();
+  const std::string heading =
+      report.about != 0 ? "Plan " + std::to_string(plan.rank) + " of " + std::to_string(count)
+      : count == 1      ? "The plan"
+                        : "The plan that came first";
   std::string html = "<div class=\"operation\">" + tag("h2", escape_html(heading));
   if (!plan.name.empty()) html += "<p class=\"small\">" + escape_html(plan.name) + "</p>\n";
   html += "<ol class=\"plan\">\n";
