@@ -12,7 +12,7 @@ const REGION_POINTS = 65
 
 export class KeptPlans {
   readonly element = h('section', { class: 'panel', 'aria-label': 'Kept plans' })
-  private readonly table = h('div', {})
+  private readonly list = h('div', {})
   private readonly said = h('p', { class: 'hint', 'aria-live': 'polite' })
   private readonly problems = h('div', {})
   private readonly scores = new Map<KeptPlan, RankedPlan>()
@@ -21,7 +21,7 @@ export class KeptPlans {
   constructor(private readonly workspace: Workspace) {
     this.element.append(
       h('h2', {}, 'Kept plans'),
-      this.table,
+      this.list,
       h(
         'p',
         { class: 'row' },
@@ -38,33 +38,28 @@ export class KeptPlans {
   update(): void {
     const kept = this.workspace.kept
     if (kept.length === 0) {
-      this.table.replaceChildren(h('p', { class: 'hint' }, 'Accept a repair and it is kept here, to be compared and scored.'))
+      this.list.replaceChildren(h('p', { class: 'hint' }, 'Accept a repair and it is kept here, to be compared and scored.'))
       return
     }
-    const head = h('tr', {}, ...['Plan', 'Leak, mean ± sd', 'Below 5 mm²', ''].map((name) => h('th', { scope: 'col' }, name)))
-    this.table.replaceChildren(h('table', {}, head, ...kept.map((plan) => this.row(plan))))
+    this.list.replaceChildren(h('ol', { class: 'kept' }, ...kept.map((plan) => this.item(plan))))
   }
 
-  private row(kept: KeptPlan): HTMLElement {
+  private item(kept: KeptPlan): HTMLElement {
     const score = this.scores.get(kept)
     const leak = score?.leak_mm2
     const warnings = score ? [...doubts(score), ...score.warnings] : []
     return h(
-      'tr',
+      'li',
       {},
+      h('strong', {}, kept.name),
+      kept.valve.reference !== this.workspace.valve?.reference && ` of ${kept.valve.label}`,
+      h('p', { class: 'hint' }, kept.plan.steps.map(describe).join('; ')),
+      leak
+        ? h('p', {}, `Leak ${number(leak.mean)} ± ${withUnit(leak.sd, 'mm²')}, below 5 mm² in ${percent(leak.below_5)}`)
+        : h('p', { class: 'hint' }, 'Not scored.'),
+      warnings.length > 0 && h('ul', { class: 'warn' }, ...warnings.map((warning) => h('li', {}, warning))),
       h(
-        'td',
-        {},
-        h('strong', {}, kept.name),
-        kept.valve.reference !== this.workspace.valve?.reference && ` of ${kept.valve.label}`,
-        h('br'),
-        h('span', { class: 'hint' }, kept.plan.steps.map(describe).join('; ')),
-        warnings.length > 0 && h('ul', { class: 'warn' }, ...warnings.map((warning) => h('li', {}, warning))),
-      ),
-      h('td', {}, leak ? `${number(leak.mean)} ± ${withUnit(leak.sd, 'mm²')}` : 'not scored'),
-      h('td', {}, leak ? percent(leak.below_5) : ''),
-      h(
-        'td',
+        'p',
         { class: 'row' },
         button('Report', () => void this.report(kept), { title: 'One page to read, print and hand on', 'aria-label': `Report on ${kept.name}` }),
         button('Revise', () => void this.revise(kept), { 'aria-label': `Revise ${kept.name}` }),

@@ -108,7 +108,7 @@ export class Viewer {
     // From above only the annulus matters.
     if (name !== 'atrial') return this.stage.look(name, centre_mm, radius_mm)
     const annulus = { ...this.scene, rest_mm: this.scene.annulus_mm, heads: [] }
-    this.stage.look(name, this.scene.plane.origin_mm, 1.2 * ballAround(annulus).radius_mm)
+    this.stage.look(name, this.scene.plane.origin_mm, 1.1 * ballAround(annulus).radius_mm)
   }
 
   /// Lines drawn over everything, such as a measured distance: six numbers each.

@@ -1,6 +1,6 @@
 // Pictures of each view for docs/images: `node pictures.mjs FOLDER`.
 import { join } from 'node:path'
-import { openView, startBrowser, startService } from './page.mjs'
+import { openView, PATIENCE_MS, startBrowser, startService } from './page.mjs'
 
 const folder = process.argv[2] ?? '.'
 const service = await startService()
@@ -42,7 +42,7 @@ await picture('search', 'search', { height: 1000 }, async (page) => {
   await page.getByLabel('Closures', { exact: true }).fill('300')
   await page.getByLabel('Ranked plans').fill('3')
   await page.getByRole('button', { name: 'Start the search' }).click()
-  await page.locator('.plan img[src]').nth(2).waitFor()
+  await page.locator('.plan img[src]').nth(2).waitFor({ timeout: 5 * PATIENCE_MS })
   const plan = page.locator('.plan').first()
   await plan.locator('summary').click()
   await plan.evaluate((card) => card.scrollIntoView())
