@@ -58,7 +58,8 @@ class Evaluate(ProgramTest):
 
     def test_the_report_is_that_of_a_search_without_a_search(self):
         report = self.folder / "report.html"
-        self.evaluate(self.mending, *SMALL, "-o", report)
+        result = coapt("evaluate", VALVE, self.mending, *SMALL, "-o", report)
+        self.assertEqual(result.returncode, OK, result.stderr)
         page = report.read_text()
         for words in ["How the plans were scored", "The plans were given", "not a medical device",
                       "coapt evaluate human-functional-mr", "<img "]:

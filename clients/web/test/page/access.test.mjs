@@ -52,11 +52,14 @@ test('a service with a token gives the page to everybody, and a valve to who kno
   const file = join(service.folder, 'token')
   writeFileSync(file, token, { mode: 0o600 })
   const closed = await startService(['--token-file', file])
-  const { page } = await openView(browser, closed.url, 'valve')
-  const input = page.getByLabel('Token', { exact: true }).last()
-  await input.fill(token)
-  await page.getByRole('button', { name: 'Go on' }).click()
-  await page.locator('.open-valve', { hasText: 'human-functional-mr' }).waitFor()
-  await page.close()
-  await closed.stop()
+  try {
+    const { page } = await openView(browser, closed.url, 'valve')
+    const input = page.getByLabel('Token', { exact: true }).last()
+    await input.fill(token)
+    await page.getByRole('button', { name: 'Go on' }).click()
+    await page.locator('.open-valve', { hasText: 'human-functional-mr' }).waitFor()
+    await page.close()
+  } finally {
+    await closed.stop() // it would keep the run of all tests from ending
+  }
 })

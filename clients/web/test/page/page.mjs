@@ -25,7 +25,7 @@ export async function startService(flags = []) {
     child.once('exit', () => reject(new Error(`the service ended: ${said}`)))
     child.stderr.on('data', (part) => {
       said += part
-      const found = /listening on (http:\/\/\S+)/.exec(said)
+      const found = /listening on (http:\/\/\S+:\d+)\s/.exec(said) // whole: it may come in pieces
       if (found) resolve(found[1])
     })
   })
