@@ -12,7 +12,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kLong_seconds = 0.5;  // longer closures are timed once
+constexpr double kOnce_seconds = 0.5;  // longer closures are timed once
 
 struct Closed {
   AblatedModel model;
@@ -47,7 +47,7 @@ void time_closures(const AblatedModel& full, const AblatedModel& changed, int re
     const double of_full = seconds_of(full);
     seconds.push_back(seconds_of(changed));
     ratios.push_back(seconds.back() / of_full);
-  } while (seconds.back() < kLong_seconds && static_cast<int>(seconds.size()) < repeats);
+  } while (seconds.back() < kOnce_seconds && static_cast<int>(seconds.size()) < repeats);
   outcome.seconds = quantile(seconds, 0.5);
   outcome.time_ratio = quantile(ratios, 0.5);
 }

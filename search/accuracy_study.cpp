@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kWayPerTolerance_mm = 4.0;  // as the defaults: 0.02 mm at 0.005
 constexpr int kRepeats = 3;
-constexpr double kLong_seconds = 1.0;
+constexpr double kLongClosure_seconds = 1.0;
 
 struct Reference {
   ClosedMesh mesh;
@@ -69,7 +69,7 @@ AccuracyPoint close_case(const AccuracyCase& of, const Valve& valve, const Point
     const auto start = Clock::now();
     closed = close_valve(valve, options);
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
-  } while (seconds.back() < kLong_seconds && seconds.size() < kRepeats);
+  } while (seconds.back() < kLongClosure_seconds && seconds.size() < kRepeats);
   point.seconds = quantile(seconds, 0.5);
   point.status = closed.status;
   point.crossing = closed.crossing;

@@ -9,7 +9,7 @@ namespace coapt {
 namespace {
 
 constexpr int kLengths = 9, kAngles = 11;
-constexpr double kLengthStep_mm = 0.25, kAngleStep_deg = 1.0;
+constexpr double kAngleStep_deg = 1.0;
 
 /// The grid in units of its half widths. Opposite nodes are at i and size - 1 - i.
 std::vector<Vec3> unit_grid() {

@@ -20,6 +20,8 @@ struct Perturbation {
   double posterior_deg = 0.0;  ///< swing backwards
 };
 
+inline constexpr double kLengthStep_mm = 0.25;
+
 /// All 1,089 nodes, so ordered that the first n stand for all of them: the undisturbed node, then
 /// pairs of opposite nodes, each the pair that brings the set's energy distance to the full grid
 /// (Szekely and Rizzo 2013) lowest. An odd n keeps the mean exactly undisturbed; 5, 17 and 65 are

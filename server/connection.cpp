@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kReadBytes = 64 << 10;
 
-bool would_block() { return errno == EAGAIN || errno == EWOULDBLOCK; }
+bool nothing_ready() { return errno == EAGAIN || errno == EWOULDBLOCK; }
 
 }  // namespace
 
@@ -63,7 +63,7 @@ bool Connection::fill() {
     received_.resize(kReadBytes);
     const ssize_t got = recv(socket_.number(), received_.data(), received_.size(), MSG_DONTWAIT);
     received_.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-    if (got == 0 || (got < 0 && !would_block() && errno != EINTR)) {
+    if (got == 0 || (got < 0 && !nothing_ready() && errno != EINTR)) {
       end_ = ReadEnd::ClientEnded;
       return false;
     }
@@ -105,7 +105,7 @@ bool Connection::send(std::string_view bytes, double seconds) {
     if (sent > 0) {
       bytes.remove_prefix(static_cast<std::size_t>(sent));
     } else if (sent < 0 && errno != EINTR) {
-      if (!would_block() || wait(POLLOUT, deadline) != Wait::Ready) return false;
+      if (!nothing_ready() || wait(POLLOUT, deadline) != Wait::Ready) return false;
     }
   }
   return true;

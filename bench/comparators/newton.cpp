@@ -27,7 +27,7 @@
 namespace coapt::comparators {
 namespace {
 
-constexpr int kTravel_steps = 40;
+constexpr int kTravelIterations = 40;
 constexpr double kMostMu = 1.0, kLeastMu = 1e-3;
 constexpr double kEase = 0.6, kStiffen = 3.0;  // of mu, after a full step and after a cut one
 constexpr double kLeastStep = 0.1;             // share of dx that a cut leaves
@@ -151,7 +151,7 @@ ClosureRun run_newton(const ClosureModel& model, const NewtonSettings& settings)
   double mu = kMostMu;
   while (run.steps < settings.max_steps) {
     ++run.steps;
-    const double travelled = std::min(1.0, static_cast<double>(run.steps) / kTravel_steps);
+    const double travelled = std::min(1.0, static_cast<double>(run.steps) / kTravelIterations);
     for (Eigen::Index i = 0; i < x.rows(); ++i)
       if (model.fixed[static_cast<std::size_t>(i)])
         x.row(i) =

@@ -23,7 +23,7 @@
 namespace coapt::comparators {
 namespace {
 
-constexpr int kTravel_steps = 200;
+constexpr int kTravelSteps = 200;
 constexpr int kResidualEvery_steps = 20;
 constexpr double kReach = 0.5;
 // Without a fall of the residual to kFall, before substeps get shorter.
@@ -188,17 +188,17 @@ ClosureRun run_xpbd(const ClosureModel& model, const XpbdSettings& settings) {
   ClosureRun run;
   double stalled_at = 0.0;      // residual when the patience began
   Points then = model.rest_mm;  // where it began
-  int since = kTravel_steps;
+  int since = kTravelSteps;
   while (run.steps < settings.max_steps) {
     ++run.steps;
-    state.step(std::min(1.0, static_cast<double>(run.steps) / kTravel_steps));
+    state.step(std::min(1.0, static_cast<double>(run.steps) / kTravelSteps));
     if (run.steps % kResidualEvery_steps != 0) continue;
     if (lost(state.positions())) {
       run.status = ClosureStatus::Diverged;
       break;
     }
     run.residual = state.residual_now();
-    if (run.steps >= kTravel_steps && run.residual <= settings.residual_tolerance) {
+    if (run.steps >= kTravelSteps && run.residual <= settings.residual_tolerance) {
       run.status = ClosureStatus::Converged;
       break;
     }

@@ -15,7 +15,7 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct BenchArguments {
   std::string valve;
   ClosureStudyOptions study;
   std::optional<double> accuracy_mm2;
@@ -39,7 +39,7 @@ void print(std::ostream& out, const ClosureStudy& study, bool accuracy) {
       << study.other_equilibria << " come to rest elsewhere (0.05 mm rms or more) on another way\n";
 }
 
-int run(const Arguments& arguments) {
+int run(const BenchArguments& arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   ClosureStudyOptions options = arguments.study;
@@ -68,7 +68,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_bench(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<BenchArguments>();
   CLI::App* bench =
       parent.add_subcommand("bench", "Measure speed and accuracy")->require_subcommand(1);
   add_bench_search(*bench, status);

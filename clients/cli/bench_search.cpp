@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct BenchSearchArguments {
   std::string directory = "bench-search", rivals;
   std::string real = "examples/valves/bodyparts3d-leaking.json";
   std::vector<std::string> lattices, methods;
@@ -54,7 +54,7 @@ Hits hits_of(const SolvedLattice& lattice, int seeds, int threads) {
   return hits;
 }
 
-int run(const Arguments& arguments) {
+int run(const BenchSearchArguments& arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Expected<Valve> real = read_valve_argument(arguments.real);
   if (!real) return report_errors(arguments.real, real.errors());
@@ -157,7 +157,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_bench_search(CLI::App& bench, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<BenchSearchArguments>();
   CLI::App* command = bench.add_subcommand(
       "search", "The search against its rivals on exhaustively solved lattices");
   command->add_option("-o,--output", arguments->directory, "Directory for ert.csv, ecdf.svg, ...")

@@ -20,7 +20,7 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct CloseArguments {
   std::string valve, plan, picture;
   ServerOption server;
   ClosureOptions closure;
@@ -29,7 +29,7 @@ struct Arguments {
 };
 
 /// Prints coapt.closure/1; returns an exit code.
-int show(const Arguments& arguments, const nlohmann::ordered_json& closure) {
+int show(const CloseArguments& arguments, const nlohmann::ordered_json& closure) {
   if (arguments.json) {
     std::cout << closure.dump(2) << '\n';
   } else {
@@ -38,7 +38,7 @@ int show(const Arguments& arguments, const nlohmann::ordered_json& closure) {
   return exit_code_of_closure(closure);
 }
 
-int run_by(const Service& service, const Arguments& arguments) {
+int run_by(const Service& service, const CloseArguments& arguments) {
   const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   nlohmann::ordered_json request = {{"valve", *valve}};
@@ -54,7 +54,7 @@ int run_by(const Service& service, const Arguments& arguments) {
   return show(arguments, *closure);
 }
 
-int run(const Arguments& arguments) {
+int run(const CloseArguments& arguments) {
   ClosureOptions options = arguments.closure;
   options.samples = kThesisSamples;
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
@@ -97,7 +97,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_close(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CloseArguments>();
   CLI::App* command = parent.add_subcommand("close", "Close a valve and measure what leaks");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command->add_option("--plan", arguments->plan, "Repair plan (coapt.plan/1) to apply first");

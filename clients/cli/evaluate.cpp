@@ -20,7 +20,7 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct EvaluateArguments {
   std::string valve, report, store;
   std::vector<std::string> plans;
   SearchOptions options;
@@ -59,7 +59,7 @@ int report_plan_errors(const std::vector<NamedPlan>& plans, const Errors& errors
 }
 
 /// Prints coapt.plans/1; returns an exit code.
-int show(const Arguments& arguments, nlohmann::ordered_json result) {
+int show(const EvaluateArguments& arguments, nlohmann::ordered_json result) {
   for (nlohmann::ordered_json& plan : result["plans"]) plan["file"] = plan["name"];
   if (arguments.json) {
     std::cout << result.dump(2) << '\n';
@@ -93,14 +93,14 @@ nlohmann::ordered_json ranking_of(const nlohmann::ordered_json& answer,
 }
 
 /// The files of a request's plans, by their pointers.
-std::map<std::string, std::string> sources_of(const Arguments& arguments) {
+std::map<std::string, std::string> sources_of(const EvaluateArguments& arguments) {
   std::map<std::string, std::string> sources = {{"/valve", arguments.valve}};
   for (std::size_t i = 0; i < arguments.plans.size(); ++i)
     sources["/plans/" + std::to_string(i)] = arguments.plans[i];
   return sources;
 }
 
-int run_by(const Service& service, const Arguments& arguments) {
+int run_by(const Service& service, const EvaluateArguments& arguments) {
   if (const int failed = check_output(arguments.report)) return failed;
   const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
@@ -125,14 +125,14 @@ int run_by(const Service& service, const Arguments& arguments) {
   return failed != exit_code::kOk ? failed : status;
 }
 
-std::string command_line(const Arguments& arguments) {
+std::string command_line(const EvaluateArguments& arguments) {
   std::string line = "coapt evaluate " + shell_quoted(arguments.valve);
   for (const std::string& plan : arguments.plans) line += ' ' + shell_quoted(plan);
   line += " --region-points " + std::to_string(arguments.options.region_points);
   return arguments.no_evidence ? line + " --no-evidence" : line;
 }
 
-int run(Arguments arguments) {
+int run(EvaluateArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
@@ -161,7 +161,7 @@ int run(Arguments arguments) {
 }  // namespace
 
 void add_evaluate(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<EvaluateArguments>();
   CLI::App* command = parent.add_subcommand("evaluate", "Score and rank plans of your own");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command->add_option("plan", arguments->plans, "Repair plans (coapt.plan/1)")->required();

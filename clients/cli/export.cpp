@@ -16,7 +16,7 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::string valve, plan;
   std::vector<std::string> outputs;
   ExportOptions options;
@@ -63,7 +63,7 @@ int write_file(const std::string& path, const ExportedValve& exported,
 }
 
 /// Says it if chordae had to be moved for files whose chordae end at vertices.
-void note_attachment(const Arguments& arguments, const ExportedValve& exported) {
+void note_attachment(const ExportArguments& arguments, const ExportedValve& exported) {
   double shift = 0.0;
   for (const std::string& path : arguments.outputs) {
     const FileFormat* format = format_of_path(path);
@@ -81,7 +81,7 @@ void note_attachment(const Arguments& arguments, const ExportedValve& exported) 
             << text << " mm from their insertions\n";
 }
 
-int run(const Arguments& arguments) {
+int run(const ExportArguments& arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   Expected<RepairPlan> plan = RepairPlan{};
@@ -104,7 +104,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_export(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command =
       parent.add_subcommand("export", "Close a valve and write files that other programs open");
   command->add_option("valve", arguments->valve, kValveHelp)->required();

@@ -18,7 +18,7 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct StudyArguments {
   StudyKind kind = StudyKind::Thesis;
   std::string valve, directory;
   int threads = 0;
@@ -29,7 +29,7 @@ struct Arguments {
 };
 
 /// Prints a study's summary (study.json) and its findings; returns an exit code.
-int show(const Arguments& arguments, const nlohmann::ordered_json& study,
+int show(const StudyArguments& arguments, const nlohmann::ordered_json& study,
          const nlohmann::ordered_json& findings) {
   if (arguments.json) {
     std::cout << study.dump(2) << '\n';
@@ -45,7 +45,7 @@ int show(const Arguments& arguments, const nlohmann::ordered_json& study,
   return exit_code::kOk;
 }
 
-int finish(const Arguments& arguments, const StudyDesk& desk, const OrificeTable& table,
+int finish(const StudyArguments& arguments, const StudyDesk& desk, const OrificeTable& table,
            StudyReport report) {
   const nlohmann::ordered_json answer = complete(report, arguments.kind, table, desk.seconds());
   for (const auto& [name, content] : report.files)
@@ -54,7 +54,7 @@ int finish(const Arguments& arguments, const StudyDesk& desk, const OrificeTable
 }
 
 /// The protocols of --protocol in place of the default, in their order.
-void choose_protocols(Arguments& arguments) {
+void choose_protocols(StudyArguments& arguments) {
   if (arguments.protocols.empty()) return;
   arguments.options.protocols.clear();
   for (const Protocol protocol : kProtocols)
@@ -62,7 +62,7 @@ void choose_protocols(Arguments& arguments) {
       if (name == to_string(protocol)) arguments.options.protocols.push_back(protocol);
 }
 
-nlohmann::ordered_json request_of(const Arguments& arguments) {
+nlohmann::ordered_json request_of(const StudyArguments& arguments) {
   const ThesisStudyOptions& options = arguments.options;
   nlohmann::ordered_json study = {{"name", to_string(arguments.kind)}};
   if (arguments.kind != StudyKind::Approximation && arguments.kind != StudyKind::Thesis)
@@ -91,7 +91,7 @@ int fetch_files(const Service& service, const ServiceJob& job, const std::string
   return exit_code::kOk;
 }
 
-int run_by(const Service& service, Arguments arguments) {
+int run_by(const Service& service, StudyArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
@@ -117,7 +117,7 @@ int run_by(const Service& service, Arguments arguments) {
   return show(arguments, *study, findings);
 }
 
-int run(Arguments arguments) {
+int run(StudyArguments arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   const Expected<std::unique_ptr<StudyDesk>> desk =
@@ -136,7 +136,7 @@ constexpr const char* kResumes =
     "A study that was stopped, run again with the same directory, goes on where it was.\n\n";
 
 CLI::App* add_one(CLI::App& parent, int& status, StudyKind kind, const char* help,
-                  const std::shared_ptr<Arguments>& arguments) {
+                  const std::shared_ptr<StudyArguments>& arguments) {
   CLI::App* command = parent.add_subcommand(to_string(kind), help);
   arguments->kind = kind;
   arguments->options = default_options(kind);
@@ -164,7 +164,7 @@ CLI::App* add_one(CLI::App& parent, int& status, StudyKind kind, const char* hel
   return command;
 }
 
-void add_anchor_options(CLI::App& command, const std::shared_ptr<Arguments>& arguments) {
+void add_anchor_options(CLI::App& command, const std::shared_ptr<StudyArguments>& arguments) {
   std::vector<std::string> names;
   for (const Protocol protocol : kProtocols) names.emplace_back(to_string(protocol));
   ThesisStudyOptions& study = arguments->options;
@@ -195,7 +195,7 @@ void add_study(CLI::App& parent, int& status) {
   CLI::App* study = parent.add_subcommand(
       "study", "Redo the thesis's robustness studies on a valve, or ask further");
   study->require_subcommand(1);
-  const auto with = [] { return std::make_shared<Arguments>(); };
+  const auto with = [] { return std::make_shared<StudyArguments>(); };
   add_one(*study, status, StudyKind::Annulus,
           "Anteroposterior dilation 0 to 30 % x annular height (figure 4.5)", with());
   add_one(*study, status, StudyKind::Papillary,

@@ -16,7 +16,7 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct StudyAnchorsArguments {
   std::string directory = "study-anchors";
   int threads = 0;
   AnchorQuestionOptions question;
@@ -40,7 +40,7 @@ std::vector<std::vector<std::string>> answer_table(const std::vector<AnchorAnswe
   return rows;
 }
 
-int run(const Arguments& arguments) {
+int run(const StudyAnchorsArguments& arguments) {
   const Expected<std::unique_ptr<StudyDesk>> opened =
       StudyDesk::open(arguments.directory, arguments.threads);
   if (!opened) {
@@ -98,7 +98,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_anchor_question(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<StudyAnchorsArguments>();
   CLI::App* command = parent.add_subcommand(
       "anchors", "When is the trigone the better anchor? A scan over anatomies");
   command->add_option("-o,--output", arguments->directory, "Directory for CSV, SVG, index.html")

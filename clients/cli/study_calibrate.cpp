@@ -20,7 +20,7 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct StudyCalibrateArguments {
   std::string directory = "study-calibrate";
   int starts = 1;
   bool anchors = false;
@@ -68,7 +68,7 @@ std::vector<std::vector<std::string>> anatomy_table(const Calibration& fit) {
   return rows;
 }
 
-int run(const Arguments& arguments) {
+int run(const StudyCalibrateArguments& arguments) {
   const Expected<std::unique_ptr<StudyDesk>> opened =
       StudyDesk::open(arguments.directory, arguments.calibration.threads);
   if (!opened) {
@@ -117,7 +117,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_calibrate(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<StudyCalibrateArguments>();
   CalibrationOptions& calibration = arguments->calibration;
   CLI::App* command = parent.add_subcommand(
       "calibrate", "Fit a parametric valve to the thesis's figure 4.5 and table 4.1");

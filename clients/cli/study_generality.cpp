@@ -17,7 +17,7 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct StudyGeneralityArguments {
   std::vector<std::string> valves;
   std::string directory = "study-generality";
   int anatomies = 50, threads = 0;
@@ -41,7 +41,7 @@ std::string kind_of(const std::string& preset) {
 }
 
 /// Presets, the files given, random anatomies.
-Expected<std::vector<StudiedValve>> gather(const Arguments& arguments, int& drawn) {
+Expected<std::vector<StudiedValve>> gather(const StudyGeneralityArguments& arguments, int& drawn) {
   std::vector<StudiedValve> valves;
   for (const std::string& name : preset_names()) {
     const Expected<Valve> valve = make_preset(name);
@@ -86,7 +86,7 @@ std::vector<std::vector<std::string>> shares_table(const std::vector<FindingShar
   return rows;
 }
 
-int run(const Arguments& arguments) {
+int run(const StudyGeneralityArguments& arguments) {
   int drawn = 0;
   const Expected<std::vector<StudiedValve>> valves = gather(arguments, drawn);
   if (!valves) return report_errors("study generality", valves.errors());
@@ -137,7 +137,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_generality(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<StudyGeneralityArguments>();
   CLI::App* command = parent.add_subcommand(
       "generality", "On which share of many valves each finding of the thesis holds");
   command->add_option("valves", arguments->valves, "Valve files, besides the presets");

@@ -10,12 +10,12 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct ValveCheckArguments {
   std::string valve;
   bool json = false;
 };
 
-int run(const Arguments& arguments) {
+int run(const ValveCheckArguments& arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   const Errors problems = valve ? Errors{} : valve.errors();
   if (arguments.json) {
@@ -33,7 +33,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_valve_check(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ValveCheckArguments>();
   CLI::App* command = parent.add_subcommand("check", "List every problem of a valve file");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command->add_flag("--json", arguments->json, "{\"problems\": [{\"path\", \"message\"}]}");

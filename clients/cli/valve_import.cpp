@@ -18,7 +18,7 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct ValveImportArguments {
   std::vector<std::string> leaflets;
   std::string annulus, chordae, slicerheart;
   std::string name;
@@ -77,7 +77,7 @@ Expected<std::vector<NamedFile>> read_folder(const std::string& path) {
 }
 
 /// The files that options name one by one.
-int read_parts(const Arguments& arguments, ImportSource& source) {
+int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
   for (const auto& [missing, option] : {std::pair(arguments.leaflets.empty(), "--leaflet"),
                                         {arguments.annulus.empty(), "--annulus"},
                                         {arguments.chordae.empty(), "--chordae"}}) {
@@ -95,7 +95,7 @@ int read_parts(const Arguments& arguments, ImportSource& source) {
   return read_part(arguments.chordae, read_chordae, source.chordae);
 }
 
-int read_slicerheart_folder(const Arguments& arguments, ImportSource& source) {
+int read_slicerheart_folder(const ValveImportArguments& arguments, ImportSource& source) {
   Expected<std::vector<NamedFile>> files = read_folder(arguments.slicerheart);
   if (!files) return report_errors(arguments.slicerheart, files.errors());
   Expected<ImportSource> read = read_slicerheart(*files);
@@ -104,7 +104,7 @@ int read_slicerheart_folder(const Arguments& arguments, ImportSource& source) {
   return exit_code::kOk;
 }
 
-int run(const Arguments& arguments) {
+int run(const ValveImportArguments& arguments) {
   ImportSource source;
   const bool folder = !arguments.slicerheart.empty();
   if (const int failed =
@@ -125,7 +125,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_valve_import(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ValveImportArguments>();
   ImportOptions& options = arguments->options;
   CLI::App* command =
       parent.add_subcommand("import", "Make a valve from leaflet meshes, annulus and chordae");

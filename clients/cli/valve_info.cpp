@@ -12,7 +12,7 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct ValveInfoArguments {
   std::string valve;
   bool json = false;
 };
@@ -81,7 +81,7 @@ void print_text(const Valve& valve, const Summary& summary) {
   for (const std::string& line : valve.provenance) std::cout << "  - " << printable(line) << '\n';
 }
 
-int run(const Arguments& arguments) {
+int run(const ValveInfoArguments& arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   const Summary summary = summarize(*valve);
@@ -96,7 +96,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_valve_info(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ValveInfoArguments>();
   CLI::App* command = parent.add_subcommand("info", "Say what a valve consists of");
   command->add_option("valve", arguments->valve, kValveHelp)->required();
   command->add_flag("--json", arguments->json, "Print JSON");

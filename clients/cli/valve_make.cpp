@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kDimensions = "Dimensions, instead of a preset (leaflets unstressed)";
 
-struct Arguments {
+struct ValveMakeArguments {
   std::string preset, annulus, tips;
   ParametricValve dimensions;
   int triangles = 0;
@@ -31,7 +31,7 @@ int read_contour(const std::string& path, std::optional<Points>& points) {
   return exit_code::kOk;
 }
 
-int run(Arguments arguments) {
+int run(ValveMakeArguments arguments) {
   ParametricValve& dimensions = arguments.dimensions;
   if (arguments.triangles > 0) dimensions.triangles = arguments.triangles;
   if (!arguments.annulus.empty()) {
@@ -62,7 +62,7 @@ void refuse_dimensions(const CLI::App& command) {
 }  // namespace
 
 void add_valve_make(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ValveMakeArguments>();
   ParametricValve& dimensions = arguments->dimensions;
   CLI::App* command = parent.add_subcommand("make", "Make a preset, or a valve from dimensions");
   command->add_option("preset", arguments->preset, "Name of a preset")

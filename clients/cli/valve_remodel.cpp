@@ -10,14 +10,14 @@
 namespace coapt {
 namespace {
 
-struct Arguments {
+struct ValveRemodelArguments {
   std::string valve, name, output;
   Remodelling change;
   std::vector<double> anterolateral_mm = {0.0, 0.0, 0.0};
   std::vector<double> posteromedial_mm = {0.0, 0.0, 0.0};
 };
 
-int run(Arguments arguments) {
+int run(ValveRemodelArguments arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   arguments.change.anterolateral_mm = Vec3(arguments.anterolateral_mm.data());
@@ -38,7 +38,7 @@ int run(Arguments arguments) {
 }  // namespace
 
 void add_valve_remodel(CLI::App& parent, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ValveRemodelArguments>();
   CLI::App* command =
       parent.add_subcommand("remodel", "Dilate or flatten the annulus, displace papillary tips");
   command->add_option("valve", arguments->valve, kValveHelp)->required();

@@ -6,7 +6,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kMpaPerKpa = 1e-3;
 const double kSqrt2 = std::sqrt(2.0);
 
 /// What a face looks like now.

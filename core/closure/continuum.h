@@ -31,6 +31,7 @@
 
 namespace coapt {
 
+inline constexpr double kMpaPerKpa = 1e-3;
 inline constexpr double kMatrixPoisson = 1.0 / 3.0;
 
 /// Parallel fibres: slack up to the stretch `straight`, linear in engineering strain above.

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace coapt {
 namespace {
 
-constexpr double kMpaPerKpa = 1e-3;
 // Share of the critical step that is used: the contact forces, which the bound leaves out, need the
 // rest.
 constexpr double kStepSafety = 0.7;
@@ -95,7 +95,6 @@ void add_membrane(const Valve& valve, Membrane membrane, ClosureModel& model) {
 }
 
 void add_chordae(const Valve& valve, ClosureModel& model) {
-  constexpr double kPi = 3.14159265358979323846;
   const int heads = static_cast<int>(model.rest_mm.rows()) - static_cast<int>(valve.heads.size());
   int next_branch = model.vertices;
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
@@ -121,7 +120,8 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
         if (chorda.ruptured) model.fixed[static_cast<std::size_t>(next_branch)] = true;
         ++next_branch;
       }
-      const double section_mm2 = 0.25 * kPi * segment.diameter_mm * segment.diameter_mm;
+      const double section_mm2 =
+          0.25 * std::numbers::pi * segment.diameter_mm * segment.diameter_mm;
       cable.rest_mm = segment.rest_length_mm;
       cable.stiffness_n_per_mm =
           valve.tissue.chordae_kpa * kMpaPerKpa * section_mm2 / segment.rest_length_mm;

@@ -3,11 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace coapt {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kContourPoints = 720;
 constexpr double kAnteriorExponent = 2.6, kPosteriorExponent = 2.2;
 constexpr double kAnteriorShare = 0.42;
@@ -50,7 +50,7 @@ Vec3 main_direction(const Points& points, int rank) {
 Points generic_annulus_contour(double ap_mm, double al_pm_mm, double saddle_height_mm) {
   Points contour(kContourPoints, 3);
   for (int i = 0; i < kContourPoints; ++i) {
-    const double t = 2.0 * kPi * i / kContourPoints;
+    const double t = 2.0 * std::numbers::pi * i / kContourPoints;
     const bool anterior = std::sin(t) >= 0.0;
     const double exponent = 2.0 / (anterior ? kAnteriorExponent : kPosteriorExponent);
     const double depth = ap_mm * (anterior ? kAnteriorShare : 1.0 - kAnteriorShare);

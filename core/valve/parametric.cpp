@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/valve/measured_skeleton.h"
@@ -12,7 +13,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kHumanAp_mm = 29.0, kHumanAlPm_mm = 39.0;  // controls, PMC7368231
 constexpr double kPlanar_mm = 0.5;         // a contour less high than this is a projection
 constexpr double kCommissureAlong = 0.07;  // share of a leaflet's arc that counts as commissure
@@ -48,7 +48,7 @@ double interpolate(const std::array<std::pair<double, double>, N>& knots, double
   for (std::size_t i = 0; i + 1 < N; ++i) {
     if (at > knots[i + 1].first) continue;
     const double t = (at - knots[i].first) / (knots[i + 1].first - knots[i].first);
-    const double blend = 0.5 - 0.5 * std::cos(kPi * t);
+    const double blend = 0.5 - 0.5 * std::cos(std::numbers::pi * t);
     return knots[i].second + blend * (knots[i + 1].second - knots[i].second);
   }
   return knots[N - 1].second;
@@ -56,7 +56,7 @@ double interpolate(const std::array<std::pair<double, double>, N>& knots, double
 
 double symmetric_height_mm(const Proportions& d, double cleft_depth_mm, double around) {
   if (around <= 0.5) {
-    const double lobe = std::sin(2.0 * kPi * around);
+    const double lobe = std::sin(2.0 * std::numbers::pi * around);
     return d.commissure_height_mm + (d.anterior_height_mm - d.commissure_height_mm) * lobe;
   }
   const double cleft = std::min(d.posterior_height_mm, d.lateral_height_mm) - cleft_depth_mm;
@@ -71,7 +71,8 @@ double symmetric_height_mm(const Proportions& d, double cleft_depth_mm, double a
 }
 
 double leaflet_height_mm(const ParametricValve& d, const Proportions& heights, double around) {
-  const double medial = std::cos(2.0 * kPi * around);  // 1 at the posteromedial commissure
+  const double medial =
+      std::cos(2.0 * std::numbers::pi * around);  // 1 at the posteromedial commissure
   return (1.0 + d.asymmetry.leaflet_height * medial) *
          symmetric_height_mm(heights, d.cleft_depth_mm, around);
 }
@@ -182,7 +183,7 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
   valve.provenance = provenance(d, heights, saddle_added);
   const int n = grid.stations;
   valve.rest_mm.resize(n * (grid.rows + 1), 3);
-  const double tilt = d.inclination_deg * kPi / 180.0;
+  const double tilt = d.inclination_deg * std::numbers::pi / 180.0;
   for (int row = 0; row <= grid.rows; ++row)
     for (int i = 0; i < n; ++i) {
       const Station& s = stations[static_cast<std::size_t>(i)];

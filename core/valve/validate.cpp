@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 #include <set>
 
 #include "core/valve/validate_parts.h"
@@ -41,7 +42,6 @@ void check_tissue(const Tissue& tissue, ProblemList& problems) {
 
 /// A mesh may not be so fine that the thickness spans too many of its faces.
 void check_contact(const Valve& valve, ProblemList& problems) {
-  constexpr double kPi = 3.14159265358979323846;
   double area_mm2 = 0.0;
   for (int face = 0; face < valve.faces.rows(); ++face) {
     const Vec3 a = valve.rest_mm.row(valve.faces(face, 0));
@@ -51,7 +51,8 @@ void check_contact(const Valve& valve, ProblemList& problems) {
   }
   const auto pairs =
       static_cast<double>(valve.rest_mm.rows()) * static_cast<double>(valve.faces.rows());
-  const double most_mm = std::sqrt(kMaxContactPairs * area_mm2 / (kPi * pairs)) / kContactReach;
+  const double most_mm =
+      std::sqrt(kMaxContactPairs * area_mm2 / (std::numbers::pi * pairs)) / kContactReach;
   if (valve.tissue.thickness_mm > most_mm)
     problems.add(ErrorCode::OutOfRange, "/tissue/thickness_mm",
                  "is " + shown(valve.tissue.thickness_mm) + " mm, must be at most " +

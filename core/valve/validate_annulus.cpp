@@ -40,7 +40,7 @@ void check_size(const Points& loop, const std::string& path, ProblemList& proble
                    " must be from 30 to 400 mm");
 }
 
-bool check_indices(const Valve& valve, ProblemList& problems) {
+bool check_annulus_indices(const Valve& valve, ProblemList& problems) {
   const std::string path = "/annulus/vertices";
   bool usable = true;
   std::vector<bool> seen(static_cast<std::size_t>(valve.rest_mm.rows()), false);
@@ -170,7 +170,7 @@ void check_annulus(const Valve& valve, const MeshCheck& mesh, ProblemList& probl
                      " annulus vertices");
     return;
   }
-  const bool usable = mesh.vertices_usable && check_indices(valve, problems);
+  const bool usable = mesh.vertices_usable && check_annulus_indices(valve, problems);
   if (!check_points(valve.annulus_mm, "/annulus/positions_mm", problems)) return;
   const std::string positions = "/annulus/positions_mm";
   check_size(valve.annulus_mm, positions, problems);

@@ -150,7 +150,7 @@ std::vector<int> follow_boundary(const Valve& valve, const std::vector<Edge>& bo
   return next;
 }
 
-bool check_indices(const Valve& valve, ProblemList& problems) {
+bool check_face_indices(const Valve& valve, ProblemList& problems) {
   const int vertices = static_cast<int>(valve.rest_mm.rows());
   bool usable = true;
   std::vector<bool> used(static_cast<std::size_t>(vertices), false);
@@ -240,7 +240,7 @@ MeshCheck check_mesh(const Valve& valve, ProblemList& problems) {
   const bool some_vertices = count("/vertices_mm", valve.rest_mm.rows(), 6, kMaxVertices);
   if (some_vertices) mesh.vertices_usable = check_points(valve.rest_mm, "/vertices_mm", problems);
   if (!count("/faces", valve.faces.rows(), 6, kMaxFaces) || !some_vertices) return mesh;
-  mesh.faces_usable = check_indices(valve, problems);
+  mesh.faces_usable = check_face_indices(valve, problems);
   if (!mesh.faces_usable || !check_shapes(valve, mesh.vertices_usable, problems)) return mesh;
   if (mesh.vertices_usable) check_edges(valve, problems);
   const Surface surface = join(valve.faces, problems);

@@ -7,7 +7,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* kSchema =
@@ -34,7 +33,7 @@ ordered_json control_points(const Markup& markup) {
 }
 
 /// The member if it is there and a string.
-std::string text_of(const json& object, const char* name, const char* otherwise) {
+std::string text_of(const nlohmann::json& object, const char* name, const char* otherwise) {
   const auto found = object.find(name);
   return found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
 }
@@ -89,7 +88,7 @@ std::string write_markups(const std::vector<Markup>& markups) {
 }
 
 Expected<std::vector<Markup>> read_markups(std::string_view text) {
-  const Expected<json> document = parse_json(text);
+  const Expected<nlohmann::json> document = parse_json(text);
   if (!document) return document.errors();
   ProblemList problems;
   const JsonPlace root{*document, problems};

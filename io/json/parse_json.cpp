@@ -8,8 +8,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxDepth = 32;
 constexpr std::size_t kMaxValues = 8'000'000;  // the largest valve has 6 million
@@ -29,7 +27,7 @@ class Builder {
  public:
   explicit Builder(ProblemList& problems) : problems_(problems) {}
 
-  json take() { return std::move(root_); }
+  nlohmann::json take() { return std::move(root_); }
 
   // The events of nlohmann::json::sax_parse; false stops it.
   bool null() { return put(nullptr); }
@@ -38,9 +36,9 @@ class Builder {
   bool number_unsigned(std::uint64_t value) { return put(value); }
   bool number_float(double value, const std::string&) { return put(value); }
   bool string(std::string& value) { return put(std::move(value)); }
-  bool binary(json::binary_t&) { return false; }
-  bool start_object(std::size_t) { return open(json::object()); }
-  bool start_array(std::size_t) { return open(json::array()); }
+  bool binary(nlohmann::json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(nlohmann::json::object()); }
+  bool start_array(std::size_t) { return open(nlohmann::json::array()); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
 
@@ -65,13 +63,13 @@ class Builder {
 
  private:
   struct Level {
-    json* value;
+    nlohmann::json* value;
     std::string name;  // the latest, in an object
   };
 
   // To the value begun last, or in an array to the `ahead`-th after it.
   std::string path(std::size_t ahead = 0) const {
-    json::json_pointer pointer;
+    nlohmann::json::json_pointer pointer;
     for (const Level& level : levels_) {
       const bool last = &level == &levels_.back();
       if (level.value->is_array()) {
@@ -88,7 +86,7 @@ class Builder {
     return false;
   }
 
-  json* insert(json&& value) {
+  nlohmann::json* insert(nlohmann::json&& value) {
     if (levels_.empty()) return &(root_ = std::move(value));
     Level& level = levels_.back();
     if (level.value->is_object()) return &((*level.value)[level.name] = std::move(value));
@@ -96,13 +94,13 @@ class Builder {
     return &level.value->back();
   }
 
-  bool put(json&& value) {
+  bool put(nlohmann::json&& value) {
     insert(std::move(value));
     return ++values_ <= kMaxValues || stop("is more than the 8 million values accepted");
   }
 
-  bool open(json&& value) {
-    json* const inserted = insert(std::move(value));
+  bool open(nlohmann::json&& value) {
+    nlohmann::json* const inserted = insert(std::move(value));
     if (levels_.size() == kMaxDepth) return stop("is nested deeper than the 32 levels accepted");
     if (++values_ > kMaxValues) return stop("is more than the 8 million values accepted");
     levels_.push_back({inserted, {}});
@@ -115,14 +113,14 @@ class Builder {
   }
 
   ProblemList& problems_;
-  json root_;
+  nlohmann::json root_;
   std::vector<Level> levels_;
   std::size_t values_ = 0;
 };
 
 }  // namespace
 
-Expected<json> parse_json(std::string_view text) {
+Expected<nlohmann::json> parse_json(std::string_view text) {
   if (text.size() > kMaxBytes) {
     return Error{
         ErrorCode::InvalidJson, "",
@@ -130,7 +128,7 @@ Expected<json> parse_json(std::string_view text) {
   }
   ProblemList problems;
   Builder builder(problems);
-  json::sax_parse(text.begin(), text.end(), &builder);
+  nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   if (!problems.empty()) return std::move(problems).take();
   return builder.take();
 }

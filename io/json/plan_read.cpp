@@ -3,6 +3,7 @@
 #include "core/repair/limits.h"
 #include "io/json/json_reader.h"
 #include "io/json/plan_json.h"
+#include "io/json/valve_json.h"
 
 namespace coapt {
 namespace {
@@ -17,10 +18,6 @@ std::function<void(const JsonPlace&)> number_into(double& target, Range range,
 // Already read: it told which fields to expect.
 JsonField tag(std::string_view name) {
   return {name, [](const JsonPlace&) {}};
-}
-
-Side read_side(const JsonPlace& place) {
-  return read_name<Side>(place, {Side::Anterolateral, Side::Posteromedial});
 }
 
 Leaflet read_leaflet(const JsonPlace& place) {

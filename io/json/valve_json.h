@@ -1,11 +1,11 @@
 // The valve file, schema coapt.valve/1 (io/schema/valve.schema.json).
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
 #include "core/valve/valve.h"
+#include "io/json/json_reader.h"
 
 namespace coapt {
 
@@ -20,5 +20,8 @@ Expected<Valve> valve_from_json(const nlohmann::json& json);
 /// Round trip: read_valve(write_valve(v)) gives the same bits.
 /// @pre validate(valve) is empty.
 std::string write_valve(const Valve& valve);
+
+/// Stand-in Anterolateral.
+Side read_side(const JsonPlace& place);
 
 }  // namespace coapt

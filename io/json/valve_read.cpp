@@ -17,10 +17,6 @@ Segment read_segment(const JsonPlace& place) {
   return read_name(place, choices);
 }
 
-Side read_side(const JsonPlace& place) {
-  return read_name<Side>(place, {Side::Anterolateral, Side::Posteromedial});
-}
-
 ChordaKind read_kind(const JsonPlace& place) {
   return read_name<ChordaKind>(
       place, {ChordaKind::Marginal, ChordaKind::Strut, ChordaKind::Basal, ChordaKind::Neochorda});
@@ -152,6 +148,10 @@ bool within(const std::string& path, const std::string& outer) {
 }
 
 }  // namespace
+
+Side read_side(const JsonPlace& place) {
+  return read_name<Side>(place, {Side::Anterolateral, Side::Posteromedial});
+}
 
 Expected<Valve> valve_from_json(const nlohmann::json& json) {
   ProblemList problems;

@@ -14,7 +14,7 @@
 namespace coapt {
 namespace {
 
-constexpr Eigen::Index kMaxFaces = 1'000'000;
+constexpr Eigen::Index kMostFaces = 1'000'000;
 constexpr Eigen::Index kMinAnnulus = 12;
 constexpr std::size_t kMaxChordae = 2000;
 constexpr Range kCircumferenceMm = {30.0, 400.0};
@@ -51,7 +51,7 @@ void check_leaflets(const std::vector<TriangleMesh>& leaflets, ProblemList& prob
   for (std::size_t i = 0; i < leaflets.size(); ++i) {
     const TriangleMesh& mesh = leaflets[i];
     const std::string path = at("/leaflets", static_cast<std::ptrdiff_t>(i));
-    if (mesh.faces.rows() == 0 || mesh.faces.rows() > kMaxFaces) {
+    if (mesh.faces.rows() == 0 || mesh.faces.rows() > kMostFaces) {
       problems.add(
           ErrorCode::OutOfRange, path + "/faces",
           "has " + std::to_string(mesh.faces.rows()) + " triangles, must have 1 to 1000000");
@@ -60,7 +60,7 @@ void check_leaflets(const std::vector<TriangleMesh>& leaflets, ProblemList& prob
           ErrorCode::BadReference, path + "/faces",
           "must hold indices of vertices, 0 to " + std::to_string(mesh.vertices_mm.rows() - 1));
     }
-    if (mesh.faces.rows() <= kMaxFaces && !has_boundary(mesh.faces)) {
+    if (mesh.faces.rows() <= kMostFaces && !has_boundary(mesh.faces)) {
       problems.add(ErrorCode::BadTopology, path + "/faces",
                    "is a closed surface; must be one sheet, with a free edge");
     }

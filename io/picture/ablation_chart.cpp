@@ -11,7 +11,8 @@
 namespace coapt {
 namespace {
 
-constexpr double kWidth = 1000.0, kTop = 108.0, kRow = 21.0, kGroupGap = 11.0, kBar = 11.0;
+constexpr double kTableWidth = 1000.0, kTableTop = 108.0, kRow = 21.0, kGroupGap = 11.0,
+                 kBar = 11.0;
 constexpr double kLabels = 270.0;  // right end of the row labels
 constexpr double kFoot = 58.0;
 constexpr const char* kScaleGroup = "to compare";  // rows that the others are read against
@@ -106,13 +107,15 @@ std::string trouble(const AblationSummary& summary) {
 }
 
 std::string draw_axis(const Panel& panel, double bottom) {
-  std::string svg = text_at(panel.left, kTop - 40.0, "class=\"head\"", panel.title);
-  svg += text_at(panel.left, kTop - 24.0, "class=\"tick\"", panel.unit);
-  svg += text_at(panel.right + 46.0, kTop - 24.0, "text-anchor=\"end\" class=\"tick\"", "median");
-  svg += text_at(panel.right + 82.0, kTop - 24.0, "text-anchor=\"end\" class=\"tick\"", "most");
+  std::string svg = text_at(panel.left, kTableTop - 40.0, "class=\"head\"", panel.title);
+  svg += text_at(panel.left, kTableTop - 24.0, "class=\"tick\"", panel.unit);
+  svg +=
+      text_at(panel.right + 46.0, kTableTop - 24.0, "text-anchor=\"end\" class=\"tick\"", "median");
+  svg +=
+      text_at(panel.right + 82.0, kTableTop - 24.0, "text-anchor=\"end\" class=\"tick\"", "most");
   for (const double tick : panel.ticks) {
     const double x = at(panel, tick);
-    svg += line_at(tick == panel.base ? "axis" : "grid", x, kTop - 8.0, x, bottom);
+    svg += line_at(tick == panel.base ? "axis" : "grid", x, kTableTop - 8.0, x, bottom);
     std::ostringstream label;
     label << tick;
     svg += text_at(x, bottom + 16.0, "text-anchor=\"middle\" class=\"tick\"", label.str());
@@ -126,7 +129,7 @@ std::string draw_floor(const Panel& panel, const std::vector<AblationSummary>& s
   for (const AblationSummary& summary : summaries)
     if (summary.group == kScaleGroup) {
       const double x = at(panel, summary.*panel.median);
-      return line_at("floor", x, kTop - 8.0, x, bottom);
+      return line_at("floor", x, kTableTop - 8.0, x, bottom);
     }
   return "";
 }
@@ -164,7 +167,7 @@ std::string ablation_csv(const std::vector<AblationOutcome>& outcomes) {
 std::string ablation_svg(const std::vector<AblationOutcome>& outcomes) {
   const std::vector<AblationSummary> summaries = summarise(outcomes);
   std::string rows, last_group;
-  double y = kTop - kGroupGap;
+  double y = kTableTop - kGroupGap;
   for (const AblationSummary& summary : summaries) {
     if (summary.group != last_group) {
       y += kGroupGap;
@@ -173,14 +176,15 @@ std::string ablation_svg(const std::vector<AblationOutcome>& outcomes) {
     last_group = summary.group;
     rows += text_at(kLabels, y + 4.5, "text-anchor=\"end\"", summary.change);
     for (const Panel& panel : panels()) rows += draw_bar(panel, summary, y);
-    rows += text_at(kWidth - 8.0, y + 4.5, "text-anchor=\"end\" class=\"tick\"", trouble(summary));
+    rows +=
+        text_at(kTableWidth - 8.0, y + 4.5, "text-anchor=\"end\" class=\"tick\"", trouble(summary));
     y += kRow;
   }
   const double bottom = y - 0.4 * kRow;
   const std::string scenes = std::to_string(summaries.empty() ? 0 : summaries.front().scenes);
   std::string svg =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"coapt-chart\" viewBox=\"0 0 " +
-      fixed(kWidth, 0) + " " + fixed(bottom + kFoot, 0) +
+      fixed(kTableWidth, 0) + " " + fixed(bottom + kFoot, 0) +
       "\" role=\"img\" aria-label=\"What each ingredient buys and costs\">\n" + style();
   svg += text_at(8.0, 24.0, "class=\"title\"",
                  "What each ingredient of a closure buys, and what it costs");
@@ -195,8 +199,10 @@ std::string ablation_svg(const std::vector<AblationOutcome>& outcomes) {
   }
   if (std::any_of(summaries.begin(), summaries.end(),
                   [](const AblationSummary& s) { return !trouble(s).empty(); })) {
-    svg += text_at(kWidth - 8.0, kTop - 40.0, "text-anchor=\"end\" class=\"tick\"", "tried");
-    svg += text_at(kWidth - 8.0, kTop - 24.0, "text-anchor=\"end\" class=\"tick\"", "again");
+    svg +=
+        text_at(kTableWidth - 8.0, kTableTop - 40.0, "text-anchor=\"end\" class=\"tick\"", "tried");
+    svg +=
+        text_at(kTableWidth - 8.0, kTableTop - 24.0, "text-anchor=\"end\" class=\"tick\"", "again");
   }
   svg +=
       text_at(8.0, bottom + 44.0, "class=\"tick\"",

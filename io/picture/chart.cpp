@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "io/picture/chart_frame.h"
 #include "io/picture/picture.h"
 #include "io/picture/svg.h"
 #include "io/picture/text.h"
@@ -12,50 +12,17 @@
 namespace coapt {
 namespace {
 
-constexpr double kWidth = 760.0, kHeight = 400.0;
-constexpr double kLeft = 72.0, kRight = 20.0, kTop = 74.0, kBottom = 60.0;
+constexpr double kChartWidth = 760.0, kChartHeight = 400.0;
+constexpr double kLeft = 72.0, kRight = 20.0, kChartTop = 74.0, kBottom = 60.0;
 constexpr std::size_t kMarkersUpTo = 40;  // points of a series; more would run together
 constexpr std::array<const char*, 6> kColours = {"#3b78d8", "#d9622b", "#17977a",
                                                  "#9060d8", "#b98a1d", "#7a8794"};
 
-/// A range with round ends, and the distance of its ticks.
-struct Axis {
-  double low = 0.0, high = 1.0, step = 0.2;
-  int decimals = 1;
-};
-
-/// About five steps of 1, 2 or 5 times a power of ten that hold every finite value.
-Axis make_axis(double low, double high) {
-  if (!(low <= high)) return {};
-  if (low >= 0.0 && low < 0.5 * high) low = 0.0;
-  if (high - low < 1e-12 * std::max(1.0, std::abs(high))) {
-    low -= 0.5 * std::max(1.0, std::abs(low));
-    high += 0.5 * std::max(1.0, std::abs(high));
-  }
-  const double rough = (high - low) / 5.0;
-  const double power = std::floor(std::log10(rough));
-  const double share = rough / std::pow(10.0, power);
-  Axis axis;
-  axis.step = (share <= 1.0   ? 1.0
-               : share <= 2.0 ? 2.0
-               : share <= 5.0 ? 5.0
-                              : 10.0) *
-              std::pow(10.0, power);
-  axis.low = std::floor(low / axis.step + 1e-9) * axis.step;
-  axis.high = std::ceil(high / axis.step - 1e-9) * axis.step;
-  axis.decimals = std::clamp(static_cast<int>(-std::floor(std::log10(axis.step) + 1e-9)), 0, 12);
-  return axis;
-}
-
 Axis axis_of(const Chart& chart, std::vector<double> Series::*values) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  Extent range;
   for (const Series& series : chart.series)
-    for (const double value : series.*values)
-      if (std::isfinite(value)) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-  return make_axis(low, high);
+    for (const double value : series.*values) range = including(range, value);
+  return round_axis(range);
 }
 
 /// Whole decades that hold every finite value, which are logarithms already.
@@ -66,16 +33,16 @@ Axis decades_of(const Chart& chart) {
 }
 
 double to_x(const Axis& axis, double value) {
-  return kLeft + (value - axis.low) / (axis.high - axis.low) * (kWidth - kLeft - kRight);
+  return kLeft + (value - axis.low) / (axis.high - axis.low) * (kChartWidth - kLeft - kRight);
 }
 
 double to_y(const Axis& axis, double value) {
-  return kHeight - kBottom -
-         (value - axis.low) / (axis.high - axis.low) * (kHeight - kTop - kBottom);
+  return kChartHeight - kBottom -
+         (value - axis.low) / (axis.high - axis.low) * (kChartHeight - kChartTop - kBottom);
 }
 
 std::string draw_axes(const Chart& chart, const Axis& x_axis, const Axis& y_axis) {
-  const double bottom = kHeight - kBottom, right = kWidth - kRight;
+  const double bottom = kChartHeight - kBottom, right = kChartWidth - kRight;
   std::string svg;
   const auto ticks = [](const Axis& axis) {
     return static_cast<int>(std::lround((axis.high - axis.low) / axis.step));
@@ -95,15 +62,16 @@ std::string draw_axes(const Chart& chart, const Axis& x_axis, const Axis& y_axis
     svg += text_at(x, bottom + 20.0, "class=\"tick\" text-anchor=\"middle\"", label);
   }
   svg += line_at("axis", kLeft, bottom, right, bottom);
-  svg += text_at(0.5 * (kLeft + right), kHeight - 14.0, "text-anchor=\"middle\"", chart.x_label);
-  const double middle = 0.5 * (kTop + bottom);
+  svg +=
+      text_at(0.5 * (kLeft + right), kChartHeight - 14.0, "text-anchor=\"middle\"", chart.x_label);
+  const double middle = 0.5 * (kChartTop + bottom);
   svg += text_at(18.0, middle,
                  "text-anchor=\"middle\" transform=\"rotate(-90 18 " + fixed(middle, 1) + ")\"",
                  chart.y_label);
   return svg;
 }
 
-std::string line_class(const Series& series) { return series.dashed ? "line dashed" : "line"; }
+Mark mark_of(const Series& series) { return series.dashed ? Mark::Dashed : Mark::Line; }
 
 std::string draw_series(const Series& series, const std::string& colour, const Axis& x_axis,
                         const Axis& y_axis) {
@@ -123,21 +91,21 @@ std::string draw_series(const Series& series, const std::string& colour, const A
       markers += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"3.2\" fill=\"" + colour + "\"/>\n";
   }
   if (!series.line) return markers;
-  return "<path class=\"" + line_class(series) + "\" stroke=\"" + colour + "\" d=\"" + path +
-         "\"/>\n" + markers;
+  return "<path class=\"" + line_class(mark_of(series)) + "\" stroke=\"" + colour + "\" d=\"" +
+         path + "\"/>\n" + markers;
 }
 
 /// Below the title, from the left; each entry takes the room of its text.
 std::string draw_legend(const Chart& chart) {
-  constexpr double kCharacter = 7.0;  // mean advance of the 13 px text
+  constexpr double kLegendCharacter = 7.0;  // mean advance of the 13 px text
   constexpr double kLegendLine = 18.0;
   std::string svg;
   double x = kLeft, y = 40.0;
   for (std::size_t i = 0; i < chart.series.size() && chart.series.size() > 1; ++i) {
     const std::string& label = chart.series[i].label;
-    const double width = 26.0 + kCharacter * static_cast<double>(label.size());
-    if (x > kLeft && x + width > kWidth - kRight) x = kLeft, y += kLegendLine;
-    svg += "<line class=\"" + line_class(chart.series[i]) + "\" stroke=\"" +
+    const double width = 26.0 + kLegendCharacter * static_cast<double>(label.size());
+    if (x > kLeft && x + width > kChartWidth - kRight) x = kLeft, y += kLegendLine;
+    svg += "<line class=\"" + line_class(mark_of(chart.series[i])) + "\" stroke=\"" +
            std::string(kColours[i % kColours.size()]) + "\" x1=\"" + fixed(x, 1) + "\" y1=\"" +
            fixed(y, 1) + "\" x2=\"" + fixed(x + 20.0, 1) + "\" y2=\"" + fixed(y, 1) + "\"/>\n";
     svg += text_at(x + 26.0, y + 4.0, "class=\"tick\"", label);
@@ -157,7 +125,7 @@ std::string chart_svg(const Chart& given) {
   const Axis y_axis = axis_of(chart, &Series::y);
   std::string svg =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"coapt-chart\" viewBox=\"0 0 " +
-      fixed(kWidth, 0) + " " + fixed(kHeight, 0) + "\" role=\"img\" aria-label=\"" +
+      fixed(kChartWidth, 0) + " " + fixed(kChartHeight, 0) + "\" role=\"img\" aria-label=\"" +
       escape_html(chart.title) + "\">\n";
   svg +=
       "<style>\n"

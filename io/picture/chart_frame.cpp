@@ -181,7 +181,7 @@ double y_at(const Frame& frame, double value) {
 }
 
 std::string draw_frame(const Frame& frame, const FrameWords& words) {
-  const Box& plot = frame.plot;
+  const PlotBox& plot = frame.plot;
   std::string svg = text_at(plot.left, plot.top - 12.0, "class=\"head\"", words.title);
   for (const double tick : ticks_of(frame.y)) {
     const double y = y_at(frame, tick);
@@ -230,7 +230,7 @@ Drawn draw_heading(const Heading& heading) {
   return {drawn.svg, y + 12.0};
 }
 
-Box cell(const CellGrid& grid, int index) {
+PlotBox cell(const CellGrid& grid, int index) {
   const double width = kFigureWidth / grid.columns;
   const double left = index % grid.columns * width;
   const double top = grid.top + index / grid.columns * grid.height;

@@ -38,12 +38,12 @@ Axis round_axis(Extent range, int ticks = 5);
 std::vector<double> ticks_of(const Axis& axis);
 
 /// Pixels, y downwards.
-struct Box {
+struct PlotBox {
   double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
 };
 
 struct Frame {
-  Box plot;
+  PlotBox plot;
   Axis x, y;
 };
 double x_at(const Frame& frame, double value);
@@ -83,7 +83,7 @@ struct CellGrid {
   int count = 0, columns = 3;
   double top = 0.0, height = 300.0;
 };
-Box cell(const CellGrid& grid, int index);
+PlotBox cell(const CellGrid& grid, int index);
 double bottom_of(const CellGrid& grid);
 
 /// The whole file; `title` for those who do not see it.

@@ -46,7 +46,7 @@ std::string largest_words(const DisplacementGrid& grid) {
          fixed(largest[6], 1) + " mm²";
 }
 
-std::string draw_orifice(const DisplacementGrid& grid, const Box& area) {
+std::string draw_orifice(const DisplacementGrid& grid, const PlotBox& area) {
   Extent range{0.0, 0.0};
   for (const double value : grid.area_mm2) range = including(range, value);
   const ObliqueBox box{
@@ -88,7 +88,7 @@ std::string slope_words(const std::vector<Vec3>& gradient) {
          ", apical " + fixed(sum.z(), 1) + " mm² per mm";
 }
 
-std::string draw_gradient(const DisplacementGrid& grid, const Box& area) {
+std::string draw_gradient(const DisplacementGrid& grid, const PlotBox& area) {
   const std::vector<Vec3> gradient = gradients(grid);
   double most = 0.0;
   for (const Vec3& slope : gradient)
@@ -189,13 +189,13 @@ std::string papillary_svg(const PapillaryStudy& study) {
   Drawn drawn = draw_heading(heading);
   const CellGrid cells{6, 2, drawn.bottom, kRow};
   for (std::size_t k = 0; k < study.grids.size(); ++k) {
-    const Box left = cell(cells, 2 * static_cast<int>(k));
-    const Box right = cell(cells, 2 * static_cast<int>(k) + 1);
+    const PlotBox left = cell(cells, 2 * static_cast<int>(k));
+    const PlotBox right = cell(cells, 2 * static_cast<int>(k) + 1);
     drawn.svg +=
         text_at(left.left + 12.0, left.top + 20.0, "class=\"head\"", class_title(kDisplaced[k]));
     if (!complete(study.grids[k])) continue;
-    const auto plot = [](const Box& box) {
-      return Box{box.left + 40.0, box.top + 50.0, box.right - 30.0, box.bottom - 84.0};
+    const auto plot = [](const PlotBox& box) {
+      return PlotBox{box.left + 40.0, box.top + 50.0, box.right - 30.0, box.bottom - 84.0};
     };
     drawn.svg += draw_orifice(study.grids[k], plot(left));
     drawn.svg += draw_gradient(study.grids[k], plot(right));
@@ -227,7 +227,7 @@ std::string ring_svg(const RingStudy& study) {
   const CellGrid cells{9, 3, panels.bottom + 44.0, 150.0};
   for (std::size_t k = 0; k < kDisplaced.size(); ++k)
     for (int sizes = 1; sizes <= 3; ++sizes) {
-      const Box box = cell(cells, 3 * static_cast<int>(k) + sizes - 1);
+      const PlotBox box = cell(cells, 3 * static_cast<int>(k) + sizes - 1);
       drawn.svg += draw_heat_map(ratio_map(study, kDisplaced[k], sizes), scale,
                                  {box.left + 2.0, box.top, box.right - 8.0, box.bottom - 8.0});
     }

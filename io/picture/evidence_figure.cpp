@@ -20,7 +20,7 @@ constexpr double kDarkest_mm2 =
     10.0;  // the same scale for all plans; their middle is a good repair's most
 constexpr double kLengthStep_mm = 0.25;
 
-using Panel = std::function<std::string(const Box&)>;
+using Panel = std::function<std::string(const PlotBox&)>;
 
 /// Two, that numbers in cells can be read on paper.
 int columns_for(std::size_t panels) { return panels == 1 ? 1 : 2; }
@@ -44,7 +44,7 @@ HeatScale scale_of(const LeakMap& map) {
 }
 
 Panel map_panel(const LeakMap& map) {
-  return [&map](const Box& box) {
+  return [&map](const PlotBox& box) {
     HeatMap heat{title_of(map), "", {}, {}, {""}, {map.leak_mm2}};
     for (int l = 0; l < kRegionLengths; ++l)
       heat.row_ticks.push_back(l % 2 == 0 ? fixed(kLengthStep_mm * (l - kRegionLengths / 2), 1)
@@ -52,7 +52,7 @@ Panel map_panel(const LeakMap& map) {
     for (int a = 0; a < kRegionAngles; ++a)
       heat.column_ticks.push_back(std::to_string(a - kRegionAngles / 2));
     heat.framed = {kRegionLengths / 2, kRegionAngles / 2};
-    const Box within{box.left + 26.0, box.top, box.right - 16.0, box.bottom - 30.0};
+    const PlotBox within{box.left + 26.0, box.top, box.right - 16.0, box.bottom - 30.0};
     const std::string x = fixed(box.left + 20.0, 1), y = fixed(0.5 * (box.top + box.bottom), 1);
     return draw_heat_map(heat, scale_of(map), within) +
            text_at(0.5 * (within.left + 34.0 + within.right), box.bottom - 16.0,
@@ -63,7 +63,7 @@ Panel map_panel(const LeakMap& map) {
   };
 }
 
-std::string draw_with_keys(const LinePanel& panel, const Box& box) {
+std::string draw_with_keys(const LinePanel& panel, const PlotBox& box) {
   std::vector<LegendEntry> keys;
   for (const PanelSeries& series : panel.series)
     if (!series.label.empty()) keys.push_back({series.label, css_class(series.hue), series.mark});
@@ -71,7 +71,7 @@ std::string draw_with_keys(const LinePanel& panel, const Box& box) {
 }
 
 Panel remodelling_panel(const std::vector<RemodellingCurve>& curves) {
-  return [&curves](const Box& box) {
+  return [&curves](const PlotBox& box) {
     constexpr std::array kHues = {Hue::Blue, Hue::Green, Hue::Orange, Hue::Vermillion};
     constexpr std::array kMarks = {Mark::Line, Mark::LongDashed, Mark::Dotted, Mark::DashDotted};
     LinePanel panel{{"If remodelling goes on", "tips further, mm", "leak, mm²"}, {}};
@@ -107,7 +107,7 @@ PanelSeries profile(const std::string& label, const ValveMeasure& measure, Hue h
 }
 
 Panel coaptation_panel(const ValveMeasure& before, const ValveMeasure& after) {
-  return [&before, &after](const Box& box) {
+  return [&before, &after](const PlotBox& box) {
     LinePanel panel{
         {"Coaptation in nine sections", "anterolateral to posteromedial commissure", "height, mm"},
         {profile("after", after, Hue::Blue, Mark::Line),
@@ -128,7 +128,7 @@ std::string bar(const char* style, double x, double y, double width, double heig
 }
 
 Panel indices_panel(const RegionIndices& indices) {
-  return [&indices](const Box& box) {
+  return [&indices](const PlotBox& box) {
     constexpr std::array kAxes = {"suture length", "angle outwards", "angle backwards"};
     constexpr double kRow = 62.0, kThick = 16.0;
     const double left = box.left + 20.0, width = box.right - 30.0 - left;

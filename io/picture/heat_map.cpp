@@ -33,7 +33,7 @@ std::string draw_cell(const Place& at, double value, const HeatScale& scale) {
 
 }  // namespace
 
-std::string draw_heat_map(const HeatMap& map, const HeatScale& scale, const Box& box) {
+std::string draw_heat_map(const HeatMap& map, const HeatScale& scale, const PlotBox& box) {
   const auto blocks = static_cast<double>(std::max<std::size_t>(1, map.blocks.size()));
   const auto columns = static_cast<double>(std::max<std::size_t>(1, map.column_ticks.size()));
   const auto rows = static_cast<double>(std::max<std::size_t>(1, map.row_ticks.size()));

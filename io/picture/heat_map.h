@@ -26,7 +26,7 @@ struct HeatScale {
   int decimals = 0;  ///< of the values written in the cells
 };
 
-std::string draw_heat_map(const HeatMap& map, const HeatScale& scale, const Box& box);
+std::string draw_heat_map(const HeatMap& map, const HeatScale& scale, const PlotBox& box);
 
 /// Bar with round values; `x`, `y`: its upper left corner.
 std::string draw_scale(const HeatScale& scale, const std::string& label, double x, double y);

@@ -102,7 +102,7 @@ std::string draw_words(const Frame& frame, const HistogramPanel& panel, std::siz
   return svg;
 }
 
-std::string draw_panel(const HistogramPanel& panel, const Box& box) {
+std::string draw_panel(const HistogramPanel& panel, const PlotBox& box) {
   const Axis bins = bins_of(panel);
   std::vector<Counts> counts;
   Extent most{0.0, 1.0};

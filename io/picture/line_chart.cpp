@@ -77,7 +77,7 @@ std::vector<LegendEntry> legend_of(const LineChart& chart) {
   return legend;
 }
 
-std::string draw_line_panel(const LinePanel& panel, const Box& box) {
+std::string draw_line_panel(const LinePanel& panel, const PlotBox& box) {
   const Frame frame{
       {box.left + 60.0, box.top + 30.0, box.right - 16.0, box.bottom - 46.0},
       panel.x_axis ? *panel.x_axis : round_axis(range_of(panel, kAllX, panel.x_holds)),

@@ -36,7 +36,7 @@ struct LineChart {
 
 std::string line_chart_svg(const LineChart& chart);
 /// One panel, words included, in a box.
-std::string draw_line_panel(const LinePanel& panel, const Box& box);
+std::string draw_line_panel(const LinePanel& panel, const PlotBox& box);
 /// The same without title, from `top` downwards, to stand in a figure with other things.
 Drawn draw_line_panels(const LineChart& chart, double top);
 std::vector<LegendEntry> legend_of(const LineChart& chart);

@@ -14,7 +14,7 @@ namespace coapt {
 struct ObliqueBox {
   std::array<Axis, 3> axes;
   double height = 1.0;  ///< of the z axis, in lengths of the other two
-  Box area{};           ///< px; the box fits into it, words stand up to 40 px outside
+  PlotBox area{};       ///< px; the box fits into it, words stand up to 40 px outside
 };
 
 /// Pixels.

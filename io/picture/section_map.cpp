@@ -9,7 +9,7 @@
 namespace coapt {
 namespace {
 
-using Extent = Eigen::AlignedBox2d;  // of section coordinates: pixels or millimetres, y down
+using Bounds = Eigen::AlignedBox2d;  // of section coordinates: pixels or millimetres, y down
 
 // Pixels that must stay free around the drawing: for labels, and for the width of strokes.
 constexpr double kBeside = 85.0;     // of the leaflets: "anterior", "posterior"
@@ -18,7 +18,7 @@ constexpr double kAbove = 62.0;      // "left atrium" and the tenting
 constexpr double kBelow = 72.0;      // "papillary tips" above the row of the scale bar
 
 struct Extents {
-  Extent leaflets, tips;
+  Bounds leaflets, tips;
 };
 
 Extents extents(const ClosedValve& closed, const SectionMap& map) {
@@ -40,7 +40,7 @@ struct Flank {
 
 /// The parts on either side of the origin, in one direction: left or right.
 std::array<Flank, 2> sides(const Extents& mm, bool right) {
-  const auto reach = [right](const Extent& extent) {
+  const auto reach = [right](const Bounds& extent) {
     if (extent.isEmpty()) return 0.0;
     return std::max(0.0, right ? extent.max().x() : -extent.min().x());
   };
@@ -62,7 +62,7 @@ SectionMap unplaced(const Valve& valve) {
 
 /// Top and bottom of leaflets and tips together, mm below the origin.
 std::pair<double, double> depth_mm(const Extents& mm) {
-  const Extent both = mm.leaflets.merged(mm.tips);
+  const Bounds both = mm.leaflets.merged(mm.tips);
   return {both.min().y(), std::max(12.0, both.max().y())};
 }
 

@@ -9,10 +9,10 @@ namespace coapt {
 namespace {
 
 // The numbers are ANY, because REAL would make 0.0 of -0.0.
-constexpr StoreFormat kFormat = {.application = 0x636f6170,  // "coap"
-                                 .schema = 1,
-                                 .rows = "closures",
-                                 .tables = R"(
+constexpr StoreFormat kClosureFormat = {.application = 0x636f6170,  // "coap"
+                                        .schema = 1,
+                                        .rows = "closures",
+                                        .tables = R"(
 CREATE TABLE closures (
   subject TEXT,           -- valve, closure options and version, hashed
   dilation INTEGER,       -- of the annulus, 1e-6 percent
@@ -33,10 +33,10 @@ CREATE TABLE closures (
 )"};
 
 // Not INSERT OR IGNORE, which would pass over every constraint and not only over the key's.
-constexpr const char* kInsert =
+constexpr const char* kInsertClosure =
     "INSERT INTO closures VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING";
 
-constexpr const char* kSelect =
+constexpr const char* kSelectClosures =
     "SELECT dilation, height, al_transverse, al_posterior, al_apical, pm_transverse, pm_posterior, "
     "pm_apical, sizes, area_mm2, sd_mm2, trusted FROM closures WHERE subject = ?";
 
@@ -46,15 +46,15 @@ ClosureStore::ClosureStore(StoreDatabase database, Statement insert)
     : database_(std::move(database)), insert_(std::move(insert)) {}
 
 Expected<ClosureStore> ClosureStore::open(const std::string& path, int lock_timeout_ms) {
-  Expected<StoreDatabase> database = StoreDatabase::open(path, kFormat, lock_timeout_ms);
+  Expected<StoreDatabase> database = StoreDatabase::open(path, kClosureFormat, lock_timeout_ms);
   if (!database) return database.errors();
-  Statement insert = database->prepare(kInsert);
+  Statement insert = database->prepare(kInsertClosure);
   if (!insert) return database->failure("cannot be opened");
   return ClosureStore(*std::move(database), std::move(insert));
 }
 
 Expected<KnownOrifices> ClosureStore::read(const std::string& subject) const {
-  const Statement rows = database_.prepare(kSelect);
+  const Statement rows = database_.prepare(kSelectClosures);
   KnownOrifices known;
   int step = SQLITE_ERROR;
   if (rows) {

@@ -8,10 +8,10 @@ namespace coapt {
 namespace {
 
 // What may be large lies in tables of its own: a row is written anew with each change of a job.
-constexpr StoreFormat kFormat = {.application = 0x636f6a62,  // "cojb"
-                                 .schema = 1,
-                                 .rows = "jobs",
-                                 .tables = R"(
+constexpr StoreFormat kJobFormat = {.application = 0x636f6a62,  // "cojb"
+                                    .schema = 1,
+                                    .rows = "jobs",
+                                    .tables = R"(
 CREATE TABLE valves (
   number INTEGER PRIMARY KEY,
   id TEXT NOT NULL UNIQUE,
@@ -58,10 +58,10 @@ CREATE TABLE events (
   PRIMARY KEY (job, number)
 ) STRICT, WITHOUT ROWID;
 )",
-                                 .settings =
-                                     "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;"
-                                     "PRAGMA journal_size_limit = 67108864",  // bytes
-                                 .tells_causes = true};
+                                    .settings =
+                                        "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;"
+                                        "PRAGMA journal_size_limit = 67108864",  // bytes
+                                    .tells_causes = true};
 
 // Not INSERT OR IGNORE, which would pass over every constraint and not only over the key's.
 constexpr const char* kInsertValve =
@@ -84,7 +84,7 @@ Transaction JobStore::reading() const {
 
 Expected<JobStore> JobStore::open(const std::string& path, int lock_timeout_ms) {
   // The lock comes second: beside what is not a store nothing is made.
-  Expected<StoreDatabase> writer = StoreDatabase::open(path, kFormat, lock_timeout_ms);
+  Expected<StoreDatabase> writer = StoreDatabase::open(path, kJobFormat, lock_timeout_ms);
   if (!writer) return writer.errors();
   Expected<FileLock> lock = FileLock::take(writer->file() + "-lock");
   if (!lock) {
@@ -93,7 +93,7 @@ Expected<JobStore> JobStore::open(const std::string& path, int lock_timeout_ms) 
       errors[0].message = path + ": is used by another coapt-server";
     return errors;
   }
-  StoreFormat read_only = kFormat;
+  StoreFormat read_only = kJobFormat;
   read_only.settings = "PRAGMA query_only = ON";
   Expected<StoreDatabase> reader = StoreDatabase::open(path, read_only, lock_timeout_ms);
   if (!reader) return reader.errors();
@@ -143,7 +143,7 @@ Expected<JobStore::Submitted> JobStore::submit(const NewJob& job, const std::str
 
 Errors JobStore::check_writable() {
   Transaction change = writing("cannot be written");
-  change.run("PRAGMA user_version = " + std::to_string(kFormat.schema));
+  change.run("PRAGMA user_version = " + std::to_string(kJobFormat.schema));
   return change.end();
 }
 

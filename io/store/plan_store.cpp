@@ -9,10 +9,10 @@ namespace coapt {
 namespace {
 
 // The numbers are ANY, because REAL would make 0.0 of -0.0.
-constexpr StoreFormat kFormat = {.application = 0x636f706c,  // "copl"
-                                 .schema = 1,
-                                 .rows = "plans",
-                                 .tables = R"(
+constexpr StoreFormat kPlanFormat = {.application = 0x636f706c,  // "copl"
+                                     .schema = 1,
+                                     .rows = "plans",
+                                     .tables = R"(
 CREATE TABLE subjects (
   number INTEGER PRIMARY KEY,
   name TEXT NOT NULL UNIQUE  -- valve, closure options and version, hashed
@@ -35,11 +35,11 @@ CREATE TABLE closures (
   PRIMARY KEY (subject, plan, disturbance)
 ) STRICT, WITHOUT ROWID;
 )",
-                                 // 16 MB: a third faster than 1,000 where every plan is new
-                                 .log_pages = 4000};
+                                     // 16 MB: a third faster than 1,000 where every plan is new
+                                     .log_pages = 4000};
 
 // Not INSERT OR IGNORE, which would pass over every constraint and not only over the key's.
-constexpr const char* kInsert =
+constexpr const char* kInsertOutcome =
     "INSERT INTO closures VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING";
 constexpr const char* kInsertSubject =
     "INSERT INTO subjects (name) VALUES (?) ON CONFLICT DO NOTHING";
@@ -48,7 +48,7 @@ constexpr const char* kSelectSubject = "SELECT number FROM subjects WHERE name =
 constexpr const char* kSelectPlan = "SELECT number FROM plans WHERE name = ?";
 
 // CROSS JOIN: closures outside, plans inside. In the order of the key, so nothing is sorted.
-constexpr const char* kSelect =
+constexpr const char* kSelectOutcomes =
     "SELECT plan, name, disturbance, status, crossing, orifice_mm2, gap_mm2, coaptation_mm, "
     "distance_max_mm, tension_max_n FROM closures CROSS JOIN plans ON plans.number = plan "
     "WHERE subject = (SELECT number FROM subjects WHERE name = ?) ORDER BY plan, disturbance";
@@ -109,9 +109,10 @@ PlanStore::PlanStore(StoreDatabase database, Names subjects, Names plans, Statem
       insert_(std::move(insert)) {}
 
 Expected<PlanStore> PlanStore::open(const std::string& path, int lock_timeout_ms) {
-  Expected<StoreDatabase> database = StoreDatabase::open(path, kFormat, lock_timeout_ms);
+  Expected<StoreDatabase> database = StoreDatabase::open(path, kPlanFormat, lock_timeout_ms);
   if (!database) return database.errors();
-  constexpr std::array sql = {kSelectSubject, kInsertSubject, kSelectPlan, kInsertPlan, kInsert};
+  constexpr std::array sql = {kSelectSubject, kInsertSubject, kSelectPlan, kInsertPlan,
+                              kInsertOutcome};
   std::array<Statement, sql.size()> statements;
   for (std::size_t i = 0; i < sql.size(); ++i) {
     statements[i] = database->prepare(sql[i]);
@@ -123,7 +124,7 @@ Expected<PlanStore> PlanStore::open(const std::string& path, int lock_timeout_ms
 }
 
 Expected<KnownPlans> PlanStore::read(const std::string& subject) const {
-  const Statement rows = database_.prepare(kSelect);
+  const Statement rows = database_.prepare(kSelectOutcomes);
   KnownPlans known;
   int step = SQLITE_ERROR;
   if (rows) {

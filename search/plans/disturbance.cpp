@@ -14,7 +14,6 @@ namespace coapt {
 namespace {
 
 constexpr int kRayLength_mm = 6;  // as far as the thesis displaces tips (4.2.2)
-constexpr double kLengthStep_mm = 0.25;
 
 // Of the posteromedial muscle's nodes: of the seeds 1 to 10,000 the one that leaves no node with itself
 // and correlates lengths, angles and sizes of both muscles' errors least (0.06; a cyclic order: 0.8, since

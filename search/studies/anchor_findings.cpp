@@ -6,7 +6,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kTie = 0.01;             // of the saddle peak's value
 constexpr double kThesisLimit_mm2 = 2.0;  // thesis 4.4.2
 
 /// Means over all approximations of what summaries give by class and anchor.
@@ -71,7 +70,7 @@ std::vector<Finding> anchor_findings(const ApproximationStudy& study) {
              in_percent(peak->clamped_share) + " of the peak's nodes outside the grid";
     const auto compare = [&](const std::string& name, const std::string& says, double ours,
                              double theirs, const std::string& more) {
-      const bool tie = std::abs(ours - theirs) <= kTie * theirs;
+      const bool tie = std::abs(ours - theirs) <= kAnchorTie * theirs;
       all.push_back({prefix + name + of, "4.3.2", says,
                      "trigone " + in_words(ours, 2) + ", saddle peak " + in_words(theirs, 2) +
                          " mm2" + (tie ? ", a tie" : "") + more,

@@ -9,8 +9,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kTie = 0.01;  // of the saddle peak's value
-
 void ask(const Valve& valve, const OpenTable& open_table, const AnchorQuestionOptions& options,
          ScannedAnatomy& scanned) {
   OrificeTable table = open_table(valve);
@@ -41,7 +39,7 @@ AnchorAnswer answer(const std::vector<ScannedAnatomy>& scan, Protocol protocol, 
     shares.push_back(scanned.shares);
     differences.push_back(difference);
     ++found.anatomies;
-    if (std::abs(difference) <= kTie * std::abs(peak))
+    if (std::abs(difference) <= kAnchorTie * std::abs(peak))
       ++found.ties;
     else if (difference < 0.0)
       ++found.trigone_wins;

@@ -54,15 +54,15 @@ nlohmann::ordered_json in_order(const SearchResult& result, const std::vector<Re
   return answer;
 }
 
-struct Asked {
+struct AskedPlans {
   Valve valve;
   std::vector<RepairPlan> plans;
   SearchOptions options;
 };
 
-std::variant<Asked, Answer> read_asked(const ValveSource& valves, const Request& request,
-                                       std::size_t most_plans) {
-  Asked asked;
+std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Request& request,
+                                            std::size_t most_plans) {
+  AskedPlans asked;
   asked.options.threads = 1;
   asked.options.evidence = false;
   asked.options.region_points = 1;
@@ -92,7 +92,8 @@ std::variant<Asked, Answer> read_asked(const ValveSource& valves, const Request&
   return asked;
 }
 
-std::variant<SearchResult, Answer> score(const Asked& asked, const std::vector<RingShape>& rings) {
+std::variant<SearchResult, Answer> score(const AskedPlans& asked,
+                                         const std::vector<RingShape>& rings) {
   std::vector<NamedPlan> named;
   for (const RepairPlan& plan : asked.plans) named.push_back({"", plan});
   const Expected<SearchResult> result =
@@ -112,16 +113,16 @@ Answer scored(const ValveSource& valves, Compute& compute, const std::vector<Rin
   if (const auto* refused = std::get_if<Answer>(&asked)) return *refused;
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  const auto result = score(std::get<Asked>(asked), rings);
+  const auto result = score(std::get<AskedPlans>(asked), rings);
   if (const auto* refused = std::get_if<Answer>(&result)) return *refused;
-  return write(std::get<Asked>(asked), std::get<SearchResult>(result));
+  return write(std::get<AskedPlans>(asked), std::get<SearchResult>(result));
 }
 
 }  // namespace
 
 Answer PostEvaluations::operator()(const Request& request) const {
   return scored(valves, compute, rings, request, kAnyNumber,
-                [](const Asked& asked, const SearchResult& result) {
+                [](const AskedPlans& asked, const SearchResult& result) {
                   return json_answer(200, in_order(result, asked.plans));
                 });
 }
@@ -129,7 +130,7 @@ Answer PostEvaluations::operator()(const Request& request) const {
 Answer PostReports::operator()(const Request& request) const {
   return scored(
       valves, compute, rings, request, kMostReported,
-      [](const Asked& asked, const SearchResult& result) {
+      [](const AskedPlans& asked, const SearchResult& result) {
         const SearchRequest as{asked.options, subject_of(asked.valve, asked.options.closure), ""};
         return Answer{200, Content{kHtmlType, plan_report_html(asked.valve, result, as)}};
       });

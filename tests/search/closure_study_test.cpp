@@ -9,21 +9,21 @@
 namespace coapt {
 namespace {
 
-const std::vector<RingShape> kCatalogue = {{"d", 0.75, 1.0, 0.0, ""}};
+const std::vector<RingShape> kOneRing = {{"d", 0.75, 1.0, 0.0, ""}};
 
 TEST(VariedScenes, AreValidDifferAndComeBackWithTheirNumber) {
   const Valve valve = *make_preset("human-normal", 300);
   Points last = valve.annulus_mm;
   for (int i = 0; i < 20; ++i) {
-    const Valve scene = varied_scene(valve, kCatalogue, 7, i);
+    const Valve scene = varied_scene(valve, kOneRing, 7, i);
     EXPECT_TRUE(validate(scene).empty()) << i;
-    EXPECT_EQ(scene.annulus_mm, varied_scene(valve, kCatalogue, 7, i).annulus_mm);
+    EXPECT_EQ(scene.annulus_mm, varied_scene(valve, kOneRing, 7, i).annulus_mm);
     EXPECT_NE(scene.annulus_mm, last);
     EXPECT_EQ(scene.rest_mm, valve.rest_mm);
     last = scene.annulus_mm;
   }
-  EXPECT_NE(varied_scene(valve, kCatalogue, 8, 0).annulus_mm,
-            varied_scene(valve, kCatalogue, 7, 0).annulus_mm);
+  EXPECT_NE(varied_scene(valve, kOneRing, 8, 0).annulus_mm,
+            varied_scene(valve, kOneRing, 7, 0).annulus_mm);
 }
 
 TEST(ClosureStudy, IsTheSameForAnyNumberOfThreadsButForTheTimes) {
@@ -32,9 +32,9 @@ TEST(ClosureStudy, IsTheSameForAnyNumberOfThreadsButForTheTimes) {
   options.count = 6;
   options.threads = 1;
   int calls = 0;
-  const ClosureStudy one = study_closures(valve, kCatalogue, options, [&](int) { ++calls; });
+  const ClosureStudy one = study_closures(valve, kOneRing, options, [&](int) { ++calls; });
   options.threads = 2;
-  const ClosureStudy two = study_closures(valve, kCatalogue, options);
+  const ClosureStudy two = study_closures(valve, kOneRing, options);
   EXPECT_EQ(calls, 6);
   ASSERT_EQ(one.scenes.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -49,7 +49,7 @@ TEST(ClosureStudy, IsTheSameForAnyNumberOfThreadsButForTheTimes) {
 TEST(ClosureStudy, CountsClosuresNearTheirOwnEnd) {
   ClosureStudyOptions options;
   options.count = 8;
-  const ClosureStudy study = study_closures(*make_preset("human-normal"), kCatalogue, options);
+  const ClosureStudy study = study_closures(*make_preset("human-normal"), kOneRing, options);
   for (const SceneOutcome& scene : study.scenes) {
     ASSERT_TRUE(scene.compared);
     EXPECT_GT(scene.from_end.rms_mm, 0.0);
@@ -63,9 +63,9 @@ TEST(ClosureStudy, OfWarmStartsTakesFewerStepsAndSaysHowFarFromAColdOne) {
   ClosureStudyOptions options;
   options.count = 8;
   const Valve valve = *make_preset("human-normal");
-  const ClosureStudy cold = study_closures(valve, kCatalogue, options);
+  const ClosureStudy cold = study_closures(valve, kOneRing, options);
   options.warm = true;
-  const ClosureStudy warm = study_closures(valve, kCatalogue, options);
+  const ClosureStudy warm = study_closures(valve, kOneRing, options);
   EXPECT_EQ(warm.unconverged + warm.crossed, 0);
   EXPECT_LT(warm.median_steps, cold.median_steps);
   for (const SceneOutcome& scene : warm.scenes)

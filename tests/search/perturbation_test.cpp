@@ -9,7 +9,7 @@
 namespace coapt {
 namespace {
 
-std::tuple<double, double, double> units(const Perturbation& node) {
+std::tuple<double, double, double> unit_tuple(const Perturbation& node) {
   return {node.length_mm, node.outwards_deg / 5.0, node.posterior_deg / 5.0};
 }
 
@@ -22,7 +22,7 @@ TEST(RegionOfInterest, HasTheThesissNodesEachOnce) {
     EXPECT_LE(std::abs(node.posterior_deg), 5.0);
     EXPECT_EQ(std::fmod(node.length_mm, 0.25), 0.0);
     EXPECT_EQ(std::fmod(node.outwards_deg, 1.0), 0.0);
-    distinct.insert(units(node));
+    distinct.insert(unit_tuple(node));
   }
   EXPECT_EQ(nodes.size(), 1089u);  // 9 x 11 x 11
   EXPECT_EQ(distinct.size(), 1089u);
@@ -30,7 +30,7 @@ TEST(RegionOfInterest, HasTheThesissNodesEachOnce) {
 
 TEST(RegionOfInterest, StartsAtTheCentreAndGoesOnInOppositePairs) {
   const std::vector<Perturbation> nodes = region_of_interest();
-  EXPECT_EQ(units(nodes[0]), std::tuple(0.0, 0.0, 0.0));
+  EXPECT_EQ(unit_tuple(nodes[0]), std::tuple(0.0, 0.0, 0.0));
   for (std::size_t i = 1; i < nodes.size(); i += 2) {
     EXPECT_EQ(nodes[i].length_mm, -nodes[i + 1].length_mm);
     EXPECT_EQ(nodes[i].outwards_deg, -nodes[i + 1].outwards_deg);
@@ -43,7 +43,7 @@ double mean_of_hinge(const std::vector<Perturbation>& nodes, std::size_t n, doub
                      const std::tuple<double, double, double>& slope) {
   double sum = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const auto [l, a, b] = units(nodes[i]);
+    const auto [l, a, b] = unit_tuple(nodes[i]);
     sum += std::max(
         0.0, std::get<0>(slope) * l + std::get<1>(slope) * a + std::get<2>(slope) * b - threshold);
   }

@@ -7,10 +7,10 @@
 namespace coapt::rivals {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRefused = std::numeric_limits<double>::infinity();
 
 /// Costs 5 and 3 at y = 0; 4 and infinity at y = 1.
-const LatticeTable kTable{"", {{"x", true, 2}, {"y", true, 2}}, {5, 3, 4, kInfinity}};
+const LatticeTable kTable{"", {{"x", true, 2}, {"y", true, 2}}, {5, 3, 4, kRefused}};
 
 TEST(BudgetedCost, SharesFallIntoBinsOfEqualWidth) {
   EXPECT_EQ(value_of(0.0, 4), 0);

@@ -5,18 +5,13 @@
 #include <numbers>
 #include <numeric>
 
+#include "tests/core/metrics/orifice_scene.h"
 #include "tests/scenes/sheets.h"
 
 namespace coapt {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-std::vector<double> lines(double first, double step, int count) {
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(first + step * i);
-  return values;
-}
 
 /// Of 40 x 28 mm with a hole of x mm by y mm in the middle.
 Valve sheet_with_hole(double x, double y) {

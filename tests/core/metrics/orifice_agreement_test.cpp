@@ -8,15 +8,10 @@
 #include "core/metrics/orifice.h"
 #include "core/presets/presets.h"
 #include "core/valve/remodel.h"
+#include "tests/core/metrics/orifice_scene.h"
 
 namespace coapt {
 namespace {
-
-double total_mm2(const OrificeView& view) {
-  double total = 0.0;
-  for (const Orifice& orifice : view.orifices) total += orifice.area_mm2;
-  return total;
-}
 
 /// A pixel's centre is at most half its diagonal from any of its points. Pixels that count lie in the
 /// opening of leaflets thinner by that much, and they cover the opening of thicker ones.

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "tests/core/metrics/orifice_scene.h"
 #include "tests/scenes/sheets.h"
 
 namespace coapt {
@@ -15,21 +16,9 @@ double polygon_mm2(int n, double radius_mm) {
   return 0.5 * n * radius_mm * radius_mm * std::sin(2.0 * std::numbers::pi / n);
 }
 
-double total_mm2(const OrificeView& view) {
-  double total = 0.0;
-  for (const Orifice& orifice : view.orifices) total += orifice.area_mm2;
-  return total;
-}
-
 /// Half a pixel along the whole outline, the bound of the header.
 double bound_mm2(const OrificeView& view, double perimeter_mm) {
   return 0.5 * view.mm_per_pixel * perimeter_mm;
-}
-
-std::vector<double> lines(double first, double step, int count) {
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(first + step * i);
-  return values;
 }
 
 TEST(Orifice, FlatDiscWithRoundHoleHasTheHolesArea) {

@@ -6,7 +6,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 using enum ErrorCode;
 
@@ -21,7 +20,7 @@ RepairPlan full_plan() {
            PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0}}};
 }
 
-Found found(std::string_view steps) {
+Found found_in_steps(std::string_view steps) {
   return problems_of(
       read_plan(R"({"schema": "coapt.plan/1", "steps": )" + std::string(steps) + "}"));
 }
@@ -46,10 +45,10 @@ TEST(PlanJson, OnlyTheFieldsThatMatterAreWritten) {
   EXPECT_FALSE(plan["steps"][6].contains("annulus_around"));
 }
 
-TEST(PlanJson, DoingNothingIsAPlan) { EXPECT_EQ(found("[]"), Found{}); }
+TEST(PlanJson, DoingNothingIsAPlan) { EXPECT_EQ(found_in_steps("[]"), Found{}); }
 
 TEST(PlanJson, ProblemsOfAllStepsAreListed) {
-  EXPECT_EQ(found(R"([{"step": "annuloplasty", "shape": "own", "sizes_below": 7},
+  EXPECT_EQ(found_in_steps(R"([{"step": "annuloplasty", "shape": "own", "sizes_below": 7},
                       {"step": "annuloplasty", "shape": "generic-classic", "size_mm": 31},
                       {"step": "annuloplasty", "shape": "own", "size_mm": 30},
                       {"step": "neochorda", "head": "AL1", "length_mm": 41,
@@ -73,19 +72,20 @@ TEST(PlanJson, ProblemsOfAllStepsAreListed) {
 TEST(PlanJson, OnlyAnAnnulusPointHasAPlace) {
   const std::string start =
       R"([{"step": "papillary_approximation", "side": "posteromedial", "suture_length_mm": 24, )";
-  EXPECT_EQ(found(start + R"("anchor": "annulus_point"}])"),
+  EXPECT_EQ(found_in_steps(start + R"("anchor": "annulus_point"}])"),
             (Found{{MissingField, "/steps/0/annulus_around"}}));
-  EXPECT_EQ(found(start + R"("anchor": "saddle_peak", "annulus_around": 0.5}])"),
+  EXPECT_EQ(found_in_steps(start + R"("anchor": "saddle_peak", "annulus_around": 0.5}])"),
             (Found{{UnknownField, "/steps/0/annulus_around"}}));
-  EXPECT_EQ(found(start + R"("anchor": "apex"}])"), (Found{{BadReference, "/steps/0/anchor"}}));
+  EXPECT_EQ(found_in_steps(start + R"("anchor": "apex"}])"),
+            (Found{{BadReference, "/steps/0/anchor"}}));
 }
 
 TEST(PlanJson, AtMostAHundredSteps) {
-  json steps = json::array();
+  nlohmann::json steps = nlohmann::json::array();
   for (int i = 0; i < 100; ++i) steps.push_back({{"step", "chordal_excision"}, {"chorda", "a"}});
-  EXPECT_EQ(found(steps.dump()), Found{});
+  EXPECT_EQ(found_in_steps(steps.dump()), Found{});
   steps.push_back(steps[0]);
-  EXPECT_EQ(found(steps.dump()), (Found{{OutOfRange, "/steps"}}));
+  EXPECT_EQ(found_in_steps(steps.dump()), (Found{{OutOfRange, "/steps"}}));
 }
 
 TEST(PlanJson, OtherSchemasAreNotSupported) {

@@ -8,7 +8,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 std::vector<std::string> keys(const ordered_json& object) {
@@ -200,7 +199,7 @@ TEST(PlansJson, WhatReproducesItIsAskedForInTheSameWords) {
   EXPECT_EQ(reproduce["version"], version());
   EXPECT_EQ(reproduce["seed"], 18446744073709551615u);
   EXPECT_EQ(reproduce["command"], search_request().command);
-  const auto again = search_options_from_json(json::parse(reproduce["search"].dump()));
+  const auto again = search_options_from_json(nlohmann::json::parse(reproduce["search"].dump()));
   ASSERT_TRUE(again);
   EXPECT_EQ(to_json(*again), reproduce["search"]);
   EXPECT_EQ(scene()["weights"], reproduce["search"]["weights"]);

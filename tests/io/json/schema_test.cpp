@@ -17,14 +17,12 @@
 namespace coapt {
 namespace {
 
-using nlohmann::json;
-
-json schema_of(const std::string& name) {
+nlohmann::json schema_of(const std::string& name) {
   std::ifstream file(COAPT_SOURCE_DIR "/io/schema/" + name + ".schema.json");
-  return json::parse(file);
+  return nlohmann::json::parse(file);
 }
 
-bool has_type(const json& value, const std::string& type) {
+bool has_type(const nlohmann::json& value, const std::string& type) {
   if (type == "object") return value.is_object();
   if (type == "array") return value.is_array();
   if (type == "string") return value.is_string();
@@ -37,19 +35,19 @@ class Schema {
  public:
   explicit Schema(const std::string& name) : root_(schema_of(name)) {}
 
-  bool accepts(const json& value) const { return accepts(root_, value); }
-  const json& root() const { return root_; }
+  bool accepts(const nlohmann::json& value) const { return accepts(root_, value); }
+  const nlohmann::json& root() const { return root_; }
 
  private:
-  bool accepts(const json& schema, const json& value) const {
+  bool accepts(const nlohmann::json& schema, const nlohmann::json& value) const {
     return std::all_of(schema.items().begin(), schema.items().end(), [&](const auto& keyword) {
       return obeys(schema, keyword.key(), keyword.value(), value);
     });
   }
 
-  bool obeys(const json& schema, const std::string& word, const json& argument,
-             const json& value) const {
-    const auto fits = [&](const json& branch) { return accepts(branch, value); };
+  bool obeys(const nlohmann::json& schema, const std::string& word, const nlohmann::json& argument,
+             const nlohmann::json& value) const {
+    const auto fits = [&](const nlohmann::json& branch) { return accepts(branch, value); };
     if (word == "$ref") return fits_reference(argument, value);
     if (word == "type") return has_type(value, argument);
     if (word == "const") return value == argument;
@@ -64,7 +62,7 @@ class Schema {
     if (word == "minLength") return value.is_string() && value != "";
     if (word == "items") {
       return std::all_of(value.begin(), value.end(),
-                         [&](const json& entry) { return accepts(argument, entry); });
+                         [&](const nlohmann::json& entry) { return accepts(argument, entry); });
     }
     if (word == "required") {
       return std::all_of(argument.begin(), argument.end(), [&](const std::string& name) {
@@ -72,7 +70,7 @@ class Schema {
       });
     }
     if (word == "properties" || word == "additionalProperties") {
-      const json& properties = schema["properties"];
+      const nlohmann::json& properties = schema["properties"];
       return value.is_object() &&
              std::all_of(value.items().begin(), value.items().end(), [&](const auto& member) {
                if (!properties.contains(member.key())) return false;
@@ -86,21 +84,21 @@ class Schema {
   }
 
   // "#/$defs/rules", or "../coapt.plan/1#/..." into plan.schema.json.
-  bool fits_reference(const std::string& reference, const json& value) const {
+  bool fits_reference(const std::string& reference, const nlohmann::json& value) const {
     const std::size_t hash = reference.find('#');
-    const json::json_pointer at(reference.substr(hash + 1));
+    const nlohmann::json::json_pointer at(reference.substr(hash + 1));
     if (hash == 0) return accepts(root_[at], value);
     const std::size_t name = reference.find("coapt.") + 6;
     const Schema other(reference.substr(name, reference.find("/1#") - name));
     return other.accepts(other.root_[at], value);
   }
 
-  json root_;
+  nlohmann::json root_;
 };
 
-json small_json() { return json::parse(write_valve(small_valve())); }
+nlohmann::json small_json() { return nlohmann::json::parse(write_valve(small_valve())); }
 
-json full_plan() {
+nlohmann::json full_plan() {
   const LeafletPoint point = {Leaflet::Posterior, 0.5, 1.0};
   const RepairPlan plan = {
       {Annuloplasty{"own", 0.0, 2}, Annuloplasty{"generic-classic", 30.0, 0},
@@ -112,9 +110,10 @@ json full_plan() {
 }
 
 // Pointers to all objects inside `value`, itself included.
-std::vector<json::json_pointer> objects_in(const json& value,
-                                           const json::json_pointer& at = json::json_pointer()) {
-  std::vector<json::json_pointer> list;
+std::vector<nlohmann::json::json_pointer> objects_in(
+    const nlohmann::json& value,
+    const nlohmann::json::json_pointer& at = nlohmann::json::json_pointer()) {
+  std::vector<nlohmann::json::json_pointer> list;
   if (value.is_object()) list.push_back(at);
   if (!value.is_structured()) return list;
   for (const auto& [name, member] : value.items()) {
@@ -127,16 +126,16 @@ std::vector<json::json_pointer> objects_in(const json& value,
 
 // Takes each member away in turn, and adds one that nobody knows.
 template <class Reads>
-void expect_agreement_on_fields(const Schema& schema, const json& good, Reads reads) {
+void expect_agreement_on_fields(const Schema& schema, const nlohmann::json& good, Reads reads) {
   for (const auto& object : objects_in(good)) {
-    const json members = good[object];
+    const nlohmann::json members = good[object];
     for (const auto& [name, member] : members.items()) {
-      json poorer = good;
+      nlohmann::json poorer = good;
       poorer[object].erase(name);
       EXPECT_FALSE(schema.accepts(poorer)) << object / name;
       EXPECT_FALSE(reads(poorer)) << object / name;
     }
-    json richer = good;
+    nlohmann::json richer = good;
     richer[object]["unknown"] = 1;
     EXPECT_FALSE(schema.accepts(richer)) << object;
     EXPECT_FALSE(reads(richer)) << object;
@@ -145,11 +144,11 @@ void expect_agreement_on_fields(const Schema& schema, const json& good, Reads re
 
 // The ends of the schema's range are accepted, what lies beyond is not.
 template <class Reads>
-void expect_agreement_on_range(const json& range, const json& good, const std::string& at,
-                               Reads reads) {
+void expect_agreement_on_range(const nlohmann::json& range, const nlohmann::json& good,
+                               const std::string& at, Reads reads) {
   for (const char* end : {"minimum", "maximum"}) {
-    json document = good;
-    json& number = document[json::json_pointer(at)];
+    nlohmann::json document = good;
+    nlohmann::json& number = document[nlohmann::json::json_pointer(at)];
     number = range[end];
     EXPECT_TRUE(reads(document)) << at << ' ' << end;
     const double outwards = end == std::string("minimum") ? -1.0 : 1.0;
@@ -159,8 +158,8 @@ void expect_agreement_on_range(const json& range, const json& good, const std::s
   }
 }
 
-bool reads_valve(const json& document) { return bool(read_valve(document.dump())); }
-bool reads_plan(const json& document) { return bool(read_plan(document.dump())); }
+bool reads_valve(const nlohmann::json& document) { return bool(read_valve(document.dump())); }
+bool reads_plan(const nlohmann::json& document) { return bool(read_plan(document.dump())); }
 
 TEST(ValveSchema, AcceptsWhatIsWritten) { EXPECT_TRUE(Schema("valve").accepts(small_json())); }
 
@@ -170,7 +169,7 @@ TEST(ValveSchema, AgreesWithTheReaderOnEveryField) {
 
 TEST(ValveSchema, AgreesWithTheReaderOnRanges) {
   const Schema schema("valve");
-  const json& fields = schema.root()["properties"];
+  const nlohmann::json& fields = schema.root()["properties"];
   expect_agreement_on_range(fields["pressure_kpa"], small_json(), "/pressure_kpa", reads_valve);
   for (const auto& [name, range] : fields["tissue"]["properties"].items()) {
     expect_agreement_on_range(range, small_json(), "/tissue/" + name, reads_valve);
@@ -183,13 +182,13 @@ TEST(ValveSchema, AgreesWithTheReaderOnRanges) {
 
 // Where one number alone cannot be at the end of its range: the reader may find other faults, but
 // does not call it out of range.
-void expect_range_is_known(const json& range, const std::string& at) {
+void expect_range_is_known(const nlohmann::json& range, const std::string& at) {
   for (const char* end : {"minimum", "maximum"}) {
     const double limit = range[end];
     const double outwards = end == std::string("minimum") ? -1.0 : 1.0;
     for (const double number : {limit, std::nextafter(limit, outwards * INFINITY)}) {
-      json document = small_json();
-      document[json::json_pointer(at)] = number;
+      nlohmann::json document = small_json();
+      document[nlohmann::json::json_pointer(at)] = number;
       const Found found = problems_of(read_valve(document.dump()));
       const auto here =
           std::count(found.begin(), found.end(), std::pair(ErrorCode::OutOfRange, at));
@@ -200,13 +199,13 @@ void expect_range_is_known(const json& range, const std::string& at) {
 
 TEST(ValveSchema, AgreesWithTheReaderOnPlacesAndWeights) {
   const Schema schema("valve");
-  const json& kinds = schema.root()["$defs"];
+  const nlohmann::json& kinds = schema.root()["$defs"];
   for (const std::string at :
        {"/vertices_mm/9/0", "/annulus/positions_mm/2/1", "/papillary_heads/0/rest_mm/2",
         "/papillary_heads/1/tip_mm/0", "/chordae/0/segments/0/branch_point_mm/1"}) {
     expect_range_is_known(kinds["point"]["items"], at);
   }
-  const json& insertion = kinds["segment"]["properties"]["insertion"]["properties"];
+  const nlohmann::json& insertion = kinds["segment"]["properties"]["insertion"]["properties"];
   expect_range_is_known(insertion["weights"]["items"], "/chordae/0/segments/1/insertion/weights/0");
 }
 
@@ -217,9 +216,9 @@ TEST(PlanSchema, AgreesWithTheReaderOnEveryField) {
 }
 
 TEST(PlanSchema, HasTheLimitsOfTheRepairSteps) {
-  const json steps = schema_of("plan")["$defs"];
+  const nlohmann::json steps = schema_of("plan")["$defs"];
   const auto range = [&](const char* step, const char* field) {
-    const json& limits = steps[step]["properties"][field];
+    const nlohmann::json& limits = steps[step]["properties"][field];
     return std::pair(limits["minimum"].get<double>(), limits["maximum"].get<double>());
   };
   const auto pair = [](Range limits) { return std::pair(limits.min, limits.max); };
@@ -237,7 +236,7 @@ TEST(PlanSchema, HasTheLimitsOfTheRepairSteps) {
 
 TEST(PlanSchema, AgreesWithTheReaderOnRanges) {
   const Schema schema("plan");
-  const json& kinds = schema.root()["$defs"];
+  const nlohmann::json& kinds = schema.root()["$defs"];
   const auto check = [&](const char* kind, const char* field, const std::string& at) {
     expect_agreement_on_range(kinds[kind]["properties"][field], full_plan(), at, reads_plan);
   };
@@ -253,7 +252,7 @@ TEST(PlanSchema, AgreesWithTheReaderOnRanges) {
 
 TEST(PlanSchema, AgreesWithTheReaderOnRingSizesBelow) {
   const Schema schema("plan");
-  json plan = full_plan();
+  nlohmann::json plan = full_plan();
   for (const int sizes : {-1, 0, 6, 7}) {
     plan["steps"][0]["sizes_below"] = sizes;
     EXPECT_EQ(schema.accepts(plan), sizes >= 0 && sizes <= 6);
@@ -263,13 +262,13 @@ TEST(PlanSchema, AgreesWithTheReaderOnRingSizesBelow) {
 
 // What is read may be impossible on a valve, but is in range for the step.
 TEST(PlanSchema, AgreesWithTheStepsOnRanges) {
-  const json kinds = Schema("plan").root()["$defs"];
+  const nlohmann::json kinds = Schema("plan").root()["$defs"];
   const LeafletPoint point = {Leaflet::Posterior, 0.5, 1.0};
   const auto refusals = [](const RepairStep& step) {
     return problems_of(apply_plan(small_valve(), {{step}}, ring_catalogue()));
   };
   const auto check = [&](const char* kind, const char* field, const auto& step_with) {
-    const json& range = kinds[kind]["properties"][field];
+    const nlohmann::json& range = kinds[kind]["properties"][field];
     for (const double number : {range["minimum"].get<double>(), range["maximum"].get<double>()}) {
       for (const auto& [code, path] : refusals(step_with(number)))
         EXPECT_NE(code, ErrorCode::OutOfRange) << path << ' ' << number;
@@ -294,28 +293,32 @@ TEST(PlanSchema, AgreesWithTheStepsOnRanges) {
   });
 }
 
-json full_search() { return json::parse(to_json(search_request().options).dump()); }
-bool reads_search(const json& document) { return bool(search_options_from_json(document)); }
+nlohmann::json full_search() {
+  return nlohmann::json::parse(to_json(search_request().options).dump());
+}
+bool reads_search(const nlohmann::json& document) {
+  return bool(search_options_from_json(document));
+}
 
 TEST(SearchSchema, AcceptsWhatIsWritten) {
   EXPECT_TRUE(Schema("search").accepts(full_search()));
-  EXPECT_TRUE(Schema("search").accepts(json::parse(to_json(SearchOptions{}).dump())));
+  EXPECT_TRUE(Schema("search").accepts(nlohmann::json::parse(to_json(SearchOptions{}).dump())));
 }
 
 TEST(SearchSchema, AgreesWithTheReaderThatNothingIsRequiredAndNothingElseAccepted) {
   const Schema schema("search");
-  const json good = full_search();
+  const nlohmann::json good = full_search();
   for (const auto& object : objects_in(good)) {
     const bool step = object.to_string().find("/steps/") != std::string::npos;
-    const json members = good[object];
+    const nlohmann::json members = good[object];
     for (const auto& [name, member] : members.items()) {
-      json poorer = good;
+      nlohmann::json poorer = good;
       poorer[object].erase(name);
       const bool optional = !step && name != "steps";
       EXPECT_EQ(schema.accepts(poorer), optional) << object / name;
       EXPECT_EQ(reads_search(poorer), optional) << object / name;
     }
-    json richer = good;
+    nlohmann::json richer = good;
     richer[object]["unknown"] = 1;
     EXPECT_FALSE(schema.accepts(richer)) << object;
     EXPECT_FALSE(reads_search(richer)) << object;
@@ -323,21 +326,22 @@ TEST(SearchSchema, AgreesWithTheReaderThatNothingIsRequiredAndNothingElseAccepte
 }
 
 TEST(SearchSchema, AgreesWithTheReaderOnRangesAndDefaults) {
-  const json root = schema_of("search"), usual = json::parse(to_json(SearchOptions{}).dump());
-  const auto check = [&](const json& fields, const std::string& object) {
+  const nlohmann::json root = schema_of("search"),
+                       usual = nlohmann::json::parse(to_json(SearchOptions{}).dump());
+  const auto check = [&](const nlohmann::json& fields, const std::string& object) {
     for (const auto& [name, field] : fields.items()) {
       const std::string at = object + "/" + name;
       if (field.contains("default")) {
-        EXPECT_EQ(field["default"], usual[json::json_pointer(at)]) << at;
+        EXPECT_EQ(field["default"], usual[nlohmann::json::json_pointer(at)]) << at;
       }
       if (field.value("type", "") == "number")
         expect_agreement_on_range(field, full_search(), at, reads_search);
       if (field.value("type", "") != "integer" || name == "seed") continue;
       for (const auto& [end, outwards] : {std::pair("minimum", -1), std::pair("maximum", 1)}) {
-        json document = full_search();
-        document[json::json_pointer(at)] = field[end];
+        nlohmann::json document = full_search();
+        document[nlohmann::json::json_pointer(at)] = field[end];
         EXPECT_TRUE(reads_search(document)) << at << ' ' << end;
-        document[json::json_pointer(at)] = field[end].get<int>() + outwards;
+        document[nlohmann::json::json_pointer(at)] = field[end].get<int>() + outwards;
         EXPECT_FALSE(reads_search(document)) << at << ' ' << end;
       }
     }

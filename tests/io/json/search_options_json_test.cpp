@@ -6,12 +6,11 @@
 namespace coapt {
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 using enum ErrorCode;
 
 Expected<SearchOptions> read(const char* text) {
-  return search_options_from_json(json::parse(text));
+  return search_options_from_json(nlohmann::json::parse(text));
 }
 
 std::string message_at(const char* text, const std::string& path) {
@@ -37,7 +36,7 @@ TEST(SearchOptionsJson, EveryFieldIsRead) {
   for (const char* part : {"rules", "weights"})
     for (const auto& [name, value] : asked[part].items())
       EXPECT_NE(value, usual[part][name]) << name;
-  const auto options = search_options_from_json(json::parse(asked.dump()));
+  const auto options = search_options_from_json(nlohmann::json::parse(asked.dump()));
   ASSERT_TRUE(options);
   EXPECT_EQ(to_json(*options), asked);
   EXPECT_EQ(options->seed, 18446744073709551615u);
@@ -69,7 +68,8 @@ TEST(SearchOptionsJson, ProblemsAreListed) {
                    {OutOfRange, "/target_mm2"},
                    {UnknownField, "/closure"},
                    {UnknownField, "/speed"}}));
-  EXPECT_EQ(problems_of(search_options_from_json(json::array())), (Found{{WrongType, ""}}));
+  EXPECT_EQ(problems_of(search_options_from_json(nlohmann::json::array())),
+            (Found{{WrongType, ""}}));
 }
 
 TEST(SearchOptionsJson, ProblemsOfRulesAndWeightsAreListedWhereTheyAre) {

@@ -11,20 +11,20 @@
 namespace coapt {
 namespace {
 
-using nlohmann::json;
 using enum ErrorCode;
 
-json small_json() { return json::parse(write_valve(small_valve())); }
+nlohmann::json small_json() { return nlohmann::json::parse(write_valve(small_valve())); }
 
 // What the reader finds in the small valve's file after `spoil`.
-Found found(const std::function<void(json&)>& spoil) {
-  json document = small_json();
+Found found(const std::function<void(nlohmann::json&)>& spoil) {
+  nlohmann::json document = small_json();
   spoil(document);
   return problems_of(read_valve(document.dump()));
 }
 
-Found found_with(const std::string& at, const json& value) {
-  return found([&](json& document) { document[json::json_pointer(at)] = value; });
+Found found_with(const std::string& at, const nlohmann::json& value) {
+  return found(
+      [&](nlohmann::json& document) { document[nlohmann::json::json_pointer(at)] = value; });
 }
 
 bool same_bits(const Points& a, const Points& b) {
@@ -80,10 +80,12 @@ TEST(ValveJson, EveryFieldIsRequired) {
                                             "/chordae/1",
                                             "/chordae/1/segments/0/insertion"};
   for (const std::string& object : objects) {
-    const json members = small_json()[json::json_pointer(object)];
+    const nlohmann::json members = small_json()[nlohmann::json::json_pointer(object)];
     for (const auto& [name, value] : members.items()) {
       const std::string missing = name;
-      const auto erase = [&](json& d) { d[json::json_pointer(object)].erase(missing); };
+      const auto erase = [&](nlohmann::json& d) {
+        d[nlohmann::json::json_pointer(object)].erase(missing);
+      };
       EXPECT_EQ(found(erase), (Found{{MissingField, object + "/" + missing}}));
     }
   }
@@ -99,8 +101,9 @@ TEST(ValveJson, UnknownFieldsAreNamed) {
 TEST(ValveJson, ASegmentHasEitherAnInsertionOrABranchPoint) {
   EXPECT_EQ(found_with("/chordae/0/segments/1/branch_point_mm", {0, 0, -9}),
             (Found{{UnknownField, "/chordae/0/segments/1"}}));
-  EXPECT_EQ(found([](json& d) { d["chordae"][0]["segments"][0].erase("branch_point_mm"); }),
-            (Found{{MissingField, "/chordae/0/segments/0"}}));
+  EXPECT_EQ(
+      found([](nlohmann::json& d) { d["chordae"][0]["segments"][0].erase("branch_point_mm"); }),
+      (Found{{MissingField, "/chordae/0/segments/0"}}));
 }
 
 TEST(ValveJson, WrongTypesAreNamedAsDeepAsTheyLie) {
@@ -135,7 +138,7 @@ TEST(ValveJson, IndicesBeyondAnyMeshAreRefused) {
 }
 
 TEST(ValveJson, WhatValidateFindsIsListedBesideWhatTheFormGetsWrong) {
-  const auto spoil = [](json& d) {
+  const auto spoil = [](nlohmann::json& d) {
     d["pressure_kpa"] = 1e6;
     d["tissue"]["thickness_mm"] = "thin";
     d["faces"][7][2] = 99;
@@ -150,25 +153,26 @@ TEST(ValveJson, WhatValidateFindsIsListedBesideWhatTheFormGetsWrong) {
 }
 
 TEST(ValveJson, TopologyAndGeometryComeFromValidate) {
-  const auto flip = [](json& d) { std::swap(d["faces"][5][0], d["faces"][5][1]); };
+  const auto flip = [](nlohmann::json& d) { std::swap(d["faces"][5][0], d["faces"][5][1]); };
   EXPECT_EQ(found(flip), (Found{{BadGeometry, "/faces/5"}}));
 }
 
 TEST(ValveJson, EmptyArraysAreProblemsNotCrashes) {
-  EXPECT_EQ(found_with("/vertices_mm", json::array()), (Found{{OutOfRange, "/vertices_mm"}}));
-  EXPECT_EQ(found_with("/faces", json::array()), (Found{{OutOfRange, "/faces"}}));
-  EXPECT_EQ(found_with("/annulus/vertices", json::array()),
+  EXPECT_EQ(found_with("/vertices_mm", nlohmann::json::array()),
+            (Found{{OutOfRange, "/vertices_mm"}}));
+  EXPECT_EQ(found_with("/faces", nlohmann::json::array()), (Found{{OutOfRange, "/faces"}}));
+  EXPECT_EQ(found_with("/annulus/vertices", nlohmann::json::array()),
             (Found{{OutOfRange, "/annulus/vertices"}}));
-  EXPECT_EQ(found_with("/papillary_heads", json::array()),
+  EXPECT_EQ(found_with("/papillary_heads", nlohmann::json::array()),
             (Found{{OutOfRange, "/papillary_heads"}}));
-  EXPECT_EQ(found_with("/chordae/0/segments", json::array()),
+  EXPECT_EQ(found_with("/chordae/0/segments", nlohmann::json::array()),
             (Found{{OutOfRange, "/chordae/0/segments"}}));
-  EXPECT_EQ(found_with("/chordae", json::array()), Found{});
-  EXPECT_EQ(found_with("/provenance", json::array()), Found{});
+  EXPECT_EQ(found_with("/chordae", nlohmann::json::array()), Found{});
+  EXPECT_EQ(found_with("/provenance", nlohmann::json::array()), Found{});
 }
 
 TEST(ValveJson, MillionsOfProblemsAreNotAllCounted) {
-  json document = small_json();
+  nlohmann::json document = small_json();
   document["segments"] = std::vector<int>(1'000'000, 0);
   const auto read = read_valve(document.dump());
   ASSERT_FALSE(read);
@@ -178,17 +182,17 @@ TEST(ValveJson, MillionsOfProblemsAreNotAllCounted) {
 
 TEST(ValveJson, ProblemsThatAreNotListedAreCountedBesideProblemsOfForm) {
   // One wrong type, and 251 chordae without a head: 200 are listed.
-  const auto spoil = [](json& d) {
+  const auto spoil = [](nlohmann::json& d) {
     d["name"] = 7;
-    json chorda = d["chordae"][1];
+    nlohmann::json chorda = d["chordae"][1];
     chorda["head"] = 9;
-    d["chordae"] = json::array();
+    d["chordae"] = nlohmann::json::array();
     for (int i = 0; i < 251; ++i) {
       chorda["id"] = std::to_string(i);
       d["chordae"].push_back(chorda);
     }
   };
-  json document = small_json();
+  nlohmann::json document = small_json();
   spoil(document);
   const auto read = read_valve(document.dump());
   ASSERT_FALSE(read);

@@ -3,16 +3,10 @@
 #include <limits>
 
 #include "io/picture/picture.h"
+#include "tests/io/picture/markup.h"
 
 namespace coapt {
 namespace {
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
-}
 
 TEST(Chart, AxesEndAtRoundNumbersAndTheLineRunsFromEndToEnd) {
   const std::string svg = chart_svg({"t", "x", "y", {{"s", {0.0, 50.0, 100.0}, {0.0, 4.0, 10.0}}}});

@@ -15,6 +15,10 @@ inline std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// The first thing that keeps an SVG from being well-formed XML: a tag that does not match, an
 /// attribute without quotes, a stray "<" or "&". Empty if there is none.
 inline std::string markup_error(const std::string& xml) {

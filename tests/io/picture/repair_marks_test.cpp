@@ -15,7 +15,7 @@
 namespace coapt {
 namespace {
 
-ClosedValve closed(const Valve& valve, const RepairMarks& marks = {}) {
+ClosedValve marked(const Valve& valve, const RepairMarks& marks = {}) {
   const ClosureResult closure = closed_at_rest(valve);
   return {valve, closure, measure(valve, closure), marks};
 }
@@ -64,22 +64,22 @@ long pixels(const std::string& png, bool purple) {
 }
 
 TEST(ClosurePicture, ShowsSuturesRingsAndNeochordaeOfARepairAndNothingElse) {
-  const std::string plain = closure_picture_png(closed(small_valve()));
+  const std::string plain = closure_picture_png(marked(small_valve()));
   EXPECT_EQ(pixels(plain, true), 0);
   EXPECT_EQ(pixels(plain, false), 0);
   const auto picture = [](const RepairPlan& plan) {
     const Valve valve = repaired(plan);
-    return closure_picture_png(closed(valve, repair_marks(small_valve(), valve, plan)));
+    return closure_picture_png(marked(valve, repair_marks(small_valve(), valve, plan)));
   };
   EXPECT_GT(pixels(picture(kSuture), true), 500) << "two views, legend";
   EXPECT_GT(pixels(picture(kNeochorda), false), 200);
-  EXPECT_NE(picture(kRing), closure_picture_png(closed(repaired(kRing))));
+  EXPECT_NE(picture(kRing), closure_picture_png(marked(repaired(kRing))));
 }
 
 TEST(ComparisonPicture, DrawsTheRepairInTheViewsOfAfterAlone) {
   const Valve valve = repaired(kSuture);
-  const ClosedValve after = closed(valve, repair_marks(small_valve(), valve, kSuture));
-  const DecodedPng picture = decode_png(comparison_picture_png(closed(small_valve()), after));
+  const ClosedValve after = marked(valve, repair_marks(small_valve(), valve, kSuture));
+  const DecodedPng picture = decode_png(comparison_picture_png(marked(small_valve()), after));
   ASSERT_FALSE(picture.pixels.empty());
   long left = 0, right = 0;
   for (int y = 70; y < 980; ++y)  // the views, not the legend
@@ -94,10 +94,10 @@ TEST(ComparisonPicture, DrawsTheRepairInTheViewsOfAfterAlone) {
 }
 
 TEST(FirstPagePictures, AreDrawnAlsoOfValvesThatFlewApartOrHaveNoHeads) {
-  ClosedValve broken = closed(small_valve());
+  ClosedValve broken = marked(small_valve());
   broken.closure.closed_mm(3, 1) = std::numeric_limits<double>::quiet_NaN();
   broken.measure = measure(broken.valve, broken.closure);
-  ClosedValve disc = closed(disc_with_hole(15.0, 3.0));
+  ClosedValve disc = marked(disc_with_hole(15.0, 3.0));
   for (const ClosedValve* before : {&broken, &disc})
     for (const ClosedValve* after : {&broken, &disc}) {
       EXPECT_EQ(decode_png(atrial_pair_png(*before, *after)).width, 1920);

@@ -15,20 +15,16 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-ClosedValve closed(const std::string& name, double hole_mm = 5.0) {
+ClosedValve leaking(const std::string& name, double hole_mm = 5.0) {
   Valve valve = disc_with_hole(15.0, hole_mm, 64);
   valve.name = name;
   const ClosureResult closure = closed_at_rest(valve);
   return {valve, closure, measure(valve, closure)};
 }
 
-std::string html_of(const SearchResult& result, int about = 0,
-                    const ClosedValve& before = closed("leaky")) {
+std::string page_of(const SearchResult& result, int about = 0,
+                    const ClosedValve& before = leaking("leaky")) {
   return plan_report_html({before, {}, result, search_request(), about});
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// Up to the evidence.
@@ -37,7 +33,7 @@ std::string first_sheet(const std::string& html) {
 }
 
 TEST(FirstPage, HasTheFiguresThatMatterWithTheirUncertainty) {
-  const std::string page = first_sheet(html_of(search_result()));
+  const std::string page = first_sheet(page_of(search_result()));
   for (const char* part :
        {"<dd>0.3 mm²<small>before 52.0;", "<dd>0.4 ± 0.5 mm²<small>± sd; 95 % below 1.4, worst 5.6",
         "<dd>99.2 %<small>of 1,089 variations", "<dd>0.75 mm · 4.0°<small>",
@@ -47,7 +43,7 @@ TEST(FirstPage, HasTheFiguresThatMatterWithTheirUncertainty) {
 }
 
 TEST(FirstPage, SaysWhatToWatchAndWhatIsNotAssessed) {
-  const std::string page = first_sheet(html_of(search_result()));
+  const std::string page = first_sheet(page_of(search_result()));
   EXPECT_TRUE(contains(page, "posteromedial muscle moved by 11 mm; more than 10 mm is unusual"));
   EXPECT_TRUE(contains(page, "leaks more than 5 mm2 somewhere in the region of interest"));
   EXPECT_TRUE(contains(page, "Not assessed: filling."));
@@ -55,26 +51,26 @@ TEST(FirstPage, SaysWhatToWatchAndWhatIsNotAssessed) {
 
 TEST(FirstPage, NamesAllPlansThatTieInARow) {
   SearchResult result = search_result();  // 1 ties with 2, 2 is ahead of 3
-  EXPECT_TRUE(contains(first_sheet(html_of(result)), "Plans 1 and 2 tie"));
-  EXPECT_TRUE(contains(first_sheet(html_of(result, 2)), "Plans 1 and 2 tie"));
-  EXPECT_FALSE(contains(first_sheet(html_of(result, 3)), "tie:"));
+  EXPECT_TRUE(contains(first_sheet(page_of(result)), "Plans 1 and 2 tie"));
+  EXPECT_TRUE(contains(first_sheet(page_of(result, 2)), "Plans 1 and 2 tie"));
+  EXPECT_FALSE(contains(first_sheet(page_of(result, 3)), "tie:"));
   result.plans[1].probability_outranks_next = 0.5;
-  EXPECT_TRUE(contains(first_sheet(html_of(result)), "Plans 1 to 3 tie"));
+  EXPECT_TRUE(contains(first_sheet(page_of(result)), "Plans 1 to 3 tie"));
   result.plans[0].probability_outranks_next = 0.97;
   EXPECT_TRUE(
-      contains(first_sheet(html_of(result)), "Ahead of plan 2 with a probability of 97.0 %."));
+      contains(first_sheet(page_of(result)), "Ahead of plan 2 with a probability of 97.0 %."));
 }
 
 TEST(FirstPage, SaysWhenTheSearchWasStoppedEarly) {
   SearchResult result = search_result();
   result.stop = SearchStop::Cancelled;
-  EXPECT_TRUE(contains(first_sheet(html_of(result)), "The search was cancelled"));
+  EXPECT_TRUE(contains(first_sheet(page_of(result)), "The search was cancelled"));
   result.stop = SearchStop::TimeLimit;
-  EXPECT_TRUE(contains(first_sheet(html_of(result)), "ran out of time"));
+  EXPECT_TRUE(contains(first_sheet(page_of(result)), "ran out of time"));
 }
 
 TEST(FirstPage, OfAPlanWhoseClosureFailedTrustsNoFigure) {
-  const std::string page = first_sheet(html_of(search_result(), 3));
+  const std::string page = first_sheet(page_of(search_result(), 3));
   EXPECT_TRUE(contains(page, "The simulation of this plan failed"));
   EXPECT_FALSE(contains(page, "Closes this valve robustly in"));
   EXPECT_TRUE(contains(page, "n/a"));
@@ -84,13 +80,13 @@ TEST(FirstPage, OfAPlanThatWasNotVariedSaysThatItIsNotKnown) {
   SearchResult result = search_result();
   result.plans[0].region = plans_scene::third().region;
   result.plans[0].region.failures = 0;
-  const std::string page = first_sheet(html_of(result));
+  const std::string page = first_sheet(page_of(result));
   EXPECT_TRUE(contains(page, "is not known: it was not varied"));
   EXPECT_FALSE(contains(page, "Does not close"));
 }
 
 TEST(Report, OfOnePlanHasItInFrontAndItsEvidenceAlone) {
-  const std::string html = html_of(search_result(), 2);
+  const std::string html = page_of(search_result(), 2);
   EXPECT_TRUE(contains(html, "<h1>Repair plan 2 of 3 for leaky</h1>"));
   EXPECT_TRUE(contains(html, "<h2>Plan 2 of 3</h2>"));
   EXPECT_TRUE(contains(html, "id=\"plan-2\""));
@@ -101,7 +97,7 @@ TEST(Report, OfOnePlanHasItInFrontAndItsEvidenceAlone) {
 }
 
 TEST(Report, ItsHeadingsGoDownOneLevelAtATime) {
-  const std::string html = html_of(search_result());
+  const std::string html = page_of(search_result());
   int level = 0, seen = 0;
   for (std::size_t at = html.find("<h"); at != std::string::npos; at = html.find("<h", at + 1)) {
     const char digit = html[at + 2];
@@ -115,7 +111,7 @@ TEST(Report, ItsHeadingsGoDownOneLevelAtATime) {
 }
 
 TEST(Report, EveryLinkHasItsTargetOnceAndEveryHeaderItsScope) {
-  const std::string html = html_of(search_result());
+  const std::string html = page_of(search_result());
   for (std::size_t at = html.find("href=\"#"); at != std::string::npos;
        at = html.find("href=\"#", at + 1)) {
     const std::string target = html.substr(at + 7, html.find('"', at + 7) - at - 7);
@@ -125,7 +121,7 @@ TEST(Report, EveryLinkHasItsTargetOnceAndEveryHeaderItsScope) {
 }
 
 TEST(Report, PrintsTheNoticeTheNameAndPageNumbersOnEverySheet) {
-  const std::string html = html_of(search_result());
+  const std::string html = page_of(search_result());
   const std::string page = html.substr(html.find("@page{"), 900);
   EXPECT_TRUE(contains(page, "@top-left{content:\"leaky\""));
   EXPECT_TRUE(contains(page, "@bottom-left{content:\"coapt is research software"));
@@ -143,7 +139,7 @@ TEST(ReportPageStyle, ANameCannotLeaveItsString) {
 TEST(Report, ALongNameIsCutBetweenItsLetters) {
   std::string name;
   for (int i = 0; i < 400; ++i) name += "ä";
-  const std::string html = html_of(search_result(), 0, closed(name));
+  const std::string html = page_of(search_result(), 0, leaking(name));
   EXPECT_FALSE(contains(html, "\xEF\xBF\xBD")) << "no broken letter";
   EXPECT_TRUE(contains(html, "ä…</h1>"));
 }
@@ -152,7 +148,7 @@ TEST(Report, OfFiftyPlansKeepsItsFirstSheetShort) {
   SearchResult result = search_result();
   result.plans.assign(50, plans_scene::first());
   for (int i = 0; i < 50; ++i) result.plans[static_cast<std::size_t>(i)].rank = i + 1;
-  const std::string all = html_of(result), one = html_of(result, 37);
+  const std::string all = page_of(result), one = page_of(result, 37);
   EXPECT_EQ(count(first_sheet(all), "<th scope=\"row\">"), 5u);
   EXPECT_EQ(count(first_sheet(one), "<th scope=\"row\">"), 5u);
   EXPECT_TRUE(contains(first_sheet(one), "45 more in"));
@@ -162,7 +158,7 @@ TEST(Report, OfFiftyPlansKeepsItsFirstSheetShort) {
 
 TEST(Report, OfNothingButUnknownFiguresSaysSo) {
   SearchResult result = search_result();
-  ClosedValve before = closed("leaky");
+  ClosedValve before = leaking("leaky");
   before.closure.closed_mm(0, 0) = kUnknown;
   before.measure = measure(before.valve, before.closure);
   result.before.measure = before.measure;
@@ -188,7 +184,7 @@ TEST(Report, OfAPlanWithoutStepsSaysNoRepair) {
   SearchResult result;
   result.plans.resize(1);
   result.plans[0].rank = 1;
-  const std::string html = html_of(result);
+  const std::string html = page_of(result);
   EXPECT_TRUE(contains(html, "<strong>No repair</strong>"));
   EXPECT_FALSE(contains(html, "This plan among the others"));
 }

@@ -29,10 +29,6 @@ RankedPlan ranked_plan(int rank, const std::string& words) {
   return plan;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// From one heading to the next.
 std::string section(const std::string& html, const std::string& heading) {
   const std::size_t start = html.find("<h2>" + heading + "</h2>");

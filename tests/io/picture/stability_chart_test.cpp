@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "tests/io/picture/markup.h"
+
 namespace coapt {
 namespace {
 
@@ -20,13 +22,6 @@ StabilityCell cell(const std::string& method, double level, StabilityOutcome out
   cell.seconds = 0.5;
   cell.residual = 0.25;
   return cell;
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
 }
 
 TEST(StabilityChart, TableHasTheColumnsThatScriptsRelyOnAndNothingForNoNumber) {

@@ -13,8 +13,6 @@
 namespace coapt {
 namespace {
 
-const std::string kSubject = "00000000000000000000000000000001";
-
 void expect_numbered(const Expected<KnownOrifices>& known, int at_least) {
   ASSERT_TRUE(known);
   EXPECT_GE(known->size(), static_cast<std::size_t>(at_least));

@@ -14,16 +14,11 @@
 namespace coapt {
 namespace {
 
-const std::string kSubject = "00000000000000000000000000000001";
-
 void expect_same(const OrificeSample& a, const OrificeSample& b) {
   EXPECT_EQ(std::bit_cast<std::uint64_t>(a.area_mm2), std::bit_cast<std::uint64_t>(b.area_mm2));
   EXPECT_EQ(std::bit_cast<std::uint64_t>(a.sd_mm2), std::bit_cast<std::uint64_t>(b.sd_mm2));
   EXPECT_EQ(a.trusted, b.trusted);
 }
-
-constexpr auto expect_refused = expect_store_refused<ClosureStore>;
-constexpr auto expect_refused_and_untouched = expect_store_refused_and_untouched<ClosureStore>;
 
 TEST(ClosureStore, GivesBackWhatItKeptBitForBit) {
   using Limits = std::numeric_limits<double>;
@@ -155,14 +150,14 @@ TEST(ClosureStore, RefusesTheDatabaseOfAnotherApplication) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.db");
   Database(path).run("PRAGMA application_id = 7; CREATE TABLE closures (subject TEXT)");
-  expect_refused_and_untouched(folder, path, "another application");
+  expect_store_refused_and_untouched<ClosureStore>(folder, path, "another application");
 }
 
 TEST(ClosureStore, RefusesADatabaseOfNoApplication) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.db");
   Database(path).run("CREATE TABLE t (a)");
-  expect_refused_and_untouched(folder, path, "another application");
+  expect_store_refused_and_untouched<ClosureStore>(folder, path, "another application");
 }
 
 TEST(ClosureStore, LeavesTheLogOfAnotherApplicationAlone) {
@@ -173,7 +168,7 @@ TEST(ClosureStore, LeavesTheLogOfAnotherApplicationAlone) {
   for (const char* end : {"", "-wal"})
     std::filesystem::copy_file(folder.file("other.db") + end, path + end);
   ASSERT_GT(std::filesystem::file_size(path + "-wal"), 0u);
-  expect_refused_and_untouched(folder, path, "another application");
+  expect_store_refused_and_untouched<ClosureStore>(folder, path, "another application");
 }
 
 TEST(ClosureStore, RefusesANewerSchema) {
@@ -181,7 +176,8 @@ TEST(ClosureStore, RefusesANewerSchema) {
   const std::string path = folder.file("a.db");
   ASSERT_TRUE(ClosureStore::open(path));
   Database(path).run("PRAGMA journal_mode = DELETE; PRAGMA user_version = 2");
-  expect_refused_and_untouched(folder, path, "schema 2; this coapt knows schema 1");
+  expect_store_refused_and_untouched<ClosureStore>(folder, path,
+                                                   "schema 2; this coapt knows schema 1");
 }
 
 TEST(ClosureStore, RefusesANewerSchemaThatOnlyItsLogKnows) {
@@ -190,9 +186,9 @@ TEST(ClosureStore, RefusesANewerSchemaThatOnlyItsLogKnows) {
   ASSERT_TRUE(ClosureStore::open(path));
   const Database newer(path);
   newer.run("PRAGMA user_version = 2");
-  expect_refused(path, "schema 2; this coapt knows schema 1");
+  expect_store_refused<ClosureStore>(path, "schema 2; this coapt knows schema 1");
   newer.run("PRAGMA wal_checkpoint(TRUNCATE)");
-  expect_refused(path, "schema 2; this coapt knows schema 1");
+  expect_store_refused<ClosureStore>(path, "schema 2; this coapt knows schema 1");
 }
 
 TEST(ClosureStore, RefusesWhatIsNoDatabase) {
@@ -200,18 +196,19 @@ TEST(ClosureStore, RefusesWhatIsNoDatabase) {
   write(folder.file("short"), "x");
   write(folder.file("long"), std::string(10000, 'x'));
   write(folder.file("cut"), std::string("SQLite format 3\0", 16));
-  expect_refused_and_untouched(folder, folder.file("short"), "some other file");
-  expect_refused_and_untouched(folder, folder.file("long"), "some other file");
-  expect_refused_and_untouched(folder, folder.file("cut"), "another application");
+  expect_store_refused_and_untouched<ClosureStore>(folder, folder.file("short"), "some other file");
+  expect_store_refused_and_untouched<ClosureStore>(folder, folder.file("long"), "some other file");
+  expect_store_refused_and_untouched<ClosureStore>(folder, folder.file("cut"),
+                                                   "another application");
 }
 
 TEST(ClosureStore, RefusesPathsWithoutAFile) {
   const TemporaryFolder folder;
-  expect_refused(folder.path(), "Is a directory");
-  expect_refused(folder.file("missing/a.db"), "No such file or directory");
-  expect_refused("", "needs the path of a file");
-  expect_refused(":memory:", "is not a file");
-  expect_refused("/dev/null", "cannot be opened");
+  expect_store_refused<ClosureStore>(folder.path(), "Is a directory");
+  expect_store_refused<ClosureStore>(folder.file("missing/a.db"), "No such file or directory");
+  expect_store_refused<ClosureStore>("", "needs the path of a file");
+  expect_store_refused<ClosureStore>(":memory:", "is not a file");
+  expect_store_refused<ClosureStore>("/dev/null", "cannot be opened");
 }
 
 TEST(ClosureStore, SaysThatItIsDamaged) {

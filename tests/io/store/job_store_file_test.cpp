@@ -12,9 +12,6 @@
 namespace coapt {
 namespace {
 
-constexpr auto expect_refused = expect_store_refused<JobStore>;
-constexpr auto expect_refused_and_untouched = expect_store_refused_and_untouched<JobStore>;
-
 void expect_busy(const Errors& errors, const std::string& message) {
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_EQ(errors[0].code, ErrorCode::Busy);
@@ -31,9 +28,10 @@ TEST(JobStoreFile, RefusesWhatIsNoneOfItsOwnAndMakesNothingBesideIt) {
   const TemporaryFolder folder;
   write(folder.file("text"), std::string(10'000, 'x'));
   Database(folder.file("other.db")).run("PRAGMA application_id = 7; CREATE TABLE jobs (id TEXT)");
-  expect_refused_and_untouched(folder, folder.file("text"),
-                               "is not a store of jobs, but some other file");
-  expect_refused_and_untouched(folder, folder.file("other.db"), "another application");
+  expect_store_refused_and_untouched<JobStore>(folder, folder.file("text"),
+                                               "is not a store of jobs, but some other file");
+  expect_store_refused_and_untouched<JobStore>(folder, folder.file("other.db"),
+                                               "another application");
 }
 
 TEST(JobStoreFile, RefusesANewerSchema) {
@@ -41,15 +39,15 @@ TEST(JobStoreFile, RefusesANewerSchema) {
   const std::string path = folder.file("a.db");
   ASSERT_TRUE(JobStore::open(path));
   Database(path).run("PRAGMA journal_mode = DELETE; PRAGMA user_version = 2");
-  expect_refused_and_untouched(folder, path, "schema 2; this coapt knows schema 1");
+  expect_store_refused_and_untouched<JobStore>(folder, path, "schema 2; this coapt knows schema 1");
 }
 
 TEST(JobStoreFile, RefusesPathsWithoutAFile) {
   const TemporaryFolder folder;
-  expect_refused(folder.path(), "Is a directory");
-  expect_refused(folder.file("missing/a.db"), "No such file or directory");
-  expect_refused("", "needs the path of a file");
-  expect_refused(":memory:", "is not a file");
+  expect_store_refused<JobStore>(folder.path(), "Is a directory");
+  expect_store_refused<JobStore>(folder.file("missing/a.db"), "No such file or directory");
+  expect_store_refused<JobStore>("", "needs the path of a file");
+  expect_store_refused<JobStore>(":memory:", "is not a file");
   EXPECT_FALSE(std::filesystem::exists(":memory:-lock"));
 }
 
@@ -58,7 +56,7 @@ TEST(JobStoreFile, SaysThatItsTablesAreGone) {
   const std::string path = folder.file("a.db");
   ASSERT_TRUE(JobStore::open(path));
   Database(path).run("DROP TABLE events");
-  expect_refused(path, "cannot be opened: no such table: events");
+  expect_store_refused<JobStore>(path, "cannot be opened: no such table: events");
 }
 
 TEST(JobStoreFile, SaysThatItIsDamaged) {
@@ -109,7 +107,7 @@ TEST(JobStoreFile, IsNotOpenedIfItsLockCannotBe) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.db");
   std::filesystem::create_directory(path + "-lock");
-  expect_refused(path, "a.db-lock: cannot be locked: Is a directory");
+  expect_store_refused<JobStore>(path, "a.db-lock: cannot be locked: Is a directory");
 }
 
 TEST(JobStoreFile, IsBusyWhileAnotherApplicationLocksItAndGoesOnAfterwards) {

@@ -17,17 +17,13 @@
 namespace coapt {
 namespace {
 
-const std::string kSubject = "00000000000000000000000000000001";
-
-constexpr auto expect_refused = expect_store_refused<PlanStore>;
-constexpr auto expect_refused_and_untouched = expect_store_refused_and_untouched<PlanStore>;
-
 TEST(PlanStoreFile, NeitherStoreTakesAFileOfTheOther) {
   const TemporaryFolder folder;
   ASSERT_TRUE(PlanStore::open(folder.file("plans.db")));
   ASSERT_TRUE(ClosureStore::open(folder.file("closures.db")));
-  expect_refused_and_untouched(folder, folder.file("closures.db"),
-                               "is not a store of plans, but a database of another application");
+  expect_store_refused_and_untouched<PlanStore>(
+      folder, folder.file("closures.db"),
+      "is not a store of plans, but a database of another application");
   expect_store_refused_and_untouched<ClosureStore>(
       folder, folder.file("plans.db"),
       "is not a store of closures, but a database of another application");
@@ -42,7 +38,7 @@ TEST(PlanStoreFile, RefusesWhatAnotherApplicationMakesMeanwhile) {
     other.run(lock);
     other.run("PRAGMA application_id = 7; PRAGMA user_version = 1; CREATE TABLE t (a)");
     ASSERT_EQ(std::filesystem::file_size(path), 0u);
-    std::thread opening([&path] { expect_refused(path, "another application"); });
+    std::thread opening([&path] { expect_store_refused<PlanStore>(path, "another application"); });
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     other.run("COMMIT");
     opening.join();
@@ -61,7 +57,7 @@ TEST(PlanStoreFile, RefusesTheDatabaseOfAnotherApplication) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.db");
   Database(path).run("PRAGMA application_id = 7; CREATE TABLE closures (subject TEXT)");
-  expect_refused_and_untouched(folder, path, "another application");
+  expect_store_refused_and_untouched<PlanStore>(folder, path, "another application");
 }
 
 TEST(PlanStoreFile, RefusesANewerSchema) {
@@ -69,7 +65,8 @@ TEST(PlanStoreFile, RefusesANewerSchema) {
   const std::string path = folder.file("a.db");
   ASSERT_TRUE(PlanStore::open(path));
   Database(path).run("PRAGMA journal_mode = DELETE; PRAGMA user_version = 2");
-  expect_refused_and_untouched(folder, path, "schema 2; this coapt knows schema 1");
+  expect_store_refused_and_untouched<PlanStore>(folder, path,
+                                                "schema 2; this coapt knows schema 1");
 }
 
 TEST(PlanStoreFile, RefusesANewerSchemaThatOnlyItsLogKnows) {
@@ -78,23 +75,24 @@ TEST(PlanStoreFile, RefusesANewerSchemaThatOnlyItsLogKnows) {
   ASSERT_TRUE(PlanStore::open(path));
   const Database newer(path);
   newer.run("PRAGMA user_version = 2");
-  expect_refused(path, "schema 2; this coapt knows schema 1");
+  expect_store_refused<PlanStore>(path, "schema 2; this coapt knows schema 1");
 }
 
 TEST(PlanStoreFile, RefusesWhatIsNoDatabase) {
   const TemporaryFolder folder;
   write(folder.file("short"), "x");
   write(folder.file("long"), std::string(10000, 'x'));
-  expect_refused_and_untouched(folder, folder.file("short"), "is not a store of plans");
-  expect_refused_and_untouched(folder, folder.file("long"), "some other file");
+  expect_store_refused_and_untouched<PlanStore>(folder, folder.file("short"),
+                                                "is not a store of plans");
+  expect_store_refused_and_untouched<PlanStore>(folder, folder.file("long"), "some other file");
 }
 
 TEST(PlanStoreFile, RefusesPathsWithoutAFile) {
   const TemporaryFolder folder;
-  expect_refused(folder.path(), "Is a directory");
-  expect_refused(folder.file("missing/a.db"), "No such file or directory");
-  expect_refused("", "needs the path of a file");
-  expect_refused(":memory:", "is not a file");
+  expect_store_refused<PlanStore>(folder.path(), "Is a directory");
+  expect_store_refused<PlanStore>(folder.file("missing/a.db"), "No such file or directory");
+  expect_store_refused<PlanStore>("", "needs the path of a file");
+  expect_store_refused<PlanStore>(":memory:", "is not a file");
 }
 
 TEST(PlanStoreFile, SaysThatItIsDamaged) {
@@ -121,7 +119,7 @@ TEST(PlanStoreFile, SaysThatItsTablesAreGone) {
   const std::string path = folder.file("a.db");
   ASSERT_TRUE(PlanStore::open(path));
   Database(path).run("DROP TABLE plans");
-  expect_refused(path, "cannot be opened: no such table: plans");
+  expect_store_refused<PlanStore>(path, "cannot be opened: no such table: plans");
 }
 
 TEST(PlanStoreFile, SaysThatAnotherConnectionLocksItAndGoesOnAfterwards) {

@@ -14,8 +14,6 @@
 namespace coapt {
 namespace {
 
-const std::string kSubject = "00000000000000000000000000000001";
-
 void expect_numbered(const Expected<KnownPlans>& known, int at_least) {
   ASSERT_TRUE(known);
   const int closures = closures_in(*known);

@@ -13,7 +13,6 @@
 namespace coapt {
 namespace {
 
-const std::string kSubject = "00000000000000000000000000000001";
 const std::string kPlan = "ring physio 28.000000 2; suture anterolateral trigone 31.500000";
 
 TEST(PlanStore, GivesBackWhatItKeptBitForBit) {

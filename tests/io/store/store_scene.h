@@ -10,6 +10,8 @@
 
 namespace coapt {
 
+inline const std::string kSubject = "00000000000000000000000000000001";
+
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -11,12 +11,12 @@
 namespace coapt {
 namespace {
 
-const std::vector<RingShape> kCatalogue = {{"d", 0.75, 1.0, 0.0, ""}, {"wide", 0.5, 1.12, 0.0, ""}};
+const std::vector<RingShape> kTwoRings = {{"d", 0.75, 1.0, 0.0, ""}, {"wide", 0.5, 1.12, 0.0, ""}};
 
 std::vector<Gate> gates(const RepairPlan& plan, const Valve& valve = small_valve()) {
-  const Expected<Valve> repaired = apply_plan(valve, plan, kCatalogue);
+  const Expected<Valve> repaired = apply_plan(valve, plan, kTwoRings);
   EXPECT_TRUE(repaired);
-  return operation_gates({plan, valve, *repaired, kCatalogue});
+  return operation_gates({plan, valve, *repaired, kTwoRings});
 }
 
 std::vector<Gate> gates(const RepairStep& step) { return gates(RepairPlan{{step}}); }
@@ -128,7 +128,7 @@ TEST(Gates, MusclesMoveByTenMillimetresAndNoneByMoreThanFifteen) {
 TEST(Gates, SuturesAreAsLongAsTheyMustBeOrThePlanIsNone) {
   expect_gate(gates(suture(Anchor::IpsilateralTrigone, 20.0)), "suture_length", GateSeverity::Pass,
               "20.0 mm");
-  EXPECT_FALSE(apply_plan(small_valve(), {{suture(Anchor::IpsilateralTrigone, 14.0)}}, kCatalogue));
+  EXPECT_FALSE(apply_plan(small_valve(), {{suture(Anchor::IpsilateralTrigone, 14.0)}}, kTwoRings));
 }
 
 TEST(Gates, AnchorsOnThePosteriorAnnulusImpairFilling) {
