@@ -28,6 +28,7 @@ Routes routes_of(const Service& service) {
       {"POST", "/v1/evaluations", PostEvaluations{valves, compute, rings}},
       {"POST", "/v1/reports", PostReports{valves, compute, rings}},
       {"POST", "/v1/exports", PostExports{valves, compute, rings}},
+      {"POST", "/v1/pictures", PostPictures{valves, compute, rings}},
       {"POST", "/v1/plans", PostPlans{submitting, rings}},
       {"POST", "/v1/studies", PostStudies{submitting}},
 

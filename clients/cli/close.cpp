@@ -1,5 +1,6 @@
 #include <chrono>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,11 +48,17 @@ int run_by(const Service& service, const CloseArguments& arguments) {
     if (!plan) return report_errors(arguments.plan, plan.errors());
     request["plan"] = to_json(*plan);
   }
+  if (const int failed = check_output(arguments.picture)) return failed;
+  const std::map<std::string, std::string> sources = {{"/valve", arguments.valve},
+                                                      {"/plan", arguments.plan}};
   const Expected<nlohmann::ordered_json> closure = post_json(service, "/v1/closures", request);
-  if (!closure)
-    return report_service_errors("close", closure.errors(),
-                                 {{"/valve", arguments.valve}, {"/plan", arguments.plan}});
-  return show(arguments, *closure);
+  if (!closure) return report_service_errors("close", closure.errors(), sources);
+  const int status = show(arguments, *closure);
+  if (arguments.picture.empty()) return status;
+  const Expected<std::string> picture = post(service, "/v1/pictures", request);
+  if (!picture) return report_service_errors("close", picture.errors(), sources);
+  const int failed = write_output(arguments.picture, *picture);
+  return failed != exit_code::kOk ? failed : status;
 }
 
 int run(const CloseArguments& arguments) {
@@ -121,9 +128,8 @@ void add_close(CLI::App& parent, int& status) {
       "  coapt close valve.json --plan plan.json --json\n"
       "  coapt close valve.json --server http://127.0.0.1:8080");
   command->callback([arguments, command, &status] {
-    const auto service =
-        service_of(*command, arguments->server,
-                   {"--method", "--membrane", "--accuracy", "--render", "--oblique"});
+    const auto service = service_of(*command, arguments->server,
+                                    {"--method", "--membrane", "--accuracy", "--oblique"});
     if (!service) {
       status = report_errors("close", service.errors());
     } else {

@@ -1,4 +1,4 @@
-// Closures as files that other programs open.
+// Closures as files that other programs open, and as a picture.
 #pragma once
 
 #include "core/repair/plan.h"
@@ -11,6 +11,14 @@ namespace coapt {
 
 /// POST /v1/exports {"valve", "plan" (optional), "format", "open" (optional)}
 struct PostExports {
+  ValveSource valves;
+  Compute& compute;
+  const std::vector<RingShape>& rings;
+  Answer operator()(const Request& request) const;
+};
+
+/// POST /v1/pictures {"valve", "plan" (optional)}: what `coapt close --render` draws.
+struct PostPictures {
   ValveSource valves;
   Compute& compute;
   const std::vector<RingShape>& rings;

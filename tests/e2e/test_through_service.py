@@ -52,6 +52,13 @@ class SameOutput(ThroughService):
             self.assertEqual(self.assert_same("close", *arguments).returncode, OK)
         self.assert_same("close", "-", stdin=file.read_text())
 
+    def test_pictures_are_the_same(self):
+        for more in ([], ["--plan", self.ring]):
+            here, there = self.folder / "here.png", self.folder / "there.png"
+            self.assertEqual((coapt("close", VALVE, *more, "--render", here).returncode,
+                              self.remote("close", VALVE, *more, "--render", there).returncode), (OK, OK))
+            self.assertEqual(there.read_bytes(), here.read_bytes())
+
     def test_evaluations_are_the_same(self):
         for more in ([], ["--json"]):
             self.assert_same("evaluate", VALVE, self.own, self.ring, "--no-evidence", "--region-points", 9, *more)
@@ -123,7 +130,6 @@ class OnlyHere(ThroughService):
         ring = self.write("ring.json", RING)
         for arguments, named in [(("close", VALVE, "--method", "thesis"), "--method"),
                                  (("close", VALVE, "--membrane", "continuum"), "--membrane"),
-                                 (("close", VALVE, "--render", self.folder / "x.png"), "--render"),
                                  (("close", VALVE, "--oblique"), "--oblique"),
                                  (("close", VALVE, "--accuracy", 1), "--accuracy"),
                                  (("evaluate", VALVE, ring), "--no-evidence"),

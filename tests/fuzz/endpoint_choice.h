@@ -7,9 +7,10 @@
 namespace coapt {
 
 /// POST requests: what follows is the body. The byte is 'a' and the place in this list.
-inline constexpr std::array<std::string_view, 7> kBodyPaths = {
-    "/v1/valves", "/v1/valves:validate", "/v1/closures",       "/v1/evaluations",
-    "/v1/plans",  "/v1/studies",         "/v1/jobs/job:cancel"};
+inline constexpr std::array<std::string_view, 11> kBodyPaths = {
+    "/v1/valves",  "/v1/valves:validate", "/v1/closures",       "/v1/scenes",
+    "/v1/exports", "/v1/pictures",        "/v1/evaluations",    "/v1/reports",
+    "/v1/plans",   "/v1/studies",         "/v1/jobs/job:cancel"};
 
 /// Requests without a body: what follows is path and query, as after percent-decoding. Their bytes come
 /// after those of the paths above.

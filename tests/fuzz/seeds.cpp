@@ -68,7 +68,11 @@ void write_requests(const std::filesystem::path& folder) {
       valve,
       valve,
       {{"valve", valve}, {"plan", plan}},
+      {{"valve", kStoredValve}, {"plan", plan}, {"frames", 2}},
+      {{"valve", kStoredValve}, {"plan", plan}, {"format", "glb"}, {"open", false}},
+      {{"valve", kStoredValve}, {"plan", plan}},
       {{"valve", kStoredValve}, {"plans", {plan, plan}}, {"region_points", 1}},
+      {{"valve", kStoredValve}, {"plans", {plan}}, {"region_points", 2}},
       {{"valve", valve}, {"search", search}},
       {{"valve", kStoredValve}, {"study", study}},
       nlohmann::json::object()};

@@ -61,6 +61,21 @@ class Closures(ClientTest):
         self.assertEqual(self.client.export(VALVE, "stl", plan), file.read_bytes())
         self.assertNotEqual(self.client.export(VALVE, "stl", plan, open=True), file.read_bytes())
 
+    def test_a_picture_is_the_one_of_the_command_line(self):
+        plan = Plan(Ring("generic-classic", size_mm=30))
+        plan.write(self.folder / "plan.json")
+        coapt_command("close", VALVE, "--plan", self.folder / "plan.json", "--render", self.folder / "closed.png")
+        picture = self.client.picture(VALVE, plan)
+        self.assertEqual(picture._repr_png_(), (self.folder / "closed.png").read_bytes())
+        self.assertNotEqual(self.client.picture(VALVE), picture)
+
+    def test_a_scene_has_the_points_and_the_way_there(self):
+        scene = self.client.scene(VALVE, frames=3)
+        self.assertEqual((scene["schema"], scene["closure"]["status"]), ("coapt.scene/1", "converged"))
+        self.assertLessEqual(len(scene["motion_mm"]), 3)
+        self.assertEqual(scene["motion_mm"][-1][:len(scene["closed_mm"])], scene["closed_mm"])
+        self.assertEqual(self.client.scene(VALVE)["motion_mm"], [])
+
     def test_own_plans_have_a_report(self):
         page = self.client.report(VALVE, [Plan(Ring("generic-classic", size_mm=30))], region_points=2)
         self.assertIn("How the plans were scored", page)

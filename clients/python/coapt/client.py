@@ -12,6 +12,7 @@ from typing import Any, Literal, TypeAlias
 
 from .errors import Problem
 from .jobs import Job
+from .meshes import Picture
 from .repair import Plan
 from .results import Closure, Evaluations, RankedPlan, SearchResult, StudyResult, known_fields
 from .transport import Transport
@@ -138,6 +139,19 @@ class Client:
         """
         request = _repair(valve, plan) | {"format": format, "open": open}
         return self._transport.request("POST", "/v1/exports", request).body
+
+    def picture(self, valve: Valve, plan: Plan | RankedPlan | Mapping[str, Any] | None = None) -> Picture:
+        """The closed valve, repaired if there is a plan, from the atrium and in section, with its figures; a notebook shows it."""
+        return Picture(self._transport.request("POST", "/v1/pictures", _repair(valve, plan)).body)
+
+    def scene(self, valve: Valve, plan: Plan | RankedPlan | Mapping[str, Any] | None = None, *, frames: int = 0) -> dict[str, Any]:
+        """All that is drawn of a closed valve as lists and numbers (coapt.scene/1): points, triangles, chordae with tension,
+        orifices, annulus. One end state, where close() takes the mean of five.
+
+        :param frames: 0 to 60 states on the way from open to closed
+        """
+        scene: dict[str, Any] = self._post("/v1/scenes", _repair(valve, plan) | {"frames": frames})
+        return scene
 
     def evaluate(self, valve: Valve, plans: Iterable[Plan | RankedPlan | Mapping[str, Any]],
                  region_points: int | None = None) -> Evaluations:
