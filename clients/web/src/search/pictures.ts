@@ -1,9 +1,15 @@
-// Pictures of plans: fetched once, since images cannot carry a token.
+// Pictures of plans: fetched once, since images cannot carry a token, and given back when `signal` aborts.
 import { getBlob } from '../api/http'
 import { h } from '../dom'
 
 export class Pictures {
   private readonly urls = new Map<string, Promise<string>>()
+
+  constructor(private readonly signal: AbortSignal) {
+    signal.addEventListener('abort', () => {
+      for (const url of this.urls.values()) url.then(URL.revokeObjectURL, () => {})
+    })
+  }
 
   /// Before and after, as the atrium sees it; says so where there is none.
   image(path: string, alt: string): HTMLElement {
@@ -12,14 +18,11 @@ export class Pictures {
     const url = this.urls.get(path) ?? getBlob(path).then((blob) => URL.createObjectURL(blob))
     this.urls.set(path, url)
     url.then(
-      (found) => (image.src = frame.href = found),
+      (found) => {
+        if (!this.signal.aborted) image.src = frame.href = found
+      },
       () => frame.replaceChildren(h('p', { class: 'hint' }, 'The picture did not come.')),
     )
     return frame
-  }
-
-  release(): void {
-    for (const url of this.urls.values()) url.then(URL.revokeObjectURL, () => {})
-    this.urls.clear()
   }
 }

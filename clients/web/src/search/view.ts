@@ -24,9 +24,7 @@ export class SearchView implements View {
       note: (search) => `${grouped(Number(search['evaluations'] ?? DEFAULT_CLOSURES))} closures`,
       empty: empty(),
       panel(job, changed, signal) {
-        const pictures = new Pictures()
-        signal.addEventListener('abort', () => pictures.release())
-        return searchPanel(job, { workspace, pictures, signal, changed })
+        return searchPanel(job, { workspace, pictures: new Pictures(signal), signal, changed })
       },
     }
     this.jobs = new JobView(workspace, searches)

@@ -63,6 +63,21 @@ test('a search goes on when the page is loaded again', async () => {
   assert.equal(await page.locator('.jobs li').count(), 2)
 })
 
+test('a picture that comes when its search is no longer open is dropped', async () => {
+  let answer
+  const asked = new Promise((resolve) => (answer = resolve))
+  await page.route('**/picture', (route) => asked.then(() => route.continue()))
+  const jobs = page.locator('.jobs li')
+  for (const [job, plans] of [[1, 1], [0, 2]]) {
+    await jobs.nth(job).getByRole('button').first().click()
+    await page.waitForFunction((count) => document.querySelectorAll('.plan img').length === count, plans)
+  }
+  answer()
+  await page.waitForFunction(() => [...document.querySelectorAll('.plan img')].every((image) => image.naturalWidth > 0))
+  await page.unroute('**/picture')
+  assert.deepEqual(complaints, [])
+})
+
 test('a plan shows the figures of the result', async () => {
   const id = await page.evaluate(() => sessionStorage.getItem('coapt-open-plans'))
   const [best] = (await (await fetch(`${service.url}/v1/jobs/${id}/result`)).json()).plans
