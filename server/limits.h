@@ -10,7 +10,7 @@ struct ServiceLimits {
   double seconds = 3600.0;    ///< of a job's running; asked for more, or for no limit, it gets this
   int queue = 100;            ///< jobs that wait to be run; over it 429
   int evaluation_closures =
-      1000;  ///< of POST /v1/evaluations: plans times region points, of 650 triangles; fewer of larger valves
+      1000;  ///< of POST /v1/evaluations: plans times region points and evidence, of 650 triangles; fewer of larger valves
   int wait_seconds = 60;  ///< of Prefer: wait
   int threads = 0;        ///< of a running job; 0: all cores. Does not change any answer
   int running_jobs = 2;   ///< at once

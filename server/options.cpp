@@ -35,7 +35,7 @@ void add_service_limits(CLI::App& app, ServiceLimits& service) {
   add_limit(app, "--seconds", service.seconds, 1.0, 1e6, "That a job may run");
   add_limit(app, "--queue", service.queue, 1, 100'000, "Jobs that wait");
   add_limit(app, "--evaluation-closures", service.evaluation_closures, 1, 1'000'000,
-            "Of POST /v1/evaluations: plans times region points, of 650 triangles");
+            "Of POST /v1/evaluations: plans times region points and evidence, of 650 triangles");
   add_limit(app, "--wait-seconds", service.wait_seconds, 0, 3600, "Of Prefer: wait");
   add_limit(app, "--running-jobs", service.running_jobs, 1, 64, "Run at once");
   add_limit(app, "--threads", service.threads, 0, 1024,

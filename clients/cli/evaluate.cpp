@@ -106,14 +106,10 @@ int run_by(const Service& service, const EvaluateArguments& arguments) {
   if (!valve) return report_errors(arguments.valve, valve.errors());
   std::vector<NamedPlan> plans;
   if (const int failed = read_plans(arguments.plans, plans)) return failed;
-  if (!arguments.no_evidence)
-    return report_errors("evaluate",
-                         {Error{ErrorCode::Unsupported, "",
-                                "a service scores plans without evidence: say "
-                                "--no-evidence, or do the work here with --server ''"}});
   nlohmann::ordered_json request = {{"valve", *valve},
                                     {"plans", nlohmann::ordered_json::array()},
-                                    {"region_points", arguments.options.region_points}};
+                                    {"region_points", arguments.options.region_points},
+                                    {"evidence", !arguments.no_evidence}};
   for (const NamedPlan& plan : plans) request["plans"].push_back(to_json(plan.plan));
   const Expected<nlohmann::ordered_json> answer = post_json(service, "/v1/evaluations", request);
   if (!answer) return report_service_errors("evaluate", answer.errors(), sources_of(arguments));
@@ -175,12 +171,12 @@ void add_evaluate(CLI::App& parent, int& status) {
                     "Print JSON, as coapt plan does, with each \"file\"");
   add_server_option(*command, arguments->server);
   command->footer(
-      "A service scores plans without evidence, at 1,000 closures at most (plans times "
-      "--region-points).\n\n"
+      "A service does 1,000 closures at most (plans times --region-points, and up to 284 a plan "
+      "for "
+      "evidence).\n\n"
       "Examples:\n"
       "  coapt evaluate human-functional-mr ring.json ring-and-suture.json -o report.html\n"
-      "  coapt evaluate valve.json ring.json --no-evidence --region-points 65 --server "
-      "http://127.0.0.1:8080");
+      "  coapt evaluate valve.json ring.json --region-points 65 --server http://127.0.0.1:8080");
   command->callback([arguments, command, &status] {
     const auto service = service_of(*command, arguments->server, {"--store", "--threads"});
     if (!service) {

@@ -21,13 +21,6 @@ bool has_step(const RepairPlan& plan) {
                      [](const RepairStep& step) { return std::holds_alternative<Step>(step); });
 }
 
-bool has_suture(const RepairPlan& plan, Side side) {
-  return std::any_of(plan.steps.begin(), plan.steps.end(), [side](const RepairStep& step) {
-    const auto* suture = std::get_if<PapillaryApproximation>(&step);
-    return suture != nullptr && suture->side == side;
-  });
-}
-
 std::string in_mm(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f mm", value);
@@ -35,6 +28,13 @@ std::string in_mm(double value) {
 }
 
 }  // namespace
+
+bool has_suture(const RepairPlan& plan, Side side) {
+  return std::any_of(plan.steps.begin(), plan.steps.end(), [side](const RepairStep& step) {
+    const auto* suture = std::get_if<PapillaryApproximation>(&step);
+    return suture != nullptr && suture->side == side;
+  });
+}
 
 std::vector<std::string> PlanSpace::offer_rings() {
   if (has_step<Annuloplasty>(rules_.fixed)) {

@@ -66,4 +66,7 @@ class PlanSpace {
   std::vector<CutBranches> cut_;
 };
 
+/// Whether a papillary muscle of that side is sutured.
+bool has_suture(const RepairPlan& plan, Side side);
+
 }  // namespace coapt

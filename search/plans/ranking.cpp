@@ -8,6 +8,7 @@
 #include "search/plans/exploration.h"
 #include "search/plans/outranking.h"
 #include "search/plans/plan_key.h"
+#include "search/plans/plan_space.h"
 #include "search/studies/rank_correlation.h"
 
 namespace coapt {
@@ -55,26 +56,21 @@ void keep_cheapest(const PlanDesk& desk, std::vector<PlanRecord*>& plans, int no
   if (std::ssize(plans) > count) plans.resize(static_cast<std::size_t>(count));
 }
 
-bool has_suture(const PlanRecord& plan, Side side) {
-  return std::any_of(plan.plan.steps.begin(), plan.plan.steps.end(), [side](const RepairStep& s) {
-    const auto* suture = std::get_if<PapillaryApproximation>(&s);
-    return suture != nullptr && suture->side == side;
-  });
+std::vector<DisturbanceSet> evidence_of(const RepairPlan& plan) {
+  std::vector<DisturbanceSet> sets = {kRemodelling};
+  const bool al = has_suture(plan, Side::Anterolateral);
+  const bool pm = has_suture(plan, Side::Posteromedial);
+  if (al) sets.push_back(kAnterolateralAlone);
+  if (pm) sets.push_back(kPosteromedialAlone);
+  if (al && pm) sets.push_back(kIndependent);
+  return sets;
 }
 
 void close_evidence(PlanDesk& desk, const std::vector<PlanRecord*>& plans) {
   std::vector<PlanDesk::Wanted> wanted;
-  const auto want = [&](PlanRecord* plan, DisturbanceSet set) {
-    for (int d = set.first; d < set.first + set.count; ++d) wanted.push_back({plan, d});
-  };
-  for (PlanRecord* plan : plans) {
-    want(plan, kRemodelling);
-    const bool al = has_suture(*plan, Side::Anterolateral);
-    const bool pm = has_suture(*plan, Side::Posteromedial);
-    if (al) want(plan, kAnterolateralAlone);
-    if (pm) want(plan, kPosteromedialAlone);
-    if (al && pm) want(plan, kIndependent);
-  }
+  for (PlanRecord* plan : plans)
+    for (const DisturbanceSet set : evidence_of(plan->plan))
+      for (int d = set.first; d < set.first + set.count; ++d) wanted.push_back({plan, d});
   desk.close(wanted, PlanDesk::Phase::Ranking);
 }
 
@@ -132,6 +128,12 @@ int ranking_closures(const SearchOptions& options) {
     most += options.plans * (kRemodelling.count + kAnterolateralAlone.count +
                              kPosteromedialAlone.count + kIndependent.count);
   return most;
+}
+
+int evidence_closures(const RepairPlan& plan) {
+  int closures = 0;
+  for (const DisturbanceSet set : evidence_of(plan)) closures += set.count;
+  return closures;
 }
 
 std::vector<PlanRecord*> close_finalists(PlanDesk& desk, std::vector<PlanRecord*> finalists,

@@ -14,6 +14,9 @@ inline constexpr int kFinalists = 3;
 /// Closures that close_finalists() takes at most.
 int ranking_closures(const SearchOptions& options);
 
+/// Closures that the evidence for a plan takes: further remodelling, errors of each suture alone, and of both by themselves.
+int evidence_closures(const RepairPlan& plan);
+
 /// Closes the finalists at as many nodes as the ladder goes, dropping the dearest on the way down to
 /// options.plans; then, if asked for, the evidence: single sutures, independent errors, remodelling. Out of time
 /// or cancelled it leaves fewer nodes, but all plans that stay have equal ones.

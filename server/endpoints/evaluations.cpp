@@ -11,6 +11,7 @@
 #include "io/store/subject.h"
 #include "search/plans/plan_key.h"
 #include "search/plans/plan_search.h"
+#include "search/plans/ranking.h"
 #include "server/answers.h"
 
 namespace coapt {
@@ -68,26 +69,28 @@ std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Req
   asked.options.region_points = 1;
   asked.options.seconds = kMostSeconds;
   const auto points = [](const JsonPlace& place) { return read_integer_in(place, 1, 1089); };
-  if (auto refused =
-          read_body(valves.parsing, request.body,
-                    {{"valve", valve_field(valves, asked.valve)},
-                     {"plans", into(asked.plans, read_plans)},
-                     {"region_points", into(asked.options.region_points, points), false}}))
+  if (auto refused = read_body(valves.parsing, request.body,
+                               {{"valve", valve_field(valves, asked.valve)},
+                                {"plans", into(asked.plans, read_plans)},
+                                {"region_points", into(asked.options.region_points, points), false},
+                                {"evidence", into(asked.options.evidence, read_boolean), false}}))
     return *std::move(refused);
   ProblemList problems;
   const std::string count = "has " + std::to_string(asked.plans.size()) + " plans";
   if (asked.plans.size() > most_plans)
     problems.add(ErrorCode::OutOfRange, "/plans",
                  count + "; must be at most " + std::to_string(most_plans));
-  const std::ptrdiff_t closures = std::ssize(asked.plans) * asked.options.region_points;
+  std::ptrdiff_t closures = std::ssize(asked.plans) * asked.options.region_points;
+  if (asked.options.evidence)
+    for (const RepairPlan& plan : asked.plans) closures += evidence_closures(plan);
   const auto most = static_cast<std::ptrdiff_t>(valves.limits.evaluation_closures /
                                                 std::max(1.0, size_of(asked.valve)));
   if (closures > most)
     problems.add(ErrorCode::OutOfRange, "/plans",
-                 count + " of " + std::to_string(asked.options.region_points) +
-                     " region_points, together " + std::to_string(closures) +
-                     " closures; must be at most " + std::to_string(most) +
-                     " for a valve of this size");
+                 count + " of " + std::to_string(asked.options.region_points) + " region_points" +
+                     (asked.options.evidence ? " and evidence" : "") + ", together " +
+                     std::to_string(closures) + " closures; must be at most " +
+                     std::to_string(most) + " for a valve of this size");
   if (!problems.empty()) return problem(422, std::move(problems).take());
   return asked;
 }
@@ -101,7 +104,7 @@ std::variant<SearchResult, Answer> score(const AskedPlans& asked,
   if (!result) return problem(422, result.errors());
   if (result->stop == SearchStop::TimeLimit)
     return retry_later(503, "took longer than " + shown(kMostSeconds) +
-                                " s: ask for fewer plans or region_points at once");
+                                " s: ask for fewer plans or region_points at once, or no evidence");
   return *result;
 }
 

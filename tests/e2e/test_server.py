@@ -59,6 +59,10 @@ class Answers(ServerTest):
             self.assertEqual(plan["cost"], same["cost"])
         many = {"valve": "human-functional-mr", "plans": plans, "region_points": 1089}
         self.assert_problem(self.post("/v1/evaluations", many), 422, "/plans")
+        sutures = [{"step": "papillary_approximation", "side": side, "anchor": "saddle_peak", "suture_length_mm": 26}
+                   for side in ("anterolateral", "posteromedial")]
+        many = {"valve": "human-functional-mr", "plans": 4 * [plans[0] | {"steps": sutures}], "evidence": True}
+        self.assert_problem(self.post("/v1/evaluations", many), 422, "/plans")
 
     def test_problems_of_rules_and_weights_point_into_the_search(self):
         for search, paths in [

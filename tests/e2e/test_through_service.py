@@ -19,6 +19,8 @@ RING = {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "g
 OWN = {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "own", "sizes_below": 1}]}
 LONG = {"schema": "coapt.plan/1", "steps": [{"step": "papillary_approximation", "side": "posteromedial",
                                              "anchor": "saddle_peak", "suture_length_mm": 99}]}
+BOTH = {"schema": "coapt.plan/1", "steps": [{"step": "papillary_approximation", "side": side, "anchor": "ipsilateral_trigone",
+                                             "suture_length_mm": 26} for side in ("anterolateral", "posteromedial")]}
 TOKEN = "open-sesame-2026"
 PICTURE = re.compile(r'<svg.*?</svg>|data:image/png;base64,[^"]+', re.DOTALL)
 
@@ -42,8 +44,9 @@ class ThroughService(ServerTest):
 class SameOutput(ThroughService):
     def setUp(self):
         super().setUp()
-        self.ring, self.own, self.long = (self.write(f"{name}.json", plan) for name, plan in
-                                          [("ring", RING), ("own", OWN), ("long", LONG)])
+        self.ring, self.own, self.long, self.both = (
+            self.write(f"{name}.json", plan) for name, plan in
+            [("ring", RING), ("own", OWN), ("long", LONG), ("both", BOTH)])
 
     def test_closures_are_the_same(self):
         file = self.make(VALVE)
@@ -62,6 +65,7 @@ class SameOutput(ThroughService):
     def test_evaluations_are_the_same(self):
         for more in ([], ["--json"]):
             self.assert_same("evaluate", VALVE, self.own, self.ring, "--no-evidence", "--region-points", 9, *more)
+        self.assert_same("evaluate", VALVE, self.both, "--region-points", 2, "--json")
         self.assert_same("evaluate", VALVE, self.own, self.own, "--no-evidence", "--region-points", 1, "--json")
         # Enough nodes for a ladder.
         self.assert_same("evaluate", VALVE, self.own, self.ring, "--no-evidence", "--region-points", 70)
@@ -77,6 +81,7 @@ class SameOutput(ThroughService):
 
     def test_a_report_on_own_plans_is_the_same(self):
         self.assert_same_pictures("evaluate", VALVE, self.own, self.ring, "--no-evidence", "--region-points", 2)
+        self.assert_same_pictures("evaluate", VALVE, self.both, "--region-points", 2)
 
     def assert_same_pictures(self, *command):
         pages = []
@@ -132,7 +137,6 @@ class OnlyHere(ThroughService):
                                  (("close", VALVE, "--membrane", "continuum"), "--membrane"),
                                  (("close", VALVE, "--oblique"), "--oblique"),
                                  (("close", VALVE, "--accuracy", 1), "--accuracy"),
-                                 (("evaluate", VALVE, ring), "--no-evidence"),
                                  (("evaluate", VALVE, ring, "--no-evidence", "--threads", 1), "--threads"),
                                  (("plan", VALVE, "--store", self.folder / "x.sqlite"), "--store"),
                                  (("study", "ring", VALVE, "--threads", 1, "-o", self.folder / "s"), "--threads")]:

@@ -79,6 +79,8 @@ class Closures(ClientTest):
     def test_own_plans_have_a_report(self):
         page = self.client.report(VALVE, [Plan(Ring("generic-classic", size_mm=30))], region_points=2)
         self.assertIn("How the plans were scored", page)
+        self.assertNotIn("If remodelling goes on", page)
+        self.assertIn("If remodelling goes on", self.client.report(VALVE, [Plan(OwnRing(1))], evidence=True))
         self.assertEqual(self.problems(coapt.InvalidRequest, self.client.report, VALVE, 11 * [Plan(OwnRing(1))]),
                          [("/plans", "out_of_range")])
 

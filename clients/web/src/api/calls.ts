@@ -34,8 +34,8 @@ export function evaluate(valve: string, plans: Plan[], region_points: number): P
 }
 
 /// One HTML page.
-export async function report(valve: string, plans: Plan[], region_points: number): Promise<Blob> {
-  return (await request('POST', '/v1/reports', { valve, plans, region_points })).blob()
+export async function report(valve: string, plans: Plan[], region_points: number, evidence: boolean): Promise<Blob> {
+  return (await request('POST', '/v1/reports', { valve, plans, region_points, evidence })).blob()
 }
 
 export function version(): Promise<{ version: string; not_modelled: string[] }> {

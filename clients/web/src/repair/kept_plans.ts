@@ -100,9 +100,10 @@ export class KeptPlans {
   }
 
   private async report({ name, plan, valve }: KeptPlan): Promise<void> {
-    this.say(`closing ${name} ${REGION_POINTS} times ...`)
+    this.say(`closing ${name} ${REGION_POINTS} times, and for evidence ...`)
+    const page = (evidence: boolean) => report(valve.reference, [plan], REGION_POINTS, evidence)
     try {
-      download(`${name}.html`, await report(valve.reference, [plan], REGION_POINTS))
+      download(`${name}.html`, await page(true).catch(() => page(false))) // of a fine mesh it is too much for the service
       this.say('')
       this.problems.replaceChildren()
     } catch (error) {
