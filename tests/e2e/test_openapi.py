@@ -57,6 +57,13 @@ class OpenApi(OpenApiTest):
         self.assertEqual(self.send("listJobs", query="?page_size=1&state=SUCCEEDED").status, 200)
         self.assertEqual(self.send("getJobResult").json()["schema"], "coapt.plans/1")
 
+    def test_own_plans_with_their_evidence_are_as_it_says(self):
+        sutures = [{"step": "papillary_approximation", "side": side, "anchor": "ipsilateral_trigone", "suture_length_mm": 26}
+                   for side in ("anterolateral", "posteromedial")]
+        plans = [{"schema": "coapt.plan/1", "steps": sutures}]
+        reply = self.send("evaluatePlans", {"valve": "human-functional-mr", "plans": plans, "evidence": True})
+        self.assertIn("independent_leak_mm2", reply.json()["plans"][0])
+
     def test_a_study_and_its_results_are_as_it_says(self):
         self.store_valve()
         self.place["job"] = self.send_example("runStudy", "annulus").json()["id"]
