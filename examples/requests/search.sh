@@ -11,14 +11,21 @@ answer=$(mktemp)
 trap 'rm -f "$answer"' EXIT
 
 # call PATH OPTION...: the answer is in the file `answer`; one that refuses is printed, and ends this script. curl
-# tries again where the service is busy, and leaves Ctrl-C to the loop below. The token does not appear among the processes.
+# tries again where the service is busy, and leaves Ctrl-C to the loop below; one that came before it was ignored (130)
+# costs a second try. The token does not appear among the processes.
 call() {
-  (
-    trap '' INT
-    curl --silent --show-error --fail-with-body --retry 5 --output "$answer" \
-      --config <([[ -z ${COAPT_TOKEN:-} ]] || printf 'header = "Authorization: Bearer %s"\n' "$COAPT_TOKEN") \
-      "${@:2}" "$url$1"
-  ) || { cat "$answer" >&2; exit 1; }
+  local status=130 try
+  for try in 1 2; do
+    [[ $status -eq 130 ]] || break
+    status=0
+    (
+      trap '' INT
+      curl --silent --show-error --fail-with-body --retry 5 --output "$answer" \
+        --config <([[ -z ${COAPT_TOKEN:-} ]] || printf 'header = "Authorization: Bearer %s"\n' "$COAPT_TOKEN") \
+        "${@:2}" "$url$1"
+    ) || status=$?
+  done
+  [[ $status -eq 0 ]] || { cat "$answer" >&2; exit 1; }
 }
 
 # field NAME: of the answer.
@@ -32,12 +39,13 @@ search='{}'
 [[ $# -eq 1 ]] || search=$(<"$2")
 request="{\"valve\": \"$(field id)\", \"search\": $search}"
 
+# With a key of its own the request can be repeated without a second search, should its answer be lost.
+key=$(</proc/sys/kernel/random/uuid)
 cancelled=false
 trap 'cancelled=true' INT
-# With a key of its own the request can be repeated without a second search, should its answer be lost.
-call /v1/plans --header 'Content-Type: application/json' --data-binary "$request" \
-  --header "Idempotency-Key: $(cat /proc/sys/kernel/random/uuid)"
-job=/v1/jobs/$(field id)
+call /v1/plans --header 'Content-Type: application/json' --data-binary "$request" --header "Idempotency-Key: $key"
+id=$(field id) || id=$(field id)
+job=/v1/jobs/$id
 
 until [[ $(field state) =~ SUCCEEDED|FAILED|CANCELLED ]]; do
   sleep 0.5 || true
