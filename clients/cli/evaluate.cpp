@@ -171,9 +171,7 @@ void add_evaluate(CLI::App& parent, int& status) {
                     "Print JSON, as coapt plan does, with each \"file\"");
   add_server_option(*command, arguments->server);
   command->footer(
-      "A service does 1,000 closures at most (plans times --region-points, and up to 284 a plan "
-      "for "
-      "evidence).\n\n"
+      "A service does 1,000 closures at most: plans times --region-points, and the evidence.\n\n"
       "Examples:\n"
       "  coapt evaluate human-functional-mr ring.json ring-and-suture.json -o report.html\n"
       "  coapt evaluate valve.json ring.json --region-points 65 --server http://127.0.0.1:8080");

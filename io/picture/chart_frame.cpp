@@ -145,8 +145,10 @@ Extent including(Extent range, double value) {
 Axis round_axis(Extent range, int ticks) {
   if (!(range.low <= range.high)) return {};
   if (range.low >= 0.0 && range.low < 0.5 * range.high) range.low = 0.0;
-  if (range.high - range.low < 1e-9 * std::max(1.0, std::abs(range.high)))
-    range.low == 0.0 ? range.high = 1.0 : (range.low -= 0.5, range.high += 0.5);
+  if (range.high - range.low < 1e-9 * std::max(1.0, std::abs(range.high))) {
+    const double half = std::max(0.5, 1e-6 * std::abs(range.high));
+    range.low == 0.0 ? range.high = 1.0 : (range.low -= half, range.high += half);
+  }
   const double rough = (range.high - range.low) / ticks;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   const double share = rough / power;

@@ -183,6 +183,10 @@ TEST(ChartFrame, AxesHaveRoundTicks) {
   EXPECT_EQ(ticks_of(axis), (std::vector<double>{0.0, 20.0, 40.0, 60.0, 80.0, 100.0}));
   EXPECT_EQ(ticks_of({-0.5, 6.5, 2.0, 0}), (std::vector<double>{0.0, 2.0, 4.0, 6.0}));
   EXPECT_EQ(round_axis({}).high, 1.0) << "nothing to show";
+  for (const double value : {-1e17, 0.0, 45.7, 1e17}) {
+    const Axis around = round_axis({value, value});
+    EXPECT_TRUE(around.low <= value && value <= around.high && around.low < around.high) << value;
+  }
 }
 
 TEST(ObliquePlot, BoxStaysInItsAreaAndZGoesUp) {
