@@ -90,7 +90,7 @@ TEST(SearchLimits, WithLittleTimeItStillClosesTheRegionOfItsPlans) {
   };
   SearchOptions options = small_search();
   options.evaluations = 100000;
-  options.seconds = 2.0;  // of 100: a machine that pauses for some tenths of a second still gets to ranking
+  options.seconds = 2.0;  // of 100; with less, a pause of the machine left none for ranking
   const SearchResult result = searched(evaluate, options);
   EXPECT_EQ(result.stop, SearchStop::TimeLimit);
   ASSERT_EQ(result.plans.size(), 3u);
