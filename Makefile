@@ -2,12 +2,18 @@
 BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
-SOURCES := $(shell find core search io server clients/cli tests bench -name "*.h" -o -name "*.cpp" -o -name "*.inl")
+SOURCES := $(shell find core search io server clients/cli lab tests -name "*.h" -o -name "*.cpp" -o -name "*.inl")
+
+PYTHON := $(shell find clients/python cmake docs examples lab tests -name "*.py")
+BLACK := black --line-length 120
+
+# Most tests wait for processes and sockets: more at once than there are cores.
+CTEST := --parallel 6
 
 WEB := clients/web
 WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public $(WEB)/index.html $(WEB)/vite.config.ts -type f)
 
-.PHONY: help demo serve test web web-test web-pictures chart bench bench-server instructions rivals build programs configure format format-check includes-check openapi-check readers-check asan fuzz clean
+.PHONY: help demo serve check check-packages test test-packages web types web-test web-pictures chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs-check openapi-check readers-check golden asan asan-build fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -22,9 +28,25 @@ serve: programs web  ## the service with its page at http://127.0.0.1:8080
 	@echo "Open http://127.0.0.1:8080 in a browser; Ctrl-C ends it."
 	$(BIN)/coapt-server --db coapt.sqlite
 
-test: build  ## build and run every test
-	@cmake/install_packages.sh test
-	ctest --preset release --parallel 2
+check: check-packages  ## what a change must pass, as .ci/run does: every check and test but golden and fuzz
+	$(MAKE) format-check lint includes-check docs-check openapi-check
+	cmake --preset release -DCOAPT_LAB=ON
+	$(MAKE) build
+	$(MAKE) sources-check readers-check
+	$(MAKE) web-test
+	$(MAKE) --jobs=2 --output-sync=target test asan-build
+	$(MAKE) asan
+
+# At once, because steps that run side by side cannot each call apt-get.
+check-packages:
+	@cmake/install_packages.sh build docs test proxy lab readers browser format lint
+	@command -v npm >/dev/null || cmake/install_packages.sh npm
+
+test: test-packages build  ## build and run the product's tests; in a build with the laboratory its tests, too
+	ctest --preset release $(CTEST)
+
+test-packages:
+	@cmake/install_packages.sh build docs test proxy
 
 web: build/web/index.html  ## the page, in build/web
 
@@ -37,9 +59,12 @@ $(WEB)/node_modules: $(WEB)/package-lock.json
 	npm ci --ignore-scripts --no-audit --no-fund --prefix $(WEB)
 	@touch $@
 
+types: $(WEB)/node_modules  ## the page's types of the service's documents, from server/openapi.json
+	cd $(WEB) && node types.mjs
+
 web-test: build web  ## types, unit tests, and the page in a real browser with axe-core
 	@cmake/install_packages.sh browser
-	cd $(WEB) && npx --no-install tsc --noEmit && npx --no-install vitest run
+	cd $(WEB) && node types.mjs --check && npx --no-install tsc --noEmit && npx --no-install vitest run
 	node --test --test-reporter=spec $(WEB)/test/page/*.test.mjs
 
 web-pictures: programs web  ## the page's pictures in docs/images, and its times
@@ -47,30 +72,47 @@ web-pictures: programs web  ## the page's pictures in docs/images, and its times
 	node $(WEB)/test/page/pictures.mjs docs/images
 	node $(WEB)/test/page/times.mjs
 
-chart: programs  ## accuracy against time, where methods fail, what the model's ingredients buy, into docs/images
-	$(BIN)/coapt chart speed-accuracy -o docs/images
-	$(BIN)/coapt chart stability -o docs/images
-	$(BIN)/coapt chart ablation -o docs/images
+chart: lab  ## accuracy against time, where methods fail, what the model's ingredients buy, the orifice's image, into docs/images
+	$(BIN)/coapt-lab chart speed-accuracy -o docs/images
+	$(BIN)/coapt-lab chart stability -o docs/images
+	$(BIN)/coapt-lab chart ablation -o docs/images
+	$(BIN)/orifice_resolution docs/images
+	lab/charts/plot.py docs/images/orifice-resolution.csv
 
-bench: build  ## time of the parts of a closure, and of whole ones against method thesis
+figures: programs lab  ## the tables behind the documents, into docs/figures; wants a quiet machine
+	lab/closures/closures_table.py
+	lab/closures/membranes_table.py
+	lab/closures/speed_table.py
+
+bench: lab  ## time of the parts of a closure, and of whole ones against method thesis
 	$(BIN)/closure_benchmark
 
-bench-server: build  ## what the service adds to a closure, watching jobs under load, hostile requests
+bench-server: programs  ## what the service adds to a closure, watching jobs under load, hostile requests
 	@cmake/install_packages.sh test bench
-	bench/server/closures.py
-	bench/server/jobs_under_load.py
-	bench/server/hostile.py --requests 1000 --seconds 180
+	lab/service/closures.py
+	lab/service/jobs_under_load.py
+	tests/service/hostile.py --requests 1000 --seconds 180
 
-instructions: build  ## machine instructions of a closure by function, where clocks are noisy
+instructions: lab  ## machine instructions of a closure by function, where clocks are noisy
 	@cmake/install_packages.sh profile
-	bench/instructions.sh
+	lab/closures/instructions.sh
 
 rivals:  ## coapt-rivals, the optimisers of pagmo and dlib that the search is measured against
-	@cmake/install_packages.sh build rivals
-	cmake --preset release -DCOAPT_RIVALS=ON
+	@cmake/install_packages.sh build lab rivals
+	cmake --preset release -DCOAPT_LAB=ON -DCOAPT_RIVALS=ON
 	cmake --build --preset release --target coapt-rivals
 
-build: configure  ## the release build in build/release: programs, tests, benchmarks
+lab:  ## the laboratory: coapt-lab and its benchmarks
+	@cmake/install_packages.sh build lab
+	cmake --preset release -DCOAPT_LAB=ON
+	cmake --build --preset release --target coapt-lab closure_benchmark tolerances orifice_resolution
+
+lab-test: lab  ## build and run the laboratory's tests
+	@cmake/install_packages.sh test
+	cmake --build --preset release
+	ctest --preset release $(CTEST) --label-regex lab
+
+build: configure  ## the release build in build/release: programs and tests
 	cmake --build --preset release
 
 programs: configure  ## coapt and coapt-server alone
@@ -80,16 +122,33 @@ configure:
 	@cmake/install_packages.sh build
 	cmake --preset release
 
-format:  ## lay the sources out with clang-format
+format: $(WEB)/node_modules  ## lay the sources out: C++ with clang-format, TypeScript with biome, Python with black
 	@cmake/install_packages.sh format
 	@clang-format -i $(SOURCES)
+	@cd $(WEB) && npx --no-install biome format --write
+	@$(BLACK) --quiet $(PYTHON)
 
-format-check:  ## fail if clang-format would change something
+format-check: $(WEB)/node_modules  ## fail if make format would change something
 	@cmake/install_packages.sh format
 	@clang-format --dry-run --Werror $(SOURCES)
+	@cd $(WEB) && npx --no-install biome format
+	@$(BLACK) --check $(PYTHON)
+
+lint: $(WEB)/node_modules  ## what biome finds in TypeScript and flake8 in Python
+	@cmake/install_packages.sh lint
+	@cd $(WEB) && npx --no-install biome lint --error-on-warnings
+	@flake8 --extend-ignore=E203,E501,W503 $(PYTHON)
 
 includes-check:  ## fail if an include goes against the arrows of ARCHITECTURE.md
 	cmake/check_includes.sh
+
+sources-check:  ## fail if a source that has changed, or includes what has, forgets an include; SINCE=commit says since when
+	@cmake/install_packages.sh build lab
+	@cmake --preset sources >/dev/null
+	cmake/check_sources.py build/sources $(SINCE)
+
+docs-check:  ## fail if a link or make target in the documents leads nowhere, or the README is too long
+	@tests/docs/check_documents.py
 
 openapi-check: build/openapi-check/node_modules  ## fail if the OpenAPI document breaks a rule that @redocly/cli recommends
 	@cmake -D OUTPUT=build/openapi.json -P server/openapi.cmake
@@ -115,11 +174,17 @@ build/readers-check/node_modules: tests/readers/package-lock.json
 	npm ci --ignore-scripts --no-audit --no-fund --prefix build/readers-check
 	@touch $@
 
-asan:  ## build and test with the address and undefined-behaviour sanitizers, but the long tests
+golden:  ## the same bits of closures and a search by g++ and clang++, each at -O1 and -O3
+	@cmake/install_packages.sh build fuzz
+	cmake/golden.sh
+
+asan: asan-build  ## build and test with the address and undefined-behaviour sanitizers, but the long tests
+	ctest --preset asan $(CTEST) --label-exclude long
+
+asan-build:
 	@cmake/install_packages.sh build test
 	cmake --preset asan
 	cmake --build --preset asan
-	ctest --preset asan --parallel 2 --label-exclude long
 
 fuzz:  ## 100,000 damaged valves, plans and requests each through readers and endpoints, under the sanitizers
 	@cmake/install_packages.sh build fuzz

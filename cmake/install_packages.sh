@@ -16,5 +16,12 @@ done
 as_root=()
 [[ $(id -u) -eq 0 ]] || as_root=(sudo)
 echo "Installing ${missing[*]}" >&2
+# A package that brings a service, such as nginx, must not start it.
+policy=/usr/sbin/policy-rc.d
+if [[ ! -e $policy ]]; then
+  trap '"${as_root[@]}" rm -f "$policy"' EXIT
+  printf '#!/bin/sh\nexit 101\n' | "${as_root[@]}" tee "$policy" >/dev/null
+  "${as_root[@]}" chmod +x "$policy"
+fi
 "${as_root[@]}" apt-get update
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"

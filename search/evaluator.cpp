@@ -12,6 +12,12 @@ Evaluator closing_evaluator(const ClosureOptions& options) {
   };
 }
 
+std::shared_ptr<const ClosedValve> closed_valve(const Valve& valve, const ClosedPlan& closed) {
+  if (closed.closure == nullptr) return nullptr;
+  return std::make_shared<const ClosedValve>(
+      ClosedValve{valve, *closed.closure, closed.evaluation.measure});
+}
+
 bool trusted(const ClosureResult& closure) {
   return closure.status == ClosureStatus::Converged && !closure.crossing;
 }

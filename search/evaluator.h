@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "core/closure/closure.h"
+#include "core/closed/closed_valve.h"
 #include "core/metrics/measure.h"
 
 namespace coapt {
@@ -20,17 +20,20 @@ struct ClosedPlan {
   std::shared_ptr<const ClosureResult> closure;  ///< for neighbours to start from; may be null
 };
 
-/// Closes and measures a valve, from the closure of a neighbour if there is one (a warm start). Called
-/// from several threads at once.
+/// Closes and measures a valve, from the closure of a neighbour if there is one (a warm start).
+/// Called from several threads at once.
 using Evaluator = std::function<ClosedPlan(const Valve&, const ClosureResult* neighbour)>;
+
+/// Of `valve`; null if the evaluator kept no closure.
+std::shared_ptr<const ClosedValve> closed_valve(const Valve& valve, const ClosedPlan& closed);
 
 Evaluator closing_evaluator(const ClosureOptions& options);
 
 /// Converged, without leaflets through each other.
 bool trusted(const ClosureResult& closure);
 
-/// Converged, without leaflets through each other, its leak a number: only then do the measures mean
-/// anything.
+/// Converged, without leaflets through each other, its leak a number: only then do the measures
+/// mean anything.
 bool trusted(const Evaluation& evaluation);
 
 }  // namespace coapt

@@ -44,9 +44,9 @@ Eigen::VectorXd damped_step(const Eigen::MatrixXd& jacobian, const Eigen::Vector
     const Eigen::VectorXd moves =
         normal.ldlt().solve(-columns.transpose() * (residual + jacobian * step));
     std::vector<Eigen::Index> inside;
-    for (std::size_t k = 0; k < free.size(); ++k) {
+    for (Eigen::Index k = 0; k < std::ssize(free); ++k) {
       const Eigen::Index i = free[k];
-      const double end = at(i) + moves(static_cast<Eigen::Index>(k));
+      const double end = at(i) + moves(k);
       step(i) = std::clamp(end, 0.0, 1.0) - at(i);
       if (end >= 0.0 && end <= 1.0) inside.push_back(i);
     }
@@ -77,8 +77,7 @@ LeastSquaresFit fit_least_squares(const ResidualsAt& residuals, const Eigen::Vec
     const std::vector<Eigen::VectorXd> near = residuals(neighbours);
     Eigen::MatrixXd jacobian(at.residual.size(), start.size());
     for (Eigen::Index i = 0; i < start.size(); ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      jacobian.col(i) = (near[k] - at.residual) / (neighbours[k](i) - at.point(i));
+      jacobian.col(i) = (near[i] - at.residual) / (neighbours[i](i) - at.point(i));
     }
     std::vector<Eigen::VectorXd> candidates;
     for (const double damping : kDamping) {

@@ -1,8 +1,8 @@
-// Nonlinear least squares in the unit cube: Levenberg (1944) and Marquardt (1963) with differences for
-// the derivatives, for residuals that are dear, a little noisy, and can be had side by side.
+// Nonlinear least squares in the unit cube: Levenberg (1944) and Marquardt (1963) with differences
+// for the derivatives, for residuals that are dear, a little noisy, and can be had side by side.
 //
-// Each round evaluates one neighbour along every axis at once, then one step for each of a ladder of
-// damping values at once, and takes the best point of all; where none is better, the differences
+// Each round evaluates one neighbour along every axis at once, then one step for each of a ladder
+// of damping values at once, and takes the best point of all; where none is better, the differences
 // shrink. Bounds: an axis that would leave the cube stays at its face for the round (active set).
 #pragma once
 

@@ -1,5 +1,5 @@
-// Local optimisation within bounds: BOBYQA (Powell 2009), which models the valley, Sbplx (Rowan 1990) and
-// Nelder-Mead (1965), which only compare. The only part of coapt that knows NLopt.
+// Local optimisation within bounds: BOBYQA (Powell 2009), which models the valley, Sbplx (Rowan
+// 1990) and Nelder-Mead (1965), which only compare. The only part of coapt that knows NLopt.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ enum class LocalMethod { Bobyqa, Sbplx, NelderMead };
 
 struct BoundedProblem {
   std::vector<double> lower, upper, start;  ///< |n|, start within the bounds
-  std::vector<double> first_step;           ///< |n|, > 0: where the optimiser first looks; cut to
-                                            ///< 0.49 of the range
+  /// |n|, > 0: where the optimiser first looks; cut to 0.49 of the range.
+  std::vector<double> first_step;
   double tolerance = 0.1;  ///< stop when steps are shorter than this share of the first
   int most_calls = 100;
   LocalMethod method = LocalMethod::Bobyqa;

@@ -13,14 +13,14 @@ namespace coapt {
 /// ended; that of the smallest index is then thrown here.
 template <class Function>
 void for_each_index(int count, int threads, const Function& function) {
-  std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(count));
+  std::vector<std::exception_ptr> thrown(count);
   const int team = threads > 0 ? threads : omp_get_max_threads();
 #pragma omp parallel for schedule(dynamic) num_threads(team)
   for (int i = 0; i < count; ++i) {
     try {
       function(i);
     } catch (...) {
-      thrown[static_cast<std::size_t>(i)] = std::current_exception();
+      thrown[i] = std::current_exception();
     }
   }
   for (const std::exception_ptr& exception : thrown)

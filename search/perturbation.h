@@ -28,8 +28,8 @@ inline constexpr double kLengthStep_mm = 0.25;
 /// good sizes.
 std::vector<Perturbation> region_of_interest();
 
-/// Where a tip goes on, or a little off, the sphere about its anchor. @param outwards_sign 1 for the
-/// posteromedial muscle, -1 for the anterolateral one: the sign of x that is outwards.
+/// Where a tip goes on, or a little off, the sphere about its anchor. @param outwards_sign 1 for
+/// the posteromedial muscle, -1 for the anterolateral one: the sign of x that is outwards.
 Vec3 disturbed_tip(const Vec3& tip, const Vec3& anchor, double outwards_sign,
                    const Perturbation& node);
 

@@ -92,7 +92,7 @@ Expected<std::string> read_token(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) return unfit(path, ErrorCode::InputOutput, "cannot be opened");
   struct stat status = {};
-  Expected<std::string> token = unfit(path, ErrorCode::InputOutput, "is no regular file");
+  Expected<std::string> token = unfit(path, ErrorCode::InputOutput, "is not a regular file");
   if (fstat(file, &status) == 0 && S_ISREG(status.st_mode)) {
     const bool group_is_root = status.st_gid == 0;
     const mode_t others =
@@ -125,7 +125,8 @@ std::optional<Answer> refuse(const Access& access, const Request& request) {
     const std::string origin = lower(header(request, "origin"));
     const std::string own = lower(host);
     if (own.empty() || (origin != "http://" + own && origin != "https://" + own)) {
-      return problem(403, ErrorCode::Unsupported, "pages of another origin may not ask");
+      return problem(403, ErrorCode::Unsupported,
+                     "requests from pages of another origin are refused");
     }
   }
   return std::nullopt;

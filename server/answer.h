@@ -14,6 +14,7 @@
 namespace coapt {
 
 inline constexpr const char* kHtmlType = "text/html; charset=utf-8";
+inline constexpr const char* kCsvType = "text/csv; charset=utf-8";
 
 /// Bytes of some other kind than JSON.
 struct Content {

@@ -12,15 +12,18 @@ namespace coapt {
 
 class Compute {
  public:
-  explicit Compute(int turns = static_cast<int>(std::thread::hardware_concurrency()))
-      : free_(std::max(1, turns)) {}
+  /// @param patience for a turn; answers that need many closures take seconds each
+  explicit Compute(int turns = static_cast<int>(std::thread::hardware_concurrency()),
+                   std::chrono::milliseconds patience = std::chrono::seconds(10))
+      : free_(std::max(1, turns)), patience_(patience) {}
 
   /// Waits for its turn, which ends with it; false if it has none, because the others took too long.
   class Turn {
    public:
     explicit Turn(Compute& compute) : compute_(compute) {
       std::unique_lock<std::mutex> lock(compute_.mutex_);
-      is_mine_ = compute_.changed_.wait_for(lock, kPatience, [this] { return compute_.free_ > 0; });
+      is_mine_ = compute_.changed_.wait_for(lock, compute_.patience_,
+                                            [this] { return compute_.free_ > 0; });
       if (is_mine_) --compute_.free_;
     }
     ~Turn() {
@@ -33,8 +36,6 @@ class Compute {
     explicit operator bool() const { return is_mine_; }
 
    private:
-    static constexpr std::chrono::seconds kPatience{10};
-
     Compute& compute_;
     bool is_mine_ = false;
   };
@@ -43,6 +44,7 @@ class Compute {
   std::mutex mutex_;
   std::condition_variable changed_;
   int free_;
+  const std::chrono::milliseconds patience_;
 };
 
 }  // namespace coapt

@@ -4,11 +4,9 @@
 #include <openssl/rand.h>
 
 #include <array>
-#include <span>
 #include <stdexcept>
 
 namespace coapt {
-namespace {
 
 std::string hexadecimal(std::span<const unsigned char> bytes) {
   constexpr std::string_view kDigits = "0123456789abcdef";
@@ -19,8 +17,6 @@ std::string hexadecimal(std::span<const unsigned char> bytes) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string content_id(std::string_view bytes) {
   std::array<unsigned char, 32> digest{};

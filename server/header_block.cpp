@@ -12,8 +12,6 @@ bool is_name_character(char c) {
          kOthers.find(c) != kOthers.npos;
 }
 
-bool is_control(char c) { return (c >= '\0' && c < ' ' && c != '\t') || c == '\x7f'; }
-
 std::string_view trimmed(std::string_view text) {
   const std::size_t from = text.find_first_not_of(" \t");
   if (from == text.npos) return "";
@@ -27,6 +25,18 @@ std::string_view next_line(std::string_view& bytes) {
   bytes.remove_prefix(end == bytes.npos ? bytes.size() : end + 1);
   if (line.ends_with('\r')) line.remove_suffix(1);
   return line;
+}
+
+bool is_request_line(std::string_view line) {
+  constexpr std::string_view kVersion = " HTTP/1.";
+  const std::size_t method = line.find(' ');
+  if (method == line.npos || line.size() < method + 1 + kVersion.size() + 1) return false;
+  const std::size_t version = line.size() - kVersion.size() - 1;
+  const std::string_view target = line.substr(method + 1, version - method - 1);
+  return method > 0 && std::all_of(line.begin(), line.begin() + method, is_name_character) &&
+         !target.empty() && target.find_first_of(" \t") == target.npos &&
+         line.substr(version, kVersion.size()) == kVersion && line.back() >= '0' &&
+         line.back() <= '9';
 }
 
 bool add_field(std::string_view line, std::map<std::string, std::string>& fields) {
@@ -43,6 +53,8 @@ bool add_field(std::string_view line, std::map<std::string, std::string>& fields
 }
 
 }  // namespace
+
+bool is_control(char c) { return (c >= '\0' && c < ' ' && c != '\t') || c == '\x7f'; }
 
 std::string field(const HeaderBlock& header, const char* name) {
   const auto found = header.fields.find(name);
@@ -63,7 +75,8 @@ std::optional<std::size_t> header_length(std::string_view bytes, std::size_t fro
 std::optional<HeaderBlock> parse_header(std::string_view bytes) {
   HeaderBlock block;
   block.request_line = next_line(bytes);
-  if (std::any_of(block.request_line.begin(), block.request_line.end(), is_control))
+  if (std::any_of(block.request_line.begin(), block.request_line.end(), is_control) ||
+      !is_request_line(block.request_line))
     return std::nullopt;
   for (std::string_view line = next_line(bytes); !line.empty(); line = next_line(bytes)) {
     if (std::any_of(line.begin(), line.end(), is_control) || !add_field(line, block.fields)) {

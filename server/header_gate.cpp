@@ -151,7 +151,7 @@ bool HeaderGate::make_room() {
   }
   const Place place = first(State::Header);
   if (place == held_.end()) return false;
-  refuse(place, 503, "too many connections, and the header has not come");
+  refuse(place, 503, "too many connections, and the header has not arrived");
   return true;
 }
 
@@ -249,7 +249,7 @@ void HeaderGate::expire() {
     const auto next = std::next(place);
     if (now >= place->second.deadline) {
       if (place->second.state == State::Header) {
-        refuse(place, 408, "the header has not come in time");
+        refuse(place, 408, "the header did not arrive in time");
       } else {
         close(place);
       }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/presets/presets.h"
-#include "core/repair/apply_plan.h"
 #include "io/json/valve_json.h"
 #include "server/answers.h"
 
@@ -27,15 +26,6 @@ void add_below(ProblemList& problems, const std::string& pointer, const Errors& 
   for (const Error& error : errors) {
     problems.add(error.code, pointer + error.path, error.message);
   }
-}
-
-Expected<Valve> repaired_valve(const Valve& valve, const RepairPlan& plan,
-                               const std::vector<RingShape>& rings) {
-  Expected<Valve> repaired = apply_plan(valve, plan, rings);
-  if (repaired) return repaired;
-  ProblemList problems;
-  add_below(problems, "/plan", repaired.errors());
-  return std::move(problems).take();
 }
 
 Errors check_size(const Valve& valve, const ServiceLimits& limits) {
@@ -69,11 +59,17 @@ std::function<void(const JsonPlace&)> valve_field(const ValveSource& source, Val
   };
 }
 
-std::optional<Answer> read_body(Compute& parsing, std::string_view body,
-                                std::initializer_list<JsonField> fields) {
-  const Compute::Turn turn(parsing);
+std::size_t most_values(const ServiceLimits& limits) {
+  constexpr std::size_t kOfAVertex = 75, kOfAChorda = 100, kOther = 100'000;
+  return kOfAVertex * static_cast<std::size_t>(limits.vertices) +
+         kOfAChorda * static_cast<std::size_t>(limits.chordae) + kOther;
+}
+
+std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
+                                const std::vector<JsonField>& fields) {
+  const Compute::Turn turn(source.parsing);
   if (!turn) return retry_later(503, "too many requests are read at once");
-  const Expected<nlohmann::json> request = parse_json(body);
+  const Expected<nlohmann::json> request = parse_json(body, most_values(source.limits));
   if (!request) return problem(400, request.errors());
   ProblemList problems;
   read_fields({*request, problems}, fields);

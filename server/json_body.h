@@ -1,8 +1,8 @@
 // Reading the bodies of requests: objects whose fields are coapt's own documents.
 #pragma once
 
-#include <initializer_list>
 #include <optional>
+#include <vector>
 
 #include "core/repair/plan.h"
 #include "core/valve/valve.h"
@@ -32,10 +32,6 @@ std::function<void(const JsonPlace&)> document(T& target,
   };
 }
 
-/// The valve of a request as its plan leaves it; paths point below /plan.
-Expected<Valve> repaired_valve(const Valve& valve, const RepairPlan& plan,
-                               const std::vector<RingShape>& rings);
-
 /// What is said against a valve that is too large for the service; paths point into the valve.
 Errors check_size(const Valve& valve, const ServiceLimits& limits);
 
@@ -53,9 +49,13 @@ Expected<Valve> named_valve(const ValveSource& source, const std::string& name);
 /// Reads a valve written there (coapt.valve/1), or named there: an id or a preset.
 std::function<void(const JsonPlace&)> valve_field(const ValveSource& source, Valve& target);
 
+/// The most values that a document with a valve of these limits may have: three times what one has that is written
+/// out in full, because each takes up to a hundred bytes while it is read.
+std::size_t most_values(const ServiceLimits& limits);
+
 /// Reads an object of these fields. What is wrong with it, if anything: 400 if it is no JSON, else 422 with
 /// every problem; 503 if too many are read at once.
-std::optional<Answer> read_body(Compute& parsing, std::string_view body,
-                                std::initializer_list<JsonField> fields);
+std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
+                                const std::vector<JsonField>& fields);
 
 }  // namespace coapt

@@ -8,6 +8,7 @@ struct ServiceLimits {
   int chordae = 500;          ///< of a valve
   int evaluations = 100'000;  ///< of a search
   double seconds = 3600.0;    ///< of a job's running; asked for more, or for no limit, it gets this
+  int kept_plans = 1000;      ///< in all; over it 409
   int queue = 100;            ///< jobs that wait to be run; over it 429
   int evaluation_closures =
       1000;  ///< of POST /v1/evaluations: plans times region points and evidence, of 650 triangles; fewer of larger valves

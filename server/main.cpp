@@ -64,7 +64,7 @@ class Stopper {
       std::unique_lock<std::mutex> lock(mutex_);
       if (ended_.wait_for(lock, kPatience, [this] { return is_over_; })) return;
       std::cerr
-          << "coapt-server: a closure did not end in time; its job goes on at the next start\n";
+          << "coapt-server: a closure did not end in time; its job resumes at the next start\n";
       board.suspend_all();
       _exit(kOk);
     });
@@ -93,9 +93,12 @@ class Stopper {
 // threshold with each large block that is freed, up to 32 MiB, and keeps what is below: half a GiB after a hundred
 // bodies of 64 MiB.
 constexpr int kMapFrom_bytes = 1 << 20;
+// Each arena keeps the most that a request ever had in it, and by itself glibc makes eight to a core.
+constexpr int kArenas = 2;
 
 int serve(const ServerOptions& options, const Access& access) {
   mallopt(M_MMAP_THRESHOLD, kMapFrom_bytes);
+  mallopt(M_ARENA_MAX, kArenas);
   Stopper stopper;
   umask(S_IRWXG | S_IRWXO);  // valves are of patients: no other user reads the files
   Expected<JobStore> store = JobStore::open(options.database);
@@ -115,10 +118,11 @@ int serve(const ServerOptions& options, const Access& access) {
   Metrics metrics;
   ValveCache known;
   Compute parsing, compute;
+  const PageTokens tokens;
   HttpServer* running = nullptr;
   const Service service{
-      options.service, ring_catalogue(), *store,  board, known,
-      parsing,         compute,          metrics, page,  [&running] { return running->load(); }};
+      options.service, *store,  board, known,  parsing,
+      compute,         metrics, page,  tokens, [&running] { return running->load(); }};
   const Routes routes = routes_of(service);
   HttpServer http(options.http, routes, access, [&](const Exchange& exchange) {
     metrics.observe(exchange);
@@ -131,11 +135,10 @@ int serve(const ServerOptions& options, const Access& access) {
   bool served = false;
   stopper.watch(board, http);
   {
-    const JobRunner runner(
-        board,
-        {{"plans", PlanJob{board, *store, options.service, ring_catalogue(), plans}},
-         {"study", StudyJob{board, *store, options.service, studies}}},
-        options.service.running_jobs);
+    const JobRunner runner(board,
+                           {{"plans", PlanJob{board, *store, options.service, plans}},
+                            {"study", StudyJob{board, *store, options.service, studies}}},
+                           options.service.running_jobs);
     std::cerr << "coapt-server: listening on http://" << options.host << ':' << *port << '\n';
     served = http.run();
     board.stop();
@@ -145,26 +148,21 @@ int serve(const ServerOptions& options, const Access& access) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Closes valves and searches repair plans over HTTP.", "coapt-server");
+  CommandLine line("coapt-server", "Closes valves and searches repair plans over HTTP.",
+                   "coapt-server " + std::string(version()) + "\n" + std::string(kResearchNotice));
+  Command app = line.program();
   ServerOptions options;
   add_options(app, options);
-  app.set_version_flag(
-      "--version", "coapt-server " + std::string(version()) + "\n" + std::string(kResearchNotice));
   app.footer(
-      "The page is at /, the API is described at /openapi.json. Jobs outlive the server, however "
-      "it ends: with the "
-      "same --db they\ngo on. SIGTERM and Ctrl-C end it within 10 s.\n\n"
+      "The page is at /, the API is described at /openapi.json. Jobs outlive the server: started "
+      "again\nwith the same --db, it resumes them. SIGTERM and Ctrl-C end it within 10 s.\n\n"
       "Examples:\n"
       "  coapt-server --db coapt.sqlite\n"
       "  curl -d '{\"valve\": \"human-functional-mr\"}' http://127.0.0.1:8080/v1/closures\n"
       "  curl -d '{\"valve\": \"human-functional-mr\", \"search\": {\"seed\": 1}}' "
-      "http://127.0.0.1:8080/v1/plans\n\n" +
-      std::string(kResearchNotice));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kOk : kBadInput;
-  }
+      "http://127.0.0.1:8080/v1/plans");
+  line.end_helps_with(std::string(kResearchNotice));
+  if (const std::optional<int> ended = line.parse(argc, argv)) return *ended;
 
   Access access;
   access.hosts.insert(options.hosts.begin(), options.hosts.end());

@@ -4,58 +4,61 @@ namespace coapt {
 namespace {
 
 template <class T>
-void add_limit(CLI::App& app, const std::string& flag, T& value, T least, T most,
+void add_limit(Command app, const std::string& flag, T& value, T least, T most,
                const std::string& help) {
-  app.add_option(flag, value, help)
-      ->check(CLI::Range(least, most))
-      ->capture_default_str()
-      ->group("Limits");
+  app.add_option(flag, value, help).check(number_from(least, most)).show_default().group("Limits");
 }
 
-void add_http_limits(CLI::App& app, HttpLimits& http) {
+void add_http_limits(Command app, HttpLimits& http) {
   constexpr std::size_t kMiB = std::size_t{1} << 20;
   add_limit(app, "--body-bytes", http.body_bytes, std::size_t{1024}, 64 * kMiB,
-            "Of a request's body, counted as they arrive");
+            "Bytes of a request's body at most, counted as they arrive");
   add_limit(app, "--header-bytes", http.header_bytes, std::size_t{1024}, kMiB,
-            "Of its request line and headers");
-  add_limit(app, "--header-seconds", http.header_seconds, 0.1, 600.0, "For its headers to come");
-  add_limit(app, "--body-seconds", http.body_seconds, 0.1, 3600.0, "For its body to come");
+            "Bytes of a request line with its headers at most");
+  add_limit(app, "--header-seconds", http.header_seconds, 0.1, 600.0,
+            "Time for a request's headers to arrive");
+  add_limit(app, "--body-seconds", http.body_seconds, 0.1, 3600.0,
+            "Time for a request's body to arrive");
   add_limit(app, "--answer-seconds", http.answer_seconds, 0.1, 3600.0,
-            "For the client to take the answer");
-  add_limit(app, "--connections", http.connections, 8, 100000, "Open at once");
+            "Time for the client to take the answer");
+  add_limit(app, "--connections", http.connections, 8, 100000, "Connections open at once, at most");
   add_limit(app, "--requests", http.requests, 4, 4096,
-            "Answered at once; half of them with a body");
-  add_limit(app, "--streams", http.streams, 0, 4096, "Event streams open at once");
+            "Requests answered at once, at most; half of them with a body");
+  add_limit(app, "--streams", http.streams, 0, 4096, "Event streams open at once, at most");
 }
 
-void add_service_limits(CLI::App& app, ServiceLimits& service) {
-  add_limit(app, "--vertices", service.vertices, 10, 1'000'000, "Of a valve");
-  add_limit(app, "--chordae", service.chordae, 1, 100'000, "Of a valve");
-  add_limit(app, "--evaluations", service.evaluations, 1, 1'000'000, "Of a search");
-  add_limit(app, "--seconds", service.seconds, 1.0, 1e6, "That a job may run");
-  add_limit(app, "--queue", service.queue, 1, 100'000, "Jobs that wait");
+void add_service_limits(Command app, ServiceLimits& service) {
+  add_limit(app, "--vertices", service.vertices, 10, 1'000'000, "Vertices of a valve at most");
+  add_limit(app, "--chordae", service.chordae, 1, 100'000, "Chordae of a valve at most");
+  add_limit(app, "--evaluations", service.evaluations, 1, 1'000'000,
+            "Closures that a search may ask for, at most");
+  add_limit(app, "--seconds", service.seconds, 1.0, 1e6, "Time that a job may run");
+  add_limit(app, "--kept-plans", service.kept_plans, 0, 1'000'000, "Plans that it keeps, at most");
+  add_limit(app, "--queue", service.queue, 1, 100'000, "Jobs that wait, at most");
   add_limit(app, "--evaluation-closures", service.evaluation_closures, 1, 1'000'000,
-            "Of POST /v1/evaluations: plans times region points and evidence, of 650 triangles");
-  add_limit(app, "--wait-seconds", service.wait_seconds, 0, 3600, "Of Prefer: wait");
-  add_limit(app, "--running-jobs", service.running_jobs, 1, 64, "Run at once");
+            "Closures of one POST /v1/evaluations at most (plans times region points, and "
+            "evidence) for a valve of 650 triangles");
+  add_limit(app, "--wait-seconds", service.wait_seconds, 0, 3600,
+            "Longest wait that a client may ask for (Prefer: wait)");
+  add_limit(app, "--running-jobs", service.running_jobs, 1, 64, "Jobs that run at once, at most");
   add_limit(app, "--threads", service.threads, 0, 1024,
-            "Of a running job; 0: all cores. Does not change any answer");
+            "Threads of a running job; 0: all cores. Results do not depend on it");
 }
 
 }  // namespace
 
-void add_options(CLI::App& app, ServerOptions& options) {
+void add_options(Command app, ServerOptions& options) {
   app.add_option("--port", options.port, "0 takes a free port")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
+      .check(number_from(0, 65535))
+      .show_default();
   app.add_option("--host", options.host,
                  "Address to listen on; any but this machine's own needs --token-file")
-      ->capture_default_str();
+      .show_default();
   app.add_option(
          "--db", options.database,
          "File of valves and jobs (SQLite, made if missing); closures are kept beside it, in "
          "FILE-plans and FILE-studies")
-      ->capture_default_str();
+      .show_default();
   app.add_option("--token-file", options.token_file,
                  "Requests must carry its first line: Authorization: Bearer TOKEN");
   app.add_option("--allow-host", options.hosts,

@@ -1,10 +1,10 @@
 // The command line of coapt-server.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "io/command_line/command_line.h"
 #include "server/http.h"
 #include "server/limits.h"
 
@@ -22,6 +22,6 @@ struct ServerOptions {
   ServiceLimits service;
 };
 
-void add_options(CLI::App& app, ServerOptions& options);
+void add_options(Command app, ServerOptions& options);
 
 }  // namespace coapt

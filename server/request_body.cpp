@@ -3,11 +3,31 @@
 #include <strings.h>
 
 namespace coapt {
+namespace {
 
 Answer too_large(std::size_t most_bytes) {
   return problem(413, ErrorCode::OutOfRange,
                  "the body is larger than " + std::to_string(most_bytes) + " bytes");
 }
+
+Answer not_whole(ReadEnd end) {
+  switch (end) {
+    case ReadEnd::TooSlow:
+      return problem(408, ErrorCode::OutOfRange, "the body has not come in time");
+    case ReadEnd::GivenUp:
+      return problem(503, ErrorCode::Busy, "the server stops");
+    case ReadEnd::ClientEnded:
+    case ReadEnd::TooMuch:
+      return problem(400, ErrorCode::InvalidJson, "the body ends too early");
+    case ReadEnd::None:
+      break;
+  }
+  return problem(400, ErrorCode::InvalidJson, "the body is not well chunked");
+}
+
+bool is_chunked(const HeaderBlock& header) { return header.fields.contains("transfer-encoding"); }
+
+}  // namespace
 
 std::optional<Answer> refuse_body(const HeaderBlock& header, std::size_t most_bytes) {
   if (field(header, "content-type").starts_with("multipart/")) {
@@ -32,6 +52,32 @@ std::optional<Answer> refuse_body(const HeaderBlock& header, std::size_t most_by
     return too_large(most_bytes);
   }
   return std::nullopt;
+}
+
+std::size_t BodySource::take(char* to, std::size_t size) {
+  const std::size_t got = connection.read(to, size);
+  return !is_chunked(header) || framing.follow({to, got}) ? got : 0;
+}
+
+std::optional<Answer> read_body(BodySource& source, const HttpLimits& limits, std::string& body) {
+  Connection& connection = source.connection;
+  // Chunks may be small: a quarter more on the wire is taken for their headers.
+  connection.start_reading({limits.body_seconds, limits.body_bytes_per_second, 2.0,
+                            limits.body_bytes + limits.body_bytes / 4 + (64 << 10)});
+  if (strcasecmp(field(source.header, "expect").c_str(), "100-continue") == 0 &&
+      !connection.send("HTTP/1.1 100 Continue\r\n\r\n", limits.answer_seconds)) {
+    return problem(400, ErrorCode::InvalidJson, "the client is gone");
+  }
+  const bool complete = source.decoded([&](std::string_view part) {
+    body.append(part);
+    return body.size() <= limits.body_bytes;
+  });
+  if (body.size() > limits.body_bytes || connection.read_end() == ReadEnd::TooMuch) {
+    return too_large(limits.body_bytes);
+  }
+  // To the library a chunk without an end is the end of the body.
+  if (complete && (!is_chunked(source.header) || source.framing.has_ended())) return std::nullopt;
+  return not_whole(connection.read_end());
 }
 
 }  // namespace coapt

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
-#include "core/repair/plan.h"
 #include "server/compute.h"
 #include "server/http.h"
 #include "server/jobs/job_board.h"
 #include "server/limits.h"
 #include "server/metrics.h"
 #include "server/page.h"
+#include "server/page_tokens.h"
 #include "server/route.h"
 #include "server/valve_cache.h"
 
@@ -18,7 +17,6 @@ namespace coapt {
 
 struct Service {
   const ServiceLimits& limits;
-  const std::vector<RingShape>& rings;
   JobStore& store;
   JobBoard& jobs;
   ValveCache& known;
@@ -26,6 +24,7 @@ struct Service {
   Compute& compute;  ///< turns for closures that are waited for
   const Metrics& metrics;
   const Page& page;
+  const PageTokens& tokens;
   std::function<HttpLoad()> load;  ///< of the HTTP server
 };
 

@@ -1,22 +1,21 @@
 #include <iostream>
 #include <limits>
 
-#include "clients/cli/commands.h"
+#include "clients/cli/closure_options.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
-#include "clients/cli/number_option.h"
+#include "io/command_line/command_line.h"
 #include "io/picture/text.h"
 
 namespace coapt {
 
-void add_accuracy_option(CLI::App& command, std::optional<double>& accuracy_mm2) {
+void add_accuracy_option(Command command, std::optional<double>& accuracy_mm2) {
   command
-      .add_option(
-          "--accuracy", accuracy_mm2,
-          "Largest error of the orifice from stopping early, mm2, kept in 99 of 100 scenes: "
-          "takes the cheapest tolerances measured to keep it (method fast)")
-      ->check(number_from(0.0, std::numeric_limits<double>::max()))
-      ->option_text("MM2");
+      .add_option("--accuracy", accuracy_mm2,
+                  "Largest error of the orifice from stopping early, mm2, in 99 of 100 scenes: "
+                  "uses the fastest tolerances measured to keep it (method fast)")
+      .check(number_from(0.0, std::numeric_limits<double>::max()))
+      .show_argument("MM2");
 }
 
 Expected<std::optional<AccuracyTier>> apply_accuracy(std::optional<double> accuracy_mm2,

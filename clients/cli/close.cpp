@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "clients/cli/closure_options.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "clients/cli/plan_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/server_option.h"
 #include "core/metrics/oblique.h"
@@ -22,7 +24,8 @@ namespace coapt {
 namespace {
 
 struct CloseArguments {
-  std::string valve, plan, picture;
+  std::string valve, picture;
+  PlanOption plan;
   ServerOption server;
   ClosureOptions closure;
   std::optional<double> accuracy_mm2;
@@ -43,14 +46,12 @@ int run_by(const Service& service, const CloseArguments& arguments) {
   const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   nlohmann::ordered_json request = {{"valve", *valve}};
-  if (!arguments.plan.empty()) {
-    const Expected<RepairPlan> plan = read_plan_argument(arguments.plan);
-    if (!plan) return report_errors(arguments.plan, plan.errors());
-    request["plan"] = to_json(*plan);
-  }
+  const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
+  if (!plan) return report_errors(arguments.plan.file, plan.errors());
+  if (!arguments.plan.file.empty()) request["plan"] = to_json(*plan);
   if (const int failed = check_output(arguments.picture)) return failed;
   const std::map<std::string, std::string> sources = {{"/valve", arguments.valve},
-                                                      {"/plan", arguments.plan}};
+                                                      {"/plan", arguments.plan.file}};
   const Expected<nlohmann::ordered_json> closure = post_json(service, "/v1/closures", request);
   if (!closure) return report_service_errors("close", closure.errors(), sources);
   const int status = show(arguments, *closure);
@@ -66,11 +67,10 @@ int run(const CloseArguments& arguments) {
   options.samples = kThesisSamples;
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
-  Expected<RepairPlan> plan = RepairPlan{};
-  if (!arguments.plan.empty()) plan = read_plan_argument(arguments.plan);
-  if (!plan) return report_errors(arguments.plan, plan.errors());
-  const Expected<Valve> repaired = apply_plan(*valve, *plan, ring_catalogue());
-  if (!repaired) return report_errors(arguments.plan, repaired.errors());
+  const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
+  if (!plan) return report_errors(arguments.plan.file, plan.errors());
+  const Expected<Valve> repaired = apply_plan(*valve, *plan);
+  if (!repaired) return report_errors(arguments.plan.file, repaired.errors());
   if (const int failed = check_output(arguments.picture)) return failed;
   const auto accuracy = apply_accuracy(arguments.accuracy_mm2, options);
   if (!accuracy) return report_option_errors("close", accuracy.errors());
@@ -78,57 +78,56 @@ int run(const CloseArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(*repaired, options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const ValveMeasure measured = measure(*repaired, closure);
+  const ClosedValve closed =
+      with_repair({*repaired, closure, measure(*repaired, closure)}, *valve, *plan);
 
   std::optional<ObliqueOrifice> oblique;
   if (arguments.oblique && closure.closed_mm.allFinite())
     oblique = oblique_orifice(*repaired, closure.closed_mm, 0.5 * repaired->tissue.thickness_mm);
 
   const std::vector<std::string> warnings =
-      warnings_of(operation_gates({*plan, *valve, *repaired, ring_catalogue()}));
+      warnings_of(operation_gates({*plan, *valve, *repaired}));
 
-  auto json = closure_to_json(*repaired, closure, measured, seconds.count());
+  auto json = closure_to_json(*repaired, closure, closed.measure, seconds.count());
   if (arguments.oblique)
     json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : nlohmann::ordered_json();
   if (*accuracy) json["accuracy"] = to_json(**accuracy, options.membrane);
   json["warnings"] = warnings;
   const int status = show(arguments, json);
   if (!arguments.picture.empty()) {
-    const std::string picture =
-        closure_picture_png({*repaired, closure, measured, repair_marks(*valve, *repaired, *plan)});
-    if (const int failed = write_output(arguments.picture, picture)) return failed;
+    if (const int failed = write_output(arguments.picture, closure_picture_png(closed)))
+      return failed;
   }
   return status;
 }
 
 }  // namespace
 
-void add_close(CLI::App& parent, int& status) {
+void add_close(Command parent, int& status) {
   const auto arguments = std::make_shared<CloseArguments>();
-  CLI::App* command = parent.add_subcommand("close", "Close a valve and measure what leaks");
-  command->add_option("valve", arguments->valve, kValveHelp)->required();
-  command->add_option("--plan", arguments->plan, "Repair plan (coapt.plan/1) to apply first");
-  add_method_option(*command, arguments->closure.method);
-  add_membrane_option(*command, arguments->closure.membrane);
-  add_accuracy_option(*command, arguments->accuracy_mm2);
-  command->add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
-      ->check(CLI::Validator(refuse_standard_output, "FILE"));
-  command->add_flag("--oblique", arguments->oblique,
-                    "Also find the direction with the widest straight passage (eccentric jets)");
-  command->add_flag("--json", arguments->json, "Print JSON");
-  add_server_option(*command, arguments->server);
-  command->footer(
-      "Exit code 3 if the closure did not converge or leaflets cross; the result is printed all "
-      "the\n"
-      "same. Areas are anatomic, from geometry: not an EROA.\n\n"
+  Command command = parent.add_command("close", "Close a valve and measure what leaks");
+  command.add_option("valve", arguments->valve, kValveHelp).required();
+  add_plan_option(command, arguments->plan);
+  add_method_option(command, arguments->closure.method);
+  add_membrane_option(command, arguments->closure.membrane);
+  add_accuracy_option(command, arguments->accuracy_mm2);
+  command.add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
+      .check({refuse_standard_output, "FILE"});
+  command.add_flag("--oblique", arguments->oblique,
+                   "Also find the direction with the widest straight passage (eccentric jets)");
+  command.add_flag("--json", arguments->json, "Print JSON");
+  add_server_option(command, arguments->server);
+  command.footer(
+      "Exit code 3 if the closure did not converge or leaflets cross; the result is "
+      "printed\nanyway. Areas are anatomic, from geometry: not an EROA.\n\n"
       "Examples:\n"
       "  coapt close human-functional-mr --render leaking.png\n"
       "  coapt close human-p2-prolapse --oblique\n"
       "  coapt close valve.json --accuracy 0.05\n"
-      "  coapt close valve.json --plan plan.json --json\n"
+      "  coapt close valve.json --plan examples/plans/ring.json --json\n"
       "  coapt close valve.json --server http://127.0.0.1:8080");
-  command->callback([arguments, command, &status] {
-    const auto service = service_of(*command, arguments->server,
+  command.on_run([arguments, command, &status] {
+    const auto service = service_of(command, arguments->server,
                                     {"--method", "--membrane", "--accuracy", "--oblique"});
     if (!service) {
       status = report_errors("close", service.errors());

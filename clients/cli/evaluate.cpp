@@ -11,6 +11,7 @@
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/progress_bar.h"
+#include "clients/cli/search_option.h"
 #include "clients/cli/server_option.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
@@ -32,12 +33,13 @@ struct EvaluateArguments {
 int read_plans(const std::vector<std::string>& files, std::vector<NamedPlan>& plans) {
   int status = exit_code::kOk;
   for (const std::string& file : files) {
-    const Expected<RepairPlan> plan = read_plan_argument(file);
-    if (plan) {
-      plans.push_back({file, *plan});
-    } else {
-      status = report_errors(file, plan.errors());
+    const Expected<std::vector<NamedPlan>> found = read_plans_argument(file);
+    if (!found) {
+      status = report_errors(file, found.errors());
+      continue;
     }
+    for (const auto& [name, plan] : *found)
+      plans.push_back({name.empty() ? file : file + ": " + name, plan});
   }
   return status;
 }
@@ -93,10 +95,11 @@ nlohmann::ordered_json ranking_of(const nlohmann::ordered_json& answer,
 }
 
 /// The files of a request's plans, by their pointers.
-std::map<std::string, std::string> sources_of(const EvaluateArguments& arguments) {
-  std::map<std::string, std::string> sources = {{"/valve", arguments.valve}};
-  for (std::size_t i = 0; i < arguments.plans.size(); ++i)
-    sources["/plans/" + std::to_string(i)] = arguments.plans[i];
+std::map<std::string, std::string> sources_of(const std::string& valve,
+                                              const std::vector<NamedPlan>& plans) {
+  std::map<std::string, std::string> sources = {{"/valve", valve}};
+  for (std::size_t i = 0; i < plans.size(); ++i)
+    sources["/plans/" + std::to_string(i)] = plans[i].name;
   return sources;
 }
 
@@ -112,11 +115,13 @@ int run_by(const Service& service, const EvaluateArguments& arguments) {
                                     {"evidence", !arguments.no_evidence}};
   for (const NamedPlan& plan : plans) request["plans"].push_back(to_json(plan.plan));
   const Expected<nlohmann::ordered_json> answer = post_json(service, "/v1/evaluations", request);
-  if (!answer) return report_service_errors("evaluate", answer.errors(), sources_of(arguments));
+  if (!answer)
+    return report_service_errors("evaluate", answer.errors(), sources_of(arguments.valve, plans));
   const int status = show(arguments, ranking_of(*answer, plans));
   if (arguments.report.empty()) return status;
   const Expected<std::string> report = post(service, "/v1/reports", request);
-  if (!report) return report_service_errors("evaluate", report.errors(), sources_of(arguments));
+  if (!report)
+    return report_service_errors("evaluate", report.errors(), sources_of(arguments.valve, plans));
   const int failed = write_output(arguments.report, *report);
   return failed != exit_code::kOk ? failed : status;
 }
@@ -136,7 +141,7 @@ int run(EvaluateArguments arguments) {
   if (const int failed = read_plans(arguments.plans, plans)) return failed;
   if (const int failed = check_output(arguments.report)) return failed;
   arguments.options.evidence = !arguments.no_evidence;
-  SearchContext context{.catalogue = ring_catalogue(), .cancelled = &interrupted};
+  SearchContext context{.cancelled = &interrupted};
   const auto store = use_store(arguments.store, *valve, arguments.options.closure, context);
   if (!store) return report_store_errors("evaluate", store.errors());
   const auto evaluate = [&] {
@@ -150,33 +155,39 @@ int run(EvaluateArguments arguments) {
   if (arguments.report.empty()) return status;
   const SearchRequest request{arguments.options, subject_of(*valve, arguments.options.closure),
                               command_line(arguments)};
-  const int failed = write_output(arguments.report, plan_report_html(*valve, *result, request));
+  const int failed = write_output(arguments.report, plan_report_html(*result, request));
   return failed != exit_code::kOk ? failed : status;
 }
 
 }  // namespace
 
-void add_evaluate(CLI::App& parent, int& status) {
+void add_evaluate(Command parent, int& status) {
   const auto arguments = std::make_shared<EvaluateArguments>();
-  CLI::App* command = parent.add_subcommand("evaluate", "Score and rank plans of your own");
-  command->add_option("valve", arguments->valve, kValveHelp)->required();
-  command->add_option("plan", arguments->plans, "Repair plans (coapt.plan/1)")->required();
-  command->add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
-      ->check(CLI::Validator(refuse_standard_output, "FILE"));
-  add_region_options(*command, arguments->options);
-  add_store_option(*command, arguments->store);
-  command->add_flag("--no-evidence", arguments->no_evidence,
-                    "Leave out errors of single sutures and further remodelling");
-  command->add_flag("--json", arguments->json,
-                    "Print JSON, as coapt plan does, with each \"file\"");
-  add_server_option(*command, arguments->server);
-  command->footer(
+  Command command = parent.add_command("evaluate", "Score and rank plans of your own");
+  command.add_option("valve", arguments->valve, kValveHelp).required();
+  command
+      .add_option(
+          "plan", arguments->plans,
+          "Repair plans: coapt.plan/1, all that plan --json prints, or the page's saved plans")
+      .required();
+  command.add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
+      .check({refuse_standard_output, "FILE"});
+  for (const char* name : {"threads", "region_points"})
+    add_search_option(command, name, arguments->options);
+  add_store_option(command, arguments->store);
+  command.add_flag("--no-evidence", arguments->no_evidence,
+                   "Leave out errors of single sutures and further remodelling");
+  command.add_flag("--json", arguments->json, "Print JSON, as coapt plan does, with each \"file\"");
+  add_server_option(command, arguments->server);
+  command.footer(
       "A service does 1,000 closures at most: plans times --region-points, and the evidence.\n\n"
       "Examples:\n"
-      "  coapt evaluate human-functional-mr ring.json ring-and-suture.json -o report.html\n"
+      "  coapt evaluate human-functional-mr examples/plans/ring.json examples/plans/mixed.json -o "
+      "report.html\n"
+      "  coapt plan valve.json --json > ranked.json; coapt evaluate valve.json ranked.json\n"
       "  coapt evaluate valve.json ring.json --region-points 65 --server http://127.0.0.1:8080");
-  command->callback([arguments, command, &status] {
-    const auto service = service_of(*command, arguments->server, {"--store", "--threads"});
+  command.on_run([arguments, command, &status] {
+    const auto service = service_of(command, arguments->server, {"--store", "--threads"});
     if (!service) {
       status = report_errors("evaluate", service.errors());
     } else {

@@ -1,4 +1,4 @@
-// Exit codes of coapt; the README and `coapt --help` list them.
+// Exit codes of coapt; docs/engineer/clients.md and `coapt --help` list them.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -8,7 +8,9 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "clients/cli/plan_option.h"
 #include "core/repair/apply_plan.h"
+#include "core/valve/number_text.h"
 #include "io/exchange/formats.h"
 #include "io/json/plan_json.h"
 #include "search/evaluator.h"
@@ -17,7 +19,8 @@ namespace coapt {
 namespace {
 
 struct ExportArguments {
-  std::string valve, plan;
+  std::string valve;
+  PlanOption plan;
   std::vector<std::string> outputs;
   ExportOptions options;
 };
@@ -33,7 +36,7 @@ std::string refuse_unknown_format(const std::string& path) {
   return "'" + path + "' must end in one of " + format_names() + ", or be a folder";
 }
 
-int write_folder(const std::string& path, const ExportedValve& exported,
+int write_folder(const std::string& path, const ClosedValve& exported,
                  const ExportOptions& options) {
   const Expected<std::vector<NamedFile>> files = write_slicerheart(exported, options);
   if (!files) return report_errors("export", files.errors());
@@ -45,8 +48,8 @@ int write_folder(const std::string& path, const ExportedValve& exported,
     if (!is_written && std::filesystem::exists(folder / name, ignored))
       return report_errors("export", {{ErrorCode::InputOutput, "",
                                        (folder / name).string() +
-                                           " is of an earlier export, and would be read with this "
-                                           "one: remove it, or choose another folder"}});
+                                           " is from an earlier export and would be read with this "
+                                           "one: remove it or choose another folder"}});
   }
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
@@ -55,15 +58,14 @@ int write_folder(const std::string& path, const ExportedValve& exported,
   return exit_code::kOk;
 }
 
-int write_file(const std::string& path, const ExportedValve& exported,
-               const ExportOptions& options) {
+int write_file(const std::string& path, const ClosedValve& exported, const ExportOptions& options) {
   const Expected<std::string> bytes = write_valve_file(exported, *format_of_path(path), options);
   if (!bytes) return report_errors(path, bytes.errors());
   return write_output(path, *bytes);
 }
 
 /// Says it if chordae had to be moved for files whose chordae end at vertices.
-void note_attachment(const ExportArguments& arguments, const ExportedValve& exported) {
+void note_attachment(const ExportArguments& arguments, const ClosedValve& exported) {
   double shift = 0.0;
   for (const std::string& path : arguments.outputs) {
     const FileFormat* format = format_of_path(path);
@@ -75,24 +77,22 @@ void note_attachment(const ExportArguments& arguments, const ExportedValve& expo
                                                                  : closed_shape(exported)));
   }
   if (shift < 0.001) return;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", shift);
   std::cerr << "coapt: chordae end at the nearest vertices of the mesh in .vtk and .feb, at most "
-            << text << " mm from their insertions\n";
+            << with_decimals(shift, 2) << " mm from their insertions\n";
 }
 
 int run(const ExportArguments& arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
-  Expected<RepairPlan> plan = RepairPlan{};
-  if (!arguments.plan.empty()) plan = read_plan_argument(arguments.plan);
-  if (!plan) return report_errors(arguments.plan, plan.errors());
-  const Expected<Valve> repaired = apply_plan(*valve, *plan, ring_catalogue());
-  if (!repaired) return report_errors(arguments.plan, repaired.errors());
+  const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
+  if (!plan) return report_errors(arguments.plan.file, plan.errors());
+  const Expected<Valve> repaired = apply_plan(*valve, *plan);
+  if (!repaired) return report_errors(arguments.plan.file, repaired.errors());
   for (const std::string& path : arguments.outputs)
     if (const int failed = is_folder(path) ? exit_code::kOk : check_output(path)) return failed;
 
-  const ExportedValve exported = close_for_export(*repaired, *plan);
+  const ClosedValve exported =
+      with_repair(close_and_measure(*repaired, {.motion = true}), *valve, *plan);
   for (const std::string& path : arguments.outputs) {
     const auto write = is_folder(path) ? write_folder : write_file;
     if (const int failed = write(path, exported, arguments.options)) return failed;
@@ -103,36 +103,35 @@ int run(const ExportArguments& arguments) {
 
 }  // namespace
 
-void add_export(CLI::App& parent, int& status) {
+void add_export(Command parent, int& status) {
   const auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command =
-      parent.add_subcommand("export", "Close a valve and write files that other programs open");
-  command->add_option("valve", arguments->valve, kValveHelp)->required();
-  command->add_option("--plan", arguments->plan, "Repair plan (coapt.plan/1) to apply first");
+  Command command =
+      parent.add_command("export", "Close a valve and write files that other programs open");
+  command.add_option("valve", arguments->valve, kValveHelp).required();
+  add_plan_option(command, arguments->plan);
   command
-      ->add_option("-o,--output", arguments->outputs,
-                   "File to write, its end says the format; a folder (DIR/) for what SlicerHeart's "
-                   "ValveFemExport writes; may be given several times")
-      ->required()
-      ->check(CLI::Validator(refuse_unknown_format, "FILE"));
-  command->add_flag("--open", arguments->options.open, "The unstressed shape, not the closed one");
+      .add_option("-o,--output", arguments->outputs,
+                  "File to write, format by its extension; a folder (DIR/) for what SlicerHeart's "
+                  "ValveFemExport writes; may be given several times")
+      .required()
+      .check({refuse_unknown_format, "FILE"});
+  command.add_flag("--open", arguments->options.open, "The unstressed shape, not the closed one");
   std::string formats = "Formats:\n";
   for (const FileFormat& format : file_formats())
     formats += "  ." + std::string(format.name) +
                std::string(10 - std::string_view(format.name).size(), ' ') + format.what + '\n';
-  command->footer(
+  command.footer(
       formats +
       "All but .glb (metres) in millimetres and in the valve's axes, which are not the patient's.\n"
-      "Exit code 3 if the closure did not converge or leaflets cross; the files are written all "
-      "the "
-      "same.\n\n"
+      "Exit code 3 if the closure did not converge or leaflets cross; the files are written "
+      "anyway.\n\n"
       "Examples:\n"
       "  coapt export human-normal -o valve.glb\n"
       "  coapt export valve.json --plan plan.json -o repaired.vtk -o repaired.mrk.json\n"
       "  coapt export valve.json -o valve.feb\n"
       "  coapt export valve.json --open -o FEM-model/     # coapt valve import --slicerheart reads "
       "it");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace coapt

@@ -9,7 +9,7 @@
 
 #include "clients/cli/exit_code.h"
 #include "core/presets/presets.h"
-#include "io/json/plan_json.h"
+#include "io/json/plan_document.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {
@@ -51,7 +51,8 @@ int report_unwritable(const std::string& path) {
 
 Expected<std::string> read_input(const std::string& path) {
   if (path == "-") {
-    if (std::cin.eof()) return Error{ErrorCode::InputOutput, "", "standard input can be read once"};
+    if (std::cin.eof())
+      return Error{ErrorCode::InputOutput, "", "standard input can be read only once"};
     return read_stream(std::cin);
   }
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
@@ -74,10 +75,21 @@ Expected<Valve> read_valve_argument(const std::string& argument) {
   return read_valve(*text);
 }
 
-Expected<RepairPlan> read_plan_argument(const std::string& path) {
+Expected<std::vector<NamedPlan>> read_plans_argument(const std::string& path) {
   const Expected<std::string> text = read_input(path);
   if (!text) return text.errors();
-  return read_plan(*text);
+  return read_plans(*text);
+}
+
+Expected<RepairPlan> read_plan_argument(const std::string& path, int rank) {
+  const Expected<std::vector<NamedPlan>> plans = read_plans_argument(path);
+  if (!plans) return plans.errors();
+  const auto count = std::ssize(*plans);
+  if (rank > count)
+    return Error{ErrorCode::OutOfRange, "",
+                 "has no plan " + std::to_string(rank) + "; --rank must be from 1 to " +
+                     std::to_string(count)};
+  return (*plans)[static_cast<std::size_t>(rank - 1)].plan;
 }
 
 std::string refuse_standard_output(const std::string& path) {

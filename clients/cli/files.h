@@ -4,9 +4,11 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/repair/plan.h"
 #include "core/valve/valve.h"
+#include "search/plans/plan_search.h"
 
 namespace coapt {
 
@@ -22,8 +24,11 @@ Expected<std::string> read_input(const std::string& path);
 /// A valve file, standard input ("-"), or a preset if no file has that name.
 Expected<Valve> read_valve_argument(const std::string& argument);
 
-/// A plan file or standard input ("-").
-Expected<RepairPlan> read_plan_argument(const std::string& path);
+/// The plans of a file or of standard input ("-"): see io/json/plan_document.h.
+Expected<std::vector<NamedPlan>> read_plans_argument(const std::string& path);
+
+/// The one of them at `rank`, from 1.
+Expected<RepairPlan> read_plan_argument(const std::string& path, int rank = 1);
 
 /// A usage error if `path` is "-": for outputs beside a result that standard output carries.
 std::string refuse_standard_output(const std::string& path);

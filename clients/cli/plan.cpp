@@ -1,6 +1,4 @@
-#include <cstdint>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <string>
 
@@ -8,12 +6,13 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
-#include "clients/cli/number_option.h"
 #include "clients/cli/plan_arguments.h"
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/progress_bar.h"
+#include "clients/cli/search_option.h"
 #include "clients/cli/service_job.h"
+#include "io/command_line/command_line.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
@@ -45,7 +44,7 @@ int report_refused_search(const PlanArguments& arguments, const Errors& errors) 
   return report_service_errors("plan", others, {{"/valve", arguments.valve}});
 }
 
-int run_by(const Service& service, const CLI::App& command, PlanArguments arguments) {
+int run_by(const Service& service, const Command& command, PlanArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
@@ -69,14 +68,14 @@ int run_by(const Service& service, const CLI::App& command, PlanArguments argume
   return failed != exit_code::kOk ? failed : status;
 }
 
-int run(const CLI::App& command, PlanArguments arguments) {
+int run(const Command& command, PlanArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   if (const int failed = complete_options(command, arguments)) return failed;
   if (const int failed = check_output(arguments.report)) return failed;
   const SearchOptions& options = arguments.options;
-  SearchContext context{.catalogue = ring_catalogue(), .cancelled = &interrupted};
+  SearchContext context{.cancelled = &interrupted};
   const auto store = use_store(arguments.store, *valve, options.closure, context);
   if (!store) return report_store_errors("plan", store.errors());
 
@@ -92,7 +91,7 @@ int run(const CLI::App& command, PlanArguments arguments) {
                               command_line(arguments)};
   const int status = show(arguments, to_json(*result, request));
   if (!arguments.report.empty()) {
-    const std::string report = plan_report_html(*valve, *result, request);
+    const std::string report = plan_report_html(*result, request);
     if (const int failed = write_output(arguments.report, report)) return failed;
   }
   return status;
@@ -100,78 +99,59 @@ int run(const CLI::App& command, PlanArguments arguments) {
 
 }  // namespace
 
-void add_plan(CLI::App& parent, int& status) {
+void add_plan(Command parent, int& status) {
   const auto arguments = std::make_shared<PlanArguments>();
   SearchOptions& options = arguments->options;
-  CLI::App* command = parent.add_subcommand("plan", "Search repair plans and rank them");
-  command->add_option("valve", arguments->valve, kValveHelp)->required();
+  Command command = parent.add_command("plan", "Search repair plans and rank them");
+  command.add_option("valve", arguments->valve, kValveHelp).required();
+  for (const char* name :
+       {"evaluations", "seed", "seconds", "plans", "threads", "region_points", "no_improvement"})
+    add_search_option(command, name, options);
   command
-      ->add_option("--evaluations", options.evaluations,
-                   "Closures spent on searching; ranking comes on top, see below")
-      ->check(number_from(1, 1000000))
-      ->capture_default_str();
-  command->add_option("--seed", options.seed, "Same seed, same plans")
-      ->check(number_from(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
-  command->add_option("--seconds", options.seconds, "Stop after this time; 0: no limit")
-      ->check(number_from(0.0, 1e6))
-      ->capture_default_str();
-  command->add_option("--plans", options.plans, "How many ranked plans to print")
-      ->check(number_from(1, 50))
-      ->capture_default_str();
-  add_region_options(*command, options);
+      .add_option("--target", options.target_mm2,
+                  "Stop searching when mean + sd of a plan's leak is at most this (mm2)")
+      .check(number_from(0.0, 1e6));
+  command.add_option("--fix", arguments->fixed, "A plan whose steps every plan must contain");
   command
-      ->add_option("--no-improvement", options.no_improvement,
-                   "Stop searching after so many closures without a better plan; 0: never")
-      ->check(number_from(0, 1000000));
-  command
-      ->add_option("--target", options.target_mm2,
-                   "Stop searching when mean + sd of a plan's leak is not above this (mm2)")
-      ->check(number_from(0.0, 1e6));
-  command->add_option("--fix", arguments->fixed, "A plan whose steps every plan has");
-  command
-      ->add_option("--forbid", arguments->forbidden,
-                   "What no plan has: annuloplasty, papillary_approximation:saddle_peak, ...")
-      ->allow_extra_args(false);
-  command->add_option("--search", arguments->search,
-                      "Options from a JSON file (io/schema/search.schema.json), weights and all");
-  add_store_option(*command, arguments->store);
-  command->add_flag("--no-evidence", arguments->no_evidence,
-                    "Leave out errors of single sutures and further remodelling");
-  command->add_flag("--json", arguments->json, "Print JSON");
-  command->add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
-      ->check(CLI::Validator(refuse_standard_output, "FILE"));
-  add_server_option(*command, arguments->server);
-  command->footer(
+      .add_option(
+          "--forbid", arguments->forbidden,
+          "What no plan may contain: annuloplasty, papillary_approximation:saddle_peak, ...")
+      .one_at_a_time();
+  command.add_option("--search", arguments->search,
+                     "Options from a JSON file (io/schema/search.schema.json), weights included");
+  add_store_option(command, arguments->store);
+  command.add_flag("--no-evidence", arguments->no_evidence,
+                   "Leave out errors of single sutures and further remodelling");
+  command.add_flag("--json", arguments->json, "Print JSON");
+  command.add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
+      .check({refuse_standard_output, "FILE"});
+  add_server_option(command, arguments->server);
+  command.footer(
       "Closures in all: 1 of the valve as it is, at most --evaluations on searching, then for the\n"
       "ranking at most 65 for each of three times --plans finalists and the other nodes of the "
       "region\n"
       "(--region-points) for each of the best --plans; and 24 to 284 of evidence for each of "
       "those: one\n"
-      "suture wrong alone, both independently, further remodelling. A report closes the valve and "
-      "each\n"
-      "ranked plan once more.\n\n"
-      "A search killed at any time and run again with the same --store goes on where it was, to "
-      "the\n"
-      "same ranking.\n\n"
+      "suture wrong alone, both independently, further remodelling.\n\n"
+      "A search that was killed resumes when run again with the same --store, and ends with the "
+      "same\nranking.\n\n"
       "Ctrl-C stops the search and prints the best so far (exit code 130) when the closures in\n"
-      "progress have ended. A second one ends coapt at once (130 in the shell): nothing is "
-      "printed.\n\n"
+      "progress have ended. A second Ctrl-C ends coapt at once (130 in the shell) and prints "
+      "nothing.\n\n"
       "Exit code 4 unless the best plan closes the valve robustly: all closures over its region\n"
-      "converge without crossing, and mean + sd of the leak stay below 1 mm2. The ranking is then "
-      "of the\n"
-      "least bad.\n\n"
+      "converge without crossing, and mean + sd of the leak stay below 1 mm2. The ranking "
+      "then\nstarts with the least bad.\n\n"
       "Examples:\n"
       "  coapt plan human-functional-mr --seed 1 -o report.html\n"
       "  coapt plan valve.json --fix ring30.json --forbid papillary_approximation:saddle_peak\n"
       "  coapt plan valve.json --plans 10 --store valve.sqlite --json > plans.json\n"
       "  coapt plan valve.json --server http://127.0.0.1:8080 -o report.html");
-  command->callback([arguments, command, &status] {
-    const auto service = service_of(*command, arguments->server, {"--store"});
+  command.on_run([arguments, command, &status] {
+    const auto service = service_of(command, arguments->server, {"--store"});
     if (!service) {
       status = report_errors("plan", service.errors());
     } else {
-      status = *service ? run_by(**service, *command, *arguments) : run(*command, *arguments);
+      status = *service ? run_by(**service, command, *arguments) : run(command, *arguments);
     }
   });
 }

@@ -1,9 +1,11 @@
 #include "clients/cli/plan_arguments.h"
 
 #include <sstream>
+#include <type_traits>
 
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "clients/cli/search_option.h"
 #include "io/json/json_reader.h"
 #include "io/json/search_options_json.h"
 
@@ -25,7 +27,7 @@ std::string command_line(const PlanArguments& arguments) {
   return line.str();
 }
 
-int complete_options(const CLI::App& command, PlanArguments& arguments) {
+int complete_options(const Command& command, PlanArguments& arguments) {
   SearchOptions& given = arguments.options;
   if (!arguments.search.empty()) {
     const Expected<std::string> text = read_input(arguments.search);
@@ -34,17 +36,11 @@ int complete_options(const CLI::App& command, PlanArguments& arguments) {
     if (!json) return report_errors(arguments.search, json.errors());
     Expected<SearchOptions> read = search_options_from_json(*json);
     if (!read) return report_errors(arguments.search, read.errors());
-    const auto keep = [&](const char* name, auto member) {
-      if (command.count(name) > 0) (*read).*member = given.*member;
+    const auto keep = [&]<class Value>(const std::string& flag, Value SearchOptions::*member) {
+      if (!std::is_same_v<Value, bool> && command.has(flag)) (*read).*member = given.*member;
     };
-    keep("--evaluations", &SearchOptions::evaluations);
-    keep("--seed", &SearchOptions::seed);
-    keep("--threads", &SearchOptions::threads);
-    keep("--seconds", &SearchOptions::seconds);
-    keep("--plans", &SearchOptions::plans);
-    keep("--region-points", &SearchOptions::region_points);
-    keep("--no-improvement", &SearchOptions::no_improvement);
-    keep("--target", &SearchOptions::target_mm2);
+    for (const OptionRow<SearchOptions>& row : search_option_rows())
+      std::visit([&](auto member) { keep(flag_of(row), member); }, row.member);
     given = *read;
   }
   if (arguments.no_evidence) given.evidence = false;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clients/cli/server_option.h"
+#include "io/command_line/command_line.h"
 #include "search/plans/plan_search.h"
 
 namespace coapt {
@@ -23,7 +24,7 @@ std::string command_line(const PlanArguments& arguments);
 
 /// Puts the search object of --search, with what the command line says in its place, into the options. Returns an exit
 /// code.
-int complete_options(const CLI::App& command, PlanArguments& arguments);
+int complete_options(const Command& command, PlanArguments& arguments);
 
 /// Prints errors that point into the options, each with the option or the file that it comes from; returns kBadInput.
 int report_search_errors(const PlanArguments& arguments, const Errors& errors);

@@ -8,11 +8,11 @@
 
 namespace coapt {
 
-void add_store_option(CLI::App& command, std::string& path) {
+void add_store_option(Command command, std::string& path) {
   command
       .add_option("--store", path,
                   "Keep every closure in this file (SQLite) and take those that are there")
-      ->check(CLI::Validator(refuse_standard_output, "FILE"));
+      .check({refuse_standard_output, "FILE"});
 }
 
 int report_store_errors(const std::string& command, const Errors& errors) {

@@ -1,16 +1,16 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
+#include "io/command_line/command_line.h"
 #include "io/store/plan_store.h"
 #include "search/plans/plan_search.h"
 
 namespace coapt {
 
 /// --store: closures kept in a file as they are made. A run that was killed, run again, takes those first.
-void add_store_option(CLI::App& command, std::string& path);
+void add_store_option(Command command, std::string& path);
 
 /// Opens the store (none if the path is empty) and lets `context` read from it and keep in it. A closure that
 /// cannot be kept throws (std::runtime_error): for main(). Errors: the file cannot be used.

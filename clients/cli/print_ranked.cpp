@@ -137,15 +137,15 @@ void print_ranked(std::ostream& out, const ordered_json& result) {
     out << "no plan yet\n";
   } else {
     if (!result["any_competent"].get<bool>())
-      out << "No plan closes this valve robustly; ranked least bad.\n\n";
+      out << "No plan closes this valve robustly; the ranking starts with the least bad.\n\n";
     print_header(out);
   }
   for (const ordered_json& plan : plans) print_plan(out, plan);
   if (std::any_of(plans.begin(), plans.end(),
                   [](const ordered_json& plan) { return plan["pareto"].get<bool>(); }))
-    print_words(out, "* ",
-                "no other ranked plan is as good in mean, sd, steps and undersizing, and better "
-                "in one");
+    print_words(
+        out, "* ",
+        "Pareto-optimal among the ranked plans in mean leak, its sd, steps and undersizing");
   out << '\n';
   print_search(out, result);
   out << result["closures"] << " closures (" << result["closures_not_converged"]

@@ -26,7 +26,7 @@ void ProgressBar::show(const SearchProgress& progress) const {
   const std::string best =
       std::isinf(progress.best_leak_mm2)
           ? ""
-          : ", least leak as planned " + fixed(progress.best_leak_mm2, 1) + " mm2";
+          : ", lowest leak as planned " + fixed(progress.best_leak_mm2, 1) + " mm2";
   show(progress.closures, progress.closures_planned, "closures, " + progress.stage + best);
 }
 

@@ -1,7 +1,9 @@
 #include "clients/cli/server_option.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
@@ -11,11 +13,19 @@
 namespace coapt {
 namespace {
 
+/// A line end in it would begin another header of the request.
+Expected<std::string> without_controls(std::string token, const std::string& source) {
+  const auto is_control = [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; };
+  if (std::any_of(token.begin(), token.end(), is_control))
+    return Error{ErrorCode::OutOfRange, "", source + " has a control character in the token"};
+  return token;
+}
+
 /// The first line, without what ends it.
 Expected<std::string> read_token(const std::string& file) {
   if (file.empty()) {
     const char* const token = std::getenv("COAPT_TOKEN");
-    return std::string(token == nullptr ? "" : token);
+    return without_controls(token == nullptr ? "" : token, "COAPT_TOKEN");
   }
   const Expected<std::string> text = read_input(file);
   if (!text)
@@ -26,7 +36,7 @@ Expected<std::string> read_token(const std::string& file) {
   if (token.empty())
     return Error{ErrorCode::MissingField, "",
                  "--token-file: " + file + ": its first line is empty"};
-  return token;
+  return without_controls(std::move(token), "--token-file: " + file);
 }
 
 bool is_url(const std::string& url) {
@@ -38,21 +48,21 @@ bool is_url(const std::string& url) {
 
 }  // namespace
 
-void add_server_option(CLI::App& command, ServerOption& option) {
+void add_server_option(Command command, ServerOption& option) {
   command
       .add_option("--server", option.url,
-                  "Let this coapt-server do it: http://127.0.0.1:8080, https://...; '': do it here")
-      ->option_text("URL")
-      ->envname("COAPT_SERVER")
-      ->group("Service");
+                  "Run on this coapt-server: http://127.0.0.1:8080, https://...; '': run here")
+      .show_argument("URL")
+      .environment("COAPT_SERVER")
+      .group("Service");
   command
       .add_option("--token-file", option.token_file,
                   "Its first line is the service's token; otherwise COAPT_TOKEN is")
-      ->option_text("FILE")
-      ->group("Service");
+      .show_argument("FILE")
+      .group("Service");
 }
 
-Expected<std::optional<Service>> service_of(const CLI::App& command, const ServerOption& option,
+Expected<std::optional<Service>> service_of(const Command& command, const ServerOption& option,
                                             const std::vector<std::string>& only_here) {
   if (option.url.empty()) return std::optional<Service>();
   ProblemList problems;
@@ -60,11 +70,10 @@ Expected<std::optional<Service>> service_of(const CLI::App& command, const Serve
     problems.add(ErrorCode::OutOfRange, "",
                  "--server: is " + option.url + ", must be like http://127.0.0.1:8080");
   for (const std::string& name : only_here)
-    if (command.count(name) > 0)
-      problems.add(ErrorCode::Unsupported, "",
-                   name +
-                       ": a service does not offer it; leave it out, or do the work here with "
-                       "--server ''");
+    if (command.has(name))
+      problems.add(
+          ErrorCode::Unsupported, "",
+          name + ": a service does not offer it; leave it out, or run here with --server ''");
   const Expected<std::string> token = read_token(option.token_file);
   if (!token) problems.add(token.errors().front().code, "", token.errors().front().message);
   if (!problems.empty()) return std::move(problems).take();

@@ -1,7 +1,6 @@
 // --server: the work is done by a coapt-server.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "clients/cli/service.h"
 #include "core/repair/plan.h"
+#include "io/command_line/command_line.h"
 
 namespace coapt {
 
@@ -17,11 +17,11 @@ struct ServerOption {
 };
 
 /// --server (or COAPT_SERVER) and --token-file (or the token itself in COAPT_TOKEN).
-void add_server_option(CLI::App& command, ServerOption& option);
+void add_server_option(Command command, ServerOption& option);
 
 /// The service to ask; none if the work is done here. Errors: an address that is none, a token that cannot be read, or
 /// one of the options `only_here` of `command` was given, which the service does not offer.
-Expected<std::optional<Service>> service_of(const CLI::App& command, const ServerOption& option,
+Expected<std::optional<Service>> service_of(const Command& command, const ServerOption& option,
                                             const std::vector<std::string>& only_here);
 
 /// A valve for a request: a file (or "-") is checked here and sent; any other word is the service's preset, or the id of

@@ -136,8 +136,7 @@ Expected<ordered_json> json_of(const Service& service, const Expected<Reply>& re
   if (!reply) return reply.errors();
   ordered_json json = ordered_json::parse(reply->body, nullptr, false);
   if (json.is_discarded())
-    return Error{ErrorCode::InputOutput, "",
-                 service.url + " answers with something else than JSON"};
+    return Error{ErrorCode::InputOutput, "", service.url + " did not answer with JSON"};
   return json;
 }
 

@@ -30,8 +30,8 @@ std::string new_key() {
 void show(const ProgressBar& bar, const ordered_json& progress) {
   const double best_mm2 = number_of(progress.at("best_leak_mm2"));
   const std::string best =
-      std::isnan(best_mm2) ? "" : ", least leak as planned " + fixed(best_mm2, 1) + " mm2";
-  bar.show(progress.at("evaluations"), progress.at("evaluations_planned"),
+      std::isnan(best_mm2) ? "" : ", lowest leak as planned " + fixed(best_mm2, 1) + " mm2";
+  bar.show(progress.at("closures"), progress.at("closures_planned"),
            "closures, " + progress.at("stage").get<std::string>() + best);
 }
 

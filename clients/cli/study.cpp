@@ -8,10 +8,10 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
-#include "clients/cli/number_option.h"
 #include "clients/cli/server_option.h"
 #include "clients/cli/service_job.h"
-#include "clients/cli/study_desk.h"
+#include "clients/cli/study_directory.h"
+#include "io/command_line/command_line.h"
 #include "io/json/findings_json.h"
 #include "io/picture/study_report.h"
 
@@ -45,11 +45,12 @@ int show(const StudyArguments& arguments, const nlohmann::ordered_json& study,
   return exit_code::kOk;
 }
 
-int finish(const StudyArguments& arguments, const StudyDesk& desk, const OrificeTable& table,
-           StudyReport report) {
-  const nlohmann::ordered_json answer = complete(report, arguments.kind, table, desk.seconds());
+int finish(const StudyArguments& arguments, const StudyDirectory& directory,
+           const OrificeTable& table, StudyReport report) {
+  const nlohmann::ordered_json answer =
+      complete(report, arguments.kind, table, directory.seconds());
   for (const auto& [name, content] : report.files)
-    if (const int error = desk.write(name, content)) return error;
+    if (const int error = directory.write(name, content)) return error;
   return show(arguments, answer, to_json(report.findings));
 }
 
@@ -104,9 +105,8 @@ int run_by(const Service& service, StudyArguments arguments) {
   const Expected<ServiceJob> job = run_job(service, "/v1/studies", request, interrupted);
   if (!job) return report_service_errors("study", job.errors(), {{"/valve", arguments.valve}});
   if (job->state == "CANCELLED") {
-    std::cerr
-        << "coapt: study: cancelled; the service keeps its closures, so it goes on when it is "
-           "asked for again\n";
+    std::cerr << "coapt: study: cancelled; the service keeps its closures: request it again to "
+                 "continue\n";
     return exit_code::kInterrupted;
   }
   Expected<nlohmann::ordered_json> study = get_json(service, job->path + "/result");
@@ -120,41 +120,41 @@ int run_by(const Service& service, StudyArguments arguments) {
 int run(StudyArguments arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
-  const Expected<std::unique_ptr<StudyDesk>> desk =
-      StudyDesk::open(arguments.directory, arguments.threads);
-  if (!desk) {
-    report_errors("study", desk.errors());
+  const Expected<std::unique_ptr<StudyDirectory>> directory =
+      StudyDirectory::open(arguments.directory, arguments.threads);
+  if (!directory) {
+    report_errors("study", directory.errors());
     return exit_code::kFailure;
   }
   choose_protocols(arguments);
-  arguments.options.stage = [&](const std::string& stage) { (*desk)->begin(stage); };
-  OrificeTable table = (*desk)->table(*valve);
-  return finish(arguments, **desk, table, run_study(arguments.kind, table, arguments.options));
+  arguments.options.stage = [&](const std::string& stage) { (*directory)->begin(stage); };
+  OrificeTable table = (*directory)->table(*valve);
+  return finish(arguments, **directory, table, run_study(arguments.kind, table, arguments.options));
 }
 
 constexpr const char* kResumes =
-    "A study that was stopped, run again with the same directory, goes on where it was.\n\n";
+    "A study that was stopped resumes when run again with the same directory.\n\n";
 
-CLI::App* add_one(CLI::App& parent, int& status, StudyKind kind, const char* help,
-                  const std::shared_ptr<StudyArguments>& arguments) {
-  CLI::App* command = parent.add_subcommand(to_string(kind), help);
+Command add_one(Command parent, int& status, StudyKind kind, const char* help,
+                const std::shared_ptr<StudyArguments>& arguments) {
+  Command command = parent.add_command(to_string(kind), help);
   arguments->kind = kind;
   arguments->options = default_options(kind);
   arguments->directory = std::string("study-") + to_string(kind);
-  command->add_option("valve", arguments->valve, kValveHelp)->required();
+  command.add_option("valve", arguments->valve, kValveHelp).required();
   command
-      ->add_option("-o,--output", arguments->directory,
-                   "Directory for CSV, SVG, findings.json, index.html and the closures")
-      ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
-      ->check(number_from(0, 1024))
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "A summary as JSON on standard output");
-  add_server_option(*command, arguments->server);
+      .add_option("-o,--output", arguments->directory,
+                  "Directory for CSV, SVG, findings.json, index.html and the closures")
+      .show_default();
+  command.add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
+      .check(number_from(0, 1024))
+      .show_default();
+  command.add_flag("--json", arguments->json, "A summary as JSON on standard output");
+  add_server_option(command, arguments->server);
   const std::string name = to_string(kind);
-  command->footer(kResumes + ("Example:\n  coapt study " + name + " porcine-thesis -o " + name));
-  command->callback([=, &status] {
-    const auto service = service_of(*command, arguments->server, {"--threads"});
+  command.footer(kResumes + ("Example:\n  coapt study " + name + " porcine-thesis -o " + name));
+  command.on_run([=, &status] {
+    const auto service = service_of(command, arguments->server, {"--threads"});
     if (!service) {
       status = report_errors("study", service.errors());
     } else {
@@ -164,68 +164,68 @@ CLI::App* add_one(CLI::App& parent, int& status, StudyKind kind, const char* hel
   return command;
 }
 
-void add_anchor_options(CLI::App& command, const std::shared_ptr<StudyArguments>& arguments) {
+void add_anchor_options(Command command, const std::shared_ptr<StudyArguments>& arguments) {
   std::vector<std::string> names;
   for (const Protocol protocol : kProtocols) names.emplace_back(to_string(protocol));
   ThesisStudyOptions& study = arguments->options;
   command
       .add_option("--protocol", arguments->protocols,
-                  "How positions get their orifice (default: both lookups)")
-      ->check(CLI::IsMember(names));
+                  "How the orifice of a position is found (default: both lookups)")
+      .one_of(names);
   command
       .add_option("--displacement-step", study.approximation.displacement_step_mm,
-                  "Of the displaced configurations, mm")
-      ->check(CLI::IsMember({1.0, 2.0, 3.0, 6.0}))
-      ->capture_default_str();
+                  "Step of the displacements, mm")
+      .one_of({1.0, 2.0, 3.0, 6.0})
+      .show_default();
   command
       .add_option("--region-points", study.approximation.region_points,
-                  "Of the region of interest's 1,089")
-      ->check(number_from(17, 1089))
-      ->capture_default_str();
+                  "Points of the region of interest that are closed, out of 1,089")
+      .check(number_from(17, 1089))
+      .show_default();
   command
       .add_option("--scan-sites", study.scan_sites,
                   "Anchors around the annulus, besides trigone and saddle peak")
-      ->check(number_from(0, 360))
-      ->capture_default_str();
+      .check(number_from(0, 360))
+      .show_default();
 }
 
 }  // namespace
 
-void add_study(CLI::App& parent, int& status) {
-  CLI::App* study = parent.add_subcommand(
-      "study", "Redo the thesis's robustness studies on a valve, or ask further");
-  study->require_subcommand(1);
+void add_study(Command parent, int& status) {
+  Command study = parent.add_command(
+      "study", "Repeat the thesis's robustness studies on a valve, or go beyond them");
+  study.require_command();
   const auto with = [] { return std::make_shared<StudyArguments>(); };
-  add_one(*study, status, StudyKind::Annulus,
+  add_one(study, status, StudyKind::Annulus,
           "Anteroposterior dilation 0 to 30 % x annular height (figure 4.5)", with());
-  add_one(*study, status, StudyKind::Papillary,
+  add_one(study, status, StudyKind::Papillary,
           "Papillary displacement 0 to 6 mm along three axes (figures 4.6 to 4.8, table 4.1)",
           with());
-  add_one(*study, status, StudyKind::Ring,
-          "Undersized rings x displacement (figure 4.9, table 4.2)", with());
+  add_one(study, status, StudyKind::Ring, "Undersized rings x displacement (figure 4.9, table 4.2)",
+          with());
   const auto approximation = with();
-  CLI::App* anchors = add_one(
-      *study, status, StudyKind::Approximation,
+  Command anchors = add_one(
+      study, status, StudyKind::Approximation,
       "Papillary approximation to trigone, saddle peak and around the annulus (figure 4.10)",
       approximation);
-  add_anchor_options(*anchors, approximation);
-  anchors->footer(std::string(kResumes) +
-                  "Examples:\n"
-                  "  coapt study approximation porcine-thesis -o anchors\n"
-                  "  coapt study approximation porcine-thesis --protocol closed optimum "
-                  "--displacement-step 2 -o anchors");
-  const auto everything = with();
-  CLI::App* thesis =
-      add_one(*study, status, StudyKind::Thesis,
-              "All of them, each finding of the thesis beside this valve's", everything);
-  add_anchor_options(*thesis, everything);
-  thesis->footer(std::string(kResumes) +
+  add_anchor_options(anchors, approximation);
+  anchors.footer(std::string(kResumes) +
                  "Examples:\n"
-                 "  coapt study thesis porcine-thesis -o thesis --threads 2 --json\n"
-                 "  coapt study thesis porcine-thesis -o thesis --server http://127.0.0.1:8080");
-  add_calibrate(*study, status);
-  add_anchor_question(*study, status);
-  add_generality(*study, status);
+                 "  coapt study approximation porcine-thesis -o anchors\n"
+                 "  coapt study approximation porcine-thesis --protocol closed optimum "
+                 "--displacement-step 2 -o anchors");
+  const auto everything = with();
+  Command thesis =
+      add_one(study, status, StudyKind::Thesis,
+              "All of these, with each finding of the thesis beside this valve's", everything);
+  add_anchor_options(thesis, everything);
+  thesis.footer(std::string(kResumes) +
+                "Examples:\n"
+                "  coapt study thesis porcine-thesis -o thesis --threads 2 --json\n"
+                "  coapt study thesis porcine-thesis -o thesis --server http://127.0.0.1:8080");
+  add_calibrate(study, status);
+  add_anchor_question(study, status);
+  add_generality(study, status);
 }
 
 }  // namespace coapt

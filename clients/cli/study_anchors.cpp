@@ -5,9 +5,10 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
-#include "clients/cli/number_option.h"
-#include "clients/cli/study_desk.h"
+#include "clients/cli/study_directory.h"
+#include "core/presets/porcine_thesis.h"
 #include "core/presets/presets.h"
+#include "io/command_line/command_line.h"
 #include "io/picture/anchor_question_chart.h"
 #include "io/picture/study_csv.h"
 #include "io/picture/study_page.h"
@@ -41,22 +42,22 @@ std::vector<std::vector<std::string>> answer_table(const std::vector<AnchorAnswe
 }
 
 int run(const StudyAnchorsArguments& arguments) {
-  const Expected<std::unique_ptr<StudyDesk>> opened =
-      StudyDesk::open(arguments.directory, arguments.threads);
+  const Expected<std::unique_ptr<StudyDirectory>> opened =
+      StudyDirectory::open(arguments.directory, arguments.threads);
   if (!opened) {
     report_errors("study anchors", opened.errors());
     return exit_code::kFailure;
   }
-  StudyDesk& desk = **opened;
+  StudyDirectory& directory = **opened;
   AnchorQuestionOptions question = arguments.question;
   int closures = 0;
-  desk.begin("anatomy 1 of " + std::to_string(question.anatomies));
+  directory.begin("anatomy 1 of " + std::to_string(question.anatomies));
   question.progress = [&](int done, int planned) {
-    desk.begin("anatomy " + std::to_string(done + 1) + " of " + std::to_string(planned));
+    directory.begin("anatomy " + std::to_string(done + 1) + " of " + std::to_string(planned));
   };
   const std::vector<ScannedAnatomy> scan = scan_anchors(
       porcine_thesis_tables(),
-      [&](const Valve& valve) { return desk.table(valve, ClosureOptions{}); }, question);
+      [&](const Valve& valve) { return directory.table(valve, ClosureOptions{}); }, question);
   const std::vector<AnchorAnswer> answers = answer_anchor_question(scan);
   int competent = 0;
   for (const ScannedAnatomy& scanned : scan) {
@@ -68,7 +69,7 @@ int run(const StudyAnchorsArguments& arguments) {
                            "displacements of 6 mm along any axes that leak more than 20 mm2, " +
                            std::to_string(question.approximation.region_points) +
                            " nodes of each region; " + std::to_string(closures) +
-                           " closures made now, in " + fixed(desk.seconds(), 0) + " s.";
+                           " closures made now, in " + fixed(directory.seconds(), 0) + " s.";
   const std::string svg = anchor_question_svg(answers);
   const std::string page = study_page(
       "When is the trigone the better anchor?", lead,
@@ -78,15 +79,15 @@ int run(const StudyAnchorsArguments& arguments) {
         {}},
        {"Which factor decides",
         "Of the difference trigone less saddle peak: total Sobol index of each factor, and how the "
-        "difference changes from its low end to its high end. Q2 is the share of the variance that "
-        "is predicted for anatomies left out; below 0.5 the indices say little.",
+        "difference changes from its low end to its high end. Q2 is the share of the variance "
+        "predicted for anatomies left out; below 0.5 the indices mean little.",
         "", answer_table(answers)}});
   for (const auto& [name, content] :
        {std::pair<std::string, std::string>{"scan.csv", anchor_scan_csv(scan)},
         {"answers.csv", anchor_answers_csv(answers)},
         {"anchors.svg", svg},
         {"index.html", page}})
-    if (const int error = desk.write(name, content)) return error;
+    if (const int error = directory.write(name, content)) return error;
   for (const AnchorAnswer& a : answers)
     std::cout << to_string(a.protocol) << ", " << to_string(a.displaced) << ", "
               << to_string(a.objective) << ": trigone wins in " << a.trigone_wins << " of "
@@ -97,33 +98,35 @@ int run(const StudyAnchorsArguments& arguments) {
 
 }  // namespace
 
-void add_anchor_question(CLI::App& parent, int& status) {
+void add_anchor_question(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyAnchorsArguments>();
-  CLI::App* command = parent.add_subcommand(
-      "anchors", "When is the trigone the better anchor? A scan over anatomies");
-  command->add_option("-o,--output", arguments->directory, "Directory for CSV, SVG, index.html")
-      ->capture_default_str();
-  command->add_option("--anatomies", arguments->question.anatomies, "Of the Latin hypercube")
-      ->check(number_from(1, 10000))
-      ->capture_default_str();
-  command->add_option("--seed", arguments->question.seed, "Of the hypercube")
-      ->check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
-      ->capture_default_str();
+  Command command =
+      parent.add_command("anchors", "When is the trigone the better anchor? A scan over anatomies");
+  command.add_option("-o,--output", arguments->directory, "Directory for CSV, SVG, index.html")
+      .show_default();
   command
-      ->add_option("--region-points", arguments->question.approximation.region_points,
-                   "Of the region of interest's 1,089")
-      ->check(number_from(17, 1089))
-      ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
-      ->check(number_from(0, 1024))
-      ->capture_default_str();
-  command->footer(
-      "Tips, trigones, saddle and leaflet reserve vary around preset porcine-thesis-tables. A few\n"
-      "thousand closures an anatomy. Run again with the same directory, it goes on where it "
-      "was.\n\n"
+      .add_option("--anatomies", arguments->question.anatomies,
+                  "Anatomies drawn by a Latin hypercube")
+      .check(number_from(1, 10000))
+      .show_default();
+  command.add_option("--seed", arguments->question.seed, "Seed of the Latin hypercube")
+      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
+      .show_default();
+  command
+      .add_option("--region-points", arguments->question.approximation.region_points,
+                  "Points of the region of interest that are closed, out of 1,089")
+      .check(number_from(17, 1089))
+      .show_default();
+  command.add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
+      .check(number_from(0, 1024))
+      .show_default();
+  command.footer(
+      "Tips, trigones, saddle and leaflet reserve vary around preset porcine-thesis-tables. A "
+      "few\nthousand closures per anatomy. A scan that was stopped resumes when run again with the "
+      "same directory.\n\n"
       "Example:\n"
       "  coapt study anchors --anatomies 64 -o anchors");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace coapt

@@ -6,15 +6,16 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
-#include "clients/cli/number_option.h"
-#include "clients/cli/study_desk.h"
+#include "clients/cli/study_directory.h"
 #include "core/presets/presets.h"
+#include "core/valve/number_text.h"
+#include "io/command_line/command_line.h"
 #include "io/json/valve_json.h"
 #include "io/picture/study_csv.h"
 #include "io/picture/study_page.h"
 #include "io/picture/text.h"
+#include "search/studies/anchor_findings.h"
 #include "search/studies/calibration.h"
-#include "search/studies/findings_parts.h"
 #include "search/studies/thesis_study.h"
 
 namespace coapt {
@@ -29,10 +30,10 @@ struct StudyCalibrateArguments {
 
 /// How many of the nine comparisons of figure 4.10 (mean, sd, sd of means; three classes) come out for the
 /// trigone by the thesis's look-up.
-int anchor_statement(StudyDesk& desk, const Calibration& fit) {
+int anchor_statement(StudyDirectory& directory, const Calibration& fit) {
   const Expected<Valve> valve = make_taut_valve(parametric_valve(fit.anatomy, "calibrated"));
   if (!valve) return 0;
-  OrificeTable table = desk.table(*valve);
+  OrificeTable table = directory.table(*valve);
   int holds = 0;
   for (const Finding& finding :
        anchor_findings(study_approximation(table, Protocol::LookupClamped, thesis_anchors(*valve))))
@@ -49,46 +50,39 @@ std::vector<std::vector<std::string>> fit_table(const Calibration& fit) {
   return rows;
 }
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(5);
-  text << value;
-  return text.str();
-}
-
 std::vector<std::vector<std::string>> anatomy_table(const Calibration& fit) {
   std::vector<std::vector<std::string>> rows = {
       {"parameter", "fitted", "least", "most", "at a bound"}};
   for (std::size_t i = 0; i < fit.anatomy.size(); ++i) {
     const AnatomyParameter& p = anatomy_parameters()[i];
     const double share = (fit.anatomy[i] - p.lower) / (p.upper - p.lower);
-    rows.push_back({p.name, number(fit.anatomy[i]), number(p.lower), number(p.upper),
-                    share < 0.01 || share > 0.99 ? "yes" : ""});
+    rows.push_back({p.name, significant(fit.anatomy[i], 5), significant(p.lower, 5),
+                    significant(p.upper, 5), share < 0.01 || share > 0.99 ? "yes" : ""});
   }
   return rows;
 }
 
 int run(const StudyCalibrateArguments& arguments) {
-  const Expected<std::unique_ptr<StudyDesk>> opened =
-      StudyDesk::open(arguments.directory, arguments.calibration.threads);
+  const Expected<std::unique_ptr<StudyDirectory>> opened =
+      StudyDirectory::open(arguments.directory, arguments.calibration.threads);
   if (!opened) {
     report_errors("study calibrate", opened.errors());
     return exit_code::kFailure;
   }
-  StudyDesk& desk = **opened;
+  StudyDirectory& directory = **opened;
   Calibration best;
   int best_holds = -1;
   for (int start = 0; start < arguments.starts; ++start) {
     CalibrationOptions options = arguments.calibration;
     options.seed += static_cast<std::uint64_t>(start);
     options.progress = [&](int round, double cost) {
-      desk.show(round, options.most_rounds,
-                "rounds of start " + std::to_string(start + 1) + ", cost " + fixed(cost, 2));
+      directory.show(round, options.most_rounds,
+                     "rounds of start " + std::to_string(start + 1) + ", cost " + fixed(cost, 2));
       return true;
     };
     const Calibration fit = calibrate(options);
-    desk.begin("anchors of start " + std::to_string(start + 1));
-    const int holds = arguments.anchors ? anchor_statement(desk, fit) : 0;
+    directory.begin("anchors of start " + std::to_string(start + 1));
+    const int holds = arguments.anchors ? anchor_statement(directory, fit) : 0;
     std::cout << "seed " << options.seed << ": Spearman " << fixed(fit.spearman, 3) << ", rms "
               << fixed(fit.rms_mm2, 1) << " mm2 over table 4.1, dilation within "
               << fixed(100.0 * fit.largest_dilation_error, 0) << " %, " << fit.untrusted
@@ -109,45 +103,48 @@ int run(const StudyCalibrateArguments& arguments) {
         {"fit.csv", table_csv(fit_table(best))},
         {"anatomy.csv", table_csv(anatomy_table(best))},
         {"index.html", page}})
-    if (const int error = desk.write(name, content)) return error;
+    if (const int error = directory.write(name, content)) return error;
   std::cout << "Written to " << arguments.directory << "/valve.json and index.html\n";
   return exit_code::kOk;
 }
 
 }  // namespace
 
-void add_calibrate(CLI::App& parent, int& status) {
+void add_calibrate(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyCalibrateArguments>();
   CalibrationOptions& calibration = arguments->calibration;
-  CLI::App* command = parent.add_subcommand(
+  Command command = parent.add_command(
       "calibrate", "Fit a parametric valve to the thesis's figure 4.5 and table 4.1");
-  command->add_option("-o,--output", arguments->directory, "Directory for the valve and its fit")
-      ->capture_default_str();
-  command->add_option("--seed", calibration.seed, "Of the first start")
-      ->check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
-      ->capture_default_str();
+  command.add_option("-o,--output", arguments->directory, "Directory for the valve and its fit")
+      .show_default();
+  command.add_option("--seed", calibration.seed, "Seed of the first start")
+      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
+      .show_default();
   command
-      ->add_option("--spread", calibration.spread,
-                   "Of the anatomies first looked at, share of each range to either side")
-      ->check(number_from(0.0, 1.0))
-      ->capture_default_str();
-  command->add_option("--starts", arguments->starts, "Fits from so many seeds, the best is kept")
-      ->check(number_from(1, 1000))
-      ->capture_default_str();
-  command->add_option("--rounds", calibration.most_rounds, "Of a fit, at most")
-      ->check(number_from(1, 1000))
-      ->capture_default_str();
-  command->add_flag("--anchors", arguments->anchors,
-                    "Keep the fit that shows most of the thesis's anchor statement by its look-up");
-  command->add_option("--threads", calibration.threads, "0: all cores; does not change the answer")
-      ->check(number_from(0, 1024))
-      ->capture_default_str();
-  command->footer(
-      "About 20,000 closures a start. A fit that is stopped begins anew.\n\n"
+      .add_option("--spread", calibration.spread,
+                  "Share of each range, to either side, in which the first anatomies are drawn")
+      .check(number_from(0.0, 1.0))
+      .show_default();
+  command
+      .add_option("--starts", arguments->starts,
+                  "Number of seeds to fit from; the best fit is kept")
+      .check(number_from(1, 1000))
+      .show_default();
+  command.add_option("--rounds", calibration.most_rounds, "Rounds of a fit, at most")
+      .check(number_from(1, 1000))
+      .show_default();
+  command.add_flag(
+      "--anchors", arguments->anchors,
+      "Keep the fit that agrees best with the thesis's statement on anchors by its look-up");
+  command.add_option("--threads", calibration.threads, "0: all cores; does not change the answer")
+      .check(number_from(0, 1024))
+      .show_default();
+  command.footer(
+      "About 20,000 closures per start. A fit that was stopped starts again from the beginning.\n\n"
       "Examples:\n"
       "  coapt study calibrate --seed 2 --spread 0.1 -o tables\n"
       "  coapt study calibrate --starts 4 --anchors -o with-anchors");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace coapt

@@ -6,9 +6,9 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
-#include "clients/cli/number_option.h"
-#include "clients/cli/study_desk.h"
+#include "clients/cli/study_directory.h"
 #include "core/presets/presets.h"
+#include "io/command_line/command_line.h"
 #include "io/picture/study_csv.h"
 #include "io/picture/study_page.h"
 #include "io/picture/text.h"
@@ -90,20 +90,20 @@ int run(const StudyGeneralityArguments& arguments) {
   int drawn = 0;
   const Expected<std::vector<StudiedValve>> valves = gather(arguments, drawn);
   if (!valves) return report_errors("study generality", valves.errors());
-  const Expected<std::unique_ptr<StudyDesk>> opened =
-      StudyDesk::open(arguments.directory, arguments.threads);
+  const Expected<std::unique_ptr<StudyDirectory>> opened =
+      StudyDirectory::open(arguments.directory, arguments.threads);
   if (!opened) {
     report_errors("study generality", opened.errors());
     return exit_code::kFailure;
   }
-  StudyDesk& desk = **opened;
+  StudyDirectory& directory = **opened;
   const auto name_of = [&](int index) {
     const std::string of = " of " + std::to_string(valves->size());
-    desk.begin("valve " + std::to_string(index + 1) + of);
+    directory.begin("valve " + std::to_string(index + 1) + of);
   };
   name_of(0);
   const std::vector<ValveFindings> studied = study_generality(
-      *valves, [&](const Valve& valve) { return desk.table(valve, ClosureOptions{}); },
+      *valves, [&](const Valve& valve) { return directory.table(valve, ClosureOptions{}); },
       quick_studies(), [&](int done, int) { name_of(done); });
   const std::vector<FindingShare> shares = finding_shares(studied);
   int closures = 0, untrusted = 0;
@@ -118,7 +118,7 @@ int run(const StudyGeneralityArguments& arguments) {
                            "goes either way. The random anatomies are the competent ones of " +
                            std::to_string(drawn) + " drawn. " + std::to_string(closures) +
                            " closures made now, " + std::to_string(untrusted) + " not trusted, " +
-                           fixed(desk.seconds(), 0) + " s.";
+                           fixed(directory.seconds(), 0) + " s.";
   const std::string page =
       study_page("How general are the thesis's findings?", lead,
                  {{"On how many valves each holds", "", "", shares_table(shares)}});
@@ -126,7 +126,7 @@ int run(const StudyGeneralityArguments& arguments) {
        {std::pair<std::string, std::string>{"findings.csv", generality_csv(studied)},
         {"shares.csv", finding_shares_csv(shares)},
         {"index.html", page}})
-    if (const int error = desk.write(name, content)) return error;
+    if (const int error = directory.write(name, content)) return error;
   for (const FindingShare& share : shares)
     if (share.kind.empty())
       std::cout << share.agree << " of " << share.valves << "  " << share.finding << '\n';
@@ -136,28 +136,28 @@ int run(const StudyGeneralityArguments& arguments) {
 
 }  // namespace
 
-void add_generality(CLI::App& parent, int& status) {
+void add_generality(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyGeneralityArguments>();
-  CLI::App* command = parent.add_subcommand(
-      "generality", "On which share of many valves each finding of the thesis holds");
-  command->add_option("valves", arguments->valves, "Valve files, besides the presets");
-  command->add_option("-o,--output", arguments->directory, "Directory for CSV and index.html")
-      ->capture_default_str();
-  command->add_option("--anatomies", arguments->anatomies, "Random ones")
-      ->check(number_from(0, 10000))
-      ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Of the random anatomies")
-      ->check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
-      ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
-      ->check(number_from(0, 1024))
-      ->capture_default_str();
-  command->footer(
+  Command command = parent.add_command(
+      "generality", "On what share of many valves each finding of the thesis holds");
+  command.add_option("valves", arguments->valves, "Valve files, besides the presets");
+  command.add_option("-o,--output", arguments->directory, "Directory for CSV and index.html")
+      .show_default();
+  command.add_option("--anatomies", arguments->anatomies, "Random ones")
+      .check(number_from(0, 10000))
+      .show_default();
+  command.add_option("--seed", arguments->seed, "Seed of the random anatomies")
+      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
+      .show_default();
+  command.add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
+      .check(number_from(0, 1024))
+      .show_default();
+  command.footer(
       "Displacements by 2 mm, approximations by 6 mm, 17 points of each region: about 2,000 "
       "closures a valve.\n\n"
       "Example:\n"
       "  coapt study generality examples/valves/bodyparts3d.json -o generality");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace coapt

@@ -32,17 +32,17 @@ int run(const ValveCheckArguments& arguments) {
 
 }  // namespace
 
-void add_valve_check(CLI::App& parent, int& status) {
+void add_valve_check(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveCheckArguments>();
-  CLI::App* command = parent.add_subcommand("check", "List every problem of a valve file");
-  command->add_option("valve", arguments->valve, kValveHelp)->required();
-  command->add_flag("--json", arguments->json, "{\"problems\": [{\"path\", \"message\"}]}");
-  command->footer(
+  Command command = parent.add_command("check", "List every problem of a valve file");
+  command.add_option("valve", arguments->valve, kValveHelp).required();
+  command.add_flag("--json", arguments->json, "{\"problems\": [{\"path\", \"message\"}]}");
+  command.footer(
       "Exit code 2 if there is any problem; path is a JSON pointer, empty for the whole file.\n\n"
       "Examples:\n"
       "  coapt valve check valve.json\n"
       "  coapt valve make human-normal -o - | coapt valve check - --json");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace coapt

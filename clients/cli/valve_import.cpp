@@ -9,7 +9,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
-#include "clients/cli/number_option.h"
+#include "io/command_line/command_line.h"
 #include "io/exchange/markups.h"
 #include "io/exchange/slicerheart.h"
 #include "io/json/valve_json.h"
@@ -47,7 +47,7 @@ int read_part(const std::string& path, const Parse& parse, T& value) {
   return exit_code::kOk;
 }
 
-Expected<Points> read_contour(std::string_view text, const std::string& format) {
+Expected<Points> parse_contour(std::string_view text, const std::string& format) {
   if (format != "json") return read_points_csv(text);
   const Expected<std::vector<Markup>> markups = read_markups(text);
   if (!markups) return markups.errors();
@@ -89,7 +89,7 @@ int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
     source.leaflets.emplace_back();
     if (const int failed = read_part(path, read_mesh, source.leaflets.back())) return failed;
   }
-  if (const int failed = read_part(arguments.annulus, read_contour, source.annulus_mm)) {
+  if (const int failed = read_part(arguments.annulus, parse_contour, source.annulus_mm)) {
     return failed;
   }
   return read_part(arguments.chordae, read_chordae, source.chordae);
@@ -124,49 +124,47 @@ int run(const ValveImportArguments& arguments) {
 
 }  // namespace
 
-void add_valve_import(CLI::App& parent, int& status) {
+void add_valve_import(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveImportArguments>();
   ImportOptions& options = arguments->options;
-  CLI::App* command =
-      parent.add_subcommand("import", "Make a valve from leaflet meshes, annulus and chordae");
+  Command command =
+      parent.add_command("import", "Make a valve from leaflet meshes, annulus and chordae");
   command
-      ->add_option(
+      .add_option(
           "--leaflet", arguments->leaflets,
           "Leaflet mesh (OBJ, PLY, STL or VTK, millimetres): anterior and posterior, or one skirt")
-      ->expected(1, 2);
-  command->add_option("--annulus", arguments->annulus,
-                      "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json)");
-  command->add_option("--chordae", arguments->chordae,
-                      "Insertions and papillary tips, CSV or JSON");
+      .count(1, 2);
+  command.add_option("--annulus", arguments->annulus,
+                     "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json)");
+  command.add_option("--chordae", arguments->chordae, "Insertions and papillary tips, CSV or JSON");
   command
-      ->add_option("--slicerheart", arguments->slicerheart,
-                   "Folder that SlicerHeart's ValveFemExport or `coapt export` wrote, instead")
-      ->excludes("--leaflet")
-      ->excludes("--annulus")
-      ->excludes("--chordae");
-  command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
-      ->required();
-  command->add_option("--triangles", options.triangles, "About how many triangles")
-      ->capture_default_str()
-      ->check(number_from(100, 100000));
-  command->add_option("--branches", options.branches, "Insertions per chorda")
-      ->capture_default_str()
-      ->check(number_from(1, 5));
-  command->add_option("--branch-at", options.branch_at, "Share of the way from tip to insertion")
-      ->capture_default_str();
-  command->add_option("--slack", options.slack, "Chordae lengths over straight distances")
-      ->capture_default_str();
-  command->add_option("--name", arguments->name, "Name of the valve")->default_str("imported");
-  command->add_option("--provenance", arguments->provenance,
-                      "Source or licence, kept in the valve");
-  command->footer(
+      .add_option("--slicerheart", arguments->slicerheart,
+                  "Folder that SlicerHeart's ValveFemExport or `coapt export` wrote, instead")
+      .excludes("--leaflet")
+      .excludes("--annulus")
+      .excludes("--chordae");
+  command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
+      .required();
+  command.add_option("--triangles", options.triangles, "About how many triangles")
+      .show_default()
+      .check(number_from(100, 100000));
+  command.add_option("--branches", options.branches, "Insertions per chorda")
+      .show_default()
+      .check(number_from(1, 5));
+  command.add_option("--branch-at", options.branch_at, "Share of the way from tip to insertion")
+      .show_default();
+  command.add_option("--slack", options.slack, "Chordae lengths over straight distances")
+      .show_default();
+  command.add_option("--name", arguments->name, "Name of the valve").show_default("imported");
+  command.add_option("--provenance", arguments->provenance, "Source or licence, kept in the valve");
+  command.footer(
       "Examples:\n"
       "  coapt valve import --leaflet anterior.obj posterior.obj --annulus annulus.csv \\\n"
       "    --chordae chordae.csv --triangles 1400 -o valve.json\n\n"
       "A folder holds the leaflets and the chordae as .vtk (chordae as lines, or as .csv tables),\n"
       "the annulus as a closed curve and the papillary tips, labelled AL and PM, as .mrk.json:\n"
       "  coapt valve import --slicerheart FEM-model/ -o valve.json");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace coapt

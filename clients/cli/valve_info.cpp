@@ -95,13 +95,13 @@ int run(const ValveInfoArguments& arguments) {
 
 }  // namespace
 
-void add_valve_info(CLI::App& parent, int& status) {
+void add_valve_info(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveInfoArguments>();
-  CLI::App* command = parent.add_subcommand("info", "Say what a valve consists of");
-  command->add_option("valve", arguments->valve, kValveHelp)->required();
-  command->add_flag("--json", arguments->json, "Print JSON");
-  command->footer("Example:\n  coapt valve info human-p2-prolapse");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  Command command = parent.add_command("info", "Describe a valve");
+  command.add_option("valve", arguments->valve, kValveHelp).required();
+  command.add_flag("--json", arguments->json, "Print JSON");
+  command.footer("Example:\n  coapt valve info human-p2-prolapse");
+  command.on_run([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace coapt

@@ -4,8 +4,8 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
-#include "clients/cli/number_option.h"
 #include "core/presets/presets.h"
+#include "io/command_line/command_line.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/import_valve.h"
 
@@ -50,33 +50,23 @@ int run(ValveMakeArguments arguments) {
   return write_output(arguments.output, write_valve(*valve));
 }
 
-/// A usage error if any dimension is given on the command line.
-void refuse_dimensions(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->get_group() == kDimensions && option->count() > 0) {
-      throw CLI::ExcludesError("preset", option->get_name());
-    }
-  }
-}
-
 }  // namespace
 
-void add_valve_make(CLI::App& parent, int& status) {
+void add_valve_make(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveMakeArguments>();
   ParametricValve& dimensions = arguments->dimensions;
-  CLI::App* command = parent.add_subcommand("make", "Make a preset, or a valve from dimensions");
-  command->add_option("preset", arguments->preset, "Name of a preset")
-      ->check(CLI::IsMember(preset_names()));
-  command->add_option("--triangles", arguments->triangles, "About how many triangles")
-      ->check(number_from(100, 50000));
-  command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
-      ->required();
+  Command command = parent.add_command("make", "Make a preset, or a valve from dimensions");
+  command.add_option("preset", arguments->preset, "Name of a preset").one_of(preset_names());
+  command.add_option("--triangles", arguments->triangles, "About how many triangles")
+      .check(number_from(100, 50000));
+  command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
+      .required();
 
   const auto dimension = [&](const char* name, auto& value, const char* help) {
-    return command->add_option(name, value, help)->group(kDimensions)->capture_default_str();
+    return command.add_option(name, value, help).group(kDimensions).show_default();
   };
   const auto proportion = [&](const char* name, std::optional<double>& value, const char* help) {
-    return command->add_option(name, value, help)->group(kDimensions);
+    return command.add_option(name, value, help).group(kDimensions);
   };
   dimension("--name", dimensions.name, "Name of the valve");
   dimension("--ap-mm", dimensions.ap_mm, "Annulus, anteroposterior");
@@ -103,18 +93,18 @@ void add_valve_make(CLI::App& parent, int& status) {
   dimension("--posterior-slack", dimensions.posterior_slack, "Times slack, posterior marginal");
   dimension("--strut-slack", dimensions.strut_slack, "Times slack, strut");
   dimension("--basal-slack", dimensions.basal_slack, "Times slack, basal");
-  CLI::Option* annulus =
+  Option annulus =
       dimension("--annulus", arguments->annulus, "Measured contour, CSV of x,y,z lines");
-  CLI::Option* tips = dimension("--tips", arguments->tips, "Measured papillary tips, CSV");
-  annulus->needs(tips);
-  tips->needs(annulus);
-  command->footer(
+  Option tips = dimension("--tips", arguments->tips, "Measured papillary tips, CSV");
+  annulus.needs(tips);
+  tips.needs(annulus);
+  command.footer(
       "Examples:\n"
       "  coapt valve make human-normal -o normal.json\n"
       "  coapt valve make porcine-1 --triangles 2600 -o porcine-1.json\n"
       "  coapt valve make --ap-mm 34 --tip-depth-mm 26 -o large.json");
-  command->callback([=, &status] {
-    if (!arguments->preset.empty()) refuse_dimensions(*command);
+  command.on_run([=, &status] {
+    if (!arguments->preset.empty()) command.refuse_group("preset", kDimensions);
     status = run(*arguments);
   });
 }

@@ -37,34 +37,34 @@ int run(ValveRemodelArguments arguments) {
 
 }  // namespace
 
-void add_valve_remodel(CLI::App& parent, int& status) {
+void add_valve_remodel(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveRemodelArguments>();
-  CLI::App* command =
-      parent.add_subcommand("remodel", "Dilate or flatten the annulus, displace papillary tips");
-  command->add_option("valve", arguments->valve, kValveHelp)->required();
+  Command command =
+      parent.add_command("remodel", "Dilate or flatten the annulus, displace papillary tips");
+  command.add_option("valve", arguments->valve, kValveHelp).required();
   command
-      ->add_option("--ap-dilation", arguments->change.ap_dilation_percent,
-                   "Anteroposterior dilation, per cent; the transverse dimension is held")
-      ->capture_default_str();
+      .add_option("--ap-dilation", arguments->change.ap_dilation_percent,
+                  "Anteroposterior dilation, per cent; the transverse dimension is held")
+      .show_default();
   command
-      ->add_option("--annular-height", arguments->change.annular_height_percent,
-                   "Saddle height, per cent of the present one")
-      ->capture_default_str();
+      .add_option("--annular-height", arguments->change.annular_height_percent,
+                  "Saddle height, per cent of the present one")
+      .show_default();
   const auto displacement = [&](const char* name, std::vector<double>& value, const char* help) {
-    command->add_option(name, value, help)->delimiter(',')->expected(3)->capture_default_str();
+    command.add_option(name, value, help).split_at(',').count(3, 3).show_default();
   };
   displacement("--displace-al", arguments->anterolateral_mm,
                "Anterolateral tip: outwards,posterior,apical in mm");
   displacement("--displace-pm", arguments->posteromedial_mm,
                "Posteromedial tip: outwards,posterior,apical in mm");
-  command->add_option("--name", arguments->name, "Name of the new valve")
-      ->default_str("the old name and \"remodelled\"");
-  command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
-      ->required();
-  command->footer(
+  command.add_option("--name", arguments->name, "Name of the new valve")
+      .show_default("the old name and \"remodelled\"");
+  command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
+      .required();
+  command.footer(
       "Example:\n"
       "  coapt valve remodel human-normal --ap-dilation 15 --displace-pm 4,2,3 -o leaking.json");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace coapt

@@ -1,17 +1,19 @@
-// What tolerances cost in accuracy: tiers of settings of method fast, each with the error of the orifice
-// that was measured for it.
+// What tolerances cost in accuracy: tiers of settings of method fast, each with the error of the
+// orifice that was measured for it.
 //
-// Error: orifice of a closure at the tier's tolerances less that of the same closure carried on in double
-// precision to residual 1e-6, on the same mesh of about 650 triangles with the same membrane. It is that
-// of stopping early: neither that of the mesh nor the distance to another equilibrium of the same valve.
-// The largest errors are of single scenes that end in another fold, or were tried again where the other
-// was not; they hardly fall with the tolerance, so tiers are chosen by what 99 of 100 scenes keep.
-// `bench/tolerances` measures the table of accuracy.cpp again.
+// Error: orifice of a closure at the tier's tolerances less that of the same closure carried on in
+// double precision to residual 1e-6, on the same mesh of about 650 triangles with the same
+// membrane. It is that of stopping early: neither that of the mesh nor the distance to another
+// equilibrium of the same valve. The largest errors are of single scenes that end in another fold,
+// or were tried again where the other was not; they hardly fall with the tolerance, so tiers are
+// chosen by what 99 of 100 scenes keep. `lab/closures/tolerances` measures the table of
+// accuracy.cpp again.
 #pragma once
 
 #include <vector>
 
-#include "core/closure/closure.h"
+#include "core/closure/closure_options.h"
+#include "core/valve/types.h"
 
 namespace coapt {
 
@@ -26,7 +28,7 @@ struct AccuracyTier {
   TierError springs, continuum;
 };
 
-/// 100 of each of five presets (bench/tolerances.cpp).
+/// 100 of each of five presets (lab/closures/tolerances.cpp).
 inline constexpr int kAccuracyScenes = 500;
 
 /// Cheapest first; errors of 99 % fall and times rise from tier to tier.
@@ -34,8 +36,8 @@ const std::vector<AccuracyTier>& accuracy_tiers();
 
 const TierError& error_of(const AccuracyTier& tier, Membrane membrane);
 
-/// The cheapest tier that keeps within `orifice_mm2` in 99 of 100 scenes. What no tier keeps, or is not
-/// a number, is an error at "/accuracy" that names the accepted range.
+/// The cheapest tier that keeps within `orifice_mm2` in 99 of 100 scenes. What no tier keeps, or is
+/// not a number, is an error at "/accuracy" that names the accepted range.
 Expected<AccuracyTier> choose_tier(double orifice_mm2, Membrane membrane);
 
 /// `options` at a tier's tolerances.

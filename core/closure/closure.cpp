@@ -1,5 +1,5 @@
-// The ladder: each method has settings from quick to careful. The first attempt that converges without
-// crossing is the result; if none does, the best of them is, and says so.
+// The ladder: each method has settings from quick to careful. The first attempt that converges
+// without crossing is the result; if none does, the best of them is, and says so.
 
 #include "core/closure/closure.h"
 
@@ -16,7 +16,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kLost_mm = 1000.0;  // a node this far out: diverged
 constexpr int kFastSteps = 6000, kPatientSteps = 20000, kThesisSteps = 40000;
 constexpr double kPartResidual = 0.05, kPartWay_mm = 0.2;  // of a part of the load
 // What single precision reaches: rounding of positions is 1e-4 of the pressure force.
@@ -130,18 +129,18 @@ std::optional<ClosureRun> start_from(const Valve& valve, const ClosureModel& mod
   start.guarded_faces = neighbour.guarded_faces;
   int next = model.vertices;
   for (std::size_t c = 0; c < valve.chordae.size(); ++c)
-    for (std::size_t s = 0; s < valve.chordae[c].segments.size(); ++s) {
+    for (Index s = 0; s < std::ssize(valve.chordae[c].segments); ++s) {
       if (valve.chordae[c].segments[s].inserts) continue;
       const int node = next++;
-      if (!model.fixed[static_cast<std::size_t>(node)] && c < neighbour.branch_points_mm.size() &&
-          static_cast<Eigen::Index>(s) < neighbour.branch_points_mm[c].rows())
-        start.x_mm.row(node) = neighbour.branch_points_mm[c].row(static_cast<Eigen::Index>(s));
+      if (!model.fixed[node] && c < neighbour.branch_points_mm.size() &&
+          s < neighbour.branch_points_mm[c].rows())
+        start.x_mm.row(node) = neighbour.branch_points_mm[c].row(s);
     }
   return start;
 }
 
-/// Whether attempt `a` says more than `b`: converged before at the limit before diverged, then fewer
-/// crossings, then the smaller residual.
+/// Whether attempt `a` says more than `b`: converged before at the limit before diverged, then
+/// fewer crossings, then the smaller residual.
 bool is_better(const ClosureAttempt& a, const ClosureAttempt& b) {
   return std::tuple(a.status, a.crossing_pairs, a.residual) <
          std::tuple(b.status, b.crossing_pairs, b.residual);
@@ -156,25 +155,20 @@ void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x
     result.tension_n.emplace_back(chorda.segments.size(), 0.0);
     for (std::size_t s = 0; s < chorda.segments.size(); ++s) {
       const ChordaSegment& segment = chorda.segments[s];
-      const auto row = static_cast<Eigen::Index>(s);
       if (!segment.inserts) {
-        ends.row(row) = x.row(next_branch++);
+        ends.row(s) = x.row(next_branch++);
         continue;
       }
-      ends.row(row).setZero();
+      ends.row(s).setZero();
       for (int k = 0; k < 3; ++k)
-        ends.row(row) += segment.insertion.weights[static_cast<std::size_t>(k)] *
-                         x.row(valve.faces(segment.insertion.face, k));
+        ends.row(s) += segment.insertion.weights[k] * x.row(valve.faces(segment.insertion.face, k));
     }
   }
   for (const Cable& cable : model.cables)
-    result.tension_n[static_cast<std::size_t>(cable.chorda)]
-                    [static_cast<std::size_t>(cable.segment)] = tension_n(cable, x);
+    result.tension_n[cable.chorda][cable.segment] = tension_n(cable, x);
 }
 
 }  // namespace
-
-bool lost(const Points& x_mm) { return !x_mm.allFinite() || x_mm.cwiseAbs().maxCoeff() > kLost_mm; }
 
 ClosureResult close_valve(const Valve& valve, const ClosureOptions& options,
                           const ClosureResult* neighbour) {
@@ -216,38 +210,6 @@ ClosureResult close_valve(const Valve& valve, const ClosureOptions& options,
   if (result.samples_mm.empty()) result.samples_mm.push_back(result.closed_mm);
   read_chordae(valve, model, best.x_mm, result);
   return result;
-}
-
-const char* to_string(Method method) {
-  switch (method) {
-    case Method::Fast:
-      return "fast";
-    case Method::Thesis:
-      return "thesis";
-  }
-  return "";
-}
-
-const char* to_string(Membrane membrane) {
-  switch (membrane) {
-    case Membrane::Springs:
-      return "springs";
-    case Membrane::Continuum:
-      return "continuum";
-  }
-  return "";
-}
-
-const char* to_string(ClosureStatus status) {
-  switch (status) {
-    case ClosureStatus::Converged:
-      return "converged";
-    case ClosureStatus::StepLimit:
-      return "step_limit";
-    case ClosureStatus::Diverged:
-      return "diverged";
-  }
-  return "";
 }
 
 }  // namespace coapt

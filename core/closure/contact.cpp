@@ -48,10 +48,10 @@ std::optional<Touch> touch(const ContactPair& pair, const Weights& w, const Poin
 
 Boxes boxes_around(const std::vector<std::array<int, 3>>& features, const Points& x,
                    double reach_mm) {
-  const auto count = static_cast<Eigen::Index>(features.size());
+  const Index count = std::ssize(features);
   Boxes boxes{Points(count, 3), Points(count, 3)};
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto& f = features[static_cast<std::size_t>(i)];
+  for (Index i = 0; i < count; ++i) {
+    const auto& f = features[i];
     boxes.low_mm.row(i) =
         x.row(f[0]).cwiseMin(x.row(f[1])).cwiseMin(x.row(f[2])).array() - reach_mm;
     boxes.high_mm.row(i) =
@@ -66,41 +66,23 @@ ContactLaw edge_law(const ContactLaw& law) {
   return {kEdgeShare * law.thickness_mm, law.stiffness_n_per_mm4 / (kEdgeShare * kEdgeShare), true};
 }
 
-std::vector<ContactSides> contact_sides(SelfContact self) {
-  switch (self) {
-    case SelfContact::All:
-      return {ContactSides{}};
-    case SelfContact::NotAnterior:
-      return {{{true, false, false}, {false, true, true}},
-              {{false, true, true}, {true, true, true}}};
-    case SelfContact::None:
-      return {{{true, false, false}, {false, true, true}},
-              {{false, true, false}, {true, false, true}},
-              {{false, false, true}, {true, true, false}}};
-  }
-  return {};
-}
-
 std::vector<int> vertices_of(const ClosureModel& model, const ContactSides& sides) {
-  std::vector<int> first(static_cast<std::size_t>(model.vertices), kLeaflets - 1);
+  std::vector<int> first(model.vertices, kLeaflets - 1);
   for (std::size_t f = 0; f < model.leaflet.size(); ++f)
     for (int k = 0; k < 3; ++k) {
-      int& leaflet = first[static_cast<std::size_t>(model.faces(static_cast<Eigen::Index>(f), k))];
+      int& leaflet = first[model.faces(f, k)];
       leaflet = std::min(leaflet, model.leaflet[f]);
     }
   std::vector<int> vertices;
   for (int v = 0; v < model.vertices; ++v)
-    if (sides.vertices[static_cast<std::size_t>(first[static_cast<std::size_t>(v)])])
-      vertices.push_back(v);
+    if (sides.vertices[first[v]]) vertices.push_back(v);
   return vertices;
 }
 
 std::vector<int> faces_of(const ClosureModel& model, const ContactSides& sides) {
   std::vector<int> faces;
   for (int f = 0; f < static_cast<int>(model.faces.rows()); ++f)
-    if (model.leaflet.empty() ||
-        sides.faces[static_cast<std::size_t>(model.leaflet[static_cast<std::size_t>(f)])])
-      faces.push_back(f);
+    if (model.leaflet.empty() || sides.faces[model.leaflet[f]]) faces.push_back(f);
   return faces;
 }
 
@@ -152,7 +134,7 @@ std::pair<double, double> closest_point_shares(const Vec3& a, const Vec3& b, con
 
 std::vector<std::pair<int, int>> overlapping(const Boxes& a, const Boxes& b) {
   const auto by_low = [](const Boxes& boxes) {
-    std::vector<int> order(static_cast<std::size_t>(boxes.low_mm.rows()));
+    std::vector<int> order(boxes.low_mm.rows());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int i, int j) {
       const double p = boxes.low_mm(i, 0), q = boxes.low_mm(j, 0);
@@ -197,7 +179,7 @@ void Contact::add_candidate(const ClosureModel& model, const std::array<int, 4>&
                             bool edges) {
   const ContactLaw law = edges ? edge_law(law_) : law_;
   ContactPair pair{nodes, pair_thickness_mm(law, model, nodes, edges), 0.0};
-  const auto area = [&](int n) { return model.area_mm2[static_cast<std::size_t>(n)]; };
+  const auto area = [&](int n) { return model.area_mm2[n]; };
   const double shared =
       edges ? 0.25 * (area(nodes[0]) + area(nodes[1]) + area(nodes[2]) + area(nodes[3]))
             : area(nodes[0]);
@@ -218,8 +200,8 @@ void Contact::renew(const ClosureModel& model, const Points& x) {
       faces.push_back({model.faces(f, 0), model.faces(f, 1), model.faces(f, 2)});
     for (const auto& [i, j] :
          overlapping(boxes_around(vertices, x, reach), boxes_around(faces, x, reach))) {
-      const int v = vertex[static_cast<std::size_t>(i)];
-      const auto& n = faces[static_cast<std::size_t>(j)];
+      const int v = vertex[i];
+      const auto& n = faces[j];
       if (n[0] != v && n[1] != v && n[2] != v) add_candidate(model, {v, n[0], n[1], n[2]}, false);
     }
   }
@@ -229,7 +211,7 @@ void Contact::renew(const ClosureModel& model, const Points& x) {
   if (edges.empty()) return;
   const Boxes boxes = boxes_around(edges, x, 0.5 * (edge_law(law_).thickness_mm + kMargin_mm));
   for (const auto& [i, j] : overlapping(boxes, boxes)) {
-    const auto &e = edges[static_cast<std::size_t>(i)], &g = edges[static_cast<std::size_t>(j)];
+    const auto &e = edges[i], &g = edges[j];
     if (i < j && e[0] != g[0] && e[0] != g[1] && e[1] != g[0] && e[1] != g[1])
       add_candidate(model, {e[0], e[1], g[0], g[1]}, true);
   }

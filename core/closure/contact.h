@@ -5,10 +5,10 @@
 // exact closest point; contact pressure stiffness x (h - d)^2 on the vertex's rest area for d < h,
 // every pair in range, equal and opposite on the triangle. With `edges` also pairs of edges, on the
 // area around both and from half the thickness on: it stops the sharp folds of surplus tissue from
-// passing through each other edge by edge, for twice the cost; the closure asks for it when needed. Only pairs that share a vertex
-// are left out. Near neighbours would touch already at rest: a pair's thickness is at most 0.8 of
-// its rest distance, and its stiffness grows by the same factor. Leaving pairs out by rest distance
-// instead lets the leaflets cross at the commissures.
+// passing through each other edge by edge, for twice the cost; the closure asks for it when needed.
+// Only pairs that share a vertex are left out. Near neighbours would touch already at rest: a
+// pair's thickness is at most 0.8 of its rest distance, and its stiffness grows by the same factor.
+// Leaving pairs out by rest distance instead lets the leaflets cross at the commissures.
 #pragma once
 
 #include <utility>
@@ -26,12 +26,13 @@ struct ContactLaw {
   SelfContact self = SelfContact::All;
 };
 
-/// The vertices of those leaflets (each of the first that has it) and the faces, in ascending order.
+/// The vertices of those leaflets (each of the first that has it) and the faces, in ascending
+/// order.
 std::vector<int> vertices_of(const ClosureModel& model, const ContactSides& sides);
 std::vector<int> faces_of(const ClosureModel& model, const ContactSides& sides);
 
-/// The law between edges: only a net under that of vertices and faces, at a share of its thickness and
-/// with the same largest pressure.
+/// The law between edges: only a net under that of vertices and faces, at a share of its thickness
+/// and with the same largest pressure.
 ContactLaw edge_law(const ContactLaw& law);
 
 /// Closest point of triangle (a, b, c) to p, as barycentric weights (Ericson 2005, 5.1.5).
@@ -53,15 +54,16 @@ struct Boxes {
   Points low_mm, high_mm;
 };
 
-/// All pairs (i, j) whose boxes a_i and b_j overlap, in the order of a sweep along x (sweep and prune).
+/// All pairs (i, j) whose boxes a_i and b_j overlap, in the order of a sweep along x (sweep and
+/// prune).
 std::vector<std::pair<int, int>> overlapping(const Boxes& a, const Boxes& b);
 
 /// A pair's own thickness: what the law says, but at most 0.8 of the distance at rest, mm.
 double pair_thickness_mm(const ContactLaw& law, const ClosureModel& model,
                          const std::array<int, 4>& nodes, bool edges);
 
-/// A pair nearer than its thickness. Moving node k by d moves the first feature off the second one by
-/// weights[k] x d . direction.
+/// A pair nearer than its thickness. Moving node k by d moves the first feature off the second one
+/// by weights[k] x d . direction.
 struct Touch {
   std::array<int, 4> nodes = {0, 0, 0, 0};
   std::array<double, 4> weights = {0.0, 0.0, 0.0, 0.0};  ///< signed

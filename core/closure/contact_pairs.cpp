@@ -7,24 +7,24 @@ namespace coapt {
 using kernels::kLanes;
 
 namespace {
-// Share of the thickness beyond it: pairs that are further apart at rest have the full thickness (0.25).
+// Share of the thickness beyond it: pairs that are further apart at rest have the full thickness
+// (0.25).
 constexpr double kNearAtRest = 0.3;
-constexpr std::size_t kFirstRoom = 4096;
+constexpr int kFirstRoom = 4096;
 constexpr double kRounding_mm = 1e-4;  // of positions in single precision, amply
 
 /// What `list(first, second, room)` finds, once there is room for all of it.
 template <class List>
 std::vector<std::pair<int, int>> all_pairs(List list) {
   std::vector<int> first(kFirstRoom), second(kFirstRoom);
-  int found = list(first.data(), second.data(), static_cast<int>(kFirstRoom));
-  if (static_cast<std::size_t>(found) > kFirstRoom) {
-    first.resize(static_cast<std::size_t>(found));
-    second.resize(static_cast<std::size_t>(found));
+  int found = list(first.data(), second.data(), kFirstRoom);
+  if (found > kFirstRoom) {
+    first.resize(found);
+    second.resize(found);
     found = list(first.data(), second.data(), found);
   }
   std::vector<std::pair<int, int>> pairs;
-  for (std::size_t p = 0; p < static_cast<std::size_t>(found); ++p)
-    pairs.emplace_back(first[p], second[p]);
+  for (int p = 0; p < found; ++p) pairs.emplace_back(first[p], second[p]);
   return pairs;
 }
 
@@ -49,8 +49,8 @@ ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>&
   first_ = make_clusters<R>(model.rest_mm, first, node_of);
   for (std::size_t at = 0; at < first_.index.size(); ++at) {
     if (first_.index[at] < 0) continue;
-    const FeatureNodes& n = first[static_cast<std::size_t>(first_.index[at])];
-    const auto area = [&](int node) { return model.area_mm2[static_cast<std::size_t>(node)]; };
+    const FeatureNodes& n = first[first_.index[at]];
+    const auto area = [&](int node) { return model.area_mm2[node]; };
     first_.clusters[at / kLanes].area_mm2.at[at % kLanes] = static_cast<R>(
         kind == PairKind::VertexFace ? area(n[0]) : 0.25 * (area(n[0]) + area(n[1])));
   }
@@ -65,12 +65,10 @@ void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, const std::ve
                                         const std::vector<FeatureNodes>& first,
                                         const std::vector<FeatureNodes>& second) {
   const bool edges = kind_ == PairKind::EdgeEdge;
-  std::vector<kernels::Quad<R>> rest(
-      static_cast<std::size_t>(*std::max_element(node_of.begin(), node_of.end())) + 1);
+  std::vector<kernels::Quad<R>> rest(*std::max_element(node_of.begin(), node_of.end()) + 1);
   for (std::size_t i = 0; i < node_of.size(); ++i) {
-    kernels::Quad<R>& quad = rest[static_cast<std::size_t>(node_of[i])];
-    for (int k = 0; k < 3; ++k)
-      quad.at[k] = static_cast<R>(model.rest_mm(static_cast<Eigen::Index>(i), k));
+    kernels::Quad<R>& quad = rest[node_of[i]];
+    for (int k = 0; k < 3; ++k) quad.at[k] = static_cast<R>(model.rest_mm(i, k));
     quad.at[3] = static_cast<R>(kNearAtRest * law_.thickness_mm);
   }
   const kernels::PairSearch<R> near = search(rest);
@@ -79,11 +77,9 @@ void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, const std::ve
   });
   int own = 0;
   for (const auto& [i, j] : found) {
-    for (; own < i / kLanes; ++own)
-      near_begin_[static_cast<std::size_t>(own) + 1] = static_cast<int>(near_.size());
-    const auto& a = first[static_cast<std::size_t>(first_.index[static_cast<std::size_t>(i)])];
-    const auto& b =
-        second[static_cast<std::size_t>(this->second().index[static_cast<std::size_t>(j)])];
+    for (; own < i / kLanes; ++own) near_begin_[own + 1] = static_cast<int>(near_.size());
+    const auto& a = first[first_.index[i]];
+    const auto& b = second[this->second().index[j]];
     const bool shared = std::any_of(
         a.begin(), a.end(), [&](int n) { return std::find(b.begin(), b.end(), n) != b.end(); });
     const double thickness =
@@ -92,15 +88,15 @@ void ContactPairs<R>::find_near_at_rest(const ClosureModel& model, const std::ve
                      law_, model,
                      {a[0], edges ? a[1] : b[0], edges ? b[0] : b[1], edges ? b[1] : b[2]}, edges);
     if (thickness >= law_.thickness_mm) continue;
-    if (static_cast<int>(near_.size()) == near_begin_[static_cast<std::size_t>(own)] ||
-        near_.back().cluster != j / kLanes || near_.back().lane != i % kLanes) {
+    if (static_cast<int>(near_.size()) == near_begin_[own] || near_.back().cluster != j / kLanes ||
+        near_.back().lane != i % kLanes) {
       near_.push_back({j / kLanes, i % kLanes, {}});
       for (R& t : near_.back().thickness_mm.at) t = static_cast<R>(law_.thickness_mm);
     }
     near_.back().thickness_mm.at[j % kLanes] = static_cast<R>(thickness);
   }
   for (; own + 1 < static_cast<int>(near_begin_.size()); ++own)
-    near_begin_[static_cast<std::size_t>(own) + 1] = static_cast<int>(near_.size());
+    near_begin_[own + 1] = static_cast<int>(near_.size());
 }
 
 template <class R>
@@ -127,7 +123,7 @@ void ContactPairs<R>::list(const std::vector<kernels::Quad<R>>& listed) {
     const auto room = static_cast<int>(blocks_.size());
     block_count_ = kernels_.list_pairs(near, blocks_.data(), room);
     if (block_count_ <= room) return;
-    blocks_.resize(static_cast<std::size_t>(block_count_ + block_count_ / 4));
+    blocks_.resize(block_count_ + block_count_ / 4);
   }
 }
 
@@ -150,8 +146,8 @@ std::vector<std::pair<int, int>> ContactPairs<R>::straddling(
   auto pairs = all_pairs(
       [&](int* f, int* g, int room) { return kernels_.straddling_faces(faces, f, g, room); });
   for (auto& [f, g] : pairs) {
-    f = second_.index[static_cast<std::size_t>(f)];
-    g = second_.index[static_cast<std::size_t>(g)];
+    f = second_.index[f];
+    g = second_.index[g];
   }
   return pairs;
 }

@@ -1,5 +1,5 @@
-// Contact for the kernels: the same law and pairs as contact.h, found among clusters of sixteen features
-// and pushed apart sixteen at a time.
+// Contact for the kernels: the same law and pairs as contact.h, found among clusters of sixteen
+// features and pushed apart sixteen at a time.
 #pragma once
 
 #include <vector>
@@ -23,17 +23,17 @@ class ContactPairs {
                PairKind kind, const kernels::Kernels<R>& kernels,
                const std::vector<std::array<int, 2>>& edges = {}, const ContactSides& sides = {});
 
-  /// Lists the pairs that are nearer than their thickness and margin. `listed`: positions and, as fourth,
-  /// margins of all nodes, mm; that of a pair is the largest of its nodes.
+  /// Lists the pairs that are nearer than their thickness and margin. `listed`: positions and, as
+  /// fourth, margins of all nodes, mm; that of a pair is the largest of its nodes.
   void list(const std::vector<kernels::Quad<R>>& listed);
 
-  /// Adds the contact forces and stiffness of the listed pairs. Those that cannot touch before nodes have
-  /// used up that share of their margins are passed over.
+  /// Adds the contact forces and stiffness of the listed pairs. Those that cannot touch before
+  /// nodes have used up that share of their margins are passed over.
   void push(const std::vector<kernels::Quad<R>>& x, double used,
             std::vector<kernels::Quad<R>>& force);
 
-  /// Ordered pairs (f, g) of faces of which f may pierce g (crossing.h); every pair that does is among
-  /// them. @pre The kind is VertexFace.
+  /// Ordered pairs (f, g) of faces of which f may pierce g (crossing.h); every pair that does is
+  /// among them. @pre The kind is VertexFace.
   std::vector<std::pair<int, int>> straddling(const std::vector<kernels::Quad<R>>& x);
 
  private:

@@ -103,16 +103,15 @@ SheetLaw sheet_law(const Tissue& tissue) {
 }
 
 std::vector<Sheet> make_sheets(const Valve& valve) {
-  std::vector<Sheet> sheets(static_cast<std::size_t>(valve.faces.rows()));
-  for (std::size_t f = 0; f < sheets.size(); ++f) {
-    const auto row = static_cast<Eigen::Index>(f);
+  std::vector<Sheet> sheets(valve.faces.rows());
+  for (Index f = 0; f < valve.faces.rows(); ++f) {
     Sheet& sheet = sheets[f];
-    sheet.node = {valve.faces(row, 0), valve.faces(row, 1), valve.faces(row, 2)};
+    sheet.node = {valve.faces(f, 0), valve.faces(f, 1), valve.faces(f, 2)};
     const Vec3 a = valve.rest_mm.row(sheet.node[0]);
     const Vec3 ab = valve.rest_mm.row(sheet.node[1]).transpose() - a;
     const Vec3 ac = valve.rest_mm.row(sheet.node[2]).transpose() - a;
     const Vec3 normal = ab.cross(ac);
-    const Vec3 across = normal.cross(Vec3(valve.fibre.row(row))).normalized();
+    const Vec3 across = normal.cross(Vec3(valve.fibre.row(f))).normalized();
     const Vec3 along = across.cross(normal).normalized();
     Eigen::Matrix2d edges;
     edges << along.dot(ab), along.dot(ac), across.dot(ab), across.dot(ac);

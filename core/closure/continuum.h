@@ -1,5 +1,5 @@
-// Membrane `continuum`: constant-strain triangles of an orthotropic hyperelastic tissue. What springs
-// make of a material depends on the mesh; this one converges to it under refinement.
+// Membrane `continuum`: constant-strain triangles of an orthotropic hyperelastic tissue. What
+// springs make of a material depends on the mesh; this one converges to it under refinement.
 //
 // f1 and f2 are the images of the unit vectors along and across the fibre in the unstressed face.
 // Strains: e1 = |f1| - 1, e2 = |f2| - 1, shear g = f1 . f2, e+ = |f1 + f2| / sqrt 2 - 1 and
@@ -7,21 +7,21 @@
 //   (E1 e1^2 + 2 nu sqrt(E1 E2) e1 e2 + E2 e2^2) / (2 (1 - nu^2)) + G g^2 / 2
 //   + sum over k = 1, 2, +, - of D_k max(0, e_k - t_k)^2 / 2
 // First line, a matrix: plane stress with the moduli before transition (table 2.1 of the thesis),
-// nu = 1/3 and G = sqrt(E1 E2) / (2 (1 + nu)) (Huber 1923), as van Gelder's springs have on equilateral
-// triangles. It takes compression, like the springs. Second line, fibres that are slack until their
-// transition: along the axes D = E_post - E_pre; along the diagonals half of that, with moduli and
-// transition of 45 degrees by equation 2.3. These weights, 1, 1, 1/2, 1/2, are those of van Gelder's
-// springs on squares with alternating diagonals.
+// nu = 1/3 and G = sqrt(E1 E2) / (2 (1 + nu)) (Huber 1923), as van Gelder's springs have on
+// equilateral triangles. It takes compression, like the springs. Second line, fibres that are slack
+// until their transition: along the axes D = E_post - E_pre; along the diagonals half of that, with
+// moduli and transition of 45 degrees by equation 2.3. These weights, 1, 1, 1/2, 1/2, are those of
+// van Gelder's springs on squares with alternating diagonals.
 //
-// So a strip along or across the fibre follows equation 2.4 to the letter until its diagonals are straight
-// too (above strains of 0.5 with table 2.1), and equal moduli before and after transition are the
-// isotropic membrane E, nu at small strain. Once all fibres are straight, equal moduli along and across
-// give 1.2 E_post in a strip, E_post / (1 - nu) in equibiaxial tension and G = E_post / 4; table 2.1
-// gives 1.12 E_post along and 1.48 E_post across.
+// So a strip along or across the fibre follows equation 2.4 to the letter until its diagonals are
+// straight too (above strains of 0.5 with table 2.1), and equal moduli before and after transition
+// are the isotropic membrane E, nu at small strain. Once all fibres are straight, equal moduli
+// along and across give 1.2 E_post in a strip, E_post / (1 - nu) in equibiaxial tension and G =
+// E_post / 4; table 2.1 gives 1.12 E_post along and 1.48 E_post across.
 //
-// A Fung-type law (May-Newman and Yin 1998, exponential in the strains) stiffens gradually, and strain in one
-// direction stiffens all others. Here each direction stiffens at once, and all of them only through
-// the diagonals; what is left out is the curved toe between the two moduli.
+// A Fung-type law (May-Newman and Yin 1998, exponential in the strains) stiffens gradually, and
+// strain in one direction stiffens all others. Here each direction stiffens at once, and all of
+// them only through the diagonals; what is left out is the curved toe between the two moduli.
 #pragma once
 
 #include <array>
@@ -66,11 +66,12 @@ double sheet_energy(const SheetLaw& law, const Sheet& sheet, const Points& x);
 /// Adds minus the gradient of the energy, N.
 void add_sheet_forces(const SheetLaw& law, const Sheet& sheet, const Points& x, Points& force);
 
-/// For each corner, N/mm: the sum of these over its faces bounds the stiffness matrix K of the membrane
-/// from above: v . K v <= sum over nodes of it |v|^2 (rows of Gershgorin, for blocks).
+/// For each corner, N/mm: the sum of these over its faces bounds the stiffness matrix K of the
+/// membrane from above: v . K v <= sum over nodes of it |v|^2 (rows of Gershgorin, for blocks).
 std::array<double, 3> row_sums(const SheetLaw& law, const Sheet& sheet, const Points& x);
 
-/// The same at small strain with all fibres straight: the stiffest that the tissue becomes in a valve.
+/// The same at small strain with all fibres straight: the stiffest that the tissue becomes in a
+/// valve.
 std::array<double, 3> stiffest_row_sums(const SheetLaw& law, const Sheet& sheet);
 
 }  // namespace coapt

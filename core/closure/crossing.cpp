@@ -21,12 +21,10 @@ bool edge_pierces(const Faces& faces, const Points& x, int f, int g) {
   const Vec3 a = x.row(faces(g, 0)), b = x.row(faces(g, 1)), c = x.row(faces(g, 2));
   const Vec3 normal = (b - a).cross(c - a);
   std::array<double, 3> height;
-  for (int k = 0; k < 3; ++k)
-    height[static_cast<std::size_t>(k)] = normal.dot(Vec3(x.row(faces(f, k))) - a);
+  for (int k = 0; k < 3; ++k) height[k] = normal.dot(Vec3(x.row(faces(f, k))) - a);
   for (int k = 0; k < 3; ++k) {
     const int i = faces(f, k), j = faces(f, (k + 1) % 3);
-    const double above = height[static_cast<std::size_t>(k)],
-                 below = height[static_cast<std::size_t>((k + 1) % 3)];
+    const double above = height[k], below = height[(k + 1) % 3];
     if ((above > 0.0) == (below > 0.0) || above == 0.0 || below == 0.0) continue;
     if (has_vertex(faces, g, i) || has_vertex(faces, g, j)) continue;
     const Vec3 p = x.row(i), q = x.row(j);
@@ -39,12 +37,12 @@ bool edge_pierces(const Faces& faces, const Points& x, int f, int g) {
 
 std::vector<std::pair<int, int>> crossing_pairs(const Faces& faces, const Points& x) {
   Points low(faces.rows(), 3), high(faces.rows(), 3);
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+  for (Index f = 0; f < faces.rows(); ++f) {
     const auto a = x.row(faces(f, 0)), b = x.row(faces(f, 1)), c = x.row(faces(f, 2));
     low.row(f) = a.cwiseMin(b).cwiseMin(c);
     high.row(f) = a.cwiseMax(b).cwiseMax(c);
   }
-  std::vector<int> order(static_cast<std::size_t>(faces.rows()));
+  std::vector<int> order(faces.rows());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int f, int g) {
     return low(f, 0) < low(g, 0) || (low(f, 0) == low(g, 0) && f < g);

@@ -16,7 +16,8 @@ namespace coapt {
 /// Whether an edge of face f that has no vertex in face g pierces g.
 bool edge_pierces(const Faces& faces, const Points& x, int f, int g);
 
-/// Pairs (f < g) of faces that pass through each other, in ascending order: all boxes that meet are tested.
+/// Pairs (f < g) of faces that pass through each other, in ascending order: all boxes that meet are
+/// tested.
 std::vector<std::pair<int, int>> crossing_pairs(const Faces& faces, const Points& x);
 
 }  // namespace coapt

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
+
+#include "core/valve/leaflet_of.h"
 
 namespace coapt {
 namespace {
@@ -87,7 +90,7 @@ void add_membrane(const Valve& valve, Membrane membrane, ClosureModel& model) {
     const Vec3 c = vertex(valve.rest_mm, valve.faces(f, 2));
     const double third = (b - a).cross(c - a).norm() / 6.0;
     for (int k = 0; k < 3; ++k) {
-      const auto i = static_cast<std::size_t>(valve.faces(f, k));
+      const int i = valve.faces(f, k);
       model.area_mm2[i] += third;
       model.mass_g[i] += tissue.density_g_per_mm3 * tissue.thickness_mm * third;
     }
@@ -99,25 +102,23 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
   int next_branch = model.vertices;
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
     const Chorda& chorda = valve.chordae[c];
-    const PapillaryHead& head = valve.heads[static_cast<std::size_t>(chorda.head)];
+    const PapillaryHead& head = valve.heads[chorda.head];
     std::vector<int> branch_node(chorda.segments.size(), -1);
     for (std::size_t s = 0; s < chorda.segments.size(); ++s) {
       const ChordaSegment& segment = chorda.segments[s];
       Cable cable;
       cable.chorda = static_cast<int>(c);
       cable.segment = static_cast<int>(s);
-      cable.start = segment.parent < 0 ? heads + chorda.head
-                                       : branch_node[static_cast<std::size_t>(segment.parent)];
+      cable.start = segment.parent < 0 ? heads + chorda.head : branch_node[segment.parent];
       if (segment.inserts) {
-        for (int k = 0; k < 3; ++k)
-          cable.end[static_cast<std::size_t>(k)] = valve.faces(segment.insertion.face, k);
+        for (int k = 0; k < 3; ++k) cable.end[k] = valve.faces(segment.insertion.face, k);
         cable.weights = segment.insertion.weights;
       } else {
         cable.end = {next_branch, next_branch, next_branch};
         branch_node[s] = next_branch;
         model.rest_mm.row(next_branch) = segment.branch_point_mm;
         model.target_mm.row(next_branch) = segment.branch_point_mm + head.tip_mm - head.rest_mm;
-        if (chorda.ruptured) model.fixed[static_cast<std::size_t>(next_branch)] = true;
+        if (chorda.ruptured) model.fixed[next_branch] = true;
         ++next_branch;
       }
       const double section_mm2 =
@@ -127,46 +128,36 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
           valve.tissue.chordae_kpa * kMpaPerKpa * section_mm2 / segment.rest_length_mm;
       const double half_mass =
           0.5 * valve.tissue.density_g_per_mm3 * section_mm2 * segment.rest_length_mm;
-      model.mass_g[static_cast<std::size_t>(cable.start)] += half_mass;
+      model.mass_g[cable.start] += half_mass;
       for (std::size_t k = 0; k < 3; ++k)
-        model.mass_g[static_cast<std::size_t>(cable.end[k])] += cable.weights[k] * half_mass;
+        model.mass_g[cable.end[k]] += cable.weights[k] * half_mass;
       if (!chorda.ruptured) model.cables.push_back(cable);
     }
   }
 }
 
-int leaflet_of(Segment segment) {
-  switch (segment) {
-    case Segment::A1:
-    case Segment::A2:
-    case Segment::A3:
-      return 0;
-    case Segment::P1:
-    case Segment::P2:
-    case Segment::P3:
-      return 1;
-    case Segment::AC:
-    case Segment::PC:
-      return 2;
-  }
-  return 0;
+/// Anterior, posterior, commissural: one of kLeaflets.
+int leaflet_number(Segment segment) {
+  const std::optional<Leaflet> leaflet = leaflet_of(segment);
+  return leaflet ? static_cast<int>(*leaflet) : 2;
 }
 
-/// omega_max^2 <= max over nodes of row sum / m, 2 k for each spring; the step bound is 2 / omega_max.
+/// omega_max^2 <= max over nodes of row sum / m, 2 k for each spring; the step bound is 2 /
+/// omega_max.
 double stable_step_ms(const ClosureModel& model) {
   std::vector<double> row_sum(model.mass_g.size(), 0.0);
   for (const Spring& s : model.springs) {
-    row_sum[static_cast<std::size_t>(s.a)] += 2.0 * s.post_n_per_mm;
-    row_sum[static_cast<std::size_t>(s.b)] += 2.0 * s.post_n_per_mm;
+    row_sum[s.a] += 2.0 * s.post_n_per_mm;
+    row_sum[s.b] += 2.0 * s.post_n_per_mm;
   }
   for (const Sheet& sheet : model.sheets) {
     const auto sums = stiffest_row_sums(model.law, sheet);
-    for (std::size_t k = 0; k < 3; ++k) row_sum[static_cast<std::size_t>(sheet.node[k])] += sums[k];
+    for (std::size_t k = 0; k < 3; ++k) row_sum[sheet.node[k]] += sums[k];
   }
   for (const Cable& c : model.cables) {
-    row_sum[static_cast<std::size_t>(c.start)] += 2.0 * c.stiffness_n_per_mm;
+    row_sum[c.start] += 2.0 * c.stiffness_n_per_mm;
     for (std::size_t k = 0; k < 3; ++k)
-      row_sum[static_cast<std::size_t>(c.end[k])] += 2.0 * c.weights[k] * c.stiffness_n_per_mm;
+      row_sum[c.end[k]] += 2.0 * c.weights[k] * c.stiffness_n_per_mm;
   }
   double omega2 = 0.0;
   for (std::size_t i = 0; i < row_sum.size(); ++i)
@@ -180,7 +171,7 @@ ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
   ClosureModel model;
   model.vertices = static_cast<int>(valve.rest_mm.rows());
   model.faces = valve.faces;
-  for (const Segment segment : valve.segments) model.leaflet.push_back(leaflet_of(segment));
+  for (const Segment segment : valve.segments) model.leaflet.push_back(leaflet_number(segment));
   model.pressure_mpa = valve.pressure_kpa * kMpaPerKpa;
   int branch_points = 0;
   for (const Chorda& chorda : valve.chordae)
@@ -189,18 +180,18 @@ ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
   const int nodes = first_head + static_cast<int>(valve.heads.size());
   model.rest_mm.setZero(nodes, 3);
   model.target_mm.setZero(nodes, 3);
-  model.fixed.assign(static_cast<std::size_t>(nodes), false);
-  model.mass_g.assign(static_cast<std::size_t>(nodes), 0.0);
-  model.area_mm2.assign(static_cast<std::size_t>(model.vertices), 0.0);
+  model.fixed.assign(nodes, false);
+  model.mass_g.assign(nodes, 0.0);
+  model.area_mm2.assign(model.vertices, 0.0);
   model.rest_mm.topRows(model.vertices) = valve.rest_mm;
   model.target_mm.topRows(model.vertices) = valve.rest_mm;
   for (std::size_t i = 0; i < valve.annulus.size(); ++i) {
-    model.fixed[static_cast<std::size_t>(valve.annulus[i])] = true;
-    model.target_mm.row(valve.annulus[i]) = valve.annulus_mm.row(static_cast<Eigen::Index>(i));
+    model.fixed[valve.annulus[i]] = true;
+    model.target_mm.row(valve.annulus[i]) = valve.annulus_mm.row(i);
   }
   for (std::size_t h = 0; h < valve.heads.size(); ++h) {
     const int node = first_head + static_cast<int>(h);
-    model.fixed[static_cast<std::size_t>(node)] = true;
+    model.fixed[node] = true;
     model.rest_mm.row(node) = valve.heads[h].rest_mm;
     model.target_mm.row(node) = valve.heads[h].tip_mm;
   }

@@ -10,14 +10,14 @@ namespace {
 
 using kernels::kLanes;
 
-// Pairs are listed so far ahead that the list lasts about this many steps. It is renewed when a node has
-// moved by the margin: two that move towards each other could then be closer than the margin allows
-// for, but not through each other (pairs asleep are woken by the same rule); the last step has a list of
-// its own that allows for everything.
+// Pairs are listed so far ahead that the list lasts about this many steps. It is renewed when a
+// node has moved by the margin: two that move towards each other could then be closer than the
+// margin allows for, but not through each other (pairs asleep are woken by the same rule); the last
+// step has a list of its own that allows for everything.
 constexpr double kListSteps = 12.0;
 constexpr double kLeastMargin_mm = 0.04, kLargestMargin_mm = 0.5;
-// The slowest modes set the damping, and they are slower the finer the mesh: 1 - 0.94, 0.965 and 0.98 are
-// best at 650, 2,600 and 10,400 triangles; 0.94 at 10,400 takes six times as many steps.
+// The slowest modes set the damping, and they are slower the finer the mesh: 1 - 0.94, 0.965 and
+// 0.98 are best at 650, 2,600 and 10,400 triangles; 0.94 at 10,400 takes six times as many steps.
 constexpr double kDampedTriangles = 650.0, kDampingPower = -0.4, kMostDamping = 0.2;
 
 double share_kept(const ClosureModel& model, double damping) {
@@ -39,7 +39,7 @@ MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings&
       kernels_(kernels::kernels<R>(settings.instructions)),
       start_mm_(start),
       laid_(make_relaxation_model<R>(model)),
-      x_(static_cast<std::size_t>(laid_.nodes)),
+      x_(laid_.nodes),
       next_(x_.size()),
       force_(x_.size()),
       faces_(model, laid_.node_of, settings.contact, PairKind::VertexFace, kernels_),
@@ -49,7 +49,7 @@ MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings&
       parted_.emplace_back(model, laid_.node_of, settings.contact, PairKind::VertexFace, kernels_,
                            std::vector<std::array<int, 2>>(), sides);
   if (settings.contact.edges) guard(model.edges);
-  for (Eigen::Index i = 0; i < start.rows(); ++i) place(static_cast<std::size_t>(i), start.row(i));
+  for (Index i = 0; i < start.rows(); ++i) place(i, start.row(i));
 }
 
 template <class R>
@@ -58,7 +58,7 @@ void MovingValve<R>::place_fixed(double travelled) {
   for (const int i : laid_.fixed) {
     const Vec3 way = model_.target_mm.row(i) - start_mm_.row(i);
     const Vec3 at = start_mm_.row(i).transpose() + travelled * way;
-    place(static_cast<std::size_t>(i), at);
+    place(i, at);
   }
 }
 
@@ -122,10 +122,8 @@ void MovingValve<R>::list() {
 template <class R>
 Points MovingValve<R>::positions() const {
   Points x(model_.rest_mm.rows(), 3);
-  for (Eigen::Index i = 0; i < x.rows(); ++i)
-    for (int k = 0; k < 3; ++k)
-      x(i, k) = static_cast<double>(
-          x_[static_cast<std::size_t>(laid_.node_of[static_cast<std::size_t>(i)])].at[k]);
+  for (Index i = 0; i < x.rows(); ++i)
+    for (int k = 0; k < 3; ++k) x(i, k) = static_cast<double>(x_[laid_.node_of[i]].at[k]);
   if (travelled_ == 1.0)
     for (const int i : laid_.fixed) x.row(i) = model_.target_mm.row(i);
   return x;
@@ -177,8 +175,8 @@ void MovingValve<R>::pull_sheets() {
 }
 
 template <class R>
-void MovingValve<R>::place(std::size_t i, const Vec3& p) {
-  const auto node = static_cast<std::size_t>(laid_.node_of[i]);
+void MovingValve<R>::place(Index i, const Vec3& p) {
+  const int node = laid_.node_of[i];
   for (int k = 0; k < 3; ++k) x_[node].at[k] = next_[node].at[k] = static_cast<R>(p[k]);
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/closure/contact_pairs.h"
-#include "core/closure/relaxation.h"
 #include "core/closure/relaxation_model.h"
+#include "core/closure/relaxation_settings.h"
 
 namespace coapt {
 
@@ -24,7 +24,8 @@ class MovingValve {
   /// `start`: |N| x 3.
   MovingValve(const ClosureModel& model, const RelaxationSettings& settings, const Points& start);
 
-  /// Places the nodes that do not move by themselves, `travelled` (0 to 1) of their way from the start.
+  /// Places the nodes that do not move by themselves, `travelled` (0 to 1) of their way from the
+  /// start.
   void place_fixed(double travelled);
 
   /// `fixed_move_mm`: how far fixed nodes have moved since the last step.
@@ -49,7 +50,7 @@ class MovingValve {
 
  private:
   void pull_sheets();
-  void place(std::size_t i, const Vec3& p);
+  void place(Index i, const Vec3& p);
 
   const ClosureModel& model_;
   const RelaxationSettings& settings_;
@@ -63,8 +64,8 @@ class MovingValve {
   std::optional<ContactPairs<R>> edges_;  // with edges
   double travelled_ = 0.0;
   bool started_ = false;
-  // Shares of the margins that nodes have used up since pairs were listed: as the crow flies, at most on
-  // the way, and the fixed nodes.
+  // Shares of the margins that nodes have used up since pairs were listed: as the crow flies, at
+  // most on the way, and the fixed nodes.
   double listed_share_ = 1.0, used_share_ = 0.0, fixed_share_ = 1.0;
   double fixed_margin_mm_ = 1.0, fixed_move_mm_ = 0.0;
   double longest_move_mm_ = 0.0;  // in the last step

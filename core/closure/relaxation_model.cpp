@@ -20,11 +20,11 @@ struct FanEntry {
 
 /// [vertex]: its neighbours, counter-clockwise, fan by fan.
 std::vector<std::vector<FanEntry>> fans(const ClosureModel& model) {
-  std::vector<std::vector<std::pair<int, int>>> sides(static_cast<std::size_t>(model.vertices));
-  for (Eigen::Index f = 0; f < model.faces.rows(); ++f)
+  std::vector<std::vector<std::pair<int, int>>> sides(model.vertices);
+  for (Index f = 0; f < model.faces.rows(); ++f)
     for (int k = 0; k < 3; ++k)
-      sides[static_cast<std::size_t>(model.faces(f, k))].emplace_back(model.faces(f, (k + 1) % 3),
-                                                                      model.faces(f, (k + 2) % 3));
+      sides[model.faces(f, k)].emplace_back(model.faces(f, (k + 1) % 3),
+                                            model.faces(f, (k + 2) % 3));
   std::vector<std::vector<FanEntry>> all(sides.size());
   for (std::size_t v = 0; v < sides.size(); ++v) {
     auto& left = sides[v];
@@ -54,16 +54,16 @@ std::vector<std::vector<FanEntry>> fans(const ClosureModel& model) {
 class SpringsBetween {
  public:
   explicit SpringsBetween(const ClosureModel& model)
-      : springs_(model.springs), first_(static_cast<std::size_t>(model.vertices) + 1) {
+      : springs_(model.springs), first_(model.vertices + 1) {
     std::size_t next = 0;
-    for (std::size_t v = 0; v < first_.size(); ++v) {
-      while (next < springs_.size() && springs_[next].a < static_cast<int>(v)) ++next;
+    for (Index v = 0; v < std::ssize(first_); ++v) {
+      while (next < springs_.size() && springs_[next].a < v) ++next;
       first_[v] = next;
     }
   }
   const Spring& operator()(int i, int j) const {
     const auto [a, b] = std::minmax(i, j);
-    std::size_t at = first_[static_cast<std::size_t>(a)];
+    std::size_t at = first_[a];
     while (springs_[at].b != b) ++at;
     return springs_[at];
   }
@@ -78,25 +78,23 @@ void number_nodes(const ClosureModel& model, RelaxationModel<R>& laid) {
   const auto total = static_cast<int>(model.rest_mm.rows());
   std::vector<int> moving, branch_points;
   for (int i = 0; i < total; ++i) {
-    if (model.fixed[static_cast<std::size_t>(i)])
+    if (model.fixed[i])
       laid.fixed.push_back(i);
     else
       (i < model.vertices ? moving : branch_points).push_back(i);
   }
-  Points centres(static_cast<Eigen::Index>(moving.size()), 3);
-  for (std::size_t i = 0; i < moving.size(); ++i)
-    centres.row(static_cast<Eigen::Index>(i)) = model.rest_mm.row(moving[i]);
+  Points centres(moving.size(), 3);
+  for (std::size_t i = 0; i < moving.size(); ++i) centres.row(i) = model.rest_mm.row(moving[i]);
   laid.moving_vertices = static_cast<int>(moving.size());
   laid.moving_nodes = static_cast<int>(moving.size() + branch_points.size());
-  laid.node_of.assign(static_cast<std::size_t>(total), 0);
+  laid.node_of.assign(total, 0);
   int next = 0;
-  for (const int i : cluster_order(centres))
-    laid.node_of[static_cast<std::size_t>(moving[static_cast<std::size_t>(i)])] = next++;
+  for (const int i : cluster_order(centres)) laid.node_of[moving[i]] = next++;
   next = kLanes * blocks_for(moving.size());
-  for (const int i : branch_points) laid.node_of[static_cast<std::size_t>(i)] = next++;
+  for (const int i : branch_points) laid.node_of[i] = next++;
   next = kLanes * (blocks_for(moving.size()) + blocks_for(branch_points.size()));
-  laid.blocks.resize(static_cast<std::size_t>(next / kLanes));
-  for (const int i : laid.fixed) laid.node_of[static_cast<std::size_t>(i)] = next++;
+  laid.blocks.resize(next / kLanes);
+  for (const int i : laid.fixed) laid.node_of[i] = next++;
   laid.nodes = next;
 }
 
@@ -106,8 +104,7 @@ void lay_springs(const ClosureModel& model, RelaxationModel<R>& laid) {
   const SpringsBetween spring_between(model);
   std::vector<int> vertex_at(laid.blocks.size() * kLanes, -1);
   for (int v = 0; v < static_cast<int>(model.rest_mm.rows()); ++v)
-    if (!model.fixed[static_cast<std::size_t>(v)])
-      vertex_at[static_cast<std::size_t>(laid.node_of[static_cast<std::size_t>(v)])] = v;
+    if (!model.fixed[v]) vertex_at[laid.node_of[v]] = v;
   for (std::size_t b = 0; b < laid.blocks.size(); ++b) {
     kernels::NodeBlock<R>& block = laid.blocks[b];
     block.first_slot = static_cast<int>(laid.slots.size());
@@ -115,18 +112,16 @@ void lay_springs(const ClosureModel& model, RelaxationModel<R>& laid) {
       const int v = vertex_at[b * kLanes + lane];
       block.free.at[lane] = v < 0 ? R(0) : R(1);
       if (v >= 0 && v < model.vertices)
-        block.slots =
-            std::max(block.slots, static_cast<int>(around[static_cast<std::size_t>(v)].size()));
+        block.slots = std::max(block.slots, static_cast<int>(around[v].size()));
     }
-    for (std::size_t s = 0; s < static_cast<std::size_t>(block.slots); ++s) {
+    for (Index s = 0; s < block.slots; ++s) {
       kernels::FanSlot<R> slot;
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         slot.neighbour.at[lane] = static_cast<int>(b * kLanes + lane);
         const int v = vertex_at[b * kLanes + lane];
-        if (v < 0 || v >= model.vertices || s >= around[static_cast<std::size_t>(v)].size())
-          continue;
-        const FanEntry& entry = around[static_cast<std::size_t>(v)][s];
-        slot.neighbour.at[lane] = laid.node_of[static_cast<std::size_t>(entry.neighbour)];
+        if (v < 0 || v >= model.vertices || s >= std::ssize(around[v])) continue;
+        const FanEntry& entry = around[v][s];
+        slot.neighbour.at[lane] = laid.node_of[entry.neighbour];
         if (entry.face) slot.load_mpa.at[lane] = static_cast<R>(model.pressure_mpa / 6.0);
         if (!entry.spring || model.springs.empty()) continue;
         const Spring& spring = spring_between(v, entry.neighbour);
@@ -150,18 +145,16 @@ void lay_sheets(const ClosureModel& model, RelaxationModel<R>& laid) {
   laid.sheet_law = {real(law.along_mpa), real(law.across_mpa), real(law.coupling_mpa),
                     real(law.shear_mpa), fibres(law.along),    fibres(law.across),
                     fibres(law.diagonal)};
-  Points centres(static_cast<Eigen::Index>(model.sheets.size()), 3);
+  Points centres(model.sheets.size(), 3);
   for (std::size_t f = 0; f < model.sheets.size(); ++f)
-    centres.row(static_cast<Eigen::Index>(f)) =
-        model.rest_mm(model.sheets[f].node, Eigen::all).colwise().mean();
-  laid.sheets.resize(static_cast<std::size_t>(blocks_for(model.sheets.size())));
+    centres.row(f) = model.rest_mm(model.sheets[f].node, Eigen::all).colwise().mean();
+  laid.sheets.resize(blocks_for(model.sheets.size()));
   std::size_t next = 0;
   for (const int f : cluster_order(centres)) {
-    const Sheet& sheet = model.sheets[static_cast<std::size_t>(f)];
+    const Sheet& sheet = model.sheets[f];
     kernels::SheetBlock<R>& block = laid.sheets[next / kLanes];
     const std::size_t lane = next++ % kLanes;
-    for (std::size_t k = 0; k < 3; ++k)
-      block.node[k].at[lane] = laid.node_of[static_cast<std::size_t>(sheet.node[k])];
+    for (std::size_t k = 0; k < 3; ++k) block.node[k].at[lane] = laid.node_of[sheet.node[k]];
     for (int k = 0; k < 2; ++k) {
       block.along[k].at[lane] = real(sheet.per_mm(k, 0));
       block.across[k].at[lane] = real(sheet.per_mm(k, 1));
@@ -172,14 +165,14 @@ void lay_sheets(const ClosureModel& model, RelaxationModel<R>& laid) {
 
 template <class R>
 void lay_cables(const ClosureModel& model, RelaxationModel<R>& laid) {
-  laid.cables.resize(static_cast<std::size_t>(blocks_for(model.cables.size())));
+  laid.cables.resize(blocks_for(model.cables.size()));
   for (std::size_t c = 0; c < model.cables.size(); ++c) {
     const Cable& cable = model.cables[c];
     kernels::CableBlock<R>& block = laid.cables[c / kLanes];
     const std::size_t lane = c % kLanes;
-    block.node[0].at[lane] = laid.node_of[static_cast<std::size_t>(cable.start)];
+    block.node[0].at[lane] = laid.node_of[cable.start];
     for (std::size_t k = 0; k < 3; ++k) {
-      block.node[k + 1].at[lane] = laid.node_of[static_cast<std::size_t>(cable.end[k])];
+      block.node[k + 1].at[lane] = laid.node_of[cable.end[k]];
       block.weight[k].at[lane] = static_cast<R>(cable.weights[k]);
     }
     block.rest_mm.at[lane] = static_cast<R>(cable.rest_mm);

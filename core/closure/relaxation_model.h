@@ -1,5 +1,5 @@
-// The closure model laid out for the kernels: moving nodes in blocks of sixteen that lie together on the
-// leaflets, springs as fans around their nodes, sheets, cables.
+// The closure model laid out for the kernels: moving nodes in blocks of sixteen that lie together
+// on the leaflets, springs as fans around their nodes, sheets, cables.
 #pragma once
 
 #include <vector>

@@ -9,7 +9,7 @@ double rms_free(const ClosureModel& model, const Points& force, int nodes) {
   double sum = 0.0;
   int count = 0;
   for (int i = 0; i < nodes; ++i) {
-    if (model.fixed[static_cast<std::size_t>(i)]) continue;
+    if (model.fixed[i]) continue;
     sum += force.row(i).squaredNorm();
     ++count;
   }

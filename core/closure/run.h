@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/closure/closure.h"
+#include "core/closure/closure_result.h"
 
 namespace coapt {
 
@@ -11,8 +11,8 @@ struct ClosureRun {
   ClosureStatus status = ClosureStatus::StepLimit;
   Points x_mm;                     ///< |N| x 3, all nodes, order of ClosureModel
   std::vector<Points> samples_mm;  ///< |V| x 3 each: end states; empty unless converged
-  std::vector<Points>
-      motion_mm;  ///< |N| x 3 each: states on the way, start and end included, where asked for
+  /// |N| x 3 each: states on the way, start and end included, where asked for.
+  std::vector<Points> motion_mm;
   double residual = 0.0;
   int steps = 0;
   int crossing_pairs = 0;  ///< of faces, that pass through each other at the end, unless diverged
@@ -20,6 +20,6 @@ struct ClosureRun {
 };
 
 /// Whether a node has left the scene or is not a number any more.
-bool lost(const Points& x_mm);
+bool has_diverged(const Points& x_mm);
 
 }  // namespace coapt

@@ -6,7 +6,8 @@
 
 namespace coapt {
 
-/// Leaflets that contact tells apart: anterior (segments A1 to A3), posterior (P1 to P3), commissural.
+/// Leaflets that contact tells apart: anterior (segments A1 to A3), posterior (P1 to P3),
+/// commissural.
 inline constexpr int kLeaflets = 3;
 
 /// All; all but the anterior, which hardly folds; none, so that only different leaflets touch.

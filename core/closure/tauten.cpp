@@ -9,10 +9,9 @@ Valve tauten(const Valve& valve, const ClosureResult& closed, double slack) {
     if (chorda.ruptured) continue;
     for (std::size_t s = 0; s < chorda.segments.size(); ++s) {
       ChordaSegment& segment = chorda.segments[s];
-      const Vec3 start = segment.parent < 0
-                             ? taut.heads[static_cast<std::size_t>(chorda.head)].tip_mm
-                             : Vec3(closed.branch_points_mm[c].row(segment.parent));
-      const Vec3 end = closed.branch_points_mm[c].row(static_cast<Eigen::Index>(s));
+      const Vec3 start = segment.parent < 0 ? taut.heads[chorda.head].tip_mm
+                                            : Vec3(closed.branch_points_mm[c].row(segment.parent));
+      const Vec3 end = closed.branch_points_mm[c].row(s);
       segment.rest_length_mm = slack * (end - start).norm();
     }
   }

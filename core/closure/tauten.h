@@ -1,7 +1,8 @@
 // Chordae lengths from the closed, pressurised valve (thesis 2.2.2).
 #pragma once
 
-#include "core/closure/closure.h"
+#include "core/closure/closure_result.h"
+#include "core/valve/valve.h"
 
 namespace coapt {
 

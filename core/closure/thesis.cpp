@@ -28,22 +28,21 @@ void compute_forces(const ClosureModel& model, State& state) {
   state.contact.add_forces(model, state.x, state.force);
 }
 
-/// False, and no step, once the state is lost.
+/// False, and no step, once the state has diverged.
 bool step(const ClosureModel& model, double dt, double damping_per_ms, double longest_move_mm,
           State& state) {
-  if (lost(state.x)) return false;
+  if (has_diverged(state.x)) return false;
   compute_forces(model, state);
   state.time_ms += dt;
   const double travelled = std::min(1.0, state.time_ms / kBoundaryTravel_ms);
   const double keep = std::exp(-damping_per_ms * dt);
-  for (Eigen::Index i = 0; i < state.x.rows(); ++i) {
-    if (model.fixed[static_cast<std::size_t>(i)]) {
+  for (Index i = 0; i < state.x.rows(); ++i) {
+    if (model.fixed[i]) {
       state.x.row(i) =
           model.rest_mm.row(i) + travelled * (model.target_mm.row(i) - model.rest_mm.row(i));
       continue;
     }
-    Vec3 v = keep * state.v.row(i) +
-             (dt / model.mass_g[static_cast<std::size_t>(i)]) * state.force.row(i);
+    Vec3 v = keep * state.v.row(i) + (dt / model.mass_g[i]) * state.force.row(i);
     const double move = dt * v.norm();
     if (move > longest_move_mm) v *= longest_move_mm / move;
     state.v.row(i) = v;

@@ -2,9 +2,9 @@
 // damping. Plain on purpose: every faster method is compared with it.
 //
 // Start: the unstressed shape. Annulus and papillary tips travel to their places under pressure in
-// the first 4 ms while the full pressure already acts; then they are fixed. A step that would carry a
-// node further than a tenth of the contact thickness is shortened to it, so that no leaflet jumps over
-// another. At rest means: rms free force / rms pressure force below the tolerance.
+// the first 4 ms while the full pressure already acts; then they are fixed. A step that would carry
+// a node further than a tenth of the contact thickness is shortened to it, so that no leaflet jumps
+// over another. At rest means: rms free force / rms pressure force below the tolerance.
 #pragma once
 
 #include "core/closure/contact.h"

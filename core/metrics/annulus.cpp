@@ -3,18 +3,20 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "core/valve/mean_point.h"
+
 namespace coapt {
 
 AnnularPlane annular_plane(const Valve& valve) {
   AnnularPlane plane;
   const Points& loop = valve.annulus_mm;
-  plane.origin_mm = loop.colwise().mean().transpose();
+  plane.origin_mm = mean_point(loop);
   const Points centred = loop.rowwise() - plane.origin_mm.transpose();
   const Eigen::Matrix3d scatter = centred.transpose() * centred;
   plane.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
 
   Vec3 twice_area = Vec3::Zero();
-  for (Eigen::Index i = 0; i < loop.rows(); ++i) {
+  for (Index i = 0; i < loop.rows(); ++i) {
     const Vec3 here = centred.row(i).transpose();
     const Vec3 next = centred.row((i + 1) % loop.rows()).transpose();
     twice_area += here.cross(next);
@@ -39,8 +41,8 @@ Vec3 unproject(const AnnularPlane& plane, const Vec2& coordinates_mm) {
 
 std::vector<Vec2> annulus_polygon(const Valve& valve, const AnnularPlane& plane) {
   std::vector<Vec2> polygon;
-  polygon.reserve(static_cast<std::size_t>(valve.annulus_mm.rows()));
-  for (Eigen::Index i = 0; i < valve.annulus_mm.rows(); ++i)
+  polygon.reserve(valve.annulus_mm.rows());
+  for (Index i = 0; i < valve.annulus_mm.rows(); ++i)
     polygon.push_back(project(plane, valve.annulus_mm.row(i).transpose()));
   return polygon;
 }
@@ -70,7 +72,7 @@ AnnulusMeasure measure_annulus(const Valve& valve) {
   measure.al_pm_mm = extent_mm(plane.x);
   measure.saddle_height_mm = extent_mm(plane.normal);
   measure.area_mm2 = polygon_area(annulus_polygon(valve, plane));
-  for (Eigen::Index i = 0; i < loop.rows(); ++i)
+  for (Index i = 0; i < loop.rows(); ++i)
     measure.circumference_mm += (loop.row((i + 1) % loop.rows()) - loop.row(i)).norm();
   return measure;
 }

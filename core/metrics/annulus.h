@@ -1,7 +1,9 @@
 // The annulus under pressure: its plane of best fit and its dimensions.
 #pragma once
 
-#include "core/metrics/measure.h"
+#include <vector>
+
+#include "core/valve/valve.h"
 
 namespace coapt {
 
@@ -29,6 +31,14 @@ std::vector<Vec2> annulus_polygon(const Valve& valve, const AnnularPlane& plane)
 
 /// Shoelace formula (thesis equation 4.1), positive when counter-clockwise.
 double polygon_area(const std::vector<Vec2>& polygon);
+
+struct AnnulusMeasure {
+  double ap_mm = 0.0;     ///< saddle peak to mid-posterior, projected on the annulus's PCA plane
+  double al_pm_mm = 0.0;  ///< widest extent along the direction from commissure to commissure
+  double circumference_mm = 0.0;
+  double area_mm2 = 0.0;          ///< projected on that plane
+  double saddle_height_mm = 0.0;  ///< extent along that plane's normal
+};
 
 AnnulusMeasure measure_annulus(const Valve& valve);
 

@@ -5,6 +5,7 @@
 
 #include "core/metrics/quantile.h"
 #include "core/metrics/surface.h"
+#include "core/valve/leaflet_of.h"
 
 namespace coapt {
 namespace {
@@ -20,8 +21,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 Surface surface_of(const Valve& valve, const Points& closed_mm, const std::vector<Leaflet>& sides,
                    Leaflet side) {
   Surface surface;
-  for (Eigen::Index f = 0; f < valve.faces.rows(); ++f)
-    if (sides[static_cast<std::size_t>(f)] == side)
+  for (Index f = 0; f < valve.faces.rows(); ++f)
+    if (sides[f] == side)
       add_triangle(surface, {closed_mm.row(valve.faces(f, 0)), closed_mm.row(valve.faces(f, 1)),
                              closed_mm.row(valve.faces(f, 2))});
   return surface;
@@ -58,18 +59,23 @@ CoaptationSection measure_section(const std::vector<SectionLine>& lines,
   double measured = 0.0;
   for (const SectionLine& line : lines)
     for (std::size_t i = 0; i < line.faces.size(); ++i) {
-      if (sides[static_cast<std::size_t>(line.faces[i])] != Leaflet::Anterior) continue;
+      if (sides[line.faces[i]] != Leaflet::Anterior) continue;
       sample(line.points_mm[i], line.points_mm[i + 1], options.sample_mm,
              [&](const Vec3& point, double length) {
                const double matters = std::max(section.distance_mm, options.contact_distance_mm);
                if (measured - (point - measured_at).norm() > matters) return;
                measured = distance_within(posterior, point, std::min(limit_mm, 2.0 * matters));
                measured_at = point;
-               section.distance_mm = std::min(section.distance_mm, measured);
+               if (measured < section.distance_mm) {
+                 section.distance_mm = measured;
+                 section.nearest_mm[0] = point;
+               }
                if (measured <= options.contact_distance_mm) section.height_mm += length;
              });
     }
   section.contact = section.height_mm > 0.0;
+  if (section.distance_mm < limit_mm)
+    section.nearest_mm[1] = nearest_point(posterior, section.nearest_mm[0]);
   return section;
 }
 
@@ -113,7 +119,7 @@ Flank flank(const SectionLine& line, const std::vector<Leaflet>& sides, Leaflet 
   Vec3 touching = Vec3::Zero();
   double depth = kInfinity;
   for (std::size_t i = 0; i < line.faces.size(); ++i) {
-    if (sides[static_cast<std::size_t>(line.faces[i])] != side) continue;
+    if (sides[line.faces[i]] != side) continue;
     sample(line.points_mm[i], line.points_mm[i + 1], options.sample_mm,
            [&](const Vec3& point, double) {
              if (axes(point).y() >= depth ||
@@ -127,8 +133,7 @@ Flank flank(const SectionLine& line, const std::vector<Leaflet>& sides, Leaflet 
            });
   }
   flank.points_mm.assign(line.points_mm.begin(),
-                         line.points_mm.begin() + static_cast<std::ptrdiff_t>(
-                                                      std::min(pieces + 1, line.points_mm.size())));
+                         line.points_mm.begin() + std::min(pieces + 1, line.points_mm.size()));
   if (flank.contact) flank.points_mm.push_back(touching);
   return flank;
 }
@@ -142,28 +147,13 @@ std::vector<Leaflet> leaflet_sides(const Valve& valve) {
   std::vector<Leaflet> sides;
   sides.reserve(valve.segments.size());
   for (std::size_t f = 0; f < valve.segments.size(); ++f) {
-    switch (valve.segments[f]) {
-      case Segment::A1:
-      case Segment::A2:
-      case Segment::A3:
-        sides.push_back(Leaflet::Anterior);
-        break;
-      case Segment::P1:
-      case Segment::P2:
-      case Segment::P3:
-        sides.push_back(Leaflet::Posterior);
-        break;
-      case Segment::AC:
-      case Segment::PC: {
-        Vec3 centre = Vec3::Zero();
-        for (int k = 0; k < 3; ++k)
-          centre +=
-              valve.rest_mm.row(valve.faces(static_cast<Eigen::Index>(f), k)).transpose() / 3.0;
-        sides.push_back((centre - from).dot(anterior) > 0.0 ? Leaflet::Anterior
-                                                            : Leaflet::Posterior);
-        break;
-      }
+    if (const std::optional<Leaflet> leaflet = leaflet_of(valve.segments[f])) {
+      sides.push_back(*leaflet);
+      continue;
     }
+    Vec3 centre = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) centre += valve.rest_mm.row(valve.faces(f, k)).transpose() / 3.0;
+    sides.push_back((centre - from).dot(anterior) > 0.0 ? Leaflet::Anterior : Leaflet::Posterior);
   }
   return sides;
 }

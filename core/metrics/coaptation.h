@@ -7,6 +7,9 @@
 // inside a commissure the distance is zero: the tissue is whole there.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "core/metrics/section.h"
 
 namespace coapt {
@@ -18,18 +21,38 @@ struct CoaptationOptions {
   double sample_mm = 0.1;  ///< largest distance of points along a cut
 };
 
+/// One of nine sections across the line of coaptation.
+struct CoaptationSection {
+  double along = 0.0;        ///< 0 anterolateral commissure, 1 posteromedial
+  double height_mm = 0.0;    ///< length of contact of the anterior with the posterior side
+  double distance_mm = 0.0;  ///< smallest of the mid-surfaces; infinite without anterior tissue
+  bool contact = false;
+  /// Where the sides are nearest: on the anterior one, in the section, and on the posterior one.
+  std::array<Vec3, 2> nearest_mm{Vec3::Zero(), Vec3::Zero()};
+};
+
 /// Order of Valve::faces. Faces of the commissures belong to the side of the line between the
 /// commissures on which they lie at rest.
 std::vector<Leaflet> leaflet_sides(const Valve& valve);
 
-/// Of the sections at these places along the line between the commissures (coaptation_plane). One without anterior
-/// tissue has an infinite distance.
+/// Of the sections at these places along the line between the commissures (coaptation_plane). One
+/// without anterior tissue has an infinite distance.
 std::vector<CoaptationSection> coaptation_sections(const Valve& valve, const Points& closed_mm,
                                                    const std::vector<double>& along,
                                                    const CoaptationOptions& options = {});
 
-/// Nine sections, at 0.1 to 0.9. A height's and a distance's tenth percentile and extremes are over them (linear
-/// interpolation).
+struct Coaptation {
+  std::array<CoaptationSection, 9> sections;
+  double height_min_mm = 0.0, height_mean_mm = 0.0, height_p10_mm = 0.0;
+  double distance_max_mm = 0.0;  ///< the widest of the sections' smallest distances: hidden gaps
+  /// Opening between the sides in three dimensions: (smallest distance - leaflet thickness), where
+  /// positive and out of contact, integrated from commissure to commissure. A prolapsing leaflet
+  /// that overlaps the other in the atrial view leaks here and not in the orifice.
+  double gap_area_mm2 = 0.0;
+};
+
+/// Nine sections, at 0.1 to 0.9. A height's and a distance's tenth percentile and extremes are over
+/// them (linear interpolation).
 Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
                               const CoaptationOptions& options = {});
 

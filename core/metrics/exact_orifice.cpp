@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/metrics/edge_heights.h"
 #include "core/metrics/outline.h"
 
 namespace coapt {
@@ -62,15 +63,14 @@ void add_if_edge_on(Paths& edges, const std::array<IntPoint, 3>& corners, double
 
 Silhouette make_silhouette(const Valve& valve, const Projection& projection) {
   std::vector<std::array<int, 3>> towards, away;
-  std::vector<IntPoint> grid(static_cast<std::size_t>(valve.rest_mm.rows()));
+  std::vector<IntPoint> grid(valve.rest_mm.rows());
   Silhouette tissue;
   for (std::size_t f = 0; f < projection.faces.size(); ++f) {
-    const auto row = static_cast<Eigen::Index>(f);
-    std::array<int, 3> face = {valve.faces(row, 0), valve.faces(row, 1), valve.faces(row, 2)};
+    std::array<int, 3> face = {valve.faces(f, 0), valve.faces(f, 1), valve.faces(f, 2)};
     std::array<IntPoint, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
       corners[i] = to_grid(projection.faces[f][i]);
-      grid[static_cast<std::size_t>(face[i])] = corners[i];
+      grid[face[i]] = corners[i];
     }
     const ClipperLib::cInt twice_area = turn(corners[0], corners[1], corners[2]);
     add_if_edge_on(tissue.edge_on, corners, std::abs(static_cast<double>(twice_area)));
@@ -80,7 +80,7 @@ Silhouette make_silhouette(const Valve& valve, const Projection& projection) {
   for (const auto* faces : {&towards, &away})
     for (const std::vector<int>& walk : outline(*faces)) {
       Path path;
-      for (const int vertex : walk) path.push_back(grid[static_cast<std::size_t>(vertex)]);
+      for (const int vertex : walk) path.push_back(grid[vertex]);
       tissue.outlines.push_back(std::move(path));
     }
   return tissue;
@@ -189,6 +189,7 @@ ExactOrifice exact_orifice(const Valve& valve, const Projection& projection,
 std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& closed_mm,
                                              double half_thickness_mm) {
   const Projection projection = project_valve(valve, closed_mm, annular_plane(valve));
+  const EdgeHeights edges(valve.faces, closed_mm, projection.plane);
   std::vector<OrificeOutline> outlines;
   const Seen seen = look(valve, projection, half_thickness_mm);
   if (!seen.open) return outlines;
@@ -199,9 +200,12 @@ std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& c
       ClipperLib::CleanPolygon(contour, kCorner_mm * kPerMm);
       if (contour.size() < 3) continue;  // a speck
       Points& points_mm = outline.contours_mm.emplace_back(std::ssize(contour), 3);
-      for (std::size_t i = 0; i < contour.size(); ++i)
-        points_mm.row(static_cast<Eigen::Index>(i)) =
-            unproject(projection.plane, from_grid(contour[i])).transpose();
+      for (std::size_t i = 0; i < contour.size(); ++i) {
+        const Vec2 seen_mm = from_grid(contour[i]);
+        const Vec3 lifted_mm =
+            unproject(projection.plane, seen_mm) + edges.at(seen_mm) * projection.plane.normal;
+        points_mm.row(i) = lifted_mm.transpose();
+      }
     }
     if (!outline.contours_mm.empty()) outlines.push_back(std::move(outline));
   }

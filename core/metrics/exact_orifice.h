@@ -1,17 +1,21 @@
-// The regurgitant orifice as geometry instead of pixels: the annulus polygon minus the union of the projected
-// leaflets (thesis 4.2.1 without its image).
+// The regurgitant orifice as geometry instead of pixels: the annulus polygon minus the union of the
+// projected leaflets (thesis 4.2.1 without its image).
 //
 // Corners are rounded to a grid of 2^-20 mm, on which unions are exact up to the rounding of where
-// edges meet (Vatti's algorithm, library Clipper 6.4). Faces seen from the atrium and faces seen from
-// the ventricle are taken apart; each kind is replaced by its outline, a fifth of the edges or less.
-// The leaflets' thickness is that of the raster: their union grown by a disc, with arcs as polygons
-// within 1e-4 mm; a face seen edge-on covers nothing by itself and grows to its full thickness.
-// Accuracy: 1e-4 mm times the outline's length at worst, 0.01 mm2 for an orifice of 100 mm2; raw, a
-// hundredth of that. What the loop of the annulus winds round counts as inside it, where its
-// projection crosses itself also (the raster takes even and odd there). Limits: coordinates over 1 m
-// are taken as 1 m; as for the raster, one direction of view.
+// edges meet (Vatti's algorithm, library Clipper 6.4). Faces seen from the atrium and faces seen
+// from the ventricle are taken apart; each kind is replaced by its outline, a fifth of the edges or
+// less. The leaflets' thickness is that of the raster: their union grown by a disc, with arcs as
+// polygons within 1e-4 mm; a face seen edge-on covers nothing by itself and grows to its full
+// thickness. Accuracy: 1e-4 mm times the outline's length at worst, 0.01 mm2 for an orifice of 100
+// mm2; raw, a hundredth of that. What the loop of the annulus winds round counts as inside it,
+// where its projection crosses itself also (the raster takes even and odd there). Limits:
+// coordinates over 1 m are taken as 1 m; as for the raster, one direction of view.
 #pragma once
 
+#include <vector>
+
+#include "core/closure/closure_result.h"
+#include "core/metrics/orifice.h"
 #include "core/metrics/projection.h"
 
 namespace coapt {
@@ -30,16 +34,26 @@ ExactOrifice exact_orifice(const Valve& valve, const Projection& projection,
 /// The same on the annulus's plane of best fit.
 ExactOrifice exact_orifice(const Valve& valve, const Points& closed_mm, double half_thickness_mm);
 
-/// The line around an orifice and those around islands of tissue in it, each closed, on the annular plane.
+/// The line around an orifice and those around islands of tissue in it, each closed, as high as the
+/// tissue beside it (edge_heights.h): a membrane across it lies where the valve is open.
 struct OrificeOutline {
   double area_mm2 = 0.0;
-  std::vector<Points>
-      contours_mm;  ///< n x 3 each, the outer one first; corners 0.01 mm apart or more
+  /// n x 3 each, the outer one first; corners 0.01 mm apart or more.
+  std::vector<Points> contours_mm;
 };
 
-/// Of the orifices that exact_orifice() finds, in that order, without specks; empty if the union failed.
+/// Of the orifices that exact_orifice() finds, in that order, without specks; empty if the union
+/// failed.
 std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& closed_mm,
                                              double half_thickness_mm);
+
+/// Regurgitant orifice after thesis 4.2.1.
+struct OrificeMeasure {
+  double area_mm2 = 0.0;          ///< leaflets with their half thickness
+  double area_raw_mm2 = 0.0;      ///< leaflets as bare mid-surfaces
+  double area_mean_mm2 = 0.0;     ///< mean of area_mm2 over the closely spaced end states
+  std::vector<Orifice> orifices;  ///< with half thickness, largest first
+};
 
 /// On that plane, with the tissue's thickness, and the mean over the end states.
 OrificeMeasure measure_orifice(const Valve& valve, const ClosureResult& closure);

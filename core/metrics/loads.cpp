@@ -11,8 +11,8 @@ namespace coapt {
 
 std::vector<FaceStrain> face_strains(const Valve& valve, const Points& closed_mm) {
   std::vector<FaceStrain> strains;
-  strains.reserve(static_cast<std::size_t>(valve.faces.rows()));
-  for (Eigen::Index f = 0; f < valve.faces.rows(); ++f) {
+  strains.reserve(valve.faces.rows());
+  for (Index f = 0; f < valve.faces.rows(); ++f) {
     const auto edges = [&](const Points& points) {
       const Vec3 corner = points.row(valve.faces(f, 0)).transpose();
       Eigen::Matrix<double, 3, 2> columns;

@@ -1,7 +1,8 @@
 // What the tissue bears: leaflet strains and chordae tensions.
 #pragma once
 
-#include "core/closure/closure.h"
+#include <vector>
+
 #include "core/valve/valve.h"
 
 namespace coapt {

@@ -1,11 +1,9 @@
 #include "core/metrics/measure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "core/metrics/annulus.h"
-#include "core/metrics/coaptation.h"
-#include "core/metrics/exact_orifice.h"
 #include "core/metrics/loads.h"
 #include "core/metrics/quantile.h"
 
@@ -20,8 +18,12 @@ void set_unknown(ValveMeasure& measure) {
   measure.orifice.area_mm2 = measure.orifice.area_raw_mm2 = measure.orifice.area_mean_mm2 =
       kUnknown;
   Coaptation& coaptation = measure.coaptation;
-  for (std::size_t i = 0; i < coaptation.sections.size(); ++i)
-    coaptation.sections[i] = {0.1 * static_cast<double>(i + 1), kUnknown, kUnknown, false};
+  for (std::size_t i = 0; i < coaptation.sections.size(); ++i) {
+    CoaptationSection& section = coaptation.sections[i];
+    section = {};
+    section.along = 0.1 * static_cast<double>(i + 1);
+    section.height_mm = section.distance_mm = kUnknown;
+  }
   coaptation.height_min_mm = coaptation.height_mean_mm = coaptation.height_p10_mm = kUnknown;
   coaptation.distance_max_mm = coaptation.gap_area_mm2 = kUnknown;
   measure.tenting_height_mm = measure.tenting_area_mm2 = kUnknown;
@@ -66,7 +68,13 @@ ValveMeasure measure(const Valve& valve, const ClosureResult& closure) {
 }
 
 double leak_mm2(const ValveMeasure& measure) {
-  return std::max(measure.orifice.area_mm2, measure.coaptation.gap_area_mm2);
+  return leak_mm2(measure.orifice.area_mm2, measure.coaptation.gap_area_mm2);
+}
+
+double leak_mm2(double orifice_mm2, double gap_mm2) {
+  if (std::isnan(orifice_mm2) || std::isnan(gap_mm2))
+    return std::numeric_limits<double>::quiet_NaN();
+  return std::max(orifice_mm2, gap_mm2);
 }
 
 }  // namespace coapt

@@ -9,7 +9,8 @@
 namespace coapt {
 namespace {
 
-// On the preset with a prolapse 20 degrees see 0.4 mm2, 30 degrees 10, 50 degrees 26, 60 degrees 18.
+// On the preset with a prolapse 20 degrees see 0.4 mm2, 30 degrees 10, 50 degrees 26, 60 degrees
+// 18.
 constexpr double kTiltStep_deg = 10.0, kMostTilt_deg = 60.0, kAzimuthStep_deg = 45.0;
 
 }  // namespace

@@ -3,11 +3,12 @@
 // Counted are the straight lines of one direction that the loop of the annulus winds round and that
 // keep half a thickness away from every leaflet, as area across that direction. Each such line runs
 // through the mouth between the free edges: leaflets and mouth together span the annulus, so a line
-// that crosses this surface must do so in the mouth. The area is thus that of a straight passage from
-// ventricle to atrium, at most that of any surface that spans the opening; of several directions the
-// largest is the best of these lower bounds. It never exceeds what leaks, and it finds what the view
-// from the atrium hides: beside a prolapsing posterior leaflet lines are free that lean anteriorly,
-// as the jet of such a valve does. An opening without any straight passage stays unseen.
+// that crosses this surface must do so in the mouth. The area is thus that of a straight passage
+// from ventricle to atrium, at most that of any surface that spans the opening; of several
+// directions the largest is the best of these lower bounds. It never exceeds what leaks, and it
+// finds what the view from the atrium hides: beside a prolapsing posterior leaflet lines are free
+// that lean anteriorly, as the jet of such a valve does. An opening without any straight passage
+// stays unseen.
 //
 // Cost: one exact orifice for each of 49 directions, 15 to 20 ms on a valve of 650 triangles.
 #pragma once
@@ -23,7 +24,8 @@ struct ObliqueOrifice {
   double azimuth_deg = 0.0;  ///< whither it leans: 0 posteromedially, 90 anteriorly, [0, 360)
 };
 
-/// Axes for a view along the normal tilted by that much; those of `plane` turned by the least angle.
+/// Axes for a view along the normal tilted by that much; those of `plane` turned by the least
+/// angle.
 AnnularPlane tilted(const AnnularPlane& plane, double tilt_deg, double azimuth_deg);
 
 /// The widest of 0, 10, ... 60 degrees of tilt at eight azimuths; the first of equal ones.

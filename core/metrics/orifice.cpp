@@ -19,7 +19,7 @@ std::vector<PixelRun> runs_of(const Mask& mask) {
     const std::uint8_t* begin = mask.pixels.data() + row * mask.width;
     const std::uint8_t* end = begin + mask.width;
     const auto find = [end](const std::uint8_t* from, int value) {
-      const void* found = std::memchr(from, value, static_cast<std::size_t>(end - from));
+      const void* found = std::memchr(from, value, end - from);
       return found ? static_cast<const std::uint8_t*>(found) : end;
     };
     for (const std::uint8_t* first = find(begin, 1); first != end;) {
@@ -35,8 +35,7 @@ std::vector<PixelRun> runs_of(const Mask& mask) {
 /// Replaces `orifice` by the index of the first run of the same connected region.
 void connect(std::vector<PixelRun>& runs) {
   const auto root = [&runs](int run) {
-    while (runs[static_cast<std::size_t>(run)].orifice != run)
-      run = runs[static_cast<std::size_t>(run)].orifice;
+    while (runs[run].orifice != run) run = runs[run].orifice;
     return run;
   };
   std::size_t above = 0;
@@ -49,7 +48,7 @@ void connect(std::vector<PixelRun>& runs) {
     for (std::size_t i = above; runs[i].row < runs[here].row && runs[i].first <= runs[here].last;
          ++i) {
       const int a = root(static_cast<int>(i)), b = root(static_cast<int>(here));
-      runs[static_cast<std::size_t>(std::max(a, b))].orifice = std::min(a, b);
+      runs[std::max(a, b)].orifice = std::min(a, b);
     }
   }
   for (PixelRun& run : runs) run.orifice = root(run.orifice);
@@ -78,8 +77,7 @@ Sheet draw_annulus(const Projection& projection, const ImageSize& size) {
   const double margin_px = kMargin * view.width;
   view.mm_per_pixel = std::max((high - low).x() / (view.width - 2.0 * margin_px),
                                (high - low).y() / (view.height - 2.0 * margin_px));
-  sheet.mask = {view.width, view.height,
-                std::vector<std::uint8_t>(static_cast<std::size_t>(view.width * view.height), 0)};
+  sheet.mask = {view.width, view.height, std::vector<std::uint8_t>(view.width * view.height, 0)};
   for (Vec2& point : annulus) point = to_pixels(view, point);
   view.pixel_area_mm2 = area_mm2 / mark_polygon(sheet.mask, annulus);
   return sheet;
@@ -112,7 +110,7 @@ void collect_orifices(const Valve& valve, const Projection& projection, OrificeV
       region_of_run[i] = regions.size();
       regions.push_back({run.orifice});
     }
-    region_of_run[i] = region_of_run[static_cast<std::size_t>(run.orifice)];
+    region_of_run[i] = region_of_run[run.orifice];
     Region& region = regions[region_of_run[i]];
     const double pixels = run.last - run.first + 1;
     region.pixels += pixels;
@@ -122,15 +120,13 @@ void collect_orifices(const Valve& valve, const Projection& projection, OrificeV
                    [](const Region& a, const Region& b) { return a.pixels > b.pixels; });
   std::vector<int> orifice_of_first_run(view.runs.size(), 0);
   for (const Region& region : regions) {
-    orifice_of_first_run[static_cast<std::size_t>(region.first_run)] =
-        static_cast<int>(view.orifices.size());
+    orifice_of_first_run[region.first_run] = static_cast<int>(view.orifices.size());
     const Vec2 centroid_mm = from_pixels(view, region.sum_px / region.pixels);
     view.orifices.push_back({region.pixels * view.pixel_area_mm2,
                              unproject(view.plane, centroid_mm),
                              nearest_segment(valve, projection, centroid_mm)});
   }
-  for (PixelRun& run : view.runs)
-    run.orifice = orifice_of_first_run[static_cast<std::size_t>(run.orifice)];
+  for (PixelRun& run : view.runs) run.orifice = orifice_of_first_run[run.orifice];
 }
 
 }  // namespace

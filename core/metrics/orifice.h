@@ -10,9 +10,18 @@
 // is not seen.
 #pragma once
 
+#include <vector>
+
 #include "core/metrics/annulus.h"
 
 namespace coapt {
+
+/// One connected opening of the atrial view.
+struct Orifice {
+  double area_mm2 = 0.0;
+  Vec3 centroid_mm = Vec3::Zero();  ///< on the annular plane
+  Segment segment = Segment::A2;    ///< of the leaflet nearest to the centroid in that view
+};
 
 /// Pixels first..last of one row that belong to one orifice.
 struct PixelRun {

@@ -1,17 +1,19 @@
 #include "core/metrics/outline.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
+
+#include "core/valve/types.h"
 
 namespace coapt {
 namespace {
 
 using Edge = std::pair<int, int>;  // from, to
 
-/// Sorted. One sort of numbers (lower vertex, higher vertex, direction) finds the edges that cancel.
+/// Sorted. One sort of numbers (lower vertex, higher vertex, direction) finds the edges that
+/// cancel.
 std::vector<Edge> unshared_edges(const std::vector<std::array<int, 3>>& faces) {
   std::vector<std::uint64_t> keys;
   keys.reserve(3 * faces.size());
@@ -30,7 +32,7 @@ std::vector<Edge> unshared_edges(const std::vector<std::array<int, 3>>& faces) {
     const int low = static_cast<int>(vertices >> 32),
               high = static_cast<int>(vertices & 0xffffffff);
     const Edge edge = upwards > 0 ? Edge{low, high} : Edge{high, low};
-    unshared.insert(unshared.end(), static_cast<std::size_t>(std::abs(upwards)), edge);
+    unshared.insert(unshared.end(), std::abs(upwards), edge);
   }
   std::sort(unshared.begin(), unshared.end());
   return unshared;
@@ -43,17 +45,16 @@ std::vector<std::vector<int>> outline(const std::vector<std::array<int, 3>>& fac
       unshared_edges(faces);  // sorted: those from one vertex lie together
   std::vector<bool> taken(edges.size(), false);
   const auto next_from = [&](int vertex) {
-    auto edge = static_cast<std::size_t>(
-        std::lower_bound(edges.begin(), edges.end(), Edge{vertex, -1}) - edges.begin());
-    while (edge < edges.size() && edges[edge].first == vertex && taken[edge]) ++edge;
+    Index edge = std::lower_bound(edges.begin(), edges.end(), Edge{vertex, -1}) - edges.begin();
+    while (edge < std::ssize(edges) && edges[edge].first == vertex && taken[edge]) ++edge;
     return edge;
   };
   std::vector<std::vector<int>> walks;
-  for (std::size_t first = 0; first < edges.size(); ++first) {
+  for (Index first = 0; first < std::ssize(edges); ++first) {
     if (taken[first]) continue;
     std::vector<int> walk;
     // As many edges end in a vertex as start there, so that a walk can only end where it began.
-    for (std::size_t edge = first;; edge = next_from(edges[edge].second)) {
+    for (Index edge = first;; edge = next_from(edges[edge].second)) {
       taken[edge] = true;
       walk.push_back(edges[edge].first);
       if (edges[edge].second == walk.front()) break;

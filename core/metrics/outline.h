@@ -1,5 +1,5 @@
-// Outline of a set of faces: the edges that remain when those that two faces share, one running each
-// way, are struck out. What remains is closed walks, whose winding number about a point of a
+// Outline of a set of faces: the edges that remain when those that two faces share, one running
+// each way, are struck out. What remains is closed walks, whose winding number about a point of a
 // projection in which all faces run counter-clockwise is the number of faces over it.
 #pragma once
 

@@ -30,14 +30,12 @@ double squared_distance_to_triangle(const Vec2& point, const Triangle& triangle)
 
 Projection project_valve(const Valve& valve, const Points& closed_mm, const AnnularPlane& plane) {
   Projection projection{plane, annulus_polygon(valve, plane), {}};
-  std::vector<Vec2> vertices(static_cast<std::size_t>(closed_mm.rows()));
+  std::vector<Vec2> vertices(closed_mm.rows());
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    vertices[i] = project(plane, closed_mm.row(static_cast<Eigen::Index>(i)).transpose());
-  projection.faces.reserve(static_cast<std::size_t>(valve.faces.rows()));
-  for (Eigen::Index f = 0; f < valve.faces.rows(); ++f) {
-    const auto corner = [&](int k) {
-      return vertices[static_cast<std::size_t>(valve.faces(f, k))];
-    };
+    vertices[i] = project(plane, closed_mm.row(i).transpose());
+  projection.faces.reserve(valve.faces.rows());
+  for (Index f = 0; f < valve.faces.rows(); ++f) {
+    const auto corner = [&](int k) { return vertices[valve.faces(f, k)]; };
     projection.faces.push_back({corner(0), corner(1), corner(2)});
   }
   return projection;

@@ -30,17 +30,15 @@ int end_centre(double edge_px, int count) {
 /// What a convex shape covers of each row: from left to right, nothing if left > right.
 struct RowIntervals {
   std::vector<double> left, right;
-  explicit RowIntervals(int height)
-      : left(static_cast<std::size_t>(height)), right(static_cast<std::size_t>(height)) {}
+  explicit RowIntervals(int height) : left(height), right(height) {}
 
   void clear(int first, int end) {
     std::fill(left.begin() + first, left.begin() + end, std::numeric_limits<double>::infinity());
     std::fill(right.begin() + first, right.begin() + end, -std::numeric_limits<double>::infinity());
   }
   void include(int row, double x_low, double x_high) {
-    const auto i = static_cast<std::size_t>(row);
-    left[i] = std::min(left[i], x_low);
-    right[i] = std::max(right[i], x_high);
+    left[row] = std::min(left[row], x_low);
+    right[row] = std::max(right[row], x_high);
   }
   int height() const { return static_cast<int>(left.size()); }
 };
@@ -111,11 +109,9 @@ void cover_triangles(Mask& mask, const std::vector<Triangle>& triangles_px, doub
       include_disc(rows, a, radius_px);
     }
     for (int row = first_row; row < end_row; ++row) {
-      const int first = first_centre(rows.left[static_cast<std::size_t>(row)], mask.width);
-      const int end = end_centre(rows.right[static_cast<std::size_t>(row)], mask.width);
-      if (first < end)
-        std::memset(&mask.pixels[static_cast<std::size_t>(row * mask.width + first)], 0,
-                    static_cast<std::size_t>(end - first));
+      const int first = first_centre(rows.left[row], mask.width);
+      const int end = end_centre(rows.right[row], mask.width);
+      if (first < end) std::memset(&mask.pixels[row * mask.width + first], 0, end - first);
     }
   }
 }

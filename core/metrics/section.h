@@ -26,8 +26,8 @@ std::vector<SectionLine> cut(const Faces& faces, const Points& points_mm,
 /// normal points posteromedially.
 SectionPlane mid_valve_plane(const Valve& valve);
 
-/// The plane across the line that joins the commissures under pressure, at `along` (0 to 1) of its length from the
-/// anterolateral one; its normal points posteromedially.
+/// The plane across the line that joins the commissures under pressure, at `along` (0 to 1) of its
+/// length from the anterolateral one; its normal points posteromedially.
 SectionPlane coaptation_plane(const Valve& valve, double along);
 
 }  // namespace coapt

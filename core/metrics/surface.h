@@ -19,4 +19,7 @@ void add_triangle(Surface& surface, const std::array<Vec3, 3>& triangle);
 /// Distance to the surface, exact if it is less than `limit`; else `limit`.
 double distance_within(const Surface& surface, const Vec3& point, double limit);
 
+/// The surface must not be empty.
+Vec3 nearest_point(const Surface& surface, const Vec3& point);
+
 }  // namespace coapt

@@ -1,6 +1,4 @@
-// The porcine valve of the thesis's chapter 4, of which only answers are published, as a parametric
-// valve that gives those answers. No measured anatomy.
-#include "core/presets/presets.h"
+#include "core/presets/porcine_thesis.h"
 
 namespace coapt {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "core/closure/closure.h"
 #include "core/closure/tauten.h"
+#include "core/presets/porcine_thesis.h"
 #include "core/valve/remodel.h"
 #include "core/valve/validate.h"
 
@@ -39,13 +40,12 @@ ParametricValve porcine(std::string name, double ap_mm, double al_pm_mm, int tri
 
 /// Length of a chorda over its length in the closed, pressurised valve.
 double slack_of(const ParametricValve& d, const Valve& valve, const Chorda& chorda) {
-  const bool medial =
-      valve.heads[static_cast<std::size_t>(chorda.head)].side == Side::Posteromedial;
+  const bool medial = valve.heads[chorda.head].side == Side::Posteromedial;
   const double side = d.slack * (1.0 + (medial ? 1.0 : -1.0) * d.asymmetry.slack);
   if (chorda.kind == ChordaKind::Strut) return side * d.strut_slack;
   if (chorda.kind == ChordaKind::Basal) return side * d.basal_slack;
   const int face = chorda.segments.back().insertion.face;
-  const Segment at = valve.segments[static_cast<std::size_t>(face)];
+  const Segment at = valve.segments[face];
   const bool posterior = at == Segment::P1 || at == Segment::P2 || at == Segment::P3;
   return posterior ? side * d.posterior_slack : side;
 }
@@ -85,7 +85,7 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
   const ClosureResult closed = close_valve(*open, to_rest);
   if (closed.status != ClosureStatus::Converged || closed.crossing)
     return Error{ErrorCode::BadGeometry, "",
-                 "a valve of these dimensions does not come to rest without leaflets through each "
+                 "a valve of these dimensions does not close without leaflets passing through each "
                  "other: chordae lengths cannot be taken from it"};
   const Valve taut = tauten(*open, closed, 1.0);
   for (std::size_t c = 0; c < taut.chordae.size(); ++c)

@@ -10,17 +10,9 @@
 namespace coapt {
 
 /// A parametric valve whose chordae are taut in its closed state (times dimensions.slack). The
-/// lengths come from the mesh of about 650 triangles and are the same at every resolution. What validate() would refuse
-/// is refused here, before anything is closed.
+/// lengths come from the mesh of about 650 triangles and are the same at every resolution. What
+/// validate() would refuse is refused here, before anything is closed.
 Expected<Valve> make_taut_valve(const ParametricValve& dimensions);
-
-/// Anatomy of preset porcine-thesis-tables: fitted to figure 4.5 and table 4.1 of the thesis (`coapt study
-/// calibrate`; docs/porcine-thesis.md has the fit, number by number).
-ParametricValve porcine_thesis_tables();
-
-/// Of porcine-thesis: fitted to the same and, of several such fits, the one nearest to the thesis's
-/// statement on anchors (figure 4.10) by the thesis's look-up: eight of nine comparisons, the ninth a tie.
-ParametricValve porcine_thesis();
 
 const std::vector<std::string>& preset_names();
 

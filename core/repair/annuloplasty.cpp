@@ -4,17 +4,18 @@
 #include <cmath>
 
 #include "core/repair/limits.h"
+#include "core/repair/rings.h"
 #include "core/valve/annulus_frame.h"
 #include "core/valve/contour.h"
 
 namespace coapt {
 namespace {
 
-Vec3 row(const Points& points, std::size_t i) { return points.row(static_cast<Eigen::Index>(i)); }
+Vec3 row(const Points& points, std::size_t i) { return points.row(i); }
 
-std::string names(const std::vector<RingShape>& catalogue) {
-  std::string list = "own";
-  for (const RingShape& ring : catalogue) list += ", " + ring.name;
+std::string known_shapes() {
+  std::string list = kOwnShape;
+  for (const RingShape& ring : kRingShapes) list.append(", ").append(ring.name);
   return list;
 }
 
@@ -29,8 +30,7 @@ void shrink(double factor, Valve& valve) {
   const AnnulusFrame frame = annulus_frame(valve);
   const Vec3 centre = out_of_frame(frame, fixed_point(valve, frame));
   for (std::size_t i = 0; i < valve.annulus.size(); ++i)
-    valve.annulus_mm.row(static_cast<Eigen::Index>(i)) =
-        centre + factor * (row(valve.annulus_mm, i) - centre);
+    valve.annulus_mm.row(i) = centre + factor * (row(valve.annulus_mm, i) - centre);
 }
 
 /// Share of the arc from `first` (an index into the annulus) to `last` at each vertex from the one
@@ -47,9 +47,45 @@ std::vector<double> arc_shares(const Valve& valve, std::size_t first, std::size_
   return share;
 }
 
-void suture_to(const Points& contour_mm, Valve& valve) {
+bool check_ring(const OwnRing& ring, const Valve& valve, const std::string& path,
+                ProblemList& problems) {
+  const bool possible = check_range(problems, path + "/sizes_below", ring.sizes_below, kSizesBelow);
+  const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
+  const double most = (1.0 - kLeastOwnRing) * transverse / kRingSizeStep_mm;
+  if (!possible || ring.sizes_below <= most) return possible;
+  problems.add(ErrorCode::ImpossibleStep, path + "/sizes_below",
+               "is " + std::to_string(ring.sizes_below) + ", must be from 0 to " +
+                   shown(std::floor(most)) + ": half of this annulus's transverse diameter of " +
+                   shown(transverse) + " mm must remain");
+  return false;
+}
+
+bool check_ring(const CatalogueRing& ring, const Valve& /*valve*/, const std::string& path,
+                ProblemList& problems) {
+  if (find_ring(ring.shape) == nullptr) {
+    problems.add(ErrorCode::BadReference, path + "/shape",
+                 "is '" + ring.shape + "', known shapes: " + known_shapes());
+    return false;
+  }
+  const bool possible = check_range(problems, path + "/size_mm", ring.size_mm, kRingSizesMm, " mm");
+  if (!possible || std::fmod(ring.size_mm, kRingSizeStep_mm) == 0.0) return possible;
+  problems.add(ErrorCode::OutOfRange, path + "/size_mm",
+               "is " + shown(ring.size_mm) + ", rings come in steps of " + shown(kRingSizeStep_mm) +
+                   " mm from " + shown(kRingSizesMm));
+  return false;
+}
+
+}  // namespace
+
+bool check_annuloplasty(const Annuloplasty& step, const Valve& valve, const std::string& path,
+                        ProblemList& problems) {
+  return std::visit([&](const auto& ring) { return check_ring(ring, valve, path, problems); },
+                    step.ring);
+}
+
+void suture_ring(const RingShape& shape, double size_mm, Valve& valve) {
   const AnnulusFrame frame = annulus_frame(valve);
-  const ArcLength ring(contour_mm);
+  const ArcLength ring(ring_contour_mm(shape, size_mm));
   const double front = ring.crossing_mm(true), back = ring.crossing_mm(false);
   Vec3 shift = fixed_point(valve, frame) - ring.at(front);
   shift.z() = 0.0;
@@ -63,7 +99,7 @@ void suture_to(const Points& contour_mm, Valve& valve) {
   const auto suture_half = [&](std::size_t first, const std::vector<double>& shares, double from,
                                double length, Points& sutured) {
     for (std::size_t k = 0; k < shares.size(); ++k)
-      sutured.row(static_cast<Eigen::Index>((first + k) % size)) =
+      sutured.row((first + k) % size) =
           out_of_frame(frame, ring.at(from + shares[k] * length) + shift);
   };
   Points sutured = valve.annulus_mm;
@@ -73,72 +109,13 @@ void suture_to(const Points& contour_mm, Valve& valve) {
   valve.annulus_mm = sutured;
 }
 
-bool check_own_ring(const Annuloplasty& step, const Valve& valve, const std::string& path,
-                    ProblemList& problems) {
-  bool possible = check_range(problems, path + "/sizes_below", step.sizes_below, kSizesBelow);
-  if (step.size_mm != 0.0) {
-    problems.add(ErrorCode::OutOfRange, path + "/size_mm",
-                 "is for catalogue shapes; shape \"own\" takes its size from the annulus");
-    possible = false;
-  }
-  const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
-  const double most = (1.0 - kLeastOwnRing) * transverse / kRingSizeStep_mm;
-  if (!possible || step.sizes_below <= most) return possible;
-  problems.add(ErrorCode::ImpossibleStep, path + "/sizes_below",
-               "is " + std::to_string(step.sizes_below) + ", must be from 0 to " +
-                   shown(std::floor(most)) + ": half of this annulus's transverse diameter of " +
-                   shown(transverse) + " mm must remain");
-  return false;
-}
-
-}  // namespace
-
-const RingShape* find_ring(const std::vector<RingShape>& catalogue, const std::string& name) {
-  const auto found = std::find_if(catalogue.begin(), catalogue.end(),
-                                  [&name](const RingShape& ring) { return ring.name == name; });
-  return found == catalogue.end() ? nullptr : &*found;
-}
-
-double ring_width_mm(const RingShape& ring, double size_mm) {
-  return ring.transverse_factor * size_mm;
-}
-
-Points ring_contour_mm(const RingShape& ring, double size_mm) {
-  const double width = ring_width_mm(ring, size_mm);
-  return generic_annulus_contour(ring.ap_over_transverse * width, width,
-                                 ring.saddle_over_transverse * width);
-}
-
-bool check_annuloplasty(const Annuloplasty& step, const Valve& valve,
-                        const std::vector<RingShape>& catalogue, const std::string& path,
-                        ProblemList& problems) {
-  if (step.shape == "own") return check_own_ring(step, valve, path, problems);
-  if (find_ring(catalogue, step.shape) == nullptr) {
-    problems.add(ErrorCode::BadReference, path + "/shape",
-                 "is '" + step.shape + "', known shapes: " + names(catalogue));
-    return false;
-  }
-  bool possible = check_range(problems, path + "/size_mm", step.size_mm, kRingSizesMm, " mm");
-  if (possible && std::fmod(step.size_mm, kRingSizeStep_mm) != 0.0) {
-    problems.add(ErrorCode::OutOfRange, path + "/size_mm",
-                 "is " + shown(step.size_mm) + ", rings come in steps of 2 mm from 24 to 40");
-    possible = false;
-  }
-  if (step.sizes_below != 0) {
-    problems.add(ErrorCode::OutOfRange, path + "/sizes_below",
-                 "is for shape \"own\"; catalogue shapes are chosen by size_mm");
-    possible = false;
-  }
-  return possible;
-}
-
-void apply_annuloplasty(const Annuloplasty& step, const std::vector<RingShape>& catalogue,
-                        Valve& valve) {
-  if (step.shape == "own") {
+void apply_annuloplasty(const Annuloplasty& step, Valve& valve) {
+  if (const auto* own = std::get_if<OwnRing>(&step.ring)) {
     const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
-    shrink((transverse - kRingSizeStep_mm * step.sizes_below) / transverse, valve);
+    shrink((transverse - kRingSizeStep_mm * own->sizes_below) / transverse, valve);
   } else {
-    suture_to(ring_contour_mm(*find_ring(catalogue, step.shape), step.size_mm), valve);
+    const auto& ring = std::get<CatalogueRing>(step.ring);
+    suture_ring(*find_ring(ring.shape), ring.size_mm, valve);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "core/repair/annuloplasty.h"
 #include "core/repair/approximation.h"
 #include "core/repair/chordal.h"
+#include "core/repair/describe.h"
 #include "core/valve/validate.h"
 
 namespace coapt {
@@ -25,8 +26,7 @@ void refuse_second(const std::string& path, const std::string& what, std::size_t
       "is a second " + what + ", after step " + std::to_string(first) + "; only one is possible");
 }
 
-void place_ring(const RepairPlan& plan, const std::vector<RingShape>& catalogue, Valve& valve,
-                ProblemList& problems) {
+void place_ring(const RepairPlan& plan, Valve& valve, ProblemList& problems) {
   std::vector<std::size_t> rings;
   for (std::size_t i = 0; i < plan.steps.size(); ++i)
     if (std::holds_alternative<Annuloplasty>(plan.steps[i])) rings.push_back(i);
@@ -34,8 +34,8 @@ void place_ring(const RepairPlan& plan, const std::vector<RingShape>& catalogue,
   for (std::size_t k = 1; k < rings.size(); ++k)
     refuse_second(step_path(rings[k]), "ring", rings[0], problems);
   const auto& step = std::get<Annuloplasty>(plan.steps[rings[0]]);
-  if (check_annuloplasty(step, valve, catalogue, step_path(rings[0]), problems))
-    apply_annuloplasty(step, catalogue, valve);
+  if (check_annuloplasty(step, valve, step_path(rings[0]), problems))
+    apply_annuloplasty(step, valve);
 }
 
 void tie_sutures(const RepairPlan& plan, Valve& valve, ProblemList& problems) {
@@ -154,11 +154,10 @@ bool needs_coordinates(const RepairPlan& plan) {
 
 }  // namespace
 
-Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan,
-                           const std::vector<RingShape>& catalogue) {
+Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan) {
   Valve repaired = valve;
   ProblemList problems;
-  place_ring(plan, catalogue, repaired, problems);
+  place_ring(plan, repaired, problems);
   tie_sutures(plan, repaired, problems);
   // Leaflet coordinates belong to the anatomy: of the valve before its ring.
   const LeafletCoordinates coordinates =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/repair/plan.h"
@@ -12,10 +13,6 @@ namespace coapt {
 /// and list every impossible step (slack suture, unknown chorda or ring, two steps on one chorda,
 /// two rings, ...) or else the steps that leave a valve that validate() refuses.
 /// @pre the valve is valid.
-Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan,
-                           const std::vector<RingShape>& catalogue);
-
-/// The plan in surgical words, one line a step ("annuloplasty: generic-classic ring, size 30 mm").
-std::vector<std::string> describe(const Valve& valve, const RepairPlan& plan);
+Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan);
 
 }  // namespace coapt

@@ -43,7 +43,7 @@ bool check_approximation(const PapillaryApproximation& step, const Valve& valve,
                "is " + shown(step.suture_length_mm) +
                    (slack ? " mm, slack: longer than the distance from tip to anchor;" : " mm;") +
                    " must be from " + shown(accepted.min) + " to " + shown(accepted.max) +
-                   " mm (not below 12 mm nor half the present distance)");
+                   " mm (not below " + shown(kSutureMm.min) + " mm nor half the present distance)");
   return false;
 }
 
@@ -54,6 +54,13 @@ void apply_approximation(const PapillaryApproximation& step, Valve& valve) {
   const Vec3 move = (1.0 - step.suture_length_mm / distance) * (anchor - tip);
   for (PapillaryHead& head : valve.heads)
     if (head.side == step.side) head.tip_mm += move;
+}
+
+const PapillaryApproximation* suture_of(const RepairPlan& plan, Side side) {
+  for (const RepairStep& step : plan.steps)
+    if (const auto* suture = std::get_if<PapillaryApproximation>(&step))
+      if (suture->side == side) return suture;
+  return nullptr;
 }
 
 }  // namespace coapt

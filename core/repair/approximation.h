@@ -24,4 +24,7 @@ bool check_approximation(const PapillaryApproximation& step, const Valve& valve,
 /// @pre check_approximation().
 void apply_approximation(const PapillaryApproximation& step, Valve& valve);
 
+/// The suture of the papillary muscle on that side, or null.
+const PapillaryApproximation* suture_of(const RepairPlan& plan, Side side);
+
 }  // namespace coapt

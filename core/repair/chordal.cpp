@@ -140,8 +140,8 @@ void apply_transfer(const ChordalTransfer& step, const LeafletCoordinates& coord
     ++insertions;
     segment.insertion = insertion;
   }
-  move_branch_points(valve.heads[static_cast<std::size_t>(chorda.head)].rest_mm,
-                     old_end / insertions, position(insertion, valve.faces, valve.rest_mm), chorda);
+  move_branch_points(valve.heads[chorda.head].rest_mm, old_end / insertions,
+                     position(insertion, valve.faces, valve.rest_mm), chorda);
 }
 
 }  // namespace coapt

@@ -1,20 +1,13 @@
-#include <cstdio>
+#include "core/repair/describe.h"
 
-#include "core/repair/apply_plan.h"
 #include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
-#include "core/valve/problem_list.h"
+#include "core/valve/number_text.h"
 
 namespace coapt {
 namespace {
 
 constexpr double kFreeEdge = 0.95;  // heights from here on are called the free edge
-
-std::string one_decimal(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", number);
-  return text;
-}
 
 std::string words(Segment segment) {
   switch (segment) {
@@ -35,23 +28,23 @@ std::string words(Segment segment) {
 
 std::string place(const Valve& valve, const LeafletPoint& point) {
   const Insertion insertion = locate(valve, leaflet_coordinates(valve), point);
-  const std::string segment = words(valve.segments[static_cast<std::size_t>(insertion.face)]);
+  const std::string segment = words(valve.segments[insertion.face]);
   if (point.height >= kFreeEdge) return "the free edge of " + segment;
   return segment + " at " + std::to_string(static_cast<int>(100.0 * point.height + 0.5)) +
          " % of its height";
 }
 
 std::string words(const Valve& valve, const Annuloplasty& step) {
-  if (step.shape != "own")
-    return "annuloplasty: " + step.shape + " ring, size " + shown(step.size_mm) + " mm";
+  if (const auto* ring = std::get_if<CatalogueRing>(&step.ring))
+    return "annuloplasty: " + ring->shape + " ring, size " + shown(ring->size_mm) + " mm";
+  const int below = std::get<OwnRing>(step.ring).sizes_below;
   const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
-  if (step.sizes_below == 0)
-    return "annuloplasty: ring of the annulus's own shape and size (transverse " +
-           one_decimal(transverse) + " mm)";
-  return "annuloplasty: ring of the annulus's own shape, " + std::to_string(step.sizes_below) +
-         (step.sizes_below == 1 ? " size" : " sizes") + " below it (transverse " +
-         one_decimal(transverse) + " to " +
-         one_decimal(transverse - kRingSizeStep_mm * step.sizes_below) + " mm)";
+  if (below == 0)
+    return "annuloplasty: ring in the annulus's own shape and size (transverse " +
+           with_decimals(transverse, 1) + " mm)";
+  return "annuloplasty: ring in the annulus's own shape, undersized by " + std::to_string(below) +
+         (below == 1 ? " size" : " sizes") + " (transverse " + with_decimals(transverse, 1) +
+         " to " + with_decimals(transverse - kRingSizeStep_mm * below, 1) + " mm)";
 }
 
 std::string words(const Valve& valve, const Neochorda& step) {

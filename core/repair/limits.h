@@ -10,7 +10,7 @@ namespace coapt {
 // Accepted; outside, a step is refused.
 inline constexpr Range kRingSizesMm = {24.0, 40.0};  ///< labelled, catalogue shapes
 inline constexpr double kRingSizeStep_mm = 2.0;      ///< one size, of the transverse dimension
-inline constexpr Range kSizesBelow = {0.0, 6.0};     ///< shape "own"
+inline constexpr Range kSizesBelow = {0.0, 6.0};     ///< own ring
 inline constexpr double kLeastOwnRing = 0.5;         ///< of the transverse diameter must remain
 inline constexpr Range kNeochordaMm = {5.0, 40.0};
 inline constexpr Range kLengthChangeMm = {-20.0, 20.0};
@@ -20,8 +20,16 @@ inline constexpr Range kShare = {0.0, 1.0};        ///< leaflet coordinates, pla
 
 // Usual; outside, the search does not look and a plan is warned of.
 inline constexpr double kMostSizesBelow = 4.0;  ///< more is rejected in practice
+inline constexpr Range kUsualSizesBelow = {2.0, kMostSizesBelow};
+inline constexpr double kStenoticRing_mm = 27.0;  ///< labelled; this or less predicts stenosis
+/// From a papillary tip to its trigone, 57 cadavers: mean, sd and their sum, up to which is normal.
+inline constexpr double kTipToTrigone_mm = 23.5, kTipToTrigoneSd_mm = 3.8;
+inline constexpr double kMostNormalTipToTrigone_mm = kTipToTrigone_mm + kTipToTrigoneSd_mm;
 inline constexpr Range kUsualNeochordaMm = {10.0, 30.0};
 inline constexpr double kUsualMovement_mm = 10.0;     ///< papillary relocation: more is unusual
 inline constexpr double kRejectedMovement_mm = 15.0;  ///< more is rejected in practice
+
+/// "24 to 40".
+inline std::string shown(Range range) { return shown(range.min) + " to " + shown(range.max); }
 
 }  // namespace coapt

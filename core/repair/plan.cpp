@@ -2,6 +2,11 @@
 
 namespace coapt {
 
+std::string shape_of(const Annuloplasty& step) {
+  const auto* ring = std::get_if<CatalogueRing>(&step.ring);
+  return ring != nullptr ? ring->shape : kOwnShape;
+}
+
 Vec3 anchor_mm(const Valve& valve, const PapillaryApproximation& step) {
   const Landmarks& marks = valve.landmarks;
   switch (step.anchor) {

@@ -5,19 +5,32 @@
 #include <variant>
 #include <vector>
 
-#include "core/valve/leaflet_coordinates.h"
+#include "core/valve/leaflet_point.h"
 #include "core/valve/valve.h"
 
 namespace coapt {
 
-/// A ring sutured to the annulus. Shape "own" scales the valve's own annulus by `sizes_below` sizes
-/// (2 mm of the transverse dimension each, the others in proportion: U1 to U3 of thesis 4.2.3);
-/// any other shape is one of the catalogue, labelled by its transverse size.
-struct Annuloplasty {
-  std::string shape = "own";
-  double size_mm = 0.0;  ///< 24 to 40 in steps of 2, catalogue shapes only
-  int sizes_below = 0;   ///< 0 to 6, shape "own" only
+/// The valve's own annulus, smaller by sizes of 2 mm of the transverse dimension, the others in
+/// proportion: U1 to U3 of thesis 4.2.3.
+struct OwnRing {
+  int sizes_below = 0;  ///< 0 to 6
 };
+
+/// A ring of the catalogue (rings.h), labelled by its transverse size.
+struct CatalogueRing {
+  std::string shape;
+  double size_mm = 0.0;  ///< 24 to 40 in steps of 2
+};
+
+/// A ring sutured to the annulus.
+struct Annuloplasty {
+  std::variant<OwnRing, CatalogueRing> ring;
+};
+
+inline constexpr const char* kOwnShape = "own";  ///< of an OwnRing, in plans, rules and branches
+
+/// kOwnShape, or the name in the catalogue.
+std::string shape_of(const Annuloplasty& step);
 
 /// ePTFE suture from a papillary head to the leaflet.
 struct Neochorda {
@@ -57,15 +70,6 @@ using RepairStep = std::variant<Annuloplasty, Neochorda, ChordalLengthChange, Ch
 
 struct RepairPlan {
   std::vector<RepairStep> steps;
-};
-
-/// A ring's shape as shares of its transverse size; generic, not a manufacturer's.
-struct RingShape {
-  std::string name;
-  double ap_over_transverse = 0.75;
-  double transverse_factor = 1.0;       ///< true transverse width over labelled size
-  double saddle_over_transverse = 0.0;  ///< height of the saddle
-  std::string note;
 };
 
 Vec3 anchor_mm(const Valve& valve, const PapillaryApproximation& step);

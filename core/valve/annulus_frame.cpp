@@ -3,16 +3,18 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "core/valve/mean_point.h"
+
 namespace coapt {
 
 AnnulusFrame annulus_frame(const Valve& valve) {
   AnnulusFrame frame;
-  frame.origin_mm = valve.annulus_mm.colwise().mean();
+  frame.origin_mm = mean_point(valve.annulus_mm);
   const Points centred = valve.annulus_mm.rowwise() - frame.origin_mm.transpose();
   const Eigen::Matrix3d scatter = centred.transpose() * centred;
   frame.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
   Vec3 area = Vec3::Zero();
-  for (Eigen::Index i = 0; i < centred.rows(); ++i) {
+  for (Index i = 0; i < centred.rows(); ++i) {
     const Vec3 here = centred.row(i), next = centred.row((i + 1) % centred.rows());
     area += here.cross(next);
   }

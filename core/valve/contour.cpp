@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/valve/mean_point.h"
+
 namespace coapt {
 namespace {
 
@@ -20,7 +22,7 @@ double signed_power(double base, double exponent) {
 Vec3 centroid(const Points& contour) {
   Vec3 sum = Vec3::Zero();
   double total = 0.0;
-  for (Eigen::Index i = 0; i < contour.rows(); ++i) {
+  for (Index i = 0; i < contour.rows(); ++i) {
     const Vec3 a = contour.row(i), b = contour.row((i + 1) % contour.rows());
     sum += (b - a).norm() * 0.5 * (a + b);
     total += (b - a).norm();
@@ -30,8 +32,8 @@ Vec3 centroid(const Points& contour) {
 
 double projected_area(const Points& contour) {
   double twice = 0.0;
-  for (Eigen::Index i = 0; i < contour.rows(); ++i) {
-    const Eigen::Index j = (i + 1) % contour.rows();
+  for (Index i = 0; i < contour.rows(); ++i) {
+    const Index j = (i + 1) % contour.rows();
     twice += contour(i, 0) * contour(j, 1) - contour(j, 0) * contour(i, 1);
   }
   return 0.5 * twice;
@@ -39,7 +41,7 @@ double projected_area(const Points& contour) {
 
 /// Direction of the largest spread of a point cloud about its mean.
 Vec3 main_direction(const Points& points, int rank) {
-  const Vec3 mean = points.colwise().mean();
+  const Vec3 mean = mean_point(points);
   const Points centred = points.rowwise() - mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
   return solver.eigenvectors().col(rank);
@@ -63,7 +65,7 @@ Points generic_annulus_contour(double ap_mm, double al_pm_mm, double saddle_heig
 
 Points with_saddle(const Points& planar_mm, double height_mm) {
   Points contour = planar_mm;
-  for (Eigen::Index i = 0; i < contour.rows(); ++i) {
+  for (Index i = 0; i < contour.rows(); ++i) {
     const double phi = std::atan2(contour(i, 0), contour(i, 1));
     contour(i, 2) = 0.5 * height_mm * std::cos(2.0 * phi);
   }
@@ -72,7 +74,7 @@ Points with_saddle(const Points& planar_mm, double height_mm) {
 
 MeasuredSkeleton into_valve_frame(const Points& annulus_mm, const Points& tips_mm) {
   const Vec3 origin = centroid(annulus_mm);
-  const Vec3 tips_mean = tips_mm.colwise().mean();
+  const Vec3 tips_mean = mean_point(tips_mm);
   Vec3 z = main_direction(annulus_mm, 0);
   if (z.dot(tips_mean - origin) > 0.0) z = -z;
   const Points tips_in_plane = tips_mm - tips_mm * z * z.transpose();
@@ -96,7 +98,7 @@ MeasuredSkeleton into_valve_frame(const Points& annulus_mm, const Points& tips_m
 
 ArcLength::ArcLength(const Points& contour_mm) : contour_mm_(contour_mm) {
   length_mm_.push_back(0.0);
-  for (Eigen::Index i = 0; i < contour_mm.rows(); ++i)
+  for (Index i = 0; i < contour_mm.rows(); ++i)
     length_mm_.push_back(length_mm_.back() +
                          (contour_mm.row((i + 1) % contour_mm.rows()) - contour_mm.row(i)).norm());
 }
@@ -104,7 +106,7 @@ ArcLength::ArcLength(const Points& contour_mm) : contour_mm_(contour_mm) {
 Vec3 ArcLength::at(double arc_mm) const {
   const double wrapped = arc_mm - total_mm() * std::floor(arc_mm / total_mm());
   const auto next = std::upper_bound(length_mm_.begin() + 1, length_mm_.end() - 1, wrapped);
-  const Eigen::Index i = next - length_mm_.begin() - 1, j = (i + 1) % contour_mm_.rows();
+  const Index i = next - length_mm_.begin() - 1, j = (i + 1) % contour_mm_.rows();
   const double span = *next - *(next - 1);
   const double share = span > 0.0 ? (wrapped - *(next - 1)) / span : 0.0;
   return contour_mm_.row(i) + share * (contour_mm_.row(j) - contour_mm_.row(i));
@@ -116,13 +118,12 @@ Vec3 ArcLength::tangent(double arc_mm) const {
 }
 
 double ArcLength::crossing_mm(bool anterior) const {
-  const Eigen::Index n = contour_mm_.rows();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index j = (i + 1) % n;
+  const Index n = contour_mm_.rows();
+  for (Index i = 0; i < n; ++i) {
+    const Index j = (i + 1) % n;
     const double a = contour_mm_(i, 0), b = contour_mm_(j, 0);
     if ((contour_mm_(i, 1) > 0.0) != anterior || (a > 0.0) == (b > 0.0)) continue;
-    const auto k = static_cast<std::size_t>(i);
-    return length_mm_[k] + (length_mm_[k + 1] - length_mm_[k]) * a / (a - b);
+    return length_mm_[i] + (length_mm_[i + 1] - length_mm_[i]) * a / (a - b);
   }
   return 0.0;
 }

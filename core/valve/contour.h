@@ -7,8 +7,8 @@ namespace coapt {
 
 /// 720 points, counter-clockwise seen from the atrium, starting at +x. Two half superellipses
 /// (exponent 2.6 in front, 2.2 behind: a flat anterior side), 42 % of the anteroposterior diameter
-/// in front of the widest place, and with_saddle(). For human end-systolic diameters and height (PMC7368231) this gives that paper's area and
-/// circumference within 3 %.
+/// in front of the widest place, and with_saddle(). For human end-systolic diameters and height
+/// (PMC7368231) this gives that paper's area and circumference within 3 %.
 Points generic_annulus_contour(double ap_mm, double al_pm_mm, double saddle_height_mm);
 
 /// A planar contour (z = 0, the valve's frame) raised by height/2 x cos(2 phi), phi from the

@@ -32,7 +32,7 @@ using Weights = std::map<std::pair<int, int>, double>;  // of each edge, smaller
 
 Weights cotangent_weights(const Valve& valve) {
   Weights weights;
-  for (Eigen::Index f = 0; f < valve.faces.rows(); ++f) {
+  for (Index f = 0; f < valve.faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
       const int i = valve.faces(f, k), j = valve.faces(f, (k + 1) % 3);
       const Vec3 apex = valve.rest_mm.row(valve.faces(f, (k + 2) % 3));
@@ -45,21 +45,21 @@ Weights cotangent_weights(const Valve& valve) {
 }
 
 std::vector<bool> on_annulus(const Valve& valve) {
-  std::vector<bool> mask(static_cast<std::size_t>(valve.rest_mm.rows()), false);
-  for (const int vertex : valve.annulus) mask[static_cast<std::size_t>(vertex)] = true;
+  std::vector<bool> mask(valve.rest_mm.rows(), false);
+  for (const int vertex : valve.annulus) mask[vertex] = true;
   return mask;
 }
 
 std::vector<bool> on_boundary(const Valve& valve) {
   std::map<std::pair<int, int>, int> faces_of;
-  for (Eigen::Index f = 0; f < valve.faces.rows(); ++f)
+  for (Index f = 0; f < valve.faces.rows(); ++f)
     for (int k = 0; k < 3; ++k)
       ++faces_of[std::minmax(valve.faces(f, k), valve.faces(f, (k + 1) % 3))];
-  std::vector<bool> mask(static_cast<std::size_t>(valve.rest_mm.rows()), false);
+  std::vector<bool> mask(valve.rest_mm.rows(), false);
   for (const auto& [edge, count] : faces_of) {
     if (count != 1) continue;
-    mask[static_cast<std::size_t>(edge.first)] = true;
-    mask[static_cast<std::size_t>(edge.second)] = true;
+    mask[edge.first] = true;
+    mask[edge.second] = true;
   }
   return mask;
 }
@@ -91,7 +91,7 @@ class Laplacian {
   Eigen::VectorXd solve(Eigen::VectorXd values, const Eigen::VectorXd& source) const {
     Eigen::VectorXd right = Eigen::VectorXd::Zero(factors_.rows());
     for (std::size_t i = 0; i < row_.size(); ++i)
-      if (row_[i] >= 0) right(row_[i]) = source(static_cast<Eigen::Index>(i));
+      if (row_[i] >= 0) right(row_[i]) = source(i);
     for (const auto& [edge, weight] : weights_) {
       const int a = row(edge.first), b = row(edge.second);
       if (a >= 0 && b < 0) right(a) += weight * values(edge.second);
@@ -99,12 +99,12 @@ class Laplacian {
     }
     const Eigen::VectorXd free = factors_.solve(right);
     for (std::size_t i = 0; i < row_.size(); ++i)
-      if (row_[i] >= 0) values(static_cast<Eigen::Index>(i)) = free(row_[i]);
+      if (row_[i] >= 0) values(i) = free(row_[i]);
     return values;
   }
 
  private:
-  int row(int vertex) const { return row_[static_cast<std::size_t>(vertex)]; }
+  int row(int vertex) const { return row_[vertex]; }
 
   const Weights& weights_;
   std::vector<bool> fixed_;
@@ -121,7 +121,7 @@ Eigen::VectorXd harmonic_height(const Valve& valve, const Weights& weights) {
 }
 
 Eigen::VectorXd harmonic_around(const Valve& valve, const Weights& weights) {
-  const Eigen::Index n = valve.rest_mm.rows();
+  const Index n = valve.rest_mm.rows();
   const Laplacian laplacian(weights, on_annulus(valve));
   const std::vector<double> arc = annulus_around(valve);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n);
@@ -133,7 +133,7 @@ Eigen::VectorXd harmonic_around(const Valve& valve, const Weights& weights) {
   cosine = laplacian.solve(cosine, zero);
   sine = laplacian.solve(sine, zero);
   Eigen::VectorXd angle(n);
-  for (Eigen::Index i = 0; i < n; ++i) angle(i) = std::atan2(sine(i), cosine(i)) / kTurn;
+  for (Index i = 0; i < n; ++i) angle(i) = std::atan2(sine(i), cosine(i)) / kTurn;
   for (std::size_t i = 0; i < arc.size(); ++i) angle(valve.annulus[i]) = arc[i];
   Eigen::VectorXd source = zero;
   for (const auto& [edge, weight] : weights) {
@@ -150,22 +150,20 @@ std::vector<double> annulus_around(const Valve& valve) {
   const Landmarks& marks = valve.landmarks;
   const std::array<int, 4> quarter = {marks.posteromedial_commissure, marks.saddle_peak,
                                       marks.anterolateral_commissure, marks.mid_posterior};
-  const auto size = valve.annulus.size();
-  const auto index_of = [&](int vertex) {
+  const Index size = std::ssize(valve.annulus);
+  const auto index_of = [&](int vertex) -> Index {
     const auto found = std::find(valve.annulus.begin(), valve.annulus.end(), vertex);
     assert(found != valve.annulus.end());
-    return static_cast<std::size_t>(found - valve.annulus.begin());
+    return found - valve.annulus.begin();
   };
   std::vector<double> around(size, 0.0);
   for (std::size_t q = 0; q < 4; ++q) {
-    const std::size_t first = index_of(quarter[q]), last = index_of(quarter[(q + 1) % 4]);
+    const Index first = index_of(quarter[q]), last = index_of(quarter[(q + 1) % 4]);
     std::vector<double> arc;
     double length = 0.0;
-    for (std::size_t i = first; i != last; i = (i + 1) % size) {
+    for (Index i = first; i != last; i = (i + 1) % size) {
       arc.push_back(length);
-      length += (valve.annulus_mm.row(static_cast<Eigen::Index>((i + 1) % size)) -
-                 valve.annulus_mm.row(static_cast<Eigen::Index>(i)))
-                    .norm();
+      length += (valve.annulus_mm.row((i + 1) % size) - valve.annulus_mm.row(i)).norm();
     }
     for (std::size_t k = 0; k < arc.size(); ++k)
       around[(first + k) % size] = 0.25 * (static_cast<double>(q) + arc[k] / length);
@@ -178,7 +176,7 @@ LeafletCoordinates leaflet_coordinates(const Valve& valve) {
   const Eigen::VectorXd around = harmonic_around(valve, weights);
   const Eigen::VectorXd height = harmonic_height(valve, weights);
   LeafletCoordinates coordinates;
-  for (Eigen::Index i = 0; i < around.size(); ++i) {
+  for (Index i = 0; i < around.size(); ++i) {
     coordinates.around.push_back(turn_fraction(around(i)));
     coordinates.height.push_back(std::clamp(height(i), 0.0, 1.0));
   }
@@ -198,8 +196,7 @@ Vec3 annulus_point_mm(const Valve& valve, double around) {
   }
   const std::size_t after = (before + 1) % arc.size();
   const double t = std::min(1.0, past / turn_fraction(arc[after] - arc[before]));
-  return (1.0 - t) * valve.annulus_mm.row(static_cast<Eigen::Index>(before)) +
-         t * valve.annulus_mm.row(static_cast<Eigen::Index>(after));
+  return (1.0 - t) * valve.annulus_mm.row(before) + t * valve.annulus_mm.row(after);
 }
 
 }  // namespace coapt

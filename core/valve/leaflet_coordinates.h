@@ -11,15 +11,6 @@
 
 namespace coapt {
 
-/// A point of one leaflet. `along` runs from the anterolateral commissure (0) to the posteromedial
-/// one (1), 0.5 at the saddle peak or mid-posterior; `height` from the annulus (0) to the free edge
-/// (1).
-struct LeafletPoint {
-  Leaflet leaflet = Leaflet::Posterior;
-  double along = 0.5;
-  double height = 1.0;
-};
-
 /// Per vertex: `around` in [0, 1), counter-clockwise seen from the atrium with the posteromedial
 /// commissure at 0, the saddle peak at 0.25, the anterolateral commissure at 0.5 and mid-posterior
 /// at 0.75, linear in annulus arc length (under pressure) between them; `height` in [0, 1].
@@ -29,18 +20,6 @@ struct LeafletCoordinates {
 };
 
 LeafletCoordinates leaflet_coordinates(const Valve& valve);
-
-/// `around` of a point: the anterior leaflet is walked clockwise, the posterior one
-/// counter-clockwise.
-double around(const LeafletPoint& point);
-
-/// The point of the mesh nearest in leaflet coordinates.
-Insertion locate(const Valve& valve, const LeafletCoordinates& coordinates,
-                 const LeafletPoint& point);
-
-/// The other way round: where an insertion lies.
-LeafletPoint leaflet_point(const Valve& valve, const LeafletCoordinates& coordinates,
-                           const Insertion& insertion);
 
 /// |A|, `around` of each annulus vertex, in the order of Valve::annulus.
 std::vector<double> annulus_around(const Valve& valve);

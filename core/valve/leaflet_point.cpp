@@ -1,11 +1,10 @@
-// From leaflet coordinates to the mesh and back: a search over all faces in the plane of (around,
-// height).
+// A search over all faces in the plane of (around, height).
+#include "core/valve/leaflet_point.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
-#include "core/valve/leaflet_coordinates.h"
 #include "core/valve/turns.h"
 
 namespace coapt {
@@ -61,12 +60,11 @@ Insertion locate(const Valve& valve, const LeafletCoordinates& coordinates,
     // Corners relative to the target; the face is kept whole where `around` jumps.
     std::array<Vec2, 3> corner;
     for (int k = 0; k < 3; ++k) {
-      const auto vertex = static_cast<std::size_t>(valve.faces(f, k));
-      const double from_first = coordinates.around[vertex] -
-                                coordinates.around[static_cast<std::size_t>(valve.faces(f, 0))];
+      const int vertex = valve.faces(f, k);
+      const double from_first = coordinates.around[vertex] - coordinates.around[valve.faces(f, 0)];
       const double across = k == 0 ? wrapped(coordinates.around[vertex] - target)
                                    : corner[0].x() + wrapped(from_first);
-      corner[static_cast<std::size_t>(k)] = {across, coordinates.height[vertex] - point.height};
+      corner[k] = {across, coordinates.height[vertex] - point.height};
     }
     const std::array<double, 3> weights = nearest_weights(corner[0], corner[1], corner[2]);
     const double distance2 =
@@ -80,11 +78,11 @@ Insertion locate(const Valve& valve, const LeafletCoordinates& coordinates,
 
 LeafletPoint leaflet_point(const Valve& valve, const LeafletCoordinates& coordinates,
                            const Insertion& insertion) {
-  const auto first = static_cast<std::size_t>(valve.faces(insertion.face, 0));
+  const int first = valve.faces(insertion.face, 0);
   double place = coordinates.around[first], height = 0.0;
   for (int k = 0; k < 3; ++k) {
-    const auto vertex = static_cast<std::size_t>(valve.faces(insertion.face, k));
-    const double weight = insertion.weights[static_cast<std::size_t>(k)];
+    const int vertex = valve.faces(insertion.face, k);
+    const double weight = insertion.weights[k];
     place += weight * wrapped(coordinates.around[vertex] - coordinates.around[first]);
     height += weight * coordinates.height[vertex];
   }

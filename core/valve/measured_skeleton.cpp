@@ -9,7 +9,7 @@ constexpr Range kCircumferenceMm = {30.0, 400.0};  // as a valve's
 constexpr Range kDiameterMm = {8.0, 100.0};
 constexpr Range kTipDepthMm = {8.0, 60.0};  // as ParametricValve::tip_depth_mm
 constexpr double kTipAsideMm = 60.0;        // from the axis: beyond it there is no ventricle
-constexpr Eigen::Index kMaxTips = 100;      // as many heads as a valve may have
+constexpr Index kMaxTips = 100;             // as many heads as a valve may have
 
 Errors check_annulus(const Points& annulus_mm) {
   const double length = ArcLength(annulus_mm).total_mm();
@@ -41,8 +41,8 @@ Errors check_width(const Points& annulus_mm) {
 
 /// Tips in the valve's frame.
 Errors check_tips(const Points& tips_mm) {
-  Eigen::Index shallow = 0, deep = 0, aside = 0;
-  for (Eigen::Index i = 0; i < tips_mm.rows(); ++i) {
+  Index shallow = 0, deep = 0, aside = 0;
+  for (Index i = 0; i < tips_mm.rows(); ++i) {
     const double depth = -tips_mm(i, 2);
     shallow += depth < kTipDepthMm.min;
     deep += depth > kTipDepthMm.max;
@@ -50,7 +50,7 @@ Errors check_tips(const Points& tips_mm) {
   }
   const std::string of = " of " + std::to_string(tips_mm.rows()) + " tips lie ";
   Errors errors;
-  const auto refuse = [&](Eigen::Index count, const std::string& where) {
+  const auto refuse = [&](Index count, const std::string& where) {
     if (count > 0)
       errors.push_back({ErrorCode::BadGeometry, "/tips_mm", std::to_string(count) + of + where});
   };

@@ -15,8 +15,8 @@
 
 namespace coapt {
 
-/// How the posteromedial half differs from the anterolateral one. Each value is half the difference:
-/// it is added on the posteromedial side and taken away on the anterolateral one.
+/// How the posteromedial half differs from the anterolateral one. Each value is half the
+/// difference: it is added on the posteromedial side and taken away on the anterolateral one.
 struct Asymmetry {
   Vec3 tip_mm = Vec3::Zero();   ///< transverse (outwards), posterior, apical
   double leaflet_height = 0.0;  ///< share of the height at the commissures, nothing at the midline

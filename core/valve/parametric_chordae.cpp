@@ -80,9 +80,9 @@ double wrap(double around) { return around - std::floor(around); }
 Insertion insertion_at(const SkirtGrid& grid, const Valve& valve, const Site& site) {
   const double around = wrap(site.around);
   int i = grid.stations - 1;
-  while (i > 0 && grid.around[static_cast<std::size_t>(i)] > around) --i;
-  const double low = grid.around[static_cast<std::size_t>(i)];
-  const double high = i + 1 < grid.stations ? grid.around[static_cast<std::size_t>(i + 1)] : 1.0;
+  while (i > 0 && grid.around[i] > around) --i;
+  const double low = grid.around[i];
+  const double high = i + 1 < grid.stations ? grid.around[i + 1] : 1.0;
   const double u = (around - low) / (high - low);
   const double depth = site.height * grid.rows;
   const int row = std::min(grid.rows - 1, static_cast<int>(depth));
@@ -136,8 +136,8 @@ Vec3 closed_free_edge(const Valve& valve, const Site& site, const Vec3& muscle) 
 
 Chorda make_chorda(const SkirtGrid& grid, const Valve& valve, const Group& group, int head,
                    const std::string& id) {
-  const Vec3 tip = valve.heads[static_cast<std::size_t>(head)].tip_mm;
-  const Vec3 muscle = papillary_tip_mm(valve, valve.heads[static_cast<std::size_t>(head)].side);
+  const Vec3 tip = valve.heads[head].tip_mm;
+  const Vec3 muscle = papillary_tip_mm(valve, valve.heads[head].side);
   Chorda chorda{id, group.kind, head, false, {}};
   std::vector<Insertion> insertions;
   std::vector<Vec3> ends;
@@ -174,7 +174,7 @@ Chorda make_chorda(const SkirtGrid& grid, const Valve& valve, const Group& group
 /// Heads of one muscle ordered from anterior to posterior.
 std::vector<int> add_heads(const Points& tips_mm, Side side, Valve& valve) {
   std::vector<Vec3> tips;
-  for (Eigen::Index i = 0; i < tips_mm.rows(); ++i)
+  for (Index i = 0; i < tips_mm.rows(); ++i)
     if ((tips_mm(i, 0) < 0.0) == (side == Side::Anterolateral)) tips.push_back(tips_mm.row(i));
   if (tips.size() == 1) {
     const Vec3 middle = tips[0];
@@ -207,8 +207,8 @@ void add_parametric_chordae(const SkirtGrid& grid, const Points& tips_mm, Valve&
       const Segment at = side == Side::Anterolateral ? mirrored(group.segment) : group.segment;
       ++number;
       valve.chordae.push_back(make_chorda(grid, valve, group, head,
-                                          valve.heads[static_cast<std::size_t>(head)].id + "-" +
-                                              to_string(at) + "-" + to_string(group.kind) + "-" +
+                                          valve.heads[head].id + "-" + to_string(at) + "-" +
+                                              to_string(group.kind) + "-" +
                                               std::to_string(number)));
     }
   }

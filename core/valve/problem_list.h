@@ -2,10 +2,10 @@
 // messages.
 #pragma once
 
-#include <cstdio>
 #include <string>
 #include <utility>
 
+#include "core/valve/number_text.h"
 #include "core/valve/types.h"
 
 namespace coapt {
@@ -54,13 +54,6 @@ struct Range {
   double min = 0.0;
   double max = 0.0;
 };
-
-/// Six significant digits.
-inline std::string shown(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
 
 /// OutOfRange unless `number` is inside; NaN never is. `unit` with its leading blank (" mm") or
 /// empty.

@@ -23,7 +23,7 @@ void check_displacement(const Vec3& displacement_mm, const std::string& path,
 }
 
 void scale_height(const AnnulusFrame& frame, double factor, Valve& valve) {
-  for (Eigen::Index i = 0; i < valve.annulus_mm.rows(); ++i) {
+  for (Index i = 0; i < valve.annulus_mm.rows(); ++i) {
     const Vec3 point = valve.annulus_mm.row(i);
     const double height = frame.normal.dot(point - frame.origin_mm);
     valve.annulus_mm.row(i) += (factor - 1.0) * height * frame.normal.transpose();
@@ -53,7 +53,7 @@ double backward_share(const Valve& valve, const AnnulusFrame& frame, const Trigo
 }
 
 void dilate(const AnnulusFrame& frame, const TrigoneLine& line, double share, Valve& valve) {
-  for (Eigen::Index i = 0; i < valve.annulus_mm.rows(); ++i) {
+  for (Index i = 0; i < valve.annulus_mm.rows(); ++i) {
     const double behind = line.behind_mm(into_frame(frame, valve.annulus_mm.row(i)));
     if (behind > 0.0) valve.annulus_mm.row(i) -= share * behind * frame.anterior.transpose();
   }

@@ -23,8 +23,8 @@ struct Remodelling {
 };
 
 /// The valve under changed boundary conditions; rest shape, chordae and indices are kept. Errors
-/// point to the fields of Remodelling ("/anterolateral_mm/2"): out of range, or leaving a valve that
-/// validate() refuses. @pre the valve is valid.
+/// point to the fields of Remodelling ("/anterolateral_mm/2"): out of range, or leaving a valve
+/// that validate() refuses. @pre the valve is valid.
 Expected<Valve> remodel(const Valve& valve, const Remodelling& change);
 
 }  // namespace coapt

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cassert>
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <variant>
@@ -11,6 +13,7 @@
 
 namespace coapt {
 
+using Index = std::ptrdiff_t;  ///< of rows and elements; signed, as std::ssize and Eigen's
 using Vec3 = Eigen::Vector3d;
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< n x 3
 using Faces = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;      ///< n x 3

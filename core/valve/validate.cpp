@@ -130,7 +130,7 @@ void check_heads(const Valve& valve, ProblemList& problems) {
   bool posteromedial = false;
   for (std::size_t i = 0; i < valve.heads.size(); ++i) {
     const PapillaryHead& head = valve.heads[i];
-    const std::string here = at(path, static_cast<std::ptrdiff_t>(i));
+    const std::string here = at(path, i);
     if (head.id.empty()) {
       problems.add(ErrorCode::OutOfRange, here + "/id", "is empty");
     } else if (!ids.insert(head.id).second) {

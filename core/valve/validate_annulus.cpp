@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/valve/mean_point.h"
 #include "core/valve/validate_parts.h"
 
 namespace coapt {
@@ -43,21 +44,21 @@ void check_size(const Points& loop, const std::string& path, ProblemList& proble
 bool check_annulus_indices(const Valve& valve, ProblemList& problems) {
   const std::string path = "/annulus/vertices";
   bool usable = true;
-  std::vector<bool> seen(static_cast<std::size_t>(valve.rest_mm.rows()), false);
+  std::vector<bool> seen(valve.rest_mm.rows(), false);
   for (std::size_t i = 0; i < valve.annulus.size(); ++i) {
     const int vertex = valve.annulus[i];
-    const std::string here = at(path, static_cast<std::ptrdiff_t>(i));
+    const std::string here = at(path, i);
     if (vertex < 0 || vertex >= valve.rest_mm.rows()) {
       usable = false;
       problems.add(ErrorCode::BadReference, here,
                    "is " + std::to_string(vertex) + ", must be the index of a vertex, 0 to " +
                        std::to_string(valve.rest_mm.rows() - 1));
-    } else if (seen[static_cast<std::size_t>(vertex)]) {
+    } else if (seen[vertex]) {
       usable = false;
       problems.add(ErrorCode::BadTopology, here,
                    "repeats vertex " + std::to_string(vertex) + "; the annulus passes each once");
     } else {
-      seen[static_cast<std::size_t>(vertex)] = true;
+      seen[vertex] = true;
     }
   }
   return usable;
@@ -67,9 +68,7 @@ bool check_annulus_indices(const Valve& valve, ProblemList& problems) {
 void check_boundary(const Valve& valve, const MeshCheck& mesh, bool clockwise,
                     ProblemList& problems) {
   const std::size_t size = valve.annulus.size();
-  const auto next = [&](int vertex) {
-    return mesh.next_on_boundary[static_cast<std::size_t>(vertex)];
-  };
+  const auto next = [&](int vertex) { return mesh.next_on_boundary[vertex]; };
   std::size_t reversed = 0;
   bool loop = true;
   for (std::size_t i = 0; i < size; ++i) {
@@ -79,7 +78,7 @@ void check_boundary(const Valve& valve, const MeshCheck& mesh, bool clockwise,
       ++reversed;
     } else if (next(from) != to) {
       loop = false;
-      problems.add(ErrorCode::BadTopology, at("/annulus/vertices", static_cast<std::ptrdiff_t>(i)),
+      problems.add(ErrorCode::BadTopology, at("/annulus/vertices", i),
                    "is " + std::to_string(from) +
                        ", and no boundary edge leads from there to the "
                        "next, " +
@@ -174,7 +173,7 @@ void check_annulus(const Valve& valve, const MeshCheck& mesh, ProblemList& probl
   if (!check_points(valve.annulus_mm, "/annulus/positions_mm", problems)) return;
   const std::string positions = "/annulus/positions_mm";
   check_size(valve.annulus_mm, positions, problems);
-  const Vec3 centroid = valve.annulus_mm.colwise().mean();
+  const Vec3 centroid = mean_point(valve.annulus_mm);
   if (centroid.norm() > kMaxCentroidMm) {
     problems.add(
         ErrorCode::BadGeometry, positions,
@@ -186,9 +185,9 @@ void check_annulus(const Valve& valve, const MeshCheck& mesh, ProblemList& probl
                  "runs clockwise seen from the atrium (z up), must run counter-clockwise");
   }
   if (!usable) return;
-  Points rest(static_cast<Eigen::Index>(size), 3);
+  Points rest(size, 3);
   for (std::size_t i = 0; i < size; ++i) {
-    rest.row(static_cast<Eigen::Index>(i)) = valve.rest_mm.row(valve.annulus[i]);
+    rest.row(i) = valve.rest_mm.row(valve.annulus[i]);
   }
   check_size(rest, "/vertices_mm", problems);
   if (mesh.surface) check_boundary(valve, mesh, clockwise, problems);

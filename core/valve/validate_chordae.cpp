@@ -23,7 +23,7 @@ void check_insertion(const Insertion& insertion, int faces, const std::string& p
   bool inside = true;
   double sum = 0.0;
   for (int corner = 0; corner < 3; ++corner) {
-    const double weight = insertion.weights[static_cast<std::size_t>(corner)];
+    const double weight = insertion.weights[corner];
     inside &= check_range(problems, at(path + "/weights", corner), weight, {0.0, 1.0});
     sum += weight;
   }
@@ -51,7 +51,7 @@ void check_measures(const ChordaSegment& segment, int faces, const std::string& 
 void check_tree(const std::vector<ChordaSegment>& segments, const std::string& path,
                 ProblemList& problems) {
   const int count = static_cast<int>(segments.size());
-  const auto parent_of = [&](int i) { return segments[static_cast<std::size_t>(i)].parent; };
+  const auto parent_of = [&](int i) { return segments[i].parent; };
   const auto parent_path = [&](int i) { return at(path, i) + "/parent"; };
   bool references = true;
   for (int i = 0; i < count; ++i) {
@@ -73,10 +73,11 @@ void check_tree(const std::vector<ChordaSegment>& segments, const std::string& p
       }
       continue;
     }
-    ++children[static_cast<std::size_t>(parent)];
-    if (segments[static_cast<std::size_t>(parent)].inserts) {
-      problems.add(ErrorCode::BadTopology, parent_path(i),
-                   "is a segment that ends in the leaflet; only branch points go on");
+    ++children[parent];
+    if (segments[parent].inserts) {
+      problems.add(
+          ErrorCode::BadTopology, parent_path(i),
+          "is a segment that ends in the leaflet; only branch points carry further segments");
     }
     if (parent < i) continue;
     int ancestor = parent;
@@ -94,16 +95,16 @@ void check_tree(const std::vector<ChordaSegment>& segments, const std::string& p
     }
   }
   for (int i = 0; i < count; ++i) {
-    const ChordaSegment& segment = segments[static_cast<std::size_t>(i)];
+    const ChordaSegment& segment = segments[i];
     int ancestor = i;
     for (int step = 0; step <= count && ancestor >= 0; ++step) ancestor = parent_of(ancestor);
     if (segment.inserts && ancestor >= 0) {
       problems.add(ErrorCode::BadTopology, at(path, i),
                    "inserts in the leaflet but is not reached from the papillary head");
     }
-    if (!segment.inserts && children[static_cast<std::size_t>(i)] == 0) {
+    if (!segment.inserts && children[i] == 0) {
       problems.add(ErrorCode::BadTopology, at(path, i),
-                   "ends in a branch point from which nothing goes on to the leaflet");
+                   "ends in a branch point that carries no further segment");
     }
   }
 }
@@ -119,7 +120,7 @@ void check_chordae(const Valve& valve, ProblemList& problems) {
   std::set<std::string> ids;
   for (std::size_t i = 0; i < valve.chordae.size(); ++i) {
     const Chorda& chorda = valve.chordae[i];
-    const std::string path = at("/chordae", static_cast<std::ptrdiff_t>(i));
+    const std::string path = at("/chordae", i);
     if (chorda.id.empty()) {
       problems.add(ErrorCode::OutOfRange, path + "/id", "is empty");
     } else if (!ids.insert(chorda.id).second) {
@@ -140,8 +141,7 @@ void check_chordae(const Valve& valve, ProblemList& problems) {
       continue;
     }
     for (std::size_t s = 0; s < chorda.segments.size(); ++s) {
-      check_measures(chorda.segments[s], faces, at(segments, static_cast<std::ptrdiff_t>(s)),
-                     problems);
+      check_measures(chorda.segments[s], faces, at(segments, s), problems);
     }
     check_tree(chorda.segments, segments, problems);
   }

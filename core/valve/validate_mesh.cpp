@@ -29,7 +29,7 @@ struct Edge {
 
 std::vector<Edge> sorted_edges(const Faces& faces) {
   std::vector<Edge> edges;
-  edges.reserve(static_cast<std::size_t>(3 * faces.rows()));
+  edges.reserve(3 * faces.rows());
   for (int face = 0; face < faces.rows(); ++face) {
     for (int corner = 0; corner < 3; ++corner) {
       const int from = faces(face, corner);
@@ -58,10 +58,9 @@ struct Surface {
 Surface join(const Faces& faces, ProblemList& problems) {
   const std::vector<Edge> edges = sorted_edges(faces);
   Surface surface;
-  surface.neighbours.resize(static_cast<std::size_t>(faces.rows()));
+  surface.neighbours.resize(faces.rows());
   const auto slot = [&](const Edge& edge) -> Neighbour& {
-    return surface
-        .neighbours[static_cast<std::size_t>(edge.face)][static_cast<std::size_t>(edge.corner)];
+    return surface.neighbours[edge.face][edge.corner];
   };
   for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
     const Edge& edge = edges[first];
@@ -97,10 +96,10 @@ bool check_sheet(const Neighbours& neighbours, ProblemList& problems) {
     for (const Neighbour& neighbour : neighbours[queue[i]]) {
       if (neighbour.face < 0) continue;
       const Winding expected = alike == neighbour.wound_alike ? Winding::Alike : Winding::Opposite;
-      Winding& found = winding[static_cast<std::size_t>(neighbour.face)];
+      Winding& found = winding[neighbour.face];
       if (found == Winding::Unseen) {
         found = expected;
-        queue.push_back(static_cast<std::size_t>(neighbour.face));
+        queue.push_back(neighbour.face);
       } else if (found != expected) {
         orientable = false;
       }
@@ -117,7 +116,7 @@ bool check_sheet(const Neighbours& neighbours, ProblemList& problems) {
   for (std::size_t face = 0; face < winding.size(); ++face) {
     if (winding[face] != minority) continue;
     good = false;
-    problems.add(ErrorCode::BadGeometry, at("/faces", static_cast<std::ptrdiff_t>(face)),
+    problems.add(ErrorCode::BadGeometry, at("/faces", face),
                  "is flipped: wound against its neighbours; seen from the atrial surface all faces "
                  "must be counter-clockwise");
   }
@@ -132,11 +131,11 @@ bool check_sheet(const Neighbours& neighbours, ProblemList& problems) {
 // The vertex after each one along the boundary, in the direction of the faces.
 std::vector<int> follow_boundary(const Valve& valve, const std::vector<Edge>& boundary,
                                  ProblemList& problems) {
-  std::vector<int> next(static_cast<std::size_t>(valve.rest_mm.rows()), -1);
+  std::vector<int> next(valve.rest_mm.rows(), -1);
   std::vector<int> pinched;
   for (const Edge& edge : boundary) {
     const int from = edge.ascending ? edge.low : edge.high;
-    int& after = next[static_cast<std::size_t>(from)];
+    int& after = next[from];
     if (after >= 0) pinched.push_back(from);
     after = edge.ascending ? edge.high : edge.low;
   }
@@ -153,12 +152,12 @@ std::vector<int> follow_boundary(const Valve& valve, const std::vector<Edge>& bo
 bool check_face_indices(const Valve& valve, ProblemList& problems) {
   const int vertices = static_cast<int>(valve.rest_mm.rows());
   bool usable = true;
-  std::vector<bool> used(static_cast<std::size_t>(vertices), false);
+  std::vector<bool> used(vertices, false);
   for (int face = 0; face < valve.faces.rows(); ++face) {
     for (int corner = 0; corner < 3; ++corner) {
       const int vertex = valve.faces(face, corner);
       if (vertex >= 0 && vertex < vertices) {
-        used[static_cast<std::size_t>(vertex)] = true;
+        used[vertex] = true;
         continue;
       }
       usable = false;
@@ -168,7 +167,7 @@ bool check_face_indices(const Valve& valve, ProblemList& problems) {
     }
   }
   for (int vertex = 0; usable && vertex < vertices; ++vertex) {
-    if (used[static_cast<std::size_t>(vertex)]) continue;
+    if (used[vertex]) continue;
     problems.add(ErrorCode::BadTopology, at("/vertices_mm", vertex), "belongs to no face");
   }
   return usable;

@@ -13,8 +13,8 @@ struct MeshCheck {
   bool vertices_usable = false;  ///< a sensible number of them, all of them finite
   bool faces_usable = false;     ///< their indices are those of vertices
   bool surface = false;          ///< one orientable sheet, all faces wound alike
-  std::vector<int>
-      next_on_boundary;  ///< |V|, -1 off the boundary; the direction of the faces. If surface
+  /// |V|, -1 off the boundary; the direction of the faces. If surface.
+  std::vector<int> next_on_boundary;
 };
 
 MeshCheck check_mesh(const Valve& valve, ProblemList& problems);
@@ -24,7 +24,7 @@ void check_chordae(const Valve& valve, ProblemList& problems);
 /// Whether all coordinates are inside the accepted range; lists each row and column that is not.
 bool check_points(const Points& points, const std::string& path, ProblemList& problems);
 
-inline std::string at(const std::string& path, std::ptrdiff_t index) {
+inline std::string at(const std::string& path, Index index) {
   return path + '/' + std::to_string(index);
 }
 

@@ -80,7 +80,7 @@ Vec3 position(const Insertion& insertion, const Faces& faces, const Points& poin
   Vec3 sum = Vec3::Zero();
   for (int corner = 0; corner < 3; ++corner) {
     const Vec3 vertex = points.row(faces(insertion.face, corner));
-    sum += insertion.weights[static_cast<std::size_t>(corner)] * vertex;
+    sum += insertion.weights[corner] * vertex;
   }
   return sum;
 }

@@ -1,10 +1,10 @@
-// The valve: an unstressed skirt of triangles, the annulus and papillary tips under pressure, and the
-// chordae as branching trees.
+// The valve: an unstressed skirt of triangles, the annulus and papillary tips under pressure, and
+// the chordae as branching trees.
 //
-// Frame of reference (everywhere in coapt, millimetres, right-handed): origin at the annulus centroid,
-// x to the posteromedial commissure, y anterior (to the saddle peak), z to the atrium. Seen from the
-// atrium (looking along -z) anterior is up, the anterolateral side is left. Dilation and rings move the
-// annulus, not the frame: its centroid may lie up to 15 mm from the origin.
+// Frame of reference (everywhere in coapt, millimetres, right-handed): origin at the annulus
+// centroid, x to the posteromedial commissure, y anterior (to the saddle peak), z to the atrium.
+// Seen from the atrium (looking along -z) anterior is up, the anterolateral side is left. Dilation
+// and rings move the annulus, not the frame: its centroid may lie up to 15 mm from the origin.
 #pragma once
 
 #include <array>
@@ -57,8 +57,8 @@ struct Insertion {
   std::array<double, 3> weights = {1.0, 0.0, 0.0};
 };
 
-/// One straight piece of a chorda. It starts at the papillary head (parent -1) or at the branch point
-/// that ends segment `parent`, and ends in the leaflet or in a branch point.
+/// One straight piece of a chorda. It starts at the papillary head (parent -1) or at the branch
+/// point that ends segment `parent`, and ends in the leaflet or in a branch point.
 struct ChordaSegment {
   int parent = -1;  ///< index into Chorda::segments, always smaller than its own
   double rest_length_mm = 0.0;
@@ -86,8 +86,8 @@ struct Valve {
   Faces faces;                          ///< |F| x 3, vertex indices
   std::vector<Segment> segments;        ///< |F|
   Points fibre;  ///< |F| x 3, unit circumferential direction in the face's plane
-  std::vector<int>
-      annulus;        ///< |A| vertices, a boundary loop, counter-clockwise seen from the atrium
+  /// |A| vertices, a boundary loop, counter-clockwise seen from the atrium.
+  std::vector<int> annulus;
   Points annulus_mm;  ///< |A| x 3, where the annulus sits under pressure
   Landmarks landmarks;
   std::vector<PapillaryHead> heads;

@@ -16,7 +16,9 @@ from coapt import NOTICE, Client, CoaptError, PapillaryApproximation, Plan, Ring
 def main(valve: str | pathlib.Path) -> None:
     client = Client()
     before = client.close(valve)
-    print(f"Before: leak {before.measure.leak_mm2:.1f} mm2, coaptation {before.measure.coaptation_height_mean_mm:.1f} mm")
+    print(
+        f"Before: leak {before.measure.leak_mm2:.1f} mm2, coaptation {before.measure.coaptation_height_mean_mm:.1f} mm"
+    )
 
     by_hand = Plan(Ring("generic-classic", size_mm=34), PapillaryApproximation("posteromedial", suture_length_mm=26))
     after = client.close(valve, by_hand)
@@ -25,7 +27,9 @@ def main(valve: str | pathlib.Path) -> None:
     job = client.search(valve, evaluations=60, seed=1, plans=2, region_points=17, evidence=False)
     for plan in job.wait(progress=show_progress).result().plans:
         leak = plan.leak_mm2
-        print(f"{plan.rank}. leak {leak.nominal:.1f} mm2 as planned, {leak.mean:.1f} (sd {leak.sd:.1f}) over its region")
+        print(
+            f"{plan.rank}. leak {leak.nominal:.1f} mm2 as planned, {leak.mean:.1f} (sd {leak.sd:.1f}) over its region"
+        )
         print(*(f"   {line}" for line in plan.description), sep="\n")
 
     best = job.result().plans[0]

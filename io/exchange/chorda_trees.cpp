@@ -154,7 +154,7 @@ std::vector<ImportedChorda> chorda_trees(const std::vector<TracedLine>& lines,
   }
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (!reached[i])
-      add(lines[i], ErrorCode::BadTopology, "lies in a ring of lines; must lead from a tip",
+      add(lines[i], ErrorCode::BadTopology, "lies in a loop of lines; must lead from a tip",
           problems);
 
   Vec3 mean_tip = Vec3::Zero();
@@ -167,7 +167,8 @@ std::vector<ImportedChorda> chorda_trees(const std::vector<TracedLine>& lines,
     if (tip) chordae[i].pressed_tip_mm = tip->pressed_mm;
     if (!labelled && medial.norm() == 0.0)
       add(lines[trunks[i]], ErrorCode::MissingField,
-          "begins at a tip whose side is not told: label the papillary tips AL or PM (a list named "
+          "begins at a tip whose side is not known: label the papillary tips AL or PM (a list "
+          "named "
           "papillary, .mrk.json), or give an anterior and a posterior leaflet",
           problems);
     const bool is_medial = (chordae[i].tip_mm - mean_tip).dot(medial) > 0.0;

@@ -25,13 +25,7 @@ std::vector<Points> chorda_ends(const Valve& valve, const Points& vertices_mm,
 
 }  // namespace
 
-ExportedValve close_for_export(const Valve& repaired, const RepairPlan& plan) {
-  ClosureResult closure = close_valve(repaired, {.motion = true});
-  ValveMeasure measured = measure(repaired, closure);
-  return {repaired, std::move(closure), std::move(measured), plan};
-}
-
-ValveShape closed_shape(const ExportedValve& exported) {
+ValveShape closed_shape(const ClosedValve& exported) {
   const Valve& valve = exported.valve;
   Points heads(std::ssize(valve.heads), 3);
   for (std::size_t h = 0; h < valve.heads.size(); ++h) heads.row(as_row(h)) = valve.heads[h].tip_mm;
@@ -49,7 +43,7 @@ ValveShape unstressed_shape(const Valve& valve) {
   return {valve.rest_mm, std::move(heads), chorda_ends(valve, valve.rest_mm, at_rest)};
 }
 
-std::vector<ValveShape> motion_shapes(const ExportedValve& exported) {
+std::vector<ValveShape> motion_shapes(const ClosedValve& exported) {
   const Valve& valve = exported.valve;
   std::vector<ValveShape> shapes;
   for (const Points& state_mm : exported.closure.motion_mm) {

@@ -1,23 +1,11 @@
-// What files are written of: a valve with its closure, and what it looks like in some state.
+// What files are written of: what a closed valve looks like in some state.
 #pragma once
 
 #include <vector>
 
-#include "core/closure/closure.h"
-#include "core/metrics/measure.h"
-#include "core/repair/plan.h"
+#include "core/closed/closed_valve.h"
 
 namespace coapt {
-
-struct ExportedValve {
-  Valve valve;  ///< as it was closed: repaired, if it was
-  ClosureResult closure;
-  ValveMeasure measure;
-  RepairPlan plan = {};  ///< by which it was repaired; no steps: it was not
-};
-
-/// Closes it with its motion kept and measures it. @param plan by which it was repaired
-ExportedValve close_for_export(const Valve& repaired, const RepairPlan& plan);
 
 /// The valve in one state, in its own frame.
 struct ValveShape {
@@ -27,11 +15,11 @@ struct ValveShape {
   std::vector<std::vector<double>> tension_n = {};  ///< [chorda][segment]; empty: there is none
 };
 
-ValveShape closed_shape(const ExportedValve& exported);
+ValveShape closed_shape(const ClosedValve& exported);
 ValveShape unstressed_shape(const Valve& valve);
 
 /// From the state where the closure began to the closed one; empty if the motion was not kept.
-std::vector<ValveShape> motion_shapes(const ExportedValve& exported);
+std::vector<ValveShape> motion_shapes(const ClosedValve& exported);
 
 /// Where a segment begins: at its papillary head or at the end of its parent.
 Vec3 segment_start(const ValveShape& shape, const Chorda& chorda, std::size_t index_of_chorda,

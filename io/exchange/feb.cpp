@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/closure/continuum.h"
 #include "core/closure/model.h"
 #include "core/metrics/coaptation.h"
+#include "core/valve/number_text.h"
 #include "io/json/result_json.h"
 #include "io/mesh/mesh_text.h"
 
@@ -13,15 +15,11 @@ namespace coapt {
 namespace {
 
 constexpr double kToePower = 20.0, kPoisson = 0.45;
-constexpr double kMpaPerKpa = 1e-3, kTonnePerG = 1e-6;
+constexpr double kTonnePerG = 1e-6;
 constexpr int kIdsPerLine = 16;  // FEBio has trouble with very long lines
 constexpr double kMoves_mm = 1e-6;
 
-std::string shown9(double number) {
-  std::string text;
-  append_number(text, number, kExchangeDigits);
-  return text;
-}
+std::string shown9(double number) { return significant(number, kExchangeDigits); }
 
 std::string triple(const Vec3& v) {
   return shown9(v.x()) + ',' + shown9(v.y()) + ',' + shown9(v.z());

@@ -14,7 +14,7 @@
 namespace coapt {
 namespace {
 
-using Writer = Expected<std::string> (*)(const ExportedValve&, const ValveShape&,
+using Writer = Expected<std::string> (*)(const ClosedValve&, const ValveShape&,
                                          const ExportOptions&);
 
 struct Format {
@@ -23,27 +23,27 @@ struct Format {
 };
 
 template <const char* Name>
-Expected<std::string> mesh(const ExportedValve& exported, const ValveShape& shape,
+Expected<std::string> mesh(const ClosedValve& exported, const ValveShape& shape,
                            const ExportOptions&) {
   return write_mesh(leaflet_mesh(exported.valve, shape.vertices_mm), Name);
 }
 
-Expected<std::string> vtk(const ExportedValve& exported, const ValveShape& shape,
+Expected<std::string> vtk(const ClosedValve& exported, const ValveShape& shape,
                           const ExportOptions&) {
   return write_vtk(valve_vtk(exported, shape));
 }
 
-Expected<std::string> glb(const ExportedValve& exported, const ValveShape&,
+Expected<std::string> glb(const ClosedValve& exported, const ValveShape&,
                           const ExportOptions& options) {
   return options.open ? write_open_glb(exported) : write_glb(exported);
 }
 
-Expected<std::string> markups(const ExportedValve& exported, const ValveShape& shape,
+Expected<std::string> markups(const ClosedValve& exported, const ValveShape& shape,
                               const ExportOptions&) {
   return write_markups(valve_markups(exported, shape));
 }
 
-Expected<std::string> measurements(const ExportedValve& exported, const ValveShape&,
+Expected<std::string> measurements(const ClosedValve& exported, const ValveShape&,
                                    const ExportOptions& options) {
   if (options.open)
     return Error{ErrorCode::Unsupported, "",
@@ -51,7 +51,7 @@ Expected<std::string> measurements(const ExportedValve& exported, const ValveSha
   return write_measurements_csv(exported);
 }
 
-Expected<std::string> feb(const ExportedValve& exported, const ValveShape&, const ExportOptions&) {
+Expected<std::string> feb(const ClosedValve& exported, const ValveShape&, const ExportOptions&) {
   return write_feb(exported.valve);
 }
 
@@ -59,7 +59,7 @@ constexpr const char* kBytes = "application/octet-stream";
 constexpr char kPly[] = "ply", kObj[] = "obj", kStl[] = "stl";
 
 constexpr std::array<Format, 8> kFormats = {
-    {{{"glb", "model/gltf-binary", "leaflets and chordae, the closing animated (metres)"}, glb},
+    {{{"glb", "model/gltf-binary", "leaflets and chordae, closing animation (metres)"}, glb},
      {{"vtk", kBytes, "leaflets and chordae with data (legacy VTK)"}, vtk},
      {{kPly, kBytes, "the leaflets"}, mesh<kPly>},
      {{kObj, "model/obj", "the leaflets"}, mesh<kObj>},
@@ -69,13 +69,12 @@ constexpr std::array<Format, 8> kFormats = {
      {{"csv", "text/csv", "measurements under SlicerHeart's names"}, measurements},
      {{"feb", "application/xml", "a model of the open valve for FEBio 4"}, feb}}};
 
-Errors check_finite(const ExportedValve& exported, const ExportOptions& options) {
+Errors check_finite(const ClosedValve& exported, const ExportOptions& options) {
   if (options.open || exported.closure.closed_mm.allFinite()) return {};
-  return {
-      {ErrorCode::BadGeometry, "", "the closure flew apart: there is no closed shape to write"}};
+  return {{ErrorCode::BadGeometry, "", "the closure diverged: there is no closed shape to write"}};
 }
 
-ValveShape shape_of(const ExportedValve& exported, const ExportOptions& options) {
+ValveShape shape_of(const ClosedValve& exported, const ExportOptions& options) {
   return options.open ? unstressed_shape(exported.valve) : closed_shape(exported);
 }
 
@@ -115,7 +114,7 @@ std::string format_names() {
   return names;
 }
 
-Expected<std::string> write_valve_file(const ExportedValve& exported, const FileFormat& format,
+Expected<std::string> write_valve_file(const ClosedValve& exported, const FileFormat& format,
                                        const ExportOptions& options) {
   if (Errors errors = check_finite(exported, options); !errors.empty()) return errors;
   const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) {
@@ -124,7 +123,7 @@ Expected<std::string> write_valve_file(const ExportedValve& exported, const File
   return found->write(exported, shape_of(exported, options), options);
 }
 
-Expected<std::vector<NamedFile>> write_slicerheart(const ExportedValve& exported,
+Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& exported,
                                                    const ExportOptions& options) {
   if (Errors errors = check_finite(exported, options); !errors.empty()) return errors;
   const Valve& valve = exported.valve;

@@ -30,7 +30,7 @@ struct ExportOptions {
 };
 
 /// Errors: a closure that flew apart has no closed shape.
-Expected<std::string> write_valve_file(const ExportedValve& exported, const FileFormat& format,
+Expected<std::string> write_valve_file(const ClosedValve& exported, const FileFormat& format,
                                        const ExportOptions& options = {});
 
 struct NamedFile {
@@ -44,7 +44,7 @@ inline constexpr std::array<const char*, 3> kOptionalFiles = {
 
 /// What SlicerHeart's ValveFemExport leaves in a folder, and its markups and measurements: both leaflets together and
 /// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Measurements only of the closed shape; of the open one where annulus and tips go.
-Expected<std::vector<NamedFile>> write_slicerheart(const ExportedValve& exported,
+Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& exported,
                                                    const ExportOptions& options = {});
 
 }  // namespace coapt

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/metrics/annulus.h"
 #include "core/metrics/quantile.h"
+#include "core/valve/number_text.h"
 #include "io/exchange/valve_markups.h"
 #include "io/json/result_json.h"
 
@@ -17,9 +17,8 @@ class Table {
   void add(const std::string& metric, double value, const char* unit,
            const std::string& definition = "") {
     if (!std::isfinite(value)) return;
-    char number[32];
-    std::snprintf(number, sizeof number, "%.*f", std::string(unit) == "mm/mm" ? 2 : 1,
-                  std::abs(value) < 0.05 ? 0.0 : value);
+    const std::string number =
+        with_decimals(std::abs(value) < 0.05 ? 0.0 : value, std::string(unit) == "mm/mm" ? 2 : 1);
     text_ += quoted(metric) + ',' + number + ',' + unit + ',' + quoted(definition) + '\n';
   }
   std::string take() && { return std::move(text_); }
@@ -68,7 +67,7 @@ void add_coaptation(const Coaptation& coaptation, Table& table) {
 
 }  // namespace
 
-std::string write_measurements_csv(const ExportedValve& exported) {
+std::string write_measurements_csv(const ClosedValve& exported) {
   const ValveMeasure& measure = exported.measure;
   Table table;
   add_annulus(exported.valve, measure.annulus, table);

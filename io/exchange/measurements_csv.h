@@ -11,6 +11,6 @@ namespace coapt {
 /// where it does. One decimal, as there. What coapt does not measure is left out (areas of the
 /// annulus in three dimensions, tenting and billow volume, coaptation area, bending angles); so is what is not
 /// finite.
-std::string write_measurements_csv(const ExportedValve& exported);
+std::string write_measurements_csv(const ClosedValve& exported);
 
 }  // namespace coapt

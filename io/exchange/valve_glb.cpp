@@ -157,7 +157,7 @@ MorphedMesh chordae(const Valve& valve, const std::vector<ValveShape>& states) {
 }
 
 /// The ring and the papillary sutures; neochordae are among the chordae.
-MorphedMesh repair(const ExportedValve& exported, const std::vector<ValveShape>& states) {
+MorphedMesh repair(const ClosedValve& exported, const std::vector<ValveShape>& states) {
   std::vector<Colour8> colours;
   const auto axes_of = [&](const ValveShape& state) {
     std::vector<TubeAxis> axes;
@@ -234,7 +234,7 @@ ordered_json closing(std::size_t targets, int meshes, GlbBuffer& buffer) {
   return animation;
 }
 
-std::string scene(const ExportedValve& exported, const ValveShape& shape,
+std::string scene(const ClosedValve& exported, const ValveShape& shape,
                   std::vector<ValveShape> targets) {
   const Valve& valve = exported.valve;
   std::vector<ValveShape> states = std::move(targets);
@@ -278,11 +278,11 @@ std::string scene(const ExportedValve& exported, const ValveShape& shape,
 
 }  // namespace
 
-std::string write_glb(const ExportedValve& exported) {
+std::string write_glb(const ClosedValve& exported) {
   return scene(exported, closed_shape(exported), evenly_spaced(motion_shapes(exported)));
 }
 
-std::string write_open_glb(const ExportedValve& exported) {
+std::string write_open_glb(const ClosedValve& exported) {
   return scene(exported, unstressed_shape(exported.valve), {});
 }
 

@@ -11,9 +11,9 @@
 namespace coapt {
 
 /// Without motion_mm there are no targets. @pre the closure is finite
-std::string write_glb(const ExportedValve& exported);
+std::string write_glb(const ClosedValve& exported);
 
 /// The same scene, unstressed and still.
-std::string write_open_glb(const ExportedValve& exported);
+std::string write_open_glb(const ClosedValve& exported);
 
 }  // namespace coapt

@@ -26,9 +26,11 @@ Markup line(const std::string& name, const Vec3& from, const Vec3& to) {
   return {MarkupType::Line, name, {"papillary", "end"}, std::move(ends)};
 }
 
-std::string name_of(const Annuloplasty& ring) {
-  if (ring.shape == "own")
-    return "ring: the annulus's own shape, " + std::to_string(ring.sizes_below) + " sizes below";
+std::string name_of(const OwnRing& ring) {
+  return "ring: the annulus's own shape, undersized by " + std::to_string(ring.sizes_below) +
+         " sizes";
+}
+std::string name_of(const CatalogueRing& ring) {
   return "ring: " + ring.shape + ", size " + shown(ring.size_mm) + " mm";
 }
 
@@ -94,13 +96,15 @@ Markup landmark_markup(const Valve& valve, const ValveShape& shape) {
           shape.vertices_mm(vertices, Eigen::all)};
 }
 
-std::vector<Markup> repair_markups(const ExportedValve& exported, const ValveShape& shape) {
+std::vector<Markup> repair_markups(const ClosedValve& exported, const ValveShape& shape) {
   const Valve& valve = exported.valve;
   std::vector<Markup> markups;
   for (const RepairStep& step : exported.plan.steps) {
-    if (const auto* ring = std::get_if<Annuloplasty>(&step))
-      markups.push_back({MarkupType::ClosedCurve, name_of(*ring),
-                         numbered("ring", std::ssize(valve.annulus)), annulus_of(valve, shape)});
+    if (const auto* annuloplasty = std::get_if<Annuloplasty>(&step))
+      markups.push_back(
+          {MarkupType::ClosedCurve,
+           std::visit([](const auto& ring) { return name_of(ring); }, annuloplasty->ring),
+           numbered("ring", std::ssize(valve.annulus)), annulus_of(valve, shape)});
     if (const auto* suture = std::get_if<PapillaryApproximation>(&step))
       markups.push_back(line(std::string("suture: ") + to_string(suture->side) + " papillary to " +
                                  to_string(suture->anchor),
@@ -116,7 +120,7 @@ std::vector<Markup> repair_markups(const ExportedValve& exported, const ValveSha
   return markups;
 }
 
-std::vector<Markup> valve_markups(const ExportedValve& exported, const ValveShape& shape) {
+std::vector<Markup> valve_markups(const ClosedValve& exported, const ValveShape& shape) {
   std::vector<Markup> markups = {annulus_markup(exported.valve, shape),
                                  papillary_markup(exported.valve, shape),
                                  landmark_markup(exported.valve, shape)};

@@ -19,10 +19,10 @@ Markup papillary_markup(const Valve& valve, const ValveShape& shape);
 Markup landmark_markup(const Valve& valve, const ValveShape& shape);
 
 /// What was sewn in: the ring (its line is the annulus's), neochordae, papillary sutures; each a markup.
-std::vector<Markup> repair_markups(const ExportedValve& exported, const ValveShape& shape);
+std::vector<Markup> repair_markups(const ClosedValve& exported, const ValveShape& shape);
 
 /// All of them.
-std::vector<Markup> valve_markups(const ExportedValve& exported, const ValveShape& shape);
+std::vector<Markup> valve_markups(const ClosedValve& exported, const ValveShape& shape);
 
 /// The annulus vertices of the landmarks in the order A, P, AL, PM, ALC, PMC.
 std::array<int, 6> landmark_vertices(const Valve& valve);

@@ -7,7 +7,7 @@
 namespace coapt {
 namespace {
 
-std::vector<VtkScalars> face_data(const ExportedValve& exported, const ValveShape& shape) {
+std::vector<VtkScalars> face_data(const ClosedValve& exported, const ValveShape& shape) {
   VtkScalars leaflet{"leaflet", {}, true}, segment{"segment", {}, true},
       circumferential{"strain_circumferential", {}}, radial{"strain_radial", {}};
   for (const Leaflet side : leaflet_sides(exported.valve))
@@ -28,14 +28,14 @@ VtkScalars heights(const Valve& valve, const Points& points_mm) {
 
 }  // namespace
 
-VtkPolyData leaflets_vtk(const ExportedValve& exported, const ValveShape& shape) {
+VtkPolyData leaflets_vtk(const ClosedValve& exported, const ValveShape& shape) {
   VtkPolyData data{kVtkTitle, shape.vertices_mm, {}, exported.valve.faces, {}, {}, {}};
   data.point_data = {heights(exported.valve, shape.vertices_mm)};
   data.face_data = face_data(exported, shape);
   return data;
 }
 
-VtkPolyData leaflet_vtk(const ExportedValve& exported, const ValveShape& shape, Leaflet leaflet) {
+VtkPolyData leaflet_vtk(const ClosedValve& exported, const ValveShape& shape, Leaflet leaflet) {
   const VtkPolyData both = leaflets_vtk(exported, shape);
   const std::vector<Leaflet> sides = leaflet_sides(exported.valve);
   std::vector<Eigen::Index> faces, vertices;
@@ -68,7 +68,7 @@ VtkPolyData leaflet_vtk(const ExportedValve& exported, const ValveShape& shape, 
   return one;
 }
 
-VtkPolyData chordae_vtk(const ExportedValve& exported, const ValveShape& shape) {
+VtkPolyData chordae_vtk(const ClosedValve& exported, const ValveShape& shape) {
   const Valve& valve = exported.valve;
   const ValveShape attached = attached_shape(valve, shape);
   VtkScalars chordae{"chorda", {}, true}, kind{"kind", {}, true}, rest{"rest_length_mm", {}},
@@ -98,7 +98,7 @@ VtkPolyData chordae_vtk(const ExportedValve& exported, const ValveShape& shape) 
   return data;
 }
 
-VtkPolyData valve_vtk(const ExportedValve& exported, const ValveShape& shape) {
+VtkPolyData valve_vtk(const ClosedValve& exported, const ValveShape& shape) {
   VtkPolyData all = leaflets_vtk(exported, shape);
   const VtkPolyData lines = chordae_vtk(exported, shape);
   const Eigen::Index vertices = all.points_mm.rows();

@@ -13,13 +13,13 @@
 namespace coapt {
 
 /// The faces of both leaflets, or of one with the vertices it has.
-VtkPolyData leaflets_vtk(const ExportedValve& exported, const ValveShape& shape);
-VtkPolyData leaflet_vtk(const ExportedValve& exported, const ValveShape& shape, Leaflet leaflet);
+VtkPolyData leaflets_vtk(const ClosedValve& exported, const ValveShape& shape);
+VtkPolyData leaflet_vtk(const ClosedValve& exported, const ValveShape& shape, Leaflet leaflet);
 
 /// The chordae alone. FEBio Studio reads one kind of cell a file.
-VtkPolyData chordae_vtk(const ExportedValve& exported, const ValveShape& shape);
+VtkPolyData chordae_vtk(const ClosedValve& exported, const ValveShape& shape);
 
 /// Both, for viewers.
-VtkPolyData valve_vtk(const ExportedValve& exported, const ValveShape& shape);
+VtkPolyData valve_vtk(const ClosedValve& exported, const ValveShape& shape);
 
 }  // namespace coapt

@@ -64,7 +64,7 @@ void add_problem(const JsonPlace& place, ErrorCode code, std::string message) {
   place.problems.add(code, pointer(place), std::move(message));
 }
 
-void read_fields(const JsonPlace& place, std::initializer_list<JsonField> fields) {
+void read_fields(const JsonPlace& place, std::span<const JsonField> fields) {
   if (!place.value.is_object()) return wrong_type(place, "an object");
   for (const JsonField& field : fields) {
     const auto found = place.value.find(field.name);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -19,10 +20,13 @@
 
 namespace coapt {
 
+constexpr std::size_t kMaxJsonValues = 8'000'000;  ///< the largest valve has 6 million
+
 /// The document, or InvalidJson with the pointer to where reading stopped. Refused: more than 64
-/// MiB, 32 levels or 8 million values, a name twice in one object or longer than 256 bytes, NaN,
-/// numbers beyond double (OutOfRange), anything that RFC 8259 does not allow. Never recurses.
-Expected<nlohmann::json> parse_json(std::string_view text);
+/// MiB, 32 levels or `max_values` values, a name twice in one object or longer than 256 bytes, NaN,
+/// numbers beyond double (OutOfRange), anything that RFC 8259 does not allow, such as a NUL after
+/// the document. Never recurses.
+Expected<nlohmann::json> parse_json(std::string_view text, std::size_t max_values = kMaxJsonValues);
 
 struct JsonPlace {
   const nlohmann::json& value;
@@ -43,7 +47,10 @@ struct JsonField {
 
 /// Calls `read` of each field that is there, in the order given; missing and unknown ones are
 /// problems.
-void read_fields(const JsonPlace& place, std::initializer_list<JsonField> fields);
+void read_fields(const JsonPlace& place, std::span<const JsonField> fields);
+inline void read_fields(const JsonPlace& place, std::initializer_list<JsonField> fields) {
+  read_fields(place, std::span(fields.begin(), fields.size()));
+}
 
 /// For JsonField::read: stores what read(place) returns in `target`.
 template <class T, class Read>

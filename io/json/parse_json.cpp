@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxDepth = 32;
-constexpr std::size_t kMaxValues = 8'000'000;  // the largest valve has 6 million
-constexpr std::size_t kMaxNameBytes = 256;     // names return in pointers
+constexpr std::size_t kMaxNameBytes = 256;  // names return in pointers
 constexpr std::size_t kMaxMessage = 200;
 
 // Readable in a message, whatever bytes the input held.
@@ -25,7 +24,8 @@ std::string printable(std::string text) {
 
 class Builder {
  public:
-  explicit Builder(ProblemList& problems) : problems_(problems) {}
+  Builder(ProblemList& problems, std::size_t max_values)
+      : problems_(problems), max_values_(max_values) {}
 
   nlohmann::json take() { return std::move(root_); }
 
@@ -81,9 +81,14 @@ class Builder {
     return pointer.to_string();
   }
 
-  bool stop(const char* message) {
+  bool stop(const std::string& message) {
     problems_.add(ErrorCode::InvalidJson, path(), message);
     return false;
+  }
+
+  bool count() {
+    return ++values_ <= max_values_ ||
+           stop("is more than the " + std::to_string(max_values_) + " values accepted");
   }
 
   nlohmann::json* insert(nlohmann::json&& value) {
@@ -96,13 +101,13 @@ class Builder {
 
   bool put(nlohmann::json&& value) {
     insert(std::move(value));
-    return ++values_ <= kMaxValues || stop("is more than the 8 million values accepted");
+    return count();
   }
 
   bool open(nlohmann::json&& value) {
     nlohmann::json* const inserted = insert(std::move(value));
     if (levels_.size() == kMaxDepth) return stop("is nested deeper than the 32 levels accepted");
-    if (++values_ > kMaxValues) return stop("is more than the 8 million values accepted");
+    if (!count()) return false;
     levels_.push_back({inserted, {}});
     return true;
   }
@@ -113,6 +118,7 @@ class Builder {
   }
 
   ProblemList& problems_;
+  const std::size_t max_values_;
   nlohmann::json root_;
   std::vector<Level> levels_;
   std::size_t values_ = 0;
@@ -120,15 +126,19 @@ class Builder {
 
 }  // namespace
 
-Expected<nlohmann::json> parse_json(std::string_view text) {
+Expected<nlohmann::json> parse_json(std::string_view text, std::size_t max_values) {
   if (text.size() > kMaxBytes) {
     return Error{
         ErrorCode::InvalidJson, "",
         "has " + std::to_string(text.size()) + " bytes, at most 67108864 (64 MiB) are accepted"};
   }
   ProblemList problems;
-  Builder builder(problems);
+  Builder builder(problems, max_values);
   nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+  // To the library it is the end of the text.
+  if (const std::size_t nul = text.find('\0'); problems.empty() && nul != text.npos)
+    problems.add(ErrorCode::InvalidJson, "",
+                 "has a NUL character at byte " + std::to_string(nul + 1));
   if (!problems.empty()) return std::move(problems).take();
   return builder.take();
 }

@@ -1,9 +1,8 @@
-// The repair plan, schema coapt.plan/1 (io/schema/plan.schema.json), and the ring catalogue.
+// The repair plan, schema coapt.plan/1 (io/schema/plan.schema.json).
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <vector>
 
 #include "core/repair/plan.h"
 
@@ -21,8 +20,5 @@ Expected<RepairPlan> plan_from_json(const nlohmann::json& json);
 RepairPlan read_plan_within(const JsonPlace& place);
 
 nlohmann::ordered_json to_json(const RepairPlan& plan);
-
-/// The generic ring shapes of io/data/rings.json, compiled in.
-const std::vector<RingShape>& ring_catalogue();
 
 }  // namespace coapt

@@ -42,7 +42,8 @@ double read_ring_size(const JsonPlace& place) {
   if (size >= kRingSizesMm.min && size <= kRingSizesMm.max &&
       std::fmod(size, kRingSizeStep_mm) != 0.0) {
     add_problem(place, ErrorCode::OutOfRange,
-                "is " + shown(size) + ", must be 24 to 40 in steps of 2 mm");
+                "is " + shown(size) + ", must be " + shown(kRingSizesMm) + " in steps of " +
+                    shown(kRingSizeStep_mm) + " mm");
   }
   return size;
 }
@@ -51,17 +52,21 @@ RepairStep read_annuloplasty(const JsonPlace& place) {
   Annuloplasty step;
   const auto shape = read_member(place, "shape");
   if (!shape) return step;
-  step.shape = read_string(*shape);
-  if (step.shape == "own") {
+  const std::string name = read_string(*shape);
+  if (name == kOwnShape) {
+    OwnRing ring;
     const auto read_sizes = [](const JsonPlace& sizes) {
       return read_integer_in(sizes, static_cast<int>(kSizesBelow.min),
                              static_cast<int>(kSizesBelow.max));
     };
     read_fields(place,
-                {tag("step"), tag("shape"), {"sizes_below", into(step.sizes_below, read_sizes)}});
+                {tag("step"), tag("shape"), {"sizes_below", into(ring.sizes_below, read_sizes)}});
+    step.ring = ring;
   } else {
+    CatalogueRing ring{name};
     read_fields(place,
-                {tag("step"), tag("shape"), {"size_mm", into(step.size_mm, read_ring_size)}});
+                {tag("step"), tag("shape"), {"size_mm", into(ring.size_mm, read_ring_size)}});
+    step.ring = ring;
   }
   return step;
 }

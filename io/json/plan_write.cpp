@@ -10,11 +10,11 @@ ordered_json point_json(const LeafletPoint& point) {
 }
 
 ordered_json step_json(const Annuloplasty& step) {
-  ordered_json json = {{"step", "annuloplasty"}, {"shape", step.shape}};
-  if (step.shape == "own") {
-    json["sizes_below"] = step.sizes_below;
+  ordered_json json = {{"step", "annuloplasty"}, {"shape", shape_of(step)}};
+  if (const auto* own = std::get_if<OwnRing>(&step.ring)) {
+    json["sizes_below"] = own->sizes_below;
   } else {
-    json["size_mm"] = step.size_mm;
+    json["size_mm"] = std::get<CatalogueRing>(step.ring).size_mm;
   }
   return json;
 }

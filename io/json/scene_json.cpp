@@ -126,14 +126,19 @@ ordered_json orifices_json(const Valve& valve, const Points& closed_mm) {
 ordered_json sections_json(const Valve& valve, const Points& closed_mm) {
   std::vector<double> along;
   for (int i = 0; i < kSections; ++i) along.push_back(kFirstSection + kSectionStep * i);
-  return list_of(
-      coaptation_sections(valve, closed_mm, along),
-      [&](const CoaptationSection& section) -> ordered_json {
-        const SectionPlane plane = coaptation_plane(valve, section.along);
-        return {{"along", fine(section.along)},           {"point_mm", point(plane.point_mm)},
-                {"normal", direction(plane.normal)},      {"height_mm", mm(section.height_mm)},
-                {"distance_mm", mm(section.distance_mm)}, {"contact", section.contact}};
-      });
+  return list_of(coaptation_sections(valve, closed_mm, along),
+                 [&](const CoaptationSection& section) -> ordered_json {
+                   const SectionPlane plane = coaptation_plane(valve, section.along);
+                   return {{"along", fine(section.along)},
+                           {"point_mm", point(plane.point_mm)},
+                           {"normal", direction(plane.normal)},
+                           {"height_mm", mm(section.height_mm)},
+                           {"distance_mm", mm(section.distance_mm)},
+                           {"contact", section.contact},
+                           {"nearest_mm", std::isfinite(section.distance_mm)
+                                              ? list_of(section.nearest_mm, point)
+                                              : ordered_json(nullptr)}};
+                 });
 }
 
 ordered_json sutures_json(const Valve& valve, const RepairPlan& plan) {

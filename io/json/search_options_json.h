@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "search/plans/plan_search.h"
+#include "search/plans/search_options.h"
 
 namespace coapt {
 

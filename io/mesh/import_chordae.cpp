@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/closure/contact.h"
+#include "core/valve/leaflet_of.h"
+#include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 
 namespace coapt {
@@ -94,8 +96,6 @@ int head_of(const ImportedChorda& chorda, const Valve& valve) {
   return static_cast<int>(found - valve.heads.begin());
 }
 
-bool is_anterior(Segment segment) { return segment <= Segment::A3; }
-
 /// Straight pieces from the head to the insertions, over a branch point if there are several.
 std::vector<ChordaSegment> grow(const std::vector<Insertion>& insertions, const Vec3& tip,
                                 const ImportOptions& options, const Valve& valve) {
@@ -179,24 +179,24 @@ struct Attached {
 std::string described(const Attached& attached, const Valve& valve, const ImportOptions& options) {
   std::string text = "chordae: " + std::to_string(attached.marginal) +
                      " marginal, moved to the free edge by at most " +
-                     figure(attached.edge_max_mm) + " mm, ";
+                     significant(attached.edge_max_mm, 3) + " mm, ";
   if (attached.trees > 0) {
     text += std::to_string(attached.trees) + " of all keep the tree that was traced";
   } else {
     text += "each with " + std::to_string(options.branches) + " insertions";
     if (options.branches > 1) {
       text += " a sixtieth of the annulus apart, branching at " +
-              figure(100.0 * options.branch_at) + " % of the way";
+              significant(100.0 * options.branch_at, 3) + " % of the way";
     }
   }
   if (attached.inner > 0) {
     text += "; " + std::to_string(attached.inner) +
-            " strut and basal, moved to the leaflet by at most " + figure(attached.surface_max_mm) +
-            " mm";
+            " strut and basal, moved to the leaflet by at most " +
+            significant(attached.surface_max_mm, 3) + " mm";
   }
   if (attached.lengths > 0)
     text += "; " + std::to_string(attached.lengths) + " pieces keep the slack they came with";
-  return text + "; lengths are straight distances at rest times " + figure(options.slack) +
+  return text + "; lengths are straight distances at rest times " + significant(options.slack, 3) +
          (attached.lengths > 0 ? " elsewhere; " : "; ") + std::to_string(valve.heads.size()) +
          " papillary heads";
 }
@@ -236,7 +236,7 @@ Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
     attached.trees += tree ? 1 : 0;
     if (imported.kind == ChordaKind::Marginal && !marginal) {
       const Segment at = valve.segments[static_cast<std::size_t>(insertions.front().face)];
-      chorda.kind = is_anterior(at) ? ChordaKind::Strut : ChordaKind::Basal;
+      chorda.kind = leaflet_of(at) == Leaflet::Anterior ? ChordaKind::Strut : ChordaKind::Basal;
     }
     if (!tree && marginal) {
       const double station = nearest_on_edge(skirt, imported.insertion_mm).station;

@@ -4,11 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <numbers>
 #include <set>
 
 #include "core/valve/contour.h"
+#include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 
 namespace coapt {
@@ -262,17 +262,11 @@ Expected<FramedSource> into_import_frame(const ImportSource& source) {
   check_framed(framed, problems);
   if (!problems.empty()) return std::move(problems).take();
   const double turned = Eigen::AngleAxisd(frame->axes).angle() * 180.0 / std::numbers::pi;
-  framed.change = "re-framed: moved by " + figure(frame->origin_mm.norm()) + " mm and turned by " +
-                  figure(turned) +
+  framed.change = "re-framed: moved by " + significant(frame->origin_mm.norm(), 3) +
+                  " mm and turned by " + significant(turned, 3) +
                   " degrees; origin annulus centroid, x from the anterolateral to the "
                   "posteromedial papillary tip within the annulus plane, z away from the tips";
   return framed;
-}
-
-std::string figure(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", number);
-  return text;
 }
 
 }  // namespace coapt

@@ -22,7 +22,4 @@ struct FramedSource {
 /// ImportSource.
 Expected<FramedSource> into_import_frame(const ImportSource& source);
 
-/// A number as it stands in a provenance: three significant digits.
-std::string figure(double number);
-
 }  // namespace coapt

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/closure/contact.h"
+#include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "core/valve/validate.h"
 #include "io/mesh/import_chordae.h"
@@ -172,18 +173,19 @@ void tell_changes(const FramedSource& source, const Skirt& skirt, Valve& valve) 
   const auto counted = [](auto number) { return std::to_string(number); };
   std::vector<std::string>& told = valve.provenance;
   told.push_back(source.change);
-  told.push_back("resampled: cut by half-planes through the annulus axis to " +
-                 counted(skirt.stations) + " stations of equal annulus arc (" +
-                 figure(skirt.spacing_mm) + " mm) x " + counted(skirt.rows) + " rows, " +
-                 counted(valve.faces.rows()) +
-                 " triangles; smoothed along the annulus by a hat of " + figure(skirt.hat_mm) +
-                 " mm to either side, not otherwise; distance from the sheets " +
-                 figure(off.rms_mm) + " mm RMS, " + figure(off.max_mm) + " mm at most; area " +
-                 counted(std::lround(area_mm2({valve.rest_mm, valve.faces}))) + " mm2 (sheets " +
-                 counted(std::lround(input_area)) + " mm2)");
+  told.push_back(
+      "resampled: cut by half-planes through the annulus axis to " + counted(skirt.stations) +
+      " stations of equal annulus arc (" + significant(skirt.spacing_mm, 3) + " mm) x " +
+      counted(skirt.rows) + " rows, " + counted(valve.faces.rows()) +
+      " triangles; smoothed along the annulus by a hat of " + significant(skirt.hat_mm, 3) +
+      " mm to either side, not otherwise; distance from the sheets " + significant(off.rms_mm, 3) +
+      " mm RMS, " + significant(off.max_mm, 3) + " mm at most; area " +
+      counted(std::lround(area_mm2({valve.rest_mm, valve.faces}))) + " mm2 (sheets " +
+      counted(std::lround(input_area)) + " mm2)");
   told.push_back("joined to the annulus line, from which the sheets were " +
-                 figure(skirt.annulus_gap_mm) + " mm away in the mean; holes and bites bridged, " +
-                 figure(skirt.widest_bridge_mm) + " mm at the widest");
+                 significant(skirt.annulus_gap_mm, 3) +
+                 " mm away in the mean; holes and bites bridged, " +
+                 significant(skirt.widest_bridge_mm, 3) + " mm at the widest");
   told.push_back(counted(bare) +
                  " stations without sheet interpolated between their neighbours, which closes the "
                  "commissures");

@@ -90,7 +90,7 @@ class VtkReader {
     const auto first = words_.whole_line();
     if (!first || !first->starts_with("# vtk DataFile"))
       return fail(ErrorCode::InputOutput, "",
-                  "is no legacy VTK file: '# vtk DataFile' must begin it");
+                  "is not a legacy VTK file: it must begin with '# vtk DataFile'");
     data_.title = words_.whole_line().value_or("");
     if (trimmed(words_.whole_line().value_or("")) != "ASCII")
       return fail(ErrorCode::Unsupported, "", "is not ASCII; save it without compression");
@@ -282,7 +282,7 @@ class VtkReader {
       return pass_over(4 * count("/data"));
     }
     fail(ErrorCode::Unsupported, "",
-         "'" + std::string(keyword.substr(0, 20)) + "' is no section of a POLYDATA file");
+         "'" + std::string(keyword.substr(0, 20)) + "' is not a section of a POLYDATA file");
   }
 
   Expected<VtkPolyData> finish() {

@@ -116,7 +116,7 @@ Expected<TriangleMesh> read_stl(std::string_view bytes) {
     read_binary(bytes, mesh);
   } else {
     mesh.add_problem(ErrorCode::InputOutput, "", 0,
-                     "is no STL file: neither 'solid' nor a header of 84 bytes");
+                     "is not an STL file: it has neither 'solid' nor a header of 84 bytes");
   }
   return std::move(mesh).take();
 }

@@ -10,7 +10,8 @@
 namespace coapt {
 namespace {
 
-constexpr double kCharacter = 6.6;  // mean advance of the 12.5 px text
+constexpr double kCharacter = 6.6;         // mean advance of the 12.5 px text
+constexpr double kCharactersPerPx = 0.15;  // of a wrapped note
 
 // Inline figures of one page share their style sheets: every figure has this same one.
 constexpr const char* kStyle =
@@ -90,6 +91,11 @@ std::string draw_key(const LegendEntry& entry, double x, double y) {
   return "";
 }
 
+std::string tick_text(const Axis& axis, double tick) {
+  if (axis.log) return fixed(std::pow(10.0, tick), std::max(0, -static_cast<int>(tick)));
+  return fixed(tick, axis.decimals);
+}
+
 }  // namespace
 
 std::string line_class(Mark mark) {
@@ -164,6 +170,12 @@ Axis round_axis(Extent range, int ticks) {
   return axis;
 }
 
+Axis decade_axis(Extent range) {
+  if (!(range.low <= range.high)) return {0.0, 1.0, 1.0, 0, true};
+  const double low = std::floor(range.low);
+  return {low, std::max(std::ceil(range.high), low + 1.0), 1.0, 0, true};
+}
+
 std::vector<double> ticks_of(const Axis& axis) {
   std::vector<double> ticks;
   const double first = std::ceil(axis.low / axis.step - 1e-6);
@@ -189,13 +201,13 @@ std::string draw_frame(const Frame& frame, const FrameWords& words) {
     const double y = y_at(frame, tick);
     svg += line_at("grid", plot.left, y, plot.right, y);
     svg += text_at(plot.left - 7.0, y + 4.0, "class=\"tick\" text-anchor=\"end\"",
-                   fixed(tick, frame.y.decimals));
+                   tick_text(frame.y, tick));
   }
   for (const double tick : ticks_of(frame.x)) {
     const double x = x_at(frame, tick);
     svg += line_at("axis", x, plot.bottom, x, plot.bottom + 4.0);
     svg += text_at(x, plot.bottom + 17.0, "class=\"tick\" text-anchor=\"middle\"",
-                   fixed(tick, frame.x.decimals));
+                   tick_text(frame.x, tick));
   }
   svg += line_at("axis", plot.left, plot.bottom, plot.right, plot.bottom);
   svg += text_at(0.5 * (plot.left + plot.right), plot.bottom + 35.0, "text-anchor=\"middle\"",
@@ -218,13 +230,14 @@ std::string draw_keys(const std::vector<LegendEntry>& entries, double x, double 
 
 Drawn draw_heading(const Heading& heading) {
   Drawn drawn{text_at(12.0, 26.0, "class=\"title\"", heading.title), 30.0};
-  for (const std::string& line : wrapped(heading.note, 150))
+  for (const std::string& line :
+       wrapped(heading.note, static_cast<std::size_t>(kCharactersPerPx * heading.width)))
     drawn.svg += text_at(12.0, drawn.bottom += 17.0, "class=\"note\"", line);
   if (heading.legend.empty()) return {drawn.svg, drawn.bottom + 10.0};
   double x = 12.0, y = drawn.bottom + 22.0;
   for (const LegendEntry& entry : heading.legend) {
     const double width = 28.0 + kCharacter * static_cast<double>(entry.label.size());
-    if (x > 12.0 && x + width > kFigureWidth) x = 12.0, y += 19.0;
+    if (x > 12.0 && x + width > heading.width) x = 12.0, y += 19.0;
     drawn.svg += draw_key(entry, x, y - 4.0);
     drawn.svg += text_at(x + 28.0, y, "class=\"legend\"", entry.label);
     x += width + 20.0;
@@ -233,7 +246,7 @@ Drawn draw_heading(const Heading& heading) {
 }
 
 PlotBox cell(const CellGrid& grid, int index) {
-  const double width = kFigureWidth / grid.columns;
+  const double width = grid.width / grid.columns;
   const double left = index % grid.columns * width;
   const double top = grid.top + index / grid.columns * grid.height;
   return {left, top, left + width, top + grid.height};
@@ -243,9 +256,9 @@ double bottom_of(const CellGrid& grid) {
   return grid.top + (grid.count + grid.columns - 1) / grid.columns * grid.height;
 }
 
-std::string figure_svg(const std::string& title, const std::string& content, double height) {
+std::string figure_svg(const std::string& title, const std::string& content, FigureSize size) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"coapt-panels\" viewBox=\"0 0 " +
-         fixed(kFigureWidth, 0) + " " + fixed(height, 0) + "\" role=\"img\" aria-label=\"" +
+         fixed(size.width, 0) + " " + fixed(size.height, 0) + "\" role=\"img\" aria-label=\"" +
          escape_html(title) + "\">\n" + kStyle + content + "</svg>\n";
 }
 

@@ -7,7 +7,7 @@
 
 namespace coapt {
 
-inline constexpr double kFigureWidth = 1000.0;  // px; every figure is drawn that wide
+inline constexpr double kFigureWidth = 1000.0;  // px; every figure of several panels is that wide
 
 /// Okabe and Ito's, told apart by every kind of sight; lighter on dark pages. Ink: the text's.
 enum class Hue { Ink, Blue, Vermillion, Green, Purple, Sky, Orange };
@@ -30,10 +30,13 @@ Extent including(Extent range, double value);
 struct Axis {
   double low = 0.0, high = 1.0, step = 0.2;
   int decimals = 1;
+  bool log = false;  ///< its values are decimal logarithms of what the ticks say
 };
 
 /// About `ticks` steps of 1, 2 or 5 times a power of ten that hold the range, and 0 if it is near.
 Axis round_axis(Extent range, int ticks = 5);
+/// Whole decades that hold the range of logarithms.
+Axis decade_axis(Extent range);
 /// Multiples of the step.
 std::vector<double> ticks_of(const Axis& axis);
 
@@ -69,6 +72,7 @@ std::string draw_keys(const std::vector<LegendEntry>& entries, double x, double 
 struct Heading {
   std::string title, note;  ///< a note is wrapped
   std::vector<LegendEntry> legend;
+  double width = kFigureWidth;
 };
 
 /// Elements and where they end, px.
@@ -82,11 +86,15 @@ Drawn draw_heading(const Heading& heading);
 struct CellGrid {
   int count = 0, columns = 3;
   double top = 0.0, height = 300.0;
+  double width = kFigureWidth;  ///< of a row
 };
 PlotBox cell(const CellGrid& grid, int index);
 double bottom_of(const CellGrid& grid);
 
+struct FigureSize {
+  double height = 0.0, width = kFigureWidth;
+};
 /// The whole file; `title` for those who do not see it.
-std::string figure_svg(const std::string& title, const std::string& content, double height);
+std::string figure_svg(const std::string& title, const std::string& content, FigureSize size);
 
 }  // namespace coapt

@@ -179,8 +179,8 @@ std::string papillary_svg(const PapillaryStudy& study) {
   Heading heading{
       "Orifice when papillary muscles are displaced",
       "Thesis, figures 4.6 to 4.8. Left: orifice over transverse (outwards) and posterior "
-      "displacement, a surface for each apical one; mind the scales. Right: direction in which the "
-      "orifice grows, and how fast.",
+      "displacement, a surface for each apical displacement; the scales differ. Right: gradient of "
+      "the orifice.",
       {}};
   const DisplacementGrid& first = study.grids.front();
   for (int apical = 0; apical < first.nodes && complete(first); apical += stride(first))
@@ -200,12 +200,12 @@ std::string papillary_svg(const PapillaryStudy& study) {
     drawn.svg += draw_orifice(study.grids[k], plot(left));
     drawn.svg += draw_gradient(study.grids[k], plot(right));
   }
-  return figure_svg(heading.title, drawn.svg, bottom_of(cells));
+  return figure_svg(heading.title, drawn.svg, {bottom_of(cells)});
 }
 
 std::string ring_svg(const RingStudy& study) {
   LineChart lines;
-  lines.title = "What an undersized ring leaves of the orifice";
+  lines.title = "Effect of an undersized ring on the orifice";
   lines.note =
       "Thesis, figure 4.9. Orifice under a ring one to three sizes below the annulus, in percent "
       "of "
@@ -231,7 +231,7 @@ std::string ring_svg(const RingStudy& study) {
       drawn.svg += draw_heat_map(ratio_map(study, kDisplaced[k], sizes), scale,
                                  {box.left + 2.0, box.top, box.right - 8.0, box.bottom - 8.0});
     }
-  return figure_svg(lines.title, drawn.svg, bottom_of(cells));
+  return figure_svg(lines.title, drawn.svg, {bottom_of(cells)});
 }
 
 }  // namespace coapt

@@ -32,7 +32,7 @@ bool any_finite(const std::vector<std::vector<double>>& rows) {
 }
 
 std::string title_of(const LeakMap& map) {
-  return map.muscle == "both" ? "Leak, mm²: both muscles alike"
+  return map.muscle == "both" ? "Leak, mm²: both muscles, same error"
                               : "Leak, mm²: " + map.muscle + " alone";
 }
 
@@ -74,7 +74,7 @@ Panel remodelling_panel(const std::vector<RemodellingCurve>& curves) {
   return [&curves](const PlotBox& box) {
     constexpr std::array kHues = {Hue::Blue, Hue::Green, Hue::Orange, Hue::Vermillion};
     constexpr std::array kMarks = {Mark::Line, Mark::LongDashed, Mark::Dotted, Mark::DashDotted};
-    LinePanel panel{{"If remodelling goes on", "tips further, mm", "leak, mm²"}, {}};
+    LinePanel panel{{"Under further remodelling", "tips moved further, mm", "leak, mm²"}, {}};
     double farthest = 0.0;
     for (std::size_t i = 0; i < curves.size(); ++i) {
       PanelSeries series{curves[i].direction,
@@ -87,7 +87,7 @@ Panel remodelling_panel(const std::vector<RemodellingCurve>& curves) {
       farthest = std::max(farthest, static_cast<double>(series.y.size()) - 1.0);
       panel.series.push_back(std::move(series));
     }
-    panel.series.push_back({"most of a good repair",
+    panel.series.push_back({"limit of a good repair",
                             {0.0, farthest},
                             {kGoodRepair_mm2, kGoodRepair_mm2},
                             Hue::Ink,
@@ -132,7 +132,7 @@ Panel indices_panel(const RegionIndices& indices) {
     constexpr std::array kAxes = {"suture length", "angle outwards", "angle backwards"};
     constexpr double kRow = 62.0, kThick = 16.0;
     const double left = box.left + 20.0, width = box.right - 30.0 - left;
-    std::string svg = text_at(left, box.top + 18.0, "class=\"head\"", "What decides the leak");
+    std::string svg = text_at(left, box.top + 18.0, "class=\"head\"", "Which error matters most");
     double y = box.top + 52.0;
     for (std::size_t i = 0; i < kAxes.size(); ++i, y += kRow) {
       const double alone = std::clamp(indices.first[i], 0.0, 1.0);
@@ -140,13 +140,13 @@ Panel indices_panel(const RegionIndices& indices) {
       svg += text_at(left, y, "", kAxes[i]);
       svg += text_at(left + width, y, "class=\"tick\" text-anchor=\"end\"",
                      fixed(100.0 * indices.first[i], 0) + " % alone, " +
-                         fixed(100.0 * indices.total[i], 0) + " % with others");
+                         fixed(100.0 * indices.total[i], 0) + " % with interactions");
       svg += line_at("grid", left, y + 8.0 + 0.5 * kThick, left + width, y + 8.0 + 0.5 * kThick);
       svg += bar("area", left, y + 8.0, total * width, kThick);
       svg += bar("solid", left, y + 8.0, alone * width, kThick);
     }
     for (const char* line : {"Shares of the leak's variance over the region (Sobol):",
-                             "dark, of the axis alone; light, with its interactions."})
+                             "dark: the error alone; light: with its interactions."})
       svg += text_at(left, (y += 16.0) - 12.0, "class=\"tick\"", line);
     return svg;
   };
@@ -172,7 +172,7 @@ std::string evidence_svg(const RankedPlan& plan, const ValveMeasure& before) {
   const CellGrid grid{static_cast<int>(panels.size()), columns_for(panels.size()),
                       maps ? kScaleHeight : 4.0, kPanelHeight};
   for (int i = 0; i < grid.count; ++i) svg += panels[static_cast<std::size_t>(i)](cell(grid, i));
-  return figure_svg("Evidence for rank " + std::to_string(plan.rank), svg, bottom_of(grid));
+  return figure_svg("Evidence for rank " + std::to_string(plan.rank), svg, {bottom_of(grid)});
 }
 
 }  // namespace coapt

@@ -137,7 +137,7 @@ std::string histogram_chart_svg(const HistogramChart& chart) {
   std::string svg = head.svg;
   for (int i = 0; i < grid.count; ++i)
     svg += draw_panel(chart.panels[static_cast<std::size_t>(i)], cell(grid, i));
-  return figure_svg(chart.title, svg, bottom_of(grid));
+  return figure_svg(chart.title, svg, {bottom_of(grid)});
 }
 
 }  // namespace coapt

@@ -78,8 +78,10 @@ std::vector<LegendEntry> legend_of(const LineChart& chart) {
 }
 
 std::string draw_line_panel(const LinePanel& panel, const PlotBox& box) {
+  const bool decades = panel.x_axis && panel.x_axis->log;
+  const double margin = decades ? 26.0 : 16.0;  // half of "1000000", the last tick
   const Frame frame{
-      {box.left + 60.0, box.top + 30.0, box.right - 16.0, box.bottom - 46.0},
+      {box.left + 60.0, box.top + 30.0, box.right - margin, box.bottom - 46.0},
       panel.x_axis ? *panel.x_axis : round_axis(range_of(panel, kAllX, panel.x_holds)),
       round_axis(range_of(panel, kAllY, panel.y_holds))};
   std::string svg = draw_frame(frame, panel.words);
@@ -88,8 +90,8 @@ std::string draw_line_panel(const LinePanel& panel, const PlotBox& box) {
 }
 
 Drawn draw_line_panels(const LineChart& chart, double top) {
-  const CellGrid grid{static_cast<int>(chart.panels.size()), chart.columns, top,
-                      chart.panel_height};
+  const CellGrid grid{static_cast<int>(chart.panels.size()), chart.columns, top, chart.panel_height,
+                      chart.width};
   Extent common;
   for (const LinePanel& panel : chart.panels) {
     const Extent range = range_of(panel, kAllY, panel.y_holds);
@@ -105,9 +107,9 @@ Drawn draw_line_panels(const LineChart& chart, double top) {
 }
 
 std::string line_chart_svg(const LineChart& chart) {
-  const Drawn heading = draw_heading({chart.title, chart.note, legend_of(chart)});
+  const Drawn heading = draw_heading({chart.title, chart.note, legend_of(chart), chart.width});
   const Drawn panels = draw_line_panels(chart, heading.bottom);
-  return figure_svg(chart.title, heading.svg + panels.svg, panels.bottom);
+  return figure_svg(chart.title, heading.svg + panels.svg, {panels.bottom, chart.width});
 }
 
 }  // namespace coapt

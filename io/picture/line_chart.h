@@ -32,6 +32,7 @@ struct LineChart {
   int columns = 3;
   double panel_height = 300.0;  ///< px, words included
   bool same_y = false;          ///< one y axis for all panels
+  double width = kFigureWidth;  ///< px
 };
 
 std::string line_chart_svg(const LineChart& chart);

@@ -34,7 +34,7 @@ std::vector<Line> caption(const ClosedValve& closed) {
                        fixed(measure.orifice.area_raw_mm2, 1) + " mm²",
                    {14.0, palette::kMuted}});
   lines.push_back({"Coaptation height " + fixed(coaptation.height_mean_mm, 1) + " mm mean, " +
-                       fixed(coaptation.height_min_mm, 1) + " mm least; contact in " +
+                       fixed(coaptation.height_min_mm, 1) + " mm minimum; contact in " +
                        std::to_string(touching) + " of 9 sections",
                    {15.0}});
   if (touching < 9)

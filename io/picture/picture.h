@@ -4,20 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/closure/closure.h"
-#include "core/metrics/measure.h"
-#include "core/valve/valve.h"
-#include "io/picture/repair_marks.h"
+#include "core/closed/closed_valve.h"
 
 namespace coapt {
-
-/// A valve with its closure, as pictures need it.
-struct ClosedValve {
-  Valve valve;
-  ClosureResult closure;
-  ValveMeasure measure;
-  RepairMarks repair{};  ///< drawn if there is any
-};
 
 /// PNG bytes: atrial view with the orifices coloured beside a long-axis section, captioned.
 std::string closure_picture_png(const ClosedValve& closed);

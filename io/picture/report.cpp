@@ -2,9 +2,6 @@
 // to get the same again.
 #include "io/picture/report.h"
 
-#include <cassert>
-
-#include "core/repair/apply_plan.h"
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/picture/html.h"
@@ -62,25 +59,14 @@ std::string plan_report_html(const PlanReport& report) {
   return html_page({title_of(report), valve_words(report.before), report_page_style(header)}, html);
 }
 
-PlanPictures close_for_report(const Valve& valve, const SearchResult& result,
-                              const ClosureOptions& closure) {
-  const auto close = [&](const Valve& one) {
-    const ClosureResult closed = close_valve(one, closure);
-    return ClosedValve{one, closed, measure(one, closed)};
-  };
-  PlanPictures pictures{close(valve), {}};
-  for (const RankedPlan& ranked : result.plans) {
-    const Expected<Valve> repaired = apply_plan(valve, ranked.plan, ring_catalogue());
-    assert(repaired && "the search only ranks plans that can be applied");
-    pictures.after.push_back(close(*repaired));
-    pictures.after.back().repair = repair_marks(valve, *repaired, ranked.plan);
-  }
+PlanPictures pictures_of(const SearchResult& result) {
+  PlanPictures pictures{*result.closed_before, {}};
+  for (const RankedPlan& ranked : result.plans) pictures.after.push_back(*ranked.closed);
   return pictures;
 }
 
-std::string plan_report_html(const Valve& valve, const SearchResult& result,
-                             const SearchRequest& request) {
-  const PlanPictures pictures = close_for_report(valve, result, request.options.closure);
+std::string plan_report_html(const SearchResult& result, const SearchRequest& request) {
+  const PlanPictures pictures = pictures_of(result);
   return plan_report_html({pictures.before, pictures.after, result, request});
 }
 

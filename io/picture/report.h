@@ -21,16 +21,15 @@ struct PlanReport {
 /// other plans), then the evidence, then the limits and how to get the same again.
 std::string plan_report_html(const PlanReport& report);
 
-/// The valve, and as each ranked plan leaves it, closed.
+/// The valve, and as each ranked plan leaves it, closed as the search closed them.
 struct PlanPictures {
   ClosedValve before;
   std::vector<ClosedValve> after;
 };
-PlanPictures close_for_report(const Valve& valve, const SearchResult& result,
-                              const ClosureOptions& closure);
+/// @pre the search kept its closures
+PlanPictures pictures_of(const SearchResult& result);
 
-/// The report on all plans; closes the valve and the plans for its pictures.
-std::string plan_report_html(const Valve& valve, const SearchResult& result,
-                             const SearchRequest& request);
+/// The report on all plans.
+std::string plan_report_html(const SearchResult& result, const SearchRequest& request);
 
 }  // namespace coapt

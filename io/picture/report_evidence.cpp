@@ -59,7 +59,7 @@ std::vector<std::string> measures_row(const std::string& name, const ValveMeasur
 
 std::string before_and_after(const ValveMeasure& before, const ValveMeasure& after) {
   return "<h4>Before and after, as planned</h4>\n" +
-         table_html({{"Valve", "Orifice, mm²", "Gap, mm²", "Coaptation, mean, mm", "least, mm",
+         table_html({{"Valve", "Orifice, mm²", "Gap, mm²", "Coaptation, mean, mm", "minimum, mm",
                       "Tenting, mm", "Chordal tension, peak, N", "sum, N"},
                      measures_row("Before", before),
                      measures_row("After", after)});
@@ -67,15 +67,16 @@ std::string before_and_after(const ValveMeasure& before, const ValveMeasure& aft
 
 std::string independent_words(const OrificeStatistics& leak) {
   if (!std::isfinite(leak.mean)) return "";
-  return "<p class=\"small\">The map of both muscles lets both deviate alike. With an error of its "
-         "own for each suture the leak is " +
+  return "<p class=\"small\">The map of both muscles gives both the same error. If each suture has "
+         "its own error, the leak is " +
          mean_and_sd(leak) + " mm², at worst " + fixed(leak.worst, 1) + " mm².</p>\n";
 }
 
 std::string region_words(const RegionReport& region) {
   std::string words = grouped(region.closures) + (region.closures == 1 ? " closure" : " closures") +
                       " over the region of interest";
-  if (region.failures > 0) words += ", " + grouped(region.failures) + " failed and left out";
+  if (region.failures > 0)
+    words += ", " + grouped(region.failures) + " of which failed and are left out";
   return words;
 }
 
@@ -90,15 +91,15 @@ std::string figure_words(const RegionReport& region) {
   std::string words;
   if (!region.maps.empty())
     words +=
-        "Heat maps: the leak for sutures up to 1 mm too short or too long (upwards) and tips up to "
-        "5 degrees inwards or outwards (to the right); the framed cell is the plan as planned. ";
+        "Heat maps: the leak for sutures up to 1 mm too short (bottom) or too long (top) and tips "
+        "up to 5 degrees inwards (left) or outwards (right); the framed cell is the plan as "
+        "planned. ";
   if (!region.remodelling.empty())
     words +=
-        "Remodelling: the leak when the tips are drawn further away after the repair, a taut "
-        "suture "
-        "holding; above the dashed line it is no longer a good repair. ";
+        "Remodelling: the leak when the tips move further away after the repair while a taut "
+        "suture holds; above the dashed line the repair is no longer good. ";
   if (std::isfinite(region.indices.total[0]))
-    words += "Bars: which of the errors the leak answers to. ";
+    words += "Bars: how much of the leak's variance each error explains. ";
   return words + "Coaptation: how high the leaflets touch, from commissure to commissure.";
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/repair/limits.h"
 #include "io/picture/html.h"
 #include "io/picture/report_parts.h"
 #include "io/picture/report_words.h"
@@ -32,7 +33,7 @@ std::string tie_words(const std::vector<RankedPlan>& plans, std::size_t index) {
                             std::to_string(plans[last].rank);
   if (last == first + 1)
     return "Plans " + ranks + " tie: the simulation cannot tell which is better.";
-  if (first < last) return "Plans " + ranks + " tie, each with the next: their order says little.";
+  if (first < last) return "Plans " + ranks + " tie, each with the next: their order means little.";
   const double ahead = plans[index].probability_outranks_next;
   if (index + 1 == plans.size() || !std::isfinite(ahead)) return "";
   return "Ahead of plan " + std::to_string(plans[index + 1].rank) + " with a probability of " +
@@ -63,15 +64,17 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
     words = "Closes this valve robustly in the simulation: all " + grouped(region.closures) +
             " variations of the plan converged, and mean + sd of the leak stay below 1 mm².";
   else if (plan.status != ClosureStatus::Converged || plan.crossing)
-    words = "The simulation of this plan failed: its figures are not to be trusted.";
+    words = "The simulation of this plan failed: do not trust its figures.";
   else if (!varied(plan))
-    words = "Whether this plan closes the valve robustly is not known: it was not varied.";
+    words =
+        "It is not known whether this plan closes the valve robustly: it was not closed under "
+        "variations.";
   else
     words = "Does not close this valve robustly in the simulation.";
   std::string html = robust ? "<p class=\"robust\"><strong>" : "<p class=\"least-bad\"><strong>";
   html += escape_html(words) + "</strong>";
   if (!report.result.any_competent)
-    html += " No plan closes this valve robustly; ranked least bad.";
+    html += " No plan closes this valve robustly; the ranking starts with the least bad.";
   for (const std::string& more :
        {tie_words(report.result.plans, plan_in_front(report)), stop_words(report.result.stop)})
     if (!more.empty()) html += " " + escape_html(more);
@@ -83,7 +86,7 @@ std::string operation(const PlanReport& report, const RankedPlan& plan) {
   const std::string heading =
       report.about != 0 ? "Plan " + std::to_string(plan.rank) + " of " + std::to_string(count)
       : count == 1      ? "The plan"
-                        : "The plan that came first";
+                        : "The first-ranked plan";
   std::string html = "<div class=\"operation\">" + tag("h2", escape_html(heading));
   if (!plan.name.empty()) html += "<p class=\"small\">" + escape_html(plan.name) + "</p>\n";
   html += "<ol class=\"plan\">\n";
@@ -104,7 +107,7 @@ std::string pictures(const PlanReport& report, std::size_t index) {
          picture_html(
              atrial_pair_png(report.before, after),
              "The closed valve seen from the atrium, anterior up, anterolateral left: " + change +
-                 ". What the repair put in is drawn over the leaflets.",
+                 ". Implants are drawn over the leaflets.",
              "Closed under systolic pressure, same scale; anterior up, anterolateral left. "
              "Sutures and neochordae lie behind the leaflets.") +
          "</div>\n<div class=\"cut\">" +
@@ -136,38 +139,42 @@ std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
          key_figure("Leak when the repair varies",
                     varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
                     "± sd; 95 % below " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +
-         key_figure("Good repair, below 5 mm²", percent(leak.below_5), of_variations) +
+         key_figure("Good repair, below " + shown(kGoodRepair_mm2) + " mm²", percent(leak.below_5),
+                    of_variations) +
          key_figure("Margin to leak",
                     suture_margin(margin) + (std::isfinite(margin.suture_length_mm) ? " mm" : "") +
                         " · " + angle_margin(margin) + (std::isfinite(margin.angle_deg) ? "°" : ""),
-                    "first error that leaks 1 mm²") +
+                    "smallest error that leaks " + shown(kCompetentLeak_mm2) + " mm²") +
          key_figure("Coaptation height", with_unit(after.coaptation.height_mean_mm, 1, "mm"),
-                    "least " + fixed(after.coaptation.height_min_mm, 1) + "; before " +
-                        fixed(before.coaptation.height_mean_mm, 1) + ", least " +
+                    "minimum " + fixed(after.coaptation.height_min_mm, 1) + "; before " +
+                        fixed(before.coaptation.height_mean_mm, 1) + ", minimum " +
                         fixed(before.coaptation.height_min_mm, 1)) +
          key_figure("Highest chordal tension", with_unit(after.tension_max_n, 2, "N"),
                     "before " + with_unit(before.tension_max_n, 2, "N")) +
-         key_figure("Ring undersizing", undersizing(plan), "2 to 4 usual, more is rejected") +
-         key_figure("Muscles moved, AL / PM", moved, "more than 10 mm is unusual") + "</dl>\n";
+         key_figure("Ring undersizing", undersizing(plan),
+                    shown(kUsualSizesBelow) + " usual, more is rejected") +
+         key_figure("Muscles moved, AL / PM", moved,
+                    "more than " + shown(kUsualMovement_mm) + " mm is unusual") +
+         "</dl>\n";
 }
 
 std::string how_sure(const RankedPlan& plan) {
   std::string words;
   if (varied(plan)) {
     words =
-        "Leak: the larger of orifice and hidden gap. The repair varies: suture length (without a "
-        "suture, "
-        "the tip's distance from its trigone) by up to 1 mm, direction of the tips by up to 5°, "
+        "Leak: the larger of orifice and gap. Variations: suture length (without a suture, the "
+        "tip's distance from its trigone) by up to 1 mm and direction of the tips by up to 5°, "
         "in " +
         grouped(plan.region.closures) + (plan.region.closures == 1 ? " closure" : " closures");
     if (plan.region.failures > 0)
       words += ", " + std::to_string(plan.region.failures) + " of which failed and are left out";
     words += ". ";
   } else {
-    words = "This plan was not closed under variations: how it bears small errors is not known. ";
+    words =
+        "This plan was not closed under variations: how it tolerates small errors is not known. ";
   }
   return "<p class=\"small\">" + escape_html(words) +
-         "Other errors (imaging, tissue, ring placement) are not in the spread; see <a "
+         "Other errors (imaging, tissue, ring placement) are not included; see <a "
          "href=\"#limits\">limits</a>.</p>\n";
 }
 
@@ -179,7 +186,7 @@ std::string care(const RankedPlan& plan) {
   if (shown.size() < plan.warnings.size())
     shown.push_back(std::to_string(plan.warnings.size() - shown.size()) +
                     " more: see the rules of practice");
-  html += shown.empty() ? "<p>No rule of practice that coapt can check objects.</p>\n"
+  html += shown.empty() ? "<p>The plan breaks no rule of practice that coapt can check.</p>\n"
                         : list_html(shown, "<ul class=\"warning\">");
   std::string unseen;
   for (const Gate& gate : plan.gates)
@@ -217,7 +224,8 @@ std::string others(const PlanReport& report, std::size_t front) {
   const std::vector<RankedPlan>& plans = report.result.plans;
   if (plans.size() < 2) return "";
   std::string html =
-      "<div class=\"others\"><h3>This plan among the others</h3>\n<div class=\"scroll\"><table "
+      "<div class=\"others\"><h3>Comparison with the other plans</h3>\n<div "
+      "class=\"scroll\"><table "
       "class=\"dense\"><thead><tr><th scope=\"col\">Rank</th><th scope=\"col\" "
       "class=\"words\">Operation</th><th scope=\"col\">Leak, mm²<br>mean ± sd</th><th "
       "scope=\"col\">95 %<br>below</th><th scope=\"col\">Below<br>5 mm²</th><th "
@@ -253,7 +261,7 @@ std::string first_page(const PlanReport& report) {
   const RankedPlan& plan = report.result.plans[front];
   return "<section class=\"first\">\n" + verdict(report, plan) + operation(report, plan) +
          pictures(report, front) +
-         "<div class=\"key\"><h3>Figures that matter, and how sure they are</h3>\n" +
+         "<div class=\"key\"><h3>Key figures and their uncertainty</h3>\n" +
          figures(report.result.before.measure, plan) + how_sure(plan) + "</div>\n" + care(plan) +
          others(report, front) + "</section>\n";
 }

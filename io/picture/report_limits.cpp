@@ -1,4 +1,4 @@
-// Residual uncertainties are those measured in docs/ROADMAP.md (equilibria) and README.md (membranes), and
+// Residual uncertainties are those measured in docs/researcher/accuracy.md (equilibria, mesh), and
 // what outranking.cpp takes a mean over the region to be worth.
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
@@ -12,20 +12,16 @@ namespace {
 
 const std::vector<std::string>& how_far() {
   static const std::vector<std::string> kSentences = {
-      "One closure: closed from another start, the same plan ends with an orifice that differs by "
-      "up to "
-      "about 0.5 mm². A mean over the region of interest is known to about 0.05 mm², with a flail "
-      "leaflet "
-      "to 0.2. Smaller differences between plans say nothing.",
-      "Mesh and membrane: with the default springs the orifice of one leaking valve came to "
-      "between 38.6 and "
-      "45.7 mm² on meshes of 648 to 10,368 triangles.",
+      "One closure: from another starting state, the orifice of the same plan differs by up to "
+      "about 0.5 mm². A mean over the region of interest is accurate to about 0.05 mm², with a "
+      "flail leaflet to 0.2 mm². Smaller differences between plans mean nothing.",
+      "Mesh and membrane: with the default springs the orifice of one leaking valve ranged from "
+      "38.5 to 45.7 mm² on meshes of 648 to 10,368 triangles.",
       "The orifice is anatomic: what the closed leaflets leave open. It is not an effective "
       "regurgitant "
-      "orifice area (EROA), and regurgitation is not graded by it.",
-      "The spread is that of suture lengths (1 mm) and papillary positions (5 degrees) alone. "
-      "Errors of "
-      "imaging, of placing the ring, of tissue and of pressure come on top.",
+      "orifice area (EROA), and does not grade regurgitation.",
+      "The spread covers errors of suture length (1 mm) and papillary position (5 degrees) only. "
+      "Errors of imaging, ring placement, tissue and pressure are not included.",
       "Nothing here has been validated on patients."};
   return kSentences;
 }
@@ -38,9 +34,9 @@ std::string folded(const std::string& summary, const std::string& content) {
 
 std::string limits_section() {
   return "<section id=\"limits\"><h2>Limits</h2>\n" +
-         folded("What is not modelled, and how far the figures go",
+         folded("What is not modelled, and how accurate the figures are",
                 "<h3>What is not modelled</h3>\n" + list_html(not_modelled()) +
-                    "<h3>How far the figures go</h3>\n" + list_html(how_far())) +
+                    "<h3>Accuracy of the figures</h3>\n" + list_html(how_far())) +
          "</section>\n";
 }
 
@@ -61,9 +57,9 @@ std::string reproduction_section(const PlanReport& report) {
     html += row("Plan " + std::to_string(plan.rank) + " as a file", to_json(plan.plan).dump());
   }
   html +=
-      "</tbody></table></div>\n<p class=\"small\">The same on any number of threads, unless a time "
-      "limit or a person stopped it. <code>coapt evaluate VALVE PLAN</code> scores a plan's file "
-      "again.</p>\n";
+      "</tbody></table></div>\n<p class=\"small\">The result is the same on any number of threads, "
+      "unless a time limit or a user stopped the search. <code>coapt evaluate VALVE PLAN</code> "
+      "scores a plan file again.</p>\n";
   if (!report.before.valve.provenance.empty())
     html += "<h3>Where the valve comes from</h3>\n" + list_html(report.before.valve.provenance);
   return "<section id=\"reproduce\"><h2>How to reproduce</h2>\n" +

@@ -66,9 +66,8 @@ std::string rows_of(const RankedPlan& plan) {
 LinePanel trade(const SearchResult& result, FrameWords words, double (*x)(const RankedPlan&),
                 double (*y)(const RankedPlan&)) {
   LinePanel panel{std::move(words), {}};
-  PanelSeries front{"on the Pareto front", {}, {}, Hue::Blue, Mark::Dot};
-  PanelSeries others{
-      "another ranked plan is as good in all and better in one", {}, {}, Hue::Ink, Mark::Hollow};
+  PanelSeries front{"Pareto-optimal", {}, {}, Hue::Blue, Mark::Dot};
+  PanelSeries others{"not Pareto-optimal", {}, {}, Hue::Ink, Mark::Hollow};
   for (const RankedPlan& plan : result.plans) {
     if (!std::isfinite(x(plan)) || !std::isfinite(y(plan))) continue;
     PanelSeries& series = plan.pareto ? front : others;
@@ -102,8 +101,8 @@ std::string trade_offs(const SearchResult& result) {
        trade(result, {"", "leak, mean, mm²", "leak, sd, mm²"}, mean, sd)}};
   return chart_html(
       line_chart_svg(chart),
-      "Each number is a plan. Full points: no other plan is as good in everything and "
-      "better in something (Pareto front). Hollow ones are beaten by another plan.");
+      "Each number is a plan. Filled points: plans that are Pareto-optimal in mean leak, its sd, "
+      "number of steps and undersizing. Hollow points: plans that are not.");
 }
 
 }  // namespace
@@ -148,13 +147,14 @@ std::string ranked_section(const PlanReport& report) {
          "</tbody></table></div>\n<p class=\"small\">Orifice: as planned, seen from the atrium. "
          "Gap: opening between the leaflets in three dimensions, which that view can hide. Leak: "
          "the larger of the two, over small deviations of suture length and papillary position "
-         "around the plan; below 5 mm²: the share of those that leaves a good repair. Margin: how "
-         "far the first deviation lies that leaks more than 1 mm²; 0 if the plan itself does. "
+         "around the plan; below 5 mm²: the share of deviations with a good repair. Margin: the "
+         "smallest deviation that leaks more than 1 mm²; 0 if the plan itself leaks more. "
          "Coaptation: mean height over nine sections. Tension: highest in any chorda. Cost: what "
          "the search minimises, in mm². Ahead of the next: the probability that its true cost is "
-         "lower; from 5 to 95 % the two tie. Robust: every closure converged and mean + sd of the "
-         "leak is below 1 mm². Pareto: no other ranked plan is as good in mean, sd, steps and "
-         "undersizing, and better in one. The orifice is anatomic, not an effective regurgitant "
+         "lower than the next plan's; from 5 to 95 % the two tie. Robust: every closure converged "
+         "and mean + sd of the "
+         "leak is below 1 mm². Pareto: Pareto-optimal among the ranked plans in mean leak, its sd, "
+         "number of steps and undersizing. The orifice is anatomic, not an effective regurgitant "
          "orifice area.</p>\n" +
          trade_offs(result) + "</section>\n";
 }

@@ -11,20 +11,21 @@ namespace {
 // Costs above so many times the best are left out of the chart: they would flatten the rest.
 constexpr double kShownTimes = 12.0, kShownAtLeast = 20.0;
 
-std::string stop_words(SearchStop stop) {
+std::string stop_sentence(SearchStop stop) {
   switch (stop) {
     case SearchStop::EvaluationLimit:
-      return "It used all its evaluations.";
+      return "The search used all its closures.";
     case SearchStop::Exhausted:
-      return "No plan is left that its price or its expected cost does not rule out.";
+      return "No plan was left that was worth trying: its price or its expected cost ruled out "
+             "every other.";
     case SearchStop::NoImprovement:
-      return "It found no better plan for as long as it was told to wait.";
+      return "The search found no better plan within the set number of closures.";
     case SearchStop::TargetReached:
-      return "It reached its target.";
+      return "A plan reached the target.";
     case SearchStop::TimeLimit:
-      return "It reached its time limit.";
+      return "The search reached its time limit.";
     case SearchStop::Cancelled:
-      return "It was cancelled; this is the best so far.";
+      return "The search was cancelled; this is the best so far.";
   }
   return "";
 }
@@ -57,7 +58,7 @@ std::string progress_chart(const SearchResult& result) {
               "cost, mm² (lower is better)",
               {staircase(result.progress, most, end)},
               true};
-  Series random{"what plans at random are expected to reach", {}, {}, true, true};
+  Series random{"random search, expected", {}, {}, true, true};
   for (const Progress& at : result.random_progress)
     if (at.cost <= most) {
       random.x.push_back(at.closures);
@@ -85,7 +86,7 @@ std::string counts(const SearchResult& result) {
     words += grouped(result.plans_tried) + " plans tried of " + grouped(result.plans_possible) +
              " possible ones in " + grouped(result.branches) +
              (result.branches == 1 ? " branch. " : " branches. ");
-  words += is_search(result) ? stop_words(result.stop)
+  words += is_search(result) ? stop_sentence(result.stop)
                              : "The plans were given, and scored as a search scores its finalists.";
   return "<p>" + escape_html(words) + "</p>\n";
 }
@@ -93,23 +94,23 @@ std::string counts(const SearchResult& result) {
 std::string ladder_table(const std::vector<LadderStep>& ladder) {
   if (ladder.empty()) return "";
   std::vector<std::vector<std::string>> cells = {
-      {"Closures a plan", "then", "Plans compared", "Rank correlation", "Trusted"}};
+      {"Closures per plan", "then", "Plans compared", "Rank correlation", "Trusted"}};
   for (const LadderStep& step : ladder)
     cells.push_back({grouped(step.from), grouped(step.to), grouped(step.plans),
                      fixed(step.spearman, 2),
                      std::isnan(step.spearman) ? "not measured"
                      : step.skipped            ? "no"
                                                : "yes"});
-  return "<h3>Whether few closures speak for many</h3>\n" + table_html(cells) +
-         "<p class=\"small\">Spearman's correlation of costs; 0: by geometry alone. Where it is "
-         "below 0.80 "
-         "the cheaper figure alone rules no plan out: more plans are closed more often.</p>\n";
+  return "<h3>How well few closures predict many</h3>\n" + table_html(cells) +
+         "<p class=\"small\">Spearman's rank correlation of costs; 0 closures: geometry alone. "
+         "Below 0.80 the cheaper figure alone rules out no plan, and more plans go on to more "
+         "closures.</p>\n";
 }
 
 std::string subset_table(const std::vector<RankedPlan>& plans) {
   if (plans.empty()) return "";
   std::vector<std::vector<std::string>> cells = {
-      {"Rank", "Nodes chosen by", "Cost over those", "Nodes closed", "Cost over what all closed"}};
+      {"Rank", "Nodes at selection", "Cost over these", "Nodes closed", "Cost over common nodes"}};
   for (const RankedPlan& plan : plans)
     cells.push_back({std::to_string(plan.rank), grouped(plan.subset_nodes),
                      fixed(plan.subset_cost, 1), grouped(plan.region.closures),

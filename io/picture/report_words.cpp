@@ -5,9 +5,9 @@
 #include <cctype>
 #include <cmath>
 
-#include "core/repair/annuloplasty.h"
 #include "core/repair/apply_plan.h"
 #include "core/repair/limits.h"
+#include "core/repair/rings.h"
 #include "core/valve/annulus_frame.h"
 #include "io/json/plan_json.h"
 #include "io/picture/text.h"
@@ -34,27 +34,35 @@ struct Operated {
   Expected<Valve> repaired;
 };
 
-double ring_across_mm(const Annuloplasty& step, double annulus_mm) {
-  if (step.shape == "own") return annulus_mm - kRingSizeStep_mm * step.sizes_below;
-  const RingShape* ring = find_ring(ring_catalogue(), step.shape);
-  return ring != nullptr ? ring_width_mm(*ring, step.size_mm) : std::nan("");
+double ring_across_mm(const OwnRing& ring, double annulus_mm) {
+  return annulus_mm - kRingSizeStep_mm * ring.sizes_below;
+}
+double ring_across_mm(const CatalogueRing& ring, double /*annulus_mm*/) {
+  const RingShape* shape = find_ring(ring.shape);
+  return shape != nullptr ? ring_width_mm(*shape, ring.size_mm) : std::nan("");
+}
+
+std::string ring_words(const OwnRing& ring) {
+  return "Annuloplasty ring in the annulus's own shape, " +
+         (ring.sizes_below == 0 ? "not undersized"
+                                : "undersized by " + counted(ring.sizes_below, "size"));
+}
+std::string ring_words(const CatalogueRing& ring) {
+  return "Annuloplasty ring, size " + fixed(ring.size_mm, 0) + " mm, shape " + ring.shape;
 }
 
 StepWords words(const Operated& operated, const Annuloplasty& step, std::size_t) {
   const Valve& valve = operated.before.valve;
   const double across = transverse_diameter_mm(valve, annulus_frame(valve));
-  const double narrower = (across - ring_across_mm(step, across)) / kRingSizeStep_mm;
+  const double ring_across =
+      std::visit([&](const auto& ring) { return ring_across_mm(ring, across); }, step.ring);
+  const double narrower = (across - ring_across) / kRingSizeStep_mm;
   const AnnulusMeasure& was = operated.before.measure.annulus;
   const AnnulusMeasure& is = operated.plan.measure.annulus;
-  const RingShape* ring = find_ring(ring_catalogue(), step.shape);
   StepWords told;
-  told.step =
-      step.shape == "own"
-          ? "Annuloplasty ring of the annulus's own shape, " +
-                (step.sizes_below == 0 ? std::string("at its size")
-                                       : counted(step.sizes_below, "size") + " below it")
-          : "Annuloplasty ring, size " + fixed(step.size_mm, 0) + " mm, shape " + step.shape;
-  if (ring != nullptr && !ring->note.empty()) told.detail = capitalised(ring->note) + ". ";
+  told.step = std::visit([](const auto& ring) { return ring_words(ring); }, step.ring);
+  if (const RingShape* shape = find_ring(shape_of(step)))
+    told.detail = capitalised(std::string(shape->note)) + ". ";
   told.detail += "Annulus from " + fixed(was.al_pm_mm, 1) + " × " + fixed(was.ap_mm, 1) + " to " +
                  fixed(is.al_pm_mm, 1) + " × " + fixed(is.ap_mm, 1) +
                  " mm (across × front to back). Undersized by " +
@@ -158,8 +166,10 @@ StepWords words(const Operated& operated, const ChordalTransfer&, std::size_t in
 }
 
 std::string in_short(const Annuloplasty& step) {
-  return step.shape == "own" ? "ring of own shape, " + counted(step.sizes_below, "size") + " below"
-                             : "ring " + step.shape + " " + fixed(step.size_mm, 0);
+  if (const auto* own = std::get_if<OwnRing>(&step.ring))
+    return "ring in own shape, undersized by " + counted(own->sizes_below, "size");
+  const auto& ring = std::get<CatalogueRing>(step.ring);
+  return "ring " + ring.shape + " " + fixed(ring.size_mm, 0);
 }
 std::string in_short(const PapillaryApproximation& step) {
   const char* anchor = step.anchor == Anchor::IpsilateralTrigone ? "trigone"
@@ -192,7 +202,7 @@ std::vector<StepWords> surgical_words(const ClosedValve& before, const RankedPla
     if (told.empty()) told.push_back({"No repair", "The valve as it is."});
     return told;
   }
-  const Operated operated{before, plan, apply_plan(before.valve, plan.plan, ring_catalogue())};
+  const Operated operated{before, plan, apply_plan(before.valve, plan.plan)};
   for (std::size_t i = 0; i < plan.plan.steps.size(); ++i)
     told.push_back(
         std::visit([&](const auto& step) { return words(operated, step, i); }, plan.plan.steps[i]));

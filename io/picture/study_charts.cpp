@@ -61,7 +61,7 @@ void add_scan(LinePanel& panel, const std::vector<AnchorSummary>& scan, Measure 
   }
   if (!least.y.empty())
     panel.words.x_label +=
-        "; least " + fixed(least.y.front(), 1) + " at " + fixed(least.x.front(), 2);
+        "; minimum " + fixed(least.y.front(), 1) + " at " + fixed(least.x.front(), 2);
   panel.series.push_back(around);
   panel.series.push_back(least);
 }
@@ -95,8 +95,9 @@ std::string annulus_svg(const AnnulusStudy& study, bool with_thesis) {
   LineChart chart;
   chart.title = "Orifice of a dilated and flattened annulus";
   chart.note =
-      "Thesis, figure 4.5. Trigones, papillary tips and transverse diameter are held. Right: what "
-      "flattening leaves of the orifice at the same dilation, from 5 mm² upwards.";
+      "Thesis, figure 4.5. Trigones, papillary tips and transverse diameter are held. Right: "
+      "orifice of the flattened annulus in percent of the unflattened one at the same dilation, "
+      "from 5 mm² upwards.";
   chart.columns = 2;
   chart.panel_height = 380.0;
   LinePanel areas{{"Orifice", "anteroposterior dilation, %", "orifice, mm²"}, {}};
@@ -127,9 +128,9 @@ std::string anchors_histogram_svg(const ApproximationStudy& study) {
   HistogramChart chart;
   chart.title = "Where the papillary suture is anchored";
   chart.note = std::string("Thesis, figure 4.10; protocol ") + to_string(study.protocol) +
-               ". An entry is one displaced configuration after its repair: mean (above) and sd "
-               "(below) of the orifice over its region of interest. Dashed and in words: mean ± sd "
-               "of the entries; beyond: past the last bin.";
+               ". Each entry is one displaced configuration after its repair: mean (above) and sd "
+               "(below) of the orifice over its region of interest. Dashed line and text: mean ± "
+               "sd of the entries; beyond: past the last bin.";
   chart.panel_height = 290.0;
   const auto add_row = [&](double RegionOrifice::*measure, const char* words) {
     for (const Displaced displaced : kDisplaced) {
@@ -155,12 +156,12 @@ std::string anchor_scan_svg(const std::vector<AnchorSummary>& scan,
   chart.title = "Anchors around the annulus";
   chart.note =
       "Mean over all displaced configurations of the region's mean orifice (above) and sd (below). "
-      "Place: share of the annulus from the posteromedial commissure, 0, over the saddle peak, "
-      "0.25, and the anterolateral commissure, 0.5; for the anterolateral muscle mirrored.";
+      "Position: share of the annulus from the posteromedial commissure (0) over the saddle peak "
+      "(0.25) to the anterolateral commissure (0.5) and on; mirrored for the anterolateral muscle.";
   chart.panel_height = 280.0;
   const auto add_row = [&](Measure measure, const char* words) {
     for (const Displaced displaced : kDisplaced) {
-      LinePanel panel{{class_title(displaced), "place of the anchor", words}, {}};
+      LinePanel panel{{class_title(displaced), "anchor position", words}, {}};
       panel.x_axis = Axis{0.0, 1.0, 0.25, 2};
       panel.y_holds = {0.0, 0.0};
       const Protocol protocol = scan.empty() && !thesis.empty() ? thesis.front().protocol

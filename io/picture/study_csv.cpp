@@ -1,57 +1,11 @@
 #include "io/picture/study_csv.h"
 
-#include <cmath>
-#include <sstream>
+#include "io/picture/csv_lines.h"
 
 namespace coapt {
 namespace {
 
-/// Lines of comma-separated cells. Text with a comma or a quote is quoted (RFC 4180).
-class CsvTable {
- public:
-  explicit CsvTable(const std::string& header) { text_ << header << '\n'; }
-  CsvTable() = default;
-
-  CsvTable& operator<<(double value) {
-    separate();
-    if (std::isfinite(value)) text_ << value;
-    return *this;
-  }
-  CsvTable& operator<<(int value) {
-    separate();
-    text_ << value;
-    return *this;
-  }
-  CsvTable& operator<<(bool value) { return *this << (value ? "true" : "false"); }
-  CsvTable& operator<<(const char* value) { return *this << std::string(value); }
-  CsvTable& operator<<(const std::string& value) {
-    separate();
-    if (value.find_first_of(",\"\n") == std::string::npos) {
-      text_ << value;
-      return *this;
-    }
-    text_ << '"';
-    for (const char c : value) text_ << (c == '"' ? "\"\"" : std::string(1, c));
-    text_ << '"';
-    return *this;
-  }
-  CsvTable& operator<<(const Vec3& value) { return *this << value.x() << value.y() << value.z(); }
-  void end_line() {
-    text_ << '\n';
-    first_ = true;
-  }
-  std::string text() const { return text_.str(); }
-
- private:
-  void separate() {
-    if (!first_) text_ << ',';
-    first_ = false;
-  }
-  std::ostringstream text_;
-  bool first_ = true;
-};
-
-void add(CsvTable& csv, const AnchorSummary& s) {
+void add(CsvLines& csv, const AnchorSummary& s) {
   csv << to_string(s.protocol) << to_string(s.displaced) << s.anchor.name << s.anchor.around
       << s.configurations << s.repaired << s.mean_mm2 << s.sd_mm2 << s.sd_of_means_mm2
       << s.length_sd_mm2 << s.angle_sd_mm2 << s.length_slope_mm2_per_mm << s.swing_slope_mm2_per_mm
@@ -66,7 +20,7 @@ constexpr const char* kSummaryHeader =
 }  // namespace
 
 std::string table_csv(const std::vector<std::vector<std::string>>& rows) {
-  CsvTable csv;
+  CsvLines csv;
   for (const std::vector<std::string>& row : rows) {
     for (const std::string& cell : row) csv << cell;
     csv.end_line();
@@ -75,7 +29,7 @@ std::string table_csv(const std::vector<std::vector<std::string>>& rows) {
 }
 
 std::string annulus_csv(const AnnulusStudy& study) {
-  CsvTable csv("annular_height_percent,ap_dilation_percent,orifice_mm2");
+  CsvLines csv("annular_height_percent,ap_dilation_percent,orifice_mm2");
   for (std::size_t h = 0; h < study.height_percent.size(); ++h)
     for (std::size_t d = 0; d < study.dilation_percent.size(); ++d) {
       csv << study.height_percent[h] << study.dilation_percent[d] << study.area_mm2[h][d];
@@ -85,7 +39,7 @@ std::string annulus_csv(const AnnulusStudy& study) {
 }
 
 std::string papillary_csv(const PapillaryStudy& study) {
-  CsvTable csv(
+  CsvLines csv(
       "class,transverse_mm,posterior_mm,apical_mm,orifice_mm2,gradient_transverse_mm2_per_mm,"
       "gradient_posterior_mm2_per_mm,gradient_apical_mm2_per_mm");
   for (const DisplacementGrid& grid : study.grids) {
@@ -99,7 +53,7 @@ std::string papillary_csv(const PapillaryStudy& study) {
 }
 
 std::string ring_csv(const RingStudy& study) {
-  CsvTable csv(
+  CsvLines csv(
       "class,sizes_below,transverse_mm,posterior_mm,apical_mm,orifice_mm2,ratio_to_proper_size");
   for (const auto& sizes : study.grids)
     for (const DisplacementGrid& grid : sizes) {
@@ -114,7 +68,7 @@ std::string ring_csv(const RingStudy& study) {
 }
 
 std::string approximation_csv(const std::vector<ApproximationStudy>& studies) {
-  CsvTable csv(
+  CsvLines csv(
       "protocol,class,transverse_mm,posterior_mm,apical_mm,displaced_orifice_mm2,anchor,around,"
       "repaired,to_transverse_mm,to_posterior_mm,to_apical_mm,movement_mm,suture_mm,orifice_mm2,"
       "region_points,region_mean_mm2,region_sd_mm2,region_worst_mm2,length_sd_mm2,angle_sd_mm2,"
@@ -134,7 +88,7 @@ std::string approximation_csv(const std::vector<ApproximationStudy>& studies) {
 }
 
 std::string anchors_csv(const std::vector<AnchorSummary>& summaries) {
-  CsvTable csv(kSummaryHeader);
+  CsvLines csv(kSummaryHeader);
   for (const AnchorSummary& summary : summaries) {
     add(csv, summary);
     csv.end_line();
@@ -150,7 +104,7 @@ std::string anchor_scan_csv(const std::vector<ScannedAnatomy>& scan) {
       if (c == ',') c = ';';
     header += name + ',';
   }
-  CsvTable csv(header + kSummaryHeader);
+  CsvLines csv(header + kSummaryHeader);
   for (std::size_t i = 0; i < scan.size(); ++i)
     for (const AnchorSummary& summary : scan[i].summaries) {
       csv << static_cast<int>(i);
@@ -165,7 +119,7 @@ std::string anchor_scan_csv(const std::vector<ScannedAnatomy>& scan) {
 }
 
 std::string anchor_answers_csv(const std::vector<AnchorAnswer>& answers) {
-  CsvTable csv(
+  CsvLines csv(
       "protocol,class,objective,anatomies,trigone_wins,ties,mean_difference,predicted_share,"
       "factor,sobol_first,sobol_total,effect");
   for (const AnchorAnswer& a : answers)
@@ -180,7 +134,7 @@ std::string anchor_answers_csv(const std::vector<AnchorAnswer>& answers) {
 }
 
 std::string generality_csv(const std::vector<ValveFindings>& studied) {
-  CsvTable csv("kind,valve,closures,untrusted,finding,agrees,ours");
+  CsvLines csv("kind,valve,closures,untrusted,finding,agrees,ours");
   for (const ValveFindings& valve : studied)
     for (const Finding& finding : valve.findings) {
       csv << valve.kind << valve.name << valve.closures << valve.untrusted << finding.finding
@@ -191,7 +145,7 @@ std::string generality_csv(const std::vector<ValveFindings>& studied) {
 }
 
 std::string finding_shares_csv(const std::vector<FindingShare>& shares) {
-  CsvTable csv("finding,kind,valves,agree");
+  CsvLines csv("finding,kind,valves,agree");
   for (const FindingShare& share : shares) {
     csv << share.finding << (share.kind.empty() ? "all" : share.kind) << share.valves
         << share.agree;

@@ -64,8 +64,8 @@ std::string finding_row(const Finding& finding) {
 std::string findings_table(const std::vector<Finding>& findings) {
   if (findings.empty()) return "";
   std::string html =
-      "<section><h2>Finding by finding</h2>\n<div class=\"scroll\"><table class=\"findings\">"
-      "<thead><tr><th>Finding, and what is asked of this valve</th><th>Section</th><th>Thesis</th>"
+      "<section><h2>Findings</h2>\n<div class=\"scroll\"><table class=\"findings\">"
+      "<thead><tr><th>Finding, and the criterion for this valve</th><th>Section</th><th>Thesis</th>"
       "<th>This valve</th><th>Verdict</th></tr></thead>\n<tbody>";
   for (const Finding& finding : findings) html += finding_row(finding);
   return html + "</tbody></table></div></section>\n";

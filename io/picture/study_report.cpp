@@ -7,17 +7,20 @@
 #include "io/picture/study_charts.h"
 #include "io/picture/study_csv.h"
 #include "io/picture/text.h"
-#include "search/studies/findings_parts.h"
+#include "search/studies/anchor_findings.h"
+#include "search/studies/geometry_findings.h"
+#include "search/studies/ring_findings.h"
 #include "search/studies/thesis_figures.h"
 
 namespace coapt {
 namespace {
 
 PageSection annulus_figure(const AnnulusStudy& study) {
-  return {"Annular dilation and flattening (figure 4.5)",
-          "Trigones, papillary tips and transverse diameter held. Rings: the thesis's numbers.",
-          annulus_svg(study, true),
-          {}};
+  return {
+      "Annular dilation and flattening (figure 4.5)",
+      "Trigones, papillary tips and transverse diameter held. Open circles: the thesis's numbers.",
+      annulus_svg(study, true),
+      {}};
 }
 
 PageSection papillary_table(const PapillaryStudy& study) {
@@ -54,7 +57,7 @@ PageSection anchors_table(const std::vector<AnchorSummary>& summaries,
   PageSection section{"Anchors",
                       settings(options) +
                           " Means over the displacements; movement and suture (mm) over the "
-                          "repaired ones. Slopes in mm2 per mm of the tip's way, by suture length "
+                          "repaired ones. Slopes in mm2 per mm of tip movement, by suture length "
                           "and by swing; all else in mm2.",
                       "",
                       {{"protocol", "class", "anchor", "repaired", "mean", "sd", "sd of means",
@@ -82,7 +85,7 @@ void add_to_report(StudyReport& report, const PapillaryStudy& study) {
   report.files.emplace_back("papillary.svg", papillary_svg(study));
   report.figures.push_back({"Papillary displacement (figures 4.6 to 4.8)",
                             "Orifice over transverse and posterior displacement, a surface for "
-                            "each apical one; and its gradient.",
+                            "each apical displacement, and its gradient.",
                             papillary_svg(study),
                             {}});
   report.figures.push_back(papillary_table(study));

@@ -1,9 +1,9 @@
 #include "io/picture/text.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
+
+#include "core/valve/number_text.h"
 
 namespace coapt {
 namespace {
@@ -33,11 +33,7 @@ std::size_t sequence_length(std::string_view text) {
 
 std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) return "n/a";
-  std::array<char, 400> buffer;  // the longest double has 309 digits before the point
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                 std::chars_format::fixed, decimals)
-                       .ptr;
-  std::string text(buffer.data(), end);
+  std::string text = with_decimals(value, decimals);
   if (text.find_first_not_of("-0.") == std::string::npos && text[0] == '-') text.erase(0, 1);
   return text;
 }

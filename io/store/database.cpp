@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <thread>
 
 namespace coapt {
 namespace {
@@ -109,6 +111,18 @@ std::optional<Kind> make(sqlite3* database, const StoreFormat& format) {
   return kind_of(database);
 }
 
+/// Has commits written to a log. SQLite waits for the first lock of a transaction alone, and this one
+/// reads before it writes: where another process has just the file, it is asked again.
+bool keep_log(sqlite3* database, int lock_timeout_ms) {
+  using std::chrono::steady_clock, std::chrono::milliseconds;
+  const auto end = steady_clock::now() + milliseconds(lock_timeout_ms);
+  while (!run(database, "PRAGMA journal_mode = WAL")) {
+    if (sqlite3_errcode(database) != SQLITE_BUSY || steady_clock::now() >= end) return false;
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  return true;
+}
+
 /// Whether the last write to one of the files failed for want of room. The system's error is asked of
 /// each file: by the time that a call returns, rolling back has overwritten errno.
 bool lacks_room(sqlite3* database) {
@@ -162,7 +176,9 @@ Expected<StoreDatabase> StoreDatabase::open(const std::string& path, const Store
   store.handle_.reset(database);
   if (opened != SQLITE_OK) {
     Error error = store.failure("cannot be opened");
-    error.message = path + ": cannot be opened: " + std::strerror(sqlite3_system_errno(database));
+    // Of a link to itself the system's error is none.
+    if (const int number = sqlite3_system_errno(database); number != 0)
+      error.message = path + ": cannot be opened: " + std::strerror(number);
     return error;
   }
   if (const Errors errors = check_header(database, format, path); !errors.empty()) return errors;
@@ -173,10 +189,9 @@ Expected<StoreDatabase> StoreDatabase::open(const std::string& path, const Store
   if (!kind) return store.failure("cannot be opened");
   if (const Errors errors = check_kind(*kind, format, path); !errors.empty()) return errors;
   // NORMAL: commits are written to the log, not forced to the disk one by one.
-  if (!run(database,
-           "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
-           "PRAGMA wal_autocheckpoint = " +
-               std::to_string(format.log_pages) + ';' + format.settings))
+  if (!keep_log(database, lock_timeout_ms) ||
+      !run(database, "PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = " +
+                         std::to_string(format.log_pages) + ';' + format.settings))
     return store.failure("cannot be opened");
   return store;
 }

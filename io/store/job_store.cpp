@@ -1,5 +1,6 @@
 #include "io/store/job_store.h"
 
+#include <array>
 #include <utility>
 
 #include "io/store/job_row.h"
@@ -63,6 +64,33 @@ CREATE TABLE events (
                                         "PRAGMA journal_size_limit = 67108864",  // bytes
                                     .tells_causes = true};
 
+// Made in files of an earlier coapt, too; one that does not know them leaves them alone.
+constexpr std::array kAddedTables = {
+    // What lists say, so that they need not read the documents.
+    R"(CREATE TABLE valve_summaries (
+  valve INTEGER PRIMARY KEY REFERENCES valves ON DELETE CASCADE,
+  name TEXT NOT NULL,
+  vertices INTEGER NOT NULL,
+  triangles INTEGER NOT NULL
+) STRICT)",
+    R"(CREATE TABLE kept_plans (
+  number INTEGER PRIMARY KEY AUTOINCREMENT,
+  id TEXT NOT NULL UNIQUE,
+  name TEXT NOT NULL,
+  valve TEXT NOT NULL,  -- id of a stored valve, or a preset's name
+  plan TEXT NOT NULL
+) STRICT)",
+    "CREATE INDEX kept_plans_by_valve ON kept_plans (valve, number)"};
+
+/// Of all valves that have no summary yet. What is no valve has an empty one.
+void summarise_valves(Transaction& change) {
+  change.run(R"(INSERT INTO valve_summaries
+SELECT number, coalesce(json_extract(document, '$.name'), ''),
+  coalesce(json_array_length(document, '$.vertices_mm'), 0), coalesce(json_array_length(document, '$.faces'), 0)
+FROM (SELECT number, iif(json_valid(CAST(document AS TEXT)), CAST(document AS TEXT), '{}') AS document FROM valves
+  WHERE NOT EXISTS (SELECT 1 FROM valve_summaries WHERE valve = number)))");
+}
+
 // Not INSERT OR IGNORE, which would pass over every constraint and not only over the key's.
 constexpr const char* kInsertValve =
     "INSERT INTO valves (id, document) VALUES (?, ?) ON CONFLICT DO NOTHING";
@@ -98,16 +126,30 @@ Expected<JobStore> JobStore::open(const std::string& path, int lock_timeout_ms) 
   Expected<StoreDatabase> reader = StoreDatabase::open(path, read_only, lock_timeout_ms);
   if (!reader) return reader.errors();
   JobStore store(*std::move(lock), *std::move(writer), *std::move(reader));
+  if (Errors errors = store.add_tables(); !errors.empty()) return errors;
   Transaction tables(*store.reader_, Transaction::Kind::Read, "cannot be opened");
-  tables.run("SELECT 1 FROM valves, jobs, bodies, files, events LIMIT 0");
+  tables.run(
+      "SELECT 1 FROM valves, jobs, bodies, files, events, valve_summaries, kept_plans LIMIT 0");
   if (Errors errors = tables.end(); !errors.empty()) return errors;
   return store;
+}
+
+Errors JobStore::add_tables() {
+  Transaction change = writing("cannot be opened");
+  bool are_there = false;
+  change.run("SELECT 1 FROM sqlite_schema WHERE name = 'kept_plans'", {},
+             [&are_there](const Statement&) { are_there = true; });
+  if (are_there) return change.end();
+  for (const char* table : kAddedTables) change.run(table);
+  summarise_valves(change);
+  return change.end();
 }
 
 Expected<bool> JobStore::add_valve(const std::string& id, const std::string& document) {
   Transaction change = writing("a valve cannot be kept");
   change.run(kInsertValve, {id, Blob{document}});
   const bool is_new = change.changed() == 1;
+  if (is_new) summarise_valves(change);
   return change.end_with(is_new);
 }
 
@@ -115,6 +157,9 @@ Expected<bool> JobStore::remove_valve(const std::string& id) {
   Transaction change = writing("a valve cannot be removed");
   change.run("SELECT 1 FROM jobs WHERE valve = ? LIMIT 1", {id}, [&change](const Statement&) {
     change.refuse(ErrorCode::BadReference, "jobs refer to the valve: remove them first");
+  });
+  change.run("SELECT 1 FROM kept_plans WHERE valve = ? LIMIT 1", {id}, [&change](const Statement&) {
+    change.refuse(ErrorCode::BadReference, "kept plans refer to the valve: remove them first");
   });
   change.run("DELETE FROM valves WHERE id = ?", {id});
   const bool was_there = change.changed() == 1;
@@ -130,6 +175,7 @@ Expected<JobStore::Submitted> JobStore::submit(const NewJob& job, const std::str
       return change.end_with(Submitted{*std::move(known), false});
   }
   change.run(kInsertValve, {job.valve, Blob{valve_document}});
+  if (change.changed() == 1) summarise_valves(change);
   change.run(
       "INSERT INTO jobs (id, idempotency_key, kind, valve, created_ms) VALUES (?, ?, ?, ?, ?)",
       {job.id, has_key ? SqlValue(job.idempotency_key) : SqlValue(nullptr), job.kind, job.valve,

@@ -1,4 +1,4 @@
-// Valves, jobs, what they have come to: the server's memory, in one SQLite file.
+// Valves, kept plans, jobs, what these have come to: the server's memory, in one SQLite file.
 //
 // What has returned without an error outlives the process and a loss of power (every commit is forced to
 // the disk), which costs milliseconds: nothing here is called for each closure. Reading goes through a
@@ -72,6 +72,30 @@ struct JobEnd {
   std::vector<JobFile> files = {};        ///< all of different names
 };
 
+/// What a list says of a stored valve.
+struct ValveSummary {
+  std::string id, name;  ///< name: of the document; empty if it has none
+  int vertices = 0, triangles = 0;
+};
+
+struct ValvePage {
+  std::vector<ValveSummary> valves;  ///< newest first
+  std::int64_t next_before = 0;      ///< 0: there are no more
+};
+
+/// A repair plan that somebody wants to find again.
+struct KeptPlan {
+  std::string id;     ///< unguessable, the caller's
+  std::string name;   ///< for people to read
+  std::string valve;  ///< id of a stored valve, or a preset's name
+  std::string plan;   ///< JSON
+};
+
+struct KeptPlanPage {
+  std::vector<KeptPlan> plans;   ///< newest first
+  std::int64_t next_before = 0;  ///< 0: there are no more
+};
+
 struct JobPage {
   std::vector<Job> jobs;         ///< newest first
   std::int64_t next_before = 0;  ///< 0: there are no more
@@ -90,8 +114,19 @@ class JobStore {
   /// Keeps a valve; true if it is new, else the first stays.
   Expected<bool> add_valve(const std::string& id, const std::string& document);
   Expected<std::optional<std::string>> valve(const std::string& id) const;
-  /// False if there is none. BadReference if a job refers to it.
+  /// @param size from 1 @param before only those stored before that place; 0: all
+  Expected<ValvePage> valves(int size, std::int64_t before) const;
+  /// False if there is none. BadReference if a job or a kept plan refers to it.
   Expected<bool> remove_valve(const std::string& id);
+
+  /// False, and nothing is kept, if there are `most` already.
+  Expected<bool> keep_plan(const KeptPlan& plan, int most);
+  Expected<std::optional<KeptPlan>> kept_plan(const std::string& id) const;
+  /// @param size from 1 @param before only those kept before that place; 0: all @param valve empty: of all valves
+  Expected<KeptPlanPage> kept_plans(int size, std::int64_t before, const std::string& valve) const;
+  /// False if there is none; likewise below.
+  Expected<bool> rename_kept_plan(const std::string& id, const std::string& name);
+  Expected<bool> remove_kept_plan(const std::string& id);
 
   struct Submitted {
     Job job;
@@ -141,6 +176,7 @@ class JobStore {
  private:
   JobStore(FileLock lock, StoreDatabase writer, StoreDatabase reader);
 
+  Errors add_tables();
   Transaction writing(const char* problem) const;
   Transaction reading() const;
 

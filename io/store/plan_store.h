@@ -13,7 +13,7 @@
 
 #include "core/valve/types.h"
 #include "io/store/database.h"
-#include "search/plans/plan_desk.h"
+#include "search/plans/plan_evaluations.h"
 
 namespace coapt {
 

@@ -38,12 +38,12 @@ LatticePoint mildest_of(const Branch& branch) {
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Parameter& p = branch.parameters[k];
     if (p.of == ParameterOf::Movement) at[k] = 0;
-    if (p.of == ParameterOf::RingSize) at[k] = branch.choice.ring == "own" ? 0 : p.count - 1;
+    if (p.of == ParameterOf::RingSize) at[k] = branch.choice.ring == kOwnShape ? 0 : p.count - 1;
   }
   return at;
 }
 
-LatticePoint lent(const Branch& from, const LatticePoint& at, const Branch& to) {
+LatticePoint nearest_point(const Branch& from, const LatticePoint& at, const Branch& to) {
   LatticePoint point = start_of(to);
   for (std::size_t k = 0; k < point.size(); ++k) {
     const Parameter& p = to.parameters[k];

@@ -1,5 +1,5 @@
-// A branch of the plan space: discrete decisions, and the lattice of sizes, lengths and places that they
-// leave open.
+// A branch of the plan space: discrete decisions, and the lattice of sizes, lengths and places that
+// they leave open.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Choice {
 };
 
 enum class ParameterOf {
-  RingSize,        ///< mm, or sizes below for shape "own"
+  RingSize,        ///< mm, or sizes below for an own ring
   Movement,        ///< mm, of papillary muscle `index` (0 anterolateral, 1 posteromedial)
   AnchorPlace,     ///< share of the annulus from the saddle peak towards the side of muscle `index`
   NeochordaPlace,  ///< of `along`, from the usual place of neochorda `index`
@@ -61,7 +61,7 @@ LatticePoint point_at(const Branch& branch, std::int64_t number);
 LatticePoint mildest_of(const Branch& branch);
 
 /// The same values in another branch, where it has such parameters; else its start.
-LatticePoint lent(const Branch& from, const LatticePoint& at, const Branch& to);
+LatticePoint nearest_point(const Branch& from, const LatticePoint& at, const Branch& to);
 
 /// Decisions that are not the same.
 int differences(const Choice& a, const Choice& b);

@@ -50,7 +50,7 @@ class Refinement {
   void descend_from(const LatticePoint& at) {
     const std::vector<Parameter>& parameters = search_.branch->parameters;
     BoundedProblem problem;  // in lattice steps
-    problem.method = kMethods[static_cast<std::size_t>(search_.rounds) % std::size(kMethods)];
+    problem.method = kMethods[search_.rounds % std::ssize(kMethods)];
     problem.tolerance = kToleranceShare;
     problem.most_calls = calls_left_;
     for (std::size_t k = 0; k < parameters.size(); ++k) {

@@ -1,10 +1,10 @@
 // The continuous part of the search: sizes, lengths and places within one branch, on its lattice.
 //
-// A local optimiser looks for the valley from the best point so far; every point it asks for is moved to the
-// lattice first, so that what is compared is what would be done, and asking twice costs nothing. Then the
-// neighbours of the best point are tried. What is left of the quota goes to new starts at random points
-// that have not been tried. Rounds take turns among the optimisers: BOBYQA is quickest where the cost is
-// smooth, the others do not mind its kinks.
+// A local optimiser looks for the valley from the best point so far; every point it asks for is
+// moved to the lattice first, so that what is compared is what would be done, and asking twice
+// costs nothing. Then the neighbours of the best point are tried. What is left of the quota goes to
+// new starts at random points that have not been tried. Rounds take turns among the optimisers:
+// BOBYQA is quickest where the cost is smooth, the others do not mind its kinks.
 #pragma once
 
 #include <cstdint>

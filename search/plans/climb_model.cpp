@@ -18,7 +18,8 @@ double kernel(const PlanRecord& a, const PlanRecord& b) {
 
 }  // namespace
 
-Eigen::VectorXd ClimbModel::signs(const PlanDesk& desk, const PlanRecord& plan) const {
+Eigen::VectorXd ClimbModel::signs(const PlanEvaluations& evaluations,
+                                  const PlanRecord& plan) const {
   double mean = 0.0, worst = 0.0, tension = 0.0;
   for (const auto& [disturbance, closure] : plan.closures) {
     if (disturbance >= nodes_) break;
@@ -27,28 +28,30 @@ Eigen::VectorXd ClimbModel::signs(const PlanDesk& desk, const PlanRecord& plan) 
     worst = std::max(worst, std::min(leak, kMostPart_mm2));
     if (trusted(closure)) tension = std::max(tension, closure.tension_max_n);
   }
-  const double part = std::clamp(desk.cost(plan, nodes_) - plan.lowest_cost, 0.0, kMostPart_mm2);
+  const double part =
+      std::clamp(evaluations.cost(plan, nodes_) - plan.lowest_cost, 0.0, kMostPart_mm2);
   Eigen::VectorXd signs(5);
   signs << 1.0, std::sqrt(mean), std::sqrt(worst), tension, std::sqrt(part);
   return signs;
 }
 
-void ClimbModel::learn(const PlanDesk& desk, const std::vector<const PlanRecord*>& plans) {
+void ClimbModel::learn(const PlanEvaluations& evaluations,
+                       const std::vector<const PlanRecord*>& plans) {
   std::vector<std::pair<double, const PlanRecord*>> order;
-  for (const PlanRecord* plan : plans) order.emplace_back(desk.cost(*plan, goal_), plan);
+  for (const PlanRecord* plan : plans) order.emplace_back(evaluations.cost(*plan, goal_), plan);
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   if (order.size() < kLeastPlans) return;
   order.resize(std::min(order.size(), kMostPlans));
   learnt_.clear();
   for (const auto& [cost, plan] : order) learnt_.push_back(plan);
-  const auto n = static_cast<Eigen::Index>(learnt_.size());
+  const Eigen::Index n = std::ssize(learnt_);
   Eigen::MatrixXd design(n, 5);
   Eigen::VectorXd rise(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const PlanRecord& plan = *learnt_[static_cast<std::size_t>(i)];
-    design.row(i) = signs(desk, plan);
-    rise[i] = std::asinh(desk.cost(plan, goal_) - desk.cost(plan, nodes_));
+    const PlanRecord& plan = *learnt_[i];
+    design.row(i) = signs(evaluations, plan);
+    rise[i] = std::asinh(evaluations.cost(plan, goal_) - evaluations.cost(plan, nodes_));
   }
   const Eigen::MatrixXd normal =
       design.transpose() * design + kRidge * Eigen::MatrixXd::Identity(5, 5);
@@ -59,21 +62,19 @@ void ClimbModel::learn(const PlanDesk& desk, const std::vector<const PlanRecord*
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j <= i; ++j)
       covariance(i, j) = covariance(j, i) =
-          variance_ *
-              kernel(*learnt_[static_cast<std::size_t>(i)], *learnt_[static_cast<std::size_t>(j)]) +
-          (i == j ? kScatter * kScatter : 0.0);
+          variance_ * kernel(*learnt_[i], *learnt_[j]) + (i == j ? kScatter * kScatter : 0.0);
   kernel_.emplace(covariance);
   missed_ = kernel_->solve(off);
 }
 
-ClimbModel::Expectation ClimbModel::expected(const PlanDesk& desk, const PlanRecord& plan) const {
-  const double cost = desk.cost(plan, nodes_);
+ClimbModel::Expectation ClimbModel::expected(const PlanEvaluations& evaluations,
+                                             const PlanRecord& plan) const {
+  const double cost = evaluations.cost(plan, nodes_);
   if (learnt_.empty()) return {cost, cost, 0.0, 0.0, plan.lowest_cost};
-  const auto n = static_cast<Eigen::Index>(learnt_.size());
+  const Eigen::Index n = std::ssize(learnt_);
   Eigen::VectorXd near(n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    near[i] = variance_ * kernel(plan, *learnt_[static_cast<std::size_t>(i)]);
-  const double rise = weight_.dot(signs(desk, plan)) + near.dot(missed_);
+  for (Eigen::Index i = 0; i < n; ++i) near[i] = variance_ * kernel(plan, *learnt_[i]);
+  const double rise = weight_.dot(signs(evaluations, plan)) + near.dot(missed_);
   const double left = variance_ - kernel_->matrixL().solve(near).squaredNorm();
   const double scatter = std::sqrt(std::max(0.0, left) + kScatter * kScatter);
   return {std::max(plan.lowest_cost, cost + std::sinh(rise)), cost, rise, scatter,

@@ -1,16 +1,17 @@
 // What a plan that was closed at few nodes is expected to cost at more.
 //
-// A plan leaks least as planned, so few nodes flatter it. By how much, two things tell: the few closures
-// themselves (a leak of a tenth of a square millimetre as planned is the edge of a large one nearby), and plans that
-// put the valve in a similar place and have climbed. Regression on the former, a Gaussian process over the latter
-// for what it misses (Rasmussen and Williams 2006, 2.7), both on asinh of the rise.
+// A plan leaks least as planned, so few nodes flatter it. By how much, two things tell: the few
+// closures themselves (a leak of a tenth of a square millimetre as planned is the edge of a large
+// one nearby), and plans that put the valve in a similar place and have climbed. Regression on the
+// former, a Gaussian process over the latter for what it misses (Rasmussen and Williams 2006, 2.7),
+// both on asinh of the rise.
 #pragma once
 
 #include <Eigen/Cholesky>
 #include <optional>
 #include <vector>
 
-#include "search/plans/plan_desk.h"
+#include "search/plans/plan_evaluations.h"
 
 namespace coapt {
 
@@ -20,7 +21,7 @@ class ClimbModel {
   ClimbModel(int nodes, int goal) : nodes_(nodes), goal_(goal) {}
 
   /// @param plans closed at `goal` nodes. Of many, the cheapest there are learnt from.
-  void learn(const PlanDesk& desk, const std::vector<const PlanRecord*>& plans);
+  void learn(const PlanEvaluations& evaluations, const std::vector<const PlanRecord*>& plans);
 
   struct Expectation {
     double cost = 0.0;
@@ -32,10 +33,10 @@ class ClimbModel {
   static double least(const Expectation& expected, double deviations);
 
   /// At `goal` nodes. @pre the plan is possible and closed at `nodes`.
-  Expectation expected(const PlanDesk& desk, const PlanRecord& plan) const;
+  Expectation expected(const PlanEvaluations& evaluations, const PlanRecord& plan) const;
 
  private:
-  Eigen::VectorXd signs(const PlanDesk& desk, const PlanRecord& plan) const;
+  Eigen::VectorXd signs(const PlanEvaluations& evaluations, const PlanRecord& plan) const;
 
   int nodes_, goal_;
   std::vector<const PlanRecord*> learnt_;

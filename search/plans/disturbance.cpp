@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "core/repair/approximation.h"
 #include "search/random_share.h"
 
 namespace coapt {
@@ -15,9 +16,10 @@ namespace {
 
 constexpr int kRayLength_mm = 6;  // as far as the thesis displaces tips (4.2.2)
 
-// Of the posteromedial muscle's nodes: of the seeds 1 to 10,000 the one that leaves no node with itself
-// and correlates lengths, angles and sizes of both muscles' errors least (0.06; a cyclic order: 0.8, since
-// nodes come in opposite pairs). If it or the region's order changes, errors may be linked.
+// Of the posteromedial muscle's nodes: of the seeds 1 to 10,000 the one that leaves no node with
+// itself and correlates lengths, angles and sizes of both muscles' errors least (0.06; a cyclic
+// order: 0.8, since nodes come in opposite pairs). If it or the region's order changes, errors may
+// be linked.
 constexpr std::uint64_t kShuffleSeed = 3370;
 
 int index_of(const Perturbation& node) {
@@ -33,12 +35,11 @@ Perturbation slice_at(int cell) {
 
 /// The numbers 1 to `count`, shuffled.
 std::vector<int> shuffled(int count) {
-  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::vector<int> numbers(count);
   std::iota(numbers.begin(), numbers.end(), 1);
   std::mt19937_64 engine(kShuffleSeed);
   for (int left = count; left > 1; --left)
-    std::swap(numbers[static_cast<std::size_t>(left - 1)],
-              numbers[static_cast<std::size_t>(left * random_share(engine))]);
+    std::swap(numbers[left - 1], numbers[static_cast<int>(left * random_share(engine))]);
   return numbers;
 }
 
@@ -64,18 +65,11 @@ std::vector<Disturbance> make_disturbances() {
     }
   const std::vector<int> partners = shuffled(kIndependent.count);
   for (std::size_t k = 0; k < partners.size(); ++k)
-    all.push_back({region[k + 1], region[static_cast<std::size_t>(partners[k])]});
+    all.push_back({region[k + 1], region[partners[k]]});
   for (const Ray& ray : kRays)
     for (int mm = 1; mm <= kRayLength_mm; ++mm) all.push_back({{}, {}, mm * ray.direction});
   assert(std::ssize(all) == kDisturbances);
   return all;
-}
-
-const PapillaryApproximation* suture_of(const RepairPlan& plan, Side side) {
-  for (const RepairStep& step : plan.steps)
-    if (const auto* suture = std::get_if<PapillaryApproximation>(&step))
-      if (suture->side == side) return suture;
-  return nullptr;
 }
 
 double share_of(const Perturbation& node) {
@@ -97,14 +91,11 @@ double region_share(const Disturbance& disturbance) {
 
 int region_node(int length, int outwards, int posterior) {
   static const std::vector<int> by_place = [] {
-    std::vector<int> places(static_cast<std::size_t>(kRegion.count));
-    for (int k = 0; k < kRegion.count; ++k)
-      places[static_cast<std::size_t>(
-          index_of(disturbances()[static_cast<std::size_t>(k)].anterolateral))] = k;
+    std::vector<int> places(kRegion.count);
+    for (int k = 0; k < kRegion.count; ++k) places[index_of(disturbances()[k].anterolateral)] = k;
     return places;
   }();
-  return by_place[static_cast<std::size_t>((length * kRegionAngles + outwards) * kRegionAngles +
-                                           posterior)];
+  return by_place[(length * kRegionAngles + outwards) * kRegionAngles + posterior];
 }
 
 int slice_node(Side side, int length, int outwards) {

@@ -1,6 +1,6 @@
-// What may come between a plan and the valve that it leaves: sutures tied a little long or short, tips
-// that come to lie elsewhere, a ventricle that goes on remodelling. Every plan is closed under the same
-// disturbances, each known by its index, so that costs are compared over equal ones.
+// What may come between a plan and the valve that it leaves: sutures tied a little long or short,
+// tips that come to lie elsewhere, a ventricle that goes on remodelling. Every plan is closed under
+// the same disturbances, each known by its index, so that costs are compared over equal ones.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace coapt {
 
 struct Disturbance {
   Perturbation anterolateral, posteromedial;
-  /// How far both tips go outwards, backwards and apically. A taut suture holds: a tip goes no further
-  /// from its anchor than it was.
+  /// How far both tips go outwards, backwards and apically. A taut suture holds: a tip goes no
+  /// further from its anchor than it was.
   Vec3 remodelling_mm = Vec3::Zero();
 };
 
@@ -25,11 +25,11 @@ struct DisturbanceSet {
 /// The whole region of interest (perturbation.h): both muscles take the same node, mirrored, for
 /// remodelling is global. Index 0 is the plan as planned; the first n stand for all.
 inline constexpr DisturbanceSet kRegion = {0, 1089};
-/// One muscle alone, 9 suture lengths x 11 angles outwards, see slice_of(): the other stays.
+/// One muscle alone, 9 suture lengths x 11 angles outwards, see slice_node(): the other stays.
 inline constexpr DisturbanceSet kAnterolateralAlone = {1089, 98};
 inline constexpr DisturbanceSet kPosteromedialAlone = {1187, 98};
-/// Two muscles at nodes of their own, each at the region's nodes 1 to 64 once, uncorrelated: two sutures are
-/// tied by two knots.
+/// Two muscles at nodes of their own, each at the region's nodes 1 to 64 once, uncorrelated: two
+/// sutures are tied by two knots.
 inline constexpr DisturbanceSet kIndependent = {1285, 64};
 /// Rays of further remodelling, see remodelling_rays().
 inline constexpr DisturbanceSet kRemodelling = {1349, 24};
@@ -54,7 +54,8 @@ struct RemodellingRay {
 };
 const std::vector<RemodellingRay>& remodelling_rays();
 
-/// @param plan the repair that led to `repaired`, each of its sutures taut. A muscle without a suture swings about its trigone.
+/// @param plan the repair that led to `repaired`, each of its sutures taut. A muscle without a
+/// suture swings about its trigone.
 Valve disturb(const Valve& repaired, const RepairPlan& plan, const Disturbance& disturbance);
 
 }  // namespace coapt

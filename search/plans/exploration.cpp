@@ -2,217 +2,388 @@
 
 #include <algorithm>
 #include <limits>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "search/parallel.h"
+#include "search/random_share.h"
 
 namespace coapt {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr std::size_t kStartBatch = 8;
-constexpr int kFewPoints = 6;     // a branch of so many is tried whole
-constexpr int kHalved = 8;        // branches in the first round of a bracket
-constexpr int kQuota = 8;         // plans each, in the first round of a bracket
-constexpr int kRandomShare = 20;  // one of so many closures is spent on plans at random, up to
+constexpr int kStartBatch = 8;
+constexpr int kFewPoints = 6;         // a branch of so many is tried whole
+constexpr int kHalved = 8;            // branches in the first round of a bracket
+constexpr int kQuota = 8;             // plans each, in the first round of a bracket
+constexpr int kBoundShare = 4;        // one branch in so many is refined for its bound
+constexpr int kPromoted = 4;          // plans promoted at once
+constexpr int kPromotedInRound = 8;   // plans promoted after a round of a bracket
+constexpr double kMoreScatter = 0.5;  // granted from bracket to bracket
+constexpr double kFreely = 2.0;       // scatters granted where few nodes say little about more
+constexpr int kRandomShare = 20;      // one of so many closures is spent on plans at random, up to
 constexpr int kMostRandom = 100;
-constexpr double kMoreOptimism = 0.5;  // scatters, from bracket to bracket
-constexpr double kFreely = 2.0;        // scatters, where few nodes say little about more
+constexpr int kLadderPlans = 12;                       // plans on all rungs
+constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // keeps seeds of branches apart
 
-}  // namespace
-
-Exploration::Exploration(PlanDesk& desk, const PlanSpace& space, const SearchOptions& options,
-                         Watch& watch)
-    : desk_(desk), space_(space), options_(options), watch_(watch), enter_(kInfinite) {
-  for (std::size_t r = 0; r + 1 < std::size(kRungs); ++r)
-    climbs_.emplace_back(kRungs[r], kRungs[r + 1]);
-  for (const Branch& branch : space.branches()) {
-    searches_.emplace_back().branch = &branch;
-    // A suture's length is rounded to the lattice: by half a step, of two sutures.
-    lowest_.push_back(desk.record(space.plan(branch, mildest_of(branch))).lowest_cost -
-                      options.weights.movement * options.rules.suture_lattice_mm);
-    idle_.push_back(false);
-    best_scored_.push_back(kInfinite);
-  }
+double bound(const ExplorationState& state, const BranchPoint& point) {
+  const Branch& branch = *state.branches[point.branch].search.branch;
+  const PlanRecord& plan = state.in.evaluations.record(state.in.space.plan(branch, point.at));
+  return is_infeasible(plan) ? kInfeasibleCost : plan.lowest_cost;
 }
 
-std::vector<Exploration::Point> Exploration::make_starts() {
-  std::vector<std::pair<double, Point>> order;
-  const auto bound = [&](std::size_t branch, const LatticePoint& at) {
-    const PlanRecord& record = desk_.record(space_.plan(space_.branches()[branch], at));
-    return is_out(record) ? kOut : record.lowest_cost;
+/// Cheapest operation first.
+std::vector<BranchPoint> starts(const ExplorationState& state) {
+  std::vector<std::pair<double, BranchPoint>> order;
+  const auto add = [&](const BranchPoint& point) {
+    order.emplace_back(bound(state, point), point);
   };
-  for (std::size_t i = 0; i < searches_.size(); ++i) {
-    const Branch& branch = space_.branches()[i];
+  for (int i = 0; i < std::ssize(state.branches); ++i) {
+    const Branch& branch = *state.branches[i].search.branch;
     if (point_count(branch) <= kFewPoints) {
       for (std::int64_t number = 0; number < point_count(branch); ++number)
-        order.push_back({bound(i, point_at(branch, number)), {i, point_at(branch, number)}});
+        add({i, point_at(branch, number)});
       continue;
     }
-    const LatticePoint start = start_of(branch), mildest = mildest_of(branch);
-    const bool usual = bound(i, start) < kOut;
-    order.push_back({bound(i, usual ? start : mildest), {i, usual ? start : mildest}});
+    const BranchPoint usual = {i, start_of(branch)};
+    add(bound(state, usual) < kInfeasibleCost ? usual : BranchPoint{i, mildest_of(branch)});
   }
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Point> starts;
+  std::vector<BranchPoint> points;
   for (const auto& [cost, point] : order)
-    if (std::ssize(starts) < std::max(1, options_.evaluations / 2)) starts.push_back(point);
-  return starts;
+    if (std::ssize(points) < std::max(1, state.in.options.evaluations / 2)) points.push_back(point);
+  return points;
 }
 
-void Exploration::run() {
-  const std::vector<Point> starts = make_starts();
-  for (std::size_t first = 0; first < starts.size() && !over(); first += kStartBatch) {
-    const auto last = std::min(starts.size(), first + kStartBatch);
-    try_points({starts.begin() + static_cast<std::ptrdiff_t>(first),
-                starts.begin() + static_cast<std::ptrdiff_t>(last)});
-    sprint();
-  }
-  double optimism = 1.0;
-  for (; !by_cost().empty() && !over(); optimism += kMoreOptimism) {
-    const int before = desk_.closures();
-    int each = kQuota;
-    for (int count = kHalved; count >= 2 && !over(); count /= 2, each *= 2) {
-      refine_best(count, each);
-      race(2 * kRaceBatch, 1.0);
-    }
-    if (random_.empty() && !over()) {
-      try_random(std::min({kMostRandom, options_.evaluations / kRandomShare, left()}));
-      measure_ladder();
-    }
-    if (!over()) lend();
-    if (!over()) race(std::numeric_limits<int>::max(), optimism);
-    if (ladder()[1].skipped) optimism = std::max(optimism, kFreely);
-    if (short_ && before == desk_.closures()) break;
-  }
-  if (!over() && !short_) stop_ = SearchStop::Exhausted;
-  if (!progress_.empty() && progress_.back().closures < desk_.closures())
-    progress_.push_back({desk_.closures(), progress_.back().cost});
-}
-
-int Exploration::left() const { return options_.evaluations + 1 - desk_.closures(); }
-
-bool Exploration::over() {
-  if (watch_.cancelled()) {
-    stop_ = SearchStop::Cancelled;
-  } else if (watch_.search_stopped()) {
-    stop_ = SearchStop::TimeLimit;
-  } else if (options_.no_improvement > 0 &&
-             desk_.closures() - improved_at_ >= options_.no_improvement) {
-    stop_ = SearchStop::NoImprovement;
-  } else if (stop_ != SearchStop::TargetReached) {
-    return left() <= 0;
-  }
-  return true;
-}
-
-double Exploration::to_beat(std::size_t branch) const {
-  return std::min(enter_, best_scored_[branch]);
-}
-
-void Exploration::update_to_beat() {
-  std::vector<double> best = best_scored_;
-  const auto place = static_cast<std::size_t>(options_.plans) - 1;
-  if (best.size() <= place) return;
-  std::nth_element(best.begin(), best.begin() + options_.plans - 1, best.end());
-  enter_ = best[place];
-}
-
-ClimbModel::Expectation Exploration::expected(const PlanRecord& record, int rung) const {
-  if (kRungs[rung] < kChosenBy)
-    return climbs_[static_cast<std::size_t>(rung)].expected(desk_, record);
-  const double cost = desk_.cost(record, kRungs[rung]);
-  return {cost, cost, 0.0, 0.0, cost};
-}
-
-void Exploration::learn() {
-  for (std::size_t r = 0; r < climbs_.size(); ++r) {
-    std::vector<const PlanRecord*> climbed;
-    for (const Tried& plan : tried_)
-      if (plan.rung > static_cast<int>(r)) climbed.push_back(plan.record);
-    climbs_[r].learn(desk_, climbed);
-  }
-  for (BranchSearch& search : searches_) {
-    search.best.clear();
-    search.best_cost = kInfinite;
-  }
-  for (Tried& plan : tried_) {
-    plan.expected = expected(*plan.record, plan.rung);
-    BranchSearch& search = searches_[plan.branch];
-    for (const LatticePoint& at : plan.at) search.costs[at] = plan.expected.cost;
-    if (plan.expected.cost >= search.best_cost) continue;
-    search.best = plan.at.front();
-    search.best_cost = plan.expected.cost;
-  }
-}
-
-void Exploration::take(PlanRecord& record, const Point& point) {
-  const double cost = desk_.cost(record, 1);
-  const ClimbModel::Expectation likely = expected(record, 0);
-  if (!searches_[point.branch].costs.contains(point.at))
-    add_point(searches_[point.branch], point.at, {likely.cost, 0, false});
-  const auto [found, is_new] = index_.try_emplace(&record, tried_.size());
-  if (!is_new) {
-    std::vector<LatticePoint>& known = tried_[found->second].at;
-    if (std::find(known.begin(), known.end(), point.at) == known.end()) known.push_back(point.at);
+void promote_best(ExplorationState& state) {
+  const auto best = std::min_element(
+      state.trials.begin(), state.trials.end(),
+      [](const Trial& a, const Trial& b) { return a.expected.cost < b.expected.cost; });
+  if (best == state.trials.end() || best->rung == kLastRung || evaluations_left(state) < kChosenBy)
     return;
-  }
-  tried_.push_back({&record, point.branch, {point.at}, 0, likely});
-  if (progress_.empty() || cost < progress_.back().cost) {
-    if (!progress_.empty() && progress_.back().closures == desk_.closures()) progress_.pop_back();
-    progress_.push_back({desk_.closures(), cost});
-    improved_at_ = desk_.closures();
-    watch_.found(cost);
-  }
+  promote(state, {static_cast<int>(best - state.trials.begin())}, kLastRung);
+  refit_climb_models(state);
 }
 
-void Exploration::try_points(const std::vector<Point>& points) {
-  std::vector<PlanRecord*> records;
-  std::vector<Point> chosen;
-  std::vector<PlanDesk::Wanted> wanted;
-  for (const Point& point : points) {
-    PlanRecord& record = desk_.record(space_.plan(space_.branches()[point.branch], point.at));
-    if (is_out(record) || record.lowest_cost >= to_beat(point.branch)) {
-      if (!searches_[point.branch].costs.contains(point.at))
-        add_point(searches_[point.branch], point.at,
-                  {is_out(record) ? kOut : record.lowest_cost, 0, true});
+/// Trials that may yet beat what is to be beaten, likeliest first.
+std::vector<int> promising(const ExplorationState& state, double scatters) {
+  std::vector<int> order;
+  for (int i = 0; i < std::ssize(state.trials); ++i) {
+    const Trial& trial = state.trials[i];
+    if (trial.rung < kLastRung &&
+        ClimbModel::least(trial.expected, scatters) < cost_to_beat(state, trial.branch))
+      order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return state.trials[a].expected.cost < state.trials[b].expected.cost;
+  });
+  return order;
+}
+
+/// The best trial of each of the first `most` branches, as far as closures go.
+std::vector<int> next_promotions(ExplorationState& state, const std::vector<int>& order, int most) {
+  std::vector<int> chosen;
+  int closures = 0;
+  for (const int i : order) {
+    const Trial& trial = state.trials[i];
+    if (std::any_of(chosen.begin(), chosen.end(),
+                    [&](int c) { return state.trials[c].branch == trial.branch; }))
       continue;
-    }
-    if (std::ssize(wanted) >= left()) {
-      short_ = true;
+    closures += kRungs[trial.rung + 1] - kRungs[trial.rung];
+    if (closures > evaluations_left(state)) {
+      state.budget_short = true;
       break;
     }
-    records.push_back(&record);
-    chosen.push_back(point);
-    if (!record.closures.contains(0)) wanted.push_back({&record, 0});
+    if (std::ssize(chosen) == most) break;
+    chosen.push_back(i);
   }
-  desk_.close(wanted, PlanDesk::Phase::Searching);
-  for (std::size_t i = 0; i < records.size(); ++i)
-    if (records[i]->closures.contains(0)) take(*records[i], chosen[i]);
+  return chosen;
 }
 
-std::vector<PlanRecord*> Exploration::best(int count) const {
-  std::vector<const Tried*> order;
-  for (const Tried& plan : tried_) order.push_back(&plan);
-  std::stable_sort(order.begin(), order.end(), [](const Tried* a, const Tried* b) {
+/// Promotes trials by one rung each, at most `most`, and refits the models.
+void promote_promising(ExplorationState& state, int most, double scatters) {
+  for (int done = 0; done < most && !is_over(state);) {
+    const std::vector<int> chosen =
+        next_promotions(state, promising(state, scatters), std::min(kPromoted, most - done));
+    if (chosen.empty()) break;
+    const int before = state.in.evaluations.closures();
+    for (int rung = kLastRung; rung > 0; --rung) {  // from above: one step each
+      std::vector<int> here;
+      for (const int i : chosen)
+        if (state.trials[i].rung + 1 == rung) here.push_back(i);
+      promote(state, here, rung);
+    }
+    if (state.in.evaluations.closures() == before) break;  // stopped
+    done += static_cast<int>(chosen.size());
+  }
+  refit_climb_models(state);
+}
+
+/// Branches that have been tried, the best first.
+std::vector<int> branches_by_cost(const ExplorationState& state) {
+  std::vector<int> order;
+  for (int i = 0; i < std::ssize(state.branches); ++i)
+    if (!state.branches[i].search.costs.empty()) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return state.branches[a].search.best_cost < state.branches[b].search.best_cost;
+  });
+  return order;
+}
+
+/// Those of them in which a better plan may yet be found.
+std::vector<int> open_branches(const ExplorationState& state) {
+  std::vector<int> order = branches_by_cost(state);
+  std::erase_if(order, [&](int i) {
+    const BranchState& branch = state.branches[i];
+    return is_exhausted(branch.search) || branch.is_idle ||
+           branch.lowest_cost >= cost_to_beat(state, i);
+  });
+  return order;
+}
+
+/// The best open branches, and of the others those with the lowest bounds.
+std::vector<int> branches_to_refine(const ExplorationState& state, int count) {
+  const std::vector<int> likely = open_branches(state);
+  std::vector<int> possible = likely, chosen;
+  std::stable_sort(possible.begin(), possible.end(), [&](int a, int b) {
+    return state.branches[a].lowest_cost < state.branches[b].lowest_cost;
+  });
+  const auto fill = [&](const std::vector<int>& order, int upto) {
+    for (const int i : order)
+      if (std::ssize(chosen) < upto && std::find(chosen.begin(), chosen.end(), i) == chosen.end())
+        chosen.push_back(i);
+  };
+  fill(likely, count - count / kBoundShare);
+  fill(possible, count);
+  return chosen;
+}
+
+/// A plan closed as planned at a point of a branch.
+using Found = std::pair<PlanRecord*, LatticePoint>;
+
+/// Refines one branch; changes nothing of the state but that branch's search.
+std::vector<Found> refine_branch(ExplorationState& state, int i, int quota) {
+  std::vector<Found> found;
+  const TryPoint try_point = [&](const Branch& branch,
+                                 const LatticePoint& at) -> std::optional<PointCost> {
+    PlanRecord& plan = state.in.evaluations.record(state.in.space.plan(branch, at));
+    if (is_infeasible(plan)) return PointCost{kInfeasibleCost, 0, true};
+    if (plan.lowest_cost >= cost_to_beat(state, i)) return PointCost{plan.lowest_cost, 0, true};
+    const bool is_new = !plan.closures.contains(0);
+    if (!state.in.evaluations.close_here(plan, 1)) return std::nullopt;
+    found.emplace_back(&plan, at);
+    return PointCost{expectation(state, plan, 0).cost, is_new ? 1 : 0, false};
+  };
+  const std::uint64_t seed = state.in.options.seed + static_cast<std::uint64_t>(i) * kGolden;
+  refine(state.branches[i].search, quota, seed, try_point);
+  return found;
+}
+
+void refine_branches(ExplorationState& state, int count, int quota) {
+  const std::vector<int> chosen = branches_to_refine(state, count);
+  if (chosen.empty()) return;
+  const int each = std::min(quota, evaluations_left(state) / static_cast<int>(chosen.size()));
+  if (each < 1) {
+    state.budget_short = true;
+    return;
+  }
+  std::vector<std::vector<Found>> found(chosen.size());
+  for_each_index(static_cast<int>(chosen.size()), state.in.options.threads,
+                 [&](int k) { found[k] = refine_branch(state, chosen[k], each); });
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    state.branches[chosen[k]].is_idle = found[k].empty();
+    for (const auto& [plan, at] : found[k]) record_trial(state, *plan, {chosen[k], at});
+  }
+}
+
+/// One bracket: half as many branches in each round, with twice the quota.
+void successive_halving(ExplorationState& state) {
+  int quota = kQuota;
+  for (int count = kHalved; count >= 2 && !is_over(state); count /= 2, quota *= 2) {
+    refine_branches(state, count, quota);
+    promote_promising(state, kPromotedInRound, 1.0);
+  }
+}
+
+void share_across_branches(ExplorationState& state) {
+  std::vector<int> best = branches_by_cost(state);
+  if (std::ssize(best) > state.in.options.plans) best.resize(state.in.options.plans);
+  std::vector<BranchPoint> points;
+  for (const int from : best)
+    for (int to = 0; to < std::ssize(state.branches); ++to) {
+      const BranchSearch &a = state.branches[from].search, &b = state.branches[to].search;
+      if (differences(a.branch->choice, b.branch->choice) != 1) continue;
+      const LatticePoint at = nearest_point(*a.branch, a.best, *b.branch);
+      if (!b.costs.contains(at)) points.push_back({to, at});
+    }
+  try_points(state, points);
+}
+
+/// Uniform over the points of all branches.
+std::vector<BranchPoint> random_points(const ExplorationState& state, int count) {
+  std::vector<std::int64_t> upto;
+  std::int64_t all = 0;
+  for (const BranchState& branch : state.branches)
+    upto.push_back(all += point_count(*branch.search.branch));
+  std::mt19937_64 engine(state.in.options.seed);
+  std::vector<BranchPoint> points;
+  for (int i = 0; i < count; ++i) {
+    const auto number = static_cast<std::int64_t>(random_share(engine) * static_cast<double>(all));
+    const auto branch =
+        static_cast<int>(std::upper_bound(upto.begin(), upto.end(), number) - upto.begin());
+    const Branch& of = *state.branches[branch].search.branch;
+    points.push_back({branch, point_at(of, number - upto[branch] + point_count(of))});
+  }
+  return points;
+}
+
+void try_at_random(ExplorationState& state, int count) {
+  const std::vector<BranchPoint> points = random_points(state, count);
+  std::vector<PlanEvaluations::Wanted> wanted;
+  std::vector<PlanRecord*> plans;
+  for (const auto& [branch, at] : points) {
+    plans.push_back(&state.in.evaluations.record(
+        state.in.space.plan(*state.branches[branch].search.branch, at)));
+    if (!is_infeasible(*plans.back()) && !plans.back()->closures.contains(0))
+      wanted.push_back({plans.back(), 0});
+  }
+  if (!state.in.evaluations.close(wanted, PlanEvaluations::Phase::Searching)) return;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_infeasible(*plans[i])) continue;
+    state.random_plans.push_back(plans[i]);
+    record_trial(state, *plans[i], points[i]);
+  }
+  std::vector<double> costs;
+  for (const Progress& expected : random_progress(state)) costs.push_back(expected.cost);
+  state.in.monitor.expect_of_random(std::move(costs));
+}
+
+/// The better half of the plans tried at random, best first. Not those promoted before: the models
+/// have learnt from them.
+std::vector<int> ladder_candidates(const ExplorationState& state) {
+  std::vector<const PlanRecord*> order = state.random_plans;
+  std::stable_sort(order.begin(), order.end(), [&](const PlanRecord* a, const PlanRecord* b) {
+    return state.in.evaluations.cost(*a, 1) < state.in.evaluations.cost(*b, 1);
+  });
+  std::vector<int> candidates;
+  std::set<const PlanRecord*> seen;
+  for (const PlanRecord* plan : order)
+    if (const int i = state.trial_of.at(plan);
+        seen.insert(plan).second && state.trials[i].rung == 0)
+      candidates.push_back(i);
+  candidates.resize(candidates.size() / 2);
+  return candidates;
+}
+
+void measure_ladder(ExplorationState& state) {
+  const std::vector<int> candidates = ladder_candidates(state);
+  const int count = static_cast<int>(candidates.size());
+  if (count < kLadderPlans || evaluations_left(state) < kLadderPlans * (kChosenBy - 1)) return;
+  std::vector<int> chosen;
+  for (int k = 0; k < kLadderPlans; ++k) {
+    chosen.push_back(candidates[k * count / kLadderPlans]);
+    state.ladder_expected.push_back(state.trials[chosen.back()].expected.cost);
+  }
+  promote(state, chosen, kLastRung);
+  refit_climb_models(state);
+  if (state.trials[chosen.front()].rung < kLastRung) return;  // stopped
+  for (const int i : chosen) state.ladder_plans.push_back(state.trials[i].record);
+}
+
+}  // namespace
+
+ExplorationState explore(const ExplorationInput& input) {
+  ExplorationState state = make_state(input);
+  const PlanEvaluations& evaluations = input.evaluations;
+  const std::vector<BranchPoint> points = starts(state);
+  for (auto next = points.begin(); next != points.end() && !is_over(state);) {
+    const auto end = next + std::min<std::ptrdiff_t>(kStartBatch, points.end() - next);
+    try_points(state, {next, end});
+    promote_best(state);
+    next = end;
+  }
+  double scatters = 1.0;
+  for (; !open_branches(state).empty() && !is_over(state); scatters += kMoreScatter) {
+    const int before = evaluations.closures();
+    successive_halving(state);
+    if (state.random_plans.empty() && !is_over(state)) {
+      try_at_random(state, std::min({kMostRandom, input.options.evaluations / kRandomShare,
+                                     evaluations_left(state)}));
+      measure_ladder(state);
+    }
+    if (!is_over(state)) share_across_branches(state);
+    if (!is_over(state)) promote_promising(state, std::numeric_limits<int>::max(), scatters);
+    if (ladder_of(state)[1].skipped) scatters = std::max(scatters, kFreely);
+    if (state.budget_short && before == evaluations.closures()) break;
+  }
+  if (!is_over(state) && !state.budget_short) state.stop = SearchStop::Exhausted;
+  if (!state.progress.empty() && state.progress.back().closures < evaluations.closures())
+    state.progress.push_back({evaluations.closures(), state.progress.back().cost});
+  return state;
+}
+
+std::vector<PlanRecord*> best_plans(const ExplorationState& state, int count) {
+  std::vector<const Trial*> order;
+  for (const Trial& trial : state.trials) order.push_back(&trial);
+  std::stable_sort(order.begin(), order.end(), [](const Trial* a, const Trial* b) {
     if (a->rung != b->rung) return a->rung > b->rung;
     return a->expected.cost < b->expected.cost;
   });
-  std::vector<bool> seen(searches_.size(), false);
-  std::stable_partition(order.begin(), order.end(), [&seen](const Tried* plan) {
-    const bool is_first = !seen[plan->branch];
-    seen[plan->branch] = true;
-    return is_first;
-  });
+  std::set<int> seen;
+  std::stable_partition(order.begin(), order.end(),
+                        [&](const Trial* trial) { return seen.insert(trial->branch).second; });
   std::vector<PlanRecord*> plans;
-  for (const Tried* plan : order)
-    if (std::ssize(plans) < count) plans.push_back(plan->record);
+  for (const Trial* trial : order)
+    if (std::ssize(plans) < count) plans.push_back(trial->record);
   return plans;
 }
 
-std::vector<const PlanRecord*> Exploration::scored() const {
+std::vector<const PlanRecord*> scored_plans(const ExplorationState& state) {
   std::vector<const PlanRecord*> plans;
-  for (const Tried& plan : tried_)
-    if (kRungs[plan.rung] == kChosenBy) plans.push_back(plan.record);
+  for (const Trial& trial : state.trials)
+    if (trial.rung == kLastRung) plans.push_back(trial.record);
   return plans;
+}
+
+std::vector<Progress> random_progress(const ExplorationState& state) {
+  std::vector<double> costs;
+  for (const PlanRecord* plan : state.random_plans)
+    costs.push_back(state.in.evaluations.cost(*plan, 1));
+  std::sort(costs.begin(), costs.end());
+  const int n = static_cast<int>(costs.size());
+  std::vector<Progress> expected;
+  for (int drawn = 1; drawn <= n; ++drawn) {
+    // The chance that the k-th cheapest is the cheapest of those drawn.
+    double mean = 0.0, chance = static_cast<double>(drawn) / n;
+    for (int k = 0; k + drawn <= n; ++k) {
+      mean += chance * costs[k];
+      chance *= static_cast<double>(n - drawn - k) / (n - 1 - k);
+    }
+    expected.push_back({drawn, mean});
+  }
+  return expected;
+}
+
+std::vector<LadderStep> ladder_of(const ExplorationState& state) {
+  const auto costs = [&](const std::vector<const PlanRecord*>& plans, int nodes) {
+    std::vector<double> at;
+    for (const PlanRecord* plan : plans)
+      at.push_back(nodes == 0 ? plan->lowest_cost : state.in.evaluations.cost(*plan, nodes));
+    return at;
+  };
+  std::vector<LadderStep> steps = {measure_ladder_step(0, kRungs[0], costs(state.random_plans, 0),
+                                                       costs(state.random_plans, kRungs[0]))};
+  for (int r = 0; r < kLastRung; ++r) {
+    const std::vector<const PlanRecord*>& plans = state.ladder_plans;
+    const bool is_expected =
+        r == 0;  // plans are promoted from there by what they are expected to cost
+    std::vector<double> few = is_expected ? state.ladder_expected : costs(plans, kRungs[r]);
+    few.resize(plans.size());
+    steps.push_back(
+        measure_ladder_step(kRungs[r], kRungs[r + 1], few, costs(plans, kRungs[r + 1])));
+  }
+  return steps;
 }
 
 }  // namespace coapt

@@ -2,25 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-#include "core/repair/annuloplasty.h"
 #include "core/repair/limits.h"
+#include "core/repair/rings.h"
 #include "core/valve/annulus_frame.h"
+#include "core/valve/number_text.h"
+#include "search/plans/gate_parts.h"
 
 namespace coapt {
 namespace {
 
-constexpr double kRounding = 1e-6;
-constexpr double kStenoticRing_mm = 27.0;  // labelled; predicts functional stenosis
-constexpr const char* kPractice = "surgical practice";
-
-std::string one_decimal(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
-std::string mm(double value) { return one_decimal(value) + " mm"; }
+std::string mm(double value) { return with_decimals(value, 1) + " mm"; }
 
 /// Of several findings the most severe are told.
 void tell(Gate& gate, GateSeverity severity, const std::string& finding) {
@@ -56,14 +48,14 @@ struct RingWidths {
   double label_mm;
 };
 
-RingWidths widths(const Annuloplasty& ring, const Operation& operation) {
+RingWidths widths(const Annuloplasty& step, const Operation& operation) {
   const double transverse = transverse_diameter_mm(operation.valve, annulus_frame(operation.valve));
-  if (ring.shape == "own") {
-    const double width = transverse - kRingSizeStep_mm * ring.sizes_below;
+  if (const auto* own = std::get_if<OwnRing>(&step.ring)) {
+    const double width = transverse - kRingSizeStep_mm * own->sizes_below;
     return {transverse, width, width};
   }
-  return {transverse, ring_width_mm(*find_ring(operation.catalogue, ring.shape), ring.size_mm),
-          ring.size_mm};
+  const auto& ring = std::get<CatalogueRing>(step.ring);
+  return {transverse, ring_width_mm(*find_ring(ring.shape), ring.size_mm), ring.size_mm};
 }
 
 Gate ring_width(const Operation& operation) {
@@ -72,7 +64,7 @@ Gate ring_width(const Operation& operation) {
     const RingWidths width = widths(ring, operation);
     const std::string figures =
         " the annulus (" + mm(width.ring_mm) + " against " + mm(width.transverse_mm) + ")";
-    if (width.ring_mm > width.transverse_mm + kRounding)
+    if (width.ring_mm > width.transverse_mm + kGateRounding)
       tell(rule, GateSeverity::Warn, "ring wider than" + figures + ": it would stretch it");
     else
       tell(rule, GateSeverity::Pass, "ring no wider than" + figures);
@@ -84,12 +76,13 @@ Gate ring_stenosis(const Operation& operation) {
   Gate rule = gate("ring_stenosis");
   for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
     const double label = widths(ring, operation).label_mm;
-    if (label <= kStenoticRing_mm + kRounding)
+    if (label <= kStenoticRing_mm + kGateRounding)
       tell(rule, GateSeverity::Warn,
-           "ring of " + mm(label) +
-               ": 27 mm or less predicts functional stenosis; filling is not simulated");
+           "ring of " + mm(label) + ": " + shown(kStenoticRing_mm) +
+               " mm or less predicts functional stenosis; filling is not simulated");
     else
-      tell(rule, GateSeverity::Pass, "ring of " + mm(label) + ", more than 27 mm");
+      tell(rule, GateSeverity::Pass,
+           "ring of " + mm(label) + ", more than " + shown(kStenoticRing_mm) + " mm");
   }
   return or_none(rule, "no ring");
 }
@@ -101,20 +94,21 @@ Gate undersizing(const Operation& operation) {
     const double sizes =
         std::max({0.0, (width.transverse_mm - width.ring_mm) / kRingSizeStep_mm,
                   effort(operation.valve, operation.repaired, operation.plan).sizes_below});
-    const std::string figure =
-        "annulus made smaller by " + one_decimal(sizes) + " ring sizes (of its width or area): ";
-    if (sizes > kMostSizesBelow + kRounding)
-      tell(rule, GateSeverity::Reject, figure + "more than 4 ring sizes are rejected in practice");
+    const std::string figure = "annulus made smaller by " + with_decimals(sizes, 1) +
+                               " ring sizes (of its width or area): ";
+    if (sizes > kMostSizesBelow + kGateRounding)
+      tell(rule, GateSeverity::Reject,
+           figure + "more than " + shown(kMostSizesBelow) + " ring sizes are rejected in practice");
     else
-      tell(rule, GateSeverity::Pass, figure + "2 to 4 is usual undersizing");
+      tell(rule, GateSeverity::Pass, figure + shown(kUsualSizesBelow) + " is usual undersizing");
   }
   return or_none(rule, "no ring");
 }
 
 Gate opening_area() {
   return not_assessed("opening_area",
-                      "diastole is not simulated; practice rejects an open valve of less than "
-                      "1.5 cm2 and is wary below 2.0");
+                      "diastole is not simulated; practice rejects an opening area below 1.5 cm2 "
+                      "and is cautious below 2.0");
 }
 
 Gate papillary_movement(const Operation& operation) {
@@ -122,10 +116,12 @@ Gate papillary_movement(const Operation& operation) {
   const Effort asked = effort(operation.valve, operation.repaired, operation.plan);
   const auto about = [&rule](double movement, Side side) {
     const std::string figure = std::string(to_string(side)) + " muscle moved by " + mm(movement);
-    if (movement > kRejectedMovement_mm + kRounding)
-      tell(rule, GateSeverity::Reject, figure + ": more than 15 mm is rejected in practice");
-    else if (movement > kUsualMovement_mm + kRounding)
-      tell(rule, GateSeverity::Warn, figure + ": more than 10 mm is unusual");
+    if (movement > kRejectedMovement_mm + kGateRounding)
+      tell(rule, GateSeverity::Reject,
+           figure + ": more than " + shown(kRejectedMovement_mm) + " mm is rejected in practice");
+    else if (movement > kUsualMovement_mm + kGateRounding)
+      tell(rule, GateSeverity::Warn,
+           figure + ": more than " + shown(kUsualMovement_mm) + " mm is unusual");
     else if (movement > 0.0)
       tell(rule, GateSeverity::Pass, figure);
   };
@@ -140,7 +136,7 @@ Gate suture_length(const Operation& operation) {
   for (const auto& suture : steps_of<PapillaryApproximation>(operation.plan))
     tell(rule, GateSeverity::Pass,
          std::string(to_string(suture.side)) + " suture of " + mm(suture.suture_length_mm) +
-             ": not below 12 mm nor half the distance before");
+             ": not below " + shown(kSutureMm.min) + " mm nor half the distance before");
   return or_none(rule, "no papillary suture");
 }
 
@@ -151,8 +147,8 @@ Gate filling(const Operation& operation) {
         suture.annulus_around < 1.0)
       tell(rule, GateSeverity::Warn,
            std::string(to_string(suture.side)) +
-               " muscle tied to the posterior annulus: such an anchor impaired filling, which is "
-               "not simulated");
+               " muscle tied to the posterior annulus: such anchors have impaired filling, which "
+               "is not simulated");
   return rule.severity == GateSeverity::Warn ? rule
                                              : not_assessed("filling", "diastole is not simulated");
 }
@@ -160,10 +156,11 @@ Gate filling(const Operation& operation) {
 Gate neochorda_length(const Operation& operation) {
   Gate rule = gate("neochorda_length");
   for (const Neochorda& step : steps_of<Neochorda>(operation.plan)) {
-    const bool usual = step.length_mm >= kUsualNeochordaMm.min - kRounding &&
-                       step.length_mm <= kUsualNeochordaMm.max + kRounding;
+    const bool usual = step.length_mm >= kUsualNeochordaMm.min - kGateRounding &&
+                       step.length_mm <= kUsualNeochordaMm.max + kGateRounding;
     tell(rule, usual ? GateSeverity::Pass : GateSeverity::Warn,
-         "neochorda of " + mm(step.length_mm) + (usual ? "" : ": usual are 10 to 30 mm"));
+         "neochorda of " + mm(step.length_mm) +
+             (usual ? "" : ": " + shown(kUsualNeochordaMm) + " mm is usual"));
   }
   return or_none(rule, "no neochorda");
 }
@@ -199,7 +196,7 @@ Gate native_chordae(const Operation& operation) {
            "chorda " + step.chorda + " cut: it does not hold the free edge");
   for (const ChordalTransfer& step : steps_of<ChordalTransfer>(operation.plan))
     tell(rule, GateSeverity::Pass,
-         "chorda " + step.chorda + " transferred: what it held before is left to its neighbours");
+         "chorda " + step.chorda + " transferred: its neighbours must hold what it held before");
   for (const ChordalLengthChange& step : steps_of<ChordalLengthChange>(operation.plan))
     tell(rule, GateSeverity::Pass, "chorda " + step.chorda + " changed in length, not cut");
   return or_none(rule, "no native chorda touched");

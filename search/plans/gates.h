@@ -1,5 +1,5 @@
-// The rules that practice would hold against a plan, each with its source. A finished plan states every
-// rule: passed, warned of, rejected, or not assessed because coapt cannot see it.
+// The rules that practice would hold against a plan, each with its source. A finished plan states
+// every rule: passed, warned of, rejected, or not assessed because coapt cannot see it.
 #pragma once
 
 #include <string>
@@ -23,19 +23,14 @@ struct Operation {
   const RepairPlan& plan;
   const Valve& valve;     ///< before
   const Valve& repaired;  ///< apply_plan() of these
-  const std::vector<RingShape>& catalogue;
 };
 
-/// Of what is done, whether or not the valve then closes: "ring_width", "ring_stenosis", "undersizing",
-/// "opening_area", "papillary_movement", "suture_length", "filling", "neochorda_length", "neochorda_half",
-/// "native_chordae". Always these, in this order; a rule without a subject passes.
+/// Of what is done, whether or not the valve then closes: "ring_width", "ring_stenosis",
+/// "undersizing", "opening_area", "papillary_movement", "suture_length", "filling",
+/// "neochorda_length", "neochorda_half", "native_chordae". Always these, in this order; a rule
+/// without a subject passes.
 /// @pre apply_plan() accepts the plan.
 std::vector<Gate> operation_gates(const Operation& operation);
-
-/// Of how the repaired valve closes as planned: "convergence", "crossing", "contact",
-/// "coaptation_height", "chordal_tension", "regurgitation_grade". Always these, in this order; figures of a
-/// closure that is not to be trusted are not assessed.
-std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& before);
 
 /// Whether a rule rejects: a search does not try such a plan.
 bool is_rejected(const std::vector<Gate>& gates);

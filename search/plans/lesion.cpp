@@ -15,8 +15,7 @@ double reach_mm(const Chorda& chorda) {
   double sum = 0.0;
   int insertions = 0;
   for (const ChordaSegment& segment : chorda.segments) {
-    const double before =
-        segment.parent < 0 ? 0.0 : to_end[static_cast<std::size_t>(segment.parent)];
+    const double before = segment.parent < 0 ? 0.0 : to_end[segment.parent];
     to_end.push_back(before + segment.rest_length_mm);
     if (!segment.inserts) continue;
     sum += to_end.back();
@@ -115,7 +114,7 @@ Neochorda neochorda_at(const Valve& valve, const LeafletCoordinates& coordinates
 std::vector<int> chordae_beside(const Valve& valve, const LeafletCoordinates& coordinates,
                                 const Lesion& lesion, int most) {
   std::vector<int> found = by_distance(valve, coordinates, lesion.leaflet, lesion.middle);
-  if (std::ssize(found) > most) found.resize(static_cast<std::size_t>(most));
+  if (std::ssize(found) > most) found.resize(most);
   return found;
 }
 

@@ -13,16 +13,16 @@ namespace coapt {
 struct Lesion {
   Leaflet leaflet = Leaflet::Posterior;
   double middle = 0.5;  ///< LeafletPoint::along
-  /// Mean of the intact marginal chordae of that leaflet, from head to leaflet (of all, if it has none; 20,
-  /// if there are none at all).
+  /// Mean of the intact marginal chordae of that leaflet, from head to leaflet (of all, if it has
+  /// none; 20, if there are none at all).
   double length_mm = 0.0;
 };
 
 /// Nothing if no marginal chorda is ruptured.
 std::optional<Lesion> find_lesion(const Valve& valve, const LeafletCoordinates& coordinates);
 
-/// From the free edge at `along` (clamped to the leaflet) to the nearest head of the same half of the
-/// valve. Its head is empty if that half has none.
+/// From the free edge at `along` (clamped to the leaflet) to the nearest head of the same half of
+/// the valve. Its head is empty if that half has none.
 Neochorda neochorda_at(const Valve& valve, const LeafletCoordinates& coordinates,
                        const Lesion& lesion, double along);
 

@@ -9,7 +9,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kCoaptationAim_mm = 8.0;  // an aim of surgeons, evidence is weak
 constexpr double kHealthyProportion =
     0.75;  // AP over transverse: 29 / 39 (PMC7368231), classic rings
 

@@ -1,9 +1,10 @@
-// What a search minimises: one number per plan, in mm2 of leak (the larger of orifice and hidden gap).
+// What a search minimises: one number per plan, in mm2 of leak (the larger of orifice and hidden
+// gap).
 //
-// Competence first: above 1 mm2 a leak costs six times as much, more than any operation. Then mean + sd of
-// the leak under the disturbances (plans/disturbance.h). Where nothing leaks, and a picture of it says
-// nothing more, the cost still slopes: towards more coaptation, a disturbance that leaks further away,
-// less force in the chordae, and less surgery.
+// Competence first: above 1 mm2 a leak costs six times as much, more than any operation. Then mean
+// + sd of the leak under the disturbances (plans/disturbance.h). Where nothing leaks, and a picture
+// of it says nothing more, the cost still slopes: towards more coaptation, a disturbance that leaks
+// further away, less force in the chordae, and less surgery.
 #pragma once
 
 #include <span>
@@ -17,6 +18,8 @@ namespace coapt {
 inline constexpr double kGoodRepair_mm2 = 5.0;
 /// Leak (orifice and hidden gap) below which a closed valve counts as competent.
 inline constexpr double kCompetentLeak_mm2 = 1.0;
+/// Coaptation of A2 with P2: an aim of surgeons, evidence is weak.
+inline constexpr double kCoaptationAim_mm = 8.0;
 
 /// What a plan asks of the patient.
 struct Effort {
@@ -34,22 +37,35 @@ double ring_sizes_below(const Valve& before, const Valve& repaired);
 
 Effort effort(const Valve& before, const Valve& repaired, const RepairPlan& plan);
 
-/// Prices in mm2, [0, 1e6] each. They are judgements, not measurements: competence may never be outbid by
-/// comfort, and between competent plans the lesser operation wins.
+/// Prices in mm2, each in [0, 1e6]. They are judgements, not measurements: competence may never be
+/// outbid by comfort, and between competent plans the lesser operation wins.
 struct CostWeights {
-  double leak = 1.0;          ///< per mm2 of mean + sd_share x sd
-  double sd_share = 1.0;      ///< sds that count beside the mean: thesis 4.2.3 compares both
-  double incompetence = 5.0;  ///< more, per mm2 of that above 1: 1 mm2 outbids a whole step
-  double margin = 1.0;      ///< for a plan that leaks at once; none if no disturbance makes it leak
-  double coaptation = 0.5;  ///< per mm that A2 with P2 falls short of 8; weak evidence
-  double gap = 2.0;         ///< per mm by which leaflets are further apart than they are thick
-  double movement = 0.2;    ///< per mm of papillary movement
-  double movement_above_10 = 1.0;  ///< more, per mm above what is usual
-  double undersizing = 0.5;        ///< per size: less opening in diastole, which systole cannot see
-  double undersizing_above_4 = 2.0;  ///< more, per size above what practice accepts
-  double step = 1.0;                 ///< per step: each costs time on bypass
-  double tension = 1.0;    ///< per newton of peak chordal tension above the unrepaired valve's
-  double untrusted = 1e4;  ///< for closures that did not converge or crossed, by their share
+  /// Per mm2 of mean + sd_share x sd.
+  double leak = 1.0;
+  /// Sds that count beside the mean: thesis 4.2.3 compares both.
+  double sd_share = 1.0;
+  /// More, per mm2 of that above 1: 1 mm2 outbids a whole step.
+  double incompetence = 5.0;
+  /// For a plan that leaks at once; none if no disturbance makes it leak.
+  double margin = 1.0;
+  /// Per mm that A2 with P2 falls short of 8; weak evidence.
+  double coaptation = 0.5;
+  /// Per mm by which leaflets are further apart than they are thick.
+  double gap = 2.0;
+  /// Per mm of papillary movement.
+  double movement = 0.2;
+  /// More, per mm above what is usual.
+  double movement_above_10 = 1.0;
+  /// Per size: less opening in diastole, which systole cannot see.
+  double undersizing = 0.5;
+  /// More, per size above what practice accepts.
+  double undersizing_above_4 = 2.0;
+  /// Per step: each costs time on bypass.
+  double step = 1.0;
+  /// Per newton of peak chordal tension above the unrepaired valve's.
+  double tension = 1.0;
+  /// For closures that did not converge or crossed, by their share.
+  double untrusted = 1e4;
 };
 
 /// Of moving one papillary muscle, mm2.

@@ -12,17 +12,17 @@ namespace coapt {
 namespace {
 
 constexpr int kResamples = 400;
-/// Of a region's mean leak, for the same plan closed from elsewhere: 0.00 to 0.06 mm2, of a flail leaflet 0.19
-/// (plan_desk.h).
+/// Of a region's mean leak, for the same plan closed from elsewhere: 0.00 to 0.06 mm2, of a flail
+/// leaflet 0.19 (plan_evaluations.h).
 constexpr double kScatter_mm2 = 0.05, kFlailScatter_mm2 = 0.19;
 
 /// One resample of the region's nodes, the same for both plans.
 class Resampling {
  public:
-  Resampling(const PlanDesk& desk, const PlanRecord& plan, int nodes) : desk_(desk), plan_(plan) {
+  Resampling(const PlanEvaluations& evaluations, const PlanRecord& plan, int nodes)
+      : evaluations_(evaluations), plan_(plan) {
     for (int d = 0; d < nodes; ++d)
-      closures_.push_back(
-          {plan.closures.at(d), region_share(disturbances()[static_cast<std::size_t>(d)])});
+      closures_.push_back({plan.closures.at(d), region_share(disturbances()[d])});
   }
   /// What decides between two plans, less being better: not closing robustly, then the cost.
   std::pair<bool, double> outcome(const std::vector<std::size_t>& nodes, double error_mm2) const {
@@ -40,13 +40,13 @@ class Resampling {
     const double centre = mean - error_mm2;
     const double sd = std::sqrt(std::max(0.0, squares - centre * centre));
     robust = robust && mean + sd < kCompetentLeak_mm2;
-    const CostWeights& weights = desk_.context().weights;
+    const CostWeights& weights = evaluations_.context().weights;
     const double price = weights.leak + (robust ? 0.0 : weights.incompetence);
-    return {!robust, plan_cost(drawn, plan_.effort, desk_.context()) + price * error_mm2};
+    return {!robust, plan_cost(drawn, plan_.effort, evaluations_.context()) + price * error_mm2};
   }
 
  private:
-  const PlanDesk& desk_;
+  const PlanEvaluations& evaluations_;
   const PlanRecord& plan_;
   std::vector<ScoredClosure> closures_;
 };
@@ -58,12 +58,13 @@ double normal(std::mt19937_64& engine) {  // Box and Muller (1958)
 
 }  // namespace
 
-double probability_ahead(const PlanDesk& desk, const PlanRecord& a, const PlanRecord& b,
-                         int nodes) {
+double probability_ahead(const PlanEvaluations& evaluations, const PlanRecord& a,
+                         const PlanRecord& b, int nodes) {
   if (nodes < 2) return std::numeric_limits<double>::quiet_NaN();
-  const Resampling first(desk, a, nodes), second(desk, b, nodes);
-  const bool flail = std::any_of(desk.valve().chordae.begin(), desk.valve().chordae.end(),
-                                 [](const Chorda& chorda) { return chorda.ruptured; });
+  const Resampling first(evaluations, a, nodes), second(evaluations, b, nodes);
+  const bool flail =
+      std::any_of(evaluations.valve().chordae.begin(), evaluations.valve().chordae.end(),
+                  [](const Chorda& chorda) { return chorda.ruptured; });
   const double scatter_mm2 = flail ? kFlailScatter_mm2 : kScatter_mm2;
   std::mt19937_64 engine(1);
   int below = 0;

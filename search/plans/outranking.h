@@ -1,13 +1,15 @@
 // How sure it is that one plan is better than another.
 #pragma once
 
-#include "search/plans/plan_desk.h"
+#include "search/plans/plan_evaluations.h"
 
 namespace coapt {
 
-/// That `a` comes before `b`, by robust closing, then by cost: the share of resamples of the region's nodes (the same
-/// for both, bootstrap, Efron 1979), each with an error of the mean leak as large as that between closures of one plan from
-/// different starts. Not the error of the model. NaN below two nodes. @pre both are closed at `nodes` nodes.
-double probability_ahead(const PlanDesk& desk, const PlanRecord& a, const PlanRecord& b, int nodes);
+/// That `a` comes before `b`, by robust closing, then by cost: the share of resamples of the
+/// region's nodes (the same for both, bootstrap, Efron 1979), each with an error of the mean leak
+/// as large as that between closures of one plan from different starts. Not the error of the model.
+/// NaN below two nodes. @pre both are closed at `nodes` nodes.
+double probability_ahead(const PlanEvaluations& evaluations, const PlanRecord& a,
+                         const PlanRecord& b, int nodes);
 
 }  // namespace coapt

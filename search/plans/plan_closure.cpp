@@ -1,8 +1,6 @@
 #include "search/plans/plan_closure.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace coapt {
 
@@ -19,9 +17,7 @@ PlanClosure plan_closure(const Evaluation& evaluation) {
 }
 
 double leak_mm2(const PlanClosure& closure) {
-  if (std::isnan(closure.orifice_mm2) || std::isnan(closure.gap_mm2))
-    return std::numeric_limits<double>::quiet_NaN();
-  return std::max(closure.orifice_mm2, closure.gap_mm2);
+  return leak_mm2(closure.orifice_mm2, closure.gap_mm2);
 }
 
 bool trusted(const PlanClosure& closure) {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/valve/number_text.h"
 
 namespace coapt {
 namespace {
@@ -10,10 +11,8 @@ namespace {
 constexpr double kPerMillimetre = 1e6;
 
 std::string number(double value) {
-  char text[32];
   const double rounded = std::round(value * kPerMillimetre) / kPerMillimetre;
-  std::snprintf(text, sizeof text, " %.6f", rounded + 0.0);  // no -0
-  return text;
+  return ' ' + with_decimals(rounded + 0.0, 6);  // no -0
 }
 
 /// Ids and names may hold anything, a whole step's text too.
@@ -33,9 +32,11 @@ std::string words(const LeafletPoint& point) {
   return std::string(" ") + to_string(point.leaflet) + number(point.along) + number(point.height);
 }
 
-std::string words(const Annuloplasty& ring) {
-  return "ring " + quoted(ring.shape) + number(ring.size_mm) + ' ' +
-         std::to_string(ring.sizes_below);
+std::string words(const Annuloplasty& step) {
+  const auto* ring = std::get_if<CatalogueRing>(&step.ring);
+  const auto* own = std::get_if<OwnRing>(&step.ring);
+  return "ring " + quoted(shape_of(step)) + number(ring != nullptr ? ring->size_mm : 0.0) + ' ' +
+         std::to_string(own != nullptr ? own->sizes_below : 0);
 }
 std::string words(const Neochorda& step) {
   return "neochorda " + quoted(step.head) + words(step.insertion) + number(step.length_mm);

@@ -7,13 +7,14 @@
 #include "core/repair/apply_plan.h"
 #include "core/repair/approximation.h"
 #include "core/repair/limits.h"
+#include "core/repair/rings.h"
+#include "core/valve/annulus_frame.h"
+#include "core/valve/number_text.h"
 
 namespace coapt {
 namespace {
 
 constexpr double kLeastMovement_mm = 2.0;  // less is not worth a suture
-constexpr double kNormalTipToTrigone_mm =
-    23.5;                             // mean of 57 cadavers: where a muscle is moved first
 constexpr double kSpacing = 0.07;     // of `along`, between neochordae: 3 to 4 mm of the free edge
 constexpr double kPlaceStep = 0.035;  // 2 mm of it
 constexpr int kPlaces = 5;
@@ -32,16 +33,22 @@ int step_count(const Choice& choice) {
          (choice.chordal == ChordalChoice::None ? 0 : 1);
 }
 
+template <class Step>
+bool has_step(const RepairPlan& plan) {
+  return std::any_of(plan.steps.begin(), plan.steps.end(),
+                     [](const RepairStep& step) { return std::holds_alternative<Step>(step); });
+}
+
+std::string in_mm(double value) { return with_decimals(value, 1) + " mm"; }
+
 }  // namespace
 
-PlanSpace::PlanSpace(const Valve& valve, const std::vector<RingShape>& catalogue,
-                     const SearchRules& rules)
+PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules)
     : valve_(valve),
-      catalogue_(catalogue),
       rules_(rules),
       coordinates_(leaflet_coordinates(valve)),
       lesion_(find_lesion(valve, coordinates_)) {
-  ringed_[{"", 0}] = {rules.fixed, *apply_plan(valve, rules.fixed, catalogue)};
+  ringed_[{"", 0}] = {rules.fixed, *apply_plan(valve, rules.fixed)};
   const std::vector<std::string> rings = offer_rings();
   const auto anterolateral = offer_anchors(Side::Anterolateral);
   const auto posteromedial = offer_anchors(Side::Posteromedial);
@@ -58,6 +65,120 @@ PlanSpace::PlanSpace(const Valve& valve, const std::vector<RingShape>& catalogue
   });
 }
 
+std::vector<std::string> PlanSpace::offer_rings() {
+  if (has_step<Annuloplasty>(rules_.fixed)) {
+    cut_.push_back({"other rings", "the ring is fixed"});
+    return {""};
+  }
+  std::vector<std::string> offered = {""};
+  const double width = transverse_diameter_mm(valve_, annulus_frame(valve_));
+  const auto try_ring = [&](const Annuloplasty& step, double size) {
+    RepairPlan plan = rules_.fixed;
+    plan.steps.emplace_back(step);
+    const Expected<Valve> valve = apply_plan(valve_, plan);
+    if (valve)
+      ringed_[{shape_of(step), static_cast<int>(std::lround(2.0 * size))}] = {plan, *valve};
+    return bool(valve);
+  };
+  const auto offer = [&](const std::string& shape, const std::vector<double>& sizes) {
+    if (is_forbidden(rules_, "annuloplasty", shape)) {
+      cut_.push_back({"ring " + shape, "forbidden"});
+    } else if (sizes.empty()) {
+      cut_.push_back({"ring " + shape, "no size is " + shown(Range{0.0, kMostSizesBelow}) +
+                                           " sizes below this annulus (" + in_mm(width) +
+                                           " wide), or none fits"});
+    } else {
+      offered.push_back(shape);
+    }
+  };
+  std::vector<double> sizes;
+  for (int below = 1; below <= static_cast<int>(kMostSizesBelow); ++below)
+    if (try_ring({OwnRing{below}}, below)) sizes.push_back(below);
+  offer(kOwnShape, sizes);
+  for (const RingShape& shape : kRingShapes) {
+    const std::string name(shape.name);
+    sizes.clear();
+    for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
+      const double below = (width - ring_width_mm(shape, size)) / kRingSizeStep_mm;
+      if (below >= 0.0 && below <= kMostSizesBelow && try_ring({CatalogueRing{name, size}}, size))
+        sizes.push_back(size);
+    }
+    offer(name, sizes);
+  }
+  return offered;
+}
+
+Parameter PlanSpace::ring_sizes(const std::string& shape) const {
+  double first = 1e9, last = -1e9;
+  for (const auto& [key, ringed] : ringed_) {
+    if (key.first != shape) continue;
+    first = std::min(first, 0.5 * key.second);
+    last = std::max(last, 0.5 * key.second);
+  }
+  const double below = lesion_ ? 0.0 : kUsualSizesBelow.min;
+  if (shape == kOwnShape)
+    return make_parameter(ParameterOf::RingSize, 0, {first, last}, 1.0, std::max(1.0, below));
+  const double width = transverse_diameter_mm(valve_, annulus_frame(valve_));
+  const double factor = find_ring(shape)->transverse_factor;
+  return make_parameter(ParameterOf::RingSize, 0, {first, last}, kRingSizeStep_mm,
+                        (width - kRingSizeStep_mm * below) / factor);
+}
+
+std::vector<std::optional<Anchor>> PlanSpace::offer_anchors(Side side) {
+  const std::string what = std::string("suture of the ") + to_string(side) + " muscle";
+  if (suture_of(rules_.fixed, side) != nullptr) {
+    cut_.push_back({what, "its suture is fixed"});
+    return {std::nullopt};
+  }
+  if (is_forbidden(rules_, "papillary_approximation", to_string(side))) {
+    cut_.push_back({what, "forbidden"});
+    return {std::nullopt};
+  }
+  const double distance = anchor_distance_mm(valve_, {.side = side});
+  if (distance <= kMostNormalTipToTrigone_mm) {
+    cut_.push_back({what, "not displaced: " + in_mm(distance) + " from its trigone, up to " +
+                              in_mm(kMostNormalTipToTrigone_mm) + " is normal"});
+    return {std::nullopt};
+  }
+  std::vector<std::optional<Anchor>> anchors = {std::nullopt};
+  for (const Anchor anchor : {Anchor::IpsilateralTrigone, Anchor::SaddlePeak, Anchor::AnnulusPoint})
+    if (is_forbidden(rules_, "papillary_approximation", to_string(anchor))) {
+      cut_.push_back({what + " to " + to_string(anchor), "forbidden"});
+    } else {
+      anchors.push_back(anchor);
+    }
+  return anchors;
+}
+
+std::vector<int> PlanSpace::offer_neochordae() {
+  std::string why;
+  if (!lesion_) why = "no marginal chorda is ruptured";
+  if (lesion_ && is_forbidden(rules_, "neochorda", to_string(lesion_->leaflet))) why = "forbidden";
+  if (rules_.most_neochordae == 0) why = "none are allowed";
+  if (!why.empty()) {
+    cut_.push_back({"neochordae", why});
+    return {0};
+  }
+  std::vector<int> counts;
+  for (int count = 0; count <= rules_.most_neochordae; ++count) counts.push_back(count);
+  return counts;
+}
+
+std::vector<ChordalChoice> PlanSpace::offer_chordal() {
+  std::vector<ChordalChoice> offered = {ChordalChoice::None};
+  if (rules_.chordal_excision && !is_forbidden(rules_, "chordal_excision", "") &&
+      !anterior_struts(valve_, coordinates_).empty())
+    offered.push_back(ChordalChoice::CutStruts);
+  if (!lesion_) return offered;
+  if (rules_.chordal_length_change && !is_forbidden(rules_, "chordal_length_change", "") &&
+      !chordae_beside(valve_, coordinates_, *lesion_, 1).empty())
+    offered.push_back(ChordalChoice::Shorten);
+  if (rules_.chordal_transfer && !is_forbidden(rules_, "chordal_transfer", "") &&
+      chorda_opposite(valve_, coordinates_, *lesion_) >= 0)
+    offered.push_back(ChordalChoice::Transfer);
+  return offered;
+}
+
 const PlanSpace::Ringed* PlanSpace::ringed(const std::string& shape, double size) const {
   const auto found = ringed_.find({shape, static_cast<int>(std::lround(2.0 * size))});
   return found == ringed_.end() ? nullptr : &found->second;
@@ -72,7 +193,7 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
     const auto& anchor = index == 0 ? choice.anterolateral : choice.posteromedial;
     if (!anchor) continue;
     const double displaced_mm =
-        anchor_distance_mm(valve_, {.side = side_of(index)}) - kNormalTipToTrigone_mm;
+        anchor_distance_mm(valve_, {.side = side_of(index)}) - kTipToTrigone_mm;
     parameters.push_back(make_parameter(ParameterOf::Movement, index,
                                         {kLeastMovement_mm, rules_.most_movement_mm},
                                         rules_.suture_lattice_mm, displaced_mm));
@@ -94,8 +215,9 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
   }
   if (choice.chordal == ChordalChoice::Shorten)
     parameters.push_back(make_parameter(ParameterOf::Shortening, 0, kShortenings_mm, 1.0, 2.0));
-  // The middle of every branch must be possible; single points beyond are found out when they are tried.
-  if (!apply_plan(valve_, plan(branch, start_of(branch)), catalogue_)) return std::nullopt;
+  // The middle of every branch must be possible; single points beyond are found out when they are
+  // tried.
+  if (!apply_plan(valve_, plan(branch, start_of(branch)))) return std::nullopt;
   return branch;
 }
 
@@ -126,7 +248,7 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Parameter& p = branch.parameters[k];
     const double value = p.lower + p.step * at[k];
-    const auto index = static_cast<std::size_t>(p.index);
+    const int index = p.index;
     switch (p.of) {
       case ParameterOf::RingSize:
         size = value;
@@ -150,22 +272,17 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
   }
   const Ringed& base = *ringed(choice.ring, size);
   RepairPlan plan = base.plan;
-  for (const std::size_t index : {0u, 1u}) {
+  for (const int index : {0, 1}) {
     const auto& anchor = index == 0 ? choice.anterolateral : choice.posteromedial;
-    if (anchor)
-      add_suture(plan, base, side_of(static_cast<int>(index)), *anchor, movement[index],
-                 place[index]);
+    if (anchor) add_suture(plan, base, side_of(index), *anchor, movement[index], place[index]);
   }
   for (int k = 0; k < choice.neochordae; ++k) {
-    const auto index = static_cast<std::size_t>(k);
     const double usual = lesion_->middle + kSpacing * (k - 0.5 * (choice.neochordae - 1));
-    Neochorda step = neochorda_at(valve_, coordinates_, *lesion_, usual + shift[index]);
-    step.length_mm = length[index];
+    Neochorda step = neochorda_at(valve_, coordinates_, *lesion_, usual + shift[k]);
+    step.length_mm = length[k];
     plan.steps.emplace_back(step);
   }
-  const auto id = [this](int chorda) {
-    return valve_.chordae[static_cast<std::size_t>(chorda)].id;
-  };
+  const auto id = [this](int chorda) { return valve_.chordae[chorda].id; };
   switch (choice.chordal) {
     case ChordalChoice::None:
       break;
@@ -183,6 +300,15 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
       break;
   }
   return plan;
+}
+
+Expected<PlanSpace> make_plan_space(const Valve& valve, const SearchRules& rules) {
+  if (Errors errors = check_rules(valve, rules); !errors.empty()) return errors;
+  PlanSpace space(valve, rules);
+  if (!space.branches().empty()) return space;
+  std::string why;
+  for (const CutBranches& cut : space.cut()) why += "; " + cut.what + ": " + cut.why;
+  return Error{ErrorCode::ImpossibleStep, "", "leave no plan to try" + why};
 }
 
 }  // namespace coapt

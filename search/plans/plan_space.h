@@ -1,15 +1,17 @@
-// All plans that a search may try: branches (discrete decisions, made by rules) and within each a lattice
-// of sizes, lengths and places.
+// All plans that a search may try: branches (discrete decisions, made by rules) and within each a
+// lattice of sizes, lengths and places.
 //
-//   ring              none; the own shape 1 to 4 sizes below; each catalogue shape, its sizes 0 to 4 below
-//   papillary suture  to trigone, saddle peak or a free point of the annulus, for a displaced muscle: its
-//                     tip further from its trigone than mean + sd of normal hearts (23.5, 3.8 mm; n = 57);
-//                     first moved to where that mean is
-//   neochordae        0 to 4 where marginal chordae are ruptured (3.6 per patient), each with its place
-//                     and length
-//   chordal steps     on request: strut chordae cut; chordae beside a lesion shortened; one transferred
-// Sizes and movements, not lengths, are the axes: a suture's length follows from how far the muscle is to move
-// under that ring, on the lattice of what can be tied.
+//   ring              none; the own shape 1 to 4 sizes below; each catalogue shape, its sizes 0 to
+//                     4 below
+//   papillary suture  to trigone, saddle peak or a free point of the annulus, for a displaced
+//                     muscle: its tip further from its trigone than mean + sd of normal hearts
+//                     (23.5, 3.8 mm; n = 57); first moved to where that mean is
+//   neochordae        0 to 4 where marginal chordae are ruptured (3.6 per patient), each with its
+//                     place and length
+//   chordal steps     on request: strut chordae cut; chordae beside a lesion shortened; one
+//                     transferred
+// Sizes and movements, not lengths, are the axes: a suture's length follows from how far the muscle
+// is to move under that ring, on the lattice of what can be tied.
 #pragma once
 
 #include <map>
@@ -30,10 +32,10 @@ struct CutBranches {
 class PlanSpace {
  public:
   /// @pre check_rules() is empty.
-  PlanSpace(const Valve& valve, const std::vector<RingShape>& catalogue, const SearchRules& rules);
+  PlanSpace(const Valve& valve, const SearchRules& rules);
 
-  /// Fewest steps first, then in a fixed order; empty if nothing is left to decide. Doing nothing at all
-  /// is no branch.
+  /// Fewest steps first, then in a fixed order; empty if nothing is left to decide. Doing nothing
+  /// at all is no branch.
   const std::vector<Branch>& branches() const { return branches_; }
   const std::vector<CutBranches>& cut() const { return cut_; }
 
@@ -57,7 +59,6 @@ class PlanSpace {
                   double movement_mm, double place) const;
 
   Valve valve_;
-  std::vector<RingShape> catalogue_;
   SearchRules rules_;
   LeafletCoordinates coordinates_;
   std::optional<Lesion> lesion_;
@@ -66,7 +67,7 @@ class PlanSpace {
   std::vector<CutBranches> cut_;
 };
 
-/// Whether a papillary muscle of that side is sutured.
-bool has_suture(const RepairPlan& plan, Side side);
+/// Errors are those of check_rules(), or that the rules leave no plan to try, and why.
+Expected<PlanSpace> make_plan_space(const Valve& valve, const SearchRules& rules);
 
 }  // namespace coapt

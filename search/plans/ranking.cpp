@@ -5,33 +5,33 @@
 #include <limits>
 
 #include "core/repair/apply_plan.h"
-#include "search/plans/exploration.h"
+#include "core/repair/approximation.h"
+#include "core/repair/describe.h"
+#include "core/valve/number_text.h"
+#include "search/plans/closure_gates.h"
 #include "search/plans/outranking.h"
 #include "search/plans/plan_key.h"
-#include "search/plans/plan_space.h"
-#include "search/studies/rank_correlation.h"
 
 namespace coapt {
 namespace {
 
 constexpr int kBeforeTheRegion = 65;  // nodes by which reported plans are taken from the finalists
 constexpr double kOftenFailing = 0.05;  // of the region's closures: then its figures mean little
-constexpr double kLeastCorrelation = 0.8;
 
-std::vector<double> costs_of(const PlanDesk& desk, const std::vector<PlanRecord*>& plans,
-                             int nodes) {
+std::vector<double> costs_of(const PlanEvaluations& evaluations,
+                             const std::vector<PlanRecord*>& plans, int nodes) {
   std::vector<double> costs;
-  for (const PlanRecord* plan : plans) costs.push_back(desk.cost(*plan, nodes));
+  for (const PlanRecord* plan : plans) costs.push_back(evaluations.cost(*plan, nodes));
   return costs;
 }
 
 /// Node by node, so that an early stop leaves as many nodes as possible that all have.
-bool close_up_to(PlanDesk& desk, const std::vector<PlanRecord*>& plans, int nodes) {
-  std::vector<PlanDesk::Wanted> wanted;
+bool close_up_to(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans, int nodes) {
+  std::vector<PlanEvaluations::Wanted> wanted;
   for (int d = 0; d < nodes; ++d)
     for (PlanRecord* plan : plans)
       if (!plan->closures.contains(d)) wanted.push_back({plan, d});
-  return desk.close(wanted, PlanDesk::Phase::Ranking);
+  return evaluations.close(wanted, PlanEvaluations::Phase::Ranking);
 }
 
 /// Nodes that all plans have closed, counted from the first.
@@ -45,67 +45,72 @@ int common_nodes(const std::vector<PlanRecord*>& plans) {
   return common;
 }
 
-void keep_cheapest(const PlanDesk& desk, std::vector<PlanRecord*>& plans, int nodes, int count) {
+void keep_cheapest(const PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, int nodes,
+                   int count) {
   if (nodes == 0) {  // nothing is known of some: in the order found
-    if (std::ssize(plans) > count) plans.resize(static_cast<std::size_t>(count));
+    if (std::ssize(plans) > count) plans.resize(count);
     return;
   }
   std::stable_sort(plans.begin(), plans.end(), [&](const PlanRecord* a, const PlanRecord* b) {
-    return desk.cost(*a, nodes) < desk.cost(*b, nodes);
+    return evaluations.cost(*a, nodes) < evaluations.cost(*b, nodes);
   });
-  if (std::ssize(plans) > count) plans.resize(static_cast<std::size_t>(count));
+  if (std::ssize(plans) > count) plans.resize(count);
 }
 
 std::vector<DisturbanceSet> evidence_of(const RepairPlan& plan) {
   std::vector<DisturbanceSet> sets = {kRemodelling};
-  const bool al = has_suture(plan, Side::Anterolateral);
-  const bool pm = has_suture(plan, Side::Posteromedial);
+  const bool al = suture_of(plan, Side::Anterolateral) != nullptr;
+  const bool pm = suture_of(plan, Side::Posteromedial) != nullptr;
   if (al) sets.push_back(kAnterolateralAlone);
   if (pm) sets.push_back(kPosteromedialAlone);
   if (al && pm) sets.push_back(kIndependent);
   return sets;
 }
 
-void close_evidence(PlanDesk& desk, const std::vector<PlanRecord*>& plans) {
-  std::vector<PlanDesk::Wanted> wanted;
+void close_evidence(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans) {
+  std::vector<PlanEvaluations::Wanted> wanted;
   for (PlanRecord* plan : plans)
     for (const DisturbanceSet set : evidence_of(plan->plan))
       for (int d = set.first; d < set.first + set.count; ++d) wanted.push_back({plan, d});
-  desk.close(wanted, PlanDesk::Phase::Ranking);
+  evaluations.close(wanted, PlanEvaluations::Phase::Ranking);
 }
-
-bool failed(const RankedPlan& plan) { return !trusted({plan.status, plan.crossing, plan.measure}); }
 
 bool fails_often(const RankedPlan& plan) {
   return plan.region.failures > kOftenFailing * plan.region.closures;
 }
 
 bool is_better(const RankedPlan& a, const RankedPlan& b) {
-  if (failed(a) != failed(b)) return failed(b);
+  if (trusted(a) != trusted(b)) return trusted(a);
   if (fails_often(a) != fails_often(b)) return fails_often(b);
   if (closes_robustly(a) != closes_robustly(b)) return closes_robustly(a);
   return a.cost < b.cost;
 }
 
-RankedPlan ranked(PlanDesk& desk, const PlanRecord& record, int nodes) {
+RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int nodes) {
   RankedPlan plan;
   plan.plan = record.plan;
-  plan.description = describe(desk.valve(), record.plan);
-  const Evaluation evaluation = desk.evaluation(record);
+  plan.description = describe(evaluations.valve(), record.plan);
+  const ClosedPlan closed = evaluations.closed(record);
+  const Evaluation& evaluation = closed.evaluation;
   plan.status = evaluation.status;
   plan.crossing = evaluation.crossing;
   plan.measure = evaluation.measure;
   plan.effort = record.effort;
-  plan.cost = desk.cost(record, nodes);
+  plan.cost = evaluations.cost(record, nodes);
   plan.subset_nodes = std::min(nodes, kChosenBy);
-  plan.subset_cost = desk.cost(record, plan.subset_nodes);
+  plan.subset_cost = evaluations.cost(record, plan.subset_nodes);
   plan.region = region_report(record, nodes);
-  const Expected<Valve> repaired = apply_plan(desk.valve(), record.plan, desk.catalogue());
-  plan.gates = operation_gates({record.plan, desk.valve(), *repaired, desk.catalogue()});
-  for (Gate& gate : closure_gates(evaluation, desk.before())) plan.gates.push_back(std::move(gate));
+  const Expected<Valve> repaired = apply_plan(evaluations.valve(), record.plan);
+  if (const auto drawn = closed_valve(*repaired, closed))
+    plan.closed =
+        std::make_shared<const ClosedValve>(with_repair(*drawn, evaluations.valve(), record.plan));
+  plan.gates = operation_gates({record.plan, evaluations.valve(), *repaired});
+  for (Gate& gate : closure_gates(evaluation, evaluations.before()))
+    plan.gates.push_back(std::move(gate));
   plan.warnings = warnings_of(plan.gates);
   if (plan.region.leak_mm2.worst > kGoodRepair_mm2)
-    plan.warnings.push_back("leaks more than 5 mm2 somewhere in the region of interest");
+    plan.warnings.push_back("leaks more than " + shown(kGoodRepair_mm2) +
+                            " mm2 somewhere in the region of interest");
   if (nodes > 1 && plan.region.failures > 0)
     plan.warnings.push_back(std::to_string(plan.region.failures) + " of " + std::to_string(nodes) +
                             " closures in the region of interest failed and are left out of its "
@@ -114,12 +119,6 @@ RankedPlan ranked(PlanDesk& desk, const PlanRecord& record, int nodes) {
 }
 
 }  // namespace
-
-bool closes_robustly(const RankedPlan& plan) {
-  const OrificeStatistics& leak = plan.region.leak_mm2;
-  return !failed(plan) && plan.region.failures == 0 && plan.region.closures > 1 &&
-         leak.mean + leak.sd < kCompetentLeak_mm2;
-}
 
 int ranking_closures(const SearchOptions& options) {
   const int before = std::min(kBeforeTheRegion, options.region_points);
@@ -136,54 +135,52 @@ int evidence_closures(const RepairPlan& plan) {
   return closures;
 }
 
-std::vector<PlanRecord*> close_finalists(PlanDesk& desk, std::vector<PlanRecord*> finalists,
+std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
+                                         std::vector<PlanRecord*> finalists,
                                          const SearchOptions& options,
                                          std::vector<LadderStep>& ladder) {
   int closed = 0;
   for (const int goal : {1, kChosenBy, kBeforeTheRegion, options.region_points}) {
     const int nodes = std::min(goal, options.region_points);
     if (nodes <= closed) continue;
-    if (!close_up_to(desk, finalists, nodes)) {
+    if (!close_up_to(evaluations, finalists, nodes)) {
       int most = 0;  // what was chosen by more nodes stays, over those that it has
       for (PlanRecord* plan : finalists) most = std::max(most, common_nodes({plan}));
       std::erase_if(finalists, [&](PlanRecord* plan) {
         return common_nodes({plan}) < std::min(most, kChosenBy);
       });
-      keep_cheapest(desk, finalists, common_nodes(finalists), options.plans);
+      keep_cheapest(evaluations, finalists, common_nodes(finalists), options.plans);
       return finalists;
     }
-    if (closed > 1) {
-      const double correlation =
-          rank_correlation(costs_of(desk, finalists, closed), costs_of(desk, finalists, nodes));
-      ladder.push_back({closed, nodes, static_cast<int>(finalists.size()), correlation,
-                        correlation < kLeastCorrelation});
-    }
+    if (closed > 1)
+      ladder.push_back(measure_ladder_step(closed, nodes, costs_of(evaluations, finalists, closed),
+                                           costs_of(evaluations, finalists, nodes)));
     closed = nodes;
     if (nodes >= std::min(kBeforeTheRegion, options.region_points))
-      keep_cheapest(desk, finalists, nodes, options.plans);
+      keep_cheapest(evaluations, finalists, nodes, options.plans);
   }
-  keep_cheapest(desk, finalists, closed, options.plans);
-  if (options.evidence) close_evidence(desk, finalists);
+  keep_cheapest(evaluations, finalists, closed, options.plans);
+  if (options.evidence) close_evidence(evaluations, finalists);
   return finalists;
 }
 
-std::vector<RankedPlan> rank(PlanDesk& desk, const std::vector<PlanRecord*>& plans,
+std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
                              int most_nodes) {
   const int nodes = std::min(most_nodes, common_nodes(plans));
   if (nodes == 0) return {};
   std::vector<std::pair<RankedPlan, const PlanRecord*>> order;
-  for (const PlanRecord* plan : plans) order.emplace_back(ranked(desk, *plan, nodes), plan);
+  for (const PlanRecord* plan : plans) order.emplace_back(ranked(evaluations, *plan, nodes), plan);
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return is_better(a.first, b.first); });
   std::vector<const PlanRecord*> records;
   for (const auto& [plan, record] : order) records.push_back(record);
-  const std::vector<ParetoPlan> front = pareto_front(desk, records, nodes);
+  const std::vector<ParetoPlan> front = pareto_front(evaluations, records, nodes);
   std::vector<RankedPlan> result;
   for (std::size_t i = 0; i < order.size(); ++i) {
     RankedPlan& plan = order[i].first;
     plan.rank = static_cast<int>(i) + 1;
     plan.probability_outranks_next =
-        i + 1 < order.size() ? probability_ahead(desk, *records[i], *records[i + 1], nodes)
+        i + 1 < order.size() ? probability_ahead(evaluations, *records[i], *records[i + 1], nodes)
                              : std::numeric_limits<double>::quiet_NaN();
     plan.pareto = std::any_of(front.begin(), front.end(), [&](const ParetoPlan& best) {
       return plan_key(best.plan) == plan_key(plan.plan);
@@ -193,13 +190,13 @@ std::vector<RankedPlan> rank(PlanDesk& desk, const std::vector<PlanRecord*>& pla
   return result;
 }
 
-std::vector<ParetoPlan> pareto_front(const PlanDesk& desk,
+std::vector<ParetoPlan> pareto_front(const PlanEvaluations& evaluations,
                                      const std::vector<const PlanRecord*>& plans, int nodes) {
   std::vector<ParetoPlan> all, front;
   for (const PlanRecord* plan : plans) {
     const RegionReport region = region_report(*plan, nodes);
     if (region.failures > 0 || std::isnan(region.leak_mm2.mean)) continue;
-    all.push_back({plan->plan, describe(desk.valve(), plan->plan), region.leak_mm2.mean,
+    all.push_back({plan->plan, describe(evaluations.valve(), plan->plan), region.leak_mm2.mean,
                    region.leak_mm2.sd, plan->effort.steps, plan->effort.sizes_below, nodes});
   }
   const auto beats = [](const ParetoPlan& a, const ParetoPlan& b) {

@@ -3,8 +3,9 @@
 
 #include <vector>
 
-#include "search/plans/plan_desk.h"
-#include "search/plans/plan_search.h"
+#include "search/plans/plan_evaluations.h"
+#include "search/plans/search_options.h"
+#include "search/plans/search_result.h"
 
 namespace coapt {
 
@@ -14,24 +15,28 @@ inline constexpr int kFinalists = 3;
 /// Closures that close_finalists() takes at most.
 int ranking_closures(const SearchOptions& options);
 
-/// Closures that the evidence for a plan takes: further remodelling, errors of each suture alone, and of both by themselves.
+/// Closures that the evidence for a plan takes: further remodelling, errors of each suture alone,
+/// and of both by themselves.
 int evidence_closures(const RepairPlan& plan);
 
-/// Closes the finalists at as many nodes as the ladder goes, dropping the dearest on the way down to
-/// options.plans; then, if asked for, the evidence: single sutures, independent errors, remodelling. Out of time
-/// or cancelled it leaves fewer nodes, but all plans that stay have equal ones.
-std::vector<PlanRecord*> close_finalists(PlanDesk& desk, std::vector<PlanRecord*> finalists,
+/// Closes the finalists at as many nodes as the ladder goes, dropping the dearest on the way down
+/// to options.plans; then, if asked for, the evidence: single sutures, independent errors,
+/// remodelling. Out of time or cancelled it leaves fewer nodes, but all plans that stay have equal
+/// ones.
+std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
+                                         std::vector<PlanRecord*> finalists,
                                          const SearchOptions& options,
                                          std::vector<LadderStep>& ladder);
 
-/// Plans in order: those whose own closure failed come last, before them those with more than a twentieth of the
-/// region's closures failed; robustly closing ones first; then by cost, which counts failures, too. Over the nodes that all of them
-/// have closed, at most so many.
-std::vector<RankedPlan> rank(PlanDesk& desk, const std::vector<PlanRecord*>& plans, int most_nodes);
+/// Plans in order: those whose own closure failed come last, before them those with more than a
+/// twentieth of the region's closures failed; robustly closing ones first; then by cost, which
+/// counts failures, too. Over the nodes that all of them have closed, at most so many.
+std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
+                             int most_nodes);
 
-/// Of plans that may be compared (equally many nodes): no other is as good in mean, sd, steps and undersizing,
-/// and better in one.
-std::vector<ParetoPlan> pareto_front(const PlanDesk& desk,
+/// Of plans that may be compared (equally many nodes): no other is as good in mean, sd, steps and
+/// undersizing, and better in one.
+std::vector<ParetoPlan> pareto_front(const PlanEvaluations& evaluations,
                                      const std::vector<const PlanRecord*>& plans, int nodes);
 
 }  // namespace coapt

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/metrics/quantile.h"
+#include "core/repair/approximation.h"
 
 namespace coapt {
 namespace {
@@ -86,8 +87,8 @@ std::vector<double> values_of(const Closures& closures, const DisturbanceSet& se
   return values;
 }
 
-/// Of an axis through the middle of the region: how many nodes from there the first leak lies, either
-/// way; `reach` if none does, NaN if none is closed.
+/// Of an axis through the middle of the region: how many nodes from there the first leak lies,
+/// either way; `reach` if none does, NaN if none is closed.
 template <class NodeAt>
 double first_leak(const Closures& closures, int reach, const NodeAt& node_at) {
   bool closed = false;
@@ -115,8 +116,7 @@ LeakMargin leak_margin(const Closures& closures) {
   margin.angle_deg = kRegionAngle_deg / kMiddleAngle * std::fmin(outwards, posterior);
   for (int d = 1; d < kRegion.count; ++d) {
     if (closures.at(d) == nullptr) continue;
-    const double share =
-        closures.leaks(d) ? region_share(disturbances()[static_cast<std::size_t>(d)]) : 1.0;
+    const double share = closures.leaks(d) ? region_share(disturbances()[d]) : 1.0;
     margin.share = std::fmin(margin.share, share);
   }
   return margin;
@@ -134,13 +134,6 @@ LeakMap leak_map(const std::string& muscle, const LeakAt& leak_at) {
   return map;
 }
 
-bool is_sutured(const RepairPlan& plan, Side side) {
-  return std::any_of(plan.steps.begin(), plan.steps.end(), [side](const RepairStep& step) {
-    const auto* suture = std::get_if<PapillaryApproximation>(&step);
-    return suture != nullptr && suture->side == side;
-  });
-}
-
 std::vector<LeakMap> leak_maps(const Closures& closures, const RepairPlan& plan) {
   std::vector<LeakMap> maps = {leak_map("both", [&closures](int length, int outwards) {
     std::vector<double> leaks;
@@ -153,7 +146,7 @@ std::vector<LeakMap> leak_maps(const Closures& closures, const RepairPlan& plan)
   for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
     const DisturbanceSet& alone =
         side == Side::Anterolateral ? kAnterolateralAlone : kPosteromedialAlone;
-    if (is_sutured(plan, side) && closures.any(alone))
+    if (suture_of(plan, side) != nullptr && closures.any(alone))
       maps.push_back(leak_map(to_string(side), [&](int length, int outwards) {
         return closures.leak(slice_node(side, length, outwards));
       }));
@@ -201,13 +194,13 @@ RegionIndices region_indices(const Closures& closures) {
   const double variance = variance_of(grid);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int count = kCounts[axis], stride = kStrides[axis], others = kRegion.count / count;
-    std::vector<double> along(static_cast<std::size_t>(count), 0.0);
-    std::vector<double> across(static_cast<std::size_t>(others), 0.0);
+    std::vector<double> along(count, 0.0);
+    std::vector<double> across(others, 0.0);
     for (int place = 0; place < kRegion.count; ++place) {
       const int other = place / (stride * count) * stride + place % stride;
-      const double leak = grid[static_cast<std::size_t>(place)];
-      along[static_cast<std::size_t>(place / stride % count)] += leak / others;
-      across[static_cast<std::size_t>(other)] += leak / count;
+      const double leak = grid[place];
+      along[place / stride % count] += leak / others;
+      across[other] += leak / count;
     }
     indices.first[axis] = variance_of(along) / variance;
     indices.total[axis] = std::max(0.0, 1.0 - variance_of(across) / variance);
@@ -230,7 +223,7 @@ RegionReport region_report(const PlanRecord& plan, int nodes) {
   const double nominal = planned == nullptr ? kUnknown : leak(*planned);
   report.orifice_area_mm2 = statistics(planned == nullptr ? kUnknown : orifice(*planned),
                                        values_of(closures, kRegion, orifice));
-  report.leak_mm2 = statistics(nominal, values_of(closures, kRegion, leak));
+  report.leak_mm2 = leak_statistics(plan, nodes);
   std::vector<double> independent = values_of(closures, kIndependent, leak);
   if (!std::isnan(closures.leak(0))) independent.push_back(nominal);
   report.independent_leak_mm2 = statistics(nominal, independent);
@@ -239,6 +232,14 @@ RegionReport region_report(const PlanRecord& plan, int nodes) {
   report.remodelling = remodelling_curves(closures);
   report.indices = region_indices(closures);
   return report;
+}
+
+OrificeStatistics leak_statistics(const PlanRecord& plan, int nodes) {
+  const Closures closures(plan, nodes);
+  const auto leak = [](const PlanClosure& closure) { return leak_mm2(closure); };
+  const PlanClosure* planned = closures.at(0);
+  return statistics(planned == nullptr ? kUnknown : leak(*planned),
+                    values_of(closures, kRegion, leak));
 }
 
 }  // namespace coapt

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/repair/apply_plan.h"
+#include "core/repair/rings.h"
+#include "search/plans/search_option_table.h"
 
 namespace coapt {
 namespace {
@@ -13,7 +15,7 @@ struct StepWords {
   std::vector<std::string> kinds;
 };
 
-StepWords words_of(const Annuloplasty& step) { return {"annuloplasty", {step.shape}}; }
+StepWords words_of(const Annuloplasty& step) { return {"annuloplasty", {shape_of(step)}}; }
 StepWords words_of(const Neochorda& step) {
   return {"neochorda", {to_string(step.insertion.leaflet)}};
 }
@@ -24,9 +26,10 @@ StepWords words_of(const PapillaryApproximation& step) {
   return {"papillary_approximation", {to_string(step.side), to_string(step.anchor)}};
 }
 
-std::vector<std::string> known_words(const std::vector<RingShape>& catalogue) {
-  std::vector<std::string> words = {"annuloplasty", "annuloplasty:own"};
-  for (const RingShape& shape : catalogue) words.push_back("annuloplasty:" + shape.name);
+std::vector<std::string> known_words() {
+  std::vector<std::string> words = {"annuloplasty", std::string("annuloplasty:") + kOwnShape};
+  for (const RingShape& shape : kRingShapes)
+    words.push_back("annuloplasty:" + std::string(shape.name));
   for (const char* kind : {"", ":anterolateral", ":posteromedial", ":ipsilateral_trigone",
                            ":saddle_peak", ":annulus_point"})
     words.push_back(std::string("papillary_approximation") + kind);
@@ -50,19 +53,15 @@ bool is_forbidden(const SearchRules& rules, const std::string& technique, const 
   });
 }
 
-Errors check_rules(const Valve& valve, const std::vector<RingShape>& catalogue,
-                   const SearchRules& rules) {
+Errors check_rules(const Valve& valve, const SearchRules& rules) {
   ProblemList problems;
-  check_range(problems, "/most_neochordae", rules.most_neochordae, {0.0, 4.0});
-  check_range(problems, "/suture_lattice_mm", rules.suture_lattice_mm, {0.1, 5.0}, " mm");
-  check_range(problems, "/neochorda_lattice_mm", rules.neochorda_lattice_mm, {0.5, 5.0}, " mm");
-  check_range(problems, "/most_movement_mm", rules.most_movement_mm, {2.0, 15.0}, " mm");
-  const std::vector<std::string> known = known_words(catalogue);
+  check_option_ranges(problems, rules);
+  const std::vector<std::string> known = known_words();
   for (std::size_t i = 0; i < rules.forbidden.size(); ++i)
     if (std::find(known.begin(), known.end(), rules.forbidden[i]) == known.end())
       problems.add(ErrorCode::BadReference, "/forbidden/" + std::to_string(i),
                    "is \"" + rules.forbidden[i] + "\", must be one of " + listed(known));
-  const Expected<Valve> fixed = apply_plan(valve, rules.fixed, catalogue);
+  const Expected<Valve> fixed = apply_plan(valve, rules.fixed);
   if (!fixed)
     for (const Error& error : fixed.errors())
       problems.add(error.code, "/fixed" + error.path, error.message);
@@ -74,7 +73,7 @@ Errors check_rules(const Valve& valve, const std::vector<RingShape>& catalogue,
       forbidden = forbidden || is_forbidden(rules, words.technique, kind);
     if (forbidden)
       problems.add(ErrorCode::ImpossibleStep, "/fixed/steps/" + std::to_string(i),
-                   "is fixed and forbidden at once");
+                   "is both fixed and forbidden");
   }
   return std::move(problems).take();
 }

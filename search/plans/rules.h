@@ -9,27 +9,31 @@
 
 namespace coapt {
 
-/// Lattices are what can be tied or bought; rings come in their 2 mm sizes.
+/// Lattices are what can be tied or bought; rings come in their 2 mm sizes. Accepted ranges:
+/// search_option_table.h.
 struct SearchRules {
   RepairPlan fixed;  ///< steps that every plan has, as they are: "a ring of size 30 is decided"
-  /// Techniques that no plan has, each a word of forbidden_words() ("papillary_approximation"), or such a
-  /// word with a colon and what of it ("papillary_approximation:saddle_peak", "annuloplasty:own").
+  /// Techniques that no plan has, each by its name ("papillary_approximation"), or that
+  /// with a colon and what of it ("papillary_approximation:saddle_peak", "annuloplasty:own").
   std::vector<std::string> forbidden;
-  int most_neochordae = 4;             ///< [0, 4]
-  bool chordal_length_change = false;  ///< of the marginal chordae beside a lesion
-  bool chordal_excision = false;       ///< of the anterior leaflet's strut chordae
-  bool chordal_transfer = false;       ///< to a lesion
-  double suture_lattice_mm = 0.5;      ///< [0.1, 5]
-  double neochorda_lattice_mm = 1.0;   ///< [0.5, 5]
-  double most_movement_mm = 10.0;      ///< [2, 15] of a papillary muscle: more than 10 is unusual
+  int most_neochordae = 4;
+  /// Of the marginal chordae beside a lesion.
+  bool chordal_length_change = false;
+  /// Of the anterior leaflet's strut chordae.
+  bool chordal_excision = false;
+  /// To a lesion.
+  bool chordal_transfer = false;
+  double suture_lattice_mm = 0.5;
+  double neochorda_lattice_mm = 1.0;
+  /// Of a papillary muscle: more than 10 is unusual.
+  double most_movement_mm = 10.0;
 };
 
 /// Whether a technique, or one kind of it (may be empty), is forbidden.
 bool is_forbidden(const SearchRules& rules, const std::string& technique, const std::string& kind);
 
-/// Numbers out of range, words that say nothing, fixed steps that are impossible on this valve or are of a
-/// forbidden kind. Paths point into the rules ("/forbidden/1", "/fixed/steps/0/size_mm").
-Errors check_rules(const Valve& valve, const std::vector<RingShape>& catalogue,
-                   const SearchRules& rules);
+/// Numbers out of range, words that say nothing, fixed steps that are impossible on this valve or
+/// are of a forbidden kind. Paths point into the rules ("/forbidden/1", "/fixed/steps/0/size_mm").
+Errors check_rules(const Valve& valve, const SearchRules& rules);
 
 }  // namespace coapt

@@ -9,8 +9,8 @@
 
 namespace coapt {
 
-/// Bounds: porcine valves as large as the thesis's first three (table 2.2), leaflets and chordae within
-/// what is measured in human and porcine hearts (docs/porcine-thesis.md gives the sources).
+/// Bounds: porcine valves as large as the thesis's first three (table 2.2), leaflets and chordae
+/// within what is measured in human and porcine hearts (docs/porcine-thesis.md gives the sources).
 struct AnatomyParameter {
   const char* name;  ///< with its unit
   double lower, upper, typical;

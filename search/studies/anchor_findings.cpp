@@ -1,7 +1,8 @@
+#include "search/studies/anchor_findings.h"
+
 #include <cmath>
 
 #include "search/studies/finding_text.h"
-#include "search/studies/findings_parts.h"
 
 namespace coapt {
 namespace {

@@ -1,5 +1,5 @@
-// When is the trigone the better anchor? A designed scan over anatomies: trigone less saddle peak, by
-// protocol, class and objective, and which factor of the anatomy decides.
+// When is the trigone the better anchor? A designed scan over anatomies: trigone less saddle peak,
+// by protocol, class and objective, and which factor of the anatomy decides.
 #pragma once
 
 #include <array>

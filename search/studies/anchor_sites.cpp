@@ -27,8 +27,7 @@ AnchorSite site(const Valve& valve, std::string name, Anchor anchor, double arou
 std::vector<AnchorSite> thesis_anchors(const Valve& valve) {
   const auto trigone =
       std::find(valve.annulus.begin(), valve.annulus.end(), valve.landmarks.posteromedial_trigone);
-  const double around =
-      annulus_around(valve)[static_cast<std::size_t>(trigone - valve.annulus.begin())];
+  const double around = annulus_around(valve)[trigone - valve.annulus.begin()];
   return {site(valve, "trigone", Anchor::IpsilateralTrigone, around),
           site(valve, "saddle peak", Anchor::SaddlePeak, 0.25)};
 }

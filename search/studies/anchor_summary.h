@@ -11,8 +11,8 @@ namespace coapt {
 /// Share of the saddle peak's value within which two anchors are a tie.
 inline constexpr double kAnchorTie = 0.01;
 
-/// One anchor over all displaced configurations of a class: means, but for sd_of_means; movement and
-/// suture over those that are repaired (NaN if there is none).
+/// One anchor over all displaced configurations of a class: means, but for sd_of_means; movement
+/// and suture over those that are repaired (NaN if there is none).
 struct AnchorSummary {
   Protocol protocol = Protocol::LookupExtended;
   Displaced displaced = Displaced::Anterolateral;

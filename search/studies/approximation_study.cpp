@@ -82,8 +82,8 @@ void walk_on(OrificeField& field, Walk& walk) {
   if (!walk.found.repaired) walk.moved_mm = walk.least_at_mm;
 }
 
-/// What a planner would choose: where mean + sd over a few points of the region, and the price of the
-/// movement, are lowest. By coarse steps first, then halving them around the best.
+/// What a planner would choose: where mean + sd over a few points of the region, and the price of
+/// the movement, are lowest. By coarse steps first, then halving them around the best.
 void choose_optimum(OrificeField& field, Walk& walk, const std::vector<Perturbation>& nodes) {
   const double most = std::min(walk.most_mm(), kMostMovement_mm);
   const double muscles = walk.found.displaced == Displaced::Both ? 2.0 : 1.0;
@@ -118,7 +118,7 @@ void choose_optimum(OrificeField& field, Walk& walk, const std::vector<Perturbat
 
 RegionOrifice measure_region(const std::vector<double>& area_mm2,
                              const std::vector<Perturbation>& nodes, double suture_mm) {
-  const auto n = static_cast<Eigen::Index>(area_mm2.size());
+  const Eigen::Index n = std::ssize(area_mm2);
   const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(area_mm2.data(), n);
   RegionOrifice region;
   region.mean_mm2 = area.mean();
@@ -128,7 +128,7 @@ RegionOrifice measure_region(const std::vector<double>& area_mm2,
       static_cast<double>((area.array() > kGoodRepair_mm2).count()) / static_cast<double>(n);
   Eigen::MatrixXd offset(n, 3);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Perturbation& node = nodes[static_cast<std::size_t>(i)];
+    const Perturbation& node = nodes[i];
     offset.row(i) << node.length_mm, node.outwards_deg, node.posterior_deg;
   }
   offset.rowwise() -= offset.colwise().mean().eval();

@@ -1,9 +1,9 @@
 // Papillary approximation and its robustness (thesis 4.2.3, figure 4.10), by four protocols.
 //
-// A displaced muscle moves straight to its anchor until the orifice is below 5 mm2 (Optimum: to where
-// mean + sd over 9 points of its region and the price of the movement, search/objective.h, are
-// lowest). Around the place where it ends lies the region of interest (search/perturbation.h): 1,089
-// nodes on and about the sphere around the anchor. Positions are in displacement space
+// A displaced muscle moves straight to its anchor until the orifice is below 5 mm2 (Optimum: to
+// where mean + sd over 9 points of its region and the price of the movement, search/objective.h,
+// are lowest). Around the place where it ends lies the region of interest (search/perturbation.h):
+// 1,089 nodes on and about the sphere around the anchor. Positions are in displacement space
 // (anchor_sites.h).
 #pragma once
 

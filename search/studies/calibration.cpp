@@ -11,8 +11,8 @@
 #include "search/least_squares.h"
 #include "search/parallel.h"
 #include "search/random_share.h"
+#include "search/rank_correlation.h"
 #include "search/studies/geometry_studies.h"
-#include "search/studies/rank_correlation.h"
 #include "search/studies/thesis_figures.h"
 
 namespace coapt {
@@ -30,17 +30,15 @@ struct Answers {
 
 std::vector<Answers> close_all(const std::vector<Anatomy>& anatomies,
                                const std::vector<CalibrationTarget>& targets, int threads) {
-  const auto size = targets.size();
+  const int size = static_cast<int>(targets.size());
   std::vector<std::optional<Valve>> valves(anatomies.size());
-  for_each_index(static_cast<int>(anatomies.size()), threads, [&](int i) {
-    const auto at = static_cast<std::size_t>(i);
+  for_each_index(static_cast<int>(anatomies.size()), threads, [&](int at) {
     const Expected<Valve> valve = make_taut_valve(parametric_valve(anatomies[at], "calibrated"));
     if (valve) valves[at] = *valve;
   });
   std::vector<double> area(anatomies.size() * size, kFailed_mm2);
   std::vector<char> fine(area.size(), 0);
-  for_each_index(static_cast<int>(area.size()), threads, [&](int i) {
-    const auto at = static_cast<std::size_t>(i);
+  for_each_index(static_cast<int>(area.size()), threads, [&](int at) {
     const std::optional<Valve>& valve = valves[at / size];
     if (!valve) return;
     const Expected<Valve> changed = configure(*valve, targets[at % size].configuration);
@@ -51,7 +49,7 @@ std::vector<Answers> close_all(const std::vector<Anatomy>& anatomies,
     fine[at] = 1;
   });
   std::vector<Answers> answers(anatomies.size());
-  for (std::size_t i = 0; i < area.size(); ++i) {
+  for (int i = 0; i < std::ssize(area); ++i) {
     answers[i / size].area_mm2.push_back(area[i]);
     if (fine[i] == 0) ++answers[i / size].untrusted;
   }
@@ -65,7 +63,7 @@ std::vector<double> shares_of(const Point& point) {
 Point typical_point() {
   Point point(kAnatomyParameters);
   for (int i = 0; i < kAnatomyParameters; ++i) {
-    const AnatomyParameter& p = anatomy_parameters()[static_cast<std::size_t>(i)];
+    const AnatomyParameter& p = anatomy_parameters()[i];
     point(i) = (p.typical - p.lower) / (p.upper - p.lower);
   }
   return point;
@@ -118,11 +116,10 @@ Calibration calibrate(const CalibrationOptions& options) {
   const Point typical = typical_point();
   int closures = 0;
   const auto residual_of = [&](const Point& point, const Answers& answers) {
-    const auto size = static_cast<Eigen::Index>(targets.size());
+    const auto size = std::ssize(targets);
     Point residual(size + point.size());
     for (Eigen::Index k = 0; k < size; ++k)
-      residual(k) = std::sqrt(answers.area_mm2[static_cast<std::size_t>(k)] + 1.0) -
-                    std::sqrt(targets[static_cast<std::size_t>(k)].area_mm2 + 1.0);
+      residual(k) = std::sqrt(answers.area_mm2[k] + 1.0) - std::sqrt(targets[k].area_mm2 + 1.0);
     residual.tail(point.size()) = options.towards_typical * (point - typical);
     return residual;
   };

@@ -1,4 +1,5 @@
-// Fits a parametric valve to the thesis's own numbers (4.3.1): one porcine valve that is not published.
+// Fits a parametric valve to the thesis's own numbers (4.3.1): one porcine valve that is not
+// published.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +22,8 @@ std::vector<CalibrationTarget> calibration_targets();
 
 struct CalibrationOptions {
   std::uint64_t seed = 1;
-  int first_looks =
-      60;               ///< random anatomies around the typical one, of which the best is the start
+  /// Random anatomies around the typical one, of which the best is the start.
+  int first_looks = 60;
   double spread = 0.2;  ///< of them, share of each range to either side
   int most_rounds = 30;
   double towards_typical = 0.15;  ///< weight of a parameter's distance from typical, in ranges

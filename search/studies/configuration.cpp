@@ -27,7 +27,7 @@ Configuration displacement(Displaced displaced, const Vec3& by_mm, int ring_size
 Expected<Valve> configure(const Valve& valve, const Configuration& configuration) {
   if (configuration.ring_sizes_below == 0) return remodel(valve, configuration.change);
   const Expected<Valve> ringed =
-      apply_plan(valve, {{Annuloplasty{"own", 0.0, configuration.ring_sizes_below}}}, {});
+      apply_plan(valve, {{Annuloplasty{OwnRing{configuration.ring_sizes_below}}}});
   return ringed ? remodel(*ringed, configuration.change) : ringed;
 }
 

@@ -1,5 +1,5 @@
-// One configuration of the thesis's studies (4.2.2, 4.2.3): a ring of the valve's own shape, annular
-// remodelling, and papillary muscles displaced.
+// One configuration of the thesis's studies (4.2.2, 4.2.3): a ring of the valve's own shape,
+// annular remodelling, and papillary muscles displaced.
 #pragma once
 
 #include <array>

@@ -1,18 +1,17 @@
 // Numbers in the words of a finding.
 #pragma once
 
-#include <cstdio>
 #include <string>
 #include <vector>
+
+#include "core/valve/number_text.h"
 
 namespace coapt {
 
 /// "12.3"; "n/a" if it is not finite.
 inline std::string in_words(double value, int decimals) {
   if (!(value - value == 0.0)) return "n/a";
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  return with_decimals(value, decimals);
 }
 
 inline std::string in_percent(double share, int decimals = 0) {

@@ -1,6 +1,8 @@
 #include "search/studies/findings.h"
 
-#include "search/studies/findings_parts.h"
+#include "search/studies/anchor_findings.h"
+#include "search/studies/geometry_findings.h"
+#include "search/studies/ring_findings.h"
 
 namespace coapt {
 

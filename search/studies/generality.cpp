@@ -37,10 +37,9 @@ RandomAnatomies random_anatomies(int count, std::uint64_t seed, int threads) {
       anatomies.push_back(anatomy_at(shares));
     }
     for_each_index(kDrawnAtOnce, threads, [&](int i) {
-      const auto at = static_cast<std::size_t>(i);
       Expected<Valve> valve = make_taut_valve(
-          parametric_valve(anatomies[at], "random-" + std::to_string(random.drawn + i)));
-      if (valve && competent(*valve)) valves[at] = *valve;
+          parametric_valve(anatomies[i], "random-" + std::to_string(random.drawn + i)));
+      if (valve && competent(*valve)) valves[i] = *valve;
     });
     random.drawn += kDrawnAtOnce;
     for (const std::optional<Valve>& valve : valves)

@@ -17,8 +17,8 @@ struct StudiedValve {
   Valve valve;
 };
 
-/// `count` anatomies from the box of anatomy_parameters(), uniformly, of which each makes a competent
-/// valve: it closes uncrossed with at most 5 mm2. Others are drawn again, and counted.
+/// `count` anatomies from the box of anatomy_parameters(), uniformly, of which each makes a
+/// competent valve: it closes uncrossed with at most 5 mm2. Others are drawn again, and counted.
 struct RandomAnatomies {
   std::vector<Valve> valves;
   int drawn = 0;

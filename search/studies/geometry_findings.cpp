@@ -1,10 +1,11 @@
+#include "search/studies/geometry_findings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "search/rank_correlation.h"
 #include "search/studies/finding_text.h"
-#include "search/studies/findings_parts.h"
-#include "search/studies/rank_correlation.h"
 #include "search/studies/thesis_figures.h"
 
 namespace coapt {
@@ -18,10 +19,11 @@ constexpr double kIncreaseTolerance = 0.15;  // share, of the synergy
 double dilated(const AnnulusStudy& study, double percent, std::size_t height = 0) {
   const auto& dilations = study.dilation_percent;
   const auto found = std::find(dilations.begin(), dilations.end(), percent);
-  return study.area_mm2[height][static_cast<std::size_t>(found - dilations.begin())];
+  return study.area_mm2[height][found - dilations.begin()];
 }
 
-/// Increments of the orifice per mm along the diagonal of all axes, up to the middle node and from there.
+/// Increments of the orifice per mm along the diagonal of all axes, up to the middle node and from
+/// there.
 bool superlinear(const DisplacementGrid& grid) {
   const int last = grid.nodes - 1, middle = last / 2;
   const double low = grid.at(0, 0, 0), half = grid.at(middle, middle, middle);

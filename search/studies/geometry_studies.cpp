@@ -44,7 +44,7 @@ AnnulusStudy study_annulus(OrificeTable& table) {
 }
 
 double DisplacementGrid::at(int transverse, int posterior, int apical) const {
-  return area_mm2[static_cast<std::size_t>((transverse * nodes + posterior) * nodes + apical)];
+  return area_mm2[(transverse * nodes + posterior) * nodes + apical];
 }
 
 Vec3 DisplacementGrid::displacement_mm(std::size_t index) const {
@@ -56,7 +56,7 @@ DisplacementGrid displacement_grid(OrificeTable& table, Displaced displaced, int
                                    double step_mm, int ring_sizes_below) {
   DisplacementGrid grid{displaced, ring_sizes_below, nodes, step_mm, {}};
   std::vector<Configuration> wanted;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(nodes * nodes * nodes); ++i)
+  for (int i = 0; i < nodes * nodes * nodes; ++i)
     wanted.push_back(displacement(displaced, grid.displacement_mm(i), ring_sizes_below));
   for (const OrificeSample& sample : table.at(wanted)) grid.area_mm2.push_back(sample.area_mm2);
   return grid;
@@ -88,13 +88,12 @@ std::vector<Vec3> gradients(const DisplacementGrid& grid) {
   std::vector<Vec3> gradient;
   for_each_node(grid.nodes, [&](int t, int p, int a) {
     Vec3 slope;
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int k = 0; k < 3; ++k) {
       std::array<int, 3> low = {t, p, a}, high = {t, p, a};
-      const auto k = static_cast<std::size_t>(axis);
       low[k] = std::max(0, low[k] - 1);
       high[k] = std::min(grid.nodes - 1, high[k] + 1);
-      slope(axis) = (grid.at(high[0], high[1], high[2]) - grid.at(low[0], low[1], low[2])) /
-                    (grid.step_mm * (high[k] - low[k]));
+      slope(k) = (grid.at(high[0], high[1], high[2]) - grid.at(low[0], low[1], low[2])) /
+                 (grid.step_mm * (high[k] - low[k]));
     }
     gradient.push_back(slope);
   });
@@ -144,9 +143,9 @@ RingStudy study_ring(OrificeTable& table) {
 }
 
 std::vector<double> ring_ratios(const RingStudy& study, Displaced displaced, int sizes_below) {
-  const auto& grids = study.grids[static_cast<std::size_t>(displaced)];
+  const auto& grids = study.grids[static_cast<int>(displaced)];
   const std::vector<double>& proper = grids[0].area_mm2;
-  const std::vector<double>& ring = grids[static_cast<std::size_t>(sizes_below)].area_mm2;
+  const std::vector<double>& ring = grids[sizes_below].area_mm2;
   std::vector<double> ratios;
   for (std::size_t i = 0; i < proper.size(); ++i)
     ratios.push_back(proper[i] >= kRatioFrom_mm2 ? ring[i] / proper[i]

@@ -1,4 +1,5 @@
-// How the orifice answers to changes of geometry: figures 4.5 to 4.9, tables 4.1 and 4.2 of the thesis.
+// How the orifice answers to changes of geometry: figures 4.5 to 4.9, tables 4.1 and 4.2 of the
+// thesis.
 #pragma once
 
 #include <array>
@@ -52,8 +53,8 @@ struct PapillaryStudy {
 /// `nodes` along each axis, at least 2; the thesis has 7.
 PapillaryStudy study_papillary(OrificeTable& table, int nodes = 7);
 
-/// Table 4.1, one row of it: the largest orifice with displacement along those axes or fewer, in the
-/// order of kAxes.
+/// Table 4.1, one row of it: the largest orifice with displacement along those axes or fewer, in
+/// the order of kAxes.
 std::array<double, 7> largest_orifices(const DisplacementGrid& grid);
 
 /// Central differences (one-sided at the border), mm2 per mm, order of DisplacementGrid::area_mm2.

@@ -1,5 +1,6 @@
-// The orifice as a function of where displaced tips lie: closed there, or looked up between nodes of
-// the 1 mm grid of displacements (trilinear; thesis 4.2.3 looks up in its computed displacements).
+// The orifice as a function of where displaced tips lie: closed there, or looked up between nodes
+// of the 1 mm grid of displacements (trilinear; thesis 4.2.3 looks up in its computed
+// displacements).
 //
 // Asking is cheap and never closes anything: what is not known is noted, and closed by the next
 // close_wanted(), all of it side by side.

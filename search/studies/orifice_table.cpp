@@ -101,11 +101,10 @@ std::vector<OrificeSample> OrificeTable::at(std::span<const Configuration> confi
   std::atomic<bool> failed = false;
   for_each_index(count, options_.threads, [&](int i) {
     if (failed) return;
-    const auto at = static_cast<std::size_t>(i);
-    closed[at] = close_one(valve_, configuration_of(missing[at]), options_.closure);
+    closed[i] = close_one(valve_, configuration_of(missing[i]), options_.closure);
     const std::lock_guard<std::mutex> lock(mutex);
     try {
-      if (options_.keep) options_.keep(missing[at], closed[at]);
+      if (options_.keep) options_.keep(missing[i], closed[i]);
     } catch (...) {
       failed = true;
       throw;

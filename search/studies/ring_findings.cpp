@@ -1,19 +1,20 @@
+#include "search/studies/ring_findings.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "search/rank_correlation.h"
 #include "search/studies/finding_text.h"
-#include "search/studies/findings_parts.h"
-#include "search/studies/rank_correlation.h"
 #include "search/studies/thesis_figures.h"
 
 namespace coapt {
 namespace {
 
-constexpr double kRatioTolerance = 6.0;  // points, mean absolute error over table 4.2
-constexpr double kNoIncrease_mm2 = 0.1;  // what a closure's orifice is known to
-constexpr double kLeastLeak_mm2 = 5.0;   // smaller orifices have no meaningful ratio
+constexpr double kRatioTolerance = 6.0;     // points, mean absolute error over table 4.2
+constexpr double kNoIncrease_mm2 = 0.1;     // what a closure's orifice is known to
+constexpr double kLeastRingLeak_mm2 = 5.0;  // smaller orifices have no meaningful ratio
 
 /// Of the orifice under any ring over that under the proper size.
 double largest_increase(const RingStudy& study) {
@@ -35,7 +36,7 @@ double last_growth(const DisplacementGrid& grid) {
 }
 
 Finding growth_finding(const RingStudy& study, Displaced displaced) {
-  const auto& sizes = study.grids[static_cast<std::size_t>(displaced)];
+  const auto& sizes = study.grids[static_cast<int>(displaced)];
   const double proper = last_growth(sizes[0]), ring = last_growth(sizes[1]);
   return {std::string("orifice-grows-faster-under-a-ring-") + to_string(displaced),
           "4.4.2",
@@ -101,7 +102,7 @@ std::vector<Finding> ring_findings(const RingStudy& study) {
     const std::vector<double> ratios = ring_ratios(study, Displaced::Both, sizes);
     const DisplacementGrid& grid = study.grids[2][0];
     for (std::size_t i = 0; i < ratios.size(); ++i) {
-      if (!(grid.area_mm2[i] >= kLeastLeak_mm2)) continue;
+      if (!(grid.area_mm2[i] >= kLeastRingLeak_mm2)) continue;
       ratio.push_back(ratios[i]);
       size.push_back(grid.displacement_mm(i).norm());
     }

@@ -24,8 +24,8 @@ double quadratic(double share) {
 struct Term {
   int first = 0, second = -1, degree = 1;
   double at(const std::vector<double>& shares) const {
-    const double x = shares[static_cast<std::size_t>(first)];
-    if (second >= 0) return linear(x) * linear(shares[static_cast<std::size_t>(second)]);
+    const double x = shares[first];
+    if (second >= 0) return linear(x) * linear(shares[second]);
     return degree == 1 ? linear(x) : quadratic(x);
   }
 };
@@ -51,13 +51,11 @@ struct Polynomial {
 Polynomial fit(const std::vector<std::vector<double>>& shares, const Eigen::VectorXd& value,
                const std::vector<Term>& terms) {
   const Eigen::Index rows = value.size();
-  const auto columns = static_cast<Eigen::Index>(terms.size()) + 1;
+  const Eigen::Index columns = std::ssize(terms) + 1;
   Eigen::MatrixXd design(rows, columns);
   for (Eigen::Index r = 0; r < rows; ++r) {
     design(r, 0) = 1.0;
-    for (std::size_t k = 0; k < terms.size(); ++k)
-      design(r, static_cast<Eigen::Index>(k) + 1) =
-          terms[k].at(shares[static_cast<std::size_t>(r)]);
+    for (Eigen::Index k = 0; k < std::ssize(terms); ++k) design(r, k + 1) = terms[k].at(shares[r]);
   }
   const auto normal = (design.transpose() * design).ldlt();
   const Eigen::VectorXd weight = normal.solve(design.transpose() * value);
@@ -79,7 +77,7 @@ SobolIndices sobol_indices(const std::vector<std::vector<double>>& shares,
   const std::vector<double> unknown(factors, nan);
   SobolIndices indices{unknown, unknown, unknown, nan};
   const Eigen::VectorXd value =
-      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+      Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
   if (factors == 0 || !(value.maxCoeff() > value.minCoeff())) return indices;
   Polynomial best;
   for (const Terms set : {Terms::Linear, Terms::Squares, Terms::Products}) {
@@ -92,17 +90,16 @@ SobolIndices sobol_indices(const std::vector<std::vector<double>>& shares,
   indices = {std::vector<double>(factors), std::vector<double>(factors),
              std::vector<double>(factors), best.predicted_share};
   const double variance = best.weight.tail(best.weight.size() - 1).squaredNorm();
-  for (std::size_t k = 0; k < best.terms.size(); ++k) {
+  for (Eigen::Index k = 0; k < std::ssize(best.terms); ++k) {
     const Term& term = best.terms[k];
-    const double weight = best.weight(static_cast<Eigen::Index>(k) + 1);
-    const auto first = static_cast<std::size_t>(term.first);
-    indices.total[first] += weight * weight / variance;
+    const double weight = best.weight(k + 1);
+    indices.total[term.first] += weight * weight / variance;
     if (term.second >= 0) {
-      indices.total[static_cast<std::size_t>(term.second)] += weight * weight / variance;
+      indices.total[term.second] += weight * weight / variance;
       continue;
     }
-    indices.first[first] += weight * weight / variance;
-    if (term.degree == 1) indices.effect[first] = weight * (linear(1.0) - linear(0.0));
+    indices.first[term.first] += weight * weight / variance;
+    if (term.degree == 1) indices.effect[term.first] = weight * (linear(1.0) - linear(0.0));
   }
   return indices;
 }
@@ -110,16 +107,13 @@ SobolIndices sobol_indices(const std::vector<std::vector<double>>& shares,
 std::vector<std::vector<double>> latin_hypercube(int count, int factors, std::uint64_t seed) {
   std::mt19937_64 engine(seed);
   const auto die = [&] { return random_share(engine); };
-  const auto n = static_cast<std::size_t>(count);
-  std::vector<std::vector<double>> samples(n,
-                                           std::vector<double>(static_cast<std::size_t>(factors)));
-  std::vector<std::size_t> order(n);
-  for (std::size_t f = 0; f < static_cast<std::size_t>(factors); ++f) {
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    for (std::size_t i = n; i > 1; --i)  // std::shuffle differs between standard libraries
-      std::swap(order[i - 1], order[static_cast<std::size_t>(die() * static_cast<double>(i))]);
-    for (std::size_t i = 0; i < n; ++i)
-      samples[i][f] = (static_cast<double>(order[i]) + die()) / static_cast<double>(count);
+  std::vector<std::vector<double>> samples(count, std::vector<double>(factors));
+  std::vector<int> order(count);
+  for (int f = 0; f < factors; ++f) {
+    std::iota(order.begin(), order.end(), 0);
+    for (int i = count; i > 1; --i)  // std::shuffle differs between standard libraries
+      std::swap(order[i - 1], order[static_cast<int>(die() * i)]);
+    for (int i = 0; i < count; ++i) samples[i][f] = (order[i] + die()) / count;
   }
   return samples;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/valve/leaflet_coordinates.h"
+#include "core/valve/leaflet_point.h"
 
 namespace coapt {
 namespace {

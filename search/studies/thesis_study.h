@@ -22,7 +22,8 @@ struct ThesisStudyOptions {
   std::function<void(const std::string&)> stage;
 };
 
-/// Papillary approximation to trigone and saddle peak, by protocol, and to places around the annulus.
+/// Papillary approximation to trigone and saddle peak, by protocol, and to places around the
+/// annulus.
 struct AnchorStudies {
   std::vector<ApproximationStudy> approximation;
   std::vector<AnchorSummary> scan;

@@ -1,7 +1,6 @@
 // Closures that are answered at once.
 #pragma once
 
-#include "core/repair/plan.h"
 #include "server/compute.h"
 #include "server/json_body.h"
 #include "server/route.h"
@@ -13,7 +12,6 @@ namespace coapt {
 struct PostClosures {
   ValveSource valves;
   Compute& compute;
-  const std::vector<RingShape>& rings;
   Answer operator()(const Request& request) const;
 };
 
@@ -22,7 +20,6 @@ struct PostClosures {
 struct PostScenes {
   ValveSource valves;
   Compute& compute;
-  const std::vector<RingShape>& rings;
   Answer operator()(const Request& request) const;
 };
 

@@ -49,7 +49,7 @@ nlohmann::ordered_json in_order(const SearchResult& result, const std::vector<Re
   }
   nlohmann::ordered_json answer = {{"version", json["version"]}, {"before", json["before"]}};
   answer["plans"] = std::move(plans);
-  for (const char* name : {"any_competent", "ladder", "plans_tried", "closures", "evaluations",
+  for (const char* name : {"any_competent", "ladder", "plans_tried", "closures",
                            "closures_not_converged", "closures_crossed", "seconds", "not_modelled"})
     answer[name] = json[name];
   return answer;
@@ -69,7 +69,7 @@ std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Req
   asked.options.region_points = 1;
   asked.options.seconds = kMostSeconds;
   const auto points = [](const JsonPlace& place) { return read_integer_in(place, 1, 1089); };
-  if (auto refused = read_body(valves.parsing, request.body,
+  if (auto refused = read_body(valves, request.body,
                                {{"valve", valve_field(valves, asked.valve)},
                                 {"plans", into(asked.plans, read_plans)},
                                 {"region_points", into(asked.options.region_points, points), false},
@@ -95,12 +95,10 @@ std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Req
   return asked;
 }
 
-std::variant<SearchResult, Answer> score(const AskedPlans& asked,
-                                         const std::vector<RingShape>& rings) {
+std::variant<SearchResult, Answer> score(const AskedPlans& asked) {
   std::vector<NamedPlan> named;
   for (const RepairPlan& plan : asked.plans) named.push_back({"", plan});
-  const Expected<SearchResult> result =
-      evaluate_plans(asked.valve, named, asked.options, {.catalogue = rings});
+  const Expected<SearchResult> result = evaluate_plans(asked.valve, named, asked.options, {});
   if (!result) return problem(422, result.errors());
   if (result->stop == SearchStop::TimeLimit)
     return retry_later(503, "took longer than " + shown(kMostSeconds) +
@@ -110,13 +108,13 @@ std::variant<SearchResult, Answer> score(const AskedPlans& asked,
 
 /// `answer(asked, result)` for what `request` asks, or what stands in the way.
 template <class Write>
-Answer scored(const ValveSource& valves, Compute& compute, const std::vector<RingShape>& rings,
-              const Request& request, std::size_t most_plans, const Write& write) {
+Answer scored(const ValveSource& valves, Compute& compute, const Request& request,
+              std::size_t most_plans, const Write& write) {
   const auto asked = read_asked(valves, request, most_plans);
   if (const auto* refused = std::get_if<Answer>(&asked)) return *refused;
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  const auto result = score(std::get<AskedPlans>(asked), rings);
+  const auto result = score(std::get<AskedPlans>(asked));
   if (const auto* refused = std::get_if<Answer>(&result)) return *refused;
   return write(std::get<AskedPlans>(asked), std::get<SearchResult>(result));
 }
@@ -124,7 +122,7 @@ Answer scored(const ValveSource& valves, Compute& compute, const std::vector<Rin
 }  // namespace
 
 Answer PostEvaluations::operator()(const Request& request) const {
-  return scored(valves, compute, rings, request, kAnyNumber,
+  return scored(valves, compute, request, kAnyNumber,
                 [](const AskedPlans& asked, const SearchResult& result) {
                   return json_answer(200, in_order(result, asked.plans));
                 });
@@ -132,10 +130,10 @@ Answer PostEvaluations::operator()(const Request& request) const {
 
 Answer PostReports::operator()(const Request& request) const {
   return scored(
-      valves, compute, rings, request, kMostReported,
+      valves, compute, request, kMostReported,
       [](const AskedPlans& asked, const SearchResult& result) {
         const SearchRequest as{asked.options, subject_of(asked.valve, asked.options.closure), ""};
-        return Answer{200, Content{kHtmlType, plan_report_html(asked.valve, result, as)}};
+        return Answer{200, Content{kHtmlType, plan_report_html(result, as)}};
       });
 }
 

@@ -1,7 +1,6 @@
 // Plans of one's own, scored at once as a search scores its finalists.
 #pragma once
 
-#include "core/repair/plan.h"
 #include "server/compute.h"
 #include "server/json_body.h"
 #include "server/route.h"
@@ -13,7 +12,6 @@ namespace coapt {
 struct PostEvaluations {
   ValveSource valves;
   Compute& compute;
-  const std::vector<RingShape>& rings;
   Answer operator()(const Request& request) const;
 };
 
@@ -21,7 +19,6 @@ struct PostEvaluations {
 struct PostReports {
   ValveSource valves;
   Compute& compute;
-  const std::vector<RingShape>& rings;
   Answer operator()(const Request& request) const;
 };
 

@@ -1,9 +1,9 @@
 #include "server/endpoints/exports.h"
 
 #include "core/closure/closure.h"
-#include "io/json/plan_json.h"
 #include "io/picture/picture.h"
 #include "server/answers.h"
+#include "server/repair_request.h"
 
 namespace coapt {
 namespace {
@@ -23,43 +23,28 @@ std::pair<std::string, std::string> closure_header(const ClosureResult& closure)
 }  // namespace
 
 Answer PostExports::operator()(const Request& request) const {
-  Valve valve;
-  RepairPlan plan;
   const FileFormat* format = nullptr;
   ExportOptions options;
-  if (auto refused = read_body(valves.parsing, request.body,
-                               {{"valve", valve_field(valves, valve)},
-                                {"plan", document(plan, plan_from_json), false},
-                                {"format", into(format, read_format)},
-                                {"open", into(options.open, read_boolean), false}}))
-    return *std::move(refused);
-  const Expected<Valve> repaired = repaired_valve(valve, plan, rings);
-  if (!repaired) return problem(422, repaired.errors());
-  const Compute::Turn turn(compute);
-  if (!turn) return too_busy();
-  return valve_file_answer(close_for_export(*repaired, plan), *format, options);
+  return answer_repair(
+      valves, compute, request,
+      {{"format", into(format, read_format)}, {"open", into(options.open, read_boolean), false}},
+      [&](const RepairRequest& asked) {
+        return valve_file_answer(with_repair(close_and_measure(asked.repaired, {.motion = true}),
+                                             asked.valve, asked.plan),
+                                 *format, options);
+      });
 }
 
 Answer PostPictures::operator()(const Request& request) const {
-  Valve valve;
-  RepairPlan plan;
-  if (auto refused = read_body(
-          valves.parsing, request.body,
-          {{"valve", valve_field(valves, valve)}, {"plan", document(plan, plan_from_json), false}}))
-    return *std::move(refused);
-  const Expected<Valve> repaired = repaired_valve(valve, plan, rings);
-  if (!repaired) return problem(422, repaired.errors());
-  const Compute::Turn turn(compute);
-  if (!turn) return too_busy();
-  const ClosureResult closure = close_valve(*repaired, {.samples = kThesisSamples});
-  const RepairMarks marks = repair_marks(valve, *repaired, plan);
-  return {200,
-          Content{"image/png",
-                  closure_picture_png({*repaired, closure, measure(*repaired, closure), marks})},
-          {closure_header(closure)}};
+  return answer_repair(valves, compute, request, {}, [](const RepairRequest& asked) {
+    const ClosedValve closed = with_repair(
+        close_and_measure(asked.repaired, {.samples = kThesisSamples}), asked.valve, asked.plan);
+    return Answer{
+        200, Content{"image/png", closure_picture_png(closed)}, {closure_header(closed.closure)}};
+  });
 }
 
-Answer valve_file_answer(const ExportedValve& exported, const FileFormat& format,
+Answer valve_file_answer(const ClosedValve& exported, const FileFormat& format,
                          const ExportOptions& options) {
   Expected<std::string> bytes = write_valve_file(exported, format, options);
   if (!bytes) return problem(422, bytes.errors());

@@ -1,7 +1,6 @@
 // Closures as files that other programs open, and as a picture.
 #pragma once
 
-#include "core/repair/plan.h"
 #include "io/exchange/formats.h"
 #include "server/compute.h"
 #include "server/json_body.h"
@@ -13,7 +12,6 @@ namespace coapt {
 struct PostExports {
   ValveSource valves;
   Compute& compute;
-  const std::vector<RingShape>& rings;
   Answer operator()(const Request& request) const;
 };
 
@@ -21,12 +19,11 @@ struct PostExports {
 struct PostPictures {
   ValveSource valves;
   Compute& compute;
-  const std::vector<RingShape>& rings;
   Answer operator()(const Request& request) const;
 };
 
 /// The file, with a name that browsers save it under.
-Answer valve_file_answer(const ExportedValve& exported, const FileFormat& format,
+Answer valve_file_answer(const ClosedValve& exported, const FileFormat& format,
                          const ExportOptions& options = {});
 
 }  // namespace coapt

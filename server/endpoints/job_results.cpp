@@ -1,5 +1,7 @@
 #include "server/endpoints/job_results.h"
 
+#include <algorithm>
+
 #include "core/repair/apply_plan.h"
 #include "io/exchange/formats.h"
 #include "io/json/json_reader.h"
@@ -8,6 +10,7 @@
 #include "server/answers.h"
 #include "server/endpoints/exports.h"
 #include "server/jobs/closure_keeping.h"
+#include "server/jobs/plan_job.h"
 #include "server/query.h"
 
 namespace coapt {
@@ -59,11 +62,6 @@ Answer file_answer(const JobStore& store, const std::string& id, const std::stri
   return {200, Content{(*file)->type, (*file)->content}};
 }
 
-ClosedValve closed(const Valve& valve) {
-  const ClosureResult closure = close_valve(valve);
-  return {valve, closure, measure(valve, closure)};
-}
-
 /// The valve of a job, and as the plan leaves it.
 struct Repair {
   Valve before, after;
@@ -71,8 +69,7 @@ struct Repair {
   std::optional<Answer> refusal = {};
 };
 
-Repair repair_of(const JobStore& store, const Request& request,
-                 const std::vector<RingShape>& rings) {
+Repair repair_of(const JobStore& store, const Request& request) {
   const Ended ended = ended_job(store, request, true);
   if (ended.refusal) return {{}, {}, {}, ended.refusal};
   const ordered_json ranked_plan = ranked(ended, request);
@@ -81,7 +78,7 @@ Repair repair_of(const JobStore& store, const Request& request,
   if (!valve) return {{}, {}, {}, store_problem(valve.errors())};
   const Expected<RepairPlan> plan = plan_from_json(nlohmann::json(ranked_plan["plan"]));
   if (!plan) return {{}, {}, {}, problem(500, plan.errors())};
-  const Expected<Valve> repaired = apply_plan(*valve, *plan, rings);
+  const Expected<Valve> repaired = apply_plan(*valve, *plan);
   if (!repaired) return {{}, {}, {}, problem(500, repaired.errors())};
   return {*valve, *repaired, *plan};
 }
@@ -99,18 +96,19 @@ Answer GetPlans::operator()(const Request& request) const {
   ProblemList problems;
   check_query(request, {"page_size", "page_token"}, problems);
   const std::int64_t size = integer_in(request, "page_size", {1.0, 100.0}, 20, problems);
-  const std::int64_t first = integer_in(request, "page_token", {1.0, 1e6}, 1, problems);
+  const std::int64_t first = std::max<std::int64_t>(1, page_token_in(request, tokens, problems));
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Ended ended = ended_job(store, request, true);
   if (ended.refusal) return *ended.refusal;
   ordered_json page = ordered_json::array();
-  ordered_json next = nullptr;
+  std::int64_t next = 0;
   for (ordered_json& plan : plans_of(ended)) {
     const std::int64_t rank = plan["rank"].get<std::int64_t>();
-    if (rank >= first + size) next = std::to_string(first + size);
+    if (rank >= first + size) next = first + size;
     if (rank >= first && rank < first + size) page.push_back(std::move(plan));
   }
-  return json_answer(200, {{"plans", std::move(page)}, {"next_page_token", next}});
+  return json_answer(200, {{"plans", std::move(page)},
+                           {"next_page_token", next_page_token(request, tokens, next)}});
 }
 
 Answer GetPlan::operator()(const Request& request) const {
@@ -129,27 +127,36 @@ Answer GetPlanMesh::operator()(const Request& request) const {
   if (format == nullptr)
     problems.add(ErrorCode::Unsupported, "?format", "must be one of " + format_names());
   if (!problems.empty()) return problem(422, std::move(problems).take());
-  const Repair repair = repair_of(store, request, rings);
+  const Repair repair = repair_of(store, request);
   if (repair.refusal) return *repair.refusal;
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  return valve_file_answer(close_for_export(repair.after, repair.plan), *format);
+  return valve_file_answer(
+      with_repair(close_and_measure(repair.after, {.motion = true}), repair.before, repair.plan),
+      *format);
 }
 
 Answer GetPlanPicture::operator()(const Request& request) const {
-  const Repair repair = repair_of(store, request, rings);
+  const Repair repair = repair_of(store, request);
   if (repair.refusal) return *repair.refusal;
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  ClosedValve after = closed(repair.after);
-  after.repair = repair_marks(repair.before, repair.after, repair.plan);
-  return {200, Content{"image/png", comparison_picture_png(closed(repair.before), after)}};
+  const ClosedValve before = close_and_measure(repair.before);
+  const ClosedValve after =
+      with_repair(close_and_measure(repair.after), repair.before, repair.plan);
+  return {200, Content{"image/png", comparison_picture_png(before, after)}};
 }
 
 Answer GetPlanReport::operator()(const Request& request) const {
   const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
   return file_answer(store, ended.job.id, "plan-" + request.parameters.at(1) + ".html");
+}
+
+Answer GetTriedPlans::operator()(const Request& request) const {
+  const Ended ended = ended_job(store, request, false);
+  if (ended.refusal) return *ended.refusal;
+  return file_answer(store, ended.job.id, kTriedPlansFile);
 }
 
 Answer GetReport::operator()(const Request& request) const {

@@ -1,9 +1,9 @@
 // What an ended job has come to.
 #pragma once
 
-#include "core/repair/plan.h"
 #include "io/store/job_store.h"
 #include "server/compute.h"
+#include "server/page_tokens.h"
 #include "server/route.h"
 
 namespace coapt {
@@ -17,6 +17,7 @@ struct GetResult {
 /// GET /v1/jobs/{id}/plans?page_size=&page_token=
 struct GetPlans {
   const JobStore& store;
+  const PageTokens& tokens;
   Answer operator()(const Request& request) const;
 };
 
@@ -30,7 +31,6 @@ struct GetPlan {
 struct GetPlanMesh {
   const JobStore& store;
   Compute& compute;
-  const std::vector<RingShape>& rings;
   Answer operator()(const Request& request) const;
 };
 
@@ -38,12 +38,17 @@ struct GetPlanMesh {
 struct GetPlanPicture {
   const JobStore& store;
   Compute& compute;
-  const std::vector<RingShape>& rings;
   Answer operator()(const Request& request) const;
 };
 
 /// GET /v1/jobs/{id}/plans/{rank}/report
 struct GetPlanReport {
+  const JobStore& store;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/jobs/{id}/evaluations.csv: of a search, every plan that it closed.
+struct GetTriedPlans {
   const JobStore& store;
   Answer operator()(const Request& request) const;
 };

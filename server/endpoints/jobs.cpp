@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::array kStates = {JobState::Queued, JobState::Running, JobState::Succeeded,
                                 JobState::Failed, JobState::Cancelled};
-constexpr Range kNumbers = {1.0, 9007199254740992.0};  // 2^53
 
 std::optional<JobState> state_in(const Request& request, ProblemList& problems) {
   const auto found = request.query.find("state");
@@ -39,16 +38,16 @@ Answer GetJobs::operator()(const Request& request) const {
   ProblemList problems;
   check_query(request, {"page_size", "page_token", "state"}, problems);
   const std::int64_t size = integer_in(request, "page_size", {1.0, 100.0}, 20, problems);
-  const std::int64_t before = integer_in(request, "page_token", kNumbers, 0, problems);
+  const std::int64_t before = page_token_in(request, tokens, problems);
   const std::optional<JobState> state = state_in(request, problems);
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Expected<JobPage> page = store.page(static_cast<int>(size), before, state);
   if (!page) return store_problem(page.errors());
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Job& job : page->jobs) list.push_back(to_json(jobs.view(job), false));
-  nlohmann::ordered_json answer = {{"jobs", std::move(list)}, {"next_page_token", nullptr}};
-  if (page->next_before > 0) answer["next_page_token"] = std::to_string(page->next_before);
-  return json_answer(200, std::move(answer));
+  return json_answer(200,
+                     {{"jobs", std::move(list)},
+                      {"next_page_token", next_page_token(request, tokens, page->next_before)}});
 }
 
 Answer CancelJob::operator()(const Request& request) const {

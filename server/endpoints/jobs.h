@@ -2,6 +2,7 @@
 #pragma once
 
 #include "server/jobs/job_board.h"
+#include "server/page_tokens.h"
 #include "server/route.h"
 
 namespace coapt {
@@ -16,6 +17,7 @@ struct GetJob {
 struct GetJobs {
   const JobStore& store;
   const JobBoard& jobs;
+  const PageTokens& tokens;
   Answer operator()(const Request& request) const;
 };
 

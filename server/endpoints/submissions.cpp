@@ -5,6 +5,7 @@
 
 #include "io/json/search_options_json.h"
 #include "io/json/valve_json.h"
+#include "search/plans/plan_search.h"
 #include "server/answers.h"
 #include "server/content_id.h"
 #include "server/jobs/job_json.h"
@@ -79,12 +80,11 @@ Answer submit(const Submitting& to, const Request& request, const std::string& k
 }
 
 /// What is said against a search, more than search_options_from_json() does.
-Errors check(const Valve& valve, const SearchOptions& options, const ServiceLimits& limits,
-             const std::vector<RingShape>& rings) {
+Errors check(const Valve& valve, const SearchOptions& options, const ServiceLimits& limits) {
   ProblemList problems;
   check_range(problems, "/search/evaluations", options.evaluations,
               {1.0, static_cast<double>(limits.evaluations)});
-  add_below(problems, "/search", check_search(valve, options, rings));
+  add_below(problems, "/search", check_search(valve, options));
   return std::move(problems).take();
 }
 
@@ -93,11 +93,11 @@ Errors check(const Valve& valve, const SearchOptions& options, const ServiceLimi
 Answer PostPlans::operator()(const Request& request) const {
   Valve valve;
   SearchOptions options;
-  if (auto refused = read_body(submitting.valves.parsing, request.body,
+  if (auto refused = read_body(submitting.valves, request.body,
                                {{"valve", valve_field(submitting.valves, valve)},
                                 {"search", document(options, search_options_from_json), false}}))
     return *std::move(refused);
-  if (const Errors errors = check(valve, options, submitting.valves.limits, rings); !errors.empty())
+  if (const Errors errors = check(valve, options, submitting.valves.limits); !errors.empty())
     return problem(422, errors);
   return submit(submitting, request, "plans", valve, to_json(options));
 }
@@ -106,7 +106,7 @@ Answer PostStudies::operator()(const Request& request) const {
   Valve valve;
   StudyRequest study;
   if (auto refused = read_body(
-          submitting.valves.parsing, request.body,
+          submitting.valves, request.body,
           {{"valve", valve_field(submitting.valves, valve)}, {"study", into(study, read_study)}}))
     return *std::move(refused);
   return submit(submitting, request, "study", valve, to_json(study));

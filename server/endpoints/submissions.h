@@ -1,7 +1,6 @@
 // Work that takes longer than a request: it becomes a job.
 #pragma once
 
-#include "core/repair/plan.h"
 #include "server/jobs/job_board.h"
 #include "server/json_body.h"
 #include "server/route.h"
@@ -17,7 +16,6 @@ struct Submitting {
 /// POST /v1/plans {"valve", "search" (optional)}: 202 and the job, or 200 if it ends within Prefer: wait.
 struct PostPlans {
   Submitting submitting;
-  const std::vector<RingShape>& rings;
   Answer operator()(const Request& request) const;
 };
 

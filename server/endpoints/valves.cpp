@@ -2,10 +2,12 @@
 
 #include "core/presets/presets.h"
 #include "core/repair/limits.h"
+#include "core/repair/rings.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
 #include "server/answers.h"
 #include "server/content_id.h"
+#include "server/query.h"
 
 namespace coapt {
 namespace {
@@ -18,7 +20,7 @@ struct Read {
 Read read_valve_body(const ValveSource& source, const Request& request) {
   const Compute::Turn turn(source.parsing);
   if (!turn) return {Valve{}, retry_later(503, "too many requests are read at once")};
-  const Expected<nlohmann::json> json = parse_json(request.body);
+  const Expected<nlohmann::json> json = parse_json(request.body, most_values(source.limits));
   if (!json) return {Valve{}, problem(400, json.errors())};
   Expected<Valve> valve = valve_from_json(*json);
   if (valve)
@@ -43,6 +45,25 @@ Answer PostValve::operator()(const Request& request) const {
                                                     {"chordae", valve->chordae.size()}});
   answer.headers.emplace_back("Location", "/v1/valves/" + id);
   return answer;
+}
+
+Answer GetValves::operator()(const Request& request) const {
+  ProblemList problems;
+  check_query(request, {"page_size", "page_token"}, problems);
+  const std::int64_t size = integer_in(request, "page_size", {1.0, 100.0}, 20, problems);
+  const std::int64_t before = page_token_in(request, tokens, problems);
+  if (!problems.empty()) return problem(422, std::move(problems).take());
+  const Expected<ValvePage> page = store.valves(static_cast<int>(size), before);
+  if (!page) return store_problem(page.errors());
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ValveSummary& valve : page->valves)
+    list.push_back({{"valve", valve.id},
+                    {"name", valve.name},
+                    {"vertices", valve.vertices},
+                    {"triangles", valve.triangles}});
+  return json_answer(200,
+                     {{"valves", std::move(list)},
+                      {"next_page_token", next_page_token(request, tokens, page->next_before)}});
 }
 
 Answer ValidateValve::operator()(const Request& request) const {
@@ -76,7 +97,7 @@ Answer GetPresets::operator()(const Request& /*request*/) const {
 
 Answer GetRings::operator()(const Request& /*request*/) const {
   nlohmann::ordered_json shapes = nlohmann::ordered_json::array();
-  for (const RingShape& ring : rings)
+  for (const RingShape& ring : kRingShapes)
     shapes.push_back({{"name", ring.name},
                       {"ap_over_transverse", ring.ap_over_transverse},
                       {"transverse_factor", ring.transverse_factor},
@@ -84,7 +105,8 @@ Answer GetRings::operator()(const Request& /*request*/) const {
                       {"note", ring.note}});
   return json_answer(
       200, {{"rings", std::move(shapes)},
-            {"sizes_mm", {{"min", kRingSizesMm.min}, {"max", kRingSizesMm.max}, {"step", 2.0}}}});
+            {"sizes_mm",
+             {{"min", kRingSizesMm.min}, {"max", kRingSizesMm.max}, {"step", kRingSizeStep_mm}}}});
 }
 
 }  // namespace coapt

@@ -1,8 +1,8 @@
 // Valves that are stored, presets, ring shapes.
 #pragma once
 
-#include "core/repair/plan.h"
 #include "server/json_body.h"
+#include "server/page_tokens.h"
 #include "server/route.h"
 
 namespace coapt {
@@ -11,6 +11,13 @@ namespace coapt {
 struct PostValve {
   JobStore& store;
   ValveSource valves;
+  Answer operator()(const Request& request) const;
+};
+
+/// GET /v1/valves?page_size=&page_token=: newest first.
+struct GetValves {
+  const JobStore& store;
+  const PageTokens& tokens;
   Answer operator()(const Request& request) const;
 };
 
@@ -40,7 +47,6 @@ struct GetPresets {
 
 /// GET /v1/rings
 struct GetRings {
-  const std::vector<RingShape>& rings;
   Answer operator()(const Request& request) const;
 };
 

@@ -14,7 +14,7 @@ constexpr int kMostStalled = 5;  // attempts in a row that a job may kill
 Expected<Valve> valve_of(const JobStore& store, const Job& job) {
   const Expected<std::optional<std::string>> document = store.valve(job.valve);
   if (!document) return document.errors();
-  if (!*document) return Error{ErrorCode::BadReference, "/valve", "is not stored any more"};
+  if (!*document) return Error{ErrorCode::BadReference, "/valve", "is no longer stored"};
   return read_valve(**document);
 }
 
@@ -22,10 +22,10 @@ std::optional<JobEnd> begin(JobBoard& board, RunningJob& job, std::int64_t known
   int stalled = 0;
   if (!board.start(job, known, stalled)) throw std::runtime_error(kJobStops);
   if (stalled < kMostStalled) return std::nullopt;
-  return failed(job, {Error{ErrorCode::Unsupported, "",
-                            "the server was ended " + std::to_string(stalled) +
-                                " times in a row while it ran this job, before anything new was "
-                                "kept of it"}});
+  return failed(job,
+                {Error{ErrorCode::Unsupported, "",
+                       "the server was ended " + std::to_string(stalled) +
+                           " times in a row while it ran this job, before it kept a new closure"}});
 }
 
 void keep_closure(JobBoard& board, RunningJob& job, const std::function<Errors()>& keep) {

@@ -13,7 +13,10 @@ ordered_json links_json(const Job& job) {
   ordered_json links = {{"self", self}, {"events", self + "/events"}, {"cancel", self + ":cancel"}};
   if (job.state == JobState::Failed || job.summary.empty()) return links;  // no results
   links["result"] = self + "/result";
-  if (job.kind == "plans") links["plans"] = self + "/plans";
+  if (job.kind == "plans") {
+    links["plans"] = self + "/plans";
+    links["evaluations"] = self + "/evaluations.csv";
+  }
   links["report"] = self + "/report";
   links["files"] = self + "/files";
   return links;

@@ -42,9 +42,9 @@ class Reporter {
         std::unique_lock<std::mutex> lock(mutex_);
         if (changed_.wait_for(lock, pause, [this] { return over_; })) return;
       }
-      const int evaluations = job.progress().evaluations;
-      if (evaluations == told) continue;
-      told = evaluations;
+      const int closures = job.progress().closures;
+      if (closures == told) continue;
+      told = closures;
       board.tell_progress(job);
     }
   }

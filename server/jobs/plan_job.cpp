@@ -8,6 +8,7 @@
 #include "io/json/search_options_json.h"
 #include "io/json/valve_json.h"
 #include "io/picture/report.h"
+#include "io/picture/search_csv.h"
 #include "io/store/plan_store.h"
 #include "io/store/subject.h"
 #include "server/answer.h"
@@ -41,11 +42,18 @@ ordered_json summary_of(const ordered_json& plan) {
   return summary;
 }
 
+/// That the search has ended with.
+void note_best(RunningJob& job, const RankedPlan& best) {
+  JobProgress last = job.progress();
+  last.leading = std::make_shared<const LeadingPlan>(LeadingPlan{
+      best.plan, best.description, best.cost, best.region.closures, best.region.leak_mm2.nominal});
+  job.note(last);
+}
+
 /// Fewer if it is stopped.
-std::vector<JobFile> reports_of(const Valve& valve, const SearchResult& result,
-                                const SearchRequest& request,
+std::vector<JobFile> reports_of(const SearchResult& result, const SearchRequest& request,
                                 const std::function<bool()>& stopped) {
-  const PlanPictures pictures = close_for_report(valve, result, request.options.closure);
+  const PlanPictures pictures = pictures_of(result);
   std::vector<JobFile> files = {
       {"report.html", kHtmlType,
        plan_report_html({pictures.before, pictures.after, result, request})}};
@@ -75,14 +83,14 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
   for (const auto& [key, of_plan] : known) count += std::ssize(of_plan);
   if (const std::optional<JobEnd> end = begin(board, job, count)) return end;
 
-  SearchContext context{.catalogue = rings, .cancelled = &job.cancelled};
+  SearchContext context{.cancelled = &job.cancelled};
   context.known = std::move(known);
   context.keep = [&](const std::string& key, int disturbance, const PlanClosure& closure) {
     keep_closure(board, job, [&] { return kept.keep(subject, key, disturbance, closure); });
   };
   context.progress = [&](const SearchProgress& now) {
     job.note({now.stage, now.closures, now.closures_planned, now.best_leak_mm2, now.best_cost,
-              now.random_cost});
+              now.random_cost, now.leading});
   };
   const double waited = job.waited_s();
   const Expected<SearchResult> result = search_plans(valve, options, context);
@@ -95,6 +103,7 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
   const ordered_json json = to_json(*result, reproduce);
   ordered_json plans = ordered_json::array();
   for (const ordered_json& plan : json["plans"]) plans.push_back(summary_of(plan));
+  if (!result->plans.empty()) note_best(job, result->plans.front());
   JobEnd end =
       ended(job, result->stop == SearchStop::Cancelled ? JobState::Cancelled : JobState::Succeeded);
   end.summary = ordered_json{{"stop", json["stop"]},
@@ -102,8 +111,9 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
                              {"plans", std::move(plans)}}
                     .dump();
   end.result = json.dump();
-  end.files = reports_of(valve, *result, reproduce, [this] { return board.stopping(); });
+  end.files = reports_of(*result, reproduce, [this] { return board.stopping(); });
   if (end.files.size() <= result->plans.size()) return std::nullopt;
+  end.files.push_back({kTriedPlansFile, kCsvType, tried_plans_csv(valve, *result)});
   return end;
 }
 

@@ -3,19 +3,20 @@
 
 #include <string>
 
-#include "core/repair/plan.h"
 #include "server/jobs/job_runner.h"
 #include "server/limits.h"
 
 namespace coapt {
 
+/// Of a search that has ended: every plan tried (io/picture/search_csv.h).
+inline constexpr const char* kTriedPlansFile = "evaluations.csv";
+
 /// Every closure is kept in `closures` (a PlanStore) as it is made: a job that was killed goes on from them, to the
-/// same plans. Result: coapt.plans/1. Files: report.html, and plan-RANK.html of each plan alone.
+/// same plans. Result: coapt.plans/1. Files: report.html, plan-RANK.html of each plan alone, evaluations.csv.
 struct PlanJob {
   JobBoard& board;
   const JobStore& store;
   const ServiceLimits& limits;
-  const std::vector<RingShape>& rings;
   std::string closures;  ///< path
 
   std::optional<JobEnd> operator()(RunningJob& job) const;

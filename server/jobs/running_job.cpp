@@ -1,5 +1,7 @@
 #include "server/jobs/running_job.h"
 
+#include "io/json/plan_json.h"
+
 namespace coapt {
 
 void RunningJob::note(const JobProgress& progress) {
@@ -38,13 +40,20 @@ double RunningJob::seconds() const {
 }
 
 nlohmann::ordered_json to_json(const JobProgress& progress, double seconds) {
-  return {{"stage", progress.stage},
-          {"evaluations", progress.evaluations},
-          {"evaluations_planned", progress.evaluations_planned},
-          {"best_leak_mm2", progress.best_leak_mm2},  // null if infinite
-          {"best_cost", progress.best_cost},
-          {"random_cost", progress.random_cost},
-          {"seconds", seconds}};
+  nlohmann::ordered_json json = {{"stage", progress.stage},
+                                 {"closures", progress.closures},
+                                 {"closures_planned", progress.closures_planned},
+                                 {"best_leak_mm2", progress.best_leak_mm2},  // null if infinite
+                                 {"best_cost", progress.best_cost},
+                                 {"random_cost", progress.random_cost},
+                                 {"seconds", seconds}};
+  if (const auto& best = progress.leading)
+    json["best"] = {{"cost", best->cost},
+                    {"nodes", best->nodes},
+                    {"leak_mm2", best->leak_mm2},
+                    {"description", best->description},
+                    {"plan", to_json(best->plan)}};
+  return json;
 }
 
 }  // namespace coapt

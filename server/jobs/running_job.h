@@ -4,21 +4,24 @@
 #include <atomic>
 #include <chrono>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "io/store/job_store.h"
+#include "search/plans/search_progress.h"
 
 namespace coapt {
 
 struct JobProgress {
   std::string stage = "starting";
-  int evaluations = 0, evaluations_planned = 0;                    ///< closures
+  int closures = 0, closures_planned = 0;                          ///< of a study: of its stage
   double best_leak_mm2 = std::numeric_limits<double>::infinity();  ///< of plans as planned
   /// Of a search: see SearchProgress.
   double best_cost = std::numeric_limits<double>::infinity();
   double random_cost = std::numeric_limits<double>::infinity();
+  std::shared_ptr<const LeadingPlan> leading = {};
 };
 
 class RunningJob {
@@ -48,8 +51,8 @@ class RunningJob {
   std::chrono::duration<double> waited_{0.0};  // but for now
 };
 
-/// {"stage", "evaluations", "evaluations_planned", "best_leak_mm2", "best_cost", "random_cost",
-/// "seconds"}
+/// {"stage", "closures", "closures_planned", "best_leak_mm2", "best_cost", "random_cost",
+/// "seconds", "best" (if there is one): {"cost", "nodes", "leak_mm2", "description", "plan"}}
 nlohmann::ordered_json to_json(const JobProgress& progress, double seconds);
 
 }  // namespace coapt

@@ -19,7 +19,7 @@ struct StudyStopped : std::runtime_error {
 
 std::string type_of(const std::string& name) {
   if (name.ends_with(".svg")) return "image/svg+xml";
-  if (name.ends_with(".csv")) return "text/csv; charset=utf-8";
+  if (name.ends_with(".csv")) return kCsvType;
   if (name.ends_with(".html")) return kHtmlType;
   return "application/json";
 }
@@ -67,8 +67,8 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
   };
   JobProgress progress{.stage = to_string(request.kind)};
   options.progress = [&](int done, int planned) {
-    progress.evaluations = done;
-    progress.evaluations_planned = planned;
+    progress.closures = done;
+    progress.closures_planned = planned;
     job.note(progress);
   };
   request.options.stage = [&](const std::string& stage) {
@@ -84,8 +84,8 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
     if (board.stopping()) return std::nullopt;
     return failed(job, {Error{ErrorCode::OutOfRange, "/study",
                               "took longer than " + shown(limits.seconds) +
-                                  " s, the most that this service gives; its closures are kept: "
-                                  "asked for again it goes on"}});
+                                  " s, the limit of this service; its closures are kept: request "
+                                  "it again to continue"}});
   }
 }
 

@@ -13,8 +13,8 @@ PROBLEM = "application/problem+json"
 @dataclasses.dataclass
 class Operation:
     method: str  # "GET"
-    path: str    # "/v1/jobs/{job}"
-    json: dict   # the operation object, with the parameters of its path
+    path: str  # "/v1/jobs/{job}"
+    json: dict  # the operation object, with the parameters of its path
 
     @property
     def id(self):
@@ -67,8 +67,10 @@ class Document:
         """Why `value` is not as the closed `schema` says, with places."""
         root = {"components": {"schemas": self.schemas}} | self.closed(schema)
         validator = jsonschema.Draft202012Validator(root)
-        return [f"/{'/'.join(map(str, error.absolute_path))}: {error.message[:300]}"
-                for error in validator.iter_errors(value)]
+        return [
+            f"/{'/'.join(map(str, error.absolute_path))}: {error.message[:300]}"
+            for error in validator.iter_errors(value)
+        ]
 
     def response(self, operation, status):
         """What the operation says of a status, else of its class (4XX)."""
@@ -77,8 +79,11 @@ class Document:
 
     def examples(self, content):
         """By name, from all media types of a "content"."""
-        return {name: self.resolved(example)["value"] for media in content.values()
-                for name, example in media.get("examples", {}).items()}
+        return {
+            name: self.resolved(example)["value"]
+            for media in content.values()
+            for name, example in media.get("examples", {}).items()
+        }
 
     def requests(self, operation):
         """The examples of the operation's body, by name."""
@@ -86,8 +91,11 @@ class Document:
 
     def status_of_example(self, operation, name):
         """Of the answer that has an example of that name."""
-        return next(int(status) for status in operation.json["responses"] if status.isdigit() and
-                    name in self.examples(self.response(operation, int(status)).get("content", {})))
+        return next(
+            int(status)
+            for status in operation.json["responses"]
+            if status.isdigit() and name in self.examples(self.response(operation, int(status)).get("content", {}))
+        )
 
     def problems_of_answer(self, operation, reply):
         """In what an answer is not as the document says."""

@@ -6,13 +6,14 @@ from openapi_document import Document
 from programs import SERVER, ProgramTest
 from server_runs import Server
 
-WAIT = {"Prefer": "wait=60"}
+PATIENCE_S = 300  # of a busy machine
+WAIT = {"Prefer": f"wait={PATIENCE_S}"}
 
 
 class OpenApiTest(ProgramTest):
     def setUp(self):
         super().setUp()
-        self.server = self.start("jobs.sqlite")
+        self.server = self.start("jobs.sqlite", "--wait-seconds", PATIENCE_S)
         self.document = Document(self.server.ask("GET", "/openapi.json").body)
         # What stands for the parameters of paths.
         self.place = {"preset": "human-functional-mr", "rank": "1", "file": "report.html"}
@@ -26,7 +27,7 @@ class OpenApiTest(ProgramTest):
         """The answer to an operation, which must be as the document says."""
         operation = self.document.operations[id]
         path = re.sub(r"{(\w+)}", lambda name: self.place[name[1]], operation.path)
-        reply = self.server.ask(operation.method, path + query, body, headers)
+        reply = self.server.ask(operation.method, path + query, body, headers, 2 * PATIENCE_S)
         self.assertEqual(self.document.problems_of_answer(operation, reply), [], f"{id}: {reply.body[:500]}")
         return reply
 
@@ -42,6 +43,10 @@ class OpenApiTest(ProgramTest):
     def store_valve(self):
         self.place["valve"] = self.send_example("createValve", "small_valve").json()["id"]
 
+    def keep_plan(self):
+        self.place["kept_plan"] = self.send_example("keepPlan", "small_ring").json()["kept_plan"]
+
     def finish_search(self):
         self.store_valve()
+        self.keep_plan()
         self.place["job"] = self.send_example("searchPlans", "small_search").json()["id"]

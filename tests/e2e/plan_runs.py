@@ -1,5 +1,8 @@
 """What the tests of coapt plan and coapt evaluate share: small searches, and how their answers compare."""
 
+import contextlib
+import sqlite3
+
 VALVE = "human-functional-mr"
 
 
@@ -10,11 +13,24 @@ def options(evidence=False, **changes):
     return words if evidence else [*words, "--no-evidence"]
 
 
+def rows(store):
+    """All closures, by subject, plan and disturbance; none if there is no table yet."""
+    try:
+        with contextlib.closing(sqlite3.connect(f"file:{store}?mode=ro", uri=True)) as database:
+            return database.execute(
+                "SELECT subjects.name, plans.name, disturbance, status, crossing, orifice_mm2, "
+                "gap_mm2, coaptation_mm, distance_max_mm, tension_max_n FROM closures "
+                "JOIN subjects ON subjects.number = subject "
+                "JOIN plans ON plans.number = plan ORDER BY 1, 2, 3"
+            ).fetchall()
+    except sqlite3.OperationalError:
+        return []
+
+
 def without_machine(value):
     """`value` without what depends on the machine and on earlier runs."""
     if isinstance(value, dict):
-        return {k: without_machine(v) for k, v in value.items()
-                if k not in ("seconds", "threads", "closures_known")}
+        return {k: without_machine(v) for k, v in value.items() if k not in ("seconds", "threads", "closures_known")}
     if isinstance(value, list):
         return [without_machine(entry) for entry in value]
     return value
@@ -22,5 +38,10 @@ def without_machine(value):
 
 def is_robust(plan):
     leak = plan["leak_mm2"]
-    return (plan["status"] == "converged" and not plan["crossing"] and plan["region_failures"] == 0
-            and plan["region_closures"] > 1 and leak["mean"] + leak["sd"] < 1.0)
+    return (
+        plan["status"] == "converged"
+        and not plan["crossing"]
+        and plan["region_failures"] == 0
+        and plan["region_closures"] > 1
+        and leak["mean"] + leak["sd"] < 1.0
+    )

@@ -6,7 +6,7 @@ import sys
 
 from programs import OK, SERVER, SOURCE, ProgramTest
 
-sys.path.insert(0, str(SOURCE / "bench/server"))
+sys.path.insert(0, str(SOURCE / "tests/service"))
 
 from served import Server, search_of  # noqa: E402, F401 (search_of for the tests)
 
@@ -43,9 +43,20 @@ class ServerTest(ProgramTest):
         """Status, headers by their names in lower case, and the text of the answer."""
         head = self.folder / "head.txt"
         result = subprocess.run(
-            ["curl", "--silent", "--show-error", "--max-time", "200", "--dump-header", head,
-             *map(str, arguments), path if "://" in path else self.url + path],
-            capture_output=True, text=True)
+            [
+                "curl",
+                "--silent",
+                "--show-error",
+                "--max-time",
+                "200",
+                "--dump-header",
+                head,
+                *map(str, arguments),
+                path if "://" in path else self.url + path,
+            ],
+            capture_output=True,
+            text=True,
+        )
         self.assertEqual(result.returncode, 0, result.stderr)
         # The last of them: 100 Continue may stand before it.
         first, *lines = head.read_text().strip().split("\n\n")[-1].splitlines()
@@ -56,8 +67,7 @@ class ServerTest(ProgramTest):
     def post(self, path, request, *arguments):
         content = request if isinstance(request, str) else json.dumps(request)
         file = self.write("request.json", content)
-        return self.curl(path, *arguments, "-H", "Content-Type: application/json",
-                         "--data-binary", f"@{file}")
+        return self.curl(path, *arguments, "-H", "Content-Type: application/json", "--data-binary", f"@{file}")
 
     def submit(self, search, valve="human-functional-mr"):
         """The new job of a search."""

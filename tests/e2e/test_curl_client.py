@@ -25,8 +25,14 @@ class CurlClient(ProgramTest):
     def start(self, *arguments, token=TOKEN):
         """In a group of its own, as a shell starts it."""
         surroundings = os.environ | {"COAPT_SERVER": f"http://127.0.0.1:{self.server.port}", "COAPT_TOKEN": token}
-        return subprocess.Popen([CLIENT, *map(str, arguments)], env=surroundings, text=True, process_group=0,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        return subprocess.Popen(
+            [CLIENT, *map(str, arguments)],
+            env=surroundings,
+            text=True,
+            process_group=0,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
 
     def run_client(self, *arguments, token=TOKEN):
         """Exit code, standard output, standard error."""
@@ -61,9 +67,10 @@ class CurlClient(ProgramTest):
 
     def test_what_the_service_refuses_is_told(self):
         for arguments, token, said in [
-                ((self.write("no-valve.json", {"schema": "coapt.valve/1"}),), TOKEN, "vertices_mm"),
-                ((self.valve, self.write("search.json", {"plans": 0})), TOKEN, "/search/plans"),
-                ((self.valve,), "wrong-token-wrong-token", "401")]:
+            ((self.write("no-valve.json", {"schema": "coapt.valve/1"}),), TOKEN, "vertices_mm"),
+            ((self.valve, self.write("search.json", {"plans": 0})), TOKEN, "/search/plans"),
+            ((self.valve,), "wrong-token-wrong-token", "401"),
+        ]:
             with self.subTest(said):
                 status, out, err = self.run_client(*arguments, token=token)
                 self.assertEqual((status, out), (FAILURE, ""), err)

@@ -21,12 +21,14 @@ class Deploy(ProgramTest):
 
     @unittest.skipUnless(shutil.which("systemd-analyze"), "needs systemd-analyze")
     def test_systemd_takes_the_unit_and_finds_it_locked_down(self):
-        unit = self.write("coapt-server.service",
-                          UNIT.read_text().replace("/usr/local/bin/coapt-server", SERVER))
+        unit = self.write("coapt-server.service", UNIT.read_text().replace("/usr/local/bin/coapt-server", SERVER))
         verified = subprocess.run(["systemd-analyze", "verify", unit], capture_output=True, text=True)
         self.assertEqual((verified.returncode, verified.stderr), (0, ""))
-        exposed = subprocess.run(["systemd-analyze", "security", "--offline=yes", "--no-pager",
-                                  f"--threshold={LARGEST_EXPOSURE}", unit], capture_output=True, text=True)
+        exposed = subprocess.run(
+            ["systemd-analyze", "security", "--offline=yes", "--no-pager", f"--threshold={LARGEST_EXPOSURE}", unit],
+            capture_output=True,
+            text=True,
+        )
         self.assertEqual(exposed.returncode, 0, exposed.stdout + exposed.stderr)
 
 

@@ -9,13 +9,14 @@ from programs import BAD_INPUT, NO_COMPETENT_PLAN, OK, ProgramTest, coapt
 SMALL = ["--region-points", "9", "--no-evidence"]
 
 
-MENDING = {"schema": "coapt.plan/1",
-           "steps": [{"step": "annuloplasty", "shape": "generic-etlogix-like", "size_mm": 40}]}
+MENDING = {
+    "schema": "coapt.plan/1",
+    "steps": [{"step": "annuloplasty", "shape": "generic-etlogix-like", "size_mm": 40}],
+}
 
 
 def ring(sizes_below):
-    return {"schema": "coapt.plan/1",
-            "steps": [{"step": "annuloplasty", "shape": "own", "sizes_below": sizes_below}]}
+    return {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "own", "sizes_below": sizes_below}]}
 
 
 class Evaluate(ProgramTest):
@@ -33,14 +34,36 @@ class Evaluate(ProgramTest):
     def test_own_plans_are_ranked_under_their_names(self):
         answer, code = self.evaluate(self.mild, self.mending, *SMALL)
         best, worse = answer["plans"]
-        self.assertEqual([(plan["rank"], plan["name"]) for plan in answer["plans"]],
-                         [(1, str(self.mending)), (2, str(self.mild))])
+        self.assertEqual(
+            [(plan["rank"], plan["name"]) for plan in answer["plans"]], [(1, str(self.mending)), (2, str(self.mild))]
+        )
         self.assertEqual([best["plan"], worse["plan"]], [MENDING, ring(2)])
         self.assertLess(best["cost"], worse["cost"])
         self.assertGreater(best["probability_outranks_next"], 0.95)
         self.assertEqual((is_robust(best), code, answer["any_competent"]), (True, OK, True))
         self.assertEqual([plan["region_closures"] for plan in answer["plans"]], [9, 9])
         self.assertEqual((answer["closures"], answer["plans_tried"]), (1 + 2 * 9, 2))
+
+    def test_what_plan_prints_and_what_the_page_saves_are_plans(self):
+        ranked = coapt(
+            "plan", VALVE, "--evaluations", "20", "--plans", "2", "--region-points", "5", "--no-evidence", "--json"
+        )
+        found = json.loads(ranked.stdout)["plans"]
+        result = coapt("evaluate", VALVE, "-", *SMALL, "--json", stdin=ranked.stdout)
+        answer = json.loads(result.stdout)
+        self.assertEqual(sorted(plan["name"] for plan in answer["plans"]), ["-: plan 1", "-: plan 2"])
+        by_name = {plan["name"]: plan["plan"] for plan in answer["plans"]}
+        self.assertEqual([by_name["-: plan 1"], by_name["-: plan 2"]], [plan["plan"] for plan in found])
+
+        saved = self.write(
+            "plans.json", {"plans": [{"name": "mine", "plan": MENDING}, {"name": "mild", "plan": ring(2)}]}
+        )
+        second = coapt("close", VALVE, "--plan", saved, "--rank", "2", "--json")
+        alone = coapt("close", VALVE, "--plan", self.mild, "--json")
+        self.assertEqual(json.loads(second.stdout)["leak_mm2"], json.loads(alone.stdout)["leak_mm2"])
+        third = coapt("close", VALVE, "--plan", saved, "--rank", "3")
+        self.assertEqual(third.returncode, BAD_INPUT)
+        self.assertIn("has no plan 3; --rank must be from 1 to 2", third.stderr)
 
     def test_the_order_of_the_files_and_the_threads_change_nothing_but_time(self):
         one, _ = self.evaluate(self.mild, self.mending, *SMALL, "--threads", "1")
@@ -53,7 +76,7 @@ class Evaluate(ProgramTest):
         self.assertIsNone(answer["plans"][0]["probability_outranks_next"])
         words = coapt("evaluate", VALVE, self.mild, *SMALL)
         self.assertEqual(words.returncode, NO_COMPETENT_PLAN)
-        self.assertIn("\nNo plan closes this valve robustly; ranked least bad.\n", words.stdout)
+        self.assertIn("\nNo plan closes this valve robustly; the ranking starts with the least bad.\n", words.stdout)
         self.assertIn(f"{self.mild}:\n", words.stdout)
 
     def test_the_report_is_that_of_a_search_without_a_search(self):
@@ -61,8 +84,13 @@ class Evaluate(ProgramTest):
         result = coapt("evaluate", VALVE, self.mending, *SMALL, "-o", report)
         self.assertEqual(result.returncode, OK, result.stderr)
         page = report.read_text()
-        for words in ["How the plans were scored", "The plans were given", "not a medical device",
-                      "coapt evaluate human-functional-mr", "<img "]:
+        for words in [
+            "How the plans were scored",
+            "The plans were given",
+            "not a medical device",
+            "coapt evaluate human-functional-mr",
+            "<img ",
+        ]:
             self.assertIn(words, page)
         self.assertNotIn("How the search went", page)
 
@@ -70,8 +98,7 @@ class Evaluate(ProgramTest):
         answer, _ = self.evaluate(self.mild, "--region-points", "2")
         self.assertEqual(answer["closures"], 1 + 2 + 24)
         remodelled = answer["plans"][0]["remodelling"]
-        self.assertEqual([curve["direction"] for curve in remodelled],
-                         ["apical", "outwards", "posterior", "all three"])
+        self.assertEqual([curve["direction"] for curve in remodelled], ["apical", "outwards", "posterior", "all three"])
         self.assertEqual({len(curve["leak_mm2"]) for curve in remodelled}, {7})
 
     def test_a_plan_is_closed_as_coapt_close_does(self):
@@ -94,12 +121,24 @@ class Evaluate(ProgramTest):
         self.assertIn("same.json", names)
 
     def test_plans_for_another_valve_are_refused_with_their_files_and_pointers(self):
-        chorda = self.write("chorda.json", {"schema": "coapt.plan/1", "steps": [
-            {"step": "chordal_excision", "chorda": "none"}]})
-        head = self.write("head.json", {"schema": "coapt.plan/1", "steps": [
-            {"step": "annuloplasty", "shape": "own", "sizes_below": 1},
-            {"step": "neochorda", "head": "of-another", "length_mm": 20,
-             "insertion": {"leaflet": "anterior", "along": 0.5, "height": 1}}]})
+        chorda = self.write(
+            "chorda.json", {"schema": "coapt.plan/1", "steps": [{"step": "chordal_excision", "chorda": "none"}]}
+        )
+        head = self.write(
+            "head.json",
+            {
+                "schema": "coapt.plan/1",
+                "steps": [
+                    {"step": "annuloplasty", "shape": "own", "sizes_below": 1},
+                    {
+                        "step": "neochorda",
+                        "head": "of-another",
+                        "length_mm": 20,
+                        "insertion": {"leaflet": "anterior", "along": 0.5, "height": 1},
+                    },
+                ],
+            },
+        )
         result = coapt("evaluate", VALVE, self.mild, chorda, head, "--json")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         first, second = result.stderr.splitlines()

@@ -6,8 +6,16 @@ import unittest
 from programs import BAD_INPUT, FAILURE, ProgramTest, coapt
 
 PLAN = {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "generic-classic", "size_mm": 32}]}
-STARTS = {"glb": b"glTF", "vtk": b"# vtk DataFile Version 4.2\n", "ply": b"ply\n", "obj": b"# coapt", "stl": b"coapt",
-          "mrk.json": b"{", "csv": b"Metric,Value,Unit", "feb": b"<?xml"}
+STARTS = {
+    "glb": b"glTF",
+    "vtk": b"# vtk DataFile Version 4.2\n",
+    "ply": b"ply\n",
+    "obj": b"# coapt",
+    "stl": b"coapt",
+    "mrk.json": b"{",
+    "csv": b"Metric,Value,Unit",
+    "feb": b"<?xml",
+}
 
 
 class Export(ProgramTest):
@@ -56,7 +64,7 @@ class Export(ProgramTest):
         self.run_ok("export", "human-normal", "-o", f"{self.folder}/model/")
         result = coapt("export", "human-normal", "--open", "-o", f"{self.folder}/model/")
         self.assertEqual(result.returncode, BAD_INPUT)
-        self.assertIn("model/measurements.csv is of an earlier export", result.stderr)
+        self.assertIn("model/measurements.csv is from an earlier export", result.stderr)
 
     def test_a_folder_with_problems_is_refused_with_all_of_them(self):
         self.run_ok("export", "human-normal", "--open", "-o", f"{self.folder}/model/")

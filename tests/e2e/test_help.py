@@ -26,6 +26,13 @@ class Help(unittest.TestCase):
         self.assertEqual((nothing.returncode, nothing.stdout), (BAD_INPUT, ""))
         self.assertEqual(nothing.stderr, help_of(COAPT))
 
+    def test_commands_of_the_laboratory_say_where_they_went(self):
+        for words in (["bench", "closures", "human-normal", "--count", "3"], ["chart", "--help"]):
+            moved = coapt(*words)
+            self.assertEqual((moved.returncode, moved.stdout), (BAD_INPUT, ""))
+            self.assertRegex(moved.stderr, rf"^coapt: {words[0]}: .*coapt-lab {words[0]}.*\n$")
+            self.assertNotIn(f"  {words[0]}", help_of(COAPT))
+
     def test_the_version_says_what_coapt_is_not(self):
         self.assertRegex(coapt("--version").stdout, rf"^coapt \d+\.\d+\.\d+\n{re.escape(NOTICE)}\n$")
 
@@ -65,8 +72,10 @@ class Completion(unittest.TestCase):
     def complete(self, *words):
         """What is offered for the last of the words."""
         line = " ".join(words).replace(" : ", ":")
-        script = (f'source {COMPLETION}; COMP_LINE=$0; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '
-                  'COMP_POINT=${#COMP_LINE}; _coapt; printf "%s\\n" "${COMPREPLY[@]}"')
+        script = (
+            f'source {COMPLETION}; COMP_LINE=$0; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '
+            'COMP_POINT=${#COMP_LINE}; _coapt; printf "%s\\n" "${COMPREPLY[@]}"'
+        )
         run = subprocess.run(["bash", "-c", script, line, *words], capture_output=True, text=True)
         self.assertEqual((run.returncode, run.stderr), (OK, ""), line)
         return set(run.stdout.split())
@@ -74,10 +83,12 @@ class Completion(unittest.TestCase):
     def test_every_flag_of_every_command_is_offered(self):
         for words, text in commands(COAPT):
             self.assertEqual(self.complete(*words, "-"), flags(text), words)
-        self.assertEqual(self.complete(SERVER, "--"), {flag for flag in flags(help_of(SERVER)) if flag.startswith("--")})
+        self.assertEqual(
+            self.complete(SERVER, "--"), {flag for flag in flags(help_of(SERVER)) if flag.startswith("--")}
+        )
 
     def test_commands_are_offered_by_their_beginning(self):
-        self.assertEqual(self.complete(COAPT, ""), {"valve", "close", "export", "evaluate", "plan", "bench", "chart", "study"})
+        self.assertEqual(self.complete(COAPT, ""), {"valve", "close", "export", "evaluate", "plan", "study"})
         self.assertEqual(self.complete(COAPT, "valve", "re"), {"remodel"})
         self.assertEqual(self.complete(COAPT, "study", "porcine-", "--prot"), set())
         self.assertEqual(self.complete(COAPT, "plan", "--seed", "3", "human-normal", "--ev"), {"--evaluations"})
@@ -89,8 +100,12 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.complete(COAPT, "plan", "human-p"), {"human-p2-prolapse"})
 
     def test_values_are_those_that_the_program_takes(self):
-        for option, before in [("--method", ["close"]), ("--membrane", ["close"]), ("--protocol", ["study", "thesis"]),
-                               ("--displacement-step", ["study", "thesis"])]:
+        for option, before in [
+            ("--method", ["close"]),
+            ("--membrane", ["close"]),
+            ("--protocol", ["study", "thesis"]),
+            ("--displacement-step", ["study", "thesis"]),
+        ]:
             offered = self.complete(COAPT, *before, option, "")
             self.assertGreater(len(offered), 1)
             for value in offered:
@@ -100,7 +115,9 @@ class Completion(unittest.TestCase):
     def test_what_is_forbidden_is_known_to_the_search(self):
         for word in self.complete(COAPT, "plan", "--forbid", ""):
             self.assertNotIn("--forbid", coapt("plan", VALVE, *options(evaluations=1), "--forbid", word).stderr)
-        self.assertEqual(self.complete(COAPT, "plan", "--forbid", "papillary_approximation", ":", "sad"), {"saddle_peak"})
+        self.assertEqual(
+            self.complete(COAPT, "plan", "--forbid", "papillary_approximation", ":", "sad"), {"saddle_peak"}
+        )
 
 
 if __name__ == "__main__":

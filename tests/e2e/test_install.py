@@ -16,8 +16,12 @@ class Install(unittest.TestCase):
             run = subprocess.run(["cmake", "--install", build, "--prefix", prefix], capture_output=True, text=True)
             self.assertEqual(run.returncode, OK, run.stderr)
             names = {str(path.relative_to(prefix)) for path in pathlib.Path(prefix).rglob("*") if path.is_file()}
-            expected = {"bin/coapt", "bin/coapt-server", "share/bash-completion/completions/coapt",
-                        "share/bash-completion/completions/coapt-server"}
+            expected = {
+                "bin/coapt",
+                "bin/coapt-server",
+                "share/bash-completion/completions/coapt",
+                "share/bash-completion/completions/coapt-server",
+            }
             if (build.parent / "web/index.html").exists():
                 expected |= {"share/coapt/web/index.html"}
             if shutil.which("scdoc"):

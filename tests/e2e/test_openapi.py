@@ -3,14 +3,23 @@
 import json
 import re
 import subprocess
+import time
 import unittest
 
 from openapi_runs import OpenApiTest
 from programs import SOURCE
 from server_runs import search_of
 
-FILE_STARTS = {"glb": b"glTF", "vtk": b"# vtk", "ply": b"ply", "obj": b"#", "stl": b"coapt", "mrk.json": b"{",
-               "csv": b"Metric,", "feb": b"<?xml"}
+FILE_STARTS = {
+    "glb": b"glTF",
+    "vtk": b"# vtk",
+    "ply": b"ply",
+    "obj": b"#",
+    "stl": b"coapt",
+    "mrk.json": b"{",
+    "csv": b"Metric,",
+    "feb": b"<?xml",
+}
 LONG_SEARCH = {"valve": "human-functional-mr", "search": search_of(seed=3, evaluations=100000)}
 
 
@@ -31,6 +40,7 @@ class OpenApi(OpenApiTest):
                             self.assertEqual(self.document.errors_of(value, media["schema"]), [])
 
     def test_every_request_of_the_document_is_answered_as_it_says(self):
+        self.keep_plan()
         for operation in self.document.operations.values():
             for name in self.document.requests(operation):
                 with self.subTest(operation.id, example=name):
@@ -54,12 +64,15 @@ class OpenApi(OpenApiTest):
             self.assertTrue(self.send("getJobPlanMesh", query=f"?format={format}").body.startswith(start), format)
             reply = self.send("exportValve", {"valve": "human-normal", "format": format})
             self.assertTrue(reply.status == 200 and reply.body.startswith(start), format)
+        self.assertTrue(self.send("getJobEvaluations").body.startswith(b"number,rank,description,"))
         self.assertEqual(self.send("listJobs", query="?page_size=1&state=SUCCEEDED").status, 200)
         self.assertEqual(self.send("getJobResult").json()["schema"], "coapt.plans/1")
 
     def test_own_plans_with_their_evidence_are_as_it_says(self):
-        sutures = [{"step": "papillary_approximation", "side": side, "anchor": "ipsilateral_trigone", "suture_length_mm": 26}
-                   for side in ("anterolateral", "posteromedial")]
+        sutures = [
+            {"step": "papillary_approximation", "side": side, "anchor": "ipsilateral_trigone", "suture_length_mm": 26}
+            for side in ("anterolateral", "posteromedial")
+        ]
         plans = [{"schema": "coapt.plan/1", "steps": sutures}]
         reply = self.send("evaluatePlans", {"valve": "human-functional-mr", "plans": plans, "evidence": True})
         self.assertIn("independent_leak_mm2", reply.json()["plans"][0])
@@ -79,13 +92,18 @@ class OpenApi(OpenApiTest):
     def test_events_are_numbered_and_hold_states_and_progress(self):
         self.finish_search()
         stream = self.send("streamJobEvents").body.decode()
-        events = [dict(line.split(": ", 1) for line in event.splitlines())
-                  for event in stream.split("\n\n") if event.startswith("id")]
+        events = [
+            dict(line.split(": ", 1) for line in event.splitlines())
+            for event in stream.split("\n\n")
+            if event.startswith("id")
+        ]
         self.assertEqual([int(event["id"]) for event in events], list(range(1, len(events) + 1)))
         for event in events:
             data = json.loads(event["data"])
-            schema = {"state": {"properties": {"state": self.document.schemas["JobState"]}},
-                      "progress": self.document.schemas["Progress"]}[event["event"]]
+            schema = {
+                "state": {"properties": {"state": self.document.schemas["JobState"]}},
+                "progress": self.document.schemas["Progress"],
+            }[event["event"]]
             self.assertEqual(self.document.errors_of(data, schema), [])
         states = [json.loads(event["data"])["state"] for event in events if event["event"] == "state"]
         self.assertEqual(states, ["QUEUED", "RUNNING", "SUCCEEDED"])
@@ -94,12 +112,30 @@ class OpenApi(OpenApiTest):
         again = self.send("streamJobEvents", query=f"?last_event_id={int(last) - 1}").body.decode()
         self.assertEqual(again.count("event: "), 1)
 
+    def test_a_running_search_tells_its_best_plan(self):
+        self.place["job"] = self.send("searchPlans", LONG_SEARCH).json()["id"]
+        while "best" not in (progress := self.send("getJob").json()["progress"]):
+            time.sleep(0.1)
+        closed = self.send("closeValve", {"valve": LONG_SEARCH["valve"], "plan": progress["best"]["plan"]}).json()
+        self.assertAlmostEqual(closed["leak_mm2"], progress["best"]["leak_mm2"], 6)
+
     def test_what_is_removed_is_gone(self):
         self.finish_search()
+        self.assertEqual(self.send("deleteKeptPlan").status, 204)
         self.assertEqual(self.send("deleteValve").status, 204)
         self.assertEqual(self.send("getValve").status, 404)
         self.assertEqual(self.send("deleteJob").status, 204)
-        for id in ["getJob", "deleteJob", "cancelJob", "streamJobEvents", "getJobResult", "getJobPlanMesh", "getJobFile"]:
+        for id in [
+            "getKeptPlan",
+            "deleteKeptPlan",
+            "getJob",
+            "deleteJob",
+            "cancelJob",
+            "streamJobEvents",
+            "getJobResult",
+            "getJobPlanMesh",
+            "getJobFile",
+        ]:
             with self.subTest(id):
                 self.assertEqual(self.send(id).status, 404)
 
@@ -119,7 +155,7 @@ class OpenApi(OpenApiTest):
         self.assertEqual(other.status, 422)
 
     def test_other_methods_of_its_paths_are_refused_and_those_there_are_named(self):
-        self.place |= {"valve": "0", "job": "0"}
+        self.place |= {"valve": "0", "job": "0", "kept_plan": "0"}
         methods = {}
         for operation in self.document.operations.values():
             methods.setdefault(operation.path, []).append(operation.method)

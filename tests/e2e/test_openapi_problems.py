@@ -9,6 +9,12 @@ from server_runs import search_of
 PRESET = "human-functional-mr"
 TOKEN = "open-sesame-2026"
 LONG_SEARCH = {"valve": PRESET, "search": search_of(seed=3, evaluations=100000)}
+SLACK_SUTURE = {
+    "step": "papillary_approximation",
+    "side": "posteromedial",
+    "anchor": "saddle_peak",
+    "suture_length_mm": 90,
+}
 JSON = {"Content-Type": "application/json"}
 
 
@@ -21,8 +27,21 @@ class Problems(OpenApiTest):
         """A server that asks for a token, takes small bodies and few jobs, and opens no streams."""
         token = self.write("token", TOKEN)
         token.chmod(0o600)
-        return self.start("strict.sqlite", "--token-file", token, "--queue", 1, "--running-jobs", 1,
-                          "--body-bytes", 2048, "--streams", 0)
+        return self.start(
+            "strict.sqlite",
+            "--token-file",
+            token,
+            "--queue",
+            1,
+            "--running-jobs",
+            1,
+            "--body-bytes",
+            2048,
+            "--streams",
+            0,
+            "--kept-plans",
+            0,
+        )
 
     def provoked(self):
         """The answer to each request that is to fail, by the name of its example."""
@@ -41,13 +60,20 @@ class Problems(OpenApiTest):
         return {
             "no_json": ask("POST", "/v1/closures", '{"valve": ', JSON),
             "missing_fields": ask("POST", "/v1/valves", {"schema": "coapt.valve/1", "name": "nothing else"}),
-            "impossible_step": ask("POST", "/v1/closures", {
-                "valve": PRESET, "plan": plan({"step": "papillary_approximation", "side": "posteromedial",
-                                               "anchor": "saddle_peak", "suture_length_mm": 90})}),
-            "too_many_closures": ask("POST", "/v1/evaluations", {
-                "valve": PRESET, "plans": [plan(), plan()], "region_points": 600}),
-            "bad_search": ask("POST", "/v1/plans", {
-                "valve": PRESET, "search": {"plans": 0, "weights": {"leak": -1, "love": 1}}}),
+            "impossible_step": ask(
+                "POST",
+                "/v1/closures",
+                {
+                    "valve": PRESET,
+                    "plan": plan(SLACK_SUTURE),
+                },
+            ),
+            "too_many_closures": ask(
+                "POST", "/v1/evaluations", {"valve": PRESET, "plans": [plan(), plan()], "region_points": 600}
+            ),
+            "bad_search": ask(
+                "POST", "/v1/plans", {"valve": PRESET, "search": {"plans": 0, "weights": {"leak": -1, "love": 1}}}
+            ),
             "unknown_study": ask("POST", "/v1/studies", {"valve": PRESET, "study": {"name": "everything"}}),
             "bad_query": ask("GET", "/v1/jobs?page_size=0&state=ASLEEP"),
             "bad_page": ask("GET", f"/v1/jobs/{queued}/plans?page_size=0"),
@@ -57,6 +83,13 @@ class Problems(OpenApiTest):
             "not_ended": ask_strict("DELETE", f"/v1/jobs/{queued}"),
             "no_results_yet": ask_strict("GET", f"/v1/jobs/{queued}/result"),
             "queue_full": ask_strict("POST", "/v1/plans", LONG_SEARCH),
+            "too_many_kept": ask_strict("POST", "/v1/kept-plans", {"name": "A ring", "valve": PRESET, "plan": plan()}),
+            "impossible_kept": ask(
+                "POST",
+                "/v1/kept-plans",
+                {"name": "A suture", "valve": PRESET, "plan": plan(SLACK_SUTURE)},
+            ),
+            "no_name": ask("PATCH", f"/v1/kept-plans/{queued}", {"name": ""}),
             "no_token": strict.ask("GET", "/v1/jobs"),
             "foreign_page": ask("GET", "/v1/jobs", headers={"Origin": "https://example.org"}),
             "foreign_host": ask("GET", "/v1/jobs", headers={"Host": "example.org"}),

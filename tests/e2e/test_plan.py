@@ -3,16 +3,31 @@
 import json
 import signal
 import subprocess
-import time
 import unittest
 
-from plan_runs import VALVE, is_robust, options, without_machine
+from plan_runs import VALVE, is_robust, options, rows, without_machine
+from process_runs import HANGS_S, catches, children_cpu_seconds, cpu_seconds, wait_until
 from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, ProgramTest, coapt
 
 LONG = ["--evaluations", "100000", "--json"]
-GATES = ["ring_width", "ring_stenosis", "undersizing", "opening_area", "papillary_movement", "suture_length",
-         "filling", "neochorda_length", "neochorda_half", "native_chordae", "convergence", "crossing",
-         "contact", "coaptation_height", "chordal_tension", "regurgitation_grade"]
+GATES = [
+    "ring_width",
+    "ring_stenosis",
+    "undersizing",
+    "opening_area",
+    "papillary_movement",
+    "suture_length",
+    "filling",
+    "neochorda_length",
+    "neochorda_half",
+    "native_chordae",
+    "convergence",
+    "crossing",
+    "contact",
+    "coaptation_height",
+    "chordal_tension",
+    "regurgitation_grade",
+]
 
 
 class Plan(ProgramTest):
@@ -32,24 +47,30 @@ class Plan(ProgramTest):
         self.assertIsInstance(one["seconds"], (int, float))
         self.assertEqual([plan["rank"] for plan in one["plans"]], [1, 2])
         best = one["plans"][0]
-        self.assertEqual(set(best["orifice_area_mm2"]) & {"nominal", "mean", "sd"},
-                         {"nominal", "mean", "sd"})
+        self.assertEqual(set(best["orifice_area_mm2"]) & {"nominal", "mean", "sd"}, {"nominal", "mean", "sd"})
         self.assertEqual(code == OK, is_robust(best))
         self.assertEqual(one["any_competent"], any(map(is_robust, one["plans"])))
 
         closed = coapt("close", VALVE, "--plan", self.write("plan.json", best["plan"]), "--json")
-        self.assertEqual(json.loads(closed.stdout)["orifice_area_mm2"],
-                         best["orifice_area_mm2"]["nominal"])
+        self.assertEqual(json.loads(closed.stdout)["orifice_area_mm2"], best["orifice_area_mm2"]["nominal"])
 
     def test_closures_stay_within_what_the_help_adds_up(self):
-        for evaluations, plans, points, evidence in [(1, 1, 1, False), (3, 2, 20, False),
-                                                     (40, 2, 66, False), (12, 1, 2, True)]:
+        for evaluations, plans, points, evidence in [
+            (1, 1, 1, False),
+            (3, 2, 20, False),
+            (40, 2, 66, False),
+            (12, 1, 2, True),
+        ]:
             with self.subTest((evaluations, plans, points, evidence)):
-                result, _ = self.plan(evidence=evidence, evaluations=evaluations, plans=plans,
-                                      region_points=points)
+                result, _ = self.plan(evidence=evidence, evaluations=evaluations, plans=plans, region_points=points)
                 self.assertLessEqual(result["evaluations"], evaluations)
-                most = (1 + evaluations + 2 * plans * min(65, points) + plans * max(0, points - 65)
-                        + plans * (284 if evidence else 0))
+                most = (
+                    1
+                    + evaluations
+                    + 2 * plans * min(65, points)
+                    + plans * max(0, points - 65)
+                    + plans * (284 if evidence else 0)
+                )
                 self.assertLessEqual(result["closures"], most)
                 self.assertGreaterEqual(result["closures"], 1 + result["evaluations"])
                 self.assertEqual(result["closures_known"], 0)
@@ -57,10 +78,10 @@ class Plan(ProgramTest):
                     self.assertGreaterEqual(plan["region_closures"], points)
 
     def test_no_more_plans_than_asked_for(self):
-        for changes in [{"region_points": 2}, {"region_points": 1},
-                        {"evaluations": 100000, "region_points": 1089, "seconds": 1}]:
+        for changes in [{"region_points": 2}, {"region_points": 1}]:
             with self.subTest(changes):
                 self.assertEqual(len(self.plan(plans=1, **changes)[0]["plans"]), 1)
+        self.assertEqual(len(self.out_of_time(plans=1)["plans"]), 1)
 
     def test_each_plan_says_what_speaks_for_it_and_against_it(self):
         result, _ = self.plan(evaluations=40, region_points=17)
@@ -82,15 +103,25 @@ class Plan(ProgramTest):
         ahead = [plan["probability_outranks_next"] for plan in result["plans"]]
         self.assertTrue(0.0 <= ahead[0] <= 1.0, ahead)
         self.assertIsNone(ahead[-1])
-        self.assertEqual([plan["tie_with_next"] for plan in result["plans"]],
-                         [0.05 <= ahead[0] <= 0.95, False])
+        self.assertEqual([plan["tie_with_next"] for plan in result["plans"]], [0.05 <= ahead[0] <= 0.95, False])
         self.assertTrue(any(plan["pareto"] for plan in result["plans"]))
         self.assertGreater(len(result["not_modelled"]), 0)
 
     def test_a_valve_that_no_plan_mends_is_4_with_the_least_bad_ranked(self):
         valve = self.folder / "worst.json"
-        self.run_ok("valve", "remodel", VALVE, "--ap-dilation", "60", "--displace-pm", "12,12,12",
-                    "--displace-al", "12,12,12", "-o", valve)
+        self.run_ok(
+            "valve",
+            "remodel",
+            VALVE,
+            "--ap-dilation",
+            "60",
+            "--displace-pm",
+            "12,12,12",
+            "--displace-al",
+            "12,12,12",
+            "-o",
+            valve,
+        )
         result, code = self.plan(valve=valve)
         self.assertEqual((code, result["any_competent"]), (NO_COMPETENT_PLAN, False))
         costs = [plan["cost"] for plan in result["plans"]]
@@ -99,7 +130,7 @@ class Plan(ProgramTest):
             self.assertFalse(is_robust(plan))
         words = coapt("plan", valve, *options())
         self.assertEqual(words.returncode, NO_COMPETENT_PLAN)
-        self.assertIn("\nNo plan closes this valve robustly; ranked least bad.\n", words.stdout)
+        self.assertIn("\nNo plan closes this valve robustly; the ranking starts with the least bad.\n", words.stdout)
         self.assertRegex(words.stdout, r"\n +1 +\S+ ")
 
     def test_the_report_is_one_page_with_the_pictures_in_it(self):
@@ -109,6 +140,25 @@ class Plan(ProgramTest):
         self.assertIn("data:image/png;base64,", page)
         self.assertNotIn('src="http', page)
         self.assertIn("not a medical device", page)
+
+    def out_of_time(self, **changes):
+        """The answer of a long search that has had time for a plan, which a busy machine needs more of."""
+        for seconds in [2, 8, 32, 128]:
+            before, threads = children_cpu_seconds(), 2
+            result, _ = self.plan(evaluations=100000, region_points=1089, seconds=seconds, threads=threads, **changes)
+            self.assertLess(children_cpu_seconds() - before, threads * (seconds + 18))
+            if result["plans"]:
+                break
+        return result
+
+    def search_with_closures(self, closures, *arguments):
+        """A long search that has kept so many closures."""
+        store = self.folder / f"{closures}-{len(list(self.folder.iterdir()))}.sqlite"
+        search = subprocess.Popen(
+            [COAPT, "plan", VALVE, *LONG, "--store", store, *arguments], stdout=subprocess.PIPE, text=True
+        )
+        wait_until(lambda: len(rows(store)) >= closures)
+        return search
 
     def test_a_report_without_a_place_is_refused_before_the_search(self):
         for path, code in [("/nowhere/r.html", FAILURE), ("-", BAD_INPUT)]:
@@ -120,18 +170,15 @@ class Plan(ProgramTest):
     def test_a_path_that_was_only_tested_is_left_as_it_was(self):
         old, new = self.write("old.html", "old"), self.folder / "new.html"
         for path in [old, new]:
-            with subprocess.Popen([COAPT, "plan", VALVE, *LONG, "-o", path],
-                                  stdout=subprocess.DEVNULL) as search:
-                time.sleep(1)
+            with self.search_with_closures(1, "-o", path) as search:
                 search.kill()
         self.assertEqual(old.read_text(), "old")
         self.assertFalse(new.exists())
 
     def test_ctrl_c_prints_the_best_so_far(self):
-        with subprocess.Popen([COAPT, "plan", VALVE, *LONG], stdout=subprocess.PIPE, text=True) as search:
-            time.sleep(2)
+        with self.search_with_closures(20) as search:
             search.send_signal(signal.SIGINT)
-            output, _ = search.communicate(timeout=60)
+            output, _ = search.communicate(timeout=HANGS_S)
         self.assertEqual(search.returncode, INTERRUPTED)
         result = json.loads(output)
         self.assertEqual(result["stop"], "cancelled")
@@ -142,12 +189,12 @@ class Plan(ProgramTest):
         valve = self.folder / "fine.json"
         self.run_ok("valve", "make", VALVE, "--triangles", "10400", "-o", valve)
         with subprocess.Popen([COAPT, "plan", valve], stdout=subprocess.PIPE, text=True) as search:
-            time.sleep(1)
+            wait_until(lambda: cpu_seconds(search) > 1.0)  # it has read the valve and closes it
             search.send_signal(signal.SIGINT)
-            time.sleep(0.05)
+            wait_until(lambda: not catches(search, signal.SIGINT))
             self.assertIsNone(search.poll())
             search.send_signal(signal.SIGINT)
-            output, _ = search.communicate(timeout=60)
+            output, _ = search.communicate(timeout=HANGS_S)
         self.assertEqual((search.returncode, output), (-signal.SIGINT, ""))
 
     def test_a_plan_that_was_not_re_scored_has_no_region(self):
@@ -169,12 +216,10 @@ class Plan(ProgramTest):
         self.assertNotIn("rank", result.stdout)
 
     def test_the_time_limit_ends_the_search(self):
-        started = time.monotonic()
-        result, _ = self.plan(evaluations=100000, region_points=1089, seconds=2)
+        result = self.out_of_time()
         self.assertEqual(result["stop"], "time_limit")
         self.assertLess(result["closures"], 100000)
         self.assertGreater(len(result["plans"]), 0)
-        self.assertLess(time.monotonic() - started, 20.0)
 
 
 if __name__ == "__main__":

@@ -36,8 +36,8 @@ class Full(ServerTest):
         self.assertEqual(self.server.wait_for_end(self.submit(search_of(2))["id"])["state"], "SUCCEEDED")
 
     def test_a_running_search_waits_for_room_and_goes_on(self):
-        job_id = self.submit(search_of(3, evaluations=100))["id"]
-        self.server.wait_until(job_id, lambda job: job["progress"]["evaluations"] > 10)
+        job_id = self.submit(search_of(3, evaluations=400))["id"]
+        self.server.wait_until(job_id, lambda job: job["progress"]["closures"] > 10)
         with self.no_room():
             waiting = self.server.wait_until(job_id, lambda job: job["waiting_for"] is not None)
             self.assertEqual(waiting["state"], "RUNNING")
@@ -53,7 +53,8 @@ class Shared(ServerTest):
         with contextlib.closing(sqlite3.connect(self.server.db, isolation_level=None)) as other:
             other.execute("BEGIN IMMEDIATE")
             status, headers, _ = self.curl_with_headers(
-                "/v1/plans", "-H", "Content-Type: application/json", "--data", '{"valve": "human-normal"}')
+                "/v1/plans", "-H", "Content-Type: application/json", "--data", '{"valve": "human-normal"}'
+            )
             self.assertEqual(status, 503)
             self.assertGreater(int(headers["retry-after"]), 0)
             self.assertEqual(self.curl(f"/v1/jobs/{job_id}")[0], 200)

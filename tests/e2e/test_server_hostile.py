@@ -1,4 +1,4 @@
-"""Good, bad and hostile requests at once: bench/server/hostile.py, shortly."""
+"""Good, bad and hostile requests at once: tests/service/hostile.py, shortly."""
 
 import unittest
 

@@ -9,6 +9,8 @@ from server_runs import ServerTest, search_of
 
 
 class Jobs(ServerTest):
+    flags = ("--wait-seconds", 180)
+
     def valve(self, preset):
         return json.loads(self.make(preset).read_text())
 
@@ -16,22 +18,31 @@ class Jobs(ServerTest):
         return self.server.wait_for_end(job_id)
 
     def test_a_search_is_the_one_of_the_command_line(self):
-        search = {"evaluations": 6, "seed": 5, "plans": 1, "region_points": 2, "evidence": False,
-                  "rules": {"forbidden": ["annuloplasty:own"], "suture_lattice_mm": 2},
-                  "weights": {"movement": 0.5}}
+        search = {
+            "evaluations": 6,
+            "seed": 5,
+            "plans": 1,
+            "region_points": 2,
+            "evidence": False,
+            "rules": {"forbidden": ["annuloplasty:own"], "suture_lattice_mm": 2},
+            "weights": {"movement": 0.5},
+        }
         status, headers, body = self.curl_with_headers(
-            "/v1/plans", "-H", "Prefer: wait=60", "--data-binary",
-            "@" + str(self.write("r.json", {"valve": self.valve("human-functional-mr"),
-                                            "search": search})))
+            "/v1/plans",
+            "-H",
+            "Prefer: wait=180",
+            "--data-binary",
+            "@" + str(self.write("r.json", {"valve": self.valve("human-functional-mr"), "search": search})),
+        )
         job = json.loads(body)
         self.assertEqual((status, job["state"]), (200, "SUCCEEDED"))
         self.assertEqual(headers["location"], "/v1/jobs/" + job["id"])
         answer = self.curl(job["links"]["result"])[2]
-        printed = json.loads(coapt("plan", "human-functional-mr", "--search",
-                                   self.write("search.json", search), "--json").stdout)
+        printed = json.loads(
+            coapt("plan", "human-functional-mr", "--search", self.write("search.json", search), "--json").stdout
+        )
         # A request has no command line.
-        self.assertEqual((answer["reproduce"].pop("command"), bool(printed["reproduce"].pop("command"))),
-                         ("", True))
+        self.assertEqual((answer["reproduce"].pop("command"), bool(printed["reproduce"].pop("command"))), ("", True))
         self.assertEqual(answer | {"seconds": 0}, printed | {"seconds": 0})
         plans = self.curl(job["links"]["plans"])[2]["plans"]
         self.assertEqual(plans, answer["plans"])
@@ -48,7 +59,7 @@ class Jobs(ServerTest):
 
     def test_a_cancelled_search_keeps_its_best(self):
         job = self.submit(search_of(1, evaluations=50000, no_improvement=0))
-        self.server.wait_until(job["id"], lambda job: job["progress"]["evaluations"] > 30)
+        self.server.wait_until(job["id"], lambda job: job["progress"]["closures"] > 30)
         self.assert_problem(self.curl(f"/v1/jobs/{job['id']}", "-X", "DELETE"), 409)
         self.assert_problem(self.curl(f"/v1/jobs/{job['id']}/plans"), 409)
         self.assertEqual(self.post(f"/v1/jobs/{job['id']}:cancel", "")[0], 200)
@@ -63,51 +74,46 @@ class Jobs(ServerTest):
         ended = self.ended(job["id"])
         self.assertEqual((ended["state"], ended["stop"]), ("SUCCEEDED", "time_limit"))
 
-    def test_jobs_are_paged_and_events_go_on_after_the_last_one_seen(self):
-        ids = [self.submit(search_of(seed))["id"] for seed in range(3)]
-        for job_id in ids:
-            self.ended(job_id)
-        page = self.curl("/v1/jobs?page_size=2")[2]
-        rest = self.curl(f"/v1/jobs?page_size=2&page_token={page['next_page_token']}")[2]
-        self.assertEqual([job["id"] for job in page["jobs"] + rest["jobs"]], ids[::-1])
-        self.assertIsNone(rest["next_page_token"])
-        self.assertEqual(len(self.curl("/v1/jobs?state=SUCCEEDED")[2]["jobs"]), 3)
-        self.assert_problem(self.curl("/v1/jobs?page_size=0&state=X"), 422, "?state")
-
-        path = f"/v1/jobs/{ids[0]}/events"
+    def test_events_go_on_after_the_last_one_seen(self):
+        job_id = self.submit(search_of(0))["id"]
+        self.ended(job_id)
+        path = f"/v1/jobs/{job_id}/events"
         _, headers, text = self.curl_with_headers(path)
         self.assertEqual(headers["content-type"], "text/event-stream")
         numbers = [int(line[4:]) for line in text.splitlines() if line.startswith("id: ")]
         self.assertEqual(numbers, list(range(1, len(numbers) + 1)))
         self.assertIn('data: {"state": "SUCCEEDED"}', text)
         _, _, later = self.curl_with_headers(path, "-H", f"Last-Event-ID: {numbers[-2]}")
-        self.assertEqual([line for line in later.splitlines() if line.startswith("id: ")],
-                         [f"id: {numbers[-1]}"])
+        self.assertEqual([line for line in later.splitlines() if line.startswith("id: ")], [f"id: {numbers[-1]}"])
         self.assertEqual(self.curl_with_headers(path, "-H", f"Last-Event-ID: {numbers[-1]}")[0], 204)
 
     def test_a_plan_can_be_had_as_mesh_picture_and_report(self):
         job = self.ended(self.submit(search_of(1))["id"])
         plan = f"/v1/jobs/{job['id']}/plans/1"
-        for path, begins in [(plan + "/mesh", b"ply"), (plan + "/mesh?format=obj", b"# coapt"),
-                             (plan + "/picture", b"\x89PNG"), (plan + "/report", b"<!DOCTYPE html>"),
-                             (job["links"]["report"], b"<!DOCTYPE html>")]:
+        for path, begins in [
+            (plan + "/mesh", b"ply"),
+            (plan + "/mesh?format=obj", b"# coapt"),
+            (plan + "/picture", b"\x89PNG"),
+            (plan + "/report", b"<!DOCTYPE html>"),
+            (job["links"]["report"], b"<!DOCTYPE html>"),
+        ]:
             with self.subTest(path):
                 answer = subprocess.run(["curl", "-sS", self.url + path], capture_output=True)
-                self.assertEqual(answer.stdout[:len(begins)], begins)
+                self.assertEqual(answer.stdout[: len(begins)], begins)
         self.assert_problem(self.curl(plan + "/mesh?format=exe"), 422, "?format")
         self.assert_problem(self.curl(f"/v1/jobs/{job['id']}/plans/99"), 404)
 
     def test_a_study_is_a_job_with_files(self):
-        status, _, job = self.post("/v1/studies", {"valve": "porcine-3",
-                                                   "study": {"name": "annulus"}})
+        status, _, job = self.post("/v1/studies", {"valve": "porcine-3", "study": {"name": "annulus"}})
         self.assertEqual(status, 202)
         ended = self.ended(job["id"])
         self.assertEqual(ended["state"], "SUCCEEDED", ended["problems"])
         names = [file["name"] for file in self.curl(ended["links"]["files"])[2]["files"]]
         self.assertIn("annulus.csv", names)
         self.assertEqual(len(self.curl(ended["links"]["result"])[2]["findings"]), ended["findings"])
-        self.assert_problem(self.post("/v1/studies", {"valve": "porcine-3", "study": {"name": "x"}}),
-                            422, "/study/name")
+        self.assert_problem(
+            self.post("/v1/studies", {"valve": "porcine-3", "study": {"name": "x"}}), 422, "/study/name"
+        )
 
 
 if __name__ == "__main__":

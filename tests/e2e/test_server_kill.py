@@ -1,4 +1,4 @@
-"""A killed service goes on where it was: bench/server/kill_nine.py with three searches."""
+"""A killed service goes on where it was: tests/service/kill_nine.py with three searches."""
 
 import unittest
 

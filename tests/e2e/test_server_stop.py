@@ -19,10 +19,9 @@ class Stop(ServerTest):
     def test_a_search_that_was_stopped_goes_on_with_the_next_start_to_the_same_plans(self):
         undisturbed = self.start_server("undisturbed.sqlite")
         request = {"valve": "human-functional-mr", "search": LONG}
-        expected, _ = kill_nine.outcome_of(
-            undisturbed, undisturbed.wait_for_end(undisturbed.submit(request)["id"]))
+        expected, _ = kill_nine.outcome_of(undisturbed, undisturbed.wait_for_end(undisturbed.submit(request)["id"]))
         job_id = self.submit(LONG)["id"]
-        self.server.wait_until(job_id, lambda job: job["progress"]["evaluations"] > 10)
+        self.server.wait_until(job_id, lambda job: job["progress"]["closures"] > 10)
         self.stop()
         self.server = self.start_server()
         job = self.server.wait_for_end(job_id)
@@ -39,9 +38,13 @@ class Stop(ServerTest):
 
     def test_clients_that_neither_send_nor_take_do_not_keep_it(self):
         job_id = self.submit(LONG)["id"]
-        stuck = [b"", b"GET /vers", b"GET /openapi.json HTTP/1.1\r\nHost: localhost\r\n\r\n",
-                 b"POST /v1/closures HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1000\r\n\r\n{",
-                 f"GET /v1/jobs/{job_id}/events HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()]
+        stuck = [
+            b"",
+            b"GET /vers",
+            b"GET /openapi.json HTTP/1.1\r\nHost: localhost\r\n\r\n",
+            b"POST /v1/closures HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1000\r\n\r\n{",
+            f"GET /v1/jobs/{job_id}/events HTTP/1.1\r\nHost: localhost\r\n\r\n".encode(),
+        ]
         for request in stuck:
             client = socket.create_connection(("127.0.0.1", self.server.port), timeout=10)
             self.addCleanup(client.close)

@@ -97,8 +97,11 @@ class Annulus(ProgramTest):
 
     def test_a_killed_study_goes_on_where_it_was(self):
         folder = self.folder / "killed"
-        running = subprocess.Popen([COAPT, "study", "annulus", VALVE, "-o", folder, "--threads", "1"],
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        running = subprocess.Popen(
+            [COAPT, "study", "annulus", VALVE, "-o", folder, "--threads", "1"],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
         deadline = time.monotonic() + 120.0
         while closures_kept(folder) == 0 and running.poll() is None and time.monotonic() < deadline:
             time.sleep(0.01)
@@ -131,8 +134,7 @@ class Refused(ProgramTest):
     def test_a_study_or_protocol_that_does_not_exist(self):
         self.refused(BAD_INPUT)
         self.refused(BAD_INPUT, "weather", VALVE)
-        self.assertIn("--protocol",
-                      self.refused(BAD_INPUT, "approximation", VALVE, "--protocol", "guessed"))
+        self.assertIn("--protocol", self.refused(BAD_INPUT, "approximation", VALVE, "--protocol", "guessed"))
 
     def test_a_directory_that_cannot_be_made(self):
         self.assertIn("/proc/nowhere", self.refused(FAILURE, "annulus", VALVE, "-o", "/proc/nowhere"))

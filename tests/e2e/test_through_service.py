@@ -10,17 +10,26 @@ import tempfile
 import time
 import unittest
 
-from plan_runs import VALVE, options, without_machine
+from plan_runs import VALVE, options
 from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, OK, coapt
 from relay import Relay
 from server_runs import ServerTest
 
 RING = {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "generic-classic", "size_mm": 30}]}
 OWN = {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "own", "sizes_below": 1}]}
-LONG = {"schema": "coapt.plan/1", "steps": [{"step": "papillary_approximation", "side": "posteromedial",
-                                             "anchor": "saddle_peak", "suture_length_mm": 99}]}
-BOTH = {"schema": "coapt.plan/1", "steps": [{"step": "papillary_approximation", "side": side, "anchor": "ipsilateral_trigone",
-                                             "suture_length_mm": 26} for side in ("anterolateral", "posteromedial")]}
+LONG = {
+    "schema": "coapt.plan/1",
+    "steps": [
+        {"step": "papillary_approximation", "side": "posteromedial", "anchor": "saddle_peak", "suture_length_mm": 99}
+    ],
+}
+BOTH = {
+    "schema": "coapt.plan/1",
+    "steps": [
+        {"step": "papillary_approximation", "side": side, "anchor": "ipsilateral_trigone", "suture_length_mm": 26}
+        for side in ("anterolateral", "posteromedial")
+    ],
+}
 TOKEN = "open-sesame-2026"
 PICTURE = re.compile(r'<svg.*?</svg>|data:image/png;base64,[^"]+', re.DOTALL)
 
@@ -45,21 +54,32 @@ class SameOutput(ThroughService):
     def setUp(self):
         super().setUp()
         self.ring, self.own, self.long, self.both = (
-            self.write(f"{name}.json", plan) for name, plan in
-            [("ring", RING), ("own", OWN), ("long", LONG), ("both", BOTH)])
+            self.write(f"{name}.json", plan)
+            for name, plan in [("ring", RING), ("own", OWN), ("long", LONG), ("both", BOTH)]
+        )
 
     def test_closures_are_the_same(self):
         file = self.make(VALVE)
-        for arguments in [(VALVE,), (file,), (file, "--plan", self.ring), (VALVE, "--json"),
-                          (VALVE, "--plan", self.ring, "--json")]:
+        for arguments in [
+            (VALVE,),
+            (file,),
+            (file, "--plan", self.ring),
+            (VALVE, "--json"),
+            (VALVE, "--plan", self.ring, "--json"),
+        ]:
             self.assertEqual(self.assert_same("close", *arguments).returncode, OK)
         self.assert_same("close", "-", stdin=file.read_text())
 
     def test_pictures_are_the_same(self):
         for more in ([], ["--plan", self.ring]):
             here, there = self.folder / "here.png", self.folder / "there.png"
-            self.assertEqual((coapt("close", VALVE, *more, "--render", here).returncode,
-                              self.remote("close", VALVE, *more, "--render", there).returncode), (OK, OK))
+            self.assertEqual(
+                (
+                    coapt("close", VALVE, *more, "--render", here).returncode,
+                    self.remote("close", VALVE, *more, "--render", there).returncode,
+                ),
+                (OK, OK),
+            )
             self.assertEqual(there.read_bytes(), here.read_bytes())
 
     def test_evaluations_are_the_same(self):
@@ -75,8 +95,10 @@ class SameOutput(ThroughService):
             self.assert_same("plan", VALVE, *options(), *more)
 
     def test_a_search_from_a_file_has_the_same_report(self):
-        search = self.write("search.json", {"evaluations": 8, "plans": 1, "region_points": 2, "evidence": False,
-                                            "weights": {"movement": 0.5}})
+        search = self.write(
+            "search.json",
+            {"evaluations": 8, "plans": 1, "region_points": 2, "evidence": False, "weights": {"movement": 0.5}},
+        )
         self.assert_same_pictures("plan", VALVE, "--search", search, "--seed", 7)
 
     def test_a_report_on_own_plans_is_the_same(self):
@@ -103,28 +125,52 @@ class SameOutput(ThroughService):
         names = {file.name for file in here.iterdir() if not file.name.startswith("closures.sqlite")}
         self.assertEqual({file.name for file in there.iterdir()}, names)
         for name in names:
-            self.assertEqual(without_seconds((there / name).read_text()), without_seconds((here / name).read_text()), name)
+            self.assertEqual(
+                without_seconds((there / name).read_text()), without_seconds((here / name).read_text()), name
+            )
         again = self.remote("study", "annulus", "porcine-3", "-o", there, "--json")
         self.assertEqual(json.loads(again.stdout)["closures"], 0)
 
     def test_a_study_with_options_is_asked_for_as_it_is_here(self):
-        self.assertEqual(self.remote("study", "approximation", "porcine-thesis", "--displacement-step", 6, "--region-points",
-                                     17, "--protocol", "lookup-clamped", "--scan-sites", 0, "-o", self.folder / "s").returncode,
-                         OK)
+        self.assertEqual(
+            self.remote(
+                "study",
+                "approximation",
+                "porcine-thesis",
+                "--displacement-step",
+                6,
+                "--region-points",
+                17,
+                "--protocol",
+                "lookup-clamped",
+                "--scan-sites",
+                0,
+                "-o",
+                self.folder / "s",
+            ).returncode,
+            OK,
+        )
         asked = self.curl("/v1/jobs")[2]["jobs"][0]
         self.assertEqual((asked["kind"], asked["state"]), ("study", "SUCCEEDED"))
 
     def test_what_is_wrong_is_told_in_the_same_words(self):
         broken = self.write("broken.json", {"schema": "coapt.valve/1"})
-        for arguments in [("close", broken), ("close", VALVE, "--plan", self.long), ("close", VALVE, "--plan", "none.json"),
-                          ("evaluate", VALVE, self.own, self.long, "--no-evidence", "--region-points", "1"),
-                          ("plan", VALVE, "--forbid", "nothing"), ("plan", VALVE, "--fix", self.long),
-                          ("plan", broken)]:
+        for arguments in [
+            ("close", broken),
+            ("close", VALVE, "--plan", self.long),
+            ("close", VALVE, "--plan", "none.json"),
+            ("evaluate", VALVE, self.own, self.long, "--no-evidence", "--region-points", "1"),
+            ("plan", VALVE, "--forbid", "nothing"),
+            ("plan", VALVE, "--fix", self.long),
+            ("plan", broken),
+        ]:
             self.assertEqual(self.assert_same(*map(str, arguments)).returncode, BAD_INPUT, arguments)
 
     def test_a_valve_that_the_service_has_stored_is_named_by_its_id(self):
         stored = self.post("/v1/valves", self.make(VALVE).read_text())[2]["id"]
-        self.assertEqual(without_seconds(self.remote("close", stored).stdout), without_seconds(coapt("close", VALVE).stdout))
+        self.assertEqual(
+            without_seconds(self.remote("close", stored).stdout), without_seconds(coapt("close", VALVE).stdout)
+        )
         unknown = self.remote("close", "no-such-valve")
         self.assertEqual(unknown.returncode, BAD_INPUT)
         self.assertTrue(unknown.stderr.startswith("coapt: no-such-valve: "), unknown.stderr)
@@ -133,13 +179,15 @@ class SameOutput(ThroughService):
 class OnlyHere(ThroughService):
     def test_what_a_service_does_not_offer_is_a_usage_error_that_names_it(self):
         ring = self.write("ring.json", RING)
-        for arguments, named in [(("close", VALVE, "--method", "thesis"), "--method"),
-                                 (("close", VALVE, "--membrane", "continuum"), "--membrane"),
-                                 (("close", VALVE, "--oblique"), "--oblique"),
-                                 (("close", VALVE, "--accuracy", 1), "--accuracy"),
-                                 (("evaluate", VALVE, ring, "--no-evidence", "--threads", 1), "--threads"),
-                                 (("plan", VALVE, "--store", self.folder / "x.sqlite"), "--store"),
-                                 (("study", "ring", VALVE, "--threads", 1, "-o", self.folder / "s"), "--threads")]:
+        for arguments, named in [
+            (("close", VALVE, "--method", "thesis"), "--method"),
+            (("close", VALVE, "--membrane", "continuum"), "--membrane"),
+            (("close", VALVE, "--oblique"), "--oblique"),
+            (("close", VALVE, "--accuracy", 1), "--accuracy"),
+            (("evaluate", VALVE, ring, "--no-evidence", "--threads", 1), "--threads"),
+            (("plan", VALVE, "--store", self.folder / "x.sqlite"), "--store"),
+            (("study", "ring", VALVE, "--threads", 1, "-o", self.folder / "s"), "--threads"),
+        ]:
             run = self.remote(*arguments)
             self.assertEqual((run.returncode, run.stdout), (BAD_INPUT, ""), arguments)
             self.assertIn(named, run.stderr)
@@ -178,9 +226,23 @@ class Tokens(ThroughService):
 
     def test_a_token_comes_from_a_file_or_the_environment(self):
         self.assertEqual(self.remote("close", VALVE, "--token-file", self.token).returncode, OK)
-        run = subprocess.run([COAPT, "close", VALVE, "--server", self.url], capture_output=True, text=True,
-                             env=os.environ | {"COAPT_TOKEN": TOKEN})
+        run = subprocess.run(
+            [COAPT, "close", VALVE, "--server", self.url],
+            capture_output=True,
+            text=True,
+            env=os.environ | {"COAPT_TOKEN": TOKEN},
+        )
         self.assertEqual(run.returncode, OK, run.stderr)
+
+    def test_a_token_that_would_begin_another_header_is_refused(self):
+        run = subprocess.run(
+            [COAPT, "close", VALVE, "--server", self.url],
+            capture_output=True,
+            text=True,
+            env=os.environ | {"COAPT_TOKEN": f"{TOKEN}\r\nX: y"},
+        )
+        self.assertEqual(run.returncode, BAD_INPUT)
+        self.assertIn("COAPT_TOKEN has a control character", run.stderr)
 
     def test_without_it_one_does_not_come_in(self):
         self.assertEqual(self.remote("close", VALVE).returncode, BAD_INPUT)
@@ -191,8 +253,13 @@ class Tokens(ThroughService):
 
 class Interrupted(ThroughService):
     def start(self, *arguments, url=None):
-        return subprocess.Popen([COAPT, *map(str, arguments), "--server", url or self.url], text=True, process_group=0,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        return subprocess.Popen(
+            [COAPT, *map(str, arguments), "--server", url or self.url],
+            text=True,
+            process_group=0,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
 
     def job_when(self, condition):
         deadline = time.monotonic() + 100
@@ -205,32 +272,34 @@ class Interrupted(ThroughService):
 
     def test_ctrl_c_cancels_the_job_and_prints_its_best_so_far(self):
         run = self.start("plan", VALVE, "--evaluations", 50000, "--region-points", 2, "--no-evidence")
-        job = self.job_when(lambda job: job["progress"]["evaluations"] > 20)
+        job = self.job_when(lambda job: job["progress"]["closures"] > 20)
         os.killpg(run.pid, signal.SIGINT)
         out, err = run.communicate(timeout=200)
         self.assertEqual((run.returncode, err), (INTERRUPTED, ""))
         self.assertRegex(out, r"(?m)^   1 ")
         self.assertEqual(self.curl(f"/v1/jobs/{job}")[2]["state"], "CANCELLED")
 
-    def test_a_cancelled_study_says_that_it_goes_on(self):
+    def test_a_cancelled_study_says_how_to_continue(self):
         run = self.start("study", "thesis", "porcine-thesis", "-o", self.folder / "s")
-        self.job_when(lambda job: job["progress"]["evaluations"] > 0)
+        self.job_when(lambda job: job["progress"]["closures"] > 0)
         os.killpg(run.pid, signal.SIGINT)
         _, err = run.communicate(timeout=200)
         self.assertEqual(run.returncode, INTERRUPTED)
-        self.assertIn("goes on", err)
+        self.assertIn("request it again to continue", err)
 
     def test_a_search_is_followed_over_the_death_of_its_service(self):
         relay = Relay(self.server.port)
         self.addCleanup(relay.close)
         run = self.start("plan", VALVE, *options(evaluations=20), url=f"http://127.0.0.1:{relay.port}")
-        self.job_when(lambda job: job["progress"]["evaluations"] > 3)
+        self.job_when(lambda job: job["progress"]["closures"] > 3)
         self.server.kill()
         self.server = self.start_server()
         relay.target = self.server.port
         out, _ = run.communicate(timeout=300)
-        self.assertEqual(without_seconds(re.sub(r", \d+ known from an earlier run", "", out)),
-                         without_seconds(coapt("plan", VALVE, *options(evaluations=20)).stdout))
+        self.assertEqual(
+            without_seconds(re.sub(r", \d+ known from an earlier run", "", out)),
+            without_seconds(coapt("plan", VALVE, *options(evaluations=20)).stdout),
+        )
 
 
 if __name__ == "__main__":

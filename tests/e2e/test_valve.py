@@ -7,8 +7,7 @@ import unittest
 import jsonschema
 from programs import BAD_INPUT, COAPT, FAILURE, OK, SOURCE, ProgramTest, coapt
 
-PRESETS = [f"porcine-{i}" for i in range(1, 6)] + [
-    "human-normal", "human-functional-mr", "human-p2-prolapse"]
+PRESETS = [f"porcine-{i}" for i in range(1, 6)] + ["human-normal", "human-functional-mr", "human-p2-prolapse"]
 
 
 class CommandLine(ProgramTest):
@@ -19,8 +18,16 @@ class CommandLine(ProgramTest):
         self.assertEqual(result.stderr, "")
 
     def test_every_command_has_help_with_an_example(self):
-        for command in ["valve make", "valve import", "valve check", "valve info", "valve remodel",
-                        "close", "evaluate", "plan"]:
+        for command in [
+            "valve make",
+            "valve import",
+            "valve check",
+            "valve info",
+            "valve remodel",
+            "close",
+            "evaluate",
+            "plan",
+        ]:
             with self.subTest(command):
                 help_text = self.run_ok(*command.split(), "--help").stdout
                 self.assertIn("Example", help_text)
@@ -30,10 +37,15 @@ class CommandLine(ProgramTest):
         self.assertIn("research software, not a medical device", self.run_ok("--version").stdout)
 
     def test_wrong_usage_is_2_with_nothing_on_stdout(self):
-        for arguments in [[], ["fly"], ["close"], ["close", "human-normal", "--method", "magic"],
-                          ["plan", "human-normal", "--evaluations", "0"],
-                          ["valve", "make", "no-such-preset", "-o", "-"],
-                          ["valve", "make", "human-normal", "--ap-mm", "30", "-o", "-"]]:
+        for arguments in [
+            [],
+            ["fly"],
+            ["close"],
+            ["close", "human-normal", "--method", "magic"],
+            ["plan", "human-normal", "--evaluations", "0"],
+            ["valve", "make", "no-such-preset", "-o", "-"],
+            ["valve", "make", "human-normal", "--ap-mm", "30", "-o", "-"],
+        ]:
             with self.subTest(arguments):
                 result = coapt(*arguments)
                 self.assertEqual(result.returncode, BAD_INPUT)
@@ -45,31 +57,48 @@ class CommandLine(ProgramTest):
             self.assertIn("unknown: fly", coapt(*arguments).stderr)
 
     def test_numbers_are_whole_and_in_range_and_their_option_is_named(self):
-        for option, values in {"--evaluations": ["0", "abc", "1e3", "12x", "9" * 30],
-                               "--seed": ["-1", "18446744073709551616", "1.5"],
-                               "--seconds": ["nan", "inf", "-1", "1000001"]}.items():
+        for option, values in {
+            "--evaluations": ["0", "abc", "1e3", "12x", "9" * 30],
+            "--seed": ["-1", "18446744073709551616", "1.5"],
+            "--seconds": ["nan", "inf", "-1", "1000001"],
+        }.items():
             for value in values:
                 with self.subTest(option + value):
                     result = coapt("plan", "human-normal", option, value)
                     self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
                     self.assertIn(f"{option}: is {value}, must be a", result.stderr)
 
-    PRINTING = ["--help", "--version", "valve info human-normal", "valve check human-normal --json",
-                "valve make human-normal -o -", "close human-normal --json"]
+    PRINTING = [
+        "--help",
+        "--version",
+        "valve info human-normal",
+        "valve check human-normal --json",
+        "valve make human-normal -o -",
+        "close human-normal --json",
+    ]
 
     def test_a_result_that_is_lost_is_1_and_said(self):
         for command in self.PRINTING:
             for redirection in [">/dev/full", ">&-"]:
                 with self.subTest(command + redirection):
-                    result = subprocess.run(f"exec '{COAPT}' {command} {redirection}", shell=True,
-                                            stderr=subprocess.PIPE, text=True, timeout=60)
+                    result = subprocess.run(
+                        f"exec '{COAPT}' {command} {redirection}",
+                        shell=True,
+                        stderr=subprocess.PIPE,
+                        text=True,
+                        timeout=60,
+                    )
                     self.assertEqual(result.returncode, FAILURE)
                     self.assertEqual(result.stderr, "coapt: standard output: cannot be written\n")
 
     def test_without_standard_output_files_hold_nothing_else(self):
         picture = self.folder / "closed.png"
-        subprocess.run(f"exec '{COAPT}' close human-normal --render '{picture}' >&-", shell=True,
-                       stderr=subprocess.DEVNULL, timeout=60)
+        subprocess.run(
+            f"exec '{COAPT}' close human-normal --render '{picture}' >&-",
+            shell=True,
+            stderr=subprocess.DEVNULL,
+            timeout=60,
+        )
         self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
 
@@ -104,12 +133,15 @@ class Make(ProgramTest):
 
     def test_measured_skeletons_with_default_leaflets_close_like_healthy_valves(self):
         kaiser = SOURCE / "examples/valves/source/kaiser"
-        for ring, tips in [("normal_1_annulus", "normal_1_papillary"),
-                           ("hcm_d_annulus_early_systole", "hcm_d_papillary_early_systole")]:
+        for ring, tips in [
+            ("normal_1_annulus", "normal_1_papillary"),
+            ("hcm_d_annulus_early_systole", "hcm_d_papillary_early_systole"),
+        ]:
             with self.subTest(ring):
                 path = self.folder / f"{ring}.json"
-                self.run_ok("valve", "make", "--annulus", kaiser / f"{ring}.csv",
-                            "--tips", kaiser / f"{tips}.csv", "-o", path)
+                self.run_ok(
+                    "valve", "make", "--annulus", kaiser / f"{ring}.csv", "--tips", kaiser / f"{tips}.csv", "-o", path
+                )
                 closed = json.loads(self.run_ok("close", path, "--json").stdout)
                 self.assertEqual(closed["status"], "converged")
                 self.assertFalse(closed["crossing"])
@@ -192,8 +224,9 @@ class Remodel(ProgramTest):
 
     def test_displaced_tips_move_outwards_posterior_and_apical(self):
         moved = self.folder / "moved.json"
-        self.run_ok("valve", "remodel", "human-normal", "--displace-al", "1,2,3",
-                    "--displace-pm", "-4,5,6", "-o", moved)
+        self.run_ok(
+            "valve", "remodel", "human-normal", "--displace-al", "1,2,3", "--displace-pm", "-4,5,6", "-o", moved
+        )
         before = json.loads(self.run_ok("valve", "make", "human-normal", "-o", "-").stdout)
         after = json.loads(moved.read_text())
         for old, new in zip(before["papillary_heads"], after["papillary_heads"]):
@@ -212,8 +245,9 @@ class Remodel(ProgramTest):
         self.assertEqual(self.info(worst)["name"], "worst")
 
     def test_values_out_of_range_are_named_by_their_options(self):
-        result = coapt("valve", "remodel", "human-normal", "--ap-dilation", "1000",
-                       "--displace-pm", "1,2,300", "-o", "-")
+        result = coapt(
+            "valve", "remodel", "human-normal", "--ap-dilation", "1000", "--displace-pm", "1,2,300", "-o", "-"
+        )
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         self.assertIn(" --ap-dilation: ", result.stderr)
         self.assertIn(" --displace-pm/2: ", result.stderr)
@@ -224,12 +258,25 @@ class Import(ProgramTest):
 
     def test_the_real_valve_is_imported_with_its_provenance(self):
         valve = self.folder / "valve.json"
-        self.run_ok("valve", "import", "--leaflet", self.DATA / "anterior_leaflet_sheet.obj",
-                    self.DATA / "posterior_leaflet_sheet.obj",
-                    "--annulus", self.DATA / "annulus_centerline.csv",
-                    "--chordae", self.DATA / "chordae.csv",
-                    "--triangles", "720", "--name", "real", "--provenance", "from BodyParts3D",
-                    "-o", valve)
+        self.run_ok(
+            "valve",
+            "import",
+            "--leaflet",
+            self.DATA / "anterior_leaflet_sheet.obj",
+            self.DATA / "posterior_leaflet_sheet.obj",
+            "--annulus",
+            self.DATA / "annulus_centerline.csv",
+            "--chordae",
+            self.DATA / "chordae.csv",
+            "--triangles",
+            "720",
+            "--name",
+            "real",
+            "--provenance",
+            "from BodyParts3D",
+            "-o",
+            valve,
+        )
         self.run_ok("valve", "check", valve)
         info = json.loads(self.run_ok("valve", "info", valve, "--json").stdout)
         self.assertEqual(info["name"], "real")
@@ -241,8 +288,7 @@ class Import(ProgramTest):
         mesh = self.write("leaflet.obj", "v 1 2\n")
         points = self.write("annulus.csv", "0,0,0\n1,0,0\n0,1,0\n")
         chordae = self.write("chordae.json", [])
-        result = coapt("valve", "import", "--leaflet", mesh, "--annulus", points,
-                       "--chordae", chordae, "-o", "-")
+        result = coapt("valve", "import", "--leaflet", mesh, "--annulus", points, "--chordae", chordae, "-o", "-")
         self.assertEqual(result.returncode, BAD_INPUT)
         self.assertIn("leaflet.obj", result.stderr)
         self.assertEqual(result.stdout, "")

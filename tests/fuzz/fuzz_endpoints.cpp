@@ -64,8 +64,9 @@ struct Bench {
   Compute parsing, compute;
   Metrics metrics;
   Page page;
-  Service service{limits,  ring_catalogue(), store,   jobs, known,
-                  parsing, compute,          metrics, page, [] { return HttpLoad{}; }};
+  PageTokens tokens;
+  Service service{limits,  store,   jobs, known,  parsing,
+                  compute, metrics, page, tokens, [] { return HttpLoad{}; }};
   Routes routes = routes_of(service);
 
   Bench() {
@@ -75,6 +76,8 @@ struct Bench {
     must(store.start(kEndedJob, 0, 2));
     const JobFile report = {"report.html", "text/html; charset=utf-8", "<p>Report</p>"};
     must(store.finish(kEndedJob, {JobState::Succeeded, 1.0, "{}", "{}", a_result(), {report}}, 3));
+    const std::string plan = to_json(RepairPlan{}).dump();
+    if (!must(store.keep_plan({kKeptPlan, "A plan", kStoredValve, plan}, 1))) std::abort();
     must(jobs.resume());
   }
 };
@@ -84,8 +87,8 @@ Request request_of(std::uint8_t choice, std::string_view rest) {
   const std::size_t index = (choice + 256u - 'a') % 256u % kChoices;
   Request request;
   if (index < kBodyPaths.size()) {
-    request.method = "POST";
     request.path = kBodyPaths[index];
+    request.method = kBodyPaths[index] == kKeptPlanPath ? "PATCH" : "POST";
     request.body = rest;
     return request;
   }
@@ -122,6 +125,8 @@ void undo(Bench& bench, const Answer& answer) {
       const std::optional<Job> job = must(bench.store.job(id));
       if (!must(bench.jobs.cancel(id)) || !must(bench.store.remove(id))) std::abort();
       if (job->valve != kStoredValve) (void)bench.store.remove_valve(job->valve);
+    } else if (value.starts_with("/v1/kept-plans/")) {
+      if (!must(bench.store.remove_kept_plan(id))) std::abort();
     } else {
       (void)bench.store.remove_valve(id);
     }
@@ -135,7 +140,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const Request asked = request_of(data[0], {reinterpret_cast<const char*>(data) + 1, size - 1});
   // They are there for all inputs.
-  if (asked.method == "DELETE" && asked.path == std::string("/v1/jobs/") + kEndedJob) return 0;
+  if (asked.method == "DELETE" &&
+      (asked.path == std::string("/v1/jobs/") + kEndedJob || asked.path == kKeptPlanPath))
+    return 0;
 
   const Found found = find_route(bench.routes, asked);
   if (found.route == nullptr) {

@@ -19,7 +19,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
 
 RepairPlan one_of_each_step() {
   const LeafletPoint point = {Leaflet::Posterior, 0.5, 1.0};
-  return {{Annuloplasty{"own", 0.0, 2}, Annuloplasty{"generic-classic", 30.0, 0},
+  return {{Annuloplasty{OwnRing{2}}, Annuloplasty{CatalogueRing{"generic-classic", 30.0}},
            Neochorda{"AL1", point, 18.5}, ChordalLengthChange{"a", -1.25}, ChordalExcision{"b"},
            ChordalTransfer{"c", point},
            PapillaryApproximation{Side::Anterolateral, Anchor::SaddlePeak, 0.25, 24.0},
@@ -39,7 +39,11 @@ constexpr std::string_view kReads[] = {"/v1/jobs?page_size=2&page_token=9&state=
                                        "/v1/jobs/job/report",
                                        "/v1/jobs/job/files",
                                        "/v1/jobs/job/files/report.html",
+                                       "/v1/jobs/job/evaluations.csv",
+                                       "/v1/valves?page_size=1&page_token=0123",
                                        "/v1/valves/valve",
+                                       "/v1/kept-plans?valve=valve&page_size=1",
+                                       "/v1/kept-plans/kept",
                                        "/v1/presets",
                                        "/v1/presets/human-normal",
                                        "/v1/rings",
@@ -50,7 +54,7 @@ constexpr std::string_view kReads[] = {"/v1/jobs?page_size=2&page_token=9&state=
 /// Requests to each endpoint: small valves inside, jobs and valves that fuzz_endpoints has in its store.
 void write_requests(const std::filesystem::path& folder) {
   const nlohmann::json valve = nlohmann::json::parse(write_valve(small_valve()));
-  const nlohmann::json plan = to_json(RepairPlan{{Annuloplasty{"own", 0.0, 1}}});
+  const nlohmann::json plan = to_json(RepairPlan{{Annuloplasty{OwnRing{1}}}});
   const nlohmann::json search = {
       {"evaluations", 10},
       {"seed", 1},
@@ -75,7 +79,9 @@ void write_requests(const std::filesystem::path& folder) {
       {{"valve", kStoredValve}, {"plans", {plan}}, {"region_points", 2}},
       {{"valve", valve}, {"search", search}},
       {{"valve", kStoredValve}, {"study", study}},
-      nlohmann::json::object()};
+      nlohmann::json::object(),
+      {{"name", "A plan"}, {"valve", kStoredValve}, {"plan", plan}},
+      {{"name", "Another name"}}};
   char choice = 'a';
   for (const nlohmann::json& body : bodies) {
     write(folder / std::string(1, choice), choice + body.dump());

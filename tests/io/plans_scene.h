@@ -93,7 +93,7 @@ inline RankedPlan first() {
   RankedPlan plan;
   plan.rank = 1;
   plan.plan.steps = {
-      Annuloplasty{"generic-classic", 32.0, 0},
+      Annuloplasty{CatalogueRing{"generic-classic", 32.0}},
       PapillaryApproximation{Side::Anterolateral, Anchor::IpsilateralTrigone, 0.25, 21.5},
       PapillaryApproximation{Side::Posteromedial, Anchor::SaddlePeak, 0.25, 24.0}};
   plan.description = {
@@ -125,9 +125,10 @@ inline RankedPlan first() {
 inline RankedPlan second() {
   RankedPlan plan;
   plan.rank = 2;
-  plan.plan.steps = {Annuloplasty{"own", 0.0, 4}};
+  plan.plan.steps = {Annuloplasty{OwnRing{4}}};
   plan.description = {
-      "annuloplasty: ring of the annulus's own shape, 4 sizes below it (transverse 38.1 to 30.1 "
+      "annuloplasty: ring in the annulus's own shape, undersized by 4 sizes (transverse 38.1 to "
+      "30.1 "
       "mm)"};
   plan.cost = 6.87;
   plan.subset_cost = 7.3;
@@ -222,7 +223,7 @@ inline SearchRequest search_request() {
   options.seconds = 600.5;
   options.no_improvement = 400;
   options.target_mm2 = 0.25;
-  options.rules.fixed.steps = {Annuloplasty{"generic-classic", 30.0, 0}};
+  options.rules.fixed.steps = {Annuloplasty{CatalogueRing{"generic-classic", 30.0}}};
   options.rules.forbidden = {"chordal_transfer", "papillary_approximation:saddle_peak"};
   options.rules.most_neochordae = 2;
   options.rules.chordal_length_change = true;

@@ -28,8 +28,10 @@ class Valves(ClientTest):
     def test_every_problem_of_a_valve_is_told_with_its_place(self):
         self.assertEqual(self.client.validate_valve(self.client.get_valve("porcine-1")), ())
         wrong = self.client.get_valve("porcine-1") | {"pressure_kpa": -1, "faces": "none"}
-        self.assertEqual({problem.path for problem in self.client.validate_valve(wrong)} & {"/pressure_kpa", "/faces"},
-                         {"/pressure_kpa", "/faces"})
+        self.assertEqual(
+            {problem.path for problem in self.client.validate_valve(wrong)} & {"/pressure_kpa", "/faces"},
+            {"/pressure_kpa", "/faces"},
+        )
         error = self.refused(coapt.InvalidRequest, self.client.put_valve, wrong)
         self.assertEqual(error.status, 422)
         self.assertIn("/pressure_kpa: ", str(error))
@@ -73,21 +75,25 @@ class Closures(ClientTest):
         scene = self.client.scene(VALVE, frames=3)
         self.assertEqual((scene["schema"], scene["closure"]["status"]), ("coapt.scene/1", "converged"))
         self.assertLessEqual(len(scene["motion_mm"]), 3)
-        self.assertEqual(scene["motion_mm"][-1][:len(scene["closed_mm"])], scene["closed_mm"])
+        self.assertEqual(scene["motion_mm"][-1][: len(scene["closed_mm"])], scene["closed_mm"])
         self.assertEqual(self.client.scene(VALVE)["motion_mm"], [])
 
     def test_own_plans_have_a_report(self):
         page = self.client.report(VALVE, [Plan(Ring("generic-classic", size_mm=30))], region_points=2)
         self.assertIn("How the plans were scored", page)
-        self.assertNotIn("If remodelling goes on", page)
-        self.assertIn("If remodelling goes on", self.client.report(VALVE, [Plan(OwnRing(1))], evidence=True))
-        self.assertEqual(self.problems(coapt.InvalidRequest, self.client.report, VALVE, 11 * [Plan(OwnRing(1))]),
-                         [("/plans", "out_of_range")])
+        self.assertNotIn("Under further remodelling", page)
+        self.assertIn("Under further remodelling", self.client.report(VALVE, [Plan(OwnRing(1))], evidence=True))
+        self.assertEqual(
+            self.problems(coapt.InvalidRequest, self.client.report, VALVE, 11 * [Plan(OwnRing(1))]),
+            [("/plans", "out_of_range")],
+        )
 
     def test_an_impossible_plan_is_refused_with_the_place_of_the_step(self):
         plan = Plan(OwnRing(1), PapillaryApproximation("posteromedial", suture_length_mm=99))
-        self.assertEqual(self.problems(coapt.InvalidRequest, self.client.close, VALVE, plan),
-                         [("/plan/steps/1/suture_length_mm", "impossible_step")])
+        self.assertEqual(
+            self.problems(coapt.InvalidRequest, self.client.close, VALVE, plan),
+            [("/plan/steps/1/suture_length_mm", "impossible_step")],
+        )
 
     def test_own_plans_are_scored_in_the_order_given(self):
         plans = [Plan(), Plan(Ring("generic-classic", 28)), Plan(OwnRing(1))]
@@ -96,16 +102,21 @@ class Closures(ClientTest):
         self.assertEqual(sorted(plan.rank for plan in scored.plans), [1, 2, 3])
         self.assertEqual(scored.plans[0].measure, scored.before.measure)
         self.assertEqual(self.client.evaluate(VALVE, scored.plans[1:2]).plans[0].plan, plans[1])
-        self.assertEqual(self.problems(coapt.InvalidRequest, self.client.evaluate, VALVE, [Plan()] * 2, 1000),
-                         [("/plans", "out_of_range")])
+        self.assertEqual(
+            self.problems(coapt.InvalidRequest, self.client.evaluate, VALVE, [Plan()] * 2, 1000),
+            [("/plans", "out_of_range")],
+        )
         with self.assertRaisesRegex(coapt.CoaptError, "search"):
             scored.plans[0].picture()
 
 
 class Options(unittest.TestCase):
     def options(self, function):
-        return {name for name, parameter in inspect.signature(function).parameters.items()
-                if parameter.kind == inspect.Parameter.KEYWORD_ONLY} - {"idempotency_key"}
+        return {
+            name
+            for name, parameter in inspect.signature(function).parameters.items()
+            if parameter.kind == inspect.Parameter.KEYWORD_ONLY
+        } - {"idempotency_key"}
 
     def test_a_search_has_every_option_of_the_schema(self):
         schema = json.loads((SOURCE / "io/schema/search.schema.json").read_text())

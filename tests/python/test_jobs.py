@@ -15,7 +15,9 @@ class Searches(ClientTest):
         job = self.client.search(VALVE, **SMALL, forbidden=["annuloplasty:own"], weights={"movement": 0.5})
         result = job.wait(progress=seen.append).result()
         search = SMALL | {"rules": {"forbidden": ["annuloplasty:own"]}, "weights": {"movement": 0.5}}
-        printed = json.loads(coapt_command("plan", VALVE, "--search", self.write("search.json", search), "--json").stdout)
+        printed = json.loads(
+            coapt_command("plan", VALVE, "--search", self.write("search.json", search), "--json").stdout
+        )
         self.assertEqual([plan.json for plan in result.plans], printed["plans"])
         self.assertEqual((result.stop, result.closures), (printed["stop"], printed["closures"]))
         best = result.plans[0]
@@ -47,15 +49,16 @@ class Searches(ClientTest):
         self.assertTrue(job.report().startswith("<!DOCTYPE html>"))
         self.assertEqual(job.files()["report.html"], len(job.file("report.html")))
         valve, leaflets = self.client.get_valve(VALVE), best.leaflets()
-        self.assertEqual((len(leaflets.vertices_mm), len(leaflets.faces)),
-                         (len(valve["vertices_mm"]), len(valve["faces"])))
+        self.assertEqual(
+            (len(leaflets.vertices_mm), len(leaflets.faces)), (len(valve["vertices_mm"]), len(valve["faces"]))
+        )
         self.assertEqual(max(max(face) for face in leaflets.faces), len(valve["vertices_mm"]) - 1)
         self.assertEqual([("?format", "unsupported")], self.problems(coapt.InvalidRequest, best.mesh, "exe"))
 
     def test_a_cancelled_search_has_its_best_so_far(self):
         job = self.client.search(VALVE, **ENDLESS)
         for event in job.events():
-            if event.progress and event.progress.evaluations > 20:
+            if event.progress and event.progress.closures > 20:
                 job.cancel()
                 break
         self.assertEqual(job.wait().state, "CANCELLED")
@@ -78,8 +81,11 @@ class Searches(ClientTest):
 
     def test_a_bad_search_is_refused_with_the_place_of_each_problem(self):
         self.assertEqual(
-            sorted(self.problems(coapt.InvalidRequest, self.client.search, VALVE, plans=0, forbidden=["x"], target_mm2=-2)),
-            [("/search/plans", "out_of_range"), ("/search/target_mm2", "out_of_range")])
+            sorted(
+                self.problems(coapt.InvalidRequest, self.client.search, VALVE, plans=0, forbidden=["x"], target_mm2=-2)
+            ),
+            [("/search/plans", "out_of_range"), ("/search/target_mm2", "out_of_range")],
+        )
         self.refused(coapt.InvalidRequest, self.client.search, "no-such-valve")
 
 
@@ -101,8 +107,10 @@ class Studies(ClientTest):
         self.assertEqual(sum(finding.agrees for finding in result.findings), result.json["agree"])
         self.assertIn("annulus.csv", job.files())
         self.assertTrue(job.report().startswith("<!DOCTYPE html>"))
-        self.assertEqual(self.problems(coapt.InvalidRequest, self.client.study, "porcine-3", "annulus", scan_sites=3),
-                         [("/study/scan_sites", "unknown_field")])
+        self.assertEqual(
+            self.problems(coapt.InvalidRequest, self.client.study, "porcine-3", "annulus", scan_sites=3),
+            [("/study/scan_sites", "unknown_field")],
+        )
 
 
 if __name__ == "__main__":

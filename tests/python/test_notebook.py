@@ -83,8 +83,13 @@ class Examples(ClientTest):
 
     def test_the_script_prints_plans_and_leaves_files(self):
         surroundings = os.environ | {"COAPT_SERVER": self.url}
-        run = subprocess.run([sys.executable, EXAMPLES / "first_plan.py", self.make(VALVE)], cwd=self.folder, text=True,
-                             capture_output=True, env=surroundings)
+        run = subprocess.run(
+            [sys.executable, EXAMPLES / "first_plan.py", self.make(VALVE)],
+            cwd=self.folder,
+            text=True,
+            capture_output=True,
+            env=surroundings,
+        )
         self.assertEqual(run.returncode, OK, run.stderr)
         self.assertIn("1. leak", run.stdout)
         self.assertIn("research software", run.stderr)
@@ -103,8 +108,10 @@ class Examples(ClientTest):
 
 
 class WithoutNumpy(unittest.TestCase):
-    PLY = (b"ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
-           b"element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 2.5 0\n3 0 1 2\n")
+    PLY = (
+        b"ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+        b"element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 2.5 0\n3 0 1 2\n"
+    )
 
     def test_a_mesh_is_arrays_with_numpy_and_lists_without(self):
         mesh = coapt.Mesh.from_ply(self.PLY)

@@ -4,18 +4,31 @@ import json
 import unittest
 
 import jsonschema
-from coapt import (ChordalExcision, ChordalLengthChange, ChordalTransfer, LeafletPoint, Neochorda, OwnRing,
-                   PapillaryApproximation, Plan, Ring)
+from coapt import (
+    ChordalExcision,
+    ChordalLengthChange,
+    ChordalTransfer,
+    LeafletPoint,
+    Neochorda,
+    OwnRing,
+    PapillaryApproximation,
+    Plan,
+    Ring,
+)
 from programs import SOURCE, ProgramTest
 
 SCHEMA = json.loads((SOURCE / "io/schema/plan.schema.json").read_text())
 P2 = LeafletPoint("posterior", along=0.5, height=1.0)
 EVERY_STEP = Plan(
-    OwnRing(sizes_below=2), Ring("generic-classic", size_mm=30), Neochorda("PM1", P2, length_mm=20),
-    ChordalLengthChange("AL1-A2-marginal-1", change_mm=-3.5), ChordalExcision("PM1-P2-marginal-1"),
+    OwnRing(sizes_below=2),
+    Ring("generic-classic", size_mm=30),
+    Neochorda("PM1", P2, length_mm=20),
+    ChordalLengthChange("AL1-A2-marginal-1", change_mm=-3.5),
+    ChordalExcision("PM1-P2-marginal-1"),
     ChordalTransfer("PM1-A2-strut-1", LeafletPoint("anterior", 0.25, 0.75)),
     PapillaryApproximation("posteromedial", suture_length_mm=22),
-    PapillaryApproximation("anterolateral", 24.5, "annulus_point", annulus_around=0.75))
+    PapillaryApproximation("anterolateral", 24.5, "annulus_point", annulus_around=0.75),
+)
 
 
 class Plans(ProgramTest):
@@ -25,7 +38,9 @@ class Plans(ProgramTest):
 
     def test_there_is_a_part_for_every_step_of_the_schema(self):
         made = {step["step"] for step in EVERY_STEP.to_json()["steps"]}
-        known = {part["properties"]["step"]["const"] for part in SCHEMA["$defs"].values() if "step" in part["properties"]}
+        known = {
+            part["properties"]["step"]["const"] for part in SCHEMA["$defs"].values() if "step" in part["properties"]
+        }
         self.assertEqual(made, known)
 
     def test_a_plan_reads_back_as_it_was_written(self):

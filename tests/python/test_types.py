@@ -12,7 +12,9 @@ class Types(unittest.TestCase):
     @unittest.skipUnless(shutil.which("mypy"), "mypy is not installed")
     def test_the_package_is_strictly_typed(self):
         with tempfile.TemporaryDirectory() as cache:
-            run = subprocess.run(["mypy", "--cache-dir", cache], cwd=SOURCE / "clients/python", capture_output=True, text=True)
+            run = subprocess.run(
+                ["mypy", "--cache-dir", cache], cwd=SOURCE / "clients/python", capture_output=True, text=True
+            )
         self.assertEqual(run.returncode, OK, run.stdout)
 
 

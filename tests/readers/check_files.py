@@ -17,29 +17,44 @@ import feb_rules
 import read_vtk
 
 HERE = pathlib.Path(__file__).resolve().parent
-VALVES = {"plain": ["human-normal"],
-          "repaired": ["human-functional-mr", "--plan", HERE / "plan.json"],
-          # Chordae that insert between vertices.
-          "imported": [HERE.parents[1] / "examples/valves/bodyparts3d.json"],
-          "open": ["human-p2-prolapse", "--open"]}
+VALVES = {
+    "plain": ["human-normal"],
+    "repaired": ["human-functional-mr", "--plan", HERE / "plan.json"],
+    # Chordae that insert between vertices.
+    "imported": [HERE.parents[1] / "examples/valves/bodyparts3d.json"],
+    "open": ["human-p2-prolapse", "--open"],
+}
 POINT_DATA = {"height_mm"}
 FACE_DATA = {"leaflet", "segment", "strain_circumferential", "strain_radial"}
 LINE_DATA = {"chorda", "kind", "rest_length_mm", "diameter_mm", "tension_n"}
 # Of SlicerHeart's Valve Quantification, preset mitral valve (MeasurementPreset.py, MeasurementPresetMitralValve.py) and
 # module Orifice Area; names and units as there.
-METRICS = {"Annulus circumference (3D)": "mm", "A-P distance": "mm", "AL-PM distance": "mm", "ALC-PMC distance": "mm",
-           "Sphericity index (A-P / AL-PM)": "mm/mm", "Annulus height": "mm", "Annulus height above": "mm",
-           "Annulus height below": "mm", "Annulus area (2D)": "mm*mm", "Tenting height": "mm",
-           "Regurgitant orifice area": "mm*mm"}
-METRICS |= {f"Coaptation anterior - posterior height ({which})": "mm" for which in
-            ["min", "mean", "max"] + [f"{percent}th percentile" for percent in (10, 25, 50, 75, 90)]}
+METRICS = {
+    "Annulus circumference (3D)": "mm",
+    "A-P distance": "mm",
+    "AL-PM distance": "mm",
+    "ALC-PMC distance": "mm",
+    "Sphericity index (A-P / AL-PM)": "mm/mm",
+    "Annulus height": "mm",
+    "Annulus height above": "mm",
+    "Annulus height below": "mm",
+    "Annulus area (2D)": "mm*mm",
+    "Tenting height": "mm",
+    "Regurgitant orifice area": "mm*mm",
+}
+METRICS |= {
+    f"Coaptation anterior - posterior height ({which})": "mm"
+    for which in ["min", "mean", "max"] + [f"{percent}th percentile" for percent in (10, 25, 50, 75, 90)]
+}
 
 
 def export(coapt, folder, arguments):
     """All formats of a valve."""
     formats = ["glb", "vtk", "ply", "obj", "stl", "mrk.json", "feb"] + (["csv"] if "--open" not in arguments else [])
     outputs = [part for format in formats for part in ("-o", folder / f"valve.{format}")]
-    subprocess.run([coapt, "export", *arguments, *outputs, "-o", f"{folder}/folder/"], check=True, stderr=subprocess.DEVNULL)
+    subprocess.run(
+        [coapt, "export", *arguments, *outputs, "-o", f"{folder}/folder/"], check=True, stderr=subprocess.DEVNULL
+    )
 
 
 def section(text, name):
@@ -48,7 +63,7 @@ def section(text, name):
     first = next((i for i, line in enumerate(lines) if line.split()[:1] == [name]), None)
     if first is None:
         return []
-    return lines[first + 1:first + 1 + int(lines[first].split()[1])]
+    return lines[first + 1 : first + 1 + int(lines[first].split()[1])]
 
 
 def check_vtk(path, has_faces=True, has_lines=True):
@@ -59,7 +74,10 @@ def check_vtk(path, has_faces=True, has_lines=True):
         problems.append("VTK reads other numbers of points, lines or triangles than the file holds")
     if bool(lines) != has_lines or bool(faces) != has_faces:
         problems.append("lines or triangles are missing, or there are some too many")
-    expected = (POINT_DATA if has_faces else set(), (FACE_DATA if has_faces else set()) | (LINE_DATA if has_lines else set()))
+    expected = (
+        POINT_DATA if has_faces else set(),
+        (FACE_DATA if has_faces else set()) | (LINE_DATA if has_lines else set()),
+    )
     if read_vtk.arrays(data) != expected:
         problems.append(f"data are {read_vtk.arrays(data)}")
     if "SPACE=LPS" not in text.splitlines()[1]:
@@ -119,15 +137,20 @@ def check_markups(path):
         document = json.loads(path.read_text())
     except ValueError as error:
         return [str(error)]
-    return [f"/{'/'.join(map(str, e.absolute_path))}: {e.message[:200]}"
-            for e in jsonschema.Draft7Validator(schema).iter_errors(document)]
+    return [
+        f"/{'/'.join(map(str, e.absolute_path))}: {e.message[:200]}"
+        for e in jsonschema.Draft7Validator(schema).iter_errors(document)
+    ]
 
 
 def check_csv(path):
     with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
-    problems = [f"{row['Metric']} in {row['Unit']} is none of SlicerHeart's" for row in rows
-                if METRICS.get(row["Metric"]) != row["Unit"]]
+    problems = [
+        f"{row['Metric']} in {row['Unit']} is none of SlicerHeart's"
+        for row in rows
+        if METRICS.get(row["Metric"]) != row["Unit"]
+    ]
     problems += [f"{row['Metric']} is {row['Value']}" for row in rows if not math.isfinite(float(row["Value"]))]
     return problems + [f"{name} is missing" for name in METRICS.keys() - {row["Metric"] for row in rows}]
 
@@ -137,8 +160,10 @@ def checks(folder, validate, name):
     sheets = folder / "folder"
     valve = folder / "valve.vtk"
     yield valve, lambda: check_vtk(valve) + check_chordae(valve, sheets / "leaflets.vtk")
-    yield sheets / "Chords_mesh.vtk", lambda: (check_vtk(sheets / "Chords_mesh.vtk", has_faces=False) +
-                                              check_chordae(sheets / "Chords_mesh.vtk", sheets / "leaflets.vtk"))
+    yield sheets / "Chords_mesh.vtk", lambda: (
+        check_vtk(sheets / "Chords_mesh.vtk", has_faces=False)
+        + check_chordae(sheets / "Chords_mesh.vtk", sheets / "leaflets.vtk")
+    )
     for sheet in ("leaflets", "anterior_leaflet", "posterior_leaflet"):
         yield sheets / f"{sheet}.vtk", lambda path=sheets / f"{sheet}.vtk": check_vtk(path, has_lines=False)
     for format in ("ply", "obj", "stl"):
@@ -164,11 +189,15 @@ def damaged(path, content):
         return b"\n".join(lines[:-1]) + b"\n"
     if path.suffix == ".ply":  # VTK itself dies of a file that is cut off
         first = lines.index(b"end_header") + 1
-        return b"\n".join([*lines[:first], b"99 0 0", *lines[first + 1:]]) + b"\n"
+        return b"\n".join([*lines[:first], b"99 0 0", *lines[first + 1 :]]) + b"\n"
     if path.suffix == ".stl":
         return content[:-25]
-    replacements = {".glb": (b'"VEC3"', b'"VEC2"'), ".json": (b'"defined"', b'"preview"'), ".csv": (b",mm\n", b",cm\n"),
-                    ".feb": (b'discrete_set="1.1', b'discrete_set="0.1')}
+    replacements = {
+        ".glb": (b'"VEC3"', b'"VEC2"'),
+        ".json": (b'"defined"', b'"preview"'),
+        ".csv": (b",mm\n", b",cm\n"),
+        ".feb": (b'discrete_set="1.1', b'discrete_set="0.1'),
+    }
     old, new = replacements[path.suffix]
     if path.suffix == ".csv":
         old, new = b",mm,", b",cm,"

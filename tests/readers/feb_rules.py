@@ -3,8 +3,20 @@ sections and their order (FEBio user's manual, chapter 3). This is not FEBio."""
 
 import xml.etree.ElementTree as ET
 
-SECTIONS = ["Module", "Control", "Material", "Mesh", "MeshDomains", "MeshData", "Boundary", "Loads", "Contact", "Discrete",
-            "LoadData", "Output"]
+SECTIONS = [
+    "Module",
+    "Control",
+    "Material",
+    "Mesh",
+    "MeshDomains",
+    "MeshData",
+    "Boundary",
+    "Loads",
+    "Contact",
+    "Discrete",
+    "LoadData",
+    "Output",
+]
 BC_TYPES = {"zero displacement", "prescribed displacement"}
 
 
@@ -52,7 +64,10 @@ def problems_of(path):
     for one in root.iter():
         expect(one.get("lc") is None or one.get("lc") in curves, f"{one.tag} follows a curve that is not there")
     for bc in root.find("Boundary"):
-        expect(bc.get("node_set") in sets["NodeSet"] and bc.get("type") in BC_TYPES, f"bc {bc.get('name')} refers to nothing")
+        expect(
+            bc.get("node_set") in sets["NodeSet"] and bc.get("type") in BC_TYPES,
+            f"bc {bc.get('name')} refers to nothing",
+        )
     for load in root.find("Loads"):
         expect(load.get("surface") in sets["Surface"], "a load refers to no surface")
     for contact in root.find("Contact"):
@@ -61,8 +76,10 @@ def problems_of(path):
     springs = [one.get("id") for one in discrete.findall("discrete_material")]
     used = [(one.get("dmat"), one.get("discrete_set")) for one in discrete.findall("discrete")]
     expect(springs == [str(i + 1) for i in range(len(springs))], "ids of springs do not count from 1")
-    expect([mat for mat, _ in used] == springs and {s for _, s in used} == set(sets["DiscreteSet"]),
-           "springs, their materials and sets do not match")
+    expect(
+        [mat for mat, _ in used] == springs and {s for _, s in used} == set(sets["DiscreteSet"]),
+        "springs, their materials and sets do not match",
+    )
     held = {i for one in mesh.findall("NodeSet") for i in one.text.split(",")}
     expect(len(held) > 0, "nothing is held")
     return problems

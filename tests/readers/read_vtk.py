@@ -12,7 +12,7 @@ vtk.vtkLogger.SetStderrVerbosity(vtk.vtkLogger.VERBOSITY_OFF)
 
 def complaints(before):
     """What VTK has said since it had said `before`; it goes on reading nevertheless."""
-    said = MESSAGES.GetOutput()[len(before):].strip()
+    said = MESSAGES.GetOutput()[len(before) :].strip()
     return [f"VTK says: {' '.join(said.split())[:200]}"] if said else []
 
 
@@ -45,8 +45,10 @@ def cells(data):
 def arrays(data):
     """Names of the data of points and of cells."""
     point, cell = data.GetPointData(), data.GetCellData()
-    return ({point.GetArrayName(i) for i in range(point.GetNumberOfArrays())},
-            {cell.GetArrayName(i) for i in range(cell.GetNumberOfArrays())})
+    return (
+        {point.GetArrayName(i) for i in range(point.GetNumberOfArrays())},
+        {cell.GetArrayName(i) for i in range(cell.GetNumberOfArrays())},
+    )
 
 
 def bounds_of(blocks):

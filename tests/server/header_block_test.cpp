@@ -40,5 +40,15 @@ TEST(ParseHeader, RefusesWhatReadersWouldDifferAbout) {
   EXPECT_FALSE(parse_header("GET /\x01 HTTP/1.1\r\n\r\n"));
 }
 
+TEST(ParseHeader, RefusesARequestLineThatReadersCouldReadOtherwise) {
+  for (const std::string wrong :
+       {"", " POST / HTTP/1.1", "POST  / HTTP/1.1", "POST /  HTTP/1.1", "POST / HTTP/1.1 ",
+        "POST\t/ HTTP/1.1", "POST /a b HTTP/1.1", "POST /\ta HTTP/1.1", "POST /", "POST HTTP/1.1",
+        "POST  HTTP/1.1", "P(ST / HTTP/1.1", "POST / HTTP/2.0", "POST / HTTP/1.", "POST / HTTP/1.x",
+        "POST / http/1.1"})
+    EXPECT_FALSE(parse_header(wrong + "\r\n\r\n")) << wrong;
+  EXPECT_TRUE(parse_header("OPTIONS * HTTP/1.0\r\n\r\n"));
+}
+
 }  // namespace
 }  // namespace coapt

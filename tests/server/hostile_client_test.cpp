@@ -15,10 +15,16 @@ const std::string kChunked = kPost + "Transfer-Encoding: chunked\r\n\r\n";
 HttpLimits small() {
   HttpLimits limits;
   limits.header_bytes = 1024;
-  limits.header_seconds = 0.3;
   limits.body_bytes = 100000;
-  limits.body_seconds = 0.5;
   limits.requests = 4;
+  return limits;
+}
+
+/// For requests that never come whole; a busy machine would be too slow for any other.
+HttpLimits impatient() {
+  HttpLimits limits = small();
+  limits.header_seconds = 0.3;
+  limits.body_seconds = 0.5;
   return limits;
 }
 
@@ -72,14 +78,18 @@ TEST(HostileClient, WithoutRoomTheNewOneIsRefused) {
   EXPECT_EQ(status_of(second.receive_all()), 200);
 }
 
-TEST(HostileClient, HeadersTooLargeOrTooSlowAreRefused) {
+TEST(HostileClient, HeadersTooLargeAreRefused) {
   DemoServer server(small());
   EXPECT_EQ(status_of(get(server.port(), "/demo/a", "X: " + std::string(2000, 'x') + "\r\n")), 431);
   EXPECT_EQ(status_of(ask(server.port(), std::string(100000, 'x'))), 431);
-  EXPECT_EQ(status_of(ask(server.port(), "GET /demo/a HTTP/1.1\r\n")), 408);
-  EXPECT_EQ(status_of(ask(server.port(), "")), 408);
   EXPECT_EQ(status_of(get(server.port(), "/demo/a", "X: " + std::string(800, 'x') + "\r\n")), 200);
   EXPECT_EQ(server.exchanges()["other none 431"], 2);
+}
+
+TEST(HostileClient, HeadersThatDoNotComeAreTooSlow) {
+  DemoServer server(impatient());
+  EXPECT_EQ(status_of(ask(server.port(), "GET /demo/a HTTP/1.1\r\n")), 408);
+  EXPECT_EQ(status_of(ask(server.port(), "")), 408);
   EXPECT_EQ(server.exchanges()["other none 408"], 2);
 }
 
@@ -123,7 +133,7 @@ TEST(HostileClient, BodiesThatEndEarlyAreBadOnes) {
 }
 
 TEST(HostileClient, BodiesThatDoNotComeAreTooSlow) {
-  DemoServer server(small());
+  DemoServer server(impatient());
   EXPECT_EQ(status_of(ask(server.port(), kPost + "Content-Length: 5\r\n\r\nabc")), 408);
   EXPECT_EQ(status_of(ask(server.port(), kChunked + "5\r\nabc")), 408);
 }
@@ -145,8 +155,10 @@ TEST(HostileClient, BodiesThatDribbleAreTooSlow) {
 
 TEST(HostileClient, WrongChunksAreBadOnes) {
   DemoServer server(small());
-  for (const char* chunks : {"x\r\n", "-1\r\nabc", "ffffffffffffffffffff\r\nabc",
-                             "3\r\nabcdef\r\n0\r\n\r\n", "0\r\nnot the end\r\n\r\n", "\r\n\r\n"}) {
+  for (const char* chunks :
+       {"x\r\n", "-1\r\nabc", "ffffffffffffffffffff\r\nabc", "3\r\nabcdef\r\n0\r\n\r\n",
+        "0\r\nnot the end\r\n\r\n", "\r\n\r\n", "0x3\r\nabc\r\n0\r\n\r\n", "+3\r\nabc\r\n0\r\n\r\n",
+        "3 x\r\nabc\r\n0\r\n\r\n"}) {
     EXPECT_EQ(status_of(ask(server.port(), kChunked + chunks)), 400) << chunks;
   }
   EXPECT_EQ(status_of(get(server.port(), "/demo/a")), 200);

@@ -59,6 +59,7 @@ TEST(Http, RefusalsSayWhatIsWrong) {
       {"OPTIONS * " + host + "\r\n", 404},
       {"BREW /demo/a " + host + "\r\n", 400},
       {"GET /demo/a HTTP/9\r\n\r\n", 400},
+      {" POST /demo/a " + host + "Content-Length: 2\r\n\r\n{}", 400},
       {"GET /demo/a " + host + "Host: localhost\r\n\r\n", 400},
       {"GET /" + std::string(9000, 'v') + " " + host + "\r\n", 414},
       {"GET /demo/a HTTP/1.1\r\nHost: evil.example\r\n\r\n", 421},

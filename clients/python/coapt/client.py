@@ -82,11 +82,21 @@ class Client:
     :param patience_s: how long the service may be away while a job is followed
     """
 
-    def __init__(self, url: str | None = None, token: str | None = None, *, timeout_s: float = 120.0, retries: int = 3,
-                 patience_s: float = 60.0) -> None:
+    def __init__(
+        self,
+        url: str | None = None,
+        token: str | None = None,
+        *,
+        timeout_s: float = 120.0,
+        retries: int = 3,
+        patience_s: float = 60.0,
+    ) -> None:
         self._transport = Transport(
-            (url or os.environ.get("COAPT_SERVER") or LOCAL).rstrip("/"), token or os.environ.get("COAPT_TOKEN") or None,
-            timeout_s, retries)
+            (url or os.environ.get("COAPT_SERVER") or LOCAL).rstrip("/"),
+            token or os.environ.get("COAPT_TOKEN") or None,
+            timeout_s,
+            retries,
+        )
         self._patience_s = patience_s
 
     @property
@@ -131,8 +141,14 @@ class Client:
         """Closes a valve, repaired if there is a plan, and measures what leaks. Look at Closure.trusted."""
         return Closure.from_json(self._post("/v1/closures", _repair(valve, plan)))
 
-    def export(self, valve: Valve, format: FileFormat, plan: Plan | RankedPlan | Mapping[str, Any] | None = None, *,
-               open: bool = False) -> bytes:
+    def export(
+        self,
+        valve: Valve,
+        format: FileFormat,
+        plan: Plan | RankedPlan | Mapping[str, Any] | None = None,
+        *,
+        open: bool = False,
+    ) -> bytes:
         """A file that other programs open, of the valve closed, repaired if there is a plan.
 
         :param open: the unstressed shape, not the closed one; not for csv
@@ -144,7 +160,9 @@ class Client:
         """The closed valve, repaired if there is a plan, from the atrium and in section, with its figures; a notebook shows it."""
         return Picture(self._transport.request("POST", "/v1/pictures", _repair(valve, plan)).body)
 
-    def scene(self, valve: Valve, plan: Plan | RankedPlan | Mapping[str, Any] | None = None, *, frames: int = 0) -> dict[str, Any]:
+    def scene(
+        self, valve: Valve, plan: Plan | RankedPlan | Mapping[str, Any] | None = None, *, frames: int = 0
+    ) -> dict[str, Any]:
         """All that is drawn of a closed valve as lists and numbers (coapt.scene/1): points, triangles, chordae with tension,
         orifices, annulus. One end state, where close() takes the mean of five.
 
@@ -153,8 +171,13 @@ class Client:
         scene: dict[str, Any] = self._post("/v1/scenes", _repair(valve, plan) | {"frames": frames})
         return scene
 
-    def evaluate(self, valve: Valve, plans: Iterable[Plan | RankedPlan | Mapping[str, Any]],
-                 region_points: int | None = None, evidence: bool | None = None) -> Evaluations:
+    def evaluate(
+        self,
+        valve: Valve,
+        plans: Iterable[Plan | RankedPlan | Mapping[str, Any]],
+        region_points: int | None = None,
+        evidence: bool | None = None,
+    ) -> Evaluations:
         """Scores plans of one's own as a search scores its finalists, in the order given.
 
         :param region_points: 1 to 1,089 nodes of each plan's region of interest, 1 by default; plans times nodes must stay
@@ -165,22 +188,41 @@ class Client:
         request = _plans(valve, plans, region_points=region_points, evidence=evidence)
         return Evaluations.from_json(self._post("/v1/evaluations", request))
 
-    def report(self, valve: Valve, plans: Iterable[Plan | RankedPlan | Mapping[str, Any]],
-               region_points: int | None = None, evidence: bool | None = None) -> str:
+    def report(
+        self,
+        valve: Valve,
+        plans: Iterable[Plan | RankedPlan | Mapping[str, Any]],
+        region_points: int | None = None,
+        evidence: bool | None = None,
+    ) -> str:
         """The page about plans of one's own, ten at most, scored as evaluate() does: HTML that stands alone."""
         request = _plans(valve, plans, region_points=region_points, evidence=evidence)
         return self._transport.request("POST", "/v1/reports", request).body.decode()
 
     # Long work
 
-    def search(self, valve: Valve, *, evaluations: int | None = None, seed: int | None = None, plans: int | None = None,
-               region_points: int | None = None, evidence: bool | None = None, seconds: float | None = None,
-               no_improvement: int | None = None, target_mm2: float | None = None, threads: int | None = None,
-               fixed: Plan | None = None, forbidden: Sequence[str] | None = None, rules: Mapping[str, Any] | None = None,
-               weights: Mapping[str, float] | None = None, idempotency_key: str | None = None) -> Job[SearchResult]:
+    def search(
+        self,
+        valve: Valve,
+        *,
+        evaluations: int | None = None,
+        seed: int | None = None,
+        plans: int | None = None,
+        region_points: int | None = None,
+        evidence: bool | None = None,
+        seconds: float | None = None,
+        no_improvement: int | None = None,
+        target_mm2: float | None = None,
+        threads: int | None = None,
+        fixed: Plan | None = None,
+        forbidden: Sequence[str] | None = None,
+        rules: Mapping[str, Any] | None = None,
+        weights: Mapping[str, float] | None = None,
+        idempotency_key: str | None = None,
+    ) -> Job[SearchResult]:
         """Searches repair plans. What is left out has the service's default, in brackets.
 
-        :param evaluations: closures spent on searching; ranking comes on top (2,000)
+        :param evaluations: closures for the search itself; ranking takes more (2,000)
         :param seed: the same seed gives the same plans (1)
         :param plans: how many ranked plans to report, up to 50 (5)
         :param region_points: 1 to 1,089 nodes of each reported plan's region of interest (1,089)
@@ -189,23 +231,42 @@ class Client:
         :param no_improvement: stop after so many closures without a better plan; 0: never (0)
         :param target_mm2: stop when mean + sd of a plan's leak over 17 nodes is not above this; -1: never (-1)
         :param threads: does not change the result; 0: all cores (0)
-        :param fixed: steps that every plan has
-        :param forbidden: what no plan has: "neochorda", "papillary_approximation:saddle_peak", "annuloplasty:own", ...
+        :param fixed: steps that every plan must contain
+        :param forbidden: what no plan may contain: "neochorda", "papillary_approximation:saddle_peak", "annuloplasty:own", ...
         :param rules: further rules of io/schema/search.schema.json; fixed and forbidden go into them
         :param weights: of the cost, likewise
         :param idempotency_key: the same key with the same request gives the same job; a new one by default
         """
-        all_rules = dict(rules or {}) | _given(fixed=None if fixed is None else fixed.to_json(),
-                                               forbidden=None if forbidden is None else list(forbidden))
-        search = _given(evaluations=evaluations, seed=seed, threads=threads, plans=plans, region_points=region_points,
-                        evidence=evidence, seconds=seconds, no_improvement=no_improvement, target_mm2=target_mm2,
-                        rules=all_rules or None, weights=None if weights is None else dict(weights))
+        all_rules = dict(rules or {}) | _given(
+            fixed=None if fixed is None else fixed.to_json(), forbidden=None if forbidden is None else list(forbidden)
+        )
+        search = _given(
+            evaluations=evaluations,
+            seed=seed,
+            threads=threads,
+            plans=plans,
+            region_points=region_points,
+            evidence=evidence,
+            seconds=seconds,
+            no_improvement=no_improvement,
+            target_mm2=target_mm2,
+            rules=all_rules or None,
+            weights=None if weights is None else dict(weights),
+        )
         json = self._submit("/v1/plans", {"valve": _document(valve), "search": search}, idempotency_key)
         return Job(self._transport, json, SearchResult.from_json, self._patience_s)
 
-    def study(self, valve: Valve, name: StudyName = "thesis", *, protocols: Sequence[Protocol] | None = None,
-              displacement_step_mm: int | None = None, region_points: int | None = None, scan_sites: int | None = None,
-              idempotency_key: str | None = None) -> Job[StudyResult]:
+    def study(
+        self,
+        valve: Valve,
+        name: StudyName = "thesis",
+        *,
+        protocols: Sequence[Protocol] | None = None,
+        displacement_step_mm: int | None = None,
+        region_points: int | None = None,
+        scan_sites: int | None = None,
+        idempotency_key: str | None = None,
+    ) -> Job[StudyResult]:
         """Repeats a study of the thesis on a valve. The options are those of "approximation" and "thesis" alone.
 
         :param protocols: how positions of a region get their orifice (both look-ups)
@@ -213,8 +274,12 @@ class Client:
         :param region_points: 17 to 1,089 nodes of each region of interest
         :param scan_sites: 0 to 360 anchors around the annulus, besides trigone and saddle peak
         """
-        study = {"name": name} | _given(protocols=None if protocols is None else list(protocols), scan_sites=scan_sites,
-                                        displacement_step_mm=displacement_step_mm, region_points=region_points)
+        study = {"name": name} | _given(
+            protocols=None if protocols is None else list(protocols),
+            scan_sites=scan_sites,
+            displacement_step_mm=displacement_step_mm,
+            region_points=region_points,
+        )
         json = self._submit("/v1/studies", {"valve": _document(valve), "study": study}, idempotency_key)
         return Job(self._transport, json, StudyResult.from_json, self._patience_s)
 

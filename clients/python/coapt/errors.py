@@ -46,7 +46,9 @@ class Refused(CoaptError):
     retry_after_s: seconds after which the service asks to be tried again; None: it does not say.
     """
 
-    def __init__(self, status: int, title: str, problems: Sequence[Problem] = (), retry_after_s: float | None = None) -> None:
+    def __init__(
+        self, status: int, title: str, problems: Sequence[Problem] = (), retry_after_s: float | None = None
+    ) -> None:
         self.status = status
         self.title = title
         self.retry_after_s = retry_after_s
@@ -90,7 +92,13 @@ class NotEnded(CoaptError):
 
 
 _KINDS: dict[int, type[Refused]] = {
-    401: AccessDenied, 403: AccessDenied, 421: AccessDenied, 404: NotFound, 409: Conflict, 429: Busy, 503: Busy,
+    401: AccessDenied,
+    403: AccessDenied,
+    421: AccessDenied,
+    404: NotFound,
+    409: Conflict,
+    429: Busy,
+    503: Busy,
 }
 
 

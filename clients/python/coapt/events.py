@@ -13,22 +13,22 @@ ENDED = ("SUCCEEDED", "FAILED", "CANCELLED")
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a job is. evaluations are closures; best_leak_mm2 is the least leak of a plan as planned, None: none yet;
+    """How far a job is. closures includes known ones; best_leak_mm2 is the least leak of a plan as planned, None: none yet;
     seconds are those of running, over all attempts."""
 
     stage: str
-    evaluations: int
-    evaluations_planned: int
+    closures: int
+    closures_planned: int
     best_leak_mm2: float | None
     seconds: float
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Progress:
-        return cls(json["stage"], json["evaluations"], json["evaluations_planned"], json["best_leak_mm2"], json["seconds"])
+        return cls(json["stage"], json["closures"], json["closures_planned"], json["best_leak_mm2"], json["seconds"])
 
     def __str__(self) -> str:
-        best = "" if self.best_leak_mm2 is None else f", least leak as planned {self.best_leak_mm2:.1f} mm2"
-        return f"{self.evaluations} of {self.evaluations_planned} closures, {self.stage}{best}"
+        best = "" if self.best_leak_mm2 is None else f", lowest leak as planned {self.best_leak_mm2:.1f} mm2"
+        return f"{self.closures} of {self.closures_planned} closures, {self.stage}{best}"
 
 
 @dataclass(frozen=True)

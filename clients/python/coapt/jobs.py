@@ -30,8 +30,13 @@ class Job(Generic[Result]):
     json is the job as it was when the service was last asked; see refresh().
     """
 
-    def __init__(self, transport: Transport, json: Mapping[str, Any], read: Callable[[Any, Transport, str], Result],
-                 patience_s: float = 60.0) -> None:
+    def __init__(
+        self,
+        transport: Transport,
+        json: Mapping[str, Any],
+        read: Callable[[Any, Transport, str], Result],
+        patience_s: float = 60.0,
+    ) -> None:
         self._transport, self._read, self._patience_s = transport, read, patience_s
         self.json = json
 
@@ -41,7 +46,7 @@ class Job(Generic[Result]):
 
     @property
     def kind(self) -> str:
-        """"plans" or "study"."""
+        """Either "plans" or "study"."""
         return str(self.json["kind"])
 
     @property
@@ -94,8 +99,12 @@ class Job(Generic[Result]):
         while True:
             pause_s = _PAUSE_S
             try:
-                with self._transport.open("GET", f"{self.path}/events", headers={"Last-Event-ID": str(after)},
-                                          timeout_s=self._left(deadline, 3 * _HEARTBEAT_S)) as response:
+                with self._transport.open(
+                    "GET",
+                    f"{self.path}/events",
+                    headers={"Last-Event-ID": str(after)},
+                    timeout_s=self._left(deadline, 3 * _HEARTBEAT_S),
+                ) as response:
                     if response.status == 204:
                         return
                     for event in read_events(lines(response)):
@@ -171,4 +180,6 @@ class Job(Generic[Result]):
         return f"Job({self.id}, {self.kind}, {self.state})"
 
     def _repr_html_(self) -> str:
-        return f"<p>{html.escape(repr(self))}: {html.escape(str(self.progress))}</p><p><small>{tables.NOTICE}</small></p>"
+        return (
+            f"<p>{html.escape(repr(self))}: {html.escape(str(self.progress))}</p><p><small>{tables.NOTICE}</small></p>"
+        )

@@ -48,8 +48,8 @@ class Mesh:
         if not end or "format ascii 1.0" not in head or list(counts) != ["vertex", "face"]:
             raise ValueError("no ASCII PLY of vertices and faces")
         lines = body.splitlines()
-        vertices = [[float(word) for word in line.split()] for line in lines[:counts["vertex"]]]
-        faces = [[int(word) for word in line.split()[1:]] for line in lines[counts["vertex"]:][:counts["face"]]]
+        vertices = [[float(word) for word in line.split()] for line in lines[: counts["vertex"]]]
+        faces = [[int(word) for word in line.split()[1:]] for line in lines[counts["vertex"] :][: counts["face"]]]
         if len(faces) < counts["face"] or any(len(row) != 3 for row in vertices + faces):
             raise ValueError("a PLY that breaks off, or not of triangles")
         if numpy is None:

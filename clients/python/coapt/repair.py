@@ -65,7 +65,12 @@ class Neochorda:
     step: ClassVar[str] = "neochorda"
 
     def to_json(self) -> dict[str, Any]:
-        return {"step": self.step, "head": self.head, "insertion": self.insertion.to_json(), "length_mm": self.length_mm}
+        return {
+            "step": self.step,
+            "head": self.head,
+            "insertion": self.insertion.to_json(),
+            "length_mm": self.length_mm,
+        }
 
 
 @dataclass(frozen=True)

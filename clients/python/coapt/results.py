@@ -53,9 +53,20 @@ class Measure:
     def from_json(cls, json: Document) -> Measure:
         coaptation, annulus = json["coaptation"], json["annulus"]
         return cls(
-            json["leak_mm2"], json["orifice_area_mm2"], coaptation["gap_area_mm2"], coaptation["height_mean_mm"],
-            coaptation["height_min_mm"], annulus["ap_mm"], annulus["al_pm_mm"], json["tenting_height_mm"],
-            json["tension_max_n"], json["tension_sum_n"], json["strain_circumferential_max"], json["strain_radial_max"], json)
+            json["leak_mm2"],
+            json["orifice_area_mm2"],
+            coaptation["gap_area_mm2"],
+            coaptation["height_mean_mm"],
+            coaptation["height_min_mm"],
+            annulus["ap_mm"],
+            annulus["al_pm_mm"],
+            json["tenting_height_mm"],
+            json["tension_max_n"],
+            json["tension_sum_n"],
+            json["strain_circumferential_max"],
+            json["strain_radial_max"],
+            json,
+        )
 
 
 @dataclass(frozen=True)
@@ -74,8 +85,17 @@ class Closure:
 
     @classmethod
     def from_json(cls, json: Document) -> Closure:
-        return cls(json["valve"], json["status"], json["crossing"], json["residual"], json["steps"], json["seconds"],
-                   Measure.from_json(json), tuple(json["warnings"]), json)
+        return cls(
+            json["valve"],
+            json["status"],
+            json["crossing"],
+            json["residual"],
+            json["steps"],
+            json["seconds"],
+            Measure.from_json(json),
+            tuple(json["warnings"]),
+            json,
+        )
 
     @property
     def trusted(self) -> bool:
@@ -144,18 +164,39 @@ class RankedPlan:
         margin = json["margin_to_leak"]
         place = _Place(transport, f"{job_path}/plans/{json['rank']}") if transport else None
         return cls(
-            json["rank"], Plan.from_json(json["plan"]), tuple(json["description"]), Statistics.from_json(json["leak_mm2"]),
-            Statistics.from_json(json["orifice_area_mm2"]), json["cost"], json["status"], json["crossing"],
-            Measure.from_json(json["measure"]), json["region_closures"], json["region_failures"],
-            margin["suture_length_mm"], margin["angle_deg"], json["pareto"], json["tie_with_next"], tuple(json["warnings"]),
-            json, place)
+            json["rank"],
+            Plan.from_json(json["plan"]),
+            tuple(json["description"]),
+            Statistics.from_json(json["leak_mm2"]),
+            Statistics.from_json(json["orifice_area_mm2"]),
+            json["cost"],
+            json["status"],
+            json["crossing"],
+            Measure.from_json(json["measure"]),
+            json["region_closures"],
+            json["region_failures"],
+            margin["suture_length_mm"],
+            margin["angle_deg"],
+            json["pareto"],
+            json["tie_with_next"],
+            tuple(json["warnings"]),
+            json,
+            place,
+        )
 
     @property
     def closes_robustly(self) -> bool:
         """All closures of its region converged uncrossed, and mean + sd of the leak are below 1 mm2."""
         mean, sd = self.leak_mm2.mean, self.leak_mm2.sd
-        return (self.status == "converged" and not self.crossing and self.region_failures == 0 and self.region_closures > 1
-                and mean is not None and sd is not None and mean + sd < 1.0)
+        return (
+            self.status == "converged"
+            and not self.crossing
+            and self.region_failures == 0
+            and self.region_closures > 1
+            and mean is not None
+            and sd is not None
+            and mean + sd < 1.0
+        )
 
     def picture(self) -> Picture:
         """The view from the atrium, before and after (PNG)."""
@@ -208,8 +249,13 @@ class Evaluations:
 
     @classmethod
     def from_json(cls, json: Document) -> Evaluations:
-        return cls(Before.from_json(json["before"]), tuple(map(RankedPlan.from_json, json["plans"])), json["closures"],
-                   json["seconds"], json)
+        return cls(
+            Before.from_json(json["before"]),
+            tuple(map(RankedPlan.from_json, json["plans"])),
+            json["closures"],
+            json["seconds"],
+            json,
+        )
 
     def _repr_html_(self) -> str:
         return tables.plans_html(self.before, self.plans)
@@ -231,8 +277,15 @@ class SearchResult:
     @classmethod
     def from_json(cls, json: Document, transport: Transport, job_path: str) -> SearchResult:
         plans = tuple(RankedPlan.from_json(plan, transport, job_path) for plan in json["plans"])
-        return cls(Before.from_json(json["before"]), plans, json["any_competent"], json["stop"], json["closures"],
-                   json["seconds"], json)
+        return cls(
+            Before.from_json(json["before"]),
+            plans,
+            json["any_competent"],
+            json["stop"],
+            json["closures"],
+            json["seconds"],
+            json,
+        )
 
     def _repr_html_(self) -> str:
         return tables.plans_html(self.before, self.plans)
@@ -265,8 +318,16 @@ class StudyResult:
 
     @classmethod
     def from_json(cls, json: Document, transport: Transport, job_path: str) -> StudyResult:
-        return cls(json["study"], json["valve"], json["configurations"], json["closures"], json["untrusted"], json["seconds"],
-                   tuple(Finding(**known_fields(Finding, finding)) for finding in json["findings"]), json)
+        return cls(
+            json["study"],
+            json["valve"],
+            json["configurations"],
+            json["closures"],
+            json["untrusted"],
+            json["seconds"],
+            tuple(Finding(**known_fields(Finding, finding)) for finding in json["findings"]),
+            json,
+        )
 
     def _repr_html_(self) -> str:
         return tables.findings_html(self)

@@ -18,7 +18,7 @@ _LEAST_RANGE_MM = 10.0  # that its height stands for
 
 
 def number(value: float | None, decimals: int = 1) -> str:
-    """"-" where it is not known; never "-0.0"."""
+    """A dash where it is not known; never "-0.0"."""
     if value is None:
         return "-"
     return f"{round(value, decimals) + 0.0:.{decimals}f}"
@@ -27,7 +27,9 @@ def number(value: float | None, decimals: int = 1) -> str:
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """Cells are HTML."""
     top = "".join(f"<th>{cell}</th>" for cell in head)
-    body = "".join("<tr>" + "".join(f'<td style="text-align:left">{cell}</td>' for cell in row) + "</tr>" for row in rows)
+    body = "".join(
+        "<tr>" + "".join(f'<td style="text-align:left">{cell}</td>' for cell in row) + "</tr>" for row in rows
+    )
     return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>" if head else f"<table>{body}</table>"
 
 
@@ -40,8 +42,10 @@ def _figures(measure: Measure) -> list[tuple[str, str]]:
         ("leak", f"<b>{number(measure.leak_mm2)} mm²</b>, the larger of orifice and gap"),
         ("orifice seen from the atrium", f"{number(measure.orifice_area_mm2)} mm²"),
         ("gap between the leaflets", f"{number(measure.gap_area_mm2)} mm²"),
-        ("coaptation height", f"mean {number(measure.coaptation_height_mean_mm)}, min "
-                              f"{number(measure.coaptation_height_min_mm)} mm"),
+        (
+            "coaptation height",
+            f"mean {number(measure.coaptation_height_mean_mm)}, min " f"{number(measure.coaptation_height_min_mm)} mm",
+        ),
         ("largest chordal tension", f"{number(measure.tension_max_n, 2)} N"),
         ("annulus", f"AP {number(measure.annulus_ap_mm)}, AL-PM {number(measure.annulus_al_pm_mm)} mm"),
     ]
@@ -57,20 +61,26 @@ def coaptation_svg(sections: Sequence[Any]) -> str:
         x, height, apart = i * _BAR_WIDTH, section["height_mm"] or 0.0, section["distance_mm"] or 0.0
         if section["contact"]:
             up = height * scale
-            bars.append(f'<rect x="{x + 3}" y="{middle - up:.1f}" width="{_BAR_WIDTH - 6}" height="{up:.1f}" fill="#3b7dd8">'
-                        f"<title>{number(height)} mm coaptation</title></rect>")
+            bars.append(
+                f'<rect x="{x + 3}" y="{middle - up:.1f}" width="{_BAR_WIDTH - 6}" height="{up:.1f}" fill="#3b7dd8">'
+                f"<title>{number(height)} mm coaptation</title></rect>"
+            )
         else:
             down = min(apart * scale, middle) / 2
-            bars.append(f'<rect x="{x + 3}" y="{middle}" width="{_BAR_WIDTH - 6}" height="{down:.1f}" fill="#c8372d">'
-                        f"<title>{number(apart)} mm apart</title></rect>")
+            bars.append(
+                f'<rect x="{x + 3}" y="{middle}" width="{_BAR_WIDTH - 6}" height="{down:.1f}" fill="#c8372d">'
+                f"<title>{number(apart)} mm apart</title></rect>"
+            )
         label = number(height if section["contact"] else apart)
         bars.append(f'<text x="{x + _BAR_WIDTH / 2}" y="{1.5 * middle + 16}" text-anchor="middle">{label}</text>')
     width, bottom = len(sections) * _BAR_WIDTH, 1.5 * middle + 34
-    return (f'<svg role="img" aria-label="coaptation along the valve" width="{width}" height="{bottom + 4}" '
-            f'style="font:11px sans-serif;fill:currentColor">{"".join(bars)}'
-            f'<line x1="0" x2="{width}" y1="{middle}" y2="{middle}" stroke="currentColor"/>'
-            f'<text x="0" y="{bottom}">anterolateral</text><text x="{width}" y="{bottom}" text-anchor="end">posteromedial</text>'
-            "</svg>")
+    return (
+        f'<svg role="img" aria-label="coaptation along the valve" width="{width}" height="{bottom + 4}" '
+        f'style="font:11px sans-serif;fill:currentColor">{"".join(bars)}'
+        f'<line x1="0" x2="{width}" y1="{middle}" y2="{middle}" stroke="currentColor"/>'
+        f'<text x="0" y="{bottom}">anterolateral</text><text x="{width}" y="{bottom}" text-anchor="end">posteromedial</text>'
+        "</svg>"
+    )
 
 
 def _state(status: str, crossing: bool) -> str:
@@ -80,10 +90,12 @@ def _state(status: str, crossing: bool) -> str:
 def closure_html(closure: Closure) -> str:
     warned = "" if closure.trusted else "<p><b>These figures do not count.</b></p>"
     bars = coaptation_svg(closure.measure.json["coaptation"]["sections"])
-    return (f"<h4>{html.escape(closure.valve)}: {_state(closure.status, closure.crossing)}</h4>{warned}"
-            f"{_table((), _figures(closure.measure))}"
-            f"<p>Coaptation height at nine sections, mm (blue); leaflets apart, mm (red)</p>{bars}"
-            f"<p>{_list(closure.warnings, '! ')}</p>{_NOTICE_HTML}")
+    return (
+        f"<h4>{html.escape(closure.valve)}: {_state(closure.status, closure.crossing)}</h4>{warned}"
+        f"{_table((), _figures(closure.measure))}"
+        f"<p>Coaptation height at nine sections, mm (blue); leaflets apart, mm (red)</p>{bars}"
+        f"<p>{_list(closure.warnings, '! ')}</p>{_NOTICE_HTML}"
+    )
 
 
 _FARTHEST_MM, _FARTHEST_DEG = 1.0, 5.0  # borders of the region of interest: a margin there may be larger
@@ -104,8 +116,15 @@ def _plan_row(plan: RankedPlan) -> tuple[str, ...]:
     warnings = (() if settled else (_state(plan.status, plan.crossing),)) + plan.warnings
     warned = f"<br><small>{_list(warnings, '! ')}</small>" if warnings else ""
     tie = "<br><small>ties with the next</small>" if plan.tie_with_next else ""
-    return (str(plan.rank), what + warned + tie, number(leak.nominal), f"{number(leak.mean)} ± {number(leak.sd)}",
-            number(leak.worst), ", ".join(margins) or "-", number(plan.measure.tension_max_n, 2))
+    return (
+        str(plan.rank),
+        what + warned + tie,
+        number(leak.nominal),
+        f"{number(leak.mean)} ± {number(leak.sd)}",
+        number(leak.worst),
+        ", ".join(margins) or "-",
+        number(plan.measure.tension_max_n, 2),
+    )
 
 
 def plan_html(plan: RankedPlan, picture: Picture | None) -> str:
@@ -117,12 +136,21 @@ def plan_html(plan: RankedPlan, picture: Picture | None) -> str:
 
 
 def plans_html(before: Before, plans: Sequence[RankedPlan]) -> str:
-    state = (f"<p>Before: leak {number(before.measure.leak_mm2)} mm², orifice {number(before.measure.orifice_area_mm2)} mm², "
-             f"{_state(before.status, before.crossing)}</p>")
+    state = (
+        f"<p>Before: leak {number(before.measure.leak_mm2)} mm², orifice {number(before.measure.orifice_area_mm2)} mm², "
+        f"{_state(before.status, before.crossing)}</p>"
+    )
     return state + _table(_PLANS_HEAD, map(_plan_row, plans)) + _NOTICE_HTML
 
 
 def findings_html(result: StudyResult) -> str:
-    rows = [("agrees" if finding.agrees else "<b>differs</b>", html.escape(finding.finding), html.escape(finding.thesis),
-             html.escape(finding.ours)) for finding in result.findings]
+    rows = [
+        (
+            "agrees" if finding.agrees else "<b>differs</b>",
+            html.escape(finding.finding),
+            html.escape(finding.thesis),
+            html.escape(finding.ours),
+        )
+        for finding in result.findings
+    ]
     return _table(("", "finding", "thesis", html.escape(result.valve)), rows) + _NOTICE_HTML

@@ -49,8 +49,14 @@ class Transport:
         if parts.scheme not in ("http", "https") or not parts.hostname:
             raise CoaptError(f"{self.url!r} is no address of a service; must be like http://127.0.0.1:8080")
 
-    def request(self, method: str, path: str, body: Any = None, headers: Mapping[str, str] | None = None,
-                query: Mapping[str, Any] | None = None) -> Answer:
+    def request(
+        self,
+        method: str,
+        path: str,
+        body: Any = None,
+        headers: Mapping[str, str] | None = None,
+        query: Mapping[str, Any] | None = None,
+    ) -> Answer:
         """The answer, of a status below 400.
 
         :param body: sent as JSON unless None
@@ -79,8 +85,15 @@ class Transport:
         return Unreachable(f"{self.url} does not answer: {error or type(error).__name__}")
 
     @contextmanager
-    def open(self, method: str, path: str, content: bytes | None = None, headers: Mapping[str, str] | None = None,
-             query: Mapping[str, Any] | None = None, timeout_s: float | None = None) -> Iterator[http.client.HTTPResponse]:
+    def open(
+        self,
+        method: str,
+        path: str,
+        content: bytes | None = None,
+        headers: Mapping[str, str] | None = None,
+        query: Mapping[str, Any] | None = None,
+        timeout_s: float | None = None,
+    ) -> Iterator[http.client.HTTPResponse]:
         """One try: the answer, still to be read. Raises Refused, OSError and http.client.HTTPException."""
         parts = urllib.parse.urlsplit(self.url)
         target = parts.path.rstrip("/") + path

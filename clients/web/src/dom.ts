@@ -1,4 +1,5 @@
 // Elements without a framework: what is made here is what the browser shows.
+import parts from './style/parts.module.css'
 
 export type Child = Node | string | number | null | undefined | false
 type Attribute = string | number | boolean | null | undefined | ((event: never) => void)
@@ -49,7 +50,13 @@ function setAttributes(element: Element, attributes: Attributes): void {
 
 /// A labelled control; the label is the control's accessible name.
 export function field(label: string, control: HTMLElement, unit = ''): HTMLLabelElement {
-  return h('label', { class: 'field' }, h('span', {}, label), control, unit && h('span', { class: 'unit' }, unit))
+  return h(
+    'label',
+    { class: parts.field },
+    h('span', {}, label),
+    control,
+    unit && h('span', { class: parts.unit }, unit),
+  )
 }
 
 export function button(label: string, onclick: () => void, attributes: Attributes = {}): HTMLButtonElement {

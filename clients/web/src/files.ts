@@ -3,9 +3,10 @@ import { request } from './api/http'
 import { button, download, h, select } from './dom'
 import { problemList } from './problems'
 import { problemsOf, type Workspace } from './workspace'
+import parts from './style/parts.module.css'
 
 const FORMATS = [
-  ['glb', 'GLB, closing'],
+  ['glb', 'GLB, animated'],
   ['vtk', 'VTK'],
   ['ply', 'PLY'],
   ['obj', 'OBJ'],
@@ -21,10 +22,15 @@ export interface FileSaver {
 }
 
 /// A button beside the formats; `get` fetches one, `name` is what stands before the dot. What goes wrong is said in `told`.
-export function fileSaver(label: string, get: (format: string) => Promise<Blob>, name: () => string, told: HTMLElement): FileSaver {
+export function fileSaver(
+  label: string,
+  get: (format: string) => Promise<Blob>,
+  name: () => string,
+  told: HTMLElement,
+): FileSaver {
   let format: string = FORMATS[0][0]
   const formats = select(FORMATS, format, (chosen) => (format = chosen))
-  formats.setAttribute('aria-label', 'Format of the file')
+  formats.setAttribute('aria-label', 'File format')
   const press = button(label, () => void save())
   async function save(): Promise<void> {
     press.disabled = true
@@ -36,7 +42,7 @@ export function fileSaver(label: string, get: (format: string) => Promise<Blob>,
     }
     press.disabled = false
   }
-  return { element: h('span', { class: 'joined' }, press, formats), button: press }
+  return { element: h('span', { class: parts.joined }, press, formats), button: press }
 }
 
 /// Of the open valve, as the present plan leaves it.

@@ -1,15 +1,20 @@
-// The page: a bar of views over one workspace. The chosen view is the address's part after '#'.
+// The page: a bar of views over one workspace. The address says which view, valve, plan and job is shown.
 import './style/base.css'
-import './style/parts.css'
 import { onTokenNeeded } from './api/http'
 import { h } from './dom'
 import { askForToken } from './shell/token'
 import { footer } from './shell/footer'
-import { header, VIEWS, type ViewName } from './shell/header'
+import { header } from './shell/header'
+import { notices } from './shell/notices'
+import { commandPalette } from './shell/palette'
+import { shortcuts } from './shell/shortcuts'
+import { VIEWS, type ViewName } from './shell/views'
+import { router } from './state/router'
+import { onOtherTab } from './state/tabs'
 import type { View } from './view'
 import { Workspace, problemsOf } from './workspace'
-
-const FIRST_VALVE = 'human-functional-mr'
+import parts from './style/parts.module.css'
+import shellStyle from './shell/shell.module.css'
 
 const makers: Record<ViewName, (workspace: Workspace) => Promise<View>> = {
   valve: async (workspace) => new (await import('./valve/view')).ValveView(workspace),
@@ -23,49 +28,70 @@ const workspace = new Workspace()
 const views = new Map<ViewName, Promise<View>>()
 const main = h('main', { id: 'main', tabindex: -1 })
 let shown: View | null = null
+let asked: ViewName = 'valve'
 
-function asked(): ViewName {
-  const name = location.hash.slice(1)
-  return VIEWS.find(([view]) => view === name)?.[0] ?? 'valve'
-}
-
-async function show(): Promise<void> {
-  const name = asked()
-  let making = views.get(name)
-  if (!making) views.set(name, (making = makers[name](workspace)))
+async function show(name: ViewName): Promise<void> {
+  asked = name
+  const making = views.get(name) ?? makers[name](workspace)
+  views.set(name, making)
   const view = await making.catch((error: unknown) => {
     views.delete(name)
     return said(error)
   })
-  if (name !== asked() || view === shown) return
-  shown?.hide()
-  main.replaceChildren(view.element)
-  shown = view
+  if (name !== asked) return
+  if (view !== shown) {
+    shown?.hide()
+    main.replaceChildren(view.element)
+    shown = view
+  }
   view.show()
   bar.mark(name)
+  bar.lead(route.addressOf)
   document.title = `coapt: ${VIEWS.find(([view]) => view === name)?.[1] ?? ''}`
 }
 
 /// In the place of a view that cannot be shown: its file did not come, or the browser draws nothing in three dimensions.
 function said(error: unknown): View {
-  const words = error instanceof Error ? error.message : String(error)
-  const element = h('p', { class: 'bad', role: 'alert' }, `This view cannot be shown: ${words}`)
+  const isLost = error instanceof TypeError
+  const words = isLost ? 'the service does not answer' : error instanceof Error ? error.message : String(error)
+  const element = h('p', { class: parts.bad, role: 'alert' }, `This view cannot be shown: ${words}.`)
   return { element, show: () => {}, hide: () => {} }
 }
-
-const bar = header(workspace)
-app.append(h('a', { href: '#main', class: 'skip', onclick: skip }, 'Skip to the content'), bar.element, main, footer())
-onTokenNeeded(askForToken)
-addEventListener('hashchange', () => void show())
 
 function skip(event: Event): void {
   event.preventDefault()
   main.focus()
 }
 
-const opened = workspace.open({ reference: FIRST_VALVE, label: FIRST_VALVE })
-opened.catch((error: unknown) => {
-  workspace.problems = problemsOf(error)
-  bar.complain(workspace.problems[0]?.message ?? '')
+const palette = commandPalette(workspace)
+const bar = header(workspace, palette.open)
+const above = notices(() => void again())
+const route = router(workspace, {
+  show,
+  fail: above.fault,
+  failed(error) {
+    workspace.problems = problemsOf(error)
+    bar.complain(workspace.problems[0]?.message ?? '')
+  },
 })
-await show()
+
+/// What could not be shown while the service was away.
+async function again(): Promise<void> {
+  await workspace.loadKept().catch(() => {})
+  if (!workspace.valve || !views.has(asked)) await route.apply()
+  else await workspace.closeAgain()
+}
+
+app.append(
+  h('a', { href: '#main', class: shellStyle.skip, onclick: skip }, 'Skip to content'),
+  bar.element,
+  above.element,
+  main,
+  footer(),
+)
+onTokenNeeded(askForToken)
+shortcuts(workspace, palette.open)
+workspace.subscribe(() => bar.lead(route.addressOf))
+onOtherTab('kept plans', () => void workspace.loadKept())
+workspace.loadKept().catch(() => {})
+await route.start()

@@ -1,7 +1,10 @@
-// What the page is about at present: a valve, its closure, a repair of it and the plans that were kept.
+// The page's state: a valve, its closure, a repair of it, the plans that were kept, the jobs that are looked at.
 import { drawScene } from './api/calls'
 import { ApiError } from './api/http'
-import type { Plan, Problem, Scene, Step } from './api/types'
+import type { Job, Plan, Problem, Scene, Step } from './api/types'
+import { shelf as keptPlans, type KeptPlan, type Shelf } from './state/kept_plans'
+import { tellTabs } from './state/tabs'
+import { nameOfValve } from './state/valves'
 
 const FRAMES = 40 // of the closing animation
 
@@ -10,19 +13,14 @@ export interface ValveSource {
   label: string
 }
 
-export interface KeptPlan {
-  name: string
-  plan: Plan
-  valve: ValveSource // that it was made for
-}
-
 export const NO_PLAN: Plan = { schema: 'coapt.plan/1', steps: [] }
 
 export class Workspace {
   valve: ValveSource | null = null
   before: Scene | null = null
   after: Scene | null = null // of closedPlan; null if that has no steps or cannot be closed
-  kept: KeptPlan[] = []
+  kept: KeptPlan[] = [] // newest last
+  jobs: Record<Job['kind'], string | null> = { plans: null, study: null } // that are looked at
   answer_ms: number | null = null // from letting go to the answer, of the last closure
   problems: Problem[] = [] // what is said against the valve or closedPlan
 
@@ -34,6 +32,8 @@ export class Workspace {
   private opened = 0 // valves asked for
   private changed_at = 0
   private listeners: (() => void)[] = []
+
+  constructor(private readonly shelf: Shelf = keptPlans()) {}
 
   get plan(): Plan {
     return this.plans[this.at] ?? NO_PLAN
@@ -96,13 +96,60 @@ export class Workspace {
     await this.close()
   }
 
-  keep(name: string, plan = this.plan, valve = this.valve): void {
-    if (valve) this.kept.push({ name, plan, valve })
+  /// The open valve's name here.
+  relabel(label: string): void {
+    if (this.valve) this.valve = { ...this.valve, label }
     this.changed()
   }
-  forget(kept: KeptPlan): void {
-    this.kept = this.kept.filter((other) => other !== kept)
+
+  lookAt(kind: Job['kind'], job: string | null): void {
+    if (this.jobs[kind] === job) return
+    this.jobs[kind] = job
     this.changed()
+  }
+
+  /// What was kept before, here or in another tab.
+  async loadKept(): Promise<void> {
+    this.kept = (await this.shelf.list()).reverse()
+    this.changed()
+  }
+  /// A plan that is kept for this valve already stays the one; `isNew` says so.
+  async keep(name: string, plan = this.plan, valve = this.valve): Promise<{ kept: KeptPlan; isNew: boolean }> {
+    if (!valve) throw new Error('No valve is open.')
+    const steps = JSON.stringify(plan.steps)
+    const same = (other: KeptPlan) => other.valve === valve.reference && JSON.stringify(other.plan.steps) === steps
+    const before = this.kept.find(same)
+    if (before) return { kept: before, isNew: false }
+    const kept = await this.shelf.add({ name, plan, valve: valve.reference })
+    this.kept = [...this.kept, kept]
+    this.keptChanged()
+    return { kept, isNew: true }
+  }
+  async rename(kept: KeptPlan, name: string): Promise<void> {
+    await this.shelf.rename(kept.id, name)
+    this.kept = this.kept.map((other) => (other === kept ? { ...kept, name } : other))
+    this.keptChanged()
+  }
+  async forget(kept: KeptPlan): Promise<void> {
+    await this.shelf.remove(kept.id)
+    this.kept = this.kept.filter((other) => other.id !== kept.id)
+    this.keptChanged()
+  }
+
+  private keptChanged(): void {
+    tellTabs('kept plans')
+    this.changed()
+  }
+
+  /// Opens the plan's valve first, if another one is open.
+  async revise({ plan, valve }: KeptPlan): Promise<void> {
+    if (valve !== this.valve?.reference) await this.open({ reference: valve, label: nameOfValve(valve) })
+    await this.setPlan(plan.steps)
+  }
+
+  /// Of a plan whose closure the service did not answer.
+  closeAgain(): Promise<void> {
+    return this.close()
   }
 
   /// One closure at a time: those of plans that were only passed through are left out.
@@ -111,24 +158,28 @@ export class Workspace {
     this.changed()
     if (this.closing) return
     this.closing = true
-    while (this.valve && !this.isAnswered) await this.closePresent(this.valve, this.plan)
+    let answers = true
+    while (this.valve && !this.isAnswered && answers) answers = await this.closePresent(this.valve, this.plan)
     this.closing = false
   }
 
-  private async closePresent(valve: ValveSource, plan: Plan): Promise<void> {
+  /// False if the service did not answer: what was closed last stays, as not answered.
+  private async closePresent(valve: ValveSource, plan: Plan): Promise<boolean> {
     let after: Scene | null = null
     let problems: Problem[] = []
     try {
       if (plan.steps.length > 0) after = await drawScene(valve.reference, plan, 0)
     } catch (error) {
+      if (error instanceof TypeError) return false
       problems = problemsOf(error)
     }
-    if (valve !== this.valve) return
+    if (valve.reference !== this.valve?.reference) return true
     this.after = after
     this.problems = problems
     this.answer_ms = after ? performance.now() - this.changed_at : null
     this.closedPlan = plan
     this.changed()
+    return true
   }
 
   private changed(): void {
@@ -139,6 +190,7 @@ export class Workspace {
 /// An error as problems that can be listed.
 export function problemsOf(error: unknown): Problem[] {
   if (error instanceof ApiError && error.problems.length > 0) return error.problems
+  if (error instanceof TypeError) return [{ code: 'failed', path: '', message: 'The service does not answer.' }]
   const message = error instanceof Error ? error.message : String(error)
-  return [{ code: 'failed', path: '', message: message || 'the service did not answer' }]
+  return [{ code: 'failed', path: '', message }]
 }

@@ -1,4 +1,5 @@
-// Part of kernels.inl: how near the features of listed pairs are, and the forces that push them apart.
+// Part of kernels.inl: how near the features of listed pairs are, and the forces that push them
+// apart.
 
 /// Contact force and its stiffness of pairs whose features are `d` apart.
 template <class R>
@@ -25,8 +26,8 @@ COAPT_INLINE Push<R> push(PairBlock<R>& pairs, R used, const Vec3x<R>& d) {
   return {active, per_mm * d, largest(all(R(2)) * law * gap, per_mm)};
 }
 
-/// How the features of sixteen pairs lie: from the nearest point of the second to that of the first,
-/// and the weights of those points on their nodes.
+/// How the features of sixteen pairs lie: from the nearest point of the second to that of the
+/// first, and the weights of those points on their nodes.
 template <class R>
 struct FaceApart {
   Vec3x<R> d;

@@ -1,10 +1,20 @@
-// Sixteen numbers at once: all SIMD of coapt. Included by the kernel sources only, each compiled for
-// one instruction set; everything here is inlined into them.
+// Sixteen numbers at once: all SIMD of coapt. Included by the kernel sources only, each compiled
+// for one instruction set; everything here is inlined into them.
 //
-// Only operations that IEEE 754 fixes to the bit, and no fused ones, so that all instruction sets agree.
+// Only operations that IEEE 754 fixes to the bit, and no fused ones, so that all instruction sets
+// agree. The portable set has no intrinsics: vectors of the compiler (GCC and clang), for any
+// processor.
 #pragma once
 
+#if defined(__x86_64__) && !defined(COAPT_PORTABLE_LANES)
 #include <immintrin.h>
+#define COAPT_X86_LANES
+#if defined(__AVX512F__)
+#define COAPT_AVX512
+#elif defined(__AVX2__)
+#define COAPT_AVX2
+#endif
+#endif
 
 #include "core/closure/kernels/layout.h"
 
@@ -13,9 +23,9 @@
 namespace coapt::kernels {
 namespace {
 
-#if defined(__AVX512F__)
+#if defined(COAPT_AVX512)
 constexpr int kRegisterBytes = 64;
-#elif defined(__AVX2__)
+#elif defined(COAPT_AVX2)
 constexpr int kRegisterBytes = 32;
 #else
 constexpr int kRegisterBytes = 16;
@@ -26,13 +36,13 @@ struct Registers;
 template <>
 struct Registers<float> {
   typedef float Real __attribute__((vector_size(kRegisterBytes)));
-  typedef int Bits __attribute__((vector_size(kRegisterBytes)));
+  using Bits = decltype(Real{} < Real{});
   typedef float Quad4 __attribute__((vector_size(16)));
 };
 template <>
 struct Registers<double> {
   typedef double Real __attribute__((vector_size(kRegisterBytes)));
-  typedef long Bits __attribute__((vector_size(kRegisterBytes)));
+  using Bits = decltype(Real{} < Real{});
   typedef double Quad4 __attribute__((vector_size(32)));
 };
 
@@ -127,8 +137,9 @@ COAPT_INLINE Vec<R> magnitude(const Vec<R>& a) {
   return largest(a, all(R(0)) - a);
 }
 
-/// 1 / sqrt(a) for a > 0. Doubles: correctly rounded root and quotient. Floats: first guess from the
-/// bits and two Newton steps (Kadlec's constants for the first), within 7e-7 of the exact value.
+/// 1 / sqrt(a) for a > 0. Doubles: correctly rounded root and quotient. Floats: first guess from
+/// the bits and two Newton steps (Kadlec's constants for the first), within 7e-7 of the exact
+/// value.
 COAPT_INLINE Vec<float> inverse_sqrt(const Vec<float>& a) {
   using Bits = Registers<float>::Bits;
   using Real = Registers<float>::Real;
@@ -141,12 +152,15 @@ COAPT_INLINE Vec<float> inverse_sqrt(const Vec<float>& a) {
 }
 COAPT_INLINE Vec<double> inverse_sqrt(const Vec<double>& a) {
   return each<double>([&](int i) {
-#if defined(__AVX512F__)
+#if defined(COAPT_AVX512)
     const auto root = (Registers<double>::Real)_mm512_sqrt_pd((__m512d)a.part[i]);
-#elif defined(__AVX2__)
+#elif defined(COAPT_AVX2)
     const auto root = (Registers<double>::Real)_mm256_sqrt_pd((__m256d)a.part[i]);
-#else
+#elif defined(COAPT_X86_LANES)
     const auto root = (Registers<double>::Real)_mm_sqrt_pd((__m128d)a.part[i]);
+#else
+    Registers<double>::Real root = a.part[i];
+    for (int k = 0; k < kWidth<double>; ++k) root[k] = __builtin_sqrt(root[k]);
 #endif
     return 1.0 / root;
   });
@@ -168,10 +182,11 @@ COAPT_INLINE Mask<R> lanes_with(const IndexLane& lanes, int value) {
 }
 
 /// One bit per lane.
+#if defined(COAPT_X86_LANES)
 COAPT_INLINE unsigned bits(const Mask<float>& mask) {
-#if defined(__AVX512F__)
+#if defined(COAPT_AVX512)
   return _mm512_movepi32_mask((__m512i)mask.part[0]);
-#elif defined(__AVX2__)
+#elif defined(COAPT_AVX2)
   return static_cast<unsigned>(_mm256_movemask_ps((__m256)mask.part[0])) |
          static_cast<unsigned>(_mm256_movemask_ps((__m256)mask.part[1])) << 8;
 #else
@@ -184,9 +199,9 @@ COAPT_INLINE unsigned bits(const Mask<float>& mask) {
 COAPT_INLINE unsigned bits(const Mask<double>& mask) {
   unsigned result = 0;
   for (int i = 0; i < kParts<double>; ++i) {
-#if defined(__AVX512F__)
+#if defined(COAPT_AVX512)
     result |= static_cast<unsigned>(_mm512_movepi64_mask((__m512i)mask.part[i])) << (8 * i);
-#elif defined(__AVX2__)
+#elif defined(COAPT_AVX2)
     result |= static_cast<unsigned>(_mm256_movemask_pd((__m256d)mask.part[i])) << (4 * i);
 #else
     result |= static_cast<unsigned>(_mm_movemask_pd((__m128d)mask.part[i])) << (2 * i);
@@ -194,10 +209,19 @@ COAPT_INLINE unsigned bits(const Mask<double>& mask) {
   }
   return result;
 }
+#else
+template <class R>
+COAPT_INLINE unsigned bits(const Mask<R>& mask) {
+  unsigned result = 0;
+  for (int i = 0; i < kLanes; ++i)
+    result |= (mask.part[i / kWidth<R>][i % kWidth<R>] != 0 ? 1u : 0u) << i;
+  return result;
+}
+#endif
 
 /// Stores the lanes that have a bit next to each other; may write sixteen in all.
 COAPT_INLINE void compress(const IndexLane& lanes, unsigned chosen, int* out) {
-#if defined(__AVX512F__)
+#if defined(COAPT_AVX512)
   _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen),
                                                        _mm512_load_si512(lanes.at)));
 #else
@@ -206,7 +230,7 @@ COAPT_INLINE void compress(const IndexLane& lanes, unsigned chosen, int* out) {
 }
 template <class R>
 COAPT_INLINE void compress(const Vec<R>& v, unsigned chosen, R* out) {
-#if defined(__AVX512F__)
+#if defined(COAPT_AVX512)
   if constexpr (sizeof(R) == sizeof(float)) {
     _mm512_storeu_ps(out,
                      _mm512_maskz_compress_ps(static_cast<__mmask16>(chosen), (__m512)v.part[0]));
@@ -222,9 +246,10 @@ COAPT_INLINE void compress(const Vec<R>& v, unsigned chosen, R* out) {
 using FloatRegister = Registers<float>::Real;
 COAPT_INLINE void transpose(FloatRegister& a, FloatRegister& b, FloatRegister& c,
                             FloatRegister& d) {
-#if defined(__AVX512F__)
+#if defined(COAPT_X86_LANES)
+#if defined(COAPT_AVX512)
 #define COAPT_PS(name) _mm512_##name##_ps
-#elif defined(__AVX2__)
+#elif defined(COAPT_AVX2)
 #define COAPT_PS(name) _mm256_##name##_ps
 #else
 #define COAPT_PS(name) _mm_##name##_ps
@@ -236,35 +261,42 @@ COAPT_INLINE void transpose(FloatRegister& a, FloatRegister& b, FloatRegister& c
   c = COAPT_PS(shuffle)(ab_high, cd_high, 0x44);
   d = COAPT_PS(shuffle)(ab_high, cd_high, 0xEE);
 #undef COAPT_PS
+#else
+  const FloatRegister rows[4] = {a, b, c, d};
+  for (int k = 0; k < 4; ++k)
+    a[k] = rows[k][0], b[k] = rows[k][1], c[k] = rows[k][2], d[k] = rows[k][3];
+#endif
 }
 
 /// Quads next to each other in a register: quad(0), quad(4), quad(8), quad(12) of its part.
 template <class QuadAt>
 COAPT_INLINE FloatRegister every_fourth(QuadAt quad) {
-#if defined(__AVX512F__)
+#if defined(COAPT_AVX512)
   __m512 r = _mm512_castps128_ps512(_mm_load_ps(quad(0)));
   r = _mm512_insertf32x4(r, _mm_load_ps(quad(4)), 1);
   r = _mm512_insertf32x4(r, _mm_load_ps(quad(8)), 2);
   return _mm512_insertf32x4(r, _mm_load_ps(quad(12)), 3);
-#elif defined(__AVX2__)
+#elif defined(COAPT_AVX2)
   return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(quad(0))), _mm_load_ps(quad(4)),
                               1);
 #else
-  return _mm_load_ps(quad(0));
+  FloatRegister r;
+  __builtin_memcpy(&r, quad(0), sizeof r);
+  return r;
 #endif
 }
 template <class QuadAt>
 COAPT_INLINE void put_every_fourth(FloatRegister r, QuadAt quad) {
-#if defined(__AVX512F__)
+#if defined(COAPT_AVX512)
   _mm_store_ps(quad(0), _mm512_castps512_ps128(r));
   _mm_store_ps(quad(4), _mm512_extractf32x4_ps(r, 1));
   _mm_store_ps(quad(8), _mm512_extractf32x4_ps(r, 2));
   _mm_store_ps(quad(12), _mm512_extractf32x4_ps(r, 3));
-#elif defined(__AVX2__)
+#elif defined(COAPT_AVX2)
   _mm_store_ps(quad(0), _mm256_castps256_ps128(r));
   _mm_store_ps(quad(4), _mm256_extractf128_ps(r, 1));
 #else
-  _mm_store_ps(quad(0), r);
+  __builtin_memcpy(quad(0), &r, sizeof r);
 #endif
 }
 

@@ -1,9 +1,9 @@
 // What the kernels work on: plain arrays in blocks of sixteen lanes, laid out once per valve.
 //
-// Node numbers here are the kernels' own (relaxation_model.h has the permutation): free leaflet vertices,
-// branch points, fixed nodes, each group padded to whole blocks. Only plain types: the kernels are
-// compiled once per instruction set, and an inline function of a library that they shared with the
-// rest of the program could be linked in the wrong flavour.
+// Node numbers here are the kernels' own (relaxation_model.h has the permutation): free leaflet
+// vertices, branch points, fixed nodes, each group padded to whole blocks. Only plain types: the
+// kernels are compiled once per instruction set, and an inline function of a library that they
+// shared with the rest of the program could be linked in the wrong flavour.
 #pragma once
 
 namespace coapt::kernels {
@@ -122,8 +122,8 @@ struct Features {
   int count = 0;                     ///< clusters
 };
 
-/// Which pairs of features are looked for: those nearer than their thickness and margin, which is that
-/// of the faster of the two.
+/// Which pairs of features are looked for: those nearer than their thickness and margin, which is
+/// that of the faster of the two.
 template <class R>
 struct PairSearch {
   Features<R> first, second;
@@ -182,8 +182,9 @@ struct Kernels {
   int (*list_pairs)(const PairSearch<R>&, PairBlock<R>* blocks, int room);
   /// Numbers of the features of each pair, likewise.
   int (*number_pairs)(const PairSearch<R>&, int* first, int* second, int room);
-  /// Pairs (f, g) of in.second, whose boxes meet and of which nodes of f that are not nodes of g lie on both
-  /// sides of the plane of g, likewise. Nearer than the thickness to it is on both sides.
+  /// Pairs (f, g) of in.second, whose boxes meet and of which nodes of f that are not nodes of g
+  /// lie on both sides of the plane of g, likewise. Nearer than the thickness to it is on both
+  /// sides.
   int (*straddling_faces)(const PairSearch<R>&, int* first, int* second, int room);
 };
 

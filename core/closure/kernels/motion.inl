@@ -1,6 +1,6 @@
 // Part of kernels.inl: cables, springs, pressure, and the step of all nodes.
 
-/// Largest relative difference of neighbouring leaflet points that still counts as apart, mm2.
+/// Added to a squared length, or its least value, mm2: points in one place give no infinity.
 template <class R>
 constexpr R kTiny_mm2 = R(1e-20);
 constexpr double kLeastStiffness_n_per_mm = 1e-3;  // of a node that nothing holds
@@ -19,8 +19,8 @@ COAPT_INLINE void add_quad(const typename Registers<R>::Quad4& more, Quad<R>& qu
   __builtin_memcpy(&quad.at, &sum, sizeof sum);
 }
 
-/// Adds force `f` with `stiffness` to the first `plus` nodes of the active lanes, by their weights, and what
-/// balances it to the others.
+/// Adds force `f` with `stiffness` to the first `plus` nodes of the active lanes, by their weights,
+/// and what balances it to the others.
 template <class R>
 COAPT_INLINE void scatter(const IndexLane* node, unsigned active, const Vec3x<R>& f,
                           const Vec<R>& stiffness, const Vec<R> (&weight)[4], int plus,
@@ -92,8 +92,8 @@ StepSums advance(const StepInput<R>& in) {
     const Vec3x<R> force = free * (elastic + pressure + xyz(pushed));
     force2 = force2 + dot(force, force);
     pressure2 = pressure2 + free * dot(pressure, pressure);
-    // Mass goes with stiffness. A node that becomes heavier keeps its momentum, not its speed: else the
-    // knee of the springs would feed it energy.
+    // Mass goes with stiffness. A node that becomes heavier keeps its momentum, not its speed: else
+    // the knee of the springs would feed it energy.
     const Vec<R> held = largest(stiffness, least_stiffness);
     const Vec<R> inverse = one / held;
     const Vec<R> keep = all(in.keep) * least(one, load(block.stiffness) * inverse);

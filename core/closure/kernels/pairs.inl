@@ -78,8 +78,8 @@ COAPT_INLINE int near_clusters(const PairSearch<R>& in, int c, int from) {
   return count;
 }
 
-/// Calls take(cluster, lane, other cluster, lanes, thickness, margin) for all pairs whose boxes (and, for
-/// faces, planes) are near enough, in order of the clusters.
+/// Calls take(cluster, lane, other cluster, lanes, thickness, margin) for all pairs whose boxes
+/// (and, for faces, planes) are near enough, in order of the clusters.
 template <class R, class Take>
 COAPT_INLINE void find_pairs(const PairSearch<R>& in, Take take) {
   const Vec<R> zero = all(R(0)), full = all(in.thickness_mm);
@@ -161,7 +161,8 @@ COAPT_INLINE Vec<R> load_first(const R* at) {
   return result;
 }
 
-/// Packs pairs into blocks, those of like room to move together, so that whole blocks touch or sleep.
+/// Packs pairs into blocks, those of like room to move together, so that whole blocks touch or
+/// sleep.
 template <class R>
 struct Packer {
   static constexpr int kBins = 4;

@@ -1,5 +1,5 @@
-// Faces of the continuum membrane, sixteen at a time: core/closure/continuum.cpp, written for lanes.
-// Included by kernels.inl, after motion.inl.
+// Faces of the continuum membrane, sixteen at a time: core/closure/continuum.cpp, written for
+// lanes. Included by kernels.inl, after motion.inl.
 
 /// A direction of the faces: its image, and what its stretch does in fibres along it.
 template <class R>

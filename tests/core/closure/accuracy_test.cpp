@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/closure/closure.h"
 #include "core/metrics/measure.h"
 #include "core/presets/presets.h"
 

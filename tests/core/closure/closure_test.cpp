@@ -44,11 +44,11 @@ TEST(Closure, BranchPointsRestWhereTheirCablesBalance) {
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
     const Chorda& chorda = valve.chordae[c];
     if (chorda.segments.size() < 2) continue;
-    const Vec3 tip = valve.heads[static_cast<std::size_t>(chorda.head)].tip_mm;
+    const Vec3 tip = valve.heads[chorda.head].tip_mm;
     const Vec3 fork = closed.branch_points_mm[c].row(0);
     Vec3 sum = closed.tension_n[c][0] * (tip - fork).normalized();
     for (std::size_t s = 1; s < chorda.segments.size(); ++s) {
-      const Vec3 end = closed.branch_points_mm[c].row(static_cast<Eigen::Index>(s));
+      const Vec3 end = closed.branch_points_mm[c].row(s);
       sum += closed.tension_n[c][s] * (end - fork).normalized();
     }
     EXPECT_NEAR(sum.norm(), 0.0, 2e-3) << chorda.id;
@@ -130,7 +130,7 @@ TEST(Closure, TellsWhereThePointsOfARupturedChordaAre) {
   const ClosureResult closed = close_valve(valve);
   for (std::size_t s = 0; s < valve.chordae[c].segments.size(); ++s) {
     EXPECT_EQ(closed.tension_n[c][s], 0.0);
-    const Vec3 end = closed.branch_points_mm[c].row(static_cast<Eigen::Index>(s));
+    const Vec3 end = closed.branch_points_mm[c].row(s);
     const ChordaSegment& segment = valve.chordae[c].segments[s];
     if (!segment.inserts) {
       EXPECT_LT((end - segment.branch_point_mm).norm(), 10.0);
@@ -139,7 +139,7 @@ TEST(Closure, TellsWhereThePointsOfARupturedChordaAre) {
     }
     Vec3 insertion = Vec3::Zero();
     for (int k = 0; k < 3; ++k)
-      insertion += segment.insertion.weights[static_cast<std::size_t>(k)] *
+      insertion += segment.insertion.weights[k] *
                    closed.closed_mm.row(valve.faces(segment.insertion.face, k)).transpose();
     EXPECT_LT((end - insertion).norm(), 1e-9);
   }
@@ -171,8 +171,7 @@ TEST(Closure, KeepsAnnulusAndTipsWhereTheySitUnderPressure) {
   valve.annulus_mm.col(1) *= 0.9;
   const ClosureResult closed = close_valve(valve);
   for (std::size_t i = 0; i < valve.annulus.size(); ++i)
-    EXPECT_EQ(closed.closed_mm.row(valve.annulus[i]),
-              valve.annulus_mm.row(static_cast<Eigen::Index>(i)));
+    EXPECT_EQ(closed.closed_mm.row(valve.annulus[i]), valve.annulus_mm.row(i));
 }
 
 TEST(Closure, SamplesStayCloseOnceTheValveIsAtRest) {
@@ -264,7 +263,7 @@ TEST(Tauten, MakesEveryChordaAsLongAsInTheClosedStateTimesItsSlack) {
   const Valve valve = small_valve();
   const ClosureResult closed = close_valve(valve);
   const Valve taut = tauten(valve, closed, 1.1);
-  const Vec3 tip = valve.heads[static_cast<std::size_t>(valve.chordae[1].head)].tip_mm;
+  const Vec3 tip = valve.heads[valve.chordae[1].head].tip_mm;
   const Vec3 end = closed.branch_points_mm[1].row(0);
   EXPECT_NEAR(taut.chordae[1].segments[0].rest_length_mm, 1.1 * (end - tip).norm(), 1e-12);
   EXPECT_TRUE(validate(taut).empty());

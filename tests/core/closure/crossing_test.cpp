@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <random>
 
 namespace coapt {
@@ -60,7 +61,7 @@ TEST(Crossing, OfARandomSoupMatchesPlaneSideCountsOfAllPairs) {
           const Vec3 a = x.row(faces(t, 0)), b = x.row(faces(t, 1)), c = x.row(faces(t, 2));
           Eigen::Matrix3d m;
           m << p - q, b - a, c - a;
-          const Vec3 s = m.fullPivLu().solve(p - a);
+          const Vec3 s = m.inverse() * (p - a);
           crosses |= s[0] > 0 && s[0] < 1 && s[1] > 0 && s[2] > 0 && s[1] + s[2] < 1;
         }
       if (crosses) brute.emplace_back(f, g);

@@ -25,7 +25,8 @@ struct PlaneConstants {
   double modulus = 0.0, poisson = 0.0, shear = 0.0;
 };
 
-/// Of a flat mesh of isotropic tissue: its springs' forces under a small uniform strain, by virtual work.
+/// Of a flat mesh of isotropic tissue: its springs' forces under a small uniform strain, by virtual
+/// work.
 PlaneConstants plane_constants(Valve valve) {
   valve.tissue = isotropic_1_mpa();
   const ClosureModel model = make_closure_model(valve);
@@ -45,7 +46,8 @@ PlaneConstants plane_constants(Valve valve) {
   return {x(0, 0) - x(1, 1) * y(0, 0) / y(1, 1), x(1, 1) / y(1, 1), xy(0, 1)};
 }
 
-/// 4 x 4 cells of 1 mm by `height`; the upper row moved by `lean`. Diagonals alternate like a chessboard, or not.
+/// 4 x 4 cells of 1 mm by `height`; the upper row moved by `lean`. Diagonals alternate like a
+/// chessboard, or not.
 Valve cells(double height, double lean, bool alternate) {
   Valve valve = grid_sheet({0, 1, 2, 3, 4}, {0, 1, 2, 3, 4}, [](int, int) { return false; });
   for (Eigen::Index i = 0; i < valve.rest_mm.rows(); ++i) {
@@ -78,7 +80,8 @@ TEST(Springs, OfVanGelderHaveTheKnownConstantsOnRegularMeshes) {
   EXPECT_NEAR(rectangles.shear, 0.213, 5e-4);
 }
 
-/// A flat disc in rings of six times their number of vertices, held by its rim; fibre along the radius.
+/// A flat disc in rings of six times their number of vertices, held by its rim; fibre along the
+/// radius.
 Valve disc(double radius_mm, int rings) {
   std::vector<Vec3> points = {Vec3::Zero()};
   std::vector<std::array<int, 3>> faces;
@@ -124,8 +127,8 @@ double inflated_height(double load, int rings) {
 }
 
 TEST(Continuum, InflatedDiscConvergesToItsAxisymmetricSolutionAndThatIsFichters) {
-  // Fichter 1997 (NASA TP-3658, nu = 1/3) takes strains as small. `exact` solves the equilibrium of a
-  // meridian for this law: (r S1 cos phi)' = S2 - p R l1 sin phi, S1 sin phi = p R^2 / (2 r).
+  // Fichter 1997 (NASA TP-3658, nu = 1/3) takes strains as small. `exact` solves the equilibrium of
+  // a meridian for this law: (r S1 cos phi)' = S2 - p R l1 sin phi, S1 sin phi = p R^2 / (2 r).
   struct Inflation {
     double load, fichter, exact;
   };

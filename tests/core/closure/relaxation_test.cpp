@@ -16,18 +16,18 @@ using kernels::InstructionSet;
 using kernels::Quad;
 
 std::vector<InstructionSet> instruction_sets() {
-  std::vector<InstructionSet> sets = {InstructionSet::Baseline};
-  for (const InstructionSet set : {InstructionSet::Avx2, InstructionSet::Avx512})
+  std::vector<InstructionSet> sets = {InstructionSet::Portable};
+  for (const InstructionSet set :
+       {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512})
     if (kernels::best_instruction_set() >= set) sets.push_back(set);
   return sets;
 }
 
 /// The same points in the order of the kernels.
 std::vector<Quad<double>> kernel_points(const RelaxationModel<double>& laid, const Points& x) {
-  std::vector<Quad<double>> points(static_cast<std::size_t>(laid.nodes));
+  std::vector<Quad<double>> points(laid.nodes);
   for (std::size_t i = 0; i < laid.node_of.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      points[static_cast<std::size_t>(laid.node_of[i])].at[k] = x(static_cast<Eigen::Index>(i), k);
+    for (int k = 0; k < 3; ++k) points[laid.node_of[i]].at[k] = x(i, k);
   return points;
 }
 
@@ -79,7 +79,7 @@ void expect_to_stay_where_thesis_came_to_rest(Membrane membrane) {
   for (std::size_t c = 0; c < valve.chordae.size(); ++c)
     for (std::size_t s = 0; s < valve.chordae[c].segments.size(); ++s)
       if (!valve.chordae[c].segments[s].inserts)
-        start.row(next++) = thesis.branch_points_mm[c].row(static_cast<Eigen::Index>(s));
+        start.row(next++) = thesis.branch_points_mm[c].row(s);
   RelaxationSettings settings;
   settings.residual_tolerance = 1e-5;
   settings.way_tolerance_mm = 1e-4;
@@ -108,7 +108,7 @@ TEST(Relaxation, ThatIsAtRestHasForcesInBalance) {
     add_pressure_forces(model, run.x_mm, force);
     Contact(settings.contact).add_forces(model, run.x_mm, force);
     for (Eigen::Index i = 0; i < force.rows(); ++i) {
-      if (!model.fixed[static_cast<std::size_t>(i)]) {
+      if (!model.fixed[i]) {
         EXPECT_LT(force.row(i).norm(), 1e-6) << i;
       }
     }
@@ -130,17 +130,16 @@ TEST(PullSheets, PullsLikeThePlainSheetsWithHalfTheirRowSums) {
   input.force = force.data();
   kernels::kernels<double>(kernels::best_instruction_set()).pull_sheets(input);
   Points plain = Points::Zero(x.rows(), 3);
-  std::vector<double> rows(static_cast<std::size_t>(x.rows()), 0.0);
+  std::vector<double> rows(x.rows(), 0.0);
   for (const Sheet& sheet : model.sheets) {
     add_sheet_forces(model.law, sheet, x, plain);
     const auto sums = row_sums(model.law, sheet, x);
-    for (std::size_t k = 0; k < 3; ++k) rows[static_cast<std::size_t>(sheet.node[k])] += sums[k];
+    for (std::size_t k = 0; k < 3; ++k) rows[sheet.node[k]] += sums[k];
   }
   ASSERT_GT(plain.rowwise().norm().maxCoeff(), 0.01);
   for (std::size_t i = 0; i < laid.node_of.size(); ++i) {
-    const Quad<double>& quad = force[static_cast<std::size_t>(laid.node_of[i])];
-    for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(quad.at[k], plain(static_cast<Eigen::Index>(i), k), 1e-11) << i;
+    const Quad<double>& quad = force[laid.node_of[i]];
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(quad.at[k], plain(i, k), 1e-11) << i;
     EXPECT_NEAR(quad.at[3], 0.5 * rows[i], 1e-11 * rows[i]) << i;
   }
 }
@@ -168,10 +167,7 @@ TEST(ContactPairs, PushLikeThePlainContact) {
       pairs.push(at, 0.0, force);
     }
     for (std::size_t i = 0; i < laid.node_of.size(); ++i)
-      for (int k = 0; k < 3; ++k)
-        EXPECT_NEAR(force[static_cast<std::size_t>(laid.node_of[i])].at[k],
-                    plain(static_cast<Eigen::Index>(i), k), 1e-9)
-            << i;
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(force[laid.node_of[i]].at[k], plain(i, k), 1e-9) << i;
   }
 }
 

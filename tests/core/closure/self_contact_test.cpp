@@ -18,10 +18,10 @@ constexpr double kMargin_mm = 0.3;
 Points pushes(const ClosureModel& model, const Points& x, const ContactLaw& law) {
   const RelaxationModel<double> laid = make_relaxation_model<double>(model);
   const auto& table = kernels::kernels<double>(kernels::best_instruction_set());
-  std::vector<Quad<double>> at(static_cast<std::size_t>(laid.nodes)), force(at.size());
+  std::vector<Quad<double>> at(laid.nodes), force(at.size());
   for (std::size_t i = 0; i < laid.node_of.size(); ++i) {
-    Quad<double>& quad = at[static_cast<std::size_t>(laid.node_of[i])];
-    for (int k = 0; k < 3; ++k) quad.at[k] = x(static_cast<Eigen::Index>(i), k);
+    Quad<double>& quad = at[laid.node_of[i]];
+    for (int k = 0; k < 3; ++k) quad.at[k] = x(i, k);
     quad.at[3] = kMargin_mm;
   }
   for (const ContactSides& sides : contact_sides(law.self)) {
@@ -31,9 +31,7 @@ Points pushes(const ClosureModel& model, const Points& x, const ContactLaw& law)
   }
   Points result = Points::Zero(x.rows(), 3);
   for (std::size_t i = 0; i < laid.node_of.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      result(static_cast<Eigen::Index>(i), k) =
-          force[static_cast<std::size_t>(laid.node_of[i])].at[k];
+    for (int k = 0; k < 3; ++k) result(i, k) = force[laid.node_of[i]].at[k];
   return result;
 }
 

@@ -42,6 +42,10 @@ TEST(Coaptation, WallsFartherApartThanTheToleranceDoNotTouch) {
     EXPECT_EQ(section.height_mm, 0.0);
     EXPECT_NEAR(section.distance_mm, 1.5, 1e-12);
     EXPECT_FALSE(section.contact);
+    const auto& [anterior_mm, posterior_mm] = section.nearest_mm;
+    EXPECT_NEAR((anterior_mm - posterior_mm - Vec3(0.0, 1.5, 0.0)).norm(), 0.0, 1e-9);
+    EXPECT_NEAR(posterior_mm.y(), 0.0, 1e-9);
+    EXPECT_NEAR(anterior_mm.x(), coaptation_plane(valve, section.along).point_mm.x(), 1e-9);
   }
   EXPECT_NEAR(coaptation.gap_area_mm2, 9 * 3.0 * (1.5 - 1.0), 1e-9);  // sections 3 mm apart
 }
@@ -53,7 +57,7 @@ TEST(Coaptation, AGapAtOneEndShowsInItsSectionsOnly) {
        ++f)  // the anterior wall bends away from x = 0 on
     if (valve.segments[f] == Segment::A2)
       for (int k = 0; k < 3; ++k) {
-        const int v = valve.faces(static_cast<Eigen::Index>(f), k);
+        const int v = valve.faces(f, k);
         closed(v, 1) = 1.0 + std::max(0.0, valve.rest_mm(v, 0)) / 3.0;
       }
   const Coaptation coaptation = measure_coaptation(valve, closed);
@@ -73,7 +77,7 @@ TEST(Coaptation, FacesOfTheCommissuresBelongToTheSideOnWhichTheyLie) {
   const std::vector<Leaflet> sides = leaflet_sides(valve);
   for (std::size_t f = 0; f < sides.size(); ++f) {
     double y = 0.0;
-    for (int k = 0; k < 3; ++k) y += valve.rest_mm(valve.faces(static_cast<Eigen::Index>(f), k), 1);
+    for (int k = 0; k < 3; ++k) y += valve.rest_mm(valve.faces(f, k), 1);
     EXPECT_EQ(sides[f], y > 0.0 ? Leaflet::Anterior : Leaflet::Posterior);
   }
 }

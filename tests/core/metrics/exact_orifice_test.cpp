@@ -81,6 +81,22 @@ TEST(ExactOrifice, OutlinesGoRoundTheOrificeAndTheIslandsInIt) {
   EXPECT_NEAR(island.col(0).cwiseAbs().maxCoeff(), 3.0, 1e-5);
 }
 
+TEST(ExactOrifice, OutlinesAreAsHighAsTheTissueBesideThem) {
+  // A slit of 20 x 2 mm between sheets 3 mm above and 1 mm below the plane, closed at its ends.
+  const Valve valve =
+      leaflets(joined(joined(flap(-20, 1, 20, 10, 3), flap(-20, -10, 20, -1, -1)),
+                      joined(flap(-20, -10, -10, 10, 0), flap(10, -10, 20, 10, 0))));
+  const std::vector<OrificeOutline> outlines = orifice_outlines(valve, valve.rest_mm, 0.25);
+  ASSERT_EQ(outlines.size(), 1u);
+  ASSERT_EQ(outlines[0].contours_mm.size(), 1u);
+  const Points& line = outlines[0].contours_mm[0];
+  ASSERT_EQ(line.rows(), 4);
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    EXPECT_NEAR(std::abs(line(i, 1)), 0.75, 1e-5) << "seen from above it is the orifice";
+    EXPECT_NEAR(line(i, 2), line(i, 1) > 0.0 ? 3.0 : -1.0, 1e-5);
+  }
+}
+
 TEST(ExactOrifice, HalfThicknessMovesTheSidesOfAConvexHoleInwards) {
   // Each side of the 128-gon moves by r towards the middle: its inscribed circle shrinks by r.
   const double inscribed = 3.0 * std::cos(kPi / 128) - 0.5;
@@ -109,7 +125,8 @@ TEST(ExactOrifice, OverlappingFlapsCoverWhatTheyShareOnce) {
   const Valve valve = leaflets(joined(flap(-20.0, -10.0, 2.0, 6.0, 0.0), right));
   const double open_mm2 = 800.0 - 22.0 * 16.0 - 21.0 * 14.0 + 3.0 * 14.0;
   EXPECT_NEAR(at_rest(valve, 0.0).area_mm2, open_mm2, 1e-4);
-  // Open: 22 x 4 mm beside 18 x 6 mm. Their lower sides move up, the step's outer corner is rounded.
+  // Open: 22 x 4 mm beside 18 x 6 mm. Their lower sides move up, the step's outer corner is
+  // rounded.
   EXPECT_NEAR(at_rest(valve, 0.5).area_mm2, 22.5 * 3.5 + 17.5 * 5.5 + (0.25 - 0.25 * kPi * 0.25),
               1e-4);
 }

@@ -30,7 +30,8 @@ TEST(Oblique, AHoleInAFlatSheetIsWidestStraightOn) {
   EXPECT_EQ(straight.tilt_deg, 0.0);
 }
 
-/// A prolapse: the posterior leaflet ends at y = 2 mm, 6 mm above the anterior one, which ends at -2.
+/// A prolapse: the posterior leaflet ends at y = 2 mm, 6 mm above the anterior one, which ends at
+/// -2.
 Valve overlapping_leaflets() {
   return extruded_leaflets({{10.0, 0.0}, {-2.0, 0.0}}, {{-10.0, 6.0}, {2.0, 6.0}});
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/closure/closure.h"
 #include "core/metrics/exact_orifice.h"
 #include "core/metrics/orifice.h"
 #include "core/presets/presets.h"
@@ -13,8 +14,8 @@
 namespace coapt {
 namespace {
 
-/// A pixel's centre is at most half its diagonal from any of its points. Pixels that count lie in the
-/// opening of leaflets thinner by that much, and they cover the opening of thicker ones.
+/// A pixel's centre is at most half its diagonal from any of its points. Pixels that count lie in
+/// the opening of leaflets thinner by that much, and they cover the opening of thicker ones.
 void expect_agreement(const Valve& valve, const Points& closed_mm, const ImageSize& size) {
   const double half_thickness_mm = 0.5 * valve.tissue.thickness_mm;
   const OrificeView view = view_orifices(valve, closed_mm, half_thickness_mm, size);

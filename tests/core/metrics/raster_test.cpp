@@ -11,11 +11,11 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 
 Mask full_mask(int width, int height) {
-  return {width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width * height), 1)};
+  return {width, height, std::vector<std::uint8_t>(width * height, 1)};
 }
 
 bool is_set(const Mask& mask, int column, int row) {
-  return mask.pixels[static_cast<std::size_t>(row * mask.width + column)] != 0;
+  return mask.pixels[row * mask.width + column] != 0;
 }
 
 Triangle random_triangle(std::mt19937& random, double low, double high) {

@@ -69,7 +69,7 @@ TEST(ParametricValve, HasTheLeafletHeightsAndResolutionAskedFor) {
     const Valve valve = *make_parametric_valve(d);
     EXPECT_TRUE(validate(valve).empty());
     EXPECT_NEAR(static_cast<double>(valve.faces.rows()), triangles, 0.04 * triangles);
-    const auto stations = static_cast<Eigen::Index>(valve.annulus.size());
+    const Index stations = std::ssize(valve.annulus);
     const Eigen::Index last_row = valve.rest_mm.rows() - stations;
     const auto height = [&](int vertex) {
       return (valve.rest_mm.row(last_row + vertex) - valve.rest_mm.row(vertex)).norm();

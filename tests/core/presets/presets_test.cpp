@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/closure/closure.h"
 #include "core/closure/tauten.h"
 #include "core/metrics/measure.h"
 #include "core/valve/remodel.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/repair/apply_plan.h"
+#include "core/repair/rings.h"
 #include "core/valve/annulus_frame.h"
 #include "tests/core/repair/moved_valve.h"
 #include "tests/scenes/small_valve.h"
@@ -12,15 +13,12 @@
 namespace coapt {
 namespace {
 
-const std::vector<RingShape> kCatalogue = {
-    {"d", 0.75, 1.0, 0.0, ""}, {"wide", 0.5, 1.1, 0.0, ""}, {"saddle", 0.75, 1.0, 0.2, ""}};
+constexpr RingShape kSaddle{"saddle", 0.75, 1.0, 0.2, ""};
 
-Valve with_ring(const Annuloplasty& ring) {
-  return *apply_plan(small_valve(), {{ring}}, kCatalogue);
-}
+Valve with_ring(const Annuloplasty& ring) { return *apply_plan(small_valve(), {{ring}}); }
 
 std::string refusal(const Annuloplasty& ring) {
-  const Expected<Valve> refused = apply_plan(small_valve(), {{ring}}, kCatalogue);
+  const Expected<Valve> refused = apply_plan(small_valve(), {{ring}});
   if (refused) return "accepted";
   EXPECT_EQ(refused.errors().size(), 1u);
   return refused.errors()[0].path;
@@ -29,14 +27,14 @@ std::string refusal(const Annuloplasty& ring) {
 // The small valve's annulus is an ellipse of 36 x 28 mm in z = 0, its saddle peak at (0, 14, 0).
 
 TEST(Annuloplasty, OneSizeBelowTakesTwoMillimetresOfTheTransverseDimension) {
-  const Valve ringed = with_ring({.shape = "own", .sizes_below = 1});
+  const Valve ringed = with_ring({OwnRing{1}});
   EXPECT_NEAR(transverse_diameter_mm(ringed, annulus_frame(ringed)), 34.0, 1e-12);
   EXPECT_NEAR(ap_diameter_mm(ringed, annulus_frame(ringed)), 28.0 * 34.0 / 36.0, 1e-12);
 }
 
 TEST(Annuloplasty, OwnShapeShrinksInProportionTowardsTheSaddlePeak) {
   const Valve before = small_valve();
-  const Valve ringed = with_ring({.shape = "own", .sizes_below = 3});
+  const Valve ringed = with_ring({OwnRing{3}});
   const double factor = 30.0 / 36.0;
   for (int i = 0; i < 8; ++i) {
     const Vec3 native = before.annulus_mm.row(i);
@@ -48,30 +46,19 @@ TEST(Annuloplasty, OwnShapeShrinksInProportionTowardsTheSaddlePeak) {
 }
 
 TEST(Annuloplasty, OwnShapeAndSizeChangesNothing) {
-  const Valve ringed = with_ring({.shape = "own", .sizes_below = 0});
+  const Valve ringed = with_ring({OwnRing{0}});
   EXPECT_NEAR((ringed.annulus_mm - small_valve().annulus_mm).norm(), 0.0, 1e-12);
 }
 
-TEST(Annuloplasty, RingContourHasTheRingsDimensions) {
-  const RingShape ring{"", 0.5, 1.1, 0.1, ""};
-  const Points contour = ring_contour_mm(ring, 30.0);
-  const auto extent = [&contour](int k) {
-    return contour.col(k).maxCoeff() - contour.col(k).minCoeff();
-  };
-  EXPECT_NEAR(extent(0), 33.0, 1e-9);
-  EXPECT_NEAR(extent(1), 16.5, 1e-9);
-  EXPECT_NEAR(extent(2), 3.3, 0.01);
-}
-
 TEST(Annuloplasty, CatalogueRingKeepsTheSaddlePeakAndDrawsMidPosteriorIn) {
-  const Valve ringed = with_ring({.shape = "d", .size_mm = 30.0});
+  const Valve ringed = with_ring({CatalogueRing{"generic-classic", 30.0}});
   EXPECT_NEAR((Vec3(ringed.annulus_mm.row(2)) - Vec3(0.0, 14.0, 0.0)).norm(), 0.0, 1e-9);
   EXPECT_NEAR((Vec3(ringed.annulus_mm.row(6)) - Vec3(0.0, 14.0 - 22.5, 0.0)).norm(), 0.0, 1e-9);
 }
 
 TEST(Annuloplasty, VerticesLieOnTheRingInTheirOrderAndSymmetrically) {
-  const Valve ringed = with_ring({.shape = "wide", .size_mm = 28.0});
-  const Points contour = ring_contour_mm(kCatalogue[1], 28.0);
+  const Valve ringed = with_ring({CatalogueRing{"generic-geoform-like", 28.0}});
+  const Points contour = ring_contour_mm(*find_ring("generic-geoform-like"), 28.0);
   const double front = 14.0 - contour.col(1).maxCoeff();
   double turned = 0.0;
   for (int i = 0; i < 8; ++i) {
@@ -89,8 +76,9 @@ TEST(Annuloplasty, VerticesLieOnTheRingInTheirOrderAndSymmetrically) {
 }
 
 TEST(Annuloplasty, SaddleRingIsHighInFrontAndBehind) {
-  const Valve ringed = with_ring({.shape = "saddle", .size_mm = 30.0});
-  const double peak = ring_contour_mm(kCatalogue[2], 30.0).col(2).maxCoeff();
+  Valve ringed = small_valve();
+  suture_ring(kSaddle, 30.0, ringed);
+  const double peak = ring_contour_mm(kSaddle, 30.0).col(2).maxCoeff();
   EXPECT_GT(peak, 2.5);  // about half of 0.2 x 30
   EXPECT_NEAR(ringed.annulus_mm(2, 2), peak, 1e-6);
   EXPECT_NEAR(ringed.annulus_mm(6, 2), peak, 1e-6);
@@ -100,12 +88,16 @@ TEST(Annuloplasty, SaddleRingIsHighInFrontAndBehind) {
 TEST(Annuloplasty, CommutesWithRigidMotions) {
   const Motion motion{Eigen::AngleAxisd(0.4, Vec3(1.0, -2.0, 3.0).normalized()).toRotationMatrix(),
                       Vec3(1.0, 2.0, -3.0)};
-  for (const Annuloplasty& ring : {Annuloplasty{.shape = "own", .sizes_below = 2},
-                                   Annuloplasty{.shape = "saddle", .size_mm = 32.0}}) {
-    const Valve then_moved = moved(*apply_plan(small_valve(), {{ring}}, kCatalogue), motion);
-    const Valve moved_first = *apply_plan(moved(small_valve(), motion), {{ring}}, kCatalogue);
+  for (const Annuloplasty& ring :
+       {Annuloplasty{OwnRing{2}}, Annuloplasty{CatalogueRing{"generic-geoform-like", 32.0}}}) {
+    const Valve then_moved = moved(*apply_plan(small_valve(), {{ring}}), motion);
+    const Valve moved_first = *apply_plan(moved(small_valve(), motion), {{ring}});
     EXPECT_NEAR((then_moved.annulus_mm - moved_first.annulus_mm).norm(), 0.0, 1e-9);
   }
+  Valve ringed = small_valve(), moved_first = moved(small_valve(), motion);
+  suture_ring(kSaddle, 32.0, ringed);
+  suture_ring(kSaddle, 32.0, moved_first);
+  EXPECT_NEAR((moved(ringed, motion).annulus_mm - moved_first.annulus_mm).norm(), 0.0, 1e-9);
 }
 
 TEST(Annuloplasty, LeavesAtLeastHalfOfTheTransverseDiameter) {
@@ -113,8 +105,7 @@ TEST(Annuloplasty, LeavesAtLeastHalfOfTheTransverseDiameter) {
   Valve narrow = small_valve();
   narrow.annulus_mm.col(0) /= 3.0;
   const auto ring = [&narrow](int sizes_below) {
-    return apply_plan(narrow, {{Annuloplasty{.shape = "own", .sizes_below = sizes_below}}},
-                      kCatalogue);
+    return apply_plan(narrow, {{Annuloplasty{OwnRing{sizes_below}}}});
   };
   ASSERT_TRUE(ring(3));
   EXPECT_NEAR(transverse_diameter_mm(*ring(3), annulus_frame(*ring(3))), 6.0, 1e-9);
@@ -129,14 +120,13 @@ TEST(Annuloplasty, LeavesAtLeastHalfOfTheTransverseDiameter) {
 }
 
 TEST(Annuloplasty, RefusesWhatIsNotMade) {
-  EXPECT_EQ(refusal({.shape = "round", .size_mm = 30.0}), "/steps/0/shape");
-  EXPECT_EQ(refusal({.shape = "d", .size_mm = 31.0}), "/steps/0/size_mm");
-  EXPECT_EQ(refusal({.shape = "d", .size_mm = 42.0}), "/steps/0/size_mm");
-  EXPECT_EQ(refusal({.shape = "d", .size_mm = std::nan("")}), "/steps/0/size_mm");
-  EXPECT_EQ(refusal({.shape = "d", .size_mm = 30.0, .sizes_below = 1}), "/steps/0/sizes_below");
-  EXPECT_EQ(refusal({.shape = "own", .sizes_below = 7}), "/steps/0/sizes_below");
-  EXPECT_EQ(refusal({.shape = "own", .sizes_below = -1}), "/steps/0/sizes_below");
-  EXPECT_EQ(refusal({.shape = "own", .size_mm = 30.0}), "/steps/0/size_mm");
+  EXPECT_EQ(refusal({CatalogueRing{"round", 30.0}}), "/steps/0/shape");
+  EXPECT_EQ(refusal({CatalogueRing{"generic-classic", 31.0}}), "/steps/0/size_mm");
+  EXPECT_EQ(refusal({CatalogueRing{"generic-classic", 42.0}}), "/steps/0/size_mm");
+  EXPECT_EQ(refusal({CatalogueRing{"generic-classic", std::nan("")}}), "/steps/0/size_mm");
+  EXPECT_EQ(refusal({OwnRing{7}}), "/steps/0/sizes_below");
+  EXPECT_EQ(refusal({OwnRing{-1}}), "/steps/0/sizes_below");
+  EXPECT_EQ(refusal({CatalogueRing{"own", 30.0}}), "/steps/0/shape");
 }
 
 }  // namespace

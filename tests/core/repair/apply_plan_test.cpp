@@ -13,10 +13,8 @@
 namespace coapt {
 namespace {
 
-const std::vector<RingShape> kOneRing = {{"d", 0.75, 1.0, 0.0, ""}};
-
 RepairPlan full_plan() {
-  return {{Annuloplasty{.shape = "d", .size_mm = 34.0},
+  return {{Annuloplasty{CatalogueRing{"generic-classic", 34.0}},
            PapillaryApproximation{.side = Side::Posteromedial, .suture_length_mm = 24.0},
            Neochorda{"AL1", {Leaflet::Posterior, 0.45, 1.0}, 21.0},
            Neochorda{"PM1", {Leaflet::Posterior, 0.55, 1.0}, 20.0},
@@ -46,13 +44,13 @@ void expect_same(const Valve& a, const Valve& b) {
 
 TEST(ApplyPlan, TheOrderOfTheStepsDoesNotMatter) {
   const RepairPlan plan = full_plan();
-  const Valve reference = *apply_plan(small_valve(), plan, kOneRing);
+  const Valve reference = *apply_plan(small_valve(), plan);
   std::vector<std::size_t> order(plan.steps.size());
   std::iota(order.begin(), order.end(), 0u);
   do {
     RepairPlan shuffled;
     for (const std::size_t i : order) shuffled.steps.push_back(plan.steps[i]);
-    const Expected<Valve> valve = apply_plan(small_valve(), shuffled, kOneRing);
+    const Expected<Valve> valve = apply_plan(small_valve(), shuffled);
     ASSERT_TRUE(valve);
     expect_same(*valve, reference);
   } while (!HasFailure() && std::next_permutation(order.begin(), order.end()));
@@ -60,7 +58,7 @@ TEST(ApplyPlan, TheOrderOfTheStepsDoesNotMatter) {
 
 TEST(ApplyPlan, TheRepairedValveIsValidAndKeepsItsIndices) {
   const Valve before = small_valve();
-  const Valve repaired = *apply_plan(before, full_plan(), kOneRing);
+  const Valve repaired = *apply_plan(before, full_plan());
   EXPECT_TRUE(validate(repaired).empty());
   EXPECT_EQ(repaired.faces, before.faces);
   EXPECT_EQ(repaired.annulus, before.annulus);
@@ -69,7 +67,7 @@ TEST(ApplyPlan, TheRepairedValveIsValidAndKeepsItsIndices) {
 }
 
 TEST(ApplyPlan, AnEmptyPlanIsNoRepair) {
-  expect_same(*apply_plan(small_valve(), {}, kOneRing), small_valve());
+  expect_same(*apply_plan(small_valve(), {}), small_valve());
 }
 
 TEST(ApplyPlan, TheMirroredPlanOnTheMirroredValveIsTheMirrorImage) {
@@ -79,8 +77,8 @@ TEST(ApplyPlan, TheMirroredPlanOnTheMirroredValveIsTheMirrorImage) {
   std::get<Neochorda>(twin.steps[2]).insertion.along = 0.55;
   std::get<Neochorda>(twin.steps[3]).insertion.along = 0.45;
   std::get<ChordalTransfer>(twin.steps[5]).insertion.along = 0.4;
-  const Valve a = mirrored(*apply_plan(small_valve(), plan, kOneRing));
-  const Valve b = *apply_plan(mirrored(small_valve()), twin, kOneRing);
+  const Valve a = mirrored(*apply_plan(small_valve(), plan));
+  const Valve b = *apply_plan(mirrored(small_valve()), twin);
   EXPECT_NEAR((a.annulus_mm - b.annulus_mm).norm(), 0.0, 1e-9);
   for (std::size_t h = 0; h < a.heads.size(); ++h)
     EXPECT_NEAR((a.heads[h].tip_mm - b.heads[h].tip_mm).norm(), 0.0, 1e-9);
@@ -97,8 +95,8 @@ TEST(ApplyPlan, TheMirroredPlanOnTheMirroredValveIsTheMirrorImage) {
 TEST(ApplyPlan, CommutesWithRigidMotions) {
   const Motion motion{Eigen::AngleAxisd(0.3, Vec3(2.0, 1.0, -1.0).normalized()).toRotationMatrix(),
                       Vec3(-4.0, 2.0, 1.0)};
-  const Valve a = moved(*apply_plan(small_valve(), full_plan(), kOneRing), motion);
-  const Valve b = *apply_plan(moved(small_valve(), motion), full_plan(), kOneRing);
+  const Valve a = moved(*apply_plan(small_valve(), full_plan()), motion);
+  const Valve b = *apply_plan(moved(small_valve(), motion), full_plan());
   EXPECT_NEAR((a.annulus_mm - b.annulus_mm).norm(), 0.0, 1e-9);
   EXPECT_NEAR((a.heads[1].tip_mm - b.heads[1].tip_mm).norm(), 0.0, 1e-9);
   EXPECT_EQ(a.chordae[3].segments[0].insertion.face, b.chordae[3].segments[0].insertion.face);
@@ -117,7 +115,7 @@ TEST(ApplyPlan, RefusesStepsThatLeaveNoValidValve) {
   const PapillaryApproximation suture{.side = Side::Posteromedial, .suture_length_mm = 12.0};
   const RepairPlan plan{
       {ChordalExcision{"AL1-P1-marginal-1"}, ChordalLengthChange{"PM1-A2-strut-1", 6.0}, suture}};
-  const Expected<Valve> refused = apply_plan(valve, plan, kOneRing);
+  const Expected<Valve> refused = apply_plan(valve, plan);
   ASSERT_FALSE(refused);
   ASSERT_EQ(refused.errors().size(), 2u);
   EXPECT_EQ(refused.errors()[0].path, "/steps/2");
@@ -128,8 +126,8 @@ TEST(ApplyPlan, RefusesStepsThatLeaveNoValidValve) {
 
 TEST(ApplyPlan, ListsEveryImpossibleStep) {
   const RepairPlan plan{{
-      Annuloplasty{.shape = "own", .sizes_below = 1},
-      Annuloplasty{.shape = "d", .size_mm = 30.0},
+      Annuloplasty{OwnRing{1}},
+      Annuloplasty{CatalogueRing{"generic-classic", 30.0}},
       PapillaryApproximation{.side = Side::Anterolateral, .suture_length_mm = 25.0},
       PapillaryApproximation{.side = Side::Anterolateral, .suture_length_mm = 24.0},
       PapillaryApproximation{.side = Side::Posteromedial, .suture_length_mm = 90.0},
@@ -139,7 +137,7 @@ TEST(ApplyPlan, ListsEveryImpossibleStep) {
       Neochorda{"AL9", {}, 50.0},
       ChordalExcision{"neochorda-1"},
   }};
-  const Expected<Valve> refused = apply_plan(small_valve(), plan, kOneRing);
+  const Expected<Valve> refused = apply_plan(small_valve(), plan);
   ASSERT_FALSE(refused);
   std::multiset<std::string> paths;
   for (const Error& error : refused.errors()) paths.insert(error.path);

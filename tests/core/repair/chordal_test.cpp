@@ -13,14 +13,14 @@ namespace {
 const LeafletPoint kP2Edge{Leaflet::Posterior, 0.5, 1.0};
 
 std::string refusal(const RepairStep& step, const Valve& valve = small_valve()) {
-  const Expected<Valve> refused = apply_plan(valve, {{step}}, {});
+  const Expected<Valve> refused = apply_plan(valve, {{step}});
   return refused ? "accepted" : refused.errors()[0].path;
 }
 
 TEST(Chordal, NeochordaIsOneSegmentToTheLocatedPoint) {
   const Valve before = small_valve();
-  const Valve valve = *apply_plan(
-      before, {{Neochorda{.head = "PM1", .insertion = kP2Edge, .length_mm = 21.0}}}, {});
+  const Valve valve =
+      *apply_plan(before, {{Neochorda{.head = "PM1", .insertion = kP2Edge, .length_mm = 21.0}}});
   ASSERT_EQ(valve.chordae.size(), before.chordae.size() + 1);
   const Chorda& chorda = valve.chordae.back();
   EXPECT_EQ(chorda.id, "neochorda-1");
@@ -38,13 +38,13 @@ TEST(Chordal, NeochordaIsOneSegmentToTheLocatedPoint) {
 
 TEST(Chordal, NeochordaeOfALaterRepairGetTheNextNumber) {
   const RepairPlan plan{{Neochorda{.head = "PM1", .insertion = kP2Edge, .length_mm = 21.0}}};
-  const Valve once = *apply_plan(small_valve(), plan, {});
-  EXPECT_EQ(apply_plan(once, plan, {})->chordae.back().id, "neochorda-2");
+  const Valve once = *apply_plan(small_valve(), plan);
+  EXPECT_EQ(apply_plan(once, plan)->chordae.back().id, "neochorda-2");
 }
 
 TEST(Chordal, LengthChangeIsOfTheTrunk) {
   const Valve before = small_valve();
-  const Valve valve = *apply_plan(before, {{ChordalLengthChange{"AL1-P1-marginal-1", -1.5}}}, {});
+  const Valve valve = *apply_plan(before, {{ChordalLengthChange{"AL1-P1-marginal-1", -1.5}}});
   const auto& old_segments = before.chordae[0].segments;
   const auto& segments = valve.chordae[0].segments;
   EXPECT_EQ(segments[0].rest_length_mm, old_segments[0].rest_length_mm - 1.5);
@@ -64,7 +64,7 @@ TEST(Chordal, MoreThanAMillimetreOfTrunkIsLeft) {
 }
 
 TEST(Chordal, ExcisedChordaCarriesNothing) {
-  const Valve valve = *apply_plan(small_valve(), {{ChordalExcision{"PM1-A2-strut-1"}}}, {});
+  const Valve valve = *apply_plan(small_valve(), {{ChordalExcision{"PM1-A2-strut-1"}}});
   EXPECT_TRUE(valve.chordae[1].ruptured);
   EXPECT_FALSE(valve.chordae[0].ruptured);
 }
@@ -74,7 +74,7 @@ TEST(Chordal, TransferMovesAllInsertionsAndKeepsLengths) {
   auto& old_segments = before.chordae[0].segments;
   const Vec3 old_end = 0.5 * (before.rest_mm.row(20) + before.rest_mm.row(21));
   old_segments[0].branch_point_mm = 0.5 * (before.heads[0].rest_mm + old_end);
-  const Valve valve = *apply_plan(before, {{ChordalTransfer{"AL1-P1-marginal-1", kP2Edge}}}, {});
+  const Valve valve = *apply_plan(before, {{ChordalTransfer{"AL1-P1-marginal-1", kP2Edge}}});
   const auto& segments = valve.chordae[0].segments;
   const Insertion place = locate(before, leaflet_coordinates(before), kP2Edge);
   for (std::size_t s = 0; s < 3; ++s) {

@@ -1,6 +1,7 @@
+#include "core/repair/describe.h"
+
 #include <gtest/gtest.h>
 
-#include "core/repair/apply_plan.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -9,11 +10,12 @@ namespace {
 std::string line(const RepairStep& step) { return describe(small_valve(), {{step}}).at(0); }
 
 TEST(Describe, SpeaksOfRings) {
-  EXPECT_EQ(line(Annuloplasty{.shape = "generic-classic", .size_mm = 30.0}),
+  EXPECT_EQ(line(Annuloplasty{CatalogueRing{"generic-classic", 30.0}}),
             "annuloplasty: generic-classic ring, size 30 mm");
-  EXPECT_EQ(line(Annuloplasty{.shape = "own", .sizes_below = 2}),
-            "annuloplasty: ring of the annulus's own shape, 2 sizes below it (transverse 36.0 to "
-            "32.0 mm)");
+  EXPECT_EQ(
+      line(Annuloplasty{OwnRing{2}}),
+      "annuloplasty: ring in the annulus's own shape, undersized by 2 sizes (transverse 36.0 to "
+      "32.0 mm)");
 }
 
 TEST(Describe, NamesSegments) {

@@ -1,10 +1,9 @@
-#include "core/valve/leaflet_coordinates.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/valve/leaflet_point.h"
 #include "core/valve/parametric.h"
 #include "tests/scenes/small_valve.h"
 

@@ -90,7 +90,8 @@ TEST(Remodel, ListsEveryValueOutsideItsRange) {
 }
 
 TEST(Remodel, RefusesWhatLeavesNoValve) {
-  // Tips 26 mm below the annulus, lifted by 30; a circumference of nearly 400 mm, which is the most.
+  // Tips 26 mm below the annulus, lifted by 30; a circumference of nearly 400 mm, which is the
+  // most.
   const Expected<Valve> lifted =
       remodel(small_valve(), {.anterolateral_mm = Vec3(0.0, 0.0, -30.0)});
   ASSERT_FALSE(lifted);

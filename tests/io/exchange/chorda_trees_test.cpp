@@ -87,10 +87,10 @@ TEST(ChordaTrees, WhatIsNoTreeIsNamedByFileAndPlace) {
       return message.find(part) != std::string::npos;
     });
   };
-  EXPECT_TRUE(says("ring"));
+  EXPECT_TRUE(says("loop of lines"));
   EXPECT_TRUE(says("2 others end"));
   EXPECT_TRUE(says("shorter than"));
-  EXPECT_TRUE(says("whose side is not told"));
+  EXPECT_TRUE(says("whose side is not known"));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace coapt {
 namespace {
 
 TEST(ExportedValve, MotionIsVerticesThenBranchPointsThenHeads) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const std::vector<ValveShape> states = motion_shapes(exported);
   ASSERT_EQ(states.size(), 2U);
   const ValveShape closed = closed_shape(exported);
@@ -23,7 +23,7 @@ TEST(ExportedValve, MotionIsVerticesThenBranchPointsThenHeads) {
 }
 
 TEST(ExportedValve, ARealClosuresMotionEndsWhereTheClosureDoes) {
-  const ExportedValve exported = close_for_export(small_valve(), {});
+  const ClosedValve exported = close_and_measure(small_valve(), {.motion = true});
   const std::vector<ValveShape> states = motion_shapes(exported);
   ASSERT_GT(states.size(), 2U);
   const ValveShape closed = closed_shape(exported);
@@ -34,7 +34,7 @@ TEST(ExportedValve, ARealClosuresMotionEndsWhereTheClosureDoes) {
 }
 
 TEST(ExportedValve, SegmentsBeginAtTheHeadOrAtTheEndOfTheirParent) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const ValveShape shape = closed_shape(exported);
   const Chorda& chorda = exported.valve.chordae[0];
   EXPECT_EQ(segment_start(shape, chorda, 0, 0), exported.valve.heads[0].tip_mm);

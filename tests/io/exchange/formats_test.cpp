@@ -18,7 +18,7 @@ TEST(Formats, AreToldByTheEndOfAPath) {
 }
 
 TEST(Formats, EachIsWrittenOfTheClosedValveAndOfTheOpenOneButMeasurements) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   for (const FileFormat& format : file_formats()) {
     EXPECT_TRUE(write_valve_file(exported, format)) << format.name;
     const bool open = bool(write_valve_file(exported, format, {.open = true}));
@@ -27,7 +27,7 @@ TEST(Formats, EachIsWrittenOfTheClosedValveAndOfTheOpenOneButMeasurements) {
 }
 
 TEST(Formats, AClosureThatFlewApartHasNoClosedShape) {
-  ExportedValve exported = still_valve();
+  ClosedValve exported = still_valve();
   exported.closure.closed_mm(3, 1) = std::numeric_limits<double>::quiet_NaN();
   for (const FileFormat& format : file_formats()) {
     const Expected<std::string> bytes = write_valve_file(exported, format);

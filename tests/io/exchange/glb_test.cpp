@@ -39,7 +39,7 @@ TEST(Glb, TheHeaderSaysHowLongTheFileIs) {
 }
 
 TEST(Glb, PointsAreMetresWithTheAtriumUp) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const std::string glb = write_glb(exported);
   const nlohmann::json json = json_of(glb);
   const int position = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
@@ -87,9 +87,9 @@ TEST(Glb, TheOpenValveIsStillAndTheNoticeIsInIt) {
 }
 
 TEST(Glb, ARingAndASutureAreAMeshOfTheirOwn) {
-  ExportedValve exported = still_valve();
+  ClosedValve exported = still_valve();
   exported.plan.steps = {
-      Annuloplasty{"own", 0.0, 1},
+      Annuloplasty{OwnRing{1}},
       PapillaryApproximation{Side::Anterolateral, Anchor::SaddlePeak, 0.25, 20.0}};
   const nlohmann::json json = json_of(write_glb(exported));
   ASSERT_EQ(json["meshes"].size(), 3U);

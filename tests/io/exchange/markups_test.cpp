@@ -18,7 +18,7 @@ Error problem(const std::string& text) {
 }
 
 TEST(Markups, WhatIsWrittenIsReadBack) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const std::vector<Markup> markups = valve_markups(exported, closed_shape(exported));
   const Expected<std::vector<Markup>> read = read_markups(write_markups(markups));
   ASSERT_TRUE(read);
@@ -32,7 +32,7 @@ TEST(Markups, WhatIsWrittenIsReadBack) {
 }
 
 TEST(Markups, LandmarksHaveSlicerHeartsLabels) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const Markup marks = landmark_markup(exported.valve, closed_shape(exported));
   EXPECT_EQ(marks.labels, (std::vector<std::string>{"A", "P", "AL", "PM", "ALC", "PMC"}));
   EXPECT_LT((Vec3(marks.points_mm.row(0)) - Vec3(0.0, 14.0, 0.0)).norm(), 1e-9);
@@ -41,10 +41,10 @@ TEST(Markups, LandmarksHaveSlicerHeartsLabels) {
 }
 
 TEST(Markups, WhatWasSewnInIsDrawn) {
-  ExportedValve exported = still_valve();
+  ClosedValve exported = still_valve();
   EXPECT_TRUE(repair_markups(exported, closed_shape(exported)).empty());
   exported.plan.steps = {
-      Annuloplasty{"generic-classic", 30.0, 0},
+      Annuloplasty{CatalogueRing{"generic-classic", 30.0}},
       PapillaryApproximation{Side::Posteromedial, Anchor::SaddlePeak, 0.25, 20.0}};
   exported.valve.chordae[1].kind = ChordaKind::Neochorda;
   const std::vector<Markup> sewn = repair_markups(exported, closed_shape(exported));

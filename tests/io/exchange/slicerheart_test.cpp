@@ -13,7 +13,7 @@ namespace {
 
 std::vector<NamedFile> folder_of(const Valve& valve) {
   const Expected<std::vector<NamedFile>> files =
-      write_slicerheart(close_for_export(valve, {}), {.open = true});
+      write_slicerheart(close_and_measure(valve, {.motion = true}), {.open = true});
   EXPECT_TRUE(files);
   return files ? *files : std::vector<NamedFile>{};
 }
@@ -44,12 +44,12 @@ void expect_closes_alike(const std::string& preset) {
   ASSERT_TRUE(again) << again.errors()[0].path << ": " << again.errors()[0].message;
   EXPECT_TRUE(validate(*again).empty());
   EXPECT_EQ(again->chordae.size(), valve.chordae.size());
-  const ValveMeasure before = close_for_export(valve, {}).measure;
-  const ExportedValve after = close_for_export(*again, {});
+  const ValveMeasure before = close_and_measure(valve, {.motion = true}).measure;
+  const ClosedValve after = close_and_measure(*again, {.motion = true});
   EXPECT_EQ(after.closure.status, ClosureStatus::Converged);
   EXPECT_FALSE(after.closure.crossing);
   EXPECT_NEAR(after.measure.annulus.area_mm2, before.annulus.area_mm2, 5.0);
-  // Meshes of one leaking valve differ by a fifth (README, "How it works").
+  // Meshes of one leaking valve differ by a fifth (docs/researcher/accuracy.md, "The mesh").
   const double orifice = before.orifice.area_mm2;
   EXPECT_NEAR(after.measure.orifice.area_mm2, orifice, std::max(3.0, 0.25 * orifice)) << preset;
   EXPECT_NEAR(after.measure.coaptation.height_mean_mm, before.coaptation.height_mean_mm, 1.0);

@@ -7,8 +7,8 @@
 namespace coapt {
 
 /// Two states of motion: lifted by 2 mm (with all branch points and heads), then at rest.
-inline ExportedValve still_valve() {
-  ExportedValve exported;
+inline ClosedValve still_valve() {
+  ClosedValve exported;
   exported.valve = small_valve();
   const Valve& valve = exported.valve;
   exported.closure.closed_mm = valve.rest_mm;

@@ -15,7 +15,7 @@ const VtkScalars& named(const std::vector<VtkScalars>& all, const std::string& n
 }
 
 TEST(ValveVtk, FacesCarrySegmentLeafletAndNoStrainWhereNothingMoved) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const VtkPolyData data = leaflets_vtk(exported, closed_shape(exported));
   EXPECT_EQ(data.faces, exported.valve.faces);
   EXPECT_EQ(named(data.face_data, "segment").values.front(), 2.0);  // A3
@@ -27,7 +27,7 @@ TEST(ValveVtk, FacesCarrySegmentLeafletAndNoStrainWhereNothingMoved) {
 }
 
 TEST(ValveVtk, HeightsAreOverTheAnnularPlane) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const VtkPolyData data = leaflets_vtk(exported, closed_shape(exported));
   for (int vertex = 0; vertex < 24; ++vertex)  // the annulus lies in z = 0
     EXPECT_NEAR(data.point_data[0].values[static_cast<std::size_t>(vertex)],
@@ -35,7 +35,7 @@ TEST(ValveVtk, HeightsAreOverTheAnnularPlane) {
 }
 
 TEST(ValveVtk, ALeafletHasItsFacesAndTheirVerticesAlone) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const ValveShape shape = closed_shape(exported);
   const VtkPolyData anterior = leaflet_vtk(exported, shape, Leaflet::Anterior);
   const VtkPolyData posterior = leaflet_vtk(exported, shape, Leaflet::Posterior);
@@ -49,7 +49,7 @@ TEST(ValveVtk, ALeafletHasItsFacesAndTheirVerticesAlone) {
 }
 
 TEST(ValveVtk, ChordaeLeadFromTheHeadOverTheBranchPointToVertices) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const VtkPolyData data = chordae_vtk(exported, closed_shape(exported));
   EXPECT_EQ(data.lines, (std::vector<std::array<int, 2>>{{0, 1}, {1, 2}, {1, 3}, {4, 5}}));
   EXPECT_EQ(Vec3(data.points_mm.row(0)), exported.valve.heads[0].tip_mm);
@@ -61,19 +61,19 @@ TEST(ValveVtk, ChordaeLeadFromTheHeadOverTheBranchPointToVertices) {
 }
 
 TEST(ValveVtk, UnstressedChordaeHaveNoTension) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const VtkPolyData data = chordae_vtk(exported, unstressed_shape(exported.valve));
   EXPECT_EQ(named(data.line_data, "tension_n").values, (std::vector<double>{0.0, 0.0, 0.0, 0.0}));
 }
 
 TEST(ValveVtk, RupturedChordaeAreLeftOut) {
-  ExportedValve exported = still_valve();
+  ClosedValve exported = still_valve();
   exported.valve.chordae[0].ruptured = true;
   EXPECT_EQ(chordae_vtk(exported, closed_shape(exported)).lines.size(), 1U);
 }
 
 TEST(ValveVtk, BothTogetherKeepTheirPoints) {
-  const ExportedValve exported = still_valve();
+  const ClosedValve exported = still_valve();
   const VtkPolyData data = valve_vtk(exported, closed_shape(exported));
   EXPECT_EQ(data.points_mm.rows(), 24 + 6);
   EXPECT_EQ(data.lines.back(), (std::array<int, 2>{24 + 4, 24 + 5}));

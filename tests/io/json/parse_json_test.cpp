@@ -74,6 +74,19 @@ TEST(ParseJson, ValuesAreLimitedTo8Million) {
   EXPECT_EQ(list[0].first, InvalidJson);
 }
 
+TEST(ParseJson, ValuesAreLimitedAsAsked) {
+  EXPECT_TRUE(parse_json("[1, {}]", 3));
+  const auto refused = parse_json("[1, {}]", 2);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.errors()[0].message, "is more than the 2 values accepted");
+}
+
+TEST(ParseJson, DoesNotEndAtANul) {
+  using namespace std::string_literals;
+  for (const std::string& text : {"{}\0"s, "{}\0 rubbish {"s, "{\0}"s, "\0{}"s, "[\"a\0\"]"s})
+    EXPECT_EQ(found(text).size(), 1u) << text;
+}
+
 TEST(ParseJson, NamesAreLimitedTo256Bytes) {
   const auto named = [](std::size_t size) { return "{\"" + std::string(size, 'a') + "\": 1}"; };
   EXPECT_TRUE(parse_json(named(256)));

@@ -1,6 +1,5 @@
 #include "io/json/plan_json.h"
 
-#include "io/json/rings.h"
 #include "tests/io/json/found.h"
 
 namespace coapt {
@@ -13,7 +12,7 @@ constexpr LeafletPoint kPoint = {Leaflet::Anterior, 0.25, 1.0};
 
 // One of each kind, and both forms of ring and anchor.
 RepairPlan full_plan() {
-  return {{Annuloplasty{"own", 0.0, 2}, Annuloplasty{"generic-classic", 30.0, 0},
+  return {{Annuloplasty{OwnRing{2}}, Annuloplasty{CatalogueRing{"generic-classic", 30.0}},
            Neochorda{"AL1", kPoint, 18.5}, ChordalLengthChange{"a", -1.25}, ChordalExcision{"b"},
            ChordalTransfer{"c", kPoint},
            PapillaryApproximation{Side::Anterolateral, Anchor::SaddlePeak, 0.25, 24.0},
@@ -31,8 +30,8 @@ TEST(PlanJson, RoundTripKeepsEveryStep) {
   ASSERT_TRUE(plan);
   ASSERT_EQ(plan->steps.size(), 8u);
   EXPECT_EQ(to_json(*plan).dump(), text);
-  EXPECT_EQ(std::get<Annuloplasty>(plan->steps[0]).sizes_below, 2);
-  EXPECT_EQ(std::get<Annuloplasty>(plan->steps[1]).size_mm, 30.0);
+  EXPECT_EQ(std::get<OwnRing>(std::get<Annuloplasty>(plan->steps[0]).ring).sizes_below, 2);
+  EXPECT_EQ(std::get<CatalogueRing>(std::get<Annuloplasty>(plan->steps[1]).ring).size_mm, 30.0);
   EXPECT_EQ(std::get<Neochorda>(plan->steps[2]).insertion.along, 0.25);
   EXPECT_EQ(std::get<ChordalLengthChange>(plan->steps[3]).change_mm, -1.25);
   EXPECT_EQ(std::get<PapillaryApproximation>(plan->steps[7]).annulus_around, 0.9);
@@ -92,23 +91,6 @@ TEST(PlanJson, OtherSchemasAreNotSupported) {
   EXPECT_EQ(problems_of(read_plan(R"({"schema": "coapt.valve/1", "steps": []})")),
             (Found{{Unsupported, "/schema"}}));
   EXPECT_EQ(problems_of(read_plan("not a plan")), (Found{{InvalidJson, ""}}));
-}
-
-TEST(Rings, TheCatalogueHoldsTheGenericShapes) {
-  const std::vector<RingShape>& rings = ring_catalogue();
-  ASSERT_EQ(rings.size(), 3u);
-  EXPECT_EQ(rings[0].name, "generic-classic");
-  EXPECT_EQ(rings[0].ap_over_transverse, 0.75);
-  EXPECT_EQ(rings[1].ap_over_transverse, 0.68);
-  EXPECT_EQ(rings[2].ap_over_transverse, 0.51);
-  EXPECT_EQ(rings[2].transverse_factor, 1.12);
-}
-
-TEST(Rings, ACatalogueIsReadStrictly) {
-  EXPECT_EQ(problems_of(read_rings(R"({"schema": "coapt.rings/1", "rings": [{"name": "round",
-              "ap_over_transverse": 1.1, "transverse_factor": 1, "note": ""}]})")),
-            (Found{{OutOfRange, "/rings/0/ap_over_transverse"},
-                   {MissingField, "/rings/0/saddle_over_transverse"}}));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct Closed {
 };
 
 Closed closed(const std::string& preset, const RepairPlan& plan, int frames) {
-  Closed result{*apply_plan(*make_preset(preset, 300), plan, ring_catalogue()), plan, {}, {}};
+  Closed result{*apply_plan(*make_preset(preset, 300), plan), plan, {}, {}};
   result.closure = close_valve(result.valve, {.motion = frames > 0});
   result.scene = scene_to_json({result.valve, result.closure, result.plan, frames});
   return result;

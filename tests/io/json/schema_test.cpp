@@ -10,6 +10,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/search_options_json.h"
 #include "io/json/valve_json.h"
+#include "search/plans/search_option_table.h"
 #include "tests/io/json/found.h"
 #include "tests/io/plans_scene.h"
 #include "tests/scenes/small_valve.h"
@@ -101,7 +102,7 @@ nlohmann::json small_json() { return nlohmann::json::parse(write_valve(small_val
 nlohmann::json full_plan() {
   const LeafletPoint point = {Leaflet::Posterior, 0.5, 1.0};
   const RepairPlan plan = {
-      {Annuloplasty{"own", 0.0, 2}, Annuloplasty{"generic-classic", 30.0, 0},
+      {Annuloplasty{OwnRing{2}}, Annuloplasty{CatalogueRing{"generic-classic", 30.0}},
        Neochorda{"AL1", point, 18.5}, ChordalLengthChange{"a", -1.25}, ChordalExcision{"b"},
        ChordalTransfer{"c", point},
        PapillaryApproximation{Side::Anterolateral, Anchor::IpsilateralTrigone, 0.25, 24.0},
@@ -265,7 +266,7 @@ TEST(PlanSchema, AgreesWithTheStepsOnRanges) {
   const nlohmann::json kinds = Schema("plan").root()["$defs"];
   const LeafletPoint point = {Leaflet::Posterior, 0.5, 1.0};
   const auto refusals = [](const RepairStep& step) {
-    return problems_of(apply_plan(small_valve(), {{step}}, ring_catalogue()));
+    return problems_of(apply_plan(small_valve(), {{step}}));
   };
   const auto check = [&](const char* kind, const char* field, const auto& step_with) {
     const nlohmann::json& range = kinds[kind]["properties"][field];
@@ -279,7 +280,7 @@ TEST(PlanSchema, AgreesWithTheStepsOnRanges) {
     EXPECT_NE(refusals(step_with(above)), Found{}) << field;
   };
   check("catalogue_ring", "size_mm", [](double size) {
-    return Annuloplasty{"generic-classic", size, 0};
+    return Annuloplasty{CatalogueRing{"generic-classic", size}};
   });
   check("neochorda", "length_mm", [&](double length) { return Neochorda{"AL1", point, length}; });
   check("chordal_length_change", "change_mm", [](double change) {
@@ -349,6 +350,29 @@ TEST(SearchSchema, AgreesWithTheReaderOnRangesAndDefaults) {
   check(root["properties"], "");
   check(root["$defs"]["rules"]["properties"], "/rules");
   check(root["$defs"]["weights"]["properties"], "/weights");
+}
+
+template <class Options>
+void expect_rows(std::span<const OptionRow<Options>> rows, const nlohmann::json& fields) {
+  for (const OptionRow<Options>& row : rows) {
+    const nlohmann::json field = fields.value(row.name, nlohmann::json::object());
+    EXPECT_EQ(field.value("description", ""), row.help) << row.name;
+    const bool has_range = row.range.min < row.range.max;
+    if (!has_range) continue;
+    EXPECT_EQ(field["minimum"].get<double>(), row.range.min) << row.name;
+    EXPECT_EQ(field["maximum"].get<double>(), row.range.max) << row.name;
+  }
+}
+
+TEST(SearchSchema, SaysOfEachOptionWhatTheTableSays) {
+  const nlohmann::json root = schema_of("search"), rules = root["$defs"]["rules"]["properties"],
+                       weights = root["$defs"]["weights"]["properties"];
+  expect_rows(search_option_rows(), root["properties"]);
+  expect_rows(search_rule_rows(), rules);
+  expect_rows(cost_weight_rows(), weights);
+  EXPECT_EQ(root["properties"].size(), search_option_rows().size() + 2) << "rules and weights";
+  EXPECT_EQ(rules.size(), search_rule_rows().size() + 2) << "fixed steps and forbidden words";
+  EXPECT_EQ(weights.size(), cost_weight_rows().size());
 }
 
 }  // namespace

@@ -41,7 +41,9 @@ TEST(SearchOptionsJson, EveryFieldIsRead) {
   EXPECT_EQ(to_json(*options), asked);
   EXPECT_EQ(options->seed, 18446744073709551615u);
   EXPECT_EQ(options->target_mm2, 0.25);
-  EXPECT_EQ(std::get<Annuloplasty>(options->rules.fixed.steps.at(0)).size_mm, 30.0);
+  EXPECT_EQ(std::get<CatalogueRing>(std::get<Annuloplasty>(options->rules.fixed.steps.at(0)).ring)
+                .size_mm,
+            30.0);
   EXPECT_EQ(options->rules.forbidden.at(1), "papillary_approximation:saddle_peak");
   EXPECT_EQ(options->weights.untrusted, 14.0);
 }
@@ -50,7 +52,9 @@ TEST(SearchOptionsJson, FixedStepsNeedNotSayTheirSchema) {
   const auto options = read(R"({"rules": {"fixed": {"steps": [
       {"step": "annuloplasty", "shape": "own", "sizes_below": 2}]}}})");
   ASSERT_TRUE(options);
-  EXPECT_EQ(std::get<Annuloplasty>(options->rules.fixed.steps.at(0)).sizes_below, 2);
+  EXPECT_EQ(
+      std::get<OwnRing>(std::get<Annuloplasty>(options->rules.fixed.steps.at(0)).ring).sizes_below,
+      2);
 }
 
 TEST(SearchOptionsJson, ProblemsAreListed) {

@@ -19,6 +19,14 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+/// The markup without its embedded pictures, whose base64 may spell anything.
+inline std::string without_pictures(std::string html) {
+  const std::string opening = "base64,";
+  for (std::size_t at = html.find(opening); at != std::string::npos; at = html.find(opening, at))
+    html.erase(at, html.find('"', at) - at);
+  return html;
+}
+
 /// The first thing that keeps an SVG from being well-formed XML: a tag that does not match, an
 /// attribute without quotes, a stray "<" or "&". Empty if there is none.
 inline std::string markup_error(const std::string& xml) {

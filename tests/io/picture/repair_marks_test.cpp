@@ -1,4 +1,4 @@
-#include "io/picture/repair_marks.h"
+#include "core/repair/repair_marks.h"
 
 #include <gtest/gtest.h>
 
@@ -17,18 +17,18 @@ namespace {
 
 ClosedValve marked(const Valve& valve, const RepairMarks& marks = {}) {
   const ClosureResult closure = closed_at_rest(valve);
-  return {valve, closure, measure(valve, closure), marks};
+  return {.valve = valve, .closure = closure, .measure = measure(valve, closure), .repair = marks};
 }
 
 Valve repaired(const RepairPlan& plan) {
-  const Expected<Valve> valve = apply_plan(small_valve(), plan, ring_catalogue());
+  const Expected<Valve> valve = apply_plan(small_valve(), plan);
   EXPECT_TRUE(valve);
   return valve ? *valve : Valve{};
 }
 
 const RepairPlan kSuture{
     {PapillaryApproximation{Side::Posteromedial, Anchor::SaddlePeak, 0.25, 16.4013}}};
-const RepairPlan kRing{{Annuloplasty{"own", 0.0, 2}}};
+const RepairPlan kRing{{Annuloplasty{OwnRing{2}}}};
 const RepairPlan kNeochorda{{Neochorda{"PM1", {Leaflet::Posterior, 0.7, 1.0}, 20.0}}};
 
 TEST(RepairMarks, OfASutureAreItsAnchorAndTheTipBeforeAndAfter) {

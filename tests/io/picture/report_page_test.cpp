@@ -37,7 +37,7 @@ TEST(FirstPage, HasTheFiguresThatMatterWithTheirUncertainty) {
   for (const char* part :
        {"<dd>0.3 mm²<small>before 52.0;", "<dd>0.4 ± 0.5 mm²<small>± sd; 95 % below 1.4, worst 5.6",
         "<dd>99.2 %<small>of 1,089 variations", "<dd>0.75 mm · 4.0°<small>",
-        "<dd>6.8 mm<small>least 4.8; before 2.6", "<dd>0.61 N<small>before 0.48 N",
+        "<dd>6.8 mm<small>minimum 4.8; before 2.6", "<dd>0.61 N<small>before 0.48 N",
         "<dd>2.1 sizes<small>", "<dd>4.6 / 11.5 mm<small>"})
     EXPECT_TRUE(contains(page, part)) << part;
 }
@@ -81,7 +81,7 @@ TEST(FirstPage, OfAPlanThatWasNotVariedSaysThatItIsNotKnown) {
   result.plans[0].region = plans_scene::third().region;
   result.plans[0].region.failures = 0;
   const std::string page = first_sheet(page_of(result));
-  EXPECT_TRUE(contains(page, "is not known: it was not varied"));
+  EXPECT_TRUE(contains(page, "is not known whether this plan closes the valve robustly"));
   EXPECT_FALSE(contains(page, "Does not close"));
 }
 
@@ -174,8 +174,9 @@ TEST(Report, OfNothingButUnknownFiguresSaysSo) {
   }
   const std::string html =
       plan_report_html({before, {before, before, before}, result, search_request()});
+  const std::string text = without_pictures(html);
   for (const char* broken : {">nan", "nan ", "=\"nan", "inf ", "NaN"})
-    EXPECT_FALSE(contains(html, broken)) << broken;
+    EXPECT_FALSE(contains(text, broken)) << broken;
   EXPECT_TRUE(contains(html, "The simulation of this plan failed"));
   EXPECT_TRUE(contains(html, "No plan closes this valve robustly"));
 }
@@ -186,7 +187,7 @@ TEST(Report, OfAPlanWithoutStepsSaysNoRepair) {
   result.plans[0].rank = 1;
   const std::string html = page_of(result);
   EXPECT_TRUE(contains(html, "<strong>No repair</strong>"));
-  EXPECT_FALSE(contains(html, "This plan among the others"));
+  EXPECT_FALSE(contains(html, "Comparison with the other plans"));
 }
 
 }  // namespace

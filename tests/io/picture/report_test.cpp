@@ -46,7 +46,7 @@ TEST(Report, BeginsWithTheNoticeTheVerdictAndTheBestPlanInPictures) {
                                           "data:image/png",
                                           "0.4 ± 0.5 mm²",
                                           "What to watch",
-                                          "This plan among the others",
+                                          "Comparison with the other plans",
                                           "All ranked plans</h2>",
                                           "Evidence, plan by plan",
                                           "How the search went",
@@ -88,18 +88,18 @@ TEST(Report, TheEvidenceOfAPlanIsItsMapsItsCurvesAndItsGates) {
   const std::string evidence = section(html, "Evidence, plan by plan");
   EXPECT_EQ(count(evidence, "<details"), 3u);
   EXPECT_EQ(count(evidence, "<details open>"), 1u);
-  EXPECT_EQ(count(evidence, "both muscles alike"), 2u);
+  EXPECT_EQ(count(evidence, "both muscles, same error"), 2u);
   EXPECT_EQ(count(evidence, "anterolateral alone"), 1u);
-  EXPECT_EQ(count(evidence, "If remodelling goes on"), 2u);
-  EXPECT_EQ(count(evidence, "52 % alone, 66 % with others"), 1u);
-  EXPECT_EQ(count(evidence, "What decides the leak"), 2u) << "not of the plan that failed";
+  EXPECT_EQ(count(evidence, "Under further remodelling"), 2u);
+  EXPECT_EQ(count(evidence, "52 % alone, 66 % with interactions"), 1u);
+  EXPECT_EQ(count(evidence, "Which error matters most"), 2u) << "not of the plan that failed";
   EXPECT_EQ(count(evidence, "Coaptation in nine sections"), 3u);
   EXPECT_EQ(count(evidence, "papillary movement"), 3u);
   EXPECT_EQ(count(evidence, "– not assessed"), 3u);
   EXPECT_EQ(count(evidence, "✗ reject"), 1u);
   EXPECT_TRUE(contains(evidence, "thesis 4.2.3"));
   EXPECT_TRUE(contains(evidence, "0.4 ± 0.4 mm², at worst 3.2 mm²"));
-  EXPECT_TRUE(contains(evidence, "1,089 closures over the region of interest, 2 failed"));
+  EXPECT_TRUE(contains(evidence, "1,089 closures over the region of interest, 2 of which failed"));
   EXPECT_EQ(count(evidence, ">nan<") + count(evidence, "=\"nan"), 0u);
 }
 
@@ -107,9 +107,9 @@ TEST(Report, SaysHowTheSearchWent) {
   const std::string search = section(html_of(search_result()), "How the search went");
   for (const char* part :
        {"6,120 closures in 84.2 s", "12 did not converge", "310 were known", "1,214 plans tried",
-        "45,678,901", "It used all its evaluations.", "plans at random", "0: by geometry alone",
-        "0.58", "no marginal chorda is ruptured", "Score on a subset against the full grid",
-        "10034.2"})
+        "45,678,901", "The search used all its closures.", "random search, expected",
+        "0 closures: geometry alone", "0.58", "no marginal chorda is ruptured",
+        "Score on a subset against the full grid", "10034.2"})
     EXPECT_TRUE(contains(search, part)) << part;
 }
 
@@ -162,7 +162,7 @@ TEST(Report, OfASearchWithoutPlansShowsTheValve) {
   result.stop = SearchStop::Cancelled;
   const std::string html = html_of(result);
   EXPECT_TRUE(contains(html, "The search ended before any plan was scored."));
-  EXPECT_TRUE(contains(html, "It was cancelled"));
+  EXPECT_TRUE(contains(html, "The search was cancelled; this is the best so far."));
   EXPECT_TRUE(contains(html, "data:image/png"));
   EXPECT_FALSE(contains(html, "<svg"));
 }
@@ -170,7 +170,9 @@ TEST(Report, OfASearchWithoutPlansShowsTheValve) {
 TEST(Report, SaysWhenNoPlanClosesTheValveRobustly) {
   SearchResult result = search_result();
   result.any_competent = false;
-  EXPECT_TRUE(contains(html_of(result), "No plan closes this valve robustly; ranked least bad."));
+  EXPECT_TRUE(
+      contains(html_of(result),
+               "No plan closes this valve robustly; the ranking starts with the least bad."));
 }
 
 TEST(Report, OfAPlanThatWasClosedOnlyOnceHasNoMaps) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/repair/apply_plan.h"
+#include "core/repair/describe.h"
 #include "tests/scenes/sheets.h"
 #include "tests/scenes/small_valve.h"
 
@@ -70,7 +71,7 @@ TEST(SurgicalWords, SayWhereOnTheAnnulusAnAnchorLies) {
 
 TEST(SurgicalWords, SayWhatARingTakesAway) {
   const ClosedValve before = closed_small_valve();  // 36 mm across, 28 front to back
-  RankedPlan plan = plan_of(before, {Annuloplasty{"generic-classic", 32.0, 0}});
+  RankedPlan plan = plan_of(before, {Annuloplasty{CatalogueRing{"generic-classic", 32.0}}});
   plan.measure.annulus.al_pm_mm = 32.0;
   plan.measure.annulus.ap_mm = 24.0;
   plan.effort.sizes_below = 2.25;
@@ -105,7 +106,7 @@ TEST(SurgicalWords, OfNothingDoneSayNoRepair) {
 TEST(SurgicalWords, OfAPlanThatTheValveDoesNotAllowStillSayWhatItIs) {
   const ClosedValve before = closed_small_valve();
   RankedPlan plan;
-  plan.plan.steps = {Annuloplasty{"no such ring", 32.0, 0},
+  plan.plan.steps = {Annuloplasty{CatalogueRing{"no such ring", 32.0}},
                      PapillaryApproximation{Side::Posteromedial, Anchor::SaddlePeak, 0.25, 99.0},
                      ChordalExcision{"none"}};
   const std::vector<StepWords> words = surgical_words(before, plan);
@@ -117,17 +118,17 @@ TEST(SurgicalWords, OfAPlanThatTheValveDoesNotAllowStillSayWhatItIs) {
 TEST(ShortWords, NameEveryKindOfStep) {
   RankedPlan plan;
   plan.plan.steps = {
-      Annuloplasty{"own", 0.0, 1},
-      Annuloplasty{"generic-classic", 30.0, 0},
+      Annuloplasty{OwnRing{1}},
+      Annuloplasty{CatalogueRing{"generic-classic", 30.0}},
       PapillaryApproximation{Side::Anterolateral, Anchor::IpsilateralTrigone, 0, 21.5},
       Neochorda{"AL1", {Leaflet::Posterior, 0.4, 1.0}, 20.0},
       ChordalLengthChange{"c1", -2.0},
       ChordalExcision{"c2"},
       ChordalTransfer{"c3", {}}};
-  EXPECT_EQ(
-      short_words(plan),
-      "ring of own shape, 1 size below + ring generic-classic 30 + AL muscle to trigone, 21.5 mm + "
-      "neochorda AL1 to posterior leaflet, 20.0 mm + c1 shortened + c2 cut + c3 transferred");
+  EXPECT_EQ(short_words(plan),
+            "ring in own shape, undersized by 1 size + ring generic-classic 30 + AL muscle to "
+            "trigone, 21.5 mm + "
+            "neochorda AL1 to posterior leaflet, 20.0 mm + c1 shortened + c2 cut + c3 transferred");
 }
 
 TEST(ValveWords, SayWhereItLeaksAndWhatIsRuptured) {

@@ -164,7 +164,7 @@ TEST(StudyCharts, ScanMarksItsLeastPlaceAndLeavesOutAnotherProtocol) {
   const std::string svg =
       anchor_scan_svg({summary("annulus", 0.25, 4.0), summary("annulus", 0.5, 3.0), other},
                       {summary("trigone", 0.0, 5.0), summary("saddle peak", 0.25, 6.0)});
-  EXPECT_EQ(count(svg, "least 3.0 at 0.50"), 1u);
+  EXPECT_EQ(count(svg, "minimum 3.0 at 0.50"), 1u);
   EXPECT_EQ(count(svg, "<path class=\"line dashed"), 2u * 2u);
   EXPECT_EQ(count(svg, "r=\"4.5\""), 2u * 1u) << "an anchor whose place is known";
 }

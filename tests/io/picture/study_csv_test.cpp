@@ -9,7 +9,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> lines_of(const std::string& csv) {
   std::vector<std::string> lines;
@@ -36,7 +36,7 @@ DisplacementGrid two_nodes(Displaced displaced, int sizes, double scale) {
 }
 
 TEST(StudyCsv, AnnulusHasARowForEachHeightAndDilationAndNothingWhereThereIsNoOrifice) {
-  const AnnulusStudy study{{0.0, 15.0}, {100.0, 50.0}, {{0.0, 1234567.0}, {kUnknown, 0.125}}};
+  const AnnulusStudy study{{0.0, 15.0}, {100.0, 50.0}, {{0.0, 1234567.0}, {kMissing, 0.125}}};
   EXPECT_EQ(annulus_csv(study),
             "annular_height_percent,ap_dilation_percent,orifice_mm2\n"
             "100,0,0\n"
@@ -85,7 +85,7 @@ ApproximationStudy one_approximation(const std::string& anchor) {
   a.suture_mm = 30;
   a.movement_mm = 7;
   a.area_mm2 = 2;
-  a.region = {8, 9, 10, 11, 12, 13, 14, 0.5, kUnknown};
+  a.region = {8, 9, 10, 11, 12, 13, 14, 0.5, kMissing};
   study.approximations = {a};
   return study;
 }
@@ -139,9 +139,9 @@ TEST(StudyCsv, AnswersHaveARowForEachFactor) {
   answer.trigone_wins = 12;
   answer.ties = 3;
   answer.mean_difference = -0.5;
-  answer.decided_by = {{0.1, 0.2, 0.3, 0.4, 0.5, kUnknown},
-                       {0.6, 0.7, 0.8, 0.9, 1.0, kUnknown},
-                       {-1.5, 2.0, 3.0, 4.0, 5.0, kUnknown},
+  answer.decided_by = {{0.1, 0.2, 0.3, 0.4, 0.5, kMissing},
+                       {0.6, 0.7, 0.8, 0.9, 1.0, kMissing},
+                       {-1.5, 2.0, 3.0, 4.0, 5.0, kMissing},
                        0.75};
   const std::vector<std::string> lines = lines_of(anchor_answers_csv({answer}));
   ASSERT_EQ(lines.size(), 1u + kScanFactors);

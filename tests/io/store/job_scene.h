@@ -47,7 +47,7 @@ inline JobEnd numbered_end(int i) {
 }
 
 inline std::string numbered_event(int event) {
-  return "{\"evaluations\":" + std::to_string(event) + "}";
+  return "{\"closures\":" + std::to_string(event) + "}";
 }
 
 /// The job, which must be there.

@@ -14,8 +14,9 @@ inline const std::string kSubject = "00000000000000000000000000000001";
 
 class TemporaryFolder {
  public:
-  TemporaryFolder() {
-    std::string path = std::filesystem::temp_directory_path() / "coapt_store_XXXXXX";
+  explicit TemporaryFolder(
+      const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
+    std::string path = parent / "coapt_store_XXXXXX";
     if (mkdtemp(path.data()) != nullptr) path_ = path;
   }
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }

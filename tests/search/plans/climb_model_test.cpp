@@ -21,13 +21,13 @@ MadeUp climbing(const RepairPlan& plan, double first, double asinh_rise) {
 
 RepairPlan at_mm(double length_mm) { return suture(Side::Anterolateral, length_mm); }
 
-struct Scene {
-  explicit Scene(const std::vector<MadeUp>& made_up)
-      : desk(needs_suture, options_of(made_up)), model(1, 5) {
-    for (const MadeUp& one : made_up) plans.push_back(&desk.closed(one.plan, 5));
+struct ClimbScene {
+  explicit ClimbScene(const std::vector<MadeUp>& made_up)
+      : scene(needs_suture, options_of(made_up)), model(1, 5) {
+    for (const MadeUp& one : made_up) plans.push_back(&scene.closed(one.plan, 5));
   }
-  static PlanDeskOptions options_of(const std::vector<MadeUp>& made_up) {
-    PlanDeskOptions options = on_threads(1);
+  static PlanEvaluationOptions options_of(const std::vector<MadeUp>& made_up) {
+    PlanEvaluationOptions options = on_threads(1);
     options.weights = leak_alone();
     for (const MadeUp& one : made_up)
       for (int d = 0; d < 5; ++d)
@@ -36,19 +36,20 @@ struct Scene {
   }
   /// Of the first `count` plans.
   void learn(std::size_t count) {
-    model.learn(desk.desk, {plans.begin(), plans.begin() + static_cast<std::ptrdiff_t>(count)});
+    model.learn(scene.evaluations,
+                {plans.begin(), plans.begin() + static_cast<std::ptrdiff_t>(count)});
   }
   ClimbModel::Expectation expected(std::size_t plan) const {
-    return model.expected(desk.desk, *plans[plan]);
+    return model.expected(scene.evaluations, *plans[plan]);
   }
 
-  Desk desk;
+  EvaluationScene scene;
   ClimbModel model;
   std::vector<const PlanRecord*> plans;
 };
 
 TEST(ClimbModel, WithoutPlansItExpectsNoRise) {
-  Scene scene({climbing(at_mm(20.0), 3.0, 1.0)});
+  ClimbScene scene({climbing(at_mm(20.0), 3.0, 1.0)});
   const ClimbModel::Expectation expected = scene.expected(0);
   EXPECT_EQ(expected.cost, 3.0);
   EXPECT_EQ(expected.now, 3.0);
@@ -60,7 +61,7 @@ TEST(ClimbModel, WithoutPlansItExpectsNoRise) {
 TEST(ClimbModel, FromTooFewPlansItLearnsNothing) {
   std::vector<MadeUp> plans;
   for (int k = 0; k < 7; ++k) plans.push_back(climbing(at_mm(18.0 + k), 3.0, 1.0));
-  Scene scene(plans);
+  ClimbScene scene(plans);
   scene.learn(5);
   EXPECT_EQ(scene.expected(6).rise, 0.0);
   scene.learn(6);
@@ -76,7 +77,7 @@ TEST(ClimbModel, LearnsARiseThatGoesWithTheRootOfTheLeak) {
   }
   for (const double leak : {0.0, 1.0, 4.0, 9.0})
     plans.push_back({{{Neochorda{"PM1", {Leaflet::Anterior, 0.6, 1.0}, 15.0 + leak}}}, leak, leak});
-  Scene scene(plans);
+  ClimbScene scene(plans);
   scene.learn(40);
   for (std::size_t i = 40; i < plans.size(); ++i) {
     const ClimbModel::Expectation expected = scene.expected(i);
@@ -97,7 +98,7 @@ TEST(ClimbModel, WhatTheLeakDoesNotTellPlansNearbyDo) {
   plans.push_back(climbing(at_mm(17.2), 1.0, 0.0));
   plans.push_back(climbing(at_mm(26.2), 1.0, 0.0));
   plans.push_back({{{Neochorda{"PM1", {Leaflet::Anterior, 0.6, 1.0}, 15.0}}}, 1.0, 1.0});
-  Scene scene(plans);
+  ClimbScene scene(plans);
   scene.learn(24);
   const ClimbModel::Expectation risen = scene.expected(24), flat = scene.expected(25);
   const ClimbModel::Expectation stranger = scene.expected(26);
@@ -121,7 +122,7 @@ TEST(ClimbModel, FailedClosuresLeaveNumbers) {
   std::vector<MadeUp> plans;
   for (int k = 0; k < 8; ++k)
     plans.push_back({at_mm(18.0 + k), k % 2 == 0 ? std::nan("") : 1.0, 2.0});
-  Scene scene(plans);
+  ClimbScene scene(plans);
   scene.learn(8);
   for (std::size_t i = 0; i < 8; ++i) {
     const ClimbModel::Expectation expected = scene.expected(i);

@@ -1,9 +1,9 @@
+#include "search/plans/closure_gates.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
-
-#include "search/plans/gates.h"
 
 namespace coapt {
 namespace {
@@ -54,10 +54,12 @@ TEST(ClosureGates, AClosureThatIsNotToBeTrustedIsRejectedAndItsFiguresAreNotAsse
   limited.status = ClosureStatus::StepLimit;
   crossed.crossing = true;
   lost.measure.orifice.area_mm2 = std::numeric_limits<double>::quiet_NaN();
-  expect_gate(closure_gates(limited, quiet()), "convergence", GateSeverity::Reject, "rest");
-  expect_gate(closure_gates(lost, quiet()), "convergence", GateSeverity::Reject, "trusted");
+  expect_gate(closure_gates(limited, quiet()), "convergence", GateSeverity::Reject,
+              "did not converge");
+  expect_gate(closure_gates(lost, quiet()), "convergence", GateSeverity::Reject, "do not trust");
   expect_gate(closure_gates(crossed, quiet()), "crossing", GateSeverity::Reject, "through");
-  expect_gate(closure_gates(crossed, quiet()), "convergence", GateSeverity::Pass, "rest");
+  expect_gate(closure_gates(crossed, quiet()), "convergence", GateSeverity::Pass,
+              "the closure converged");
   for (const Evaluation& bad : {limited, crossed, lost}) {
     const std::vector<Gate> all = closure_gates(bad, quiet());
     EXPECT_TRUE(is_rejected(all));

@@ -159,7 +159,7 @@ TEST(Disturbances, TheirShareIsHowFarTheWorseMuscleGoesToTheBorder) {
 }
 
 TEST(Disturb, TipsMoveOnASphereAboutTheSuturesAnchor) {
-  const Valve valve = *apply_plan(small_valve(), suture(29.0), {});
+  const Valve valve = *apply_plan(small_valve(), suture(29.0));
   const Valve disturbed = disturb(valve, suture(29.0), both({0.5, 3.0, -4.0}));
   const Vec3 before = valve.heads[0].tip_mm - kSaddlePeak;
   const Vec3 after = disturbed.heads[0].tip_mm - kSaddlePeak;
@@ -222,7 +222,7 @@ TEST(Disturb, AnUnsuturedMuscleFollowsTheVentricle) {
 }
 
 TEST(Disturb, ATautSutureHolds) {
-  const Valve valve = *apply_plan(small_valve(), suture(29.0), {});
+  const Valve valve = *apply_plan(small_valve(), suture(29.0));
   for (const RemodellingRay& ray : remodelling_rays())
     for (std::size_t mm = 1; mm <= 6; ++mm) {
       const Disturbance& d = disturbance(ray.indices[mm]);
@@ -238,7 +238,7 @@ TEST(Disturb, ATautSutureHolds) {
 }
 
 TEST(Disturb, ASutureTiedLongHoldsAtItsLengthAndDoesNotPush) {
-  const Valve valve = *apply_plan(small_valve(), suture(29.0), {});
+  const Valve valve = *apply_plan(small_valve(), suture(29.0));
   Disturbance tied_long = both({1.0, 0.0, 0.0});
   tied_long.remodelling_mm = Vec3(0.0, 0.0, 6.0);
   EXPECT_NEAR((disturb(valve, suture(29.0), tied_long).heads[0].tip_mm - kSaddlePeak).norm(), 30.0,

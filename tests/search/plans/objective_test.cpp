@@ -126,7 +126,7 @@ TEST(Effort, CountsMovementSizesAndSteps) {
                                                 .anchor = Anchor::SaddlePeak,
                                                 .suture_length_mm = distance - 4.0},
                          ChordalExcision{"PM1-A2-strut-1"}}};
-  const Effort asked = effort(valve, *apply_plan(valve, plan, {}), plan);
+  const Effort asked = effort(valve, *apply_plan(valve, plan), plan);
   EXPECT_NEAR(asked.anterolateral_movement_mm, 4.0, 1e-12);
   EXPECT_EQ(asked.posteromedial_movement_mm, 0.0);
   EXPECT_EQ(asked.sizes_below, 0.0);
@@ -143,14 +143,14 @@ TEST(Effort, IsABoundFromBelow) {
 TEST(Effort, SizesCountTheAreaThatIsLostToAHealthyAnnulus) {
   // 36 x 28 mm; healthy would be 36 x 27. Three sizes below in proportion: 30 x 23.33.
   const Valve valve = small_valve();
-  const RepairPlan plan{{Annuloplasty{.shape = "own", .sizes_below = 3}}};
+  const RepairPlan plan{{Annuloplasty{OwnRing{3}}}};
   const double share = 30.0 * (28.0 * 30.0 / 36.0) / (36.0 * 27.0);
-  EXPECT_NEAR(effort(valve, *apply_plan(valve, plan, {}), plan).sizes_below,
+  EXPECT_NEAR(effort(valve, *apply_plan(valve, plan), plan).sizes_below,
               18.0 * (1.0 - std::sqrt(share)), 1e-9);
   // A ring of healthy proportion and the same width takes nothing away, whatever the vertices make
   // of it.
-  const RepairPlan same{{Annuloplasty{.shape = "own", .sizes_below = 0}}};
-  EXPECT_EQ(ring_sizes_below(valve, *apply_plan(valve, same, {})), 0.0);
+  const RepairPlan same{{Annuloplasty{OwnRing{0}}}};
+  EXPECT_EQ(ring_sizes_below(valve, *apply_plan(valve, same)), 0.0);
 }
 
 }  // namespace

@@ -9,18 +9,18 @@ namespace coapt {
 namespace {
 
 const Neochorda kNeochorda = {"AL1", {Leaflet::Posterior, 0.4, 1.0}, 20.0};
-const PapillaryApproximation kSuture = {
+const PapillaryApproximation kSutureStep = {
     .side = Side::Posteromedial, .anchor = Anchor::AnnulusPoint, .suture_length_mm = 25.0};
 
 std::string key(const RepairStep& step) { return plan_key({{step}}); }
 
 std::vector<RepairStep> one_of_each() {
-  return {Annuloplasty{.shape = "d", .size_mm = 32.0},
+  return {Annuloplasty{CatalogueRing{"d", 32.0}},
           kNeochorda,
           ChordalLengthChange{"a", -2.0},
           ChordalExcision{"b"},
           ChordalTransfer{"c", {Leaflet::Anterior, 0.5, 1.0}},
-          kSuture};
+          kSutureStep};
 }
 
 TEST(PlanKey, DoesNotDependOnTheOrderOfTheSteps) {
@@ -47,17 +47,17 @@ TEST(PlanKey, TellsEveryFieldApart) {
   other = kNeochorda;
   other.insertion.height = 0.9;
   EXPECT_NE(key(other), key(kNeochorda));
-  PapillaryApproximation suture = kSuture;
+  PapillaryApproximation suture = kSutureStep;
   suture.side = Side::Anterolateral;
-  EXPECT_NE(key(suture), key(kSuture));
-  suture = kSuture;
+  EXPECT_NE(key(suture), key(kSutureStep));
+  suture = kSutureStep;
   suture.annulus_around = 0.3;
-  EXPECT_NE(key(suture), key(kSuture));
-  EXPECT_NE(key(Annuloplasty{.sizes_below = 2}), key(Annuloplasty{.sizes_below = 3}));
+  EXPECT_NE(key(suture), key(kSutureStep));
+  EXPECT_NE(key(Annuloplasty{OwnRing{2}}), key(Annuloplasty{OwnRing{3}}));
 }
 
 TEST(PlanKey, APlaceThatDoesNotCountIsNotInIt) {
-  PapillaryApproximation suture = kSuture;
+  PapillaryApproximation suture = kSutureStep;
   suture.anchor = Anchor::SaddlePeak;
   PapillaryApproximation elsewhere = suture;
   elsewhere.annulus_around = 0.9;

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
+#include "core/repair/describe.h"
 #include "search/plans/exploration.h"
 #include "tests/search/plans/search_scene.h"
 
@@ -83,6 +85,40 @@ TEST(PlanSearch, ProgressFallsAndNeverRises) {
   }
   for (std::size_t i = 1; i < result.random_progress.size(); ++i)
     EXPECT_LE(result.random_progress[i].cost, result.random_progress[i - 1].cost + 1e-12);
+}
+
+TEST(PlanSearch, TheLeadingPlanHasMoreNodesOrCostsLessThanTheOneBefore) {
+  std::vector<std::shared_ptr<const LeadingPlan>> leading;
+  SearchContext context;
+  context.evaluate = needs_suture;
+  context.progress = [&leading](const SearchProgress& now) {
+    if (now.leading && (leading.empty() || leading.back() != now.leading))
+      leading.push_back(now.leading);
+  };
+  const SearchResult result = *search_plans(small_valve(), small_search(), context);
+  ASSERT_FALSE(leading.empty());
+  for (std::size_t i = 1; i < leading.size(); ++i) {
+    const LeadingPlan &now = *leading[i], &before = *leading[i - 1];
+    EXPECT_TRUE(now.nodes > before.nodes || (now.nodes == before.nodes && now.cost < before.cost));
+    EXPECT_EQ(now.description, describe(small_valve(), now.plan));
+  }
+}
+
+TEST(PlanSearch, EveryPlanTriedIsListedOnceWithItsRank) {
+  const SearchResult result = searched(needs_suture, small_search());
+  EXPECT_EQ(std::ssize(result.tried), result.plans_tried);
+  std::set<std::string> keys;
+  std::map<int, std::string> ranked;
+  for (const TriedPlan& tried : result.tried) {
+    EXPECT_TRUE(keys.insert(plan_key(tried.plan)).second);
+    EXPECT_GE(tried.nodes, 1);
+    if (tried.nodes == 1) {
+      EXPECT_EQ(tried.cost, tried.cost_as_planned);
+    }
+    if (tried.rank > 0) ranked[tried.rank] = plan_key(tried.plan);
+  }
+  ASSERT_EQ(ranked.size(), result.plans.size());
+  for (const RankedPlan& plan : result.plans) EXPECT_EQ(ranked[plan.rank], plan_key(plan.plan));
 }
 
 TEST(PlanSearch, CountsFailedClosuresAndTrustsNone) {
@@ -189,21 +225,22 @@ TEST(PlanSearch, FindsWhatTryingEveryPlanFinds) {
     const Evaluator evaluate = leak_of([aim](const Valve& valve) {
       return (papillary_tip_mm(valve, Side::Posteromedial) - aim).squaredNorm();
     });
-    const PlanSpace space(small_valve(), kCatalogue, options.rules);
+    const PlanSpace space(small_valve(), options.rules);
     ASSERT_EQ(space.branches().size(), 1u);
     ASSERT_EQ(point_count(space.branches()[0]), 9 * 13);
-    Desk scene(evaluate);
+    EvaluationScene scene(evaluate);
     const Branch& branch = space.branches()[0];
     double least = std::numeric_limits<double>::infinity();
     for (int number = 0; number < 9 * 13; ++number) {
-      PlanRecord& record = scene.desk.record(space.plan(branch, point_at(branch, number)));
-      EXPECT_TRUE(scene.desk.close_here(record, kChosenBy));
-      if (record.rejected_by.empty()) least = std::min(least, scene.desk.cost(record, kChosenBy));
+      PlanRecord& record = scene.evaluations.record(space.plan(branch, point_at(branch, number)));
+      EXPECT_TRUE(scene.evaluations.close_here(record, kChosenBy));
+      if (record.rejected_by.empty())
+        least = std::min(least, scene.evaluations.cost(record, kChosenBy));
     }
     const SearchResult result = searched(evaluate, options);
     EXPECT_EQ(result.stop, SearchStop::Exhausted);
     EXPECT_DOUBLE_EQ(result.plans.at(0).cost, least);
-    EXPECT_LT(result.closures, scene.desk.closures() / 2);
+    EXPECT_LT(result.closures, scene.evaluations.closures() / 2);
   }
 }
 

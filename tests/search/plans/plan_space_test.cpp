@@ -5,12 +5,13 @@
 #include <set>
 
 #include "core/repair/apply_plan.h"
+#include "core/repair/rings.h"
 #include "tests/search/plans/search_scene.h"
 
 namespace coapt {
 namespace {
 
-const std::vector<RingShape> kRings = {{"d", 0.75, 1.0, 0.0, ""}, {"huge", 0.75, 2.0, 0.0, ""}};
+constexpr std::size_t kRings = 5;  // none, own, three of the catalogue
 
 // 24.9 mm from their trigones: not displaced.
 Valve near_tips() {
@@ -26,7 +27,7 @@ Valve with_rupture() {
 }
 
 PlanSpace space_of(const Valve& valve, const SearchRules& rules = {}) {
-  return PlanSpace(valve, kRings, rules);
+  return PlanSpace(valve, rules);
 }
 
 SearchRules forbidding(std::vector<std::string> words) {
@@ -58,38 +59,64 @@ int steps(const Choice& c) {
          c.neochordae + (c.chordal == ChordalChoice::None ? 0 : 1);
 }
 
+TEST(PlanSpace, IsNotMadeOfRulesThatAreWrongOrLeaveNoPlan) {
+  SearchRules wrong;
+  wrong.forbidden = {"neochorda", "leeches"};
+  const Expected<PlanSpace> refused = make_plan_space(small_valve(), wrong);
+  ASSERT_FALSE(refused);
+  ASSERT_EQ(refused.errors().size(), 1u);
+  EXPECT_EQ(refused.errors()[0].path, "/forbidden/1");
+  const Expected<PlanSpace> empty =
+      make_plan_space(small_valve(), forbidding({"annuloplasty", "papillary_approximation"}));
+  ASSERT_FALSE(empty);
+  EXPECT_EQ(empty.errors()[0].path, "");
+  EXPECT_TRUE(empty.errors()[0].message.starts_with("leave no plan to try; "))
+      << empty.errors()[0].message;
+  const Expected<PlanSpace> space = make_plan_space(small_valve(), {});
+  ASSERT_TRUE(space);
+  EXPECT_EQ(space->branches().size(), space_of(small_valve()).branches().size());
+}
+
 TEST(PlanSpace, SuturesAreOfferedToDisplacedMusclesOnly) {
-  // Rings: none, own, d (no size of "huge" is sensible on 36 mm); none or three anchors a side; not nothing.
-  EXPECT_EQ(space_of(small_valve()).branches().size(), 3u * 4u * 4u - 1u);
-  EXPECT_TRUE(is_cut(space_of(small_valve()), "ring huge", "36.0 mm"));
-  EXPECT_EQ(space_of(near_tips()).branches().size(), 2u);
+  // None or three anchors a side; not nothing.
+  EXPECT_EQ(space_of(small_valve()).branches().size(), kRings * 4u * 4u - 1u);
+  EXPECT_EQ(space_of(near_tips()).branches().size(), kRings - 1u);
   EXPECT_TRUE(is_cut(space_of(near_tips()), "suture of the anterolateral muscle", "not displaced"));
   Valve one_side = near_tips();
   one_side.heads[0].tip_mm.z() -= 4.0;
-  EXPECT_EQ(space_of(one_side).branches().size(), 3u * 4u - 1u);
+  EXPECT_EQ(space_of(one_side).branches().size(), kRings * 4u - 1u);
+}
+
+TEST(PlanSpace, ARingOfWhichNoSizeSuitsTheAnnulusIsCut) {
+  Valve narrow = near_tips();
+  narrow.annulus_mm.col(0) *= 23.0 / 36.0;
+  EXPECT_EQ(space_of(narrow).branches().size(), 1u);
+  for (const RingShape& shape : kRingShapes)
+    EXPECT_TRUE(is_cut(space_of(narrow), "ring " + std::string(shape.name), "23.0 mm"));
 }
 
 TEST(PlanSpace, RupturedChordaeBringUpToFourNeochordae) {
-  EXPECT_EQ(space_of(with_rupture()).branches().size(), 3u * 5u - 1u);
+  EXPECT_EQ(space_of(with_rupture()).branches().size(), kRings * 5u - 1u);
   EXPECT_TRUE(is_cut(space_of(small_valve()), "neochordae", "no marginal chorda is ruptured"));
-  EXPECT_EQ(space_of(with_rupture(), most_neochordae(1)).branches().size(), 3u * 2u - 1u);
+  EXPECT_EQ(space_of(with_rupture(), most_neochordae(1)).branches().size(), kRings * 2u - 1u);
   const PlanSpace none = space_of(with_rupture(), most_neochordae(0));
-  EXPECT_EQ(none.branches().size(), 2u);
+  EXPECT_EQ(none.branches().size(), kRings - 1u);
   EXPECT_TRUE(is_cut(none, "neochordae", "none are allowed"));
   const PlanSpace forbidden = space_of(with_rupture(), forbidding({"neochorda:posterior"}));
-  EXPECT_EQ(forbidden.branches().size(), 2u);
-  EXPECT_EQ(space_of(with_rupture(), forbidding({"neochorda:anterior"})).branches().size(), 14u);
+  EXPECT_EQ(forbidden.branches().size(), kRings - 1u);
+  EXPECT_EQ(space_of(with_rupture(), forbidding({"neochorda:anterior"})).branches().size(),
+            kRings * 5u - 1u);
 }
 
 TEST(PlanSpace, ChordalStepsAreOfferedOnRequest) {
   SearchRules rules;
   rules.chordal_length_change = rules.chordal_transfer = true;
-  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), 2u) << "there is no lesion";
+  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), kRings - 1u) << "there is no lesion";
   // Chorda 1 is a strut of the anterior leaflet.
   rules.chordal_excision = true;
-  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), 3u * 2u - 1u);
+  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), kRings * 2u - 1u);
   rules.forbidden = {"chordal_excision"};
-  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), 2u);
+  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), kRings - 1u);
 }
 
 TEST(PlanSpace, FewestStepsComeFirstAndNoBranchComesTwice) {
@@ -112,13 +139,13 @@ TEST(PlanSpace, AFunctionalValveStartsTwoSizesBelowAndAFlailOneAtItsOwnSize) {
     const PlanSpace space = space_of(valve);
     for (const Branch& branch : space.branches())
       if (branch.choice.ring == shape)
-        return std::get<Annuloplasty>(space.plan(branch, start_of(branch)).steps[0]);
-    return Annuloplasty{"none"};
+        return std::get<Annuloplasty>(space.plan(branch, start_of(branch)).steps[0]).ring;
+    return decltype(Annuloplasty::ring){CatalogueRing{"none"}};
   };
-  EXPECT_EQ(start(near_tips(), "own").sizes_below, 2);
-  EXPECT_EQ(start(near_tips(), "d").size_mm, 32.0);  // of 36
-  EXPECT_EQ(start(with_rupture(), "own").sizes_below, 1);
-  EXPECT_EQ(start(with_rupture(), "d").size_mm, 36.0);
+  EXPECT_EQ(std::get<OwnRing>(start(near_tips(), "own")).sizes_below, 2);
+  EXPECT_EQ(std::get<CatalogueRing>(start(near_tips(), "generic-classic")).size_mm, 32.0);  // of 36
+  EXPECT_EQ(std::get<OwnRing>(start(with_rupture(), "own")).sizes_below, 1);
+  EXPECT_EQ(std::get<CatalogueRing>(start(with_rupture(), "generic-classic")).size_mm, 36.0);
 }
 
 TEST(PlanSpace, RingsGoToFourSizesBelow) {
@@ -126,8 +153,9 @@ TEST(PlanSpace, RingsGoToFourSizesBelow) {
   for (const Branch& branch : space.branches()) {
     const Parameter& sizes = *parameter_of(branch, ParameterOf::RingSize);
     const bool own = branch.choice.ring == "own";
-    EXPECT_EQ(sizes.lower, own ? 1.0 : 28.0);
-    EXPECT_EQ(sizes.count, own ? 4 : 5);  // 1 to 4; 28 to 36 mm
+    const bool wide = branch.choice.ring == "generic-geoform-like";
+    EXPECT_EQ(sizes.lower, own ? 1.0 : wide ? 26.0 : 28.0);
+    EXPECT_EQ(sizes.count, own || wide ? 4 : 5);  // 1 to 4; 26 to 32 mm, of 1.12 each; 28 to 36 mm
     EXPECT_EQ(sizes.step, own ? 1.0 : 2.0);
   }
 }
@@ -153,7 +181,7 @@ TEST(PlanSpace, UnderARingTheSutureIsAsMuchShorterAsTheAnchorIsNearer) {
       continue;
     LatticePoint at = start_of(branch);
     for (at[0] = 0; at[0] < 4; ++at[0]) {
-      const Valve repaired = *apply_plan(small_valve(), space.plan(branch, at), kRings);
+      const Valve repaired = *apply_plan(small_valve(), space.plan(branch, at));
       EXPECT_NEAR(scene::moved_mm(repaired, Side::Posteromedial), 5.0, 0.25 + 1e-9);
     }
   }
@@ -167,7 +195,7 @@ TEST(PlanSpace, CornersAndPointsBetweenAreAllPossible) {
       const std::int64_t count = point_count(branch);
       for (const auto number : {std::int64_t{0}, count - 1, count / 2,
                                 static_cast<std::int64_t>(engine() % std::uint64_t(count))})
-        EXPECT_TRUE(apply_plan(valve, space.plan(branch, point_at(branch, number)), kRings));
+        EXPECT_TRUE(apply_plan(valve, space.plan(branch, point_at(branch, number))));
     }
   }
 }
@@ -203,10 +231,10 @@ TEST(PlanSpace, WhatIsForbiddenIsNoBranch) {
     return space_of(small_valve(), forbidding(std::move(words))).branches().size();
   };
   EXPECT_EQ(count({"annuloplasty"}), 4u * 4u - 1u);
-  EXPECT_EQ(count({"annuloplasty:own"}), 2u * 4u * 4u - 1u);
-  EXPECT_EQ(count({"papillary_approximation"}), 2u);
-  EXPECT_EQ(count({"papillary_approximation:anterolateral"}), 3u * 4u - 1u);
-  EXPECT_EQ(count({"papillary_approximation:saddle_peak"}), 3u * 3u * 3u - 1u);
+  EXPECT_EQ(count({"annuloplasty:own"}), (kRings - 1u) * 4u * 4u - 1u);
+  EXPECT_EQ(count({"papillary_approximation"}), kRings - 1u);
+  EXPECT_EQ(count({"papillary_approximation:anterolateral"}), kRings * 4u - 1u);
+  EXPECT_EQ(count({"papillary_approximation:saddle_peak"}), kRings * 3u * 3u - 1u);
   EXPECT_EQ(count({"annuloplasty", "papillary_approximation"}), 0u);
 }
 

@@ -9,7 +9,7 @@ namespace coapt::scene {
 namespace {
 
 /// Sutures of the posteromedial muscle, the longest first, closed as planned.
-std::vector<PlanRecord*> finalists_of(Desk& scene, int count) {
+std::vector<PlanRecord*> finalists_of(EvaluationScene& scene, int count) {
   std::vector<PlanRecord*> finalists;
   for (int k = 0; k < count; ++k)
     finalists.push_back(&scene.closed(suture(Side::Posteromedial, 27.0 - k), 1));
@@ -32,44 +32,46 @@ int region_nodes(const PlanRecord& plan) {
 
 TEST(Ranking, FinalistsClimbToTheRegionAndTheDearestAreDropped) {
   for (const int region : {1, 2, 9, 17, 30, 65, 100}) {
-    Desk scene(needs_suture);
+    EvaluationScene scene(needs_suture);
     std::vector<LadderStep> ladder;
     const auto stayed =
-        close_finalists(scene.desk, finalists_of(scene, 6), options_of(3, region), ladder);
+        close_finalists(scene.evaluations, finalists_of(scene, 6), options_of(3, region), ladder);
     ASSERT_EQ(stayed.size(), 3u) << region;
     for (const PlanRecord* plan : stayed) EXPECT_EQ(region_nodes(*plan), region);
-    EXPECT_LE(scene.desk.closures() - 1, ranking_closures(options_of(3, region)));
+    EXPECT_LE(scene.evaluations.closures() - 1, ranking_closures(options_of(3, region)));
     EXPECT_EQ(ladder.size(), region <= 17 ? 0u : region <= 65 ? 1u : 2u);
   }
 }
 
 TEST(Ranking, EvidenceIsClosedForTheMusclesThatAreSutured) {
-  Desk scene(needs_suture);
+  EvaluationScene scene(needs_suture);
   const RepairPlan al = suture(Side::Anterolateral, 22.0), pm = suture(Side::Posteromedial, 22.0);
   std::vector<LadderStep> ladder;
   const SearchOptions options = options_of(4, 2, true);
-  const std::vector<PlanRecord*> finalists = {&scene.desk.record(own_ring(1)),
-                                              &scene.desk.record(al), &scene.desk.record(pm),
-                                              &scene.desk.record(both(al, pm))};
-  close_finalists(scene.desk, finalists, options, ladder);
+  const std::vector<PlanRecord*> finalists = {
+      &scene.evaluations.record(own_ring(1)), &scene.evaluations.record(al),
+      &scene.evaluations.record(pm), &scene.evaluations.record(both(al, pm))};
+  close_finalists(scene.evaluations, finalists, options, ladder);
   EXPECT_EQ(finalists[0]->closures.size(), 2u + 24u);
   EXPECT_EQ(finalists[1]->closures.size(), 2u + 24u + 98u);
   EXPECT_EQ(finalists[2]->closures.size(), 2u + 24u + 98u);
   EXPECT_EQ(finalists[3]->closures.size(), 2u + 24u + 98u + 98u + 64u);
   EXPECT_TRUE(finalists[1]->closures.contains(kAnterolateralAlone.first));
   EXPECT_TRUE(finalists[2]->closures.contains(kPosteromedialAlone.first));
-  EXPECT_LE(scene.desk.closures() - 1, ranking_closures(options));
+  EXPECT_LE(scene.evaluations.closures() - 1, ranking_closures(options));
 }
 
 TEST(Ranking, StoppedItComparesOverTheNodesThatAllHave) {
   std::atomic<bool> cancelled = false;
   std::atomic<int> calls = 0;
   // The valve, six plans as planned, nodes 1 and 2 of all six, node 3 of four of them.
-  Desk scene(cancelling(needs_suture, calls, 1 + 6 + 12 + 4, cancelled), on_threads(1), &cancelled);
+  EvaluationScene scene(cancelling(needs_suture, calls, 1 + 6 + 12 + 4, cancelled), on_threads(1),
+                        &cancelled);
   std::vector<LadderStep> ladder;
-  const auto stayed = close_finalists(scene.desk, finalists_of(scene, 6), options_of(3, 9), ladder);
+  const auto stayed =
+      close_finalists(scene.evaluations, finalists_of(scene, 6), options_of(3, 9), ladder);
   ASSERT_EQ(stayed.size(), 3u);
-  const std::vector<RankedPlan> plans = rank(scene.desk, stayed, 17);
+  const std::vector<RankedPlan> plans = rank(scene.evaluations, stayed, 17);
   ASSERT_EQ(plans.size(), 3u);
   for (const RankedPlan& plan : plans) {
     EXPECT_GE(plan.region.closures, 3);
@@ -78,15 +80,15 @@ TEST(Ranking, StoppedItComparesOverTheNodesThatAllHave) {
 }
 
 TEST(Ranking, PlansComeInTheOrderOfTheirCosts) {
-  Desk scene(needs_suture);
+  EvaluationScene scene(needs_suture);
   std::vector<PlanRecord*> plans = finalists_of(scene, 6);
   for (PlanRecord* plan : plans) scene.closed(plan->plan, 9);
-  const std::vector<RankedPlan> ranked = rank(scene.desk, plans, 8);
+  const std::vector<RankedPlan> ranked = rank(scene.evaluations, plans, 8);
   ASSERT_EQ(ranked.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(ranked[i].rank, static_cast<int>(i) + 1);
-    const PlanRecord& record = scene.desk.record(ranked[i].plan);
-    EXPECT_EQ(ranked[i].cost, scene.desk.cost(record, 8)) << "of 9 that are closed";
+    const PlanRecord& record = scene.evaluations.record(ranked[i].plan);
+    EXPECT_EQ(ranked[i].cost, scene.evaluations.cost(record, 8)) << "of 9 that are closed";
     EXPECT_EQ(ranked[i].subset_nodes, 8);
     EXPECT_EQ(ranked[i].subset_cost, ranked[i].cost);
     if (i == 0) continue;
@@ -96,7 +98,7 @@ TEST(Ranking, PlansComeInTheOrderOfTheirCosts) {
 
 TEST(Ranking, ARobustPlanComesBeforeACheaperOneThatIsNot) {
   // The ring leaks nothing but at one node of nine; two sutures are dearer, and tight.
-  PlanDeskOptions options = on_threads(1);
+  PlanEvaluationOptions options = on_threads(1);
   const RepairPlan ring = own_ring(1);
   const RepairPlan sutures =
       both(suture(Side::Anterolateral, 19.0), suture(Side::Posteromedial, 19.0));
@@ -104,9 +106,9 @@ TEST(Ranking, ARobustPlanComesBeforeACheaperOneThatIsNot) {
     options.known[plan_key(ring)][d] = closure_leaking(d == 8 ? 2.5 : 0.0);
     options.known[plan_key(sutures)][d] = closure_leaking(0.0);
   }
-  Desk scene(needs_suture, std::move(options));
+  EvaluationScene scene(needs_suture, std::move(options));
   const std::vector<RankedPlan> ranked =
-      rank(scene.desk, {&scene.closed(ring, 9), &scene.closed(sutures, 9)}, 9);
+      rank(scene.evaluations, {&scene.closed(ring, 9), &scene.closed(sutures, 9)}, 9);
   EXPECT_EQ(ranked[0].effort.steps, 2);
   EXPECT_TRUE(closes_robustly(ranked[0]));
   // Mean 0.28, sd 0.79: 1.06 mm2 together.
@@ -115,14 +117,14 @@ TEST(Ranking, ARobustPlanComesBeforeACheaperOneThatIsNot) {
 }
 
 TEST(Ranking, NoPlansAreRankedAsNone) {
-  Desk scene(needs_suture);
+  EvaluationScene scene(needs_suture);
   std::vector<LadderStep> ladder;
-  EXPECT_TRUE(close_finalists(scene.desk, {}, options_of(3, 100), ladder).empty());
-  EXPECT_TRUE(rank(scene.desk, {}, 17).empty());
+  EXPECT_TRUE(close_finalists(scene.evaluations, {}, options_of(3, 100), ladder).empty());
+  EXPECT_TRUE(rank(scene.evaluations, {}, 17).empty());
 }
 
 TEST(ParetoFront, HoldsWhatNothingElseBeatsByStepsThenLeak) {
-  PlanDeskOptions options = on_threads(1);
+  PlanEvaluationOptions options = on_threads(1);
   const auto leaks = [&options](const RepairPlan& plan, double first, double second) {
     options.known[plan_key(plan)] = {{0, closure_leaking(first)}, {1, closure_leaking(second)}};
     return plan;
@@ -133,11 +135,11 @@ TEST(ParetoFront, HoldsWhatNothingElseBeatsByStepsThenLeak) {
   const RepairPlan beaten = leaks(suture(Side::Posteromedial, 21.0), 1.0, 5.0);  // mean 3, sd 2
   const RepairPlan more = leaks(both(al, pm), 1.0, 1.0);                         // two steps
   const RepairPlan failed = leaks(suture(Side::Posteromedial, 22.0), 0.0, std::nan(""));
-  Desk scene(needs_suture, std::move(options));
+  EvaluationScene scene(needs_suture, std::move(options));
   std::vector<const PlanRecord*> plans;
   for (const RepairPlan& plan : {more, beaten, steady, failed, lower})
     plans.push_back(&scene.closed(plan, 2));
-  const std::vector<ParetoPlan> front = pareto_front(scene.desk, plans, 2);
+  const std::vector<ParetoPlan> front = pareto_front(scene.evaluations, plans, 2);
   ASSERT_EQ(front.size(), 3u);
   EXPECT_EQ(plan_key(front[0].plan), plan_key(lower));
   EXPECT_EQ(front[0].mean_mm2, 2.0);

@@ -9,8 +9,7 @@ namespace {
 
 std::vector<std::string> paths(const SearchRules& rules) {
   std::vector<std::string> found;
-  for (const Error& error : check_rules(small_valve(), scene::kCatalogue, rules))
-    found.push_back(error.path);
+  for (const Error& error : check_rules(small_valve(), rules)) found.push_back(error.path);
   return found;
 }
 
@@ -22,7 +21,7 @@ TEST(Rules, AWordForbidsATechniqueOrOneKindOfIt) {
   SearchRules rules;
   rules.forbidden = {"annuloplasty:own", "papillary_approximation"};
   EXPECT_TRUE(is_forbidden(rules, "annuloplasty", "own"));
-  EXPECT_FALSE(is_forbidden(rules, "annuloplasty", "d"));
+  EXPECT_FALSE(is_forbidden(rules, "annuloplasty", "generic-classic"));
   EXPECT_FALSE(is_forbidden(rules, "annuloplasty", ""));
   EXPECT_TRUE(is_forbidden(rules, "papillary_approximation", "saddle_peak"));
   EXPECT_TRUE(is_forbidden(rules, "papillary_approximation", ""));
@@ -34,7 +33,9 @@ TEST(Rules, EveryKnownWordIsAccepted) {
   SearchRules rules;
   rules.forbidden = {"annuloplasty",
                      "annuloplasty:own",
-                     "annuloplasty:d",
+                     "annuloplasty:generic-classic",
+                     "annuloplasty:generic-etlogix-like",
+                     "annuloplasty:generic-geoform-like",
                      "papillary_approximation",
                      "papillary_approximation:anterolateral",
                      "papillary_approximation:posteromedial",
@@ -54,9 +55,10 @@ TEST(Rules, AWordThatSaysNothingIsRefusedWithThoseThatDo) {
   SearchRules rules;
   rules.forbidden = {"annuloplasty:own", "annuloplasty:huge", "", "papillary_approximation:"};
   EXPECT_EQ(paths(rules), (Paths{"/forbidden/1", "/forbidden/2", "/forbidden/3"}));
-  const Errors errors = check_rules(small_valve(), scene::kCatalogue, rules);
+  const Errors errors = check_rules(small_valve(), rules);
   EXPECT_EQ(errors.at(0).code, ErrorCode::BadReference);
-  EXPECT_NE(errors[0].message.find("annuloplasty:d, "), std::string::npos) << errors[0].message;
+  EXPECT_NE(errors[0].message.find("annuloplasty:generic-classic, "), std::string::npos)
+      << errors[0].message;
 }
 
 TEST(Rules, NumbersHaveTheirRangesAndNaNNone) {
@@ -89,7 +91,7 @@ TEST(Rules, AStepThatIsFixedAndForbiddenIsAContradiction) {
   };
   EXPECT_EQ(with("annuloplasty"), Paths{"/fixed/steps/0"});
   EXPECT_EQ(with("annuloplasty:own"), Paths{"/fixed/steps/0"});
-  EXPECT_EQ(with("annuloplasty:d"), Paths{});
+  EXPECT_EQ(with("annuloplasty:generic-classic"), Paths{});
   EXPECT_EQ(with("papillary_approximation"), Paths{"/fixed/steps/1"});
   EXPECT_EQ(with("papillary_approximation:anterolateral"), Paths{"/fixed/steps/1"});
   EXPECT_EQ(with("papillary_approximation:ipsilateral_trigone"), Paths{"/fixed/steps/1"});

@@ -12,14 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "search/plans/plan_desk.h"
+#include "search/plans/plan_evaluations.h"
 #include "search/plans/plan_key.h"
 #include "search/plans/plan_search.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt::scene {
 
-inline const std::vector<RingShape> kCatalogue = {{"d", 0.75, 1.0, 0.0, ""}};
 /// From (12, -2, -26) to (9 sqrt 2, 7 sqrt 2, 0).
 inline constexpr double kTipToTrigone_mm = 28.60293429482119;
 
@@ -85,9 +84,7 @@ inline Evaluator cancelling(Evaluator evaluate, std::atomic<int>& calls, int las
 inline RepairPlan suture(Side side, double length_mm) {
   return {{PapillaryApproximation{.side = side, .suture_length_mm = length_mm}}};
 }
-inline RepairPlan own_ring(int sizes_below) {
-  return {{Annuloplasty{.shape = "own", .sizes_below = sizes_below}}};
-}
+inline RepairPlan own_ring(int sizes_below) { return {{Annuloplasty{OwnRing{sizes_below}}}}; }
 inline RepairPlan both(RepairPlan a, const RepairPlan& b) {
   a.steps.insert(a.steps.end(), b.steps.begin(), b.steps.end());
   return a;
@@ -100,12 +97,13 @@ inline SearchOptions small_search() {
   options.plans = 3;
   options.region_points = 9;
   options.evidence = false;
+  // Of the catalogue the classic ring alone: fewer branches.
+  options.rules.forbidden = {"annuloplasty:generic-etlogix-like",
+                             "annuloplasty:generic-geoform-like"};
   return options;
 }
 
-inline SearchContext context_of(const Evaluator& evaluate) {
-  return {.catalogue = kCatalogue, .evaluate = evaluate};
-}
+inline SearchContext context_of(const Evaluator& evaluate) { return {.evaluate = evaluate}; }
 
 inline SearchResult searched(const SearchOptions& options, const SearchContext& context) {
   const Expected<SearchResult> result = search_plans(small_valve(), options, context);
@@ -133,31 +131,31 @@ inline CostWeights leak_alone() {
   return weights;
 }
 
-inline PlanDeskOptions on_threads(int threads) {
-  PlanDeskOptions options;
+inline PlanEvaluationOptions on_threads(int threads) {
+  PlanEvaluationOptions options;
   options.threads = threads;
   return options;
 }
 
-/// A desk with what it refers to.
-struct Desk {
-  explicit Desk(Evaluator stub, PlanDeskOptions options = on_threads(1),
-                const std::atomic<bool>* cancelled = nullptr)
+/// Evaluations with what they refer to.
+struct EvaluationScene {
+  explicit EvaluationScene(Evaluator stub, PlanEvaluationOptions options = on_threads(1),
+                           const std::atomic<bool>* cancelled = nullptr)
       : evaluate(std::move(stub)),
-        watch(0.0, cancelled),
-        desk(evaluate, small_valve(), kCatalogue, std::move(options), watch) {}
+        monitor(0.0, cancelled),
+        evaluations(evaluate, small_valve(), std::move(options), monitor) {}
 
   PlanRecord& closed(const RepairPlan& plan, int nodes) {
-    PlanRecord& record = desk.record(plan);
-    std::vector<PlanDesk::Wanted> wanted;
+    PlanRecord& record = evaluations.record(plan);
+    std::vector<PlanEvaluations::Wanted> wanted;
     for (int d = 0; d < nodes; ++d) wanted.push_back({&record, d});
-    EXPECT_TRUE(desk.close(wanted, PlanDesk::Phase::Ranking));
+    EXPECT_TRUE(evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
     return record;
   }
 
   Evaluator evaluate;
-  Watch watch;
-  PlanDesk desk;
+  SearchMonitor monitor;
+  PlanEvaluations evaluations;
 };
 
 /// NaN equals itself.

@@ -34,7 +34,7 @@ TEST(Configure, BothMusclesMoveAsMirrorImages) {
 
 TEST(Configure, IsARingAndThenRemodelling) {
   const Configuration wanted = displacement(Displaced::Anterolateral, Vec3(2.0, 0.0, 4.0), 3);
-  const Expected<Valve> ringed = apply_plan(small_valve(), {{Annuloplasty{"own", 0.0, 3}}}, {});
+  const Expected<Valve> ringed = apply_plan(small_valve(), {{Annuloplasty{OwnRing{3}}}});
   ASSERT_TRUE(ringed);
   const Expected<Valve> by_hand = remodel(*ringed, wanted.change);
   const Expected<Valve> configured = configure(small_valve(), wanted);

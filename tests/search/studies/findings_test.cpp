@@ -7,7 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "search/studies/findings_parts.h"
+#include "search/studies/anchor_findings.h"
+#include "search/studies/geometry_findings.h"
+#include "search/studies/ring_findings.h"
 #include "tests/search/studies/study_scene.h"
 #include "tests/search/studies/thesis_example.h"
 

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "core/presets/presets.h"
+#include "search/rank_correlation.h"
 #include "search/studies/anchor_summary.h"
 #include "search/studies/calibration.h"
 #include "search/studies/geometry_studies.h"
-#include "search/studies/rank_correlation.h"
 #include "search/studies/thesis_figures.h"
 
 namespace coapt {

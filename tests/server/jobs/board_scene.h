@@ -59,9 +59,9 @@ class BoardTest : public testing::Test {
   std::unique_ptr<JobBoard> board_;
 };
 
-/// Within 20 s, looking every 5 ms.
+/// Within a minute, which is against hanging and no measure, looking every 5 ms.
 inline bool comes_true(const std::function<bool()>& condition) {
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < 12'000; ++i) {
     if (condition()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

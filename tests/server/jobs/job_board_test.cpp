@@ -129,8 +129,8 @@ TEST_F(BoardTest, AViewOfARunningJobHasItsNewestProgressAndWhatItWaitsFor) {
   job->wait_for("the disk");
   const JobView seen = view("a");
   EXPECT_EQ(seen.progress["stage"], "searching");
-  EXPECT_EQ(seen.progress["evaluations"], 12);
-  EXPECT_EQ(seen.progress["evaluations_planned"], 34);
+  EXPECT_EQ(seen.progress["closures"], 12);
+  EXPECT_EQ(seen.progress["closures_planned"], 34);
   EXPECT_EQ(seen.progress["best_leak_mm2"], 5.5);
   EXPECT_EQ(seen.waiting_for, "the disk");
 }

@@ -73,7 +73,7 @@ TEST_F(Runner, TellsProgressWhileAJobRuns) {
   submit("a");
   ASSERT_TRUE(comes_true([&] { return events("a").size() >= 5; }));
   EXPECT_EQ(events("a")[1], R"(state {"state": "RUNNING"})");
-  EXPECT_TRUE(events("a")[2].starts_with("progress {\"stage\":\"working\",\"evaluations\":"));
+  EXPECT_TRUE(events("a")[2].starts_with("progress {\"stage\":\"working\",\"closures\":"));
   EXPECT_TRUE(*board().cancel("a"));
   ASSERT_TRUE(ends("a"));
   EXPECT_EQ(state("a"), JobState::Cancelled);

@@ -1,4 +1,5 @@
 // Server-sent events over fetch: EventSource cannot carry a token.
+import { noAnswer } from './health'
 import { ApiError, request } from './http'
 
 export interface ServerEvent {
@@ -34,7 +35,6 @@ const PAUSE_MS = 1000
 /// `seen` is called for each event. A service without time is waited for; what it refuses otherwise is thrown at once.
 export async function follow(path: string, seen: (event: ServerEvent) => void, signal: AbortSignal): Promise<void> {
   let last = '0'
-  let failures = 0
   while (!signal.aborted) {
     try {
       const response = await request('GET', `${path}?last_event_id=${last}`, undefined, signal)
@@ -45,7 +45,6 @@ export async function follow(path: string, seen: (event: ServerEvent) => void, s
       for (;;) {
         const { done, value } = await stream.read()
         if (done) break
-        failures = 0
         for (const event of reader.read(decoder.decode(value, { stream: true }))) {
           last = event.id
           seen(event)
@@ -53,8 +52,9 @@ export async function follow(path: string, seen: (event: ServerEvent) => void, s
       }
     } catch (error) {
       if (signal.aborted) return
+      if (!(error instanceof ApiError)) noAnswer()
       const isBusy = error instanceof ApiError && (error.status === 429 || error.status === 503)
-      if (!isBusy && (error instanceof ApiError || ++failures > 30)) throw error
+      if (!isBusy && error instanceof ApiError) throw error
       await new Promise((resolve) => setTimeout(resolve, PAUSE_MS))
     }
   }

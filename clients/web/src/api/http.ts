@@ -1,4 +1,5 @@
 // Requests to the service. The token, where it asks for one, is kept for this tab alone.
+import { fetchKnowing } from './health'
 import type { Problem } from './types'
 
 const TOKEN = 'coapt-token'
@@ -27,9 +28,9 @@ export function hasToken(): boolean {
 export async function request(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
   const headers: Record<string, string> = {}
   const token = sessionStorage.getItem(TOKEN)
-  if (token !== null) headers['Authorization'] = `Bearer ${token}`
+  if (token !== null) headers.Authorization = `Bearer ${token}`
   if (body !== undefined) headers['Content-Type'] = 'application/json'
-  const response = await fetch(path, {
+  const response = await fetchKnowing(path, {
     method,
     headers,
     ...(body === undefined ? {} : { body: typeof body === 'string' ? body : JSON.stringify(body) }),

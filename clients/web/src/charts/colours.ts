@@ -1,10 +1,11 @@
-// Colours of charts. They are classes of charts.css, so that they follow the theme; a canvas asks what they are now.
+// Colours of charts. They are classes of charts.module.css, so that they follow the theme; a canvas asks what they are now.
+import chartsStyle from './charts.module.css'
 
 /// 'ink': the text's colour, for what is no series of its own.
 export type Hue = 0 | 1 | 2 | 3 | 4 | 5 | 'ink'
 
 export function hueClass(hue: Hue): string {
-  return `hue-${hue}`
+  return chartsStyle[hue === 'ink' ? 'hueInk' : `hue${hue}`] ?? ''
 }
 
 /// The colour that `element` has now; it may be a part that is not shown.
@@ -12,7 +13,7 @@ export function colourOf(element: Element): string {
   return getComputedStyle(element).color
 }
 
-export const SHADES = 9 // of heat maps: heat-0 is nothing, heat-8 the most
+export const SHADES = 9 // of heat maps: heat0 is nothing, heat8 the most
 
 /// The shade of `value` in a scale from 0 to `most`.
 export function shadeOf(value: number, most: number): number {

@@ -1,6 +1,8 @@
 // Tables of figures, and the one behind each chart.
 import { h, type Child } from '../dom'
 import { number } from '../format'
+import chartsStyle from './charts.module.css'
+import parts from '../style/parts.module.css'
 
 export interface TableColumn {
   label: string
@@ -9,14 +11,14 @@ export interface TableColumn {
 
 /// The first cell of a row is its heading.
 export function dataTable(caption: string, columns: TableColumn[], rows: Child[][]): HTMLElement {
-  const kind = (i: number) => (columns[i]?.numeric ? 'number' : null)
+  const kind = (i: number) => columns[i]?.numeric && parts.number
   return h(
     'div',
-    { class: 'scroll', role: 'group', 'aria-label': caption, tabindex: 0 },
+    { class: parts.scroll, role: 'group', 'aria-label': caption, tabindex: 0 },
     h(
       'table',
       {},
-      h('caption', { class: 'unseen' }, caption),
+      h('caption', { class: parts.unseen }, caption),
       h(
         'thead',
         {},
@@ -41,7 +43,7 @@ export function dataTable(caption: string, columns: TableColumn[], rows: Child[]
 
 /// A table that is made when it is asked for.
 export function asTable(make: () => HTMLElement, label = 'Show as table'): HTMLDetailsElement {
-  const details = h('details', { class: 'as-table' }, h('summary', {}, label))
+  const details = h('details', { class: chartsStyle.asTable, 'data-part': 'as-table' }, h('summary', {}, label))
   details.addEventListener('toggle', () => {
     while (details.children.length > 1) details.lastElementChild?.remove()
     if (details.open) details.append(make())

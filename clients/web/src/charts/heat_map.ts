@@ -1,8 +1,9 @@
 // A table whose cells are shaded by their values: to be seen as a map, and to be read cell by cell.
-import '../style/charts.css'
 import { h } from '../dom'
 import { number } from '../format'
 import { SHADES, shadeOf } from './colours'
+import chartsStyle from './charts.module.css'
+import parts from '../style/parts.module.css'
 
 export interface HeatMap {
   title: string
@@ -21,25 +22,34 @@ export function heatMap(map: HeatMap): HTMLElement {
     h(
       'tr',
       {},
-      h('th', { scope: 'row', class: 'number' }, map.rows.ticks[r]),
+      h('th', { scope: 'row', class: parts.number }, map.rows.ticks[r]),
       ...row.map((value, c) => {
         const marked = map.marked?.row === r && map.marked.column === c
-        const shade = value === null ? 'heat-none' : `heat-${shadeOf(value, map.most)}`
-        return h('td', { class: `${shade}${marked ? ' marked' : ''}` }, value === null ? '–' : number(value, digits))
+        const shade = chartsStyle[value === null ? 'heatNone' : `heat${shadeOf(value, map.most)}`]
+        return h(
+          'td',
+          { class: marked ? `${shade} ${chartsStyle.marked}` : shade },
+          value === null ? '–' : number(value, digits),
+        )
       }),
     ),
   )
   return h(
     'div',
-    { class: 'scroll', role: 'group', 'aria-label': map.title, tabindex: 0 },
+    { class: parts.scroll, role: 'group', 'aria-label': map.title, tabindex: 0 },
     h(
       'table',
-      { class: 'heat' },
+      { class: chartsStyle.heat, 'data-part': 'heat' },
       h('caption', {}, h('strong', {}, map.title), ` Down: ${map.rows.label}. Across: ${map.columns.label}.`),
       h(
         'thead',
         {},
-        h('tr', {}, h('td', {}), ...map.columns.ticks.map((tick) => h('th', { scope: 'col', class: 'number' }, tick))),
+        h(
+          'tr',
+          {},
+          h('td', {}),
+          ...map.columns.ticks.map((tick) => h('th', { scope: 'col', class: parts.number }, tick)),
+        ),
       ),
       h('tbody', {}, ...body),
     ),
@@ -48,12 +58,12 @@ export function heatMap(map: HeatMap): HTMLElement {
 
 /// What the shades mean, from 0 to `most`, and `none` what a dash does.
 export function heatScale(most: number, unit: string, none = 'not closed'): HTMLElement {
-  const shades = Array.from({ length: SHADES }, (_, i) => h('span', { class: `heat-${i}` }))
+  const shades = Array.from({ length: SHADES }, (_, i) => h('span', { class: chartsStyle[`heat${i}`] }))
   return h(
     'div',
-    { class: 'heat-scale' },
+    { class: chartsStyle.heatScale, 'data-part': 'heat-scale' },
     h('span', {}, '0'),
-    h('span', { class: 'shades', 'aria-hidden': 'true' }, ...shades),
+    h('span', { class: chartsStyle.shades, 'aria-hidden': 'true' }, ...shades),
     h('span', {}, `${number(most, most < 10 ? 1 : 0)} ${unit}; – ${none}`),
   )
 }

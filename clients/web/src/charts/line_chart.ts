@@ -1,12 +1,12 @@
 // Lines over one axis: values under the pointer or the arrow keys, a legend that shows and hides, a table of the same.
 import uPlot from 'uplot'
 import 'uplot/dist/uPlot.min.css'
-import '../style/charts.css'
 import { h } from '../dom'
 import { colourOf, hueClass, onTheme } from './colours'
 import { asTable, dataTable, figure } from './data_table'
 import { roundDown, roundsIn, roundUp } from './rounds'
 import { aligned, readAt, type Series } from './series'
+import chartsStyle from './charts.module.css'
 
 export interface LineChart {
   title: string
@@ -30,10 +30,17 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
   let series = chart.series
   let plot: uPlot | null = null
   const hidden = new Set<number>()
-  const here = h('span', { class: 'here' })
-  const values = series.map(() => h('span', { class: 'value' }))
-  const keys = series.map((one) => h('span', { class: `key ${hueClass(one.hue)} ${one.look ?? 'line'}` }))
-  const legend = h('div', { class: 'legend', role: 'group', 'aria-label': `Lines of ${chart.title}` })
+  const here = h('span', { class: chartsStyle.here })
+  const values = series.map(() => h('span', { class: chartsStyle.value, 'data-part': 'value' }))
+  const keys = series.map((one) =>
+    h('span', { class: `${chartsStyle.key} ${hueClass(one.hue)} ${chartsStyle[one.look ?? 'line'] ?? ''}` }),
+  )
+  const legend = h('div', {
+    class: chartsStyle.legend,
+    'data-part': 'legend',
+    role: 'group',
+    'aria-label': `Lines of ${chart.title}`,
+  })
   series.forEach((one, i) => {
     const toggle = h(
       'button',
@@ -44,12 +51,12 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
     )
     legend.append(toggle)
   })
-  const canvas = h('div', { class: 'plot', role: 'img', tabindex: 0 })
+  const canvas = h('div', { class: chartsStyle.plot, 'data-part': 'plot', role: 'img', tabindex: 0 })
   tell(chart.summary)
   canvas.addEventListener('keydown', (event) => step(event))
   const element = h(
     'figure',
-    { class: 'chart' },
+    { class: chartsStyle.chart },
     h('figcaption', {}, h('strong', {}, chart.title), here),
     canvas,
     legend,

@@ -4,6 +4,7 @@ import { button, download, h } from '../dom'
 import { fileSaver } from '../files'
 import { problemList } from '../problems'
 import { problemsOf } from '../workspace'
+import parts from '../style/parts.module.css'
 
 /// A button that fetches `path` and saves it as `name`; what goes wrong is said in `told`.
 export function downloadButton(label: string, path: string, name: string, told: HTMLElement): HTMLButtonElement {
@@ -24,13 +25,18 @@ async function save(path: string, name: string, told: HTMLElement, pressed: HTML
 
 /// Of one plan: `path` is .../plans/RANK, `name` without what follows the dot.
 export function meshDownload(path: string, name: string, told: HTMLElement): HTMLElement {
-  return fileSaver('Mesh', (format) => getBlob(`${path}/mesh?format=${format}`), () => name, told).element
+  return fileSaver(
+    'Mesh',
+    (format) => getBlob(`${path}/mesh?format=${format}`),
+    () => name,
+    told,
+  ).element
 }
 
 /// A page: in a tab of its own, or saved where only requests with a token get it.
 export function reportLink(label: string, path: string, name: string, told: HTMLElement): HTMLElement {
   if (hasToken()) return downloadButton(label, path, name, told)
-  return h('a', { class: 'button', href: path, target: '_blank', rel: 'noopener' }, label)
+  return h('a', { class: parts.button, href: path, target: '_blank', rel: 'noopener' }, label)
 }
 
 export function saveJson(name: string, value: unknown): void {

@@ -7,6 +7,8 @@ import { stateBadge } from './state'
 import { valveOf } from './valves'
 import { problemList } from '../problems'
 import { problemsOf } from '../workspace'
+import jobsStyle from './jobs.module.css'
+import parts from '../style/parts.module.css'
 
 export interface JobList {
   element: HTMLElement
@@ -15,8 +17,8 @@ export interface JobList {
 }
 
 export function jobList(kind: Job['kind'], title: string, open: (job: Job) => void): JobList {
-  const list = h('ul', { class: 'jobs' })
-  const element = h('section', { class: 'panel' }, h('h2', {}, title), list)
+  const list = h('ul', { class: jobsStyle.jobs, 'data-part': 'jobs' })
+  const element = h('section', { class: parts.panel }, h('h2', {}, title), list)
   const buttons = new Map<string, HTMLElement>()
   let marked = ''
 
@@ -27,8 +29,8 @@ export function jobList(kind: Job['kind'], title: string, open: (job: Job) => vo
     const button = h(
       'button',
       { type: 'button', onclick: () => open(job), 'aria-current': job.id === marked && 'true' },
-      h('span', { class: 'when' }, when(job.created)),
-      h('span', {}, valve, note && h('span', { class: 'hint' }, ` ${note}`)),
+      h('span', { class: jobsStyle.when }, when(job.created)),
+      h('span', {}, valve, note && h('span', { class: parts.hint }, ` ${note}`)),
       stateBadge(job.state),
     )
     buttons.set(job.id, button)
@@ -42,7 +44,7 @@ export function jobList(kind: Job['kind'], title: string, open: (job: Job) => vo
         const jobs = await jobsOf(kind)
         buttons.clear()
         list.replaceChildren(...jobs.map(entry))
-        if (jobs.length === 0) list.append(h('li', { class: 'hint' }, 'None yet.'))
+        if (jobs.length === 0) list.append(h('li', { class: parts.hint }, 'None yet.'))
         return jobs
       } catch (error) {
         list.replaceChildren(h('li', {}, problemList(problemsOf(error))))

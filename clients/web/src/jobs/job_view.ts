@@ -1,13 +1,14 @@
 // A view over jobs of one kind: what asks for one and the earlier ones on the left, the open one on the right.
-import '../style/jobs.css'
 import { postJson } from '../api/http'
 import type { Job, Plan, Problem } from '../api/types'
 import { h } from '../dom'
 import { problemsOf, type Workspace } from '../workspace'
-import { hasEnded } from './calls'
+import { problemList } from '../problems'
+import { hasEnded, job } from './calls'
 import { jobList, type JobList } from './job_list'
 import { noteJob } from './notes'
 import { rememberValve } from './valves'
+import jobsStyle from './jobs.module.css'
 
 export type Asked = Record<string, unknown> // "search" or "study" of a request
 
@@ -35,31 +36,49 @@ export class JobView {
   private readonly form: JobForm
   private readonly list: JobList
   private readonly found: HTMLElement
-  private readonly stored: string // names the open job in this tab, so that it is open again after a reload
   private readonly states = new Map<string, Job['state']>()
   private opened: AbortController | null = null
+  private openId: string | null = null
 
   constructor(
     private readonly workspace: Workspace,
     private readonly kind: JobKind,
   ) {
-    this.stored = `coapt-open-${kind.kind}`
     this.form = kind.form((asked) => void this.start(asked))
     this.list = jobList(kind.kind, kind.earlier, (job) => this.openAndLook(job))
     this.found = h('div', {}, kind.empty)
-    this.element = h('div', { class: 'job-view' }, h('div', {}, this.form.element, this.list.element), this.found)
-    const showValve = () => this.form.show(workspace.valve?.label ?? null, workspace.plan)
-    workspace.subscribe(showValve)
-    showValve()
+    this.element = h(
+      'div',
+      { class: jobsStyle.jobView },
+      h('div', {}, this.form.element, this.list.element),
+      this.found,
+    )
+    const follow = () => {
+      this.form.show(workspace.valve?.label ?? null, workspace.plan)
+      if (this.element.isConnected) void this.openAsked()
+    }
+    workspace.subscribe(follow)
+    follow()
   }
 
-  /// The job that was open before a reload, or one that runs, is opened.
+  /// The job that is looked at, or one that runs, is opened.
   async show(): Promise<void> {
+    void this.openAsked()
     const jobs = await this.list.refresh()
-    if (this.opened) return
-    const last = jobs.find((job) => job.id === sessionStorage.getItem(this.stored))
-    const job = last ?? jobs.find((one) => !hasEnded(one.state))
-    if (job) this.open(job)
+    const running = jobs.find((one) => !hasEnded(one.state))
+    if (this.workspace.jobs[this.kind.kind] === null && running) this.open(running)
+  }
+
+  private async openAsked(): Promise<void> {
+    const asked = this.workspace.jobs[this.kind.kind]
+    if (asked === null || asked === this.openId) return
+    this.openId = asked
+    try {
+      const found = await job(asked)
+      if (this.openId === asked) this.open(found)
+    } catch (error) {
+      this.found.replaceChildren(problemList(problemsOf(error)))
+    }
   }
 
   private async start(asked: Asked): Promise<void> {
@@ -86,7 +105,8 @@ export class JobView {
   private open(job: Job): void {
     this.opened?.abort()
     this.opened = new AbortController()
-    sessionStorage.setItem(this.stored, job.id)
+    this.openId = job.id
+    this.workspace.lookAt(this.kind.kind, job.id)
     this.list.mark(job.id)
     const changed = (now: Job) => {
       if (this.states.get(now.id) !== now.state) void this.list.refresh()

@@ -7,6 +7,8 @@ import { problemsOf } from '../workspace'
 import { cancelJob } from './calls'
 import { Pace } from './pace'
 import { standing, stateBadge } from './state'
+import jobsStyle from './jobs.module.css'
+import parts from '../style/parts.module.css'
 
 export interface ProgressPanel {
   element: HTMLElement
@@ -21,14 +23,14 @@ export function progressPanel(first: Job, what: string): ProgressPanel {
   const bar = h('progress', { max: 1, 'aria-label': `Progress of the ${what}` })
   const state = h('span', {})
   const stage = h('strong', {})
-  const standingText = h('p', { class: 'hint', 'aria-live': 'polite' })
-  const figures = h('dl', { class: 'figures' })
+  const standingText = h('p', { class: parts.hint, 'aria-live': 'polite' })
+  const figures = h('dl', { class: parts.figures })
   const failed = h('div', {})
   const cancel = button('Cancel', () => void end())
   const element = h(
     'section',
-    { class: 'panel progress', 'aria-label': `Running ${what}` },
-    h('div', { class: 'row' }, state, stage, cancel),
+    { class: `${parts.panel} ${jobsStyle.progress}`, 'data-part': 'progress', 'aria-label': `Running ${what}` },
+    h('div', { class: parts.row }, state, stage, cancel),
     bar,
     figures,
     standingText,
@@ -50,26 +52,26 @@ export function progressPanel(first: Job, what: string): ProgressPanel {
     state.replaceChildren(stateBadge(job.state))
     standingText.textContent = standing(job)
     cancel.disabled = job.cancel_requested
-    if (job.progress.evaluations > 0) show(job.progress)
+    if (job.progress.closures > 0) show(job.progress)
   }
 
   function show(progress: JobProgress): void {
     if (job.kind === 'study') unit = 'configurations'
-    const { evaluations, evaluations_planned: planned } = progress
+    const { closures, closures_planned: planned } = progress
     stage.textContent = words(progress.stage)
-    if (planned > 0) bar.value = evaluations / planned
+    if (planned > 0) bar.value = closures / planned
     const left = pace.left(progress)
     const entries: [string, string][] = [
-      [unit, planned > 0 ? `${grouped(evaluations)} of ${grouped(planned)}` : grouped(evaluations)],
+      [unit, planned > 0 ? `${grouped(closures)} of ${grouped(planned)}` : grouped(closures)],
       ['time', seconds(progress.seconds)],
       [
-        'left, about',
+        'time left, about',
         left === null ? 'not known yet' : `${seconds(left)}${job.kind === 'study' ? ' of this stage' : ''}`,
       ],
     ]
     if (job.kind === 'plans')
       entries.push([
-        'least leak as planned',
+        'lowest leak as planned',
         progress.best_leak_mm2 === null ? 'none yet' : `${number(progress.best_leak_mm2)} mm²`,
       ])
     figures.replaceChildren(...entries.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))))

@@ -1,6 +1,7 @@
 // A job's state in words.
 import type { Job, JobState } from '../api/types'
 import { h } from '../dom'
+import parts from '../style/parts.module.css'
 
 const WORDS: Record<JobState, [words: string, tone: string]> = {
   QUEUED: ['waiting', 'soft'],
@@ -12,13 +13,13 @@ const WORDS: Record<JobState, [words: string, tone: string]> = {
 
 export function stateBadge(state: JobState): HTMLElement {
   const [words, tone] = WORDS[state]
-  return h('span', { class: `badge ${tone}` }, words)
+  return h('span', { class: `${parts.badge} ${parts[tone]}` }, words)
 }
 
 /// What a job that has not ended is waiting for or doing.
 export function standing(job: Job): string {
-  if (job.waiting_for) return `Stands still: ${job.waiting_for}. It goes on by itself.`
+  if (job.waiting_for) return `Paused: ${job.waiting_for}. It resumes by itself.`
   if (job.state === 'QUEUED')
-    return job.queue_position ? `Waits: ${job.queue_position} before it.` : 'Waits for its turn.'
-  return job.cancel_requested ? 'Ends soon, with the best so far.' : ''
+    return job.queue_position ? `Waiting: ${job.queue_position} ahead of it.` : 'Waiting for its turn.'
+  return job.cancel_requested ? 'Stopping soon, with the best so far.' : ''
 }

@@ -1,8 +1,17 @@
 // The controls of one step. `change` gets the step as it is set; `passing` while a slider is dragged.
 import type { LeafletPoint, Rings, Step } from '../api/types'
 import { button, field, h, select } from '../dom'
-import { withUnit } from '../format'
-import { ANCHORS, CHANGE_MM, NEOCHORDA_MM, newApproximation, sutureRange, type Anatomy, type Approximation } from './steps'
+import {
+  ANCHORS,
+  CHANGE_MM,
+  NEOCHORDA_MM,
+  newApproximation,
+  sutureRange,
+  type Anatomy,
+  type Approximation,
+} from './steps'
+import parts from '../style/parts.module.css'
+import repairStyle from './repair.module.css'
 
 export interface StepContext extends Anatomy {
   rings: Rings
@@ -21,18 +30,24 @@ export function stepForm(step: Step, context: StepContext): HTMLElement {
       return h(
         'div',
         {},
-        slider('Length', step.length_mm, NEOCHORDA_MM, 'mm', (length_mm, passing) => context.change({ ...step, length_mm }, passing)),
+        slider('Length', step.length_mm, NEOCHORDA_MM, 'mm', (length_mm, passing) =>
+          context.change({ ...step, length_mm }, passing),
+        ),
         headField(step.head, context, (head) => context.change({ ...step, head }, false)),
-        insertionFields(step.insertion, context, (insertion, passing) => context.change({ ...step, insertion }, passing)),
+        insertionFields(step.insertion, context, (insertion, passing) =>
+          context.change({ ...step, insertion }, passing),
+        ),
       )
     case 'chordal_length_change':
-      return slider('Change of length', step.change_mm, CHANGE_MM, 'mm', (change_mm, passing) =>
+      return slider('Length change', step.change_mm, CHANGE_MM, 'mm', (change_mm, passing) =>
         context.change({ ...step, change_mm }, passing),
       )
     case 'chordal_excision':
-      return h('p', { class: 'hint' }, 'It carries nothing any more.')
+      return h('p', { class: parts.hint }, 'A cut chorda carries no load.')
     case 'chordal_transfer':
-      return insertionFields(step.insertion, context, (insertion, passing) => context.change({ ...step, insertion }, passing))
+      return insertionFields(step.insertion, context, (insertion, passing) =>
+        context.change({ ...step, insertion }, passing),
+      )
   }
 }
 
@@ -42,41 +57,55 @@ function ringForm(step: Extract<Step, { step: 'annuloplasty' }>, context: StepCo
   const usual = 2 * Math.round(context.before.closure.annulus.al_pm_mm / 2) - 4
   const choose = (shape: string): void => {
     const size_mm = Math.min(Math.max(usual, sizes_mm.min), sizes_mm.max)
-    context.change(shape === 'own' ? { step: 'annuloplasty', shape, sizes_below: 2 } : { step: 'annuloplasty', shape, size_mm }, false)
+    context.change(
+      shape === 'own' ? { step: 'annuloplasty', shape, sizes_below: 2 } : { step: 'annuloplasty', shape, size_mm },
+      false,
+    )
   }
   const note = rings.find(({ name }) => name === step.shape)?.note
   const size =
-    step.shape === 'own'
-      ? slider('Sizes below', step.sizes_below ?? 0, { min: 0, max: 6, step: 1 }, '', (sizes_below, passing) =>
+    'sizes_below' in step
+      ? slider('Sizes below', step.sizes_below, { min: 0, max: 6, step: 1 }, '', (sizes_below, passing) =>
           context.change({ step: 'annuloplasty', shape: 'own', sizes_below }, passing),
         )
-      : slider('Size', step.size_mm ?? sizes_mm.min, sizes_mm, 'mm', (size_mm, passing) =>
+      : slider('Size', step.size_mm, sizes_mm, 'mm', (size_mm, passing) =>
           context.change({ step: 'annuloplasty', shape: step.shape, size_mm }, passing),
         )
-  return h('div', {}, field('Shape', select(shapes, step.shape, choose)), size, note && h('p', { class: 'hint' }, note))
+  return h(
+    'div',
+    {},
+    field('Shape', select(shapes, step.shape, choose)),
+    size,
+    note && h('p', { class: parts.hint }, note),
+  )
 }
 
 function approximationForm(step: Approximation, context: StepContext): HTMLElement {
+  const around = step.anchor === 'annulus_point' ? step.annulus_around : undefined
   const choose = (anchor: string): void =>
-    context.change(newApproximation(context, step.side, anchor as Approximation['anchor'], step.annulus_around), false)
-  const around =
+    context.change(newApproximation(context, step.side, anchor as Approximation['anchor'], around), false)
+  const place =
     step.anchor === 'annulus_point' &&
     h(
       'div',
       {},
-      slider('Place', 360 * (step.annulus_around ?? 0), { min: 0, max: 360, step: 2 }, '°', (degrees, passing) =>
-        context.change(within(context, { ...step, annulus_around: degrees / 360 }), passing),
+      slider('Place', 360 * step.annulus_around, { min: 0, max: 360, step: 2 }, '°', (degrees, passing) =>
+        context.change(reachable(context, { ...step, annulus_around: degrees / 360 }), passing),
       ),
-      h('p', { class: 'hint' }, '0° posteromedial commissure, 90° saddle peak, 180° anterolateral commissure, 270° mid-posterior.'),
-      button('Pick it on the annulus', () =>
-        context.pickAnchor((annulus_around) => context.change(within(context, { ...step, annulus_around }), false)),
+      h(
+        'p',
+        { class: parts.hint },
+        '0° posteromedial commissure, 90° saddle peak, 180° anterolateral commissure, 270° mid-posterior.',
+      ),
+      button('Pick on the annulus', () =>
+        context.pickAnchor((annulus_around) => context.change(reachable(context, { ...step, annulus_around }), false)),
       ),
     )
   return h(
     'div',
     {},
     field('Anchor', select(ANCHORS, step.anchor, choose)),
-    around,
+    place,
     slider('Suture', step.suture_length_mm, sutureRange(context, step), 'mm', (suture_length_mm, passing) =>
       context.change({ ...step, suture_length_mm }, passing),
     ),
@@ -84,13 +113,20 @@ function approximationForm(step: Approximation, context: StepContext): HTMLEleme
 }
 
 /// With the suture's length inside what its anchor allows.
-function within(anatomy: Anatomy, step: Approximation): Approximation {
+function reachable(anatomy: Anatomy, step: Approximation): Approximation {
   const { min, max } = sutureRange(anatomy, step)
   return { ...step, suture_length_mm: Math.min(Math.max(step.suture_length_mm, min), max) }
 }
 
 function headField(head: string, { before }: StepContext, choose: (head: string) => void): HTMLElement {
-  return field('Papillary head', select(before.heads.map(({ id }) => [id, id] as const), head, choose))
+  return field(
+    'Papillary head',
+    select(
+      before.heads.map(({ id }) => [id, id] as const),
+      head,
+      choose,
+    ),
+  )
 }
 
 function insertionFields(
@@ -98,19 +134,30 @@ function insertionFields(
   context: StepContext,
   change: (point: LeafletPoint, passing: boolean) => void,
 ): HTMLElement {
-  const leaflets = [['anterior', 'Anterior'], ['posterior', 'Posterior']] as const
+  const leaflets = [
+    ['anterior', 'Anterior'],
+    ['posterior', 'Posterior'],
+  ] as const
   const share = { min: 0, max: 1, step: 0.01 }
   return h(
     'div',
     {},
-    field('Leaflet', select(leaflets, point.leaflet, (leaflet) => change({ ...point, leaflet: leaflet as LeafletPoint['leaflet'] }, false))),
+    field(
+      'Leaflet',
+      select(leaflets, point.leaflet, (leaflet) =>
+        change({ ...point, leaflet: leaflet as LeafletPoint['leaflet'] }, false),
+      ),
+    ),
     slider('Along (AL to PM)', point.along, share, '', (along, passing) => change({ ...point, along }, passing)),
-    slider('Height (to free edge)', point.height, share, '', (height, passing) => change({ ...point, height }, passing)),
-    button('Pick it on the leaflet', () => context.pickInsertion((picked) => change(picked, false))),
+    slider('Height (to free edge)', point.height, share, '', (height, passing) =>
+      change({ ...point, height }, passing),
+    ),
+    button('Pick on the leaflet', () => context.pickInsertion((picked) => change(picked, false))),
   )
 }
 
 /// `set` with passing true on each move, false when it is let go; a change is none for the browser if it ends where it began.
+/// The number beside it takes what is typed, as near as the range allows.
 function slider(
   label: string,
   value: number,
@@ -119,17 +166,38 @@ function slider(
   set: (value: number, passing: boolean) => void,
 ): HTMLElement {
   const digits = range.step < 0.1 ? 2 : range.step < 1 ? 1 : 0
-  const shown = h('output', { class: 'unit' }, withUnit(value, unit, digits))
+  const name = unit ? `${label}, ${unit}` : label
+  const typed = h('input', {
+    type: 'number',
+    ...range,
+    value: value.toFixed(digits),
+    'aria-label': `${name} as a number`,
+    onchange: () => set(within(Number(typed.value), range), false),
+  })
   const input = h('input', {
     type: 'range',
     ...range,
     value,
+    'aria-label': name,
     oninput: () => {
-      shown.textContent = withUnit(Number(input.value), unit, digits)
+      typed.value = Number(input.value).toFixed(digits)
       set(Number(input.value), true)
     },
     onchange: () => set(Number(input.value), false),
     onpointerup: () => set(Number(input.value), false),
   })
-  return h('label', { class: 'field' }, h('span', {}, label), input, shown)
+  return h(
+    'div',
+    { class: repairStyle.slider },
+    h('span', {}, label),
+    typed,
+    h('span', { class: parts.unit }, unit),
+    input,
+  )
+}
+
+/// The nearest step of the range.
+function within(value: number, { min, max, step }: { min: number; max: number; step: number }): number {
+  const near = min + step * Math.round(((Number.isFinite(value) ? value : min) - min) / step)
+  return Number(Math.min(Math.max(near, min), max).toFixed(6))
 }

@@ -1,155 +1,190 @@
-// Plans that were kept: loaded, saved, scored over small errors of execution, taken up again.
-import { evaluate, report } from '../api/calls'
-import type { Plan, RankedPlan } from '../api/types'
+// Plans that were kept: named, scored over small errors of execution, saved, loaded, taken up again.
+import { report } from '../api/calls'
+import { ApiError } from '../api/http'
+import type { RankedPlan } from '../api/types'
 import { button, download, h } from '../dom'
 import { number, percent, withUnit } from '../format'
-import { doubts } from '../search/figures'
+import { iconButton } from '../icons'
 import { problemList } from '../problems'
-import { problemsOf, type KeptPlan, type Workspace } from '../workspace'
+import type { KeptPlan } from '../state/kept_plans'
+import { nameOfValve } from '../state/valves'
+import { problemsOf, type Workspace } from '../workspace'
+import { planFile, plansIn } from './plan_files'
+import { bestOf, REGION_POINTS, scorePlans, warningsOf } from './scores'
 import { describe } from './steps'
-
-const REGION_POINTS = 65
+import parts from '../style/parts.module.css'
+import repairStyle from './repair.module.css'
 
 export class KeptPlans {
-  readonly element = h('section', { class: 'panel', 'aria-label': 'Kept plans' })
+  readonly element = h('section', { class: parts.panel, 'aria-label': 'Kept plans' })
   private readonly list = h('div', {})
-  private readonly said = h('p', { class: 'hint', 'aria-live': 'polite' })
+  private readonly best = h('p', { class: repairStyle.best, role: 'status' })
+  private readonly said = h('p', { class: parts.hint, 'aria-live': 'polite' })
+  private readonly progress = h('progress', { max: 1, hidden: true, 'aria-label': 'Plans scored' })
   private readonly problems = h('div', {})
-  private readonly scores = new Map<KeptPlan, RankedPlan>()
-  private readonly file = h('input', { type: 'file', accept: '.json', class: 'unseen', tabindex: -1, 'aria-label': 'Plans to load', onchange: () => void this.load() })
+  private readonly scores = new Map<string, RankedPlan>() // by the kept plan's id
+  private shown = ''
+  private readonly file = h('input', {
+    type: 'file',
+    accept: '.json',
+    class: parts.unseen,
+    tabindex: -1,
+    'aria-label': 'Plans to load',
+    onchange: () => void this.load(),
+  })
+  private readonly scoring = button('Score plans', () => void this.score(), {
+    title: `${REGION_POINTS} closures each, with small errors of execution`,
+  })
 
   constructor(private readonly workspace: Workspace) {
     this.element.append(
       h('h2', {}, 'Kept plans'),
+      this.best,
+      this.progress,
+      this.said,
+      this.problems,
       this.list,
       h(
         'p',
-        { class: 'row' },
-        button('Score them', () => void this.score(), { title: `${REGION_POINTS} closures each over small errors of execution` }),
-        button('Save plans', () => this.save()),
+        { class: parts.row },
+        this.scoring,
+        button('Save plans', () => download('plans.json', planFile(this.workspace.kept))),
         button('Load plans', () => this.file.click()),
         this.file,
       ),
-      this.said,
-      this.problems,
     )
   }
 
+  /// The list is made anew when it has changed alone: a name in it may be in use.
   update(): void {
-    const kept = this.workspace.kept
-    if (kept.length === 0) {
-      this.list.replaceChildren(h('p', { class: 'hint' }, 'Accept a repair and it is kept here, to be compared and scored.'))
-      return
-    }
-    this.list.replaceChildren(h('ol', { class: 'kept' }, ...kept.map((plan) => this.item(plan))))
+    const { kept, valve } = this.workspace
+    const key = JSON.stringify([kept, valve?.reference, [...this.scores.keys()]])
+    if (key === this.shown) return
+    this.shown = key
+    this.scoring.disabled = this.ofValve().length === 0
+    this.tellBest()
+    this.list.replaceChildren(
+      kept.length === 0
+        ? h('p', { class: parts.hint }, 'Keep a repair to find it here again, compare it and score it.')
+        : h('ol', { class: repairStyle.kept }, ...kept.map((plan) => this.item(plan))),
+    )
+  }
+
+  private ofValve(): KeptPlan[] {
+    return this.workspace.kept.filter(({ valve }) => valve === this.workspace.valve?.reference)
+  }
+
+  private tellBest(): void {
+    const kept = this.ofValve()
+    const best = bestOf(kept.map(({ id }) => this.scores.get(id)))
+    const leak = best === null ? null : this.scores.get(kept[best]?.id ?? '')?.leak_mm2
+    this.best.textContent =
+      best === null ? '' : `Best: ${kept[best]?.name ?? ''}. Leak ${number(leak?.mean)} ± ${withUnit(leak?.sd, 'mm²')}.`
   }
 
   private item(kept: KeptPlan): HTMLElement {
-    const score = this.scores.get(kept)
+    const score = this.scores.get(kept.id)
     const leak = score?.leak_mm2
-    const warnings = score ? [...doubts(score), ...score.warnings] : []
+    const warnings = score ? warningsOf(score) : []
+    const name = h('input', {
+      type: 'text',
+      class: parts.name,
+      value: kept.name,
+      title: 'Change the name',
+      'aria-label': `Name of ${kept.name}`,
+      onchange: () => void this.try(() => this.workspace.rename(kept, name.value.trim() || kept.name)),
+    })
     return h(
       'li',
       {},
-      h('strong', {}, kept.name),
-      kept.valve.reference !== this.workspace.valve?.reference && ` of ${kept.valve.label}`,
-      h('p', { class: 'hint' }, kept.plan.steps.map(describe).join('; ')),
+      h(
+        'div',
+        { class: repairStyle.head },
+        name,
+        iconButton('remove', `Remove ${kept.name}`, () => void this.try(() => this.workspace.forget(kept))),
+      ),
+      kept.valve !== this.workspace.valve?.reference && h('p', { class: parts.hint }, `for ${nameOfValve(kept.valve)}`),
+      h('p', { class: parts.hint }, kept.plan.steps.map(describe).join('; ')),
       leak
         ? h('p', {}, `Leak ${number(leak.mean)} ± ${withUnit(leak.sd, 'mm²')}, below 5 mm² in ${percent(leak.below_5)}`)
-        : h('p', { class: 'hint' }, 'Not scored.'),
-      warnings.length > 0 && h('ul', { class: 'warn' }, ...warnings.map((warning) => h('li', {}, warning))),
+        : h('p', { class: parts.hint }, 'Not scored.'),
+      warnings.length > 0 && h('ul', { class: parts.warn }, ...warnings.map((warning) => h('li', {}, warning))),
       h(
         'p',
-        { class: 'row' },
-        button('Report', () => void this.report(kept), { title: 'One page to read, print and hand on', 'aria-label': `Report on ${kept.name}` }),
-        button('Revise', () => void this.revise(kept), { 'aria-label': `Revise ${kept.name}` }),
-        button('Remove', () => this.workspace.forget(kept), { class: 'quiet', 'aria-label': `Remove ${kept.name}` }),
+        { class: parts.row },
+        button('Revise', () => void this.try(() => this.workspace.revise(kept)), {
+          'aria-label': `Revise ${kept.name}`,
+        }),
+        button('Report', () => void this.report(kept), {
+          title: 'One page to read, print and share',
+          'aria-label': `Report on ${kept.name}`,
+        }),
       ),
     )
-  }
-
-  /// Opens the plan's valve first, if another one is open.
-  private async revise({ plan, valve }: KeptPlan): Promise<void> {
-    try {
-      if (valve.reference !== this.workspace.valve?.reference) await this.workspace.open(valve)
-      await this.workspace.setPlan(plan.steps)
-    } catch (error) {
-      this.problems.replaceChildren(problemList(problemsOf(error)))
-    }
   }
 
   private async score(): Promise<void> {
     const { valve } = this.workspace
-    const kept = this.workspace.kept.filter((plan) => plan.valve.reference === valve?.reference)
-    if (!valve || kept.length === 0) return this.say('There is no kept plan of this valve.')
-    this.say(`closing each plan ${REGION_POINTS} times ...`)
-    try {
-      const { plans } = await evaluate(valve.reference, kept.map(({ plan }) => plan), REGION_POINTS)
-      for (const scored of plans) {
-        const plan = kept[scored.index]
-        if (plan) this.scores.set(plan, scored)
-      }
-      const best = plans.find(({ rank }) => rank === 1)
-      this.say(best ? `Best: ${kept[best.index]?.name ?? ''}.` : '')
-      this.problems.replaceChildren()
-    } catch (error) {
-      this.say('They cannot be scored.')
-      this.problems.replaceChildren(problemList(problemsOf(error)))
-    }
+    const kept = this.ofValve()
+    if (!valve || kept.length === 0) return
+    this.scoring.disabled = true
+    this.progress.hidden = false
+    await this.try(async () => {
+      const scores = await scorePlans(
+        valve.reference,
+        kept.map(({ plan }) => plan),
+        (done) => {
+          this.progress.value = done / kept.length
+          this.said.textContent = `closing ${kept[done]?.name ?? ''} ${REGION_POINTS} times: ${done} of ${kept.length} plans are scored`
+        },
+      )
+      scores.forEach((score, i) => {
+        if (score) this.scores.set(kept[i]?.id ?? '', score)
+      })
+    })
+    this.progress.hidden = true
+    this.said.textContent = ''
+    this.shown = ''
     this.update()
   }
 
   private async report({ name, plan, valve }: KeptPlan): Promise<void> {
-    this.say(`closing ${name} ${REGION_POINTS} times, and for evidence ...`)
-    const page = (evidence: boolean) => report(valve.reference, [plan], REGION_POINTS, evidence)
-    try {
+    this.said.textContent = `closing ${name} ${REGION_POINTS} times, and for evidence ...`
+    const page = (evidence: boolean) => report(valve, [plan], REGION_POINTS, evidence)
+    await this.try(async () => {
       download(`${name}.html`, await page(true).catch(() => page(false))) // of a fine mesh it is too much for the service
-      this.say('')
-      this.problems.replaceChildren()
-    } catch (error) {
-      this.say(`There is no report on ${name}.`)
-      this.problems.replaceChildren(problemList(problemsOf(error)))
-    }
+    })
+    this.said.textContent = ''
   }
 
-  private save(): void {
-    const plans = this.workspace.kept
-    download('plans.json', new Blob([JSON.stringify({ plans }, null, 1)], { type: 'application/json' }))
-  }
-
-  /// A list as save() writes it, or one coapt.plan/1.
   private async load(): Promise<void> {
     const chosen = this.file.files?.[0]
     if (!chosen) return
     try {
       const found = plansIn(await chosen.text())
-      if (!this.workspace.valve) throw new Error('open a valve first')
-      for (const { name, plan, valve } of found) this.workspace.keep(name ?? chosen.name, plan, valve ?? this.workspace.valve)
-      this.say(`${found.length} loaded from ${chosen.name}.`)
+      for (const { name, plan, valve } of found) {
+        const source = valve ? { reference: valve, label: nameOfValve(valve) } : this.workspace.valve
+        await this.workspace.keep(name ?? chosen.name, plan, source)
+      }
+      this.problems.replaceChildren()
+      this.said.textContent = `${found.length} loaded from ${chosen.name}.`
     } catch (error) {
-      this.say(`${chosen.name} cannot be read: ${error instanceof Error ? error.message : ''}`)
+      const isRefused = error instanceof ApiError
+      this.said.textContent = isRefused
+        ? `${chosen.name} cannot be kept for this valve.`
+        : `${chosen.name} cannot be read: ${problemsOf(error)[0]?.message ?? ''}.`
+      this.problems.replaceChildren(problemList(isRefused ? problemsOf(error) : []))
     }
     this.file.value = ''
   }
 
-  private say(words: string): void {
-    this.said.textContent = words
-  }
-}
-
-/// What save() has written, or one plan. Those that cannot be said in words are no plans.
-export function plansIn(text: string): Partial<KeptPlan>[] & { plan: Plan }[] {
-  const json = JSON.parse(text) as { plans?: Partial<KeptPlan>[] } & Partial<Plan>
-  const entries = json.schema === 'coapt.plan/1' ? [{ plan: json as Plan }] : (json.plans ?? [])
-  const plans = entries.filter((entry): entry is Partial<KeptPlan> & { plan: Plan } => isPlan(entry?.plan))
-  if (plans.length === 0) throw new Error('it holds no plan (coapt.plan/1)')
-  return plans
-}
-
-function isPlan(plan: Plan | undefined): boolean {
-  try {
-    return plan !== undefined && plan.steps.map(describe).every((words) => typeof words === 'string')
-  } catch {
-    return false
+  /// What goes wrong is said.
+  private async try(does: () => Promise<unknown>): Promise<void> {
+    try {
+      await does()
+      this.problems.replaceChildren()
+    } catch (error) {
+      this.problems.replaceChildren(problemList(problemsOf(error)))
+    }
   }
 }

@@ -2,21 +2,31 @@
 import { rings as askForRings } from '../api/calls'
 import type { LeafletPoint, Rings, Scene, Step } from '../api/types'
 import { button, h, select } from '../dom'
+import { iconButton } from '../icons'
 import type { Pick, PickKind } from '../viewer/pick'
 import { problemsOf, type Workspace } from '../workspace'
 import { stepForm, type StepContext } from './forms'
-import { describe, newApproximation, newNeochorda, SIDES, type Anatomy } from './steps'
+import { describe, FREE_EDGE, newApproximation, newNeochorda, SIDES, type Anatomy } from './steps'
+import parts from '../style/parts.module.css'
+import repairStyle from './repair.module.css'
 
-/// Asks for a click on the valve; `hint` says what for.
-export type AskForPick = (hint: string, kinds: PickKind[], use: (pick: Pick) => void) => void
+/// A click on the valve that is waited for, or a choice from a list instead. Nothing is applied before one is made.
+export interface PickRequest {
+  hint: string // what to click
+  kinds: PickKind[]
+  use(pick: Pick): void
+  list?: { label: string; options: (readonly [value: string, label: string])[]; use(value: string): void }
+}
+export type AskForPick = (request: PickRequest) => void
 
 export class PlanEditor {
-  readonly element = h('section', { class: 'panel plan', 'aria-label': 'The plan' })
-  private readonly list = h('ol', { class: 'steps' })
-  private readonly undo = button('Undo', () => void this.workspace.undo())
-  private readonly redo = button('Redo', () => void this.workspace.redo())
+  readonly element = h('section', { class: parts.panel, 'aria-label': 'The plan' })
+  private readonly list = h('ol', { class: repairStyle.steps, 'data-part': 'steps' })
+  private readonly undo = iconButton('undo', 'Undo', () => void this.workspace.undo(), { title: 'Undo (Ctrl+Z)' })
+  private readonly redo = iconButton('redo', 'Redo', () => void this.workspace.redo(), { title: 'Redo (Ctrl+Shift+Z)' })
   private rings: Rings = { rings: [], sizes_mm: { min: 24, max: 40, step: 2 } }
   private open = -1 // step whose controls are shown
+  private titles: HTMLElement[] = [] // one a step
   private shown = '' // steps whose items are in the list, and the annulus that they are for
 
   constructor(
@@ -27,7 +37,13 @@ export class PlanEditor {
       h('h2', {}, 'Repair by hand'),
       this.adding(),
       this.list,
-      h('p', { class: 'row' }, this.undo, this.redo, button('Clear', () => void this.set([]))),
+      h(
+        'p',
+        { class: parts.row },
+        this.undo,
+        this.redo,
+        button('Clear', () => void this.set([])),
+      ),
     )
     askForRings().then(
       (rings) => (this.rings = rings),
@@ -45,8 +61,9 @@ export class PlanEditor {
     this.shown = key
     const focused = this.controls().indexOf(document.activeElement as HTMLElement)
     const anatomy = this.anatomy()
+    this.titles = []
     if (anatomy) this.list.replaceChildren(...steps.map((step, i) => this.item(anatomy, step, i)))
-    if (steps.length === 0) this.list.replaceChildren(h('li', { class: 'hint' }, 'No step yet: add one above.'))
+    if (steps.length === 0) this.list.replaceChildren(h('li', { class: parts.hint }, 'No steps yet: add one above.'))
     // Who sets values with the keyboard goes on where they were.
     if (focused >= 0) this.controls()[focused]?.focus()
   }
@@ -66,11 +83,9 @@ export class PlanEditor {
   }
 
   private adding(): HTMLElement {
-    /// Where it stands in the plan.
-    const add = (step: Step): number => {
-      const index = (this.open = this.workspace.plan.steps.length)
+    const add = (step: Step): void => {
+      this.open = this.workspace.plan.steps.length
       void this.set([...this.workspace.plan.steps, step])
-      return index
     }
     const withScene = (use: (scene: Scene) => void) => () => this.workspace.before && use(this.workspace.before)
     const withAnatomy = (use: (anatomy: Anatomy) => void) => () => {
@@ -78,53 +93,89 @@ export class PlanEditor {
       if (anatomy) use(anatomy)
     }
     const sutures = SIDES.map(([side, label]) =>
-      button(`Suture ${label.slice(0, 1) === 'A' ? 'AL' : 'PM'}`, withAnatomy((anatomy) => {
-        const others = this.workspace.plan.steps.filter((step) => step.step !== 'papillary_approximation' || step.side !== side)
-        this.open = others.length
-        void this.set([...others, newApproximation(anatomy, side, 'ipsilateral_trigone')])
-      }), { title: `${label} papillary muscle to the annulus` }),
+      button(
+        `Suture ${label.slice(0, 1) === 'A' ? 'AL' : 'PM'}`,
+        withAnatomy((anatomy) => {
+          const others = this.workspace.plan.steps.filter(
+            (step) => step.step !== 'papillary_approximation' || step.side !== side,
+          )
+          this.open = others.length
+          void this.set([...others, newApproximation(anatomy, side, 'ipsilateral_trigone')])
+        }),
+        { title: `${label} papillary muscle to the annulus` },
+      ),
     )
     return h(
       'div',
-      { class: 'row', role: 'group', 'aria-label': 'Add a step' },
+      { class: parts.row, role: 'group', 'aria-label': 'Add a step' },
       button('Ring', () => {
         const others = this.workspace.plan.steps.filter((step) => step.step !== 'annuloplasty')
         this.open = others.length
         void this.set([...others, { step: 'annuloplasty', shape: 'own', sizes_below: 2 }])
       }),
       ...sutures,
-      button('Neochorda', withScene((scene) => {
-        const index = add(newNeochorda(scene, scene.heads[0]?.id ?? '', { leaflet: 'posterior', along: 0.5, height: 1 }))
-        this.ask('Click where the neochorda is to insert, then a papillary head.', ['leaflet'], (place) => this.placeNeochorda(scene, index, place))
-      })),
-      button('Chorda', withScene((scene) => this.chooseChorda(scene, add))),
+      button(
+        'Neochorda',
+        withScene((scene) => this.placeNeochorda(scene, add)),
+      ),
+      button(
+        'Chorda',
+        withScene((scene) => this.chooseChorda(scene, add)),
+      ),
     )
   }
 
-  private placeNeochorda(scene: Scene, index: number, place: Pick): void {
-    if (place.kind !== 'leaflet') return
-    this.ask('Now click a papillary head.', ['head'], (head) => {
-      if (head.kind === 'head') this.change(index, newNeochorda(scene, head.id, place.point), false)
+  private placeNeochorda(scene: Scene, add: (step: Step) => void): void {
+    const from = (insertion: LeafletPoint): void => {
+      const use = (head: string): void => add(newNeochorda(scene, head, insertion))
+      this.ask({
+        hint: 'Now click a papillary head.',
+        kinds: ['head'],
+        use: (pick) => pick.kind === 'head' && use(pick.id),
+        list: { label: 'or choose the head', options: scene.heads.map(({ id }) => [id, id] as const), use },
+      })
+    }
+    const places = Object.keys(FREE_EDGE).map((name) => [name, `free edge of ${name}`] as const)
+    this.ask({
+      hint: 'Click where the neochorda is to insert.',
+      kinds: ['leaflet'],
+      use: (pick) => pick.kind === 'leaflet' && from(pick.point),
+      list: { label: 'or choose the place', options: places, use: (name) => from(FREE_EDGE[name] as LeafletPoint) },
     })
   }
 
-  /// A chorda is picked on the valve or by its name, then shortened, cut or moved.
-  private chooseChorda(scene: Scene, add: (step: Step) => number): void {
-    const first = scene.chordae[0]?.id ?? ''
-    const index = add({ step: 'chordal_length_change', chorda: first, change_mm: -2 })
-    this.ask('Click a chorda.', ['chorda'], (pick) => {
-      if (pick.kind === 'chorda') this.change(index, { step: 'chordal_length_change', chorda: pick.id, change_mm: -2 }, false)
+  /// Picked on the valve or by its name; then shortened, cut or moved.
+  private chooseChorda(scene: Scene, add: (step: Step) => void): void {
+    const use = (chorda: string): void => add({ step: 'chordal_length_change', chorda, change_mm: -2 })
+    this.ask({
+      hint: 'Click a chorda.',
+      kinds: ['chorda'],
+      use: (pick) => pick.kind === 'chorda' && use(pick.id),
+      list: { label: 'or choose it', options: scene.chordae.map(({ id }) => [id, id] as const), use },
     })
   }
 
   private item(anatomy: Anatomy, step: Step, i: number): HTMLElement {
-    const title = h('button', { type: 'button', class: 'quiet step', 'aria-expanded': String(i === this.open), onclick: () => this.unfold(i) }, describe(step))
-    const remove = button('Remove', () => void this.set(this.workspace.plan.steps.filter((_, other) => other !== i)), {
-      class: 'quiet',
-      'aria-label': `Remove: ${describe(step)}`,
-    })
-    const item = h('li', {}, h('div', { class: 'row' }, title, remove))
-    if (i === this.open) item.append(this.chordaFields(anatomy.before, step, i) ?? '', stepForm(step, this.context(anatomy, i)))
+    const title = h(
+      'button',
+      {
+        type: 'button',
+        class: `${parts.quiet} ${repairStyle.step}`,
+        'data-part': 'step',
+        'aria-expanded': String(i === this.open),
+        onclick: () => this.unfold(i),
+      },
+      describe(step),
+    )
+    this.titles.push(title)
+    const remove = iconButton(
+      'remove',
+      `Remove step ${i + 1}`,
+      () => void this.set(this.workspace.plan.steps.filter((_, other) => other !== i)),
+    )
+    const item = h('li', {}, h('div', { class: parts.row }, title, remove))
+    if (i === this.open)
+      item.append(this.chordaFields(anatomy.before, step, i) ?? '', stepForm(step, this.context(anatomy, i)))
     return item
   }
 
@@ -137,16 +188,30 @@ export class PlanEditor {
       chordal_excision: (chorda) => ({ step: 'chordal_excision', chorda }),
       chordal_transfer: (chorda) => ({ step: 'chordal_transfer', chorda, insertion: middle }),
     }
-    const labels = [['chordal_length_change', 'shorten or lengthen'], ['chordal_excision', 'cut'], ['chordal_transfer', 'move']] as const
+    const labels = [
+      ['chordal_length_change', 'shorten or lengthen'],
+      ['chordal_excision', 'cut'],
+      ['chordal_transfer', 'move'],
+    ] as const
     const chordae = scene.chordae.map(({ id }) => [id, id] as const)
     return h(
       'div',
       {},
-      h('label', { class: 'field' }, h('span', {}, 'Chorda'), select(chordae, step.chorda, (chorda) => this.change(i, { ...step, chorda }, false))),
-      h('label', { class: 'field' }, h('span', {}, 'What is done'), select(labels, step.step, (kind) => {
-        const make = kinds[kind]
-        if (make) this.change(i, make(step.chorda), false)
-      })),
+      h(
+        'label',
+        { class: parts.field },
+        h('span', {}, 'Chorda'),
+        select(chordae, step.chorda, (chorda) => this.change(i, { ...step, chorda }, false)),
+      ),
+      h(
+        'label',
+        { class: parts.field },
+        h('span', {}, 'Action'),
+        select(labels, step.step, (kind) => {
+          const make = kinds[kind]
+          if (make) this.change(i, make(step.chorda), false)
+        }),
+      ),
     )
   }
 
@@ -156,9 +221,17 @@ export class PlanEditor {
       rings: this.rings,
       change: (step, passing) => this.change(i, step, passing),
       pickInsertion: (use) =>
-        this.ask('Click where it is to insert.', ['leaflet'], (pick) => pick.kind === 'leaflet' && use(pick.point)),
+        this.ask({
+          hint: 'Click where it is to insert.',
+          kinds: ['leaflet'],
+          use: (pick) => pick.kind === 'leaflet' && use(pick.point),
+        }),
       pickAnchor: (use) =>
-        this.ask('Click the annulus where the suture is tied.', ['annulus'], (pick) => pick.kind === 'annulus' && use(pick.around)),
+        this.ask({
+          hint: 'Click the annulus where the suture is tied.',
+          kinds: ['annulus'],
+          use: (pick) => pick.kind === 'annulus' && use(pick.around),
+        }),
     }
   }
 
@@ -170,6 +243,7 @@ export class PlanEditor {
   private change(i: number, step: Step, passing: boolean): void {
     const steps = this.workspace.plan.steps.map((other, at) => (at === i ? step : other))
     if (passing) this.shown = this.key(steps) // its controls are in use
+    this.titles[i]?.replaceChildren(describe(step))
     void this.workspace.setPlan(steps, passing)
   }
 

@@ -9,12 +9,21 @@ export const SIDES: readonly (readonly [Side, string])[] = [
 export const ANCHORS = [
   ['ipsilateral_trigone', 'Trigone of its side'],
   ['saddle_peak', 'Saddle peak'],
-  ['annulus_point', 'A point of the annulus'],
+  ['annulus_point', 'A point on the annulus'],
 ] as const
 export const MOVED_AT_FIRST = 0.85 // of the distance from tip to anchor: what a new suture leaves
 export const NEOCHORDA_MM = { min: 5, max: 40, step: 0.5 }
 export const CHANGE_MM = { min: -20, max: 20, step: 0.5 }
 const HALF_MM = 0.5
+/// The middle of each segment's free edge.
+export const FREE_EDGE: Readonly<Record<string, LeafletPoint>> = Object.fromEntries(
+  (['anterior', 'posterior'] as const).flatMap((leaflet) =>
+    [1, 2, 3].map((third) => [
+      `${leaflet === 'anterior' ? 'A' : 'P'}${third}`,
+      { leaflet, along: (2 * third - 1) / 6, height: 1 },
+    ]),
+  ),
+)
 
 export type Approximation = Extract<Step, { step: 'papillary_approximation' }>
 
@@ -22,9 +31,9 @@ export type Approximation = Extract<Step, { step: 'papillary_approximation' }>
 export function describe(step: Step): string {
   switch (step.step) {
     case 'annuloplasty':
-      return step.shape === 'own'
-        ? `Ring of the annulus's own shape, ${step.sizes_below ?? 0} sizes below it`
-        : `Ring ${step.shape}, size ${step.size_mm ?? 0} mm`
+      return 'sizes_below' in step
+        ? `Ring in the annulus's own shape, undersized by ${step.sizes_below} sizes`
+        : `Ring ${step.shape}, size ${step.size_mm} mm`
     case 'papillary_approximation':
       return `${step.side === 'anterolateral' ? 'Anterolateral' : 'Posteromedial'} papillary muscle to ${anchorWords(step)}, suture ${step.suture_length_mm.toFixed(1)} mm`
     case 'neochorda':
@@ -39,9 +48,8 @@ export function describe(step: Step): string {
 }
 
 function anchorWords(step: Approximation): string {
-  if (step.anchor === 'ipsilateral_trigone') return 'its trigone'
-  if (step.anchor === 'saddle_peak') return 'the saddle peak'
-  return `the annulus at ${Math.round(360 * (step.annulus_around ?? 0))}°`
+  if (step.anchor === 'annulus_point') return `the annulus at ${Math.round(360 * step.annulus_around)}°`
+  return step.anchor === 'saddle_peak' ? 'the saddle peak' : 'its trigone'
 }
 
 export function placeWords({ leaflet, along, height }: LeafletPoint): string {
@@ -52,7 +60,7 @@ export function placeWords({ leaflet, along, height }: LeafletPoint): string {
 
 /// Where a suture of this kind is tied.
 export function anchorPoint(scene: Scene, step: Approximation): Vector {
-  if (step.anchor === 'annulus_point') return annulusPoint(scene, step.annulus_around ?? 0)
+  if (step.anchor === 'annulus_point') return annulusPoint(scene, step.annulus_around)
   const landmark = step.anchor === 'saddle_peak' ? 'saddle_peak' : `${step.side}_trigone`
   const place = scene.annulus.indexOf(scene.landmarks[landmark] ?? -1)
   return at(scene.annulus_mm, Math.max(place, 0))
@@ -65,16 +73,26 @@ export interface Anatomy {
 }
 
 /// From half of the distance between tip and anchor (12 mm at least) to the whole of it (100 mm at most).
-export function sutureRange({ before, ringed }: Anatomy, step: Approximation): { min: number; max: number; step: number } {
+export function sutureRange(
+  { before, ringed }: Anatomy,
+  step: Approximation,
+): { min: number; max: number; step: number } {
   const whole = distance(papillaryTip(before, step.side), anchorPoint(ringed, step))
   const max = Math.min(100, Math.floor(whole / HALF_MM) * HALF_MM)
   return { min: Math.min(max, Math.max(12, Math.ceil((0.5 * whole) / HALF_MM) * HALF_MM)), max, step: HALF_MM }
 }
 
 /// With a suture of a length that is possible there.
-export function newApproximation(anatomy: Anatomy, side: Side, anchor: Approximation['anchor'], annulus_around?: number): Approximation {
-  const step: Approximation = { step: 'papillary_approximation', side, anchor, suture_length_mm: 0 }
-  if (anchor === 'annulus_point') step.annulus_around = annulus_around ?? (side === 'posteromedial' ? 0.1 : 0.4)
+export function newApproximation(
+  anatomy: Anatomy,
+  side: Side,
+  anchor: Approximation['anchor'],
+  annulus_around?: number,
+): Approximation {
+  const suture = { step: 'papillary_approximation', side, suture_length_mm: 0 } as const
+  const usual = side === 'posteromedial' ? 0.1 : 0.4
+  const step: Approximation =
+    anchor === 'annulus_point' ? { ...suture, anchor, annulus_around: annulus_around ?? usual } : { ...suture, anchor }
   const { min, max } = sutureRange(anatomy, step)
   step.suture_length_mm = Math.max(min, Math.round((MOVED_AT_FIRST * max) / HALF_MM) * HALF_MM)
   return step

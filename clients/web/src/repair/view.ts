@@ -1,19 +1,22 @@
 // A repair by hand: the valve before and after, side by side, and what it would measure.
-import '../style/viewer.css'
-import '../style/repair.css'
 import type { Plan } from '../api/types'
-import { button, h } from '../dom'
+import { button, h, select } from '../dom'
 import { closureSaver, type FileSaver } from '../files'
 import { problemList } from '../problems'
 import type { View } from '../view'
 import { Looks } from '../valve/looks'
+import { headline } from '../valve/headline'
 import { measures } from '../valve/measures'
 import { sectionInset } from '../valve/section_inset'
 import { legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
-import type { Workspace } from '../workspace'
+import { problemsOf, type Workspace } from '../workspace'
 import { KeptPlans } from './kept_plans'
-import { PlanEditor } from './plan_editor'
+import { PlanEditor, type PickRequest } from './plan_editor'
+import parts from '../style/parts.module.css'
+import repairStyle from './repair.module.css'
+import valveStyle from '../valve/valve.module.css'
+import viewerStyle from '../viewer/viewer.module.css'
 
 export class RepairView implements View {
   readonly element: HTMLElement
@@ -23,53 +26,48 @@ export class RepairView implements View {
   private readonly editor: PlanEditor
   private readonly kept: KeptPlans
   private readonly legend = h('div', {})
-  private readonly insets = h('div', { class: 'insets' })
-  private readonly measures = h('section', { class: 'panel', 'aria-label': 'Measured' })
+  private readonly headline = h('div', {})
+  private readonly insets = {
+    before: h('div', { class: valveStyle.inset, hidden: true }),
+    after: h('div', { class: valveStyle.inset, hidden: true }),
+  }
+  private readonly measures = h('section', { class: parts.panel, 'aria-label': 'Measured' })
   private readonly problems = h('div', {})
-  private readonly said = h('p', { class: 'answer', 'aria-live': 'polite' })
-  private readonly picking = h('p', { class: 'picking', role: 'status', hidden: true })
+  private readonly said = h('p', { class: repairStyle.answer, 'data-part': 'answer', 'aria-live': 'polite' })
+  private readonly picking = h('div', { class: repairStyle.picking, 'data-part': 'picking', hidden: true })
   private readonly save: FileSaver
   private pickedFor: Plan | null = null
   private ringed = false // the valve on the right has a ring
   private readonly afterTitle = h('figcaption', {})
-  private readonly accept = button('Accept', () => this.keep(), { class: 'primary' })
+  private readonly accept = button('Keep this repair', () => void this.keep(), { class: parts.primary })
 
   constructor(private readonly workspace: Workspace) {
     this.save = closureSaver(workspace, true, this.problems)
-    this.editor = new PlanEditor(workspace, (hint, kinds, use) => {
-      this.picking.textContent = hint
-      this.picking.hidden = false
-      this.pickedFor = workspace.plan
-      // Chordae of the plan itself are none that it may change.
-      for (const viewer of kinds.includes('chorda') ? [this.before] : [this.before, this.after]) {
-        viewer.picks = kinds
-        viewer.onPick = (pick) => {
-          this.endPicking()
-          use(pick)
-        }
-      }
-    })
+    this.editor = new PlanEditor(workspace, (request) => this.pick(request))
     this.kept = new KeptPlans(workspace)
     this.before.stage.pair(this.after.stage)
     this.looks.onChange = () => this.draw()
     this.looks.onView = (view) => this.before.view(view)
     this.element = h(
       'div',
-      { class: 'sides repair' },
-      h('div', {}, this.editor.element, this.kept.element, this.looks.element),
+      { class: `${parts.sides} ${repairStyle.repair}` },
       h(
         'div',
-        { class: 'stage' },
-        h('h1', { class: 'unseen' }, 'Repair'),
-        h('div', { class: 'row' }, this.looks.views, this.accept, this.save.element),
+        { class: viewerStyle.stage },
+        h('h1', { class: parts.unseen }, 'Repair'),
+        h('div', { class: viewerStyle.tools }, this.looks.views, this.accept, this.save.element),
+        h('div', { class: repairStyle.outcome }, this.headline, this.said),
         this.picking,
-        h('div', { class: 'stage-body' }, titled('Before', this.before.element), h('figure', {}, this.afterTitle, this.after.element)),
-        this.said,
         this.problems,
+        h(
+          'div',
+          { class: `${viewerStyle.stageBody} ${repairStyle.both}` },
+          h('figure', {}, h('figcaption', {}, 'Before'), this.before.element, this.insets.before),
+          h('figure', {}, this.afterTitle, this.after.element, this.insets.after),
+        ),
         this.legend,
-        this.insets,
-        this.measures,
       ),
+      h('div', { class: parts.side }, this.editor.element, this.measures, this.kept.element, this.looks.element),
     )
     this.element.addEventListener('keydown', (event) => event.key === 'Escape' && this.endPicking())
     workspace.subscribe(() => this.take())
@@ -82,6 +80,27 @@ export class RepairView implements View {
     this.endPicking()
   }
 
+  /// Chordae of the plan itself are none that it may change.
+  private pick({ hint, kinds, use, list }: PickRequest): void {
+    const end = <T>(then: (value: T) => void): ((value: T) => void) => {
+      return (value) => {
+        this.endPicking()
+        then(value)
+      }
+    }
+    this.picking.replaceChildren(h('span', { role: 'status' }, hint))
+    if (list) {
+      const choice = select([['', list.label], ...list.options], '', end(list.use))
+      choice.setAttribute('aria-label', list.label)
+      this.picking.append(choice)
+    }
+    this.picking.append(button('Cancel', () => this.endPicking()))
+    this.picking.hidden = false
+    this.pickedFor = this.workspace.plan
+    for (const viewer of kinds.includes('chorda') ? [this.before] : [this.before, this.after])
+      Object.assign(viewer, { picks: kinds, onPick: end(use) })
+  }
+
   private endPicking(): void {
     this.picking.hidden = true
     for (const viewer of [this.before, this.after]) Object.assign(viewer, { picks: [], onPick: null })
@@ -91,7 +110,7 @@ export class RepairView implements View {
     const { before, problems, plan, answer_ms, isAnswered } = this.workspace
     if (!before || !this.element.isConnected) return
     if (plan !== this.pickedFor) this.endPicking()
-    this.element.classList.toggle('waiting', !isAnswered)
+    this.element.setAttribute('aria-busy', String(!isAnswered))
     const after = this.workspace.after ?? before
     const isClosed = this.workspace.after !== null
     const look = this.looks.look(isClosed ? [before, after] : [before])
@@ -99,16 +118,23 @@ export class RepairView implements View {
     if (this.before.shown !== before) this.before.set(before, look)
     if (this.after.shown !== after || this.ringed !== ringed) this.after.set(after, look, ringed)
     this.ringed = ringed
-    this.afterTitle.textContent = problems.length > 0 ? 'Not closed: the valve without a repair' : 'Repaired'
+    this.afterTitle.textContent = problems.length > 0 ? 'Repair not closed: the valve is shown without it' : 'Repaired'
     this.editor.update()
     this.kept.update()
     this.accept.disabled = this.save.button.disabled = this.workspace.after === null || !isAnswered
     this.problems.replaceChildren(problemList(problems))
-    this.said.textContent = !isAnswered ? 'closing ...' : answer_ms === null ? '' : `Closed and measured in ${Math.round(answer_ms)} ms.`
+    this.said.textContent = !isAnswered
+      ? 'closing ...'
+      : answer_ms === null
+        ? ''
+        : `Closed and measured in ${Math.round(answer_ms)} ms.`
     const { warnings } = after.closure
+    this.headline.replaceChildren(headline(before, this.workspace.after))
     this.measures.replaceChildren(
       h('h2', {}, 'Measured'),
-      ...(warnings.length > 0 && this.workspace.after ? [h('ul', { class: 'warn' }, ...warnings.map((words) => h('li', {}, words)))] : []),
+      ...(warnings.length > 0 && this.workspace.after
+        ? [h('ul', { class: parts.warn }, ...warnings.map((words) => h('li', {}, words)))]
+        : []),
       measures(before, this.workspace.after),
     )
     this.draw()
@@ -123,16 +149,19 @@ export class RepairView implements View {
     this.after.show(look)
     this.legend.replaceChildren(legend(look.mode, look.scale))
     const { cut } = look
-    const sections = [titled('Before', sectionInset(before, cut ?? 0))]
-    if (this.workspace.after) sections.push(titled('Repaired', sectionInset(after, cut ?? 0)))
-    this.insets.replaceChildren(...(cut === null ? [] : sections))
+    this.insets.before.hidden = cut === null
+    this.insets.after.hidden = cut === null || this.workspace.after === null
+    if (cut === null) return
+    this.insets.before.replaceChildren(sectionInset(before, cut))
+    this.insets.after.replaceChildren(sectionInset(after, cut))
   }
 
-  private keep(): void {
-    this.workspace.keep(`plan ${this.workspace.kept.length + 1}`)
+  private async keep(): Promise<void> {
+    try {
+      const { kept, isNew } = await this.workspace.keep(`plan ${this.workspace.kept.length + 1}`)
+      this.said.textContent = isNew ? `Kept as “${kept.name}”.` : `This repair is kept already, as “${kept.name}”.`
+    } catch (error) {
+      this.problems.replaceChildren(problemList(problemsOf(error)))
+    }
   }
-}
-
-function titled(title: string, viewer: Element): HTMLElement {
-  return h('figure', {}, h('figcaption', {}, title), viewer)
 }

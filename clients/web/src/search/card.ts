@@ -9,6 +9,8 @@ import { downloadButton, meshDownload, reportLink, saveJson } from '../jobs/down
 import { evidence } from './evidence'
 import { doubts, marginWords, meanAndSd } from './figures'
 import type { Pictures } from './pictures'
+import parts from '../style/parts.module.css'
+import searchStyle from './search.module.css'
 
 export interface Card {
   element: HTMLElement
@@ -41,7 +43,7 @@ export function picture(job: Job, plan: RankedPlan, pictures: Pictures): HTMLEle
 export function planCard(plan: RankedPlan, context: CardContext): Card {
   const { job, workspace } = context
   const told = h('div', {})
-  const said = h('span', { class: 'hint', role: 'status' })
+  const said = h('span', { class: parts.hint, role: 'status' })
   const choose = h('input', { type: 'checkbox' })
   const name = `coapt-plan-${plan.rank}`
   const path = planPath(job, plan)
@@ -57,55 +59,55 @@ export function planCard(plan: RankedPlan, context: CardContext): Card {
   const tryByHand = () =>
     take(async () => {
       const closing = workspace.setPlan(plan.plan.steps)
-      location.hash = '#repair'
+      location.hash = '#/repair'
       await closing
     })
   const keep = async (): Promise<void> => {
-    workspace.keep(`Rank ${plan.rank}: ${inWords(plan)}`, plan.plan, await valveOf(job))
-    said.textContent = 'Kept; it is in the list of the view Repair.'
+    const { kept, isNew } = await workspace.keep(`Rank ${plan.rank}: ${inWords(plan)}`, plan.plan, await valveOf(job))
+    said.textContent = isNew ? 'Kept: see the list in the Repair view.' : `Kept before as “${kept.name}”.`
   }
 
   /// Its name tells the plan, for those who hear it alone.
   const of = <E extends HTMLElement>(element: E): E => {
-    element.append(h('span', { class: 'unseen' }, ` plan ${plan.rank}`))
+    element.append(h('span', { class: parts.unseen }, ` plan ${plan.rank}`))
     return element
   }
-  const more = h('details', { class: 'more' }, of(h('summary', {}, 'Evidence')))
+  const more = h('details', { class: parts.more }, of(h('summary', {}, 'Evidence')))
   more.addEventListener('toggle', () => {
     if (more.open && more.children.length === 1) more.append(evidence(plan, context.signal))
   })
 
   const element = h(
     'article',
-    { class: 'panel plan', 'aria-label': `Plan of rank ${plan.rank}` },
+    { class: `${parts.panel} ${searchStyle.plan}`, 'data-part': 'plan', 'aria-label': `Plan of rank ${plan.rank}` },
     picture(job, plan, context.pictures),
     h(
       'div',
-      { class: 'about' },
+      { class: searchStyle.about },
       h(
         'div',
-        { class: 'row head' },
+        { class: `${parts.row} ${searchStyle.head}` },
         h('h3', {}, `${plan.rank}.`),
         ...badges(plan),
-        h('label', { class: 'check compare' }, choose, of(h('span', {}, 'Compare'))),
+        h('label', { class: `${parts.check} ${searchStyle.compare}` }, choose, of(h('span', {}, 'Compare'))),
       ),
       h(
         'ul',
-        { class: 'steps' },
+        { class: searchStyle.steps, 'data-part': 'steps' },
         ...(plan.description.length > 0 ? plan.description : ['no repair']).map((step) => h('li', {}, step)),
       ),
       figures(plan),
       warnings(plan),
       h(
         'div',
-        { class: 'row' },
-        of(button('Try by hand', () => void tryByHand(), { class: 'primary' })),
+        { class: parts.row },
+        of(button('Try by hand', () => void tryByHand(), { class: parts.primary })),
         of(button('Keep', () => void keep())),
         said,
       ),
       h(
         'div',
-        { class: 'row downloads', role: 'group', 'aria-label': `Downloads of plan ${plan.rank}` },
+        { class: parts.row, role: 'group', 'aria-label': `Downloads of plan ${plan.rank}` },
         reportLink('Report', `${path}/report`, `${name}.html`, told),
         meshDownload(path, name, told),
         button('Plan (JSON)', () => saveJson(`${name}.json`, plan.plan)),
@@ -127,9 +129,9 @@ function badges(plan: RankedPlan): HTMLElement[] {
     mean !== null &&
     sd !== null &&
     mean + sd < 1
-  const badge = (words: string, tone: string) => h('span', { class: `badge ${tone}` }, words)
+  const badge = (words: string, tone: string) => h('span', { class: `${parts.badge} ${parts[tone]}` }, words)
   return [
-    ...(robust ? [badge('✓ robust', 'good')] : [badge('! not known to close robustly', 'warn')]),
+    ...(robust ? [badge('✓ robust', 'good')] : [badge('! not shown to close robustly', 'warn')]),
     ...(plan.tie_with_next ? [badge('= ties with the next', 'soft')] : []),
     ...(plan.pareto ? [badge('Pareto', 'soft')] : []),
   ]
@@ -139,7 +141,7 @@ function figures(plan: RankedPlan): HTMLElement {
   const { measure } = plan
   const entries: [string, string][] = [
     ['Leak over the region', meanAndSd(plan.leak_mm2)],
-    ['its 95th percentile', withUnit(plan.leak_mm2.p95, 'mm²')],
+    ['Leak, 95th percentile', withUnit(plan.leak_mm2.p95, 'mm²')],
     ['Orifice over the region', meanAndSd(plan.orifice_area_mm2)],
     [
       'Orifice, gap as planned',
@@ -147,14 +149,14 @@ function figures(plan: RankedPlan): HTMLElement {
     ],
     ['Margin to leak', marginWords(plan.margin_to_leak)],
     [
-      'Coaptation, mean (least)',
+      'Coaptation, mean (minimum)',
       `${withUnit(measure.coaptation.height_mean_mm, 'mm')} (${withUnit(measure.coaptation.height_min_mm, 'mm')})`,
     ],
     ['Highest chordal tension', withUnit(measure.tension_max_n, 'N', 2)],
   ]
   return h(
     'dl',
-    { class: 'plan-figures' },
+    { class: searchStyle.planFigures },
     ...entries.map(([label, value]) => h('div', {}, h('dt', {}, label), h('dd', {}, value))),
   )
 }
@@ -162,5 +164,5 @@ function figures(plan: RankedPlan): HTMLElement {
 function warnings(plan: RankedPlan): HTMLElement | null {
   const said = [...doubts(plan), ...plan.warnings]
   if (said.length === 0) return null
-  return h('ul', { class: 'warnings' }, ...said.map((warning) => h('li', {}, warning)))
+  return h('ul', { class: searchStyle.warnings }, ...said.map((warning) => h('li', {}, warning)))
 }

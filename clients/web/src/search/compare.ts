@@ -6,6 +6,8 @@ import { h, type Child } from '../dom'
 import { inWords, picture, type CardContext } from './card'
 import { leakMap, mapsMost } from './evidence'
 import { FIGURES, judge, shownFigure, tieWords, type Figure } from './figures'
+import parts from '../style/parts.module.css'
+import searchStyle from './search.module.css'
 
 /// `a` is ranked before `b`.
 export function comparison(a: RankedPlan, b: RankedPlan, all: RankedPlan[], context: CardContext): HTMLElement {
@@ -17,10 +19,10 @@ export function comparison(a: RankedPlan, b: RankedPlan, all: RankedPlan[], cont
     h('div', {}, h('h3', {}, `Rank ${plan.rank}`), ...plan.leak_map.map((map) => leakMap(map, most)))
   return h(
     'section',
-    { class: 'panel comparison', 'aria-label': `Ranks ${a.rank} and ${b.rank} compared` },
+    { class: `${parts.panel} ${searchStyle.comparison}`, 'aria-label': `Ranks ${a.rank} and ${b.rank} compared` },
     h('h2', { tabindex: -1 }, `Ranks ${a.rank} and ${b.rank} compared`),
     tie && h('p', {}, h('strong', {}, tie)),
-    h('div', { class: 'two' }, side(a), side(b)),
+    h('div', { class: searchStyle.two }, side(a), side(b)),
     dataTable(
       'Figures of both plans',
       [
@@ -31,7 +33,7 @@ export function comparison(a: RankedPlan, b: RankedPlan, all: RankedPlan[], cont
       ],
       FIGURES.map((figure) => row(figure, a, b)),
     ),
-    a.leak_map.length + b.leak_map.length > 0 && h('div', { class: 'two' }, maps(a), maps(b)),
+    a.leak_map.length + b.leak_map.length > 0 && h('div', { class: searchStyle.two }, maps(a), maps(b)),
     a.leak_map.length + b.leak_map.length > 0 && heatScale(most, 'mm² in both'),
   )
 }
@@ -39,12 +41,12 @@ export function comparison(a: RankedPlan, b: RankedPlan, all: RankedPlan[], cont
 function row(figure: Figure, a: RankedPlan, b: RankedPlan): Child[] {
   const verdict = judge(figure, a, b)
   const cell = (plan: RankedPlan, better: boolean) =>
-    h('span', { class: better ? 'good better' : null }, better && '✓ ', shownFigure(figure, plan))
+    h('span', { class: better && `${parts.good} ${searchStyle.better}` }, better && '✓ ', shownFigure(figure, plan))
   const words = {
     first: `rank ${a.rank}`,
     second: `rank ${b.rank}`,
     same: 'the same',
-    within: `no difference to rely on: ${figure.blur?.why ?? ''}`,
+    within: `not a reliable difference: ${figure.blur?.why ?? ''}`,
     unknown: 'not known',
   }[verdict]
   return [figure.label, cell(a, verdict === 'first'), cell(b, verdict === 'second'), words]

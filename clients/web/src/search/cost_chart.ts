@@ -22,14 +22,14 @@ export function costChart(series: Series[], signal: AbortSignal): DrawnChart {
 
 export function costSummary(series: Series[]): string {
   const [ours, random] = series.map((one) => one.y.at(-1))
-  if (ours === undefined) return 'Nothing yet.'
-  return `At the end ${number(ours, 2)} mm²; expected of random search: ${number(random, 2)} mm².`
+  if (ours === undefined) return 'No plan yet.'
+  return `At the end ${number(ours, 2)} mm²; a random search is expected to reach ${number(random, 2)} mm².`
 }
 
 /// While it runs.
 export function liveSeries(progress: JobProgress[]): Series[] {
   const line = (of: (now: JobProgress) => number | null | undefined): CostPoint[] =>
-    progress.map((now) => ({ closures: now.evaluations, cost: of(now) ?? null })).filter((point) => point.cost !== null)
+    progress.map((now) => ({ closures: now.closures, cost: of(now) ?? null })).filter((point) => point.cost !== null)
   return costSeries(
     line((now) => now.best_cost),
     line((now) => now.random_cost),

@@ -7,6 +7,8 @@ import type { Hue } from '../charts/colours'
 import { h, type Child } from '../dom'
 import { number, percent, words } from '../format'
 import { meanAndSd } from './figures'
+import parts from '../style/parts.module.css'
+import searchStyle from './search.module.css'
 
 const LEAST_SCALE_MM2 = 1 // a map of next to nothing is not shaded as if it leaked
 
@@ -19,7 +21,9 @@ const signed = (value: number, digits: number) => (value > 0 ? '+' : '') + numbe
 /// `most`: mm2, end of the scale, so that maps can be compared.
 export function leakMap(map: LeakMap, most: number): HTMLElement {
   const muscle =
-    map.muscle === 'both' ? 'Both muscles alike' : `${map.muscle[0]?.toUpperCase()}${map.muscle.slice(1)} suture alone`
+    map.muscle === 'both'
+      ? 'Both muscles, same error'
+      : `${map.muscle[0]?.toUpperCase()}${map.muscle.slice(1)} suture alone`
   return heatMap({
     title: `${muscle}: leak, mm².`,
     unit: 'mm²',
@@ -34,7 +38,7 @@ export function leakMap(map: LeakMap, most: number): HTMLElement {
 export function evidence(plan: RankedPlan, signal: AbortSignal): HTMLElement {
   return h(
     'div',
-    { class: 'evidence' },
+    { class: searchStyle.evidence },
     ...maps(plan),
     ...remodelling(plan, signal),
     ...sobol(plan),
@@ -47,14 +51,14 @@ function maps(plan: RankedPlan): Child[] {
   const most = mapsMost([plan])
   const alone = plan.independent_leak_mm2
   return [
-    h('h4', {}, 'Leak when suture length and muscle are not quite as planned'),
-    h('div', { class: 'maps' }, ...plan.leak_map.map((map) => leakMap(map, most))),
+    h('h4', {}, 'Leak when suture length and muscle position deviate from the plan'),
+    h('div', { class: searchStyle.maps }, ...plan.leak_map.map((map) => leakMap(map, most))),
     heatScale(most, 'mm²'),
     alone.mean !== null &&
       h(
         'p',
-        { class: 'hint' },
-        `With an error of its own for each suture the leak is ${meanAndSd(alone)}, at worst ${number(alone.worst)} mm².`,
+        { class: parts.hint },
+        `If each suture has its own error, the leak is ${meanAndSd(alone)}, at worst ${number(alone.worst)} mm².`,
       ),
   ]
 }
@@ -65,7 +69,7 @@ function remodelling(plan: RankedPlan, signal: AbortSignal): Node[] {
   const ends = curves.map((curve) => `${curve.direction} ${number(curve.leak_mm2.at(-1))} mm²`).join('; ')
   const chart = lineChart(
     {
-      title: 'Leak if the papillary muscles go on moving',
+      title: 'Leak if the ventricle remodels further',
       summary: `Leak at the end of further remodelling: ${ends}.`,
       x: { label: 'further remodelling, mm' },
       y: { label: 'leak, mm²' },
@@ -91,10 +95,10 @@ function sobol(plan: RankedPlan): Node[] {
   const { first, total } = plan.sobol
   if (AXES.every(([axis]) => total[axis] === null)) return []
   return [
-    h('h4', {}, 'Which error decides'),
+    h('h4', {}, 'Which error matters most'),
     dataTable(
       'Shares of the leak’s variance (Sobol indices)',
-      [{ label: 'error of' }, { label: 'alone', numeric: true }, { label: 'with others', numeric: true }],
+      [{ label: 'error of' }, { label: 'alone', numeric: true }, { label: 'with interactions', numeric: true }],
       AXES.map(([axis, label]) => [label, percent(first[axis]), percent(total[axis])]),
     ),
   ]
@@ -116,7 +120,12 @@ function gates(list: Gate[]): Node[] {
       [{ label: 'rule' }, { label: 'verdict' }, { label: 'finding' }, { label: 'source' }],
       list.map((gate) => {
         const [verdict, tone] = VERDICTS[gate.severity]
-        return [words(gate.rule), h('span', { class: `verdict ${tone}` }, verdict), gate.finding, gate.source]
+        return [
+          words(gate.rule),
+          h('span', { class: `${parts.verdict} ${parts[tone]}`, 'data-part': 'verdict' }, verdict),
+          gate.finding,
+          gate.source,
+        ]
       }),
     ),
   ]

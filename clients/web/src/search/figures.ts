@@ -2,7 +2,7 @@
 import type { RankedPlan } from '../api/types'
 import { number, withUnit } from '../format'
 
-// One closure of one plan is not known better than this (README: "Speed against accuracy").
+// One closure of one plan is not known better than this (docs/researcher/accuracy.md, "Other equilibria").
 const CLOSURE_MM2 = 0.5
 const FARTHEST = { suture_length_mm: 1, angle_deg: 5 } // borders of the region of interest
 
@@ -17,7 +17,7 @@ export interface Figure {
   blur?: { of(a: RankedPlan, b: RankedPlan): number; why: string }
 }
 
-const oneClosure = { of: () => CLOSURE_MM2, why: `below the ${CLOSURE_MM2} mm² that one closure can tell` }
+const oneClosure = { of: () => CLOSURE_MM2, why: `below the ${CLOSURE_MM2} mm² accuracy of one closure` }
 const spread = {
   of: (a: RankedPlan, b: RankedPlan) => Math.max(a.leak_mm2.sd ?? 0, b.leak_mm2.sd ?? 0),
   why: 'within the spread over the region',
@@ -32,16 +32,23 @@ export const FIGURES: Figure[] = [
     better: 'lower',
     blur: spread,
   },
-  { label: 'its sd', unit: 'mm²', digits: 2, value: (p) => p.leak_mm2.sd, better: 'lower' },
+  { label: 'Leak over the region, sd', unit: 'mm²', digits: 2, value: (p) => p.leak_mm2.sd, better: 'lower' },
   {
-    label: 'its 95th percentile',
+    label: 'Leak over the region, 95th percentile',
     unit: 'mm²',
     digits: 1,
     value: (p) => p.leak_mm2.p95,
     better: 'lower',
     blur: oneClosure,
   },
-  { label: 'its worst', unit: 'mm²', digits: 1, value: (p) => p.leak_mm2.worst, better: 'lower', blur: oneClosure },
+  {
+    label: 'Leak over the region, worst',
+    unit: 'mm²',
+    digits: 1,
+    value: (p) => p.leak_mm2.worst,
+    better: 'lower',
+    blur: oneClosure,
+  },
   {
     label: 'Orifice over the region, mean',
     unit: 'mm²',
@@ -90,7 +97,7 @@ export const FIGURES: Figure[] = [
     better: 'higher',
   },
   {
-    label: 'Coaptation height, least',
+    label: 'Coaptation height, minimum',
     unit: 'mm',
     digits: 1,
     value: (p) => p.measure.coaptation.height_min_mm,
@@ -98,7 +105,7 @@ export const FIGURES: Figure[] = [
   },
   { label: 'Highest chordal tension', unit: 'N', digits: 2, value: (p) => p.measure.tension_max_n, better: 'lower' },
   {
-    label: 'Papillary movement, larger',
+    label: 'Largest papillary movement',
     unit: 'mm',
     digits: 1,
     value: (p) => Math.max(p.anterolateral_movement_mm, p.posteromedial_movement_mm),
@@ -106,7 +113,7 @@ export const FIGURES: Figure[] = [
   },
   { label: 'Ring sizes below the annulus', unit: '', digits: 1, value: (p) => p.ring_sizes_below, better: 'lower' },
   { label: 'Steps', unit: '', digits: 0, value: (p) => p.steps, better: 'lower' },
-  { label: 'Cost of the search', unit: 'mm²', digits: 2, value: (p) => p.cost, better: 'lower' },
+  { label: 'Search cost', unit: 'mm²', digits: 2, value: (p) => p.cost, better: 'lower' },
 ]
 
 export function shownFigure(figure: Figure, plan: RankedPlan): string {
@@ -147,7 +154,7 @@ export function marginWords(margin: RankedPlan['margin_to_leak']): string {
 /// What is not to be relied on.
 export function doubts(plan: RankedPlan): string[] {
   const found: string[] = []
-  if (plan.status !== 'converged') found.push(`The closure did not settle (${plan.status.replace('_', ' ')}).`)
+  if (plan.status !== 'converged') found.push(`The closure did not converge (${plan.status.replace('_', ' ')}).`)
   if (plan.crossing) found.push('Leaflets pass through each other.')
   if (plan.region_failures > 0)
     found.push(`${plan.region_failures} of ${plan.region_closures} closures over the region failed and are left out.`)
@@ -161,7 +168,7 @@ export function tieWords(a: RankedPlan, b: RankedPlan, all: RankedPlan[]): strin
   if (between.length === 0) return null
   const ties = between.every((plan) => plan.tie_with_next)
   if (between.length > 1)
-    return ties ? `Each plan from rank ${a.rank} to ${b.rank} ties with the next: their order says little.` : null
+    return ties ? `Plans ranked ${a.rank} to ${b.rank} tie, each with the next: their order means little.` : null
   const ahead = a.probability_outranks_next
   const likely = ahead === null ? '' : `; rank ${a.rank} is ahead with a probability of ${number(100 * ahead, 0)} %`
   return ties

@@ -5,6 +5,8 @@ import { button, field, h } from '../dom'
 import type { Asked, JobForm } from '../jobs/job_view'
 import { problemList } from '../problems'
 import * as options from './options'
+import jobsStyle from '../jobs/jobs.module.css'
+import parts from '../style/parts.module.css'
 
 export function searchForm(start: (search: Asked) => void): JobForm {
   const inputs = new Map<options.NumberOption, HTMLInputElement>()
@@ -13,9 +15,9 @@ export function searchForm(start: (search: Asked) => void): JobForm {
   const slots = new Map<string, HTMLElement>() // pointer -> where its problems are shown
   const rest = h('div', {})
   const valve = h('strong', {}, 'opening ...')
-  const steps = h('span', { class: 'unit' })
+  const steps = h('span', { class: parts.unit })
   const fixed = h('input', { type: 'checkbox', disabled: true })
-  const go = h('button', { type: 'submit', class: 'primary' }, 'Start the search')
+  const go = h('button', { type: 'submit', class: parts.primary }, 'Start the search')
   let plan: Plan | null = null
 
   function slot(pointer: string): HTMLElement {
@@ -36,9 +38,9 @@ export function searchForm(start: (search: Asked) => void): JobForm {
     inputs.set(option, input)
     return h(
       'div',
-      { class: 'option' },
+      { class: jobsStyle.option, 'data-part': 'option' },
       field(option.label, input, option.unit),
-      option.hint && h('p', { class: 'hint' }, option.hint),
+      option.hint && h('p', { class: parts.hint }, option.hint),
       slot(option.pointer),
     )
   }
@@ -48,9 +50,9 @@ export function searchForm(start: (search: Asked) => void): JobForm {
     switches.set(option, input)
     return h(
       'div',
-      { class: 'option' },
+      { class: jobsStyle.option, 'data-part': 'option' },
       check(option.label, input),
-      option.hint && h('p', { class: 'hint' }, option.hint),
+      option.hint && h('p', { class: parts.hint }, option.hint),
       slot(option.pointer),
     )
   }
@@ -73,12 +75,23 @@ export function searchForm(start: (search: Asked) => void): JobForm {
 
   const element = h(
     'form',
-    { class: 'panel search-form', 'aria-label': 'Options of a search', novalidate: true },
+    {
+      class: `${parts.panel} ${jobsStyle.form}`,
+      'data-part': 'form',
+      'aria-label': 'Options of a search',
+      novalidate: true,
+    },
     h('h2', {}, 'Search for repairs of ', valve),
     ...options.BUDGET.map(numberField),
     switchField(options.EVIDENCE),
-    h('div', { class: 'option' }, check('Keep the steps tried by hand', fixed), steps, slot('/rules/fixed')),
-    section('Stop earlier', ...options.STOPS.map(numberField)),
+    h(
+      'div',
+      { class: jobsStyle.option, 'data-part': 'option' },
+      check('Keep the steps tried by hand', fixed),
+      steps,
+      slot('/rules/fixed'),
+    ),
+    section('Stop early', ...options.STOPS.map(numberField)),
     section(
       'Allowed',
       allowed,
@@ -86,9 +99,13 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       slot('/rules/forbidden'),
     ),
     section('Limits of the steps', ...options.LIMITS.map(numberField)),
-    section('Weights', h('p', { class: 'hint' }, 'Prices in mm² of leak.'), ...options.WEIGHTS.map(numberField)),
+    section(
+      'Weights',
+      h('p', { class: parts.hint }, 'Each weight is a cost in mm² of leak.'),
+      ...options.WEIGHTS.map(numberField),
+    ),
     rest,
-    h('div', { class: 'row' }, go, button('Defaults', reset, { class: 'quiet' })),
+    h('div', { class: parts.row }, go, button('Defaults', reset, { class: parts.quiet })),
   )
   element.addEventListener('submit', (event) => {
     event.preventDefault()
@@ -120,7 +137,7 @@ export function searchForm(start: (search: Asked) => void): JobForm {
     }
     const others = placed(null)
     rest.replaceChildren(...(others.length > 0 ? [problemList(others)] : []))
-    element.querySelector('.problems')?.scrollIntoView({ block: 'nearest' })
+    element.querySelector('[data-part=problems]')?.scrollIntoView({ block: 'nearest' })
   }
 
   return {
@@ -133,8 +150,8 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       if (count === 0) fixed.checked = false
       steps.textContent =
         count === 0
-          ? 'None at present.'
-          : `${count} ${count === 1 ? 'step' : 'steps'} of the present plan in every plan.`
+          ? 'The present plan has no steps.'
+          : `Every plan contains the ${count === 1 ? 'step' : `${count} steps`} of the present plan.`
     },
     complain,
     busy(is) {
@@ -144,9 +161,9 @@ export function searchForm(start: (search: Asked) => void): JobForm {
 }
 
 function check(label: string, input: HTMLInputElement): HTMLElement {
-  return h('label', { class: 'check' }, input, h('span', {}, label))
+  return h('label', { class: parts.check }, input, h('span', {}, label))
 }
 
-function section(title: string, ...parts: HTMLElement[]): HTMLElement {
-  return h('details', { class: 'more' }, h('summary', {}, title), ...parts)
+function section(title: string, ...fields: HTMLElement[]): HTMLElement {
+  return h('details', { class: parts.more }, h('summary', {}, title), ...fields)
 }

@@ -12,6 +12,7 @@ import type { DrawnChart } from '../charts/line_chart'
 import type { CardContext } from './card'
 import { costChart, costSummary, liveSeries } from './cost_chart'
 import { searchResults } from './results'
+import parts from '../style/parts.module.css'
 
 const REDRAW_MS = 250 // of the chart while progress comes in
 
@@ -25,8 +26,8 @@ export function searchPanel(first: Job, context: SearchPanelContext): HTMLElemen
   const body = h('div', {})
   const curves = h(
     'section',
-    { class: 'panel', 'aria-label': 'Best cost so far' },
-    h('p', { class: 'hint' }, 'The best cost so far is drawn here as soon as plans are scored.'),
+    { class: parts.panel, 'aria-label': 'Best cost so far' },
+    h('p', { class: parts.hint }, 'The best cost so far appears here once plans are scored.'),
   )
   const seen: JobProgress[] = []
   let panel: ProgressPanel | null = null
@@ -36,11 +37,15 @@ export function searchPanel(first: Job, context: SearchPanelContext): HTMLElemen
 
   function change(job: Job): void {
     context.changed(job)
-    if (hasEnded(job.state)) return void end(job)
-    if (panel) return panel.change(job)
-    panel = progressPanel(job, 'search')
-    body.replaceChildren(panel.element, curves)
-    draw()
+    if (hasEnded(job.state)) {
+      void end(job)
+    } else if (panel) {
+      panel.change(job)
+    } else {
+      panel = progressPanel(job, 'search')
+      body.replaceChildren(panel.element, curves)
+      draw()
+    }
   }
 
   /// There is nothing to draw before the first plans are scored.
@@ -65,12 +70,12 @@ export function searchPanel(first: Job, context: SearchPanelContext): HTMLElemen
     clearTimeout(redraw)
     if (job.state === 'FAILED')
       return body.replaceChildren(
-        h('section', { class: 'panel' }, h('h2', {}, 'The search failed'), problemList(job.problems)),
+        h('section', { class: parts.panel }, h('h2', {}, 'The search failed'), problemList(job.problems)),
       )
-    if (!job.links['result'])
-      return body.replaceChildren(h('p', { class: 'panel' }, 'It was cancelled before it had found anything.'))
+    if (!job.links.result)
+      return body.replaceChildren(h('p', { class: parts.panel }, 'The search was cancelled before it found a plan.'))
     try {
-      const result = await getJson<SearchResult>(job.links['result'], context.signal)
+      const result = await getJson<SearchResult>(job.links.result, context.signal)
       body.replaceChildren(searchResults(result, { ...context, job }))
     } catch (error) {
       if (!context.signal.aborted) complain(error)
@@ -78,11 +83,11 @@ export function searchPanel(first: Job, context: SearchPanelContext): HTMLElemen
   }
 
   function complain(error: unknown): void {
-    body.replaceChildren(h('section', { class: 'panel' }, problemList(problemsOf(error))))
+    body.replaceChildren(h('section', { class: parts.panel }, problemList(problemsOf(error))))
   }
 
   followJob(first.id, { progress, changed: change }, context.signal).catch((error: unknown) => {
     if (!context.signal.aborted) complain(error)
   })
-  return h('div', { class: 'search-job' }, title, body)
+  return h('div', {}, title, body)
 }

@@ -23,7 +23,7 @@ export const BUDGET: NumberOption[] = [
     most: 1_000_000,
     step: INTEGER,
     fallback: DEFAULT_CLOSURES,
-    hint: 'Spent on searching; ranking comes on top.',
+    hint: 'For the search itself; ranking takes more.',
   },
   { pointer: '/plans', label: 'Ranked plans', least: 1, most: 50, step: INTEGER, fallback: 5 },
   {
@@ -33,7 +33,7 @@ export const BUDGET: NumberOption[] = [
     most: 1089,
     step: INTEGER,
     fallback: 1089,
-    hint: 'Small errors of execution that each ranked plan is closed with, of 1,089.',
+    hint: 'Small errors of execution with which each ranked plan is closed, out of 1,089.',
   },
   {
     pointer: '/seed',
@@ -55,7 +55,7 @@ export const STOPS: NumberOption[] = [
     most: 1_000_000,
     step: 0.1,
     fallback: null,
-    hint: 'Its last 40 % is spent on ranking.',
+    hint: 'The last 40 % is for ranking.',
   },
   {
     pointer: '/no_improvement',
@@ -121,19 +121,19 @@ const weight = (name: string, label: string, fallback: number): NumberOption => 
 })
 
 export const WEIGHTS: NumberOption[] = [
-  weight('leak', 'Leak, per mm² of mean + share of sd', 1),
-  weight('sd_share', 'Share of the sd beside the mean', 1),
-  weight('incompetence', 'Leak above 1 mm², more per mm²', 5),
-  weight('margin', 'A plan that leaks at once', 1),
+  weight('leak', 'Leak, per mm² of mean + weighted sd', 1),
+  weight('sd_share', 'Weight of the sd in that sum', 1),
+  weight('incompetence', 'Leak above 1 mm², extra per mm²', 5),
+  weight('margin', 'No margin to leak', 1),
   weight('coaptation', 'Coaptation below 8 mm, per mm', 0.5),
-  weight('gap', 'Leaflets apart, per mm', 2),
+  weight('gap', 'Distance between leaflets, per mm', 2),
   weight('movement', 'Papillary movement, per mm', 0.2),
-  weight('movement_above_10', 'Movement above 10 mm, more per mm', 1),
+  weight('movement_above_10', 'Movement above 10 mm, extra per mm', 1),
   weight('undersizing', 'Undersizing, per ring size', 0.5),
-  weight('undersizing_above_4', 'Above 4 sizes, more per size', 2),
+  weight('undersizing_above_4', 'Above 4 sizes, extra per size', 2),
   weight('step', 'Each step of the operation', 1),
-  weight('tension', 'Chordal tension above today’s, per N', 1),
-  weight('untrusted', 'Closures that failed, by share', 10_000),
+  weight('tension', 'Chordal tension above that before repair, per N', 1),
+  weight('untrusted', 'Share of failed closures', 10_000),
 ]
 
 export interface Switch {
@@ -213,7 +213,10 @@ function put(search: Record<string, unknown>, pointer: string, value: unknown): 
   const names = pointer.slice(1).split('/')
   const last = names.pop() as string
   let place = search
-  for (const name of names) place = (place[name] ??= {}) as Record<string, unknown>
+  for (const name of names) {
+    place[name] ??= {}
+    place = place[name] as Record<string, unknown>
+  }
   place[last] = value
 }
 

@@ -1,6 +1,8 @@
 // Pictures of plans: fetched once, since images cannot carry a token, and given back when `signal` aborts.
 import { getBlob } from '../api/http'
 import { h } from '../dom'
+import parts from '../style/parts.module.css'
+import searchStyle from './search.module.css'
 
 export class Pictures {
   private readonly urls = new Map<string, Promise<string>>()
@@ -14,14 +16,14 @@ export class Pictures {
   /// Before and after, as the atrium sees it; says so where there is none.
   image(path: string, alt: string): HTMLElement {
     const image = h('img', { alt, width: 1300, height: 1210 })
-    const frame = h('a', { class: 'picture', target: '_blank', title: 'Open it in full size' }, image)
+    const frame = h('a', { class: searchStyle.picture, target: '_blank', title: 'Open at full size' }, image)
     const url = this.urls.get(path) ?? getBlob(path).then((blob) => URL.createObjectURL(blob))
     this.urls.set(path, url)
     url.then(
       (found) => {
         if (!this.signal.aborted) image.src = frame.href = found
       },
-      () => frame.replaceChildren(h('p', { class: 'hint' }, 'The picture did not come.')),
+      () => frame.replaceChildren(h('p', { class: parts.hint }, 'The picture could not be loaded.')),
     )
     return frame
   }

@@ -8,20 +8,23 @@ import { inWords, planCard, type CardContext } from './card'
 import { comparison } from './compare'
 import { costChart, endedSeries } from './cost_chart'
 import { downloadButton, reportLink } from '../jobs/downloads'
+import jobsStyle from '../jobs/jobs.module.css'
+import parts from '../style/parts.module.css'
+import searchStyle from './search.module.css'
 
 const STOPS: Record<string, string> = {
-  evaluation_limit: 'It spent all closures it was given.',
-  exhausted: 'Nothing was left to try.',
-  no_improvement: 'No better plan came for as long as was asked.',
-  target_reached: 'A plan was good enough.',
-  time_limit: 'Its time was over.',
-  cancelled: 'It was cancelled; this is the best so far.',
+  evaluation_limit: 'The search used all its closures.',
+  exhausted: 'No plan was left that was worth trying.',
+  no_improvement: 'The search found no better plan within the set number of closures.',
+  target_reached: 'A plan reached the target.',
+  time_limit: 'The search reached its time limit.',
+  cancelled: 'The search was cancelled; this is the best so far.',
 }
 
 export function searchResults(result: SearchResult, context: CardContext): HTMLElement {
   return h(
     'div',
-    { class: 'results' },
+    { class: jobsStyle.results },
     overview(result, context),
     ...ranked(result.plans, context),
     ...rest(result, context),
@@ -44,27 +47,32 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
     ? h(
         'p',
         {},
-        h('span', { class: 'badge good' }, '✓'),
-        ' A plan closes the valve also when the surgeon’s hand varies.',
+        h('span', { class: `${parts.badge} ${parts.good}` }, '✓'),
+        ' At least one plan closes the valve even with small errors of execution.',
       )
     : h(
         'p',
         {},
-        h('span', { class: 'badge warn' }, '!'),
-        ' No plan is known to close the valve also when the surgeon’s hand varies.',
+        h('span', { class: `${parts.badge} ${parts.warn}` }, '!'),
+        ' No plan is known to close the valve with small errors of execution.',
       )
   return h(
     'section',
-    { class: 'panel', 'aria-label': 'The search' },
+    { class: parts.panel, 'aria-label': 'The search' },
     verdict,
     before.status !== 'converged' &&
-      h('p', { class: 'warn' }, 'The valve as it is did not settle: its figures are not to be relied on.'),
-    before.crossing && h('p', { class: 'warn' }, 'Leaflets of the valve as it is pass through each other.'),
-    h('dl', { class: 'figures' }, ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value)))),
-    h('p', { class: 'hint' }, STOPS[result.stop] ?? result.stop),
+      h('p', { class: parts.warn }, 'The closure before repair did not converge: do not trust its figures.'),
+    before.crossing &&
+      h('p', { class: parts.warn }, 'Before repair, leaflets pass through each other: do not trust the figures.'),
+    h(
+      'dl',
+      { class: parts.figures },
+      ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
+    ),
+    h('p', { class: parts.hint }, STOPS[result.stop] ?? result.stop),
     h(
       'div',
-      { class: 'row', role: 'group', 'aria-label': 'Downloads of the search' },
+      { class: parts.row, role: 'group', 'aria-label': 'Downloads of the search' },
       reportLink('Report of the search', `${path}/report`, 'coapt-search.html', told),
       downloadButton('Result (JSON)', `${path}/result`, 'coapt-search.json', told),
     ),
@@ -77,8 +85,8 @@ function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
     return [
       h(
         'p',
-        { class: 'panel' },
-        'No plan was ranked: the search ended before it had one, or every plan is against a rule.',
+        { class: parts.panel },
+        'No plan was ranked: the search ended before it found one, or every plan breaks a rule.',
       ),
     ]
   const compared = h('div', { 'aria-live': 'polite' })
@@ -86,7 +94,7 @@ function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
   const cards = plans.map((plan) => planCard(plan, context))
   const hint = h(
     'p',
-    { class: 'hint' },
+    { class: parts.hint },
     'Choose two plans to compare them. Leak: the larger of the orifice seen from the atrium and the gap between the leaflets. Region: small errors of execution around the plan.',
   )
 
@@ -108,7 +116,7 @@ function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
     if (a && b) compared.replaceChildren(comparison(a, b, plans, context))
     else
       compared.replaceChildren(
-        ...(a ? [h('p', { class: 'panel' }, `Rank ${a.rank} is chosen: choose another one to compare it with.`)] : []),
+        ...(a ? [h('p', { class: parts.panel }, `Rank ${a.rank} is chosen: choose another to compare it with.`)] : []),
       )
     if (a && b) compared.scrollIntoView({ block: 'start' })
   }
@@ -116,7 +124,7 @@ function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
   return [
     h(
       'h2',
-      { class: 'plans-title' },
+      { class: searchStyle.plansTitle },
       plans.length === 1 ? 'One ranked plan' : `${plans.length} ranked plans, best first`,
     ),
     hint,
@@ -126,16 +134,16 @@ function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
 }
 
 function rest(result: SearchResult, context: CardContext): HTMLElement[] {
-  const parts: HTMLElement[] = []
+  const sections: HTMLElement[] = []
   if (result.progress.length > 0) {
     const chart = costChart(endedSeries(result.progress, result.random_progress), context.signal)
-    parts.push(h('section', { class: 'panel', 'aria-label': 'How the search went' }, chart.element))
+    sections.push(h('section', { class: parts.panel, 'aria-label': 'How the search went' }, chart.element))
   }
   if (result.pareto_front.length > 0)
-    parts.push(
+    sections.push(
       listed(
         'Pareto front',
-        'No other plan that was tried is as good in mean, sd, steps and undersizing, and better in one.',
+        'The plans tried that are Pareto-optimal in mean leak, its sd, number of steps and undersizing.',
         dataTable(
           'Pareto front',
           [
@@ -158,7 +166,7 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
       ),
     )
   if (result.cut.length > 0)
-    parts.push(
+    sections.push(
       listed(
         'What was left out',
         '',
@@ -169,13 +177,13 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
         ),
       ),
     )
-  return parts
+  return sections
 }
 
 function listed(title: string, hint: string, table: HTMLElement): HTMLElement {
   return h(
     'section',
-    { class: 'panel' },
-    h('details', { class: 'more' }, h('summary', {}, title), hint && h('p', { class: 'hint' }, hint), table),
+    { class: parts.panel },
+    h('details', { class: parts.more }, h('summary', {}, title), hint && h('p', { class: parts.hint }, hint), table),
   )
 }

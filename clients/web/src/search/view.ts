@@ -1,5 +1,4 @@
 // Searches for repair plans of the open valve.
-import '../style/search.css'
 import { h } from '../dom'
 import { JobView, type JobKind } from '../jobs/job_view'
 import { grouped } from '../jobs/progress_panel'
@@ -9,6 +8,7 @@ import { searchForm } from './form'
 import { searchPanel } from './job_panel'
 import { DEFAULT_CLOSURES } from './options'
 import { Pictures } from './pictures'
+import parts from '../style/parts.module.css'
 
 export class SearchView implements View {
   readonly element: HTMLElement
@@ -21,7 +21,7 @@ export class SearchView implements View {
       member: 'search',
       earlier: 'Earlier searches',
       form: searchForm,
-      note: (search) => `${grouped(Number(search['evaluations'] ?? DEFAULT_CLOSURES))} closures`,
+      note: (search) => `${grouped(Number(search.evaluations ?? DEFAULT_CLOSURES))} closures`,
       empty: empty(),
       panel(job, changed, signal) {
         return searchPanel(job, { workspace, pictures: new Pictures(signal), signal, changed })
@@ -44,17 +44,17 @@ function empty(): HTMLElement {
     h('h1', {}, 'Search'),
     h(
       'div',
-      { class: 'panel' },
+      { class: parts.panel },
       h(
         'p',
         {},
-        'coapt tries rings, papillary sutures and neochordae on the open valve and ranks the best plans by how they close ' +
-          'it, also when the surgeon’s hand varies.',
+        'coapt tries rings, papillary sutures and neochordae on this valve and ranks the best plans by how well they ' +
+          'close it, including with small errors of execution.',
       ),
       h(
         'p',
         {},
-        'The defaults are sensible: about half a minute on two cores. A search goes on while you do something else, also ' +
+        'With the defaults a search takes about half a minute on two cores. It continues while you work elsewhere, even ' +
           'when this page is closed.',
       ),
     ),

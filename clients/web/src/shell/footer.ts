@@ -1,6 +1,7 @@
 // What every view says: for research only, and what the model leaves out.
 import { version } from '../api/calls'
 import { h } from '../dom'
+import shellStyle from './shell.module.css'
 
 export function footer(): HTMLElement {
   const build = h('span', {}, '')
@@ -10,11 +11,11 @@ export function footer(): HTMLElement {
       build.textContent = `coapt ${answer.version}`
       list.append(...answer.not_modelled.map((sentence) => h('li', {}, sentence)))
     },
-    () => list.append(h('li', {}, 'The service did not say.')),
+    () => list.append(h('li', {}, 'The service did not answer.')),
   )
   return h(
     'footer',
-    { class: 'notice' },
+    { class: shellStyle.notice },
     h('p', {}, h('strong', {}, 'Research use only, not a medical device; not for clinical decisions. '), build),
     h('details', {}, h('summary', {}, 'What is not modelled'), list),
   )

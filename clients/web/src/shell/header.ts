@@ -1,43 +1,48 @@
 // Brand, views, the open valve, the theme.
-import { button, h } from '../dom'
+import { h } from '../dom'
+import { iconButton } from '../icons'
 import type { Workspace } from '../workspace'
-
-export const VIEWS = [
-  ['valve', 'Valve'],
-  ['repair', 'Repair'],
-  ['search', 'Search'],
-  ['studies', 'Studies'],
-] as const
-export type ViewName = (typeof VIEWS)[number][0]
-
-const THEME = 'coapt-theme'
+import { applyTheme, switchTheme } from './theme'
+import { VIEWS, type ViewName } from './views'
+import shellStyle from './shell.module.css'
 
 export interface Header {
   element: HTMLElement
   mark(view: ViewName): void
+  lead(addressOf: (view: ViewName) => string): void // where the links lead
   complain(message: string): void
 }
 
-export function header(workspace: Workspace): Header {
+export function header(workspace: Workspace, openPalette: () => void): Header {
   const links = new Map<ViewName, HTMLElement>()
   const nav = h('nav', { 'aria-label': 'Views' })
   for (const [name, label] of VIEWS) {
-    const link = h('a', { href: `#${name}` }, label)
+    const link = h('a', { href: `#/${name}` }, label)
     links.set(name, link)
     nav.append(link)
   }
-  const valve = h('span', { class: 'open-valve', 'aria-live': 'polite' }, 'opening a valve ...')
+  const valve = h(
+    'span',
+    { class: shellStyle.openValve, 'data-part': 'open-valve', 'aria-live': 'polite' },
+    'opening a valve ...',
+  )
   workspace.subscribe(() => {
     if (workspace.valve) valve.textContent = workspace.valve.label
   })
-  applyTheme(localStorage.getItem(THEME))
+  applyTheme()
   const element = h(
     'header',
-    { class: 'bar' },
-    h('span', { class: 'brand' }, h('img', { src: '/favicon.svg', alt: '', width: 24, height: 24 }), 'coapt'),
+    { class: shellStyle.bar },
+    h(
+      'span',
+      { class: shellStyle.brand },
+      h('img', { src: '/favicon.svg', alt: '', width: 24, height: 24 }),
+      h('span', {}, 'coapt'),
+    ),
     nav,
     valve,
-    button('Light or dark', switchTheme, { class: 'quiet theme' }),
+    iconButton('palette', 'Find anything (Ctrl+K)', openPalette),
+    iconButton('theme', 'Light or dark', switchTheme),
   )
   return {
     element,
@@ -47,22 +52,11 @@ export function header(workspace: Workspace): Header {
         else link.removeAttribute('aria-current')
       }
     },
+    lead(addressOf) {
+      for (const [name, link] of links) link.setAttribute('href', addressOf(name))
+    },
     complain(message) {
       valve.textContent = message
     },
   }
-}
-
-function applyTheme(theme: string | null): void {
-  if (theme === null) delete document.documentElement.dataset['theme']
-  else document.documentElement.dataset['theme'] = theme
-}
-
-/// The other one than what is shown now; the system's choice holds until then.
-function switchTheme(): void {
-  const system = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'
-  const theme = (document.documentElement.dataset['theme'] ?? system) === 'dark' ? 'light' : 'dark'
-  localStorage.setItem(THEME, theme)
-  applyTheme(theme)
-  document.dispatchEvent(new Event('themechange'))
 }

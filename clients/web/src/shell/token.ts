@@ -1,5 +1,6 @@
 // Asks for the service's token, when it wants one.
 import { button, field, h } from '../dom'
+import parts from '../style/parts.module.css'
 
 let open: Promise<string | null> | null = null
 
@@ -15,10 +16,10 @@ function ask(): Promise<string | null> {
     const dialog = h(
       'dialog',
       { 'aria-label': 'Token' },
-      h('h2', {}, 'This service asks for a token'),
+      h('h2', {}, 'This service requires a token'),
       field('Token', input),
-      h('p', { class: 'hint' }, 'It is kept until this tab is closed.'),
-      button('Go on', () => dialog.close(input.value.trim()), { class: 'primary' }),
+      h('p', { class: parts.hint }, 'It is kept until this tab is closed.'),
+      button('Continue', () => dialog.close(input.value.trim()), { class: parts.primary }),
     )
     input.addEventListener('keydown', (event) => event.key === 'Enter' && dialog.close(input.value.trim()))
     dialog.addEventListener('close', () => {

@@ -6,12 +6,13 @@ import { h } from '../dom'
 import { number } from '../format'
 import { distinct, numberIn, type Row } from './csv'
 import { DILATED } from './thesis'
+import chartsStyle from '../charts/charts.module.css'
 
 const LEAST_MM2 = 5 // smaller orifices give wild shares
 
 export function annulusFigure(rows: Row[], signal: AbortSignal): HTMLElement {
   const heights = distinct(rows, 'annular_height_percent')
-  const of = (height: string) => rows.filter((row) => row['annular_height_percent'] === height)
+  const of = (height: string) => rows.filter((row) => row.annular_height_percent === height)
   const areas: Series[] = heights.map((height, i) => ({
     label: `height ${height} %`,
     hue: i as Hue,
@@ -24,7 +25,7 @@ export function annulusFigure(rows: Row[], signal: AbortSignal): HTMLElement {
   const last = full?.y.at(-1)
   return h(
     'div',
-    { class: 'charts' },
+    { class: chartsStyle.charts },
     lineChart(
       {
         title: 'Orifice of a dilated and flattened annulus',
@@ -40,7 +41,7 @@ export function annulusFigure(rows: Row[], signal: AbortSignal): HTMLElement {
     ).element,
     lineChart(
       {
-        title: 'What flattening leaves of the orifice',
+        title: 'Effect of flattening on the orifice',
         summary: 'Orifice of the flattened annulus in percent of that with its full height, at the same dilation.',
         x: dilation,
         y: { label: 'share of the orifice, %' },

@@ -7,6 +7,9 @@ import { number, percent, words } from '../format'
 import { classesIn, classTitle } from './classes'
 import { distinct, mean, numberIn, type Row } from './csv'
 import { histogram } from './histogram'
+import chartsStyle from '../charts/charts.module.css'
+import parts from '../style/parts.module.css'
+import studiesStyle from './studies.module.css'
 
 const BINS = 16
 const MEASURES = [
@@ -20,18 +23,18 @@ export function approximationFigure(rows: Row[], signal: AbortSignal): HTMLEleme
   const protocols = distinct(rows, 'protocol')
   let [protocol = ''] = protocols
   let measure: Measure = MEASURES[0][0]
-  const charts = h('div', { class: 'charts' })
+  const charts = h('div', { class: chartsStyle.charts })
   let drawn = new AbortController()
   signal.addEventListener('abort', () => drawn.abort())
 
   function draw(): void {
     drawn.abort()
     drawn = new AbortController()
-    const of = rows.filter((row) => row['protocol'] === protocol)
+    const of = rows.filter((row) => row.protocol === protocol)
     charts.replaceChildren(
       ...classesIn(of).map((name) =>
         samplesChart(
-          of.filter((row) => row['class'] === name),
+          of.filter((row) => row.class === name),
           name,
           measure,
           drawn.signal,
@@ -51,12 +54,12 @@ export function approximationFigure(rows: Row[], signal: AbortSignal): HTMLEleme
     {},
     h(
       'p',
-      { class: 'hint' },
-      'How many displaced configurations have, after their repair, a region of interest of such a mean (or sd): the further left, the better the anchor.',
+      { class: parts.hint },
+      'Number of displaced configurations by the mean (or sd) of the orifice over their region of interest after repair: further left is better.',
     ),
     h(
       'div',
-      { class: 'slice-choice' },
+      { class: studiesStyle.sliceChoice },
       field(
         'Protocol',
         select(
@@ -81,7 +84,7 @@ export function approximationFigure(rows: Row[], signal: AbortSignal): HTMLEleme
 function samplesChart(rows: Row[], name: string, measure: Measure, signal: AbortSignal): HTMLElement {
   const anchors = distinct(rows, 'anchor')
   const samples = anchors.map((anchor) =>
-    rows.filter((row) => row['anchor'] === anchor).map((row) => numberIn(row, measure)),
+    rows.filter((row) => row.anchor === anchor).map((row) => numberIn(row, measure)),
   )
   const { edges, counts } = histogram(samples, BINS)
   const means = anchors.map((anchor, i) => `${anchor} ${number(mean(samples[i] ?? []))} mm²`).join(', ')
@@ -116,7 +119,7 @@ export function anchorsTable(rows: Row[]): HTMLElement {
     ['suture_mm', 'suture, mm'],
   ] as const
   return dataTable(
-    'Anchors; mm², slopes in mm² per mm of the tip’s way',
+    'Anchors; mm², slopes in mm² per mm of tip movement',
     [
       { label: 'protocol' },
       { label: 'displaced' },
@@ -126,10 +129,10 @@ export function anchorsTable(rows: Row[]): HTMLElement {
       { label: 'outside the grid', numeric: true },
     ],
     rows.map((row) => [
-      row['protocol'],
-      row['class'],
-      row['anchor'],
-      `${row['repaired'] ?? ''} of ${row['configurations'] ?? ''}`,
+      row.protocol,
+      row.class,
+      row.anchor,
+      `${row.repaired ?? ''} of ${row.configurations ?? ''}`,
       ...columns.map(([column]) => figure(numberIn(row, column))),
       percent(numberIn(row, 'clamped_share')),
     ]),
@@ -138,8 +141,8 @@ export function anchorsTable(rows: Row[]): HTMLElement {
 
 /// anchor-scan.csv: mean and sd once around the annulus, by class; `levels` are trigone and saddle peak.
 export function scanFigure(rows: Row[], levels: Row[], signal: AbortSignal): HTMLElement {
-  const protocol = rows[0]?.['protocol'] ?? ''
-  const same = levels.filter((row) => row['protocol'] === protocol)
+  const protocol = rows[0]?.protocol ?? ''
+  const same = levels.filter((row) => row.protocol === protocol)
   const panels = (
     [
       ['mean_mm2', 'mean orifice, mm²'],
@@ -151,10 +154,10 @@ export function scanFigure(rows: Row[], levels: Row[], signal: AbortSignal): HTM
     {},
     h(
       'p',
-      { class: 'hint' },
-      'Place: share of the annulus from the posteromedial commissure, 0, over the saddle peak, 0.25, and the anterolateral commissure, 0.5; for the anterolateral muscle mirrored.',
+      { class: parts.hint },
+      'Position: share of the annulus from the posteromedial commissure (0) over the saddle peak (0.25) to the anterolateral commissure (0.5) and on; mirrored for the anterolateral muscle.',
     ),
-    h('div', { class: 'charts' }, ...panels),
+    h('div', { class: chartsStyle.charts }, ...panels),
   )
 }
 
@@ -167,7 +170,7 @@ function scanChart(
   signal: AbortSignal,
 ): HTMLElement {
   const of = rows
-    .filter((row) => row['class'] === name)
+    .filter((row) => row.class === name)
     .sort((a, b) => (numberIn(a, 'around') ?? 0) - (numberIn(b, 'around') ?? 0))
   const known = of.map((row) => ({ at: numberIn(row, 'around') ?? 0, value: numberIn(row, column) }))
   if (known[0]?.at === 0) known.push({ ...known[0], at: 1 }) // once around
@@ -178,15 +181,15 @@ function scanChart(
   return lineChart(
     {
       title: classTitle(name),
-      summary: `Least: ${number(least.value)} mm² at ${number(least.at, 2)}.`,
-      x: { label: 'place of the anchor', lowest: 0, highest: 1 },
+      summary: `Minimum: ${number(least.value)} mm² at ${number(least.at, 2)}.`,
+      x: { label: 'anchor position', lowest: 0, highest: 1 },
       y: { label },
       series: [
         { label: 'on the annulus', hue: 2, x: known.map(({ at }) => at), y: known.map(({ value }) => value) },
         ...levels
-          .filter((row) => row['class'] === name)
+          .filter((row) => row.class === name)
           .map((row, i) => ({
-            label: row['anchor'] ?? '',
+            label: row.anchor ?? '',
             hue: i as Hue,
             look: 'dashed' as const,
             x: [0, 1],

@@ -15,5 +15,5 @@ export function classTitle(name: string): string {
 
 /// Those of them that a table has.
 export function classesIn(rows: Row[]): string[] {
-  return CLASSES.filter((name) => rows.some((row) => row['class'] === name))
+  return CLASSES.filter((name) => rows.some((row) => row.class === name))
 }

@@ -4,6 +4,7 @@ import { dataTable } from '../charts/data_table'
 import { h } from '../dom'
 import { seconds } from '../format'
 import { grouped } from '../jobs/progress_panel'
+import parts from '../style/parts.module.css'
 
 const MOST_OPEN = 6 // a longer table stands folded above the figures
 
@@ -18,14 +19,18 @@ export function findingsTable(result: StudyResult): HTMLElement {
   ]
   return h(
     'section',
-    { class: 'panel', 'aria-label': 'Findings' },
+    { class: parts.panel, 'aria-label': 'Findings' },
     h('h2', {}, 'Findings of the thesis on this valve'),
-    h('dl', { class: 'figures' }, ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value)))),
+    h(
+      'dl',
+      { class: parts.figures },
+      ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
+    ),
     findings.length === 0
       ? h('p', {}, 'None: no displacement leaks enough to be repaired.')
       : h(
           'details',
-          { class: 'more', open: findings.length <= MOST_OPEN },
+          { class: parts.more, open: findings.length <= MOST_OPEN },
           h(
             'summary',
             {},
@@ -39,7 +44,7 @@ export function findingsTable(result: StudyResult): HTMLElement {
               { label: 'thesis' },
               { label: 'here' },
               { label: 'verdict' },
-              { label: 'judged by' },
+              { label: 'criterion' },
             ],
             findings.map((finding) => [
               finding.finding.replaceAll('-', ' ').replace('/', ': '),
@@ -56,6 +61,6 @@ export function findingsTable(result: StudyResult): HTMLElement {
 
 function verdict(finding: Finding): HTMLElement {
   return finding.agrees
-    ? h('span', { class: 'verdict good' }, '✓ agrees')
-    : h('span', { class: 'verdict warn' }, '≠ differs')
+    ? h('span', { class: `${parts.verdict} ${parts.good}`, 'data-part': 'verdict' }, '✓ agrees')
+    : h('span', { class: `${parts.verdict} ${parts.warn}`, 'data-part': 'verdict' }, '≠ differs')
 }

@@ -4,6 +4,9 @@ import { field, h, select } from '../dom'
 import type { Asked, JobForm } from '../jobs/job_view'
 import { problemList } from '../problems'
 import { DEFAULT_PROTOCOLS, hasAnchors, PROTOCOLS, STUDIES, studyOf, type StudyName } from './options'
+import jobsStyle from '../jobs/jobs.module.css'
+import parts from '../style/parts.module.css'
+import studiesStyle from './studies.module.css'
 
 export function studyForm(start: (study: Asked) => void): JobForm {
   let name: StudyName = 'annulus'
@@ -11,7 +14,10 @@ export function studyForm(start: (study: Asked) => void): JobForm {
   const valve = h('strong', {}, 'opening ...')
   const protocols = PROTOCOLS.map(([word, label]) => {
     const input = h('input', { type: 'checkbox', value: word, checked: DEFAULT_PROTOCOLS.includes(word) })
-    return { input, label: h('label', { class: 'check' }, input, h('span', {}, h('strong', {}, word), `: ${label}`)) }
+    return {
+      input,
+      label: h('label', { class: parts.check }, input, h('span', {}, h('strong', {}, word), `: ${label}`)),
+    }
   })
   const points = h('input', { type: 'number', min: 17, max: 1089, placeholder: 'default' })
   const sites = h('input', { type: 'number', min: 0, max: 360, placeholder: 'default' })
@@ -33,7 +39,7 @@ export function studyForm(start: (study: Asked) => void): JobForm {
     h(
       'fieldset',
       {},
-      h('legend', {}, 'How positions get their orifice'),
+      h('legend', {}, 'Orifice of each position'),
       ...protocols.map(({ label }) => label),
       slots.get('/study/protocols'),
     ),
@@ -41,22 +47,27 @@ export function studyForm(start: (study: Asked) => void): JobForm {
     slots.get('/study/displacement_step_mm'),
     field('Region points', points),
     slots.get('/study/region_points'),
-    field('Anchors around', sites),
+    field('Anchors around the annulus', sites),
     slots.get('/study/scan_sites'),
   )
-  const go = h('button', { type: 'submit', class: 'primary' }, 'Start the study')
+  const go = h('button', { type: 'submit', class: parts.primary }, 'Start the study')
   const which = select(STUDIES, name, (chosen) => {
     name = chosen as StudyName
     anchors.hidden = !hasAnchors(name)
   })
   const element = h(
     'form',
-    { class: 'panel search-form study-form', 'aria-label': 'A study', novalidate: true },
+    {
+      class: `${parts.panel} ${jobsStyle.form} ${studiesStyle.studyForm}`,
+      'data-part': 'form',
+      'aria-label': 'A study',
+      novalidate: true,
+    },
     h('h2', {}, 'Study ', valve),
     field('Study', which),
     anchors,
     rest,
-    h('div', { class: 'row' }, go),
+    h('div', { class: parts.row }, go),
   )
   element.addEventListener('submit', (event) => {
     event.preventDefault()
@@ -65,8 +76,8 @@ export function studyForm(start: (study: Asked) => void): JobForm {
         name,
         protocols: protocols.filter(({ input }) => input.checked).map(({ input }) => input.value),
         displacement_step_mm: step_mm,
-        region_points: valueOf(points),
-        scan_sites: valueOf(sites),
+        region_points: numberOf(points),
+        scan_sites: numberOf(sites),
       }),
     )
   })
@@ -88,6 +99,6 @@ function listOf(problems: Problem[]): HTMLElement[] {
   return problems.length > 0 ? [problemList(problems)] : []
 }
 
-function valueOf(input: HTMLInputElement): number | null {
+function numberOf(input: HTMLInputElement): number | null {
   return input.value === '' ? null : Number(input.value)
 }

@@ -5,13 +5,13 @@ export const STUDIES = [
   ['papillary', 'Papillary muscles: displacement'],
   ['ring', 'Undersized rings'],
   ['approximation', 'Papillary sutures: trigone or saddle peak'],
-  ['thesis', 'All of them'],
+  ['thesis', 'All studies'],
 ] as const
 export type StudyName = (typeof STUDIES)[number][0]
 
 export const PROTOCOLS = [
-  ['lookup-clamped', 'looked up, as the thesis did (positions outside the grid as at its border)'],
-  ['lookup-extended', 'looked up in a grid that goes on'],
+  ['lookup-clamped', 'looked up as in the thesis (outside the grid: value at its border)'],
+  ['lookup-extended', 'looked up in an extended grid'],
   ['closed', 'every position closed (slow)'],
   ['optimum', 'each anchor at its own best suture length (slow)'],
 ] as const

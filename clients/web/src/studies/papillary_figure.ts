@@ -9,14 +9,16 @@ import { mean, numberIn, type Row } from './csv'
 import { alone, DIRECTIONS, largestByAxes } from './displacements'
 import { sliceMap } from './slice_map'
 import { AXES, DISPLACED_MM2 } from './thesis'
+import chartsStyle from '../charts/charts.module.css'
+import parts from '../style/parts.module.css'
 
 export function papillaryFigure(rows: Row[], signal: AbortSignal): HTMLElement {
   const classes = classesIn(rows)
-  const of = (name: string) => rows.filter((row) => row['class'] === name)
+  const of = (name: string) => rows.filter((row) => row.class === name)
   return h(
     'div',
     {},
-    h('div', { class: 'charts' }, ...classes.map((name) => axesChart(name, of(name), most(rows), signal))),
+    h('div', { class: chartsStyle.charts }, ...classes.map((name) => axesChart(name, of(name), most(rows), signal))),
     h('h3', {}, 'All displacements'),
     sliceMap({
       title: 'Orifice, mm²,',
@@ -38,7 +40,7 @@ export function papillaryFigure(rows: Row[], signal: AbortSignal): HTMLElement {
       ]),
     ),
     h('h3', {}, 'Largest orifice by displaced axes, mm² (table 4.1)'),
-    h('p', { class: 'hint' }, 'T transverse, P posterior, A apical; the thesis’s valve is not published.'),
+    h('p', { class: parts.hint }, 'T transverse, P posterior, A apical; the thesis’s valve is not published.'),
     dataTable(
       'Largest orifice by class and displaced axes, mm², beside the thesis',
       [{ label: 'displaced' }, ...AXES.map((label) => ({ label, numeric: true }))],
@@ -69,7 +71,7 @@ function axesChart(name: string, rows: Row[], highest: number, signal: AbortSign
   return lineChart(
     {
       title: classTitle(name),
-      summary: `Along one axis alone the orifice ends at: ${ends}.`,
+      summary: `Displaced along one axis, the orifice ends at: ${ends}.`,
       x: { label: 'displacement, mm' },
       y: { label: 'orifice, mm²', highest },
       series,

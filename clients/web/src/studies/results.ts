@@ -10,6 +10,9 @@ import { parseCsv, type Row } from './csv'
 import { findingsTable } from './findings'
 import { papillaryFigure } from './papillary_figure'
 import { ringFigure } from './ring_figure'
+import jobsStyle from '../jobs/jobs.module.css'
+import parts from '../style/parts.module.css'
+import studiesStyle from './studies.module.css'
 
 interface Drawing {
   file: string
@@ -58,7 +61,7 @@ export async function studyResults(job: Job, signal: AbortSignal): Promise<HTMLE
   )
   return h(
     'div',
-    { class: 'results' },
+    { class: jobsStyle.results },
     findingsTable(result),
     ...wanted.map(({ file, title, draw }) =>
       figureSection(title, files, file, draw(tables.get(file) ?? [], tables, signal)),
@@ -72,8 +75,8 @@ function figureSection(title: string, files: JobFile[], name: string, drawn: HTM
   const file = files.find((one) => one.name === name)
   return h(
     'section',
-    { class: 'panel study-figure', 'aria-label': title },
-    h('div', { class: 'row' }, h('h2', {}, title), file && downloadButton(name, file.path, name, told)),
+    { class: `${parts.panel} ${studiesStyle.studyFigure}`, 'data-part': 'study-figure', 'aria-label': title },
+    h('div', { class: parts.row }, h('h2', {}, title), file && downloadButton(name, file.path, name, told)),
     told,
     drawn,
   )
@@ -83,11 +86,11 @@ function fileList(job: Job, files: JobFile[]): HTMLElement {
   const told = h('div', {})
   return h(
     'section',
-    { class: 'panel', 'aria-label': 'Files of the study' },
+    { class: parts.panel, 'aria-label': 'Files of the study' },
     h('h2', {}, 'Files'),
     h(
       'div',
-      { class: 'row' },
+      { class: parts.row },
       reportLink('Report of the study', `/v1/jobs/${job.id}/report`, 'coapt-study.html', told),
       ...files
         .filter(({ name }) => name !== 'index.html')

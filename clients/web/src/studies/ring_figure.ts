@@ -9,13 +9,15 @@ import { numberIn, type Row } from './csv'
 import { places, spread } from './displacements'
 import { sliceMap } from './slice_map'
 import { RING_PERCENT } from './thesis'
+import chartsStyle from '../charts/charts.module.css'
+import parts from '../style/parts.module.css'
 
 const SIZES = [1, 2, 3]
 
 export function ringFigure(rows: Row[], signal: AbortSignal): HTMLElement {
   const classes = classesIn(rows)
   const of = (name: string, size: number) =>
-    rows.filter((row) => row['class'] === name && numberIn(row, 'sizes_below') === size)
+    rows.filter((row) => row.class === name && numberIn(row, 'sizes_below') === size)
   const choices = classes.flatMap((name) =>
     SIZES.map((size): [string, string] => [`${name}:${size}`, `${classTitle(name)}, U${size}`]),
   )
@@ -24,12 +26,12 @@ export function ringFigure(rows: Row[], signal: AbortSignal): HTMLElement {
     {},
     h(
       'p',
-      { class: 'hint' },
+      { class: parts.hint },
       'U1 to U3: a ring one to three sizes below the annulus. Orifice in percent of that under the properly sized one at the same displacement, where that is 1 mm² or more. Median and range over transverse and posterior displacements.',
     ),
     h(
       'div',
-      { class: 'charts' },
+      { class: chartsStyle.charts },
       ...classes.map((name) =>
         ratioChart(
           name,

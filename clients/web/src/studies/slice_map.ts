@@ -3,6 +3,8 @@ import { heatMap, heatScale } from '../charts/heat_map'
 import { field, h, select } from '../dom'
 import type { Row } from './csv'
 import { places, slice } from './displacements'
+import parts from '../style/parts.module.css'
+import studiesStyle from './studies.module.css'
 
 export interface SliceMap {
   title: string
@@ -57,12 +59,12 @@ export function sliceMap(map: SliceMap): HTMLElement {
   draw()
   return h(
     'div',
-    { class: 'slice' },
+    { class: studiesStyle.slice },
     h(
       'div',
-      { class: 'slice-choice' },
+      { class: studiesStyle.sliceChoice },
       field('Shown', chosen),
-      h('label', { class: 'field' }, h('span', {}, 'Apical'), level, shown),
+      h('label', { class: parts.field }, h('span', {}, 'Apical'), level, shown),
     ),
     holder,
     scale,

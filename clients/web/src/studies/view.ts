@@ -1,12 +1,11 @@
 // The thesis's studies of the open valve.
-import '../style/search.css'
-import '../style/studies.css'
 import { h } from '../dom'
 import { JobView, type JobKind } from '../jobs/job_view'
 import type { View } from '../view'
 import type { Workspace } from '../workspace'
 import { studyForm } from './form'
 import { studyPanel } from './job_panel'
+import parts from '../style/parts.module.css'
 
 export class StudiesView implements View {
   readonly element: HTMLElement
@@ -19,7 +18,7 @@ export class StudiesView implements View {
       member: 'study',
       earlier: 'Earlier studies',
       form: studyForm,
-      note: (study) => String(study['name']),
+      note: (study) => String(study.name),
       empty: empty(),
       panel: studyPanel,
     }
@@ -40,12 +39,12 @@ function empty(): HTMLElement {
     h('h1', {}, 'Studies'),
     h(
       'div',
-      { class: 'panel' },
+      { class: parts.panel },
       h(
         'p',
         {},
-        'The studies of the thesis “Fast Surgical Simulation to Improve Mitral Valve Repair”, repeated on the open valve: ' +
-          'each of its findings beside what this valve shows, and its figures to be looked into.',
+        'The studies of the thesis “Fast Surgical Simulation to Improve Mitral Valve Repair”, repeated on this valve: ' +
+          'each finding of the thesis beside what this valve shows, with its figures.',
       ),
       h('p', {}, 'The study of the annulus takes seconds, all of them about a minute on two cores.'),
     ),

@@ -1,20 +1,22 @@
 // Measures straight distances between points that are clicked.
-import { button, h } from '../dom'
+import { h } from '../dom'
 import { withUnit } from '../format'
+import { iconButton } from '../icons'
 import { blend, distance } from '../viewer/geometry'
 import type { Pick } from '../viewer/pick'
 import type { Viewer } from '../viewer/viewer'
+import parts from '../style/parts.module.css'
 
 export class DistanceTool {
   readonly element: HTMLElement
   onResult: () => void = () => {} // its label is in viewer.extra now
   private readonly toggle: HTMLButtonElement
-  private readonly said = h('output', { class: 'hint' })
+  private readonly said = h('output', { class: parts.hint })
   private first: Pick | null = null
 
   constructor(private readonly viewer: Viewer) {
-    this.toggle = button('Measure a distance', () => this.switch(), { 'aria-pressed': 'false' })
-    this.element = h('div', { class: 'row' }, this.toggle, this.said)
+    this.toggle = iconButton('distance', 'Measure a distance', () => this.switch(), { 'aria-pressed': 'false' })
+    this.element = h('div', { class: parts.row }, this.toggle, this.said)
   }
 
   private switch(): void {
@@ -28,7 +30,7 @@ export class DistanceTool {
   /// Of another state of the valve nothing is measured.
   clear(): void {
     this.first = null
-    this.said.textContent = this.viewer.onPick ? 'Click two points: leaflet, annulus or tip.' : ''
+    this.said.textContent = this.viewer.onPick ? 'Click two points on leaflets, annulus or papillary tips.' : ''
     this.viewer.extra = []
     this.viewer.draw([])
     this.onResult()
@@ -38,14 +40,14 @@ export class DistanceTool {
     if (this.first === null) {
       this.clear()
       this.first = pick
-      this.said.textContent = 'And the second point.'
+      this.said.textContent = 'Now click the second point.'
       return
     }
     const [a, b] = [this.first.point_mm, pick.point_mm]
     const text = withUnit(distance(a, b), 'mm')
     this.viewer.draw([...a, ...b])
     this.viewer.extra = [{ point_mm: blend(a, b, 0.5), text, kind: 'distance' }]
-    this.said.textContent = `${text} in a straight line. Click again to measure anew.`
+    this.said.textContent = `${text} in a straight line. Click again to start over.`
     this.first = null
     this.onResult()
   }

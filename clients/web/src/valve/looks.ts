@@ -5,13 +5,15 @@ import { number, withUnit } from '../format'
 import { COLOUR_MODES, scaleOf, type ColourMode } from '../viewer/colours'
 import type { ViewName } from '../viewer/stage'
 import type { Look } from '../viewer/viewer'
+import parts from '../style/parts.module.css'
+import valveStyle from './valve.module.css'
 
-const VIEWS: readonly (readonly [ViewName, string])[] = [
-  ['atrial', 'From the atrium'],
-  ['oblique', 'Oblique'],
-  ['anterior', 'From anterior'],
-  ['lateral', 'From lateral'],
-  ['ventricular', 'From the ventricle'],
+const VIEWS: readonly (readonly [ViewName, short: string, label: string])[] = [
+  ['atrial', 'Atrium', 'From the atrium'],
+  ['oblique', 'Oblique', 'Oblique'],
+  ['anterior', 'Anterior', 'From anterior'],
+  ['lateral', 'Lateral', 'From lateral'],
+  ['ventricular', 'Ventricle', 'From the ventricle'],
 ]
 const CLOSING_MS = 1800
 
@@ -26,7 +28,14 @@ export class Looks {
   private readonly cutting = h('input', { type: 'checkbox', onchange: () => this.onChange() })
   private readonly cut = h('input', { type: 'range', min: 0, max: 36, value: 18, oninput: () => this.cutMoved() })
   private readonly cutText = h('output', {})
-  private readonly closing = h('input', { type: 'range', min: 0, max: 1, step: 0.005, value: 1, oninput: () => this.onChange() })
+  private readonly closing = h('input', {
+    type: 'range',
+    min: 0,
+    max: 1,
+    step: 0.005,
+    value: 1,
+    oninput: () => this.onChange(),
+  })
   private readonly play: HTMLButtonElement
   private started = 0 // of the closing that plays; 0: none
 
@@ -38,19 +47,27 @@ export class Looks {
     })
     this.element = h(
       'fieldset',
-      { class: 'panel looks' },
+      { class: `${parts.panel} ${valveStyle.looks}`, 'data-part': 'looks' },
       h('legend', {}, 'Show'),
       field('Colours', mode),
       field('Names', this.names),
       field('Orifices', this.orifices),
       field('Cut', this.cutting),
-      field('Place of the cut', this.cut),
-      h('p', { class: 'hint cut' }, this.cutText),
+      field('Position of the cut', this.cut),
+      h('p', { class: parts.hint }, this.cutText),
       withMotion && field('Open to closed', this.closing),
-      withMotion && h('p', { class: 'row' }, this.play, h('span', { class: 'hint' }, 'its way, not its time')),
+      withMotion &&
+        h('p', { class: parts.row }, this.play, h('span', { class: parts.hint }, 'the path to rest, not real time')),
     )
-    this.views = h('div', { class: 'row views', role: 'group', 'aria-label': 'Direction of view' })
-    for (const [name, label] of VIEWS) this.views.append(button(label, () => this.onView(name), { class: 'quiet' }))
+    this.views = h('div', {
+      class: valveStyle.views,
+      role: 'group',
+      'aria-label': 'Direction of view',
+    })
+    for (const [name, short, label] of VIEWS)
+      this.views.append(
+        button(short, () => this.onView(name), { class: parts.quiet, title: label, 'aria-label': label }),
+      )
   }
 
   /// For these scenes, which share one scale of colours.
@@ -74,7 +91,7 @@ export class Looks {
 
   private tellCut(scenes: Scene[], cut: number | null): void {
     if (cut === null) {
-      this.cutText.textContent = 'Move it to cut the valve across the line of coaptation.'
+      this.cutText.textContent = 'Move the slider to cut the valve across the line of coaptation.'
       return
     }
     const texts = scenes.map((scene) => {
@@ -89,7 +106,10 @@ export class Looks {
   }
 
   private playOrStop(): void {
-    if (this.started !== 0) return this.stop()
+    if (this.started !== 0) {
+      this.stop()
+      return
+    }
     this.started = performance.now()
     this.play.textContent = 'Stop'
     const step = (now: number): void => {

@@ -2,46 +2,75 @@
 import type { Closure, Scene } from '../api/types'
 import { h } from '../dom'
 import { percent, withUnit } from '../format'
+import type { Term } from '../help/glossary'
+import { term } from '../help/term'
+import parts from '../style/parts.module.css'
+import valveStyle from './valve.module.css'
 
-type Row = readonly [name: string, unit: string, digits: number, value: (c: Closure) => number | null]
+type Row = readonly [name: string, unit: string, digits: number, value: (c: Closure) => number | null, of?: Term]
 
 const ROWS: readonly Row[] = [
-  ['Leak', 'mm²', 1, (c) => c.leak_mm2],
-  ['Orifice from the atrium', 'mm²', 1, (c) => c.orifice_area_mm2],
-  ['Gap between the leaflets', 'mm²', 1, (c) => c.coaptation.gap_area_mm2],
-  ['Coaptation height, mean', 'mm', 1, (c) => c.coaptation.height_mean_mm],
-  ['Coaptation height, least', 'mm', 1, (c) => c.coaptation.height_min_mm],
-  ['Tenting height', 'mm', 1, (c) => c.tenting_height_mm],
-  ['Tenting area', 'mm²', 0, (c) => c.tenting_area_mm2],
+  ['Leak', 'mm²', 1, (c) => c.leak_mm2, 'leak'],
+  ['Orifice (atrial view)', 'mm²', 1, (c) => c.orifice_area_mm2, 'orifice'],
+  ['Gap between the leaflets', 'mm²', 1, (c) => c.coaptation.gap_area_mm2, 'gap'],
+  ['Coaptation height, mean', 'mm', 1, (c) => c.coaptation.height_mean_mm, 'coaptation'],
+  ['Coaptation height, minimum', 'mm', 1, (c) => c.coaptation.height_min_mm, 'coaptation'],
+  ['Tenting height', 'mm', 1, (c) => c.tenting_height_mm, 'tenting_height'],
+  ['Tenting area', 'mm²', 0, (c) => c.tenting_area_mm2, 'tenting_area'],
   ['Annulus, anteroposterior', 'mm', 1, (c) => c.annulus.ap_mm],
   ['Annulus, transverse', 'mm', 1, (c) => c.annulus.al_pm_mm],
   ['Annulus, circumference', 'mm', 0, (c) => c.annulus.circumference_mm],
   ['Annulus, area', 'mm²', 0, (c) => c.annulus.area_mm2],
-  ['Saddle height', 'mm', 1, (c) => c.annulus.saddle_height_mm],
-  ['Highest tension of a chorda', 'N', 2, (c) => c.tension_max_n],
-  ['Tension of all chordae', 'N', 1, (c) => c.tension_sum_n],
+  ['Saddle height', 'mm', 1, (c) => c.annulus.saddle_height_mm, 'saddle'],
+  ['Highest chordal tension', 'N', 2, (c) => c.tension_max_n, 'tension'],
+  ['Total chordal tension', 'N', 1, (c) => c.tension_sum_n, 'tension'],
 ]
 
 export function measures(before: Scene, after: Scene | null): HTMLElement {
-  const head = h('tr', {}, h('td', {}), h('th', { scope: 'col', class: 'number' }, after ? 'Before' : 'Closed'))
-  if (after) head.append(h('th', { scope: 'col', class: 'number' }, 'Repaired'))
-  const table = h('table', { class: 'measures' }, head)
+  const head = h('tr', {}, h('td', {}), h('th', { scope: 'col', class: parts.number }, after ? 'Before' : 'Closed'))
+  if (after) head.append(h('th', { scope: 'col', class: parts.number }, 'Repaired'))
+  const table = h('table', { class: valveStyle.measures, 'data-part': 'measures' }, head)
   const scenes = after ? [before, after] : [before]
-  for (const [name, unit, digits, value] of ROWS)
-    table.append(row(name, scenes.map(({ closure }) => withUnit(value(closure), unit, digits))))
-  table.append(row('Circumferential strain (99 %)', scenes.map(({ closure }) => percent(closure.strain_circumferential_max))))
-  table.append(row('Radial strain (99 %)', scenes.map(({ closure }) => percent(closure.strain_radial_max))))
+  for (const [name, unit, digits, value, of] of ROWS)
+    table.append(
+      row(
+        name,
+        scenes.map(({ closure }) => withUnit(value(closure), unit, digits)),
+        of,
+      ),
+    )
+  table.append(
+    row(
+      'Circumferential strain, 99th percentile',
+      scenes.map(({ closure }) => percent(closure.strain_circumferential_max)),
+      'strain',
+    ),
+  )
+  table.append(
+    row(
+      'Radial strain, 99th percentile',
+      scenes.map(({ closure }) => percent(closure.strain_radial_max)),
+      'strain',
+    ),
+  )
   const names = after ? ['before the repair', 'after it'] : ['of this closure']
   return h('div', {}, ...scenes.map(({ closure }, i) => distrust(closure, names[i] ?? '')), table)
 }
 
-function row(name: string, values: string[]): HTMLElement {
-  return h('tr', {}, h('th', { scope: 'row' }, name), ...values.map((value) => h('td', { class: 'number' }, value)))
+function row(name: string, values: string[], of?: Term): HTMLElement {
+  return h(
+    'tr',
+    {},
+    h('th', { scope: 'row' }, of ? term(of, name) : name),
+    ...values.map((value) => h('td', { class: parts.number }, value)),
+  )
 }
 
 /// Said where the figures do not count; else nothing.
 function distrust(closure: Closure, which: string): HTMLElement | null {
   if (closure.status === 'converged' && !closure.crossing) return null
-  const why = closure.crossing ? 'leaflets pass through each other' : `the closure ended as ${closure.status.replace('_', ' ')}`
-  return h('p', { class: 'bad', role: 'alert' }, `Do not trust the figures ${which}: ${why}.`)
+  const why = closure.crossing
+    ? 'leaflets pass through each other'
+    : `the closure did not converge (${closure.status.replace('_', ' ')})`
+  return h('p', { class: parts.bad, role: 'alert' }, `Do not trust the figures ${which}: ${why}.`)
 }

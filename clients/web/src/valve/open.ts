@@ -1,22 +1,33 @@
-// Opening a valve: one of the presets, or a file dropped or chosen. Problems of a file are shown where they are.
+// Opening a valve: a preset, one that was opened before, or a file dropped or chosen.
 import { presets, problemsOfValve, storeValve } from '../api/calls'
 import type { Problem } from '../api/types'
-import { field, h, select } from '../dom'
+import { field, h } from '../dom'
+import { withUnit } from '../format'
 import { problemList } from '../problems'
+import { nameValve } from '../state/valves'
 import { problemsOf, type ValveSource, type Workspace } from '../workspace'
+import { openedList } from './opened_list'
+import { gradeOf, presetWords } from './presets'
+import parts from '../style/parts.module.css'
+import valveStyle from './valve.module.css'
 
 const CONTEXT = 60 // characters of the file around a problem
 
 export function openPanel(workspace: Workspace): HTMLElement {
   const problems = h('div', {})
-  const said = h('p', { class: 'hint', 'aria-live': 'polite' })
-  const file = h('input', { type: 'file', accept: '.json,application/json', onchange: () => void take(file.files?.[0]) })
+  const said = h('p', { class: parts.hint, 'aria-live': 'polite' })
+  const about = h('p', { class: parts.hint })
+  const file = h('input', {
+    type: 'file',
+    accept: '.json,application/json',
+    onchange: () => void take(file.files?.[0]),
+  })
   const names = h('span', {})
   let choice: HTMLSelectElement | null = null
   let told: ValveSource | null = null // the valve that is said to be open
   presets().then(
     (list) => {
-      choice = select(list.map((name) => [name, name] as const), workspace.valve?.reference ?? '', (name) => void open(name, name))
+      choice = presetChoice(list, (name) => void open(name, name))
       names.replaceChildren(field('Preset', choice))
       tell()
     },
@@ -31,6 +42,8 @@ export function openPanel(workspace: Workspace): HTMLElement {
     if (choice) choice.value = told.reference // of a file: none
     show([], '')
     said.textContent = `${told.label} is open.`
+    const words = presetWords(told.reference)
+    about.textContent = words ? `${words.about} ${withUnit(words.leak_mm2, 'mm²')}, ${gradeOf(words.leak_mm2)}.` : ''
   }
 
   async function open(reference: string, label: string): Promise<void> {
@@ -50,40 +63,62 @@ export function openPanel(workspace: Workspace): HTMLElement {
     try {
       const found = await problemsOfValve(text)
       if (found.length > 0) return show(found, text)
-      await open(await storeValve(text), chosen.name)
+      const id = await storeValve(text)
+      nameValve(id, chosen.name)
+      await open(id, chosen.name)
+      await opened.refresh()
     } catch (error) {
       show(problemsOf(error), text)
     }
   }
 
   function show(found: Problem[], text: string): void {
-    const list = problemList(found)
-    problems.replaceChildren(list)
+    problems.replaceChildren(problemList(found, (pointer) => placeOf(text, pointer)))
     if (found.length === 0) return
-    said.textContent = found.length === 1 ? 'This cannot be opened: one problem.' : `This cannot be opened: ${found.length} problems.`
-    ;[...list.children].forEach((item, i) => {
-      const place = placeOf(text, found[i]?.path ?? '')
-      if (place !== '') item.append(h('pre', {}, place))
-    })
+    said.textContent =
+      found.length === 1 ? 'This cannot be opened: one problem.' : `This cannot be opened: ${found.length} problems.`
   }
 
+  const opened = openedList(workspace, (id, name) => void open(id, name))
   const panel = h(
     'section',
-    { class: 'panel drop', 'aria-label': 'Open a valve' },
+    { class: `${parts.panel} ${valveStyle.drop}`, 'aria-label': 'Open a valve' },
     h('h2', {}, 'Valve'),
     names,
+    about,
     field('Your file', file),
-    h('p', { class: 'hint' }, 'coapt.valve/1, for instance of `coapt valve import`.'),
+    h('p', { class: parts.hint }, 'A valve file of coapt (JSON). Meshes become one with “coapt valve import”.'),
     said,
     problems,
+    opened.element,
   )
-  for (const [name, over] of [['dragover', true], ['dragleave', false], ['drop', false]] as const)
+  for (const [name, over] of [
+    ['dragover', true],
+    ['dragleave', false],
+    ['drop', false],
+  ] as const)
     panel.addEventListener(name, (event) => {
       event.preventDefault()
-      panel.classList.toggle('over', over)
+      panel.toggleAttribute('data-over', over)
       if (event.type === 'drop') void take(event.dataTransfer?.files[0])
     })
   return panel
+}
+
+/// By their plain names, in groups.
+function presetChoice(names: string[], choose: (name: string) => void): HTMLSelectElement {
+  const element = h('select', { onchange: () => choose(element.value) })
+  for (const group of ['Human', 'Porcine', 'Others'] as const) {
+    const of = names.filter((name) => (presetWords(name)?.group ?? 'Others') === group)
+    const options = of.map((name) => h('option', { value: name }, optionOf(name)))
+    if (options.length > 0) element.append(h('optgroup', { label: group }, ...options))
+  }
+  return element
+}
+
+function optionOf(name: string): string {
+  const words = presetWords(name)
+  return words ? `${words.title}: ${gradeOf(words.leak_mm2)}` : name
 }
 
 /// What stands at a JSON pointer in the text of a file, shortened; empty if nothing does.

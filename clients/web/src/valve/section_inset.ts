@@ -4,6 +4,7 @@ import type { Scene, Vector } from '../api/types'
 import { svg } from '../dom'
 import { withUnit } from '../format'
 import { blend, closedNodes, distance, dot, minus, section, type SectionPiece } from '../viewer/geometry'
+import valveStyle from './valve.module.css'
 
 const CONTACT = 1.25 // of the thickness: mid-surfaces nearer than this touch (coaptation.h)
 const MARGIN_MM = 3
@@ -11,7 +12,7 @@ const LETTERS = 26 // heights of a letter across the drawing
 
 export function sectionInset(scene: Scene, index: number): SVGSVGElement {
   const place = scene.sections[index]
-  const drawing = svg('svg', { class: 'section', role: 'img' })
+  const drawing = svg('svg', { class: valveStyle.section, 'data-part': 'section', role: 'img' })
   if (!place) return drawing
   const cut = section(scene, closedNodes(scene), place.point_mm, place.normal)
   const flat = (point: Vector): [number, number] => {
@@ -23,7 +24,9 @@ export function sectionInset(scene: Scene, index: number): SVGSVGElement {
   const [left, top] = [Math.min(...xs) - MARGIN_MM, Math.min(...ys) - 2 * MARGIN_MM]
   const [width, height] = [Math.max(...xs) + MARGIN_MM - left, Math.max(...ys) + MARGIN_MM - top]
   drawing.setAttribute('viewBox', `${left} ${top} ${width} ${height}`)
-  const words = place.contact ? `coaptation ${withUnit(place.height_mm, 'mm')}` : `apart ${withUnit(place.distance_mm, 'mm')}`
+  const words = place.contact
+    ? `coaptation ${withUnit(place.height_mm, 'mm')}`
+    : `apart ${withUnit(place.distance_mm, 'mm')}`
   drawing.setAttribute('aria-label', `Section of the closed valve: ${words}`)
   const anterior = cut.filter(({ face }) => isAnterior(scene, face))
   const posterior = cut.filter(({ face }) => !isAnterior(scene, face))
@@ -35,7 +38,15 @@ export function sectionInset(scene: Scene, index: number): SVGSVGElement {
       const [x1, y1] = flat(piece.from)
       const [x2, y2] = flat(piece.to)
       const touches = others.some((other) => nearness(piece, other) < CONTACT * scene.thickness_mm)
-      drawing.append(svg('line', { x1, y1, x2, y2, class: touches ? `${name} contact` : name }))
+      drawing.append(
+        svg('line', {
+          x1,
+          y1,
+          x2,
+          y2,
+          class: touches ? `${valveStyle[name]} ${valveStyle.contact}` : valveStyle[name],
+        }),
+      )
     }
   const size = width / LETTERS
   const text = (x: number, y: number, anchor: string, said: string, name = ''): SVGTextElement =>
@@ -43,8 +54,8 @@ export function sectionInset(scene: Scene, index: number): SVGSVGElement {
   drawing.append(
     text(left + 0.5 * size, top + 1.2 * size, 'start', 'anterior'),
     text(left + width - 0.5 * size, top + 1.2 * size, 'end', 'posterior'),
-    text(left + width / 2, top + 1.2 * size, 'middle', words, 'result'),
-    svg('line', { x1: left + 1, y1: top + height - 1, x2: left + 11, y2: top + height - 1, class: 'bar' }),
+    text(left + width / 2, top + 1.2 * size, 'middle', words, valveStyle.result),
+    svg('line', { x1: left + 1, y1: top + height - 1, x2: left + 11, y2: top + height - 1, class: valveStyle.bar }),
     text(left + 1, top + height - 1.6, 'start', '10 mm'),
   )
   return drawing

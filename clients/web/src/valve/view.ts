@@ -1,16 +1,20 @@
 // A valve as it is: opened, closing, measured, cut.
-import '../style/viewer.css'
-import { button, download, h } from '../dom'
+import { download, h } from '../dom'
 import { closureSaver } from '../files'
+import { iconButton } from '../icons'
 import type { View } from '../view'
 import { legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
 import type { Workspace } from '../workspace'
 import { DistanceTool } from './distance'
+import { headline } from './headline'
 import { Looks } from './looks'
 import { measures } from './measures'
 import { openPanel } from './open'
 import { sectionInset } from './section_inset'
+import parts from '../style/parts.module.css'
+import valveStyle from './valve.module.css'
+import viewerStyle from '../viewer/viewer.module.css'
 
 const FIRST = 'first valve' // drawn: a mark for who measures the page
 
@@ -20,7 +24,8 @@ export class ValveView implements View {
   private readonly looks = new Looks(true)
   private readonly distance = new DistanceTool(this.viewer)
   private readonly legend = h('div', {})
-  private readonly inset = h('div', { class: 'inset' })
+  private readonly inset = h('div', { class: valveStyle.inset })
+  private readonly headline = h('div', {})
   private readonly measures = h('div', {})
   private share = 1 // of the closing, as it is drawn
 
@@ -31,22 +36,30 @@ export class ValveView implements View {
     this.distance.onResult = () => this.draw()
     this.element = h(
       'div',
-      { class: 'sides' },
+      { class: parts.sides },
       h(
         'div',
-        {},
-        openPanel(workspace),
-        this.looks.element,
-        h('section', { class: 'panel' }, h('h2', {}, 'Measured'), this.measures),
+        { class: viewerStyle.stage },
+        h('h1', { class: parts.unseen }, 'Valve'),
+        h(
+          'div',
+          { class: viewerStyle.tools },
+          this.looks.views,
+          this.distance.element,
+          closureSaver(workspace, false, told).element,
+          iconButton('picture', 'Save picture', () => this.savePicture()),
+        ),
+        this.headline,
+        told,
+        h('div', { class: viewerStyle.stageBody }, this.viewer.element, this.inset),
+        this.legend,
       ),
       h(
         'div',
-        { class: 'stage' },
-        h('h1', { class: 'unseen' }, 'Valve'),
-        h('div', { class: 'row' }, this.looks.views, this.distance.element, closureSaver(workspace, false, told).element, button('Save picture', () => this.savePicture(), { class: 'quiet' })),
-        told,
-        h('div', { class: 'stage-body' }, this.viewer.element, this.inset),
-        this.legend,
+        { class: parts.side },
+        openPanel(workspace),
+        h('section', { class: parts.panel }, h('h2', {}, 'Measured'), this.measures),
+        this.looks.element,
       ),
     )
     workspace.subscribe(() => this.take())
@@ -65,6 +78,7 @@ export class ValveView implements View {
       this.distance.clear()
       this.viewer.stage.drawNow()
       if (performance.getEntriesByName(FIRST).length === 0) performance.mark(FIRST)
+      this.headline.replaceChildren(headline(before, null))
       this.measures.replaceChildren(measures(before, null))
     }
     this.draw()
@@ -76,7 +90,8 @@ export class ValveView implements View {
     const look = this.looks.look([before])
     if (look.share !== this.share) {
       this.share = look.share
-      return this.distance.clear() // and draws
+      this.distance.clear() // and draws
+      return
     }
     this.viewer.show(look)
     this.legend.replaceChildren(legend(look.mode, look.scale))

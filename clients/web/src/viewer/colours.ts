@@ -1,6 +1,6 @@
 // What colours mean. Scales are readable to colour-blind people and in both themes.
 import type { Scene, Segment } from '../api/types'
-import { at, dot, minus } from './geometry'
+import { at, dot, minus, vertexCount } from './geometry'
 
 export type Rgb = [number, number, number] // 0 to 1, sRGB
 
@@ -10,8 +10,8 @@ export const COLOUR_MODES: readonly (readonly [ColourMode, string])[] = [
   ['leaflets', 'Leaflets'],
   ['strain_circumferential', 'Circumferential strain'],
   ['strain_radial', 'Radial strain'],
-  ['height', 'Height over the annular plane'],
-  ['tension', 'Tension of chordae'],
+  ['height', 'Height above the annular plane'],
+  ['tension', 'Chordal tension'],
 ]
 
 const SEGMENTS: Record<Segment, string> = {
@@ -69,15 +69,24 @@ export function scaleOf(mode: ColourMode, scenes: Scene[]): Scale | null {
     case 'strain_radial': {
       const part = mode === 'strain_radial' ? 'radial' : 'circumferential'
       const all = scenes.flatMap((scene) => scene.strain?.[part] ?? [])
-      return { title: `${part} strain of the closed valve`, unit: '%', from: 0, to: 100 * Math.max(upTo(all, 0.99), 0.01), stops: RISING }
+      return {
+        title: `${part} strain of the closed valve`,
+        unit: '%',
+        from: 0,
+        to: 100 * Math.max(upTo(all, 0.99), 0.01),
+        stops: RISING,
+      }
     }
     case 'height': {
-      const most = Math.max(1, ...scenes.map((scene) => upTo(heights(scene, scene.closed_mm ?? scene.rest_mm).map(Math.abs), 0.95)))
-      return { title: 'height over the annular plane', unit: 'mm', from: -most, to: most, stops: BALANCED }
+      const most = Math.max(
+        1,
+        ...scenes.map((scene) => upTo(heights(scene, scene.closed_mm ?? scene.rest_mm).map(Math.abs), 0.95)),
+      )
+      return { title: 'height above the annular plane', unit: 'mm', from: -most, to: most, stops: BALANCED }
     }
     case 'tension': {
       const all = scenes.flatMap((scene) => scene.chordae.flatMap((c) => c.segments.map((s) => s.tension_n ?? 0)))
-      return { title: 'tension of chordae, valve closed', unit: 'N', from: 0, to: Math.max(0.1, ...all), stops: RISING }
+      return { title: 'chordal tension, valve closed', unit: 'N', from: 0, to: Math.max(0.1, ...all), stops: RISING }
     }
   }
 }
@@ -87,22 +96,36 @@ function heights({ plane, rest_mm }: Scene, nodes: ArrayLike<number>): number[] 
 }
 
 /// One colour for each corner of each face; `nodes` is the state that is drawn.
-export function cornerColours(scene: Scene, mode: ColourMode, scale: Scale | null, nodes: ArrayLike<number>): Float32Array {
+export function cornerColours(
+  scene: Scene,
+  mode: ColourMode,
+  scale: Scale | null,
+  nodes: ArrayLike<number>,
+): Float32Array {
   const colours: number[] = []
-  const up = mode === 'height' ? heights(scene, nodes) : []
+  const values = vertexValues(scene, mode, nodes)
   for (let face = 0; face < scene.segments.length; ++face)
     for (let k = 0; k < 3; ++k) {
-      const vertex = scene.faces[3 * face + k] as number
-      colours.push(...faceColour(scene, mode, scale, face, up[vertex] ?? 0))
+      const value = values?.[scene.faces[3 * face + k] as number]
+      if (mode === 'leaflets' || !scale) colours.push(...rgb(SEGMENTS[scene.segments[face] as Segment]))
+      else colours.push(...(value === undefined ? TISSUE : colourOf(scale, value)))
     }
   return Float32Array.from(colours)
 }
 
-function faceColour(scene: Scene, mode: ColourMode, scale: Scale | null, face: number, height: number): Rgb {
-  if (mode === 'leaflets' || !scale) return rgb(SEGMENTS[scene.segments[face] as Segment])
-  if (mode === 'height') return colourOf(scale, height)
-  const strain = scene.strain?.[mode === 'strain_radial' ? 'radial' : 'circumferential'][face]
-  return mode === 'tension' || strain === undefined ? TISSUE : colourOf(scale, 100 * strain)
+/// What a mode shows at each vertex, in the unit of its scale: strain is the mean over the faces around it. Null: nothing.
+export function vertexValues(scene: Scene, mode: ColourMode, nodes: ArrayLike<number>): number[] | null {
+  if (mode === 'height') return heights(scene, nodes)
+  if (mode !== 'strain_radial' && mode !== 'strain_circumferential') return null
+  const strain = scene.strain?.[mode === 'strain_radial' ? 'radial' : 'circumferential']
+  if (!strain) return null
+  const sums = new Float64Array(vertexCount(scene))
+  const counts = new Float64Array(sums.length)
+  for (const [corner, vertex] of scene.faces.entries()) {
+    ;(sums[vertex] as number) += 100 * (strain[Math.floor(corner / 3)] as number)
+    ;(counts[vertex] as number) += 1
+  }
+  return Array.from(sums, (sum, i) => sum / Math.max(counts[i] as number, 1))
 }
 
 const CHORDAE: Record<string, Rgb> = {

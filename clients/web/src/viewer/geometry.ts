@@ -43,13 +43,15 @@ export function chordaLines(scene: Scene, nodes: ArrayLike<number>): number[] {
   const lines: number[] = []
   let branch = vertexCount(scene)
   let heads = branch
-  for (const chorda of scene.chordae)
-    for (const segment of chorda.segments) if (segment.face === undefined) ++heads
+  for (const chorda of scene.chordae) for (const segment of chorda.segments) if (segment.face === undefined) ++heads
   for (const chorda of scene.chordae) {
     const ends: Vector[] = []
     for (const segment of chorda.segments) {
       const start = segment.parent < 0 ? at(nodes, heads + chorda.head) : (ends[segment.parent] as Vector)
-      const end = segment.face === undefined ? at(nodes, branch++) : onFace(scene, nodes, segment.face, segment.weights ?? [1, 0, 0])
+      const end =
+        segment.face === undefined
+          ? at(nodes, branch++)
+          : onFace(scene, nodes, segment.face, segment.weights ?? [1, 0, 0])
       ends.push(end)
       lines.push(...start, ...end)
     }

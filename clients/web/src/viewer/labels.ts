@@ -3,6 +3,7 @@ import { Vector3 } from 'three'
 import type { Vector } from '../api/types'
 import { h } from '../dom'
 import type { Stage } from './stage'
+import viewerStyle from './viewer.module.css'
 
 export interface Label {
   point_mm: Vector
@@ -11,7 +12,7 @@ export interface Label {
 }
 
 export class Labels {
-  readonly element = h('div', { class: 'labels', 'aria-hidden': 'true' })
+  readonly element = h('div', { class: viewerStyle.labels, 'data-part': 'labels', 'aria-hidden': 'true' })
   private placed: { label: Label; node: HTMLElement }[] = []
 
   constructor(private readonly stage: Stage) {
@@ -19,7 +20,10 @@ export class Labels {
   }
 
   set(labels: Label[]): void {
-    this.placed = labels.map((label) => ({ label, node: h('span', { class: label.kind }, label.text) }))
+    this.placed = labels.map((label) => ({
+      label,
+      node: h('span', { class: viewerStyle[label.kind], 'data-part': label.kind }, label.text),
+    }))
     this.element.replaceChildren(...this.placed.map(({ node }) => node))
     this.place()
   }

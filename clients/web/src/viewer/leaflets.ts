@@ -1,9 +1,12 @@
-// The leaflets as a lit surface: corners are not shared between faces, so that each face can have its own colour.
+// The leaflets as a lit, thick surface: corners are not shared between faces, so that each segment has its own colour.
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial, type Plane } from 'three'
 import type { Scene } from '../api/types'
+import { vertexCount } from './geometry'
+import { type ThickSheet, thickSheet, vertexNormals } from './thick_sheet'
 
 export class Leaflets {
   readonly mesh: Mesh<BufferGeometry, MeshLambertMaterial>
+  private readonly sheet: ThickSheet
   private readonly points: Float32Array
   private readonly normals: Float32Array
 
@@ -12,50 +15,53 @@ export class Leaflets {
     private readonly scene: Scene,
     material: MeshLambertMaterial,
   ) {
-    this.points = new Float32Array(3 * scene.faces.length)
-    this.normals = new Float32Array(3 * scene.faces.length)
+    this.sheet = thickSheet(scene)
+    const size = 3 * this.sheet.source.length
+    this.points = new Float32Array(size)
+    this.normals = new Float32Array(size)
     const geometry = new BufferGeometry()
     geometry.setAttribute('position', new BufferAttribute(this.points, 3))
     geometry.setAttribute('normal', new BufferAttribute(this.normals, 3))
-    geometry.setAttribute('color', new BufferAttribute(new Float32Array(this.points.length).fill(0.8), 3))
+    geometry.setAttribute('color', new BufferAttribute(new Float32Array(size).fill(0.8), 3))
     this.mesh = new Mesh(geometry, material)
   }
 
-  /// Lights and places the surface; normals are those of vertices, from the faces around them.
+  /// Of Scene.faces, that the drawn triangle belongs to.
+  faceOf(triangle: number): number {
+    return Math.floor((this.sheet.source[3 * triangle] as number) / 3)
+  }
+
+  /// Lights and places the surface.
   move(nodes: Float32Array): void {
-    const { faces, rest_mm } = this.scene
-    const { points } = this
-    const sums = new Float32Array(rest_mm.length)
-    for (let corner = 0; corner < faces.length; ++corner) {
-      const vertex = 3 * (faces[corner] as number)
-      for (let k = 0; k < 3; ++k) points[3 * corner + k] = nodes[vertex + k] as number
-    }
-    for (let i = 0; i < points.length; i += 9) {
-      const [ax, ay, az, bx, by, bz, cx, cy, cz] = points.subarray(i, i + 9) as unknown as number[] as [
-        number, number, number, number, number, number, number, number, number,
-      ]
-      const [ux, uy, uz, vx, vy, vz] = [bx - ax, by - ay, bz - az, cx - ax, cy - ay, cz - az]
-      const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx]
-      for (let k = 0; k < 3; ++k) {
-        const vertex = 3 * (faces[i / 3 + k] as number)
-        for (let axis = 0; axis < 3; ++axis) (sums[vertex + axis] as number) += normal[axis] as number
+    const { faces, thickness_mm } = this.scene
+    const { source, sides, rim } = this.sheet
+    const upwards = vertexNormals(faces, nodes, vertexCount(this.scene))
+    for (let corner = 0; corner < source.length; ++corner) {
+      const vertex = 3 * (faces[source[corner] as number] as number)
+      const side = sides[corner] as number
+      for (let axis = 0; axis < 3; ++axis) {
+        const normal = side * (upwards[vertex + axis] as number)
+        this.points[3 * corner + axis] = (nodes[vertex + axis] as number) + 0.5 * thickness_mm * normal
+        this.normals[3 * corner + axis] = normal
       }
     }
-    for (let corner = 0; corner < faces.length; ++corner) {
-      const vertex = 3 * (faces[corner] as number)
-      const [x, y, z] = [sums[vertex] as number, sums[vertex + 1] as number, sums[vertex + 2] as number]
-      const size = Math.hypot(x, y, z) || 1
-      this.normals.set([x / size, y / size, z / size], 3 * corner)
-    }
+    for (let corner = rim; corner < source.length; corner += 3) this.lightFlat(corner)
     const { attributes } = this.mesh.geometry
     for (const name of ['position', 'normal']) (attributes[name] as BufferAttribute).needsUpdate = true
     this.mesh.geometry.computeBoundingSphere()
   }
 
+  /// `colours`: of the corners of Scene.faces, three numbers each.
   paint(colours: Float32Array): void {
     const attribute = this.mesh.geometry.getAttribute('color') as BufferAttribute
-    // The shader works with linear light.
-    attribute.copyArray(colours.map(toLinear))
+    const linear = colours.map(toLinear) // the shader works with linear light
+    for (const [corner, from] of this.sheet.source.entries())
+      attribute.setXYZ(
+        corner,
+        linear[3 * from] as number,
+        linear[3 * from + 1] as number,
+        linear[3 * from + 2] as number,
+      )
     attribute.needsUpdate = true
   }
 
@@ -66,7 +72,24 @@ export class Leaflets {
   dispose(): void {
     this.mesh.geometry.dispose()
   }
+
+  /// The triangle that begins at `corner`, by its own plane.
+  private lightFlat(corner: number): void {
+    const [ax, ay, az, bx, by, bz, cx, cy, cz] = this.points.subarray(3 * corner, 3 * corner + 9) as unknown as [
+      ...Nine,
+    ]
+    const [ux, uy, uz, vx, vy, vz] = [bx - ax, by - ay, bz - az, cx - ax, cy - ay, cz - az]
+    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx]
+    const size = Math.hypot(...normal) || 1
+    for (let k = 0; k < 3; ++k)
+      this.normals.set(
+        normal.map((part) => part / size),
+        3 * (corner + k),
+      )
+  }
 }
+
+type Nine = [number, number, number, number, number, number, number, number, number]
 
 /// Drawn a little behind lines that lie on it.
 export function leafletMaterial(): MeshLambertMaterial {

@@ -2,6 +2,7 @@
 import { h } from '../dom'
 import { number } from '../format'
 import { css, type ColourMode, type Scale } from './colours'
+import viewerStyle from './viewer.module.css'
 
 export function legend(mode: ColourMode, scale: Scale | null): HTMLElement {
   if (!scale) {
@@ -9,29 +10,30 @@ export function legend(mode: ColourMode, scale: Scale | null): HTMLElement {
       ['anterior', 'anterior leaflet'],
       ['posterior', 'posterior leaflet'],
       ['commissure', 'commissures'],
-      ['orifice', 'orifice from the atrium'],
+      ['orifice', 'orifice (atrial view)'],
       ['ruptured', 'ruptured chorda'],
       ['added', 'suture or neochorda'],
     ]
-    const list = h('ul', { class: 'legend' })
-    for (const [kind, words] of kinds) list.append(h('li', {}, h('span', { class: `swatch ${kind}` }), words))
+    const list = h('ul', { class: viewerStyle.legend })
+    for (const [kind, words] of kinds)
+      list.append(h('li', {}, h('span', { class: `${viewerStyle.swatch} ${viewerStyle[kind]}` }), words))
     return list
   }
   const bar = h('canvas', { width: scale.stops.length * 32, height: 12, 'aria-hidden': 'true' })
   const pen = bar.getContext('2d')
   if (pen) {
     const ramp = pen.createLinearGradient(0, 0, bar.width, 0)
-    scale.stops.forEach((stop, i) => ramp.addColorStop(i / (scale.stops.length - 1), css(stop)))
+    for (const [i, stop] of scale.stops.entries()) ramp.addColorStop(i / (scale.stops.length - 1), css(stop))
     pen.fillStyle = ramp
     pen.fillRect(0, 0, bar.width, bar.height)
   }
   const digits = scale.to - scale.from < 10 ? 1 : 0
   return h(
     'div',
-    { class: 'legend scale' },
+    { class: `${viewerStyle.legend} ${viewerStyle.scale}`, 'data-part': 'scale' },
     h('span', {}, number(scale.from, digits)),
     bar,
     h('span', {}, `${number(scale.to, digits)} ${scale.unit}`),
-    h('span', {}, mode === 'height' ? `${scale.title}, red above it` : scale.title),
+    h('span', {}, mode === 'height' ? `${scale.title} (red: above)` : scale.title),
   )
 }

@@ -1,5 +1,5 @@
 // Lines of a width in pixels: chordae, annulus, free edge, sutures, the cut.
-import { Vector2, type Plane } from 'three'
+import type { Plane, Vector2 } from 'three'
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js'
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js'

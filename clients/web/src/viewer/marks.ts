@@ -1,6 +1,6 @@
 // What is named on a valve: landmarks of the annulus, segments of the leaflets, tips.
-import type { Scene, Segment } from '../api/types'
-import { at, blend, minus, vertexCount } from './geometry'
+import type { Scene, Segment, Vector } from '../api/types'
+import { at, blend, vertexCount } from './geometry'
 import type { Label } from './labels'
 
 const LANDMARKS: Record<string, string> = {
@@ -18,11 +18,17 @@ export function namesOf(scene: Scene, nodes: ArrayLike<number>): Label[] {
   const labels: Label[] = []
   for (const [name, vertex] of Object.entries(scene.landmarks)) {
     const place = at(nodes, vertex)
-    labels.push({ point_mm: blend(scene.plane.origin_mm, place, OUTSIDE), text: LANDMARKS[name] ?? name, kind: 'landmark' })
+    labels.push({
+      point_mm: blend(scene.plane.origin_mm, place, OUTSIDE),
+      text: LANDMARKS[name] ?? name,
+      kind: 'landmark',
+    })
   }
-  for (const [segment, point_mm] of segmentMiddles(scene, nodes)) labels.push({ point_mm, text: segment, kind: 'segment' })
+  for (const [segment, point_mm] of segmentMiddles(scene, nodes))
+    labels.push({ point_mm, text: segment, kind: 'segment' })
   const first = nodes.length / 3 - scene.heads.length
-  scene.heads.forEach((head, i) => labels.push({ point_mm: at(nodes, first + i), text: head.id, kind: 'tip' }))
+  for (const [i, head] of scene.heads.entries())
+    labels.push({ point_mm: at(nodes, first + i), text: head.id, kind: 'tip' })
   return labels
 }
 
@@ -37,14 +43,24 @@ function segmentMiddles(scene: Scene, nodes: ArrayLike<number>): Map<Segment, [n
     }
     sums.set(segment, of)
   })
-  return new Map([...sums].map(([segment, { sum, count }]) => [segment, sum.map((part) => part / count) as [number, number, number]]))
+  return new Map(
+    [...sums].map(([segment, { sum, count }]) => [
+      segment,
+      sum.map((part) => part / count) as [number, number, number],
+    ]),
+  )
 }
 
-/// The ball that holds the leaflets and the tips, from above the annulus.
-export function ballAround(scene: Scene): { centre_mm: number[]; radius_mm: number } {
-  const points = [...Array.from({ length: vertexCount(scene) }, (_, i) => at(scene.rest_mm, i)), ...scene.heads.map((head) => head.tip_mm)]
-  const low = [0, 1, 2].map((k) => Math.min(...points.map((point) => point[k] as number)))
-  const high = [0, 1, 2].map((k) => Math.max(...points.map((point) => point[k] as number)))
-  const centre = low.map((from, k) => (from + (high[k] as number)) / 2) as [number, number, number]
-  return { centre_mm: centre, radius_mm: Math.max(...points.map((point) => Math.hypot(...minus(point, centre)))) }
+/// Leaflets and papillary tips, unloaded.
+export function wholeValve(scene: Scene): Vector[] {
+  return [
+    ...Array.from({ length: vertexCount(scene) }, (_, i) => at(scene.rest_mm, i)),
+    ...scene.heads.map((head) => head.tip_mm),
+  ]
+}
+
+/// The annulus and the names of its landmarks around it.
+export function namedAnnulus(scene: Scene): Vector[] {
+  const points = Array.from({ length: scene.annulus_mm.length / 3 }, (_, i) => at(scene.annulus_mm, i))
+  return [...points, ...points.map((point) => blend(scene.plane.origin_mm, point, OUTSIDE))]
 }

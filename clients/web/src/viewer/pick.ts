@@ -1,7 +1,8 @@
 // What lies under the pointer, in terms of a repair plan.
-import { Raycaster, Triangle, Vector3, type Intersection, type Material, type Mesh } from 'three'
+import { Raycaster, Triangle, Vector3, type Intersection, type Material } from 'three'
 import type { LeafletPoint, Scene, Vector } from '../api/types'
 import { at, chordaLines, leafletPointAt } from './geometry'
+import type { Leaflets } from './leaflets'
 import type { Stage } from './stage'
 
 export type Pick =
@@ -15,7 +16,14 @@ export type PickKind = Pick['kind']
 const REACH_PX = 14 // of points and lines
 
 /// The nearest of the kinds that are asked for, or null.
-export function pickAt(event: MouseEvent, stage: Stage, scene: Scene, nodes: Float32Array, mesh: Mesh, kinds: PickKind[]): Pick | null {
+export function pickAt(
+  event: MouseEvent,
+  stage: Stage,
+  scene: Scene,
+  nodes: Float32Array,
+  leaflets: Leaflets,
+  kinds: PickKind[],
+): Pick | null {
   const box = stage.canvas.getBoundingClientRect()
   const x = event.clientX - box.left
   const y = event.clientY - box.top
@@ -23,9 +31,12 @@ export function pickAt(event: MouseEvent, stage: Stage, scene: Scene, nodes: Flo
     const seen = stage.place(point)
     return Math.hypot(seen.x - x, seen.y - y)
   }
-  const hit = kinds.includes('leaflet') ? leafletHit(event, stage, mesh) : null
+  const hit = kinds.includes('leaflet') ? leafletHit(event, stage, leaflets) : null
   if (kinds.includes('head')) {
-    const found = nearest(scene.heads.map((head, i) => ({ id: head.id, point: at(nodes, nodes.length / 3 - scene.heads.length + i) })), (c) => away(c.point))
+    const found = nearest(
+      scene.heads.map((head, i) => ({ id: head.id, point: at(nodes, nodes.length / 3 - scene.heads.length + i) })),
+      (c) => away(c.point),
+    )
     const isHidden = hit && found && hit.distance < stage.camera.position.distanceTo(new Vector3(...found.point))
     if (found && !isHidden) return { kind: 'head', id: found.id, point_mm: found.point }
   }
@@ -36,11 +47,16 @@ export function pickAt(event: MouseEvent, stage: Stage, scene: Scene, nodes: Flo
   if (kinds.includes('annulus')) {
     const points = scene.annulus.map((vertex) => ({ vertex, point: at(nodes, vertex) }))
     const found = nearest(points, (c) => away(c.point))
-    if (found) return { kind: 'annulus', around: scene.leaflet_coordinates.around[found.vertex] ?? 0, point_mm: found.point }
+    if (found)
+      return { kind: 'annulus', around: scene.leaflet_coordinates.around[found.vertex] ?? 0, point_mm: found.point }
   }
   if (!hit || hit.faceIndex === undefined || hit.faceIndex === null) return null
-  const face = hit.faceIndex
-  const corners = [0, 1, 2].map((k) => new Vector3(...at(nodes, scene.faces[3 * face + k] as number))) as [Vector3, Vector3, Vector3]
+  const face = leaflets.faceOf(hit.faceIndex)
+  const corners = [0, 1, 2].map((k) => new Vector3(...at(nodes, scene.faces[3 * face + k] as number))) as [
+    Vector3,
+    Vector3,
+    Vector3,
+  ]
   const weights = Triangle.getBarycoord(hit.point, ...corners, new Vector3()) ?? new Vector3(1, 0, 0)
   return {
     kind: 'leaflet',
@@ -50,7 +66,7 @@ export function pickAt(event: MouseEvent, stage: Stage, scene: Scene, nodes: Flo
 }
 
 /// Of the leaflets as they are shown: what is cut away is not hit.
-function leafletHit(event: MouseEvent, stage: Stage, mesh: Mesh): Intersection | null {
+function leafletHit(event: MouseEvent, stage: Stage, { mesh }: Leaflets): Intersection | null {
   const ray = new Raycaster()
   ray.setFromCamera(stage.pointer(event), stage.camera)
   const planes = (mesh.material as Material).clippingPlanes ?? []
@@ -80,7 +96,9 @@ function chordaPoints(scene: Scene, nodes: Float32Array): { id: string; point: V
       for (let share = 0.1; share < 1; share += 0.1)
         points.push({
           id: chorda.id,
-          point: [0, 1, 2].map((k) => (lines[i + k] as number) + share * ((lines[i + 3 + k] as number) - (lines[i + k] as number))) as Vector,
+          point: [0, 1, 2].map(
+            (k) => (lines[i + k] as number) + share * ((lines[i + 3 + k] as number) - (lines[i + k] as number)),
+          ) as Vector,
         })
   return points
 }

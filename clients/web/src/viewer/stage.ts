@@ -1,6 +1,7 @@
 // Canvas, camera and light. Draws only when something has changed.
 import {
   AmbientLight,
+  Box3,
   Color,
   DirectionalLight,
   PerspectiveCamera,
@@ -24,6 +25,7 @@ const VIEWS: Record<ViewName, [number, number, number]> = {
   ventricular: [0, -0.2, -1],
 }
 const FIELD_DEG = 28
+const MARGIN = 1.08 // around what is held
 const TURN = 0.12 // radians a key press
 
 export class Stage {
@@ -34,7 +36,7 @@ export class Stage {
   readonly onFrame: (() => void)[] = [] // after each drawing
   private readonly renderer: WebGLRenderer
   private readonly light = new DirectionalLight(0xffffff, 2.2)
-  private radius_mm = 30
+  private held: Vector3[] = [] // points that the camera keeps in the picture
   private asked = 0
 
   constructor(label: string) {
@@ -47,6 +49,7 @@ export class Stage {
     this.camera.add(this.light)
     this.light.position.set(-0.4, 0.7, 1)
     this.controls = new OrbitControls(this.camera, this.canvas)
+    this.canvas.style.touchAction = '' // the style sheet's: a finger may scroll the page
     this.controls.addEventListener('change', () => this.draw())
     this.canvas.addEventListener('keydown', (event) => this.turn(event))
     new ResizeObserver(() => this.resize()).observe(this.canvas)
@@ -72,16 +75,29 @@ export class Stage {
     for (const drawn of this.onFrame) drawn()
   }
 
-  /// Turns to a view of the whole valve, which fits in a ball of `radius_mm` around `centre_mm`.
-  look(view: ViewName, centre_mm: readonly number[], radius_mm = this.radius_mm): void {
-    this.radius_mm = radius_mm
-    const narrow = Math.min(1, this.camera.aspect)
-    const away = (1.06 * radius_mm) / Math.sin((FIELD_DEG * Math.PI) / 360) / narrow
-    const centre = new Vector3(...centre_mm)
-    this.controls.target.copy(centre)
-    this.camera.position.copy(new Vector3(...VIEWS[view]).normalize().multiplyScalar(away).add(centre))
+  /// Turns to a view that holds all of `points_mm`; it holds them on a canvas of another shape, too.
+  look(view: ViewName, points_mm: readonly (readonly number[])[]): void {
+    this.held = points_mm.map((point) => new Vector3(...point))
+    const way = new Vector3(...VIEWS[view]).normalize()
+    this.controls.target.copy(middleOf(this.held))
+    this.camera.position.copy(this.controls.target).add(way)
+    this.controls.update()
+    this.camera.position.copy(this.controls.target).addScaledVector(way, this.fitting())
     this.controls.update()
     this.draw()
+  }
+
+  /// How far the camera is to be from its target, in its present direction, to have all held points in the picture.
+  private fitting(): number {
+    this.camera.updateMatrixWorld()
+    const upright = Math.tan((FIELD_DEG * Math.PI) / 360) / MARGIN
+    const sideways = upright * this.camera.aspect
+    const turned = this.camera.quaternion.clone().invert()
+    const needs = this.held.map((point) => {
+      const { x, y, z } = point.clone().sub(this.controls.target).applyQuaternion(turned)
+      return z + Math.max(Math.abs(x) / sideways, Math.abs(y) / upright)
+    })
+    return Math.max(1, ...needs)
   }
 
   /// Where a point is on the canvas, in its pixels; `depth` grows away from the eye, over 1 is behind it.
@@ -97,7 +113,10 @@ export class Stage {
   /// -1 to 1 across the canvas, as raycasters want it.
   pointer(event: MouseEvent): Vector2 {
     const box = this.canvas.getBoundingClientRect()
-    return new Vector2((2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height)
+    return new Vector2(
+      (2 * (event.clientX - box.left)) / box.width - 1,
+      1 - (2 * (event.clientY - box.top)) / box.height,
+    )
   }
 
   get size(): Vector2 {
@@ -114,9 +133,11 @@ export class Stage {
       from.controls.addEventListener('change', () => {
         if (following) return
         following = true
-        to.camera.position.copy(from.camera.position)
+        to.held = from.held
         to.controls.target.copy(from.controls.target)
+        to.camera.position.copy(from.camera.position)
         to.controls.update()
+        to.zoom(to.fitting() / from.fitting()) // canvases may differ in shape
         following = false
         to.draw()
       })
@@ -138,7 +159,9 @@ export class Stage {
       const around = Math.atan2(offset.y, offset.x) + way[0]
       const tilt = Math.min(Math.max(Math.atan2(flat, offset.z) + way[1], 1e-4), Math.PI - 1e-4)
       const away = offset.length()
-      offset.set(Math.sin(tilt) * Math.cos(around), Math.sin(tilt) * Math.sin(around), Math.cos(tilt)).multiplyScalar(away)
+      offset
+        .set(Math.sin(tilt) * Math.cos(around), Math.sin(tilt) * Math.sin(around), Math.cos(tilt))
+        .multiplyScalar(away)
     }
     event.preventDefault()
     this.camera.position.copy(this.controls.target).add(offset)
@@ -146,12 +169,26 @@ export class Stage {
     this.draw()
   }
 
+  /// What was turned or zoomed stays so: the camera moves as much as the canvas asks for.
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas
     if (clientWidth === 0 || clientHeight === 0) return
+    const before = this.fitting()
     this.renderer.setSize(clientWidth, clientHeight, false)
     this.camera.aspect = clientWidth / clientHeight
     this.camera.updateProjectionMatrix()
+    this.zoom(this.fitting() / before)
     this.drawNow()
   }
+
+  /// Moves the camera to so many times its distance.
+  private zoom(times: number): void {
+    const offset = this.camera.position.clone().sub(this.controls.target)
+    this.camera.position.copy(this.controls.target).addScaledVector(offset, times)
+    this.controls.update()
+  }
+}
+
+function middleOf(points: Vector3[]): Vector3 {
+  return new Box3().setFromPoints(points).getCenter(new Vector3())
 }

@@ -7,10 +7,11 @@ import { at, boundaryEdges, chordaLines, closedNodes, dot, minus, nodesAt, secti
 import { Labels, type Label } from './labels'
 import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines, pieces } from './lines'
-import { ballAround, namesOf } from './marks'
-import { orificeMaterial, Orifices } from './orifices'
+import { namedAnnulus, namesOf, wholeValve } from './marks'
+import { openingMaterials, Opening } from './opening'
 import { pickAt, type Pick, type PickKind } from './pick'
 import { Stage, type ViewName } from './stage'
+import viewerStyle from './viewer.module.css'
 
 const TURNED_PX = 4 // a pointer that moved so far has turned the valve, not clicked it
 
@@ -32,9 +33,9 @@ export class Viewer {
   private scene: Scene | null = null
   private nodes: Float32Array = new Float32Array()
   private leaflets: Leaflets | null = null
-  private orifices: Orifices | null = null
+  private opening: Opening | null = null
   // Kept: a new one would have its program compiled again.
-  private readonly materials = { leaflets: leafletMaterial(), orifices: orificeMaterial() }
+  private readonly materials = { leaflets: leafletMaterial(), opening: openingMaterials() }
   private edges: [number, number][] = []
   private pressed: [number, number] = [0, 0] // where on the screen
   private drawn = '' // the look of the scene that is drawn
@@ -52,9 +53,16 @@ export class Viewer {
   constructor(label: string) {
     this.stage = new Stage(label)
     this.labels = new Labels(this.stage)
-    this.element = h('div', { class: 'viewer' }, this.stage.canvas, this.labels.element)
+    this.element = h(
+      'div',
+      { class: viewerStyle.viewer, 'data-part': 'viewer' },
+      this.stage.canvas,
+      this.labels.element,
+    )
     this.stage.add(...Object.values(this.lines).map((line) => line.object))
-    this.stage.onFrame.push(() => Object.values(this.lines).forEach((line) => line.resolution(this.stage.size)))
+    this.stage.onFrame.push(() => {
+      for (const line of Object.values(this.lines)) line.resolution(this.stage.size)
+    })
     this.stage.canvas.addEventListener('pointerdown', ({ clientX, clientY }) => (this.pressed = [clientX, clientY]))
     this.stage.canvas.addEventListener('click', (event) => this.click(event))
   }
@@ -64,14 +72,14 @@ export class Viewer {
     const first = this.scene === null
     this.scene = scene
     this.leaflets?.dispose()
-    this.orifices?.dispose()
+    this.opening?.dispose()
     if (this.leaflets) this.stage.scene.remove(this.leaflets.mesh)
-    if (this.orifices) this.stage.scene.remove(this.orifices.group)
+    if (this.opening) this.stage.scene.remove(this.opening.group)
     this.leaflets = new Leaflets(scene, this.materials.leaflets)
-    this.orifices = new Orifices(scene, this.materials.orifices)
+    this.opening = new Opening(scene, this.materials.opening)
     this.edges = boundaryEdges(scene.faces)
     this.drawn = ''
-    this.stage.add(this.leaflets.mesh, this.orifices.group)
+    this.stage.add(this.leaflets.mesh, this.opening.group)
     this.lines.annulus.set(pieces(scene.annulus_mm, true))
     this.lines.annulus.object.visible = ring
     this.lines.sutures.set(scene.sutures.flatMap((suture) => [...suture.tip_mm, ...suture.anchor_mm]))
@@ -80,9 +88,9 @@ export class Viewer {
   }
 
   show(look: Look): void {
-    const { scene, leaflets, orifices, lines } = this
+    const { scene, leaflets, opening, lines } = this
     const asked = JSON.stringify([look, this.extra])
-    if (!scene || !leaflets || !orifices || asked === this.drawn) return
+    if (!scene || !leaflets || !opening || asked === this.drawn) return
     this.drawn = asked
     const closed = look.share >= 1 || scene.motion_mm.length < 2
     this.nodes = closed ? closedNodes(scene) : nodesAt(scene, look.share)
@@ -92,10 +100,10 @@ export class Viewer {
     leaflets.paint(cornerColours(scene, mode, look.scale, this.nodes))
     this.drawChordae(scene, mode, look.scale)
     lines.edges.set(this.edges.flatMap(([a, b]) => [...at(this.nodes, a), ...at(this.nodes, b)]))
-    orifices.group.visible = look.orifices && closed
+    opening.group.visible = look.orifices && closed
     this.drawCut(scene, look)
     const words: Label[] = look.names ? namesOf(scene, this.nodes) : []
-    if (orifices.group.visible) words.push(...orifices.labels.map((label) => ({ ...label, kind: 'orifice' as const })))
+    if (opening.group.visible) words.push(...opening.labels.map((label) => ({ ...label, kind: 'orifice' as const })))
     const cut = look.cut === null ? undefined : scene.sections[look.cut]
     const isLeft = ({ point_mm }: Label): boolean => !cut || dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
     this.labels.set([...words.filter(isLeft), ...this.extra])
@@ -103,12 +111,9 @@ export class Viewer {
   }
 
   view(name: ViewName): void {
-    if (!this.scene) return
-    const { centre_mm, radius_mm } = ballAround(this.scene)
-    // From above only the annulus matters.
-    if (name !== 'atrial') return this.stage.look(name, centre_mm, radius_mm)
-    const annulus = { ...this.scene, rest_mm: this.scene.annulus_mm, heads: [] }
-    this.stage.look(name, this.scene.plane.origin_mm, 1.1 * ballAround(annulus).radius_mm)
+    const { scene } = this
+    // From above only the annulus matters, with its names beside it.
+    if (scene) this.stage.look(name, name === 'atrial' ? namedAnnulus(scene) : wholeValve(scene))
   }
 
   /// Lines drawn over everything, such as a measured distance: six numbers each.
@@ -140,10 +145,15 @@ export class Viewer {
   private drawCut(scene: Scene, look: Look): void {
     const chosen = look.cut === null ? undefined : scene.sections[look.cut]
     const planes = chosen
-      ? [new Plane().setFromNormalAndCoplanarPoint(new Vector3(...chosen.normal).negate(), new Vector3(...chosen.point_mm))]
+      ? [
+          new Plane().setFromNormalAndCoplanarPoint(
+            new Vector3(...chosen.normal).negate(),
+            new Vector3(...chosen.point_mm),
+          ),
+        ]
       : []
     this.leaflets?.cut(planes)
-    this.orifices?.cut(planes)
+    this.opening?.cut(planes)
     for (const name of ['chordae', 'ruptured', 'edges', 'annulus', 'sutures'] as const) this.lines[name].cut(planes)
     const traced = chosen ? section(scene, this.nodes, chosen.point_mm, chosen.normal) : []
     this.lines.cut.set(
@@ -159,7 +169,7 @@ export class Viewer {
     if (!this.scene || !this.leaflets || !this.onPick || this.picks.length === 0) return
     const [x, y] = this.pressed
     if (Math.hypot(event.clientX - x, event.clientY - y) > TURNED_PX) return
-    const pick = pickAt(event, this.stage, this.scene, this.nodes, this.leaflets.mesh, this.picks)
+    const pick = pickAt(event, this.stage, this.scene, this.nodes, this.leaflets, this.picks)
     if (pick) this.onPick(pick)
   }
 

@@ -16,13 +16,18 @@ after(async () => {
 })
 
 for (const view of ['valve', 'repair', 'search', 'studies'])
-  for (const [theme, width] of [['light', 1280], ['dark', 820]])
+  for (const [theme, width] of [
+    ['light', 1280],
+    ['dark', 820],
+  ])
     test(`${view} has nothing against it, ${theme}, ${width} px wide`, async () => {
       const { page, complaints } = await openView(browser, service.url, view, { theme, width, height: 900 })
-      await page.locator('.open-valve', { hasText: 'human-functional-mr' }).waitFor()
+      await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
       if (view === 'repair') await page.getByRole('button', { name: 'Suture AL' }).click()
       assert.deepEqual(await accessProblems(page), [])
-      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)
+      const overflow = await page.evaluate(
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+      )
       assert.equal(overflow, 0, 'nothing sticks out to the side')
       assert.deepEqual(complaints, [])
       await page.close()
@@ -38,10 +43,13 @@ test('what is wrong is found', async () => {
 test('views and steps can be reached with the keyboard alone', async () => {
   const { page } = await openView(browser, service.url, 'valve')
   await page.keyboard.press('Tab')
-  assert.equal(await page.evaluate(() => document.activeElement?.textContent), 'Skip to the content')
+  assert.equal(await page.evaluate(() => document.activeElement?.textContent), 'Skip to content')
   for (let i = 0; i < 2; ++i) await page.keyboard.press('Tab')
   await page.keyboard.press('Tab')
-  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('href')), '#search')
+  assert.equal(
+    await page.evaluate(() => document.activeElement?.getAttribute('href')),
+    '#/search?valve=human-functional-mr',
+  )
   await page.keyboard.press('Enter')
   await page.locator('nav [aria-current]', { hasText: 'Search' }).waitFor()
   await page.close()
@@ -56,8 +64,8 @@ test('a service with a token gives the page to everybody, and a valve to who kno
     const { page } = await openView(browser, closed.url, 'valve')
     const input = page.getByLabel('Token', { exact: true }).last()
     await input.fill(token)
-    await page.getByRole('button', { name: 'Go on' }).click()
-    await page.locator('.open-valve', { hasText: 'human-functional-mr' }).waitFor()
+    await page.getByRole('button', { name: 'Continue' }).click()
+    await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
     await page.close()
   } finally {
     await closed.stop() // it would keep the run of all tests from ending

@@ -12,14 +12,17 @@ const ROOT = fileURLToPath(new URL('../../../../', import.meta.url))
 const SERVER = process.env.COAPT_SERVER_PROGRAM ?? join(ROOT, 'build/release/bin/coapt-server')
 const BROWSER = process.env.CHROMIUM ?? '/usr/bin/chromium'
 const AXE = createRequire(import.meta.url).resolve('axe-core/axe.min.js')
-export const PATIENCE_MS = 120_000 // machines are shared and slow
+export const PATIENCE_MS = 300_000 // machines are shared and slow
 
-/// The service; `stop` ends it and removes what it kept.
-export async function startService(flags = []) {
-  const folder = mkdtempSync(join(tmpdir(), 'coapt-page-'))
-  const child = spawn(SERVER, ['--port', '0', '--db', join(folder, 'jobs.sqlite'), '--web', join(ROOT, 'build/web'), ...flags], {
-    stdio: ['ignore', 'ignore', 'pipe'],
-  })
+/// The service; `stop` ends it and removes what it kept, `kill` leaves that for another one at the same place.
+export async function startService(flags = [], { port = 0, folder = mkdtempSync(join(tmpdir(), 'coapt-page-')) } = {}) {
+  const child = spawn(
+    SERVER,
+    ['--port', String(port), '--db', join(folder, 'jobs.sqlite'), '--web', join(ROOT, 'build/web'), ...flags],
+    {
+      stdio: ['ignore', 'ignore', 'pipe'],
+    },
+  )
   let said = ''
   const url = await new Promise((resolve, reject) => {
     child.once('exit', () => reject(new Error(`the service ended: ${said}`)))
@@ -37,7 +40,12 @@ export async function startService(flags = []) {
       })
       child.kill('SIGTERM')
     })
-  return { url, folder, stop }
+  const kill = () =>
+    new Promise((resolve) => {
+      child.once('exit', resolve)
+      child.kill('SIGKILL')
+    })
+  return { url, folder, stop, kill }
 }
 
 export function startBrowser() {
@@ -47,7 +55,12 @@ export function startBrowser() {
 
 /// A page with the view `name` and a closed valve in it.
 export async function openView(browser, url, name, { width = 1280, height = 800, theme = 'light' } = {}) {
-  const page = await browser.newPage({ viewport: { width, height }, colorScheme: theme, reducedMotion: 'reduce' })
+  const context = await browser.newContext({
+    viewport: { width, height },
+    colorScheme: theme,
+    reducedMotion: 'reduce',
+  })
+  const page = await context.newPage()
   page.setDefaultTimeout(PATIENCE_MS)
   const complaints = []
   page.on('pageerror', (error) => complaints.push(error.message))

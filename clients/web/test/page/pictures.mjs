@@ -8,7 +8,7 @@ const browser = await startBrowser()
 
 async function picture(name, view, options, prepare) {
   const { page } = await openView(browser, service.url, view, options)
-  await page.locator('.open-valve', { hasText: 'human-functional-mr' }).waitFor()
+  await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
   await prepare(page)
   await page.waitForTimeout(1500)
   await page.screenshot({ path: join(folder, `page-${name}.png`) })
@@ -17,24 +17,24 @@ async function picture(name, view, options, prepare) {
 }
 
 await picture('valve', 'valve', {}, async (page) => {
-  await page.locator('.labels .orifice').first().waitFor()
+  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
 })
 await picture('cut', 'valve', { theme: 'dark' }, async (page) => {
   await page.getByLabel('Preset').selectOption('human-normal')
-  await page.locator('.open-valve', { hasText: 'human-normal' }).waitFor()
+  await page.locator('[data-part=open-valve]', { hasText: 'human-normal' }).waitFor()
   await page.getByRole('button', { name: 'Oblique' }).click()
   await page.getByLabel('Colours').selectOption('strain_radial')
-  await page.getByLabel('Place of the cut').fill('18')
+  await page.getByLabel('Position of the cut').fill('18')
 })
 await picture('repair', 'repair', {}, async (page) => {
   await page.getByRole('button', { name: 'Ring' }).click()
   await page.getByRole('button', { name: 'Suture PM' }).click()
-  await page.locator('.answer', { hasText: 'Closed' }).waitFor()
-  await page.getByRole('button', { name: 'Accept' }).click()
+  await page.locator('[data-part=answer]', { hasText: 'Closed' }).waitFor()
+  await page.getByRole('button', { name: 'Keep this repair' }).click()
 })
 await picture('repair-tablet', 'repair', { width: 820, height: 1180, theme: 'dark' }, async (page) => {
   await page.getByRole('button', { name: 'Suture AL' }).click()
-  await page.locator('.answer', { hasText: 'Closed' }).waitFor()
+  await page.locator('[data-part=answer]', { hasText: 'Closed' }).waitFor()
   await page.getByRole('button', { name: 'Oblique' }).click()
 })
 
@@ -42,16 +42,22 @@ await picture('search', 'search', { height: 1000 }, async (page) => {
   await page.getByLabel('Closures', { exact: true }).fill('300')
   await page.getByLabel('Ranked plans').fill('3')
   await page.getByRole('button', { name: 'Start the search' }).click()
-  await page.locator('.plan img[src]').nth(2).waitFor({ timeout: 5 * PATIENCE_MS })
-  const plan = page.locator('.plan').first()
+  await page
+    .locator('[data-part=plan] img[src]')
+    .nth(2)
+    .waitFor({ timeout: 5 * PATIENCE_MS })
+  const plan = page.locator('[data-part=plan]').first()
   await plan.locator('summary').click()
   await plan.evaluate((card) => card.scrollIntoView())
 })
 await picture('studies', 'studies', { theme: 'dark' }, async (page) => {
   await page.getByRole('button', { name: 'Start the study' }).click()
-  await page.locator('.plot canvas').nth(1).waitFor()
-  await page.locator('.study-figure').first().evaluate((figure) => figure.scrollIntoView({ block: 'end' }))
-  await page.locator('.plot').first().hover()
+  await page.locator('[data-part=plot] canvas').nth(1).waitFor()
+  await page
+    .locator('[data-part=study-figure]')
+    .first()
+    .evaluate((figure) => figure.scrollIntoView({ block: 'end' }))
+  await page.locator('[data-part=plot]').first().hover()
 })
 
 await browser.close()

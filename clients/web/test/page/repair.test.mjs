@@ -9,7 +9,7 @@ before(async () => {
   service = await startService()
   browser = await startBrowser()
   ;({ page, complaints } = await openView(browser, service.url, 'repair'))
-  await page.locator('.labels .orifice').first().waitFor()
+  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
 })
 after(async () => {
   await browser.close()
@@ -17,9 +17,9 @@ after(async () => {
   assert.deepEqual(complaints, [])
 })
 
-const leak = () => page.locator('.measures tr', { hasText: 'Leak' }).locator('td').allTextContents()
-const answered = () => page.locator('.answer', { hasText: 'Closed and measured' }).waitFor()
-const steps = () => page.locator('.steps .step').allTextContents()
+const leak = () => page.locator('[data-part=measures] tr', { hasText: 'Leak' }).locator('td').allTextContents()
+const answered = () => page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
+const steps = () => page.locator('[data-part=steps] [data-part=step]').allTextContents()
 
 test('a ring of the own shape makes the leak smaller, as the service says', async () => {
   await page.getByRole('button', { name: 'Ring' }).click()
@@ -34,8 +34,21 @@ test('a ring of the own shape makes the leak smaller, as the service says', asyn
 test('letting a slider go closes the valve anew', async () => {
   const before = (await leak())[1]
   await page.getByRole('slider', { name: 'Sizes below' }).fill('0')
-  await page.waitForFunction((old) => document.querySelector('.measures tr:nth-child(2) td:last-child')?.textContent !== old, before)
-  assert.match((await steps())[0], /0 sizes below/)
+  await page.waitForFunction(
+    (old) => document.querySelector('[data-part=measures] tr:nth-child(2) td:last-child')?.textContent !== old,
+    before,
+  )
+  assert.match((await steps())[0], /undersized by 0 sizes/)
+})
+
+test('a number can be typed beside the slider, and the title follows it', async () => {
+  await page.getByRole('spinbutton', { name: 'Sizes below as a number' }).fill('3')
+  await page.keyboard.press('Enter')
+  await page.waitForFunction(() => /by 3 sizes/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''))
+  assert.equal(await page.getByRole('slider', { name: 'Sizes below' }).inputValue(), '3')
+  await page.getByRole('slider', { name: 'Sizes below' }).fill('0')
+  await page.waitForFunction(() => /by 0 sizes/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''))
+  await page.locator('[aria-busy=false]').waitFor()
 })
 
 test('a slider that is dragged slowly stays under the pointer; one undo takes the whole drag back', async () => {
@@ -47,17 +60,27 @@ test('a slider that is dragged slowly stays under the pointer; one undo takes th
     await page.mouse.move(...at(share))
     await page.waitForTimeout(700) // closures are answered meanwhile
   }
+  const dragged = (await steps())[0]
+  assert.match(dragged, /undersized by 6 sizes/) // while it is held, too
   await page.mouse.up()
-  await page.waitForFunction(() => /6 sizes below/.test(document.querySelector('.steps')?.textContent ?? ''))
+  await page.waitForFunction(() =>
+    /undersized by 6 sizes/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
+  )
   await page.getByRole('button', { name: 'Undo' }).click()
-  await page.waitForFunction(() => /0 sizes below/.test(document.querySelector('.steps')?.textContent ?? ''))
+  await page.waitForFunction(() =>
+    /undersized by 0 sizes/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
+  )
 })
 
 test('a suture can be tied to a point that is picked on the annulus', async () => {
   await page.getByRole('button', { name: 'Suture PM' }).click()
   await page.getByLabel('Anchor').selectOption('annulus_point')
-  await page.getByRole('button', { name: 'Pick it on the annulus' }).click()
-  const peak = await page.locator('figure').first().locator('.labels span', { hasText: 'saddle peak' }).boundingBox()
+  await page.getByRole('button', { name: 'Pick on the annulus' }).click()
+  const peak = await page
+    .locator('figure')
+    .first()
+    .locator('[data-part=labels] span', { hasText: 'saddle peak' })
+    .boundingBox()
   const middle = await page.locator('figure').first().locator('canvas').boundingBox()
   // Labels of landmarks stand a seventh of the way outside the annulus.
   const x = peak.x + peak.width / 2
@@ -65,14 +88,16 @@ test('a suture can be tied to a point that is picked on the annulus', async () =
   const cx = middle.x + middle.width / 2
   const cy = middle.y + middle.height / 2
   await page.mouse.click(cx + (x - cx) / 1.14, cy + (y - cy) / 1.14)
-  await page.waitForFunction(() => /annulus at (7|8|9|10)\d?°/.test(document.querySelector('.steps')?.textContent ?? ''))
+  await page.waitForFunction(() =>
+    /annulus at (7|8|9|10)\d?°/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
+  )
   assert.match((await steps())[1], /Posteromedial papillary muscle to the annulus/)
 })
 
 test('a neochorda is placed by clicking the leaflet and a papillary head', async () => {
   await page.getByRole('button', { name: 'Neochorda' }).click()
   const first = page.locator('figure').first()
-  const p2 = await first.locator('.labels span', { hasText: /^P2$/ }).boundingBox()
+  const p2 = await first.locator('[data-part=labels] span', { hasText: /^P2$/ }).boundingBox()
   const [x, y] = [p2.x + p2.width / 2, p2.y + p2.height / 2]
   // Turning the valve to see better picks nothing.
   await page.mouse.move(x + 40, y)
@@ -81,24 +106,42 @@ test('a neochorda is placed by clicking the leaflet and a papillary head', async
   await page.mouse.up()
   await page.getByRole('button', { name: 'From the atrium' }).click()
   await page.waitForTimeout(500)
-  assert.match(await page.locator('.picking').textContent(), /Click where the neochorda/)
+  assert.match(await page.locator('[data-part=picking]').textContent(), /Click where the neochorda/)
   await page.mouse.click(x, y)
-  await page.locator('.picking', { hasText: 'papillary head' }).waitFor()
+  await page.locator('[data-part=picking]', { hasText: 'papillary head' }).waitFor()
   await page.getByRole('button', { name: 'From the ventricle' }).click()
   await page.waitForTimeout(500)
-  const head = await first.locator('.labels .tip').first().boundingBox()
+  const head = await first.locator('[data-part=labels] [data-part=tip]').first().boundingBox()
   await page.mouse.click(head.x + head.width / 2, head.y + head.height / 2)
-  await page.waitForFunction(() => /Neochorda from \w+ to P2/.test(document.querySelector('.steps')?.textContent ?? ''))
+  await page.waitForFunction(() =>
+    /Neochorda from \w+ to P2/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
+  )
   await page.getByRole('button', { name: 'From the atrium' }).click()
 })
 
-test('a chorda can be cut, shortened and moved', async () => {
+test('nothing is applied before something is picked, and Escape leaves nothing behind', async () => {
+  const before = await steps()
+  for (const name of ['Neochorda', 'Chorda']) {
+    await page.getByRole('button', { name, exact: true }).click()
+    await page.locator('[data-part=picking]').waitFor()
+    assert.deepEqual(await steps(), before)
+    await page.keyboard.press('Escape')
+    await page.locator('[data-part=picking]').waitFor({ state: 'hidden' })
+    assert.deepEqual(await steps(), before)
+  }
+})
+
+test('a chorda can be chosen by its name, cut, shortened and moved', async () => {
   await page.getByRole('button', { name: 'Chorda', exact: true }).click()
-  await page.keyboard.press('Escape')
-  await page.getByLabel('What is done').selectOption('chordal_excision')
-  await page.waitForFunction(() => /Chorda \S+ cut/.test(document.querySelector('.steps')?.textContent ?? ''))
-  await page.getByLabel('What is done').selectOption('chordal_transfer')
-  await page.waitForFunction(() => /Chorda \S+ moved to P2/.test(document.querySelector('.steps')?.textContent ?? ''))
+  await page.getByLabel('or choose it').selectOption({ index: 3 })
+  await page.getByLabel('Action').selectOption('chordal_excision')
+  await page.waitForFunction(() =>
+    /Chorda \S+ cut/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
+  )
+  await page.getByLabel('Action').selectOption('chordal_transfer')
+  await page.waitForFunction(() =>
+    /Chorda \S+ moved to P2/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
+  )
 })
 
 test('undo goes back step by step, redo forth', async () => {
@@ -106,43 +149,64 @@ test('undo goes back step by step, redo forth', async () => {
   await page.getByRole('button', { name: 'Undo' }).click()
   await page.getByRole('button', { name: 'Undo' }).click()
   await page.getByRole('button', { name: 'Undo' }).click()
-  await page.waitForFunction((most) => document.querySelectorAll('.steps .step').length < most, count)
+  await page.waitForFunction(
+    (most) => document.querySelectorAll('[data-part=steps] [data-part=step]').length < most,
+    count,
+  )
   await page.getByRole('button', { name: 'Redo' }).click()
   await page.getByRole('button', { name: 'Clear' }).click()
-  await page.getByText('No step yet').waitFor()
+  await page.getByText('No steps yet').waitFor()
 })
 
 test('accepted plans are kept, scored, saved and loaded', async () => {
   await page.getByRole('button', { name: 'Ring' }).click()
   await answered()
-  await page.getByRole('button', { name: 'Accept' }).click()
-  await page.getByRole('button', { name: 'Score them' }).click()
-  await page.getByText('Best: plan 1.').waitFor()
-  const [report] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Report on plan 1' }).click()])
+  await page.getByRole('button', { name: 'Keep this repair' }).click()
+  await page.getByText('Kept as “plan 1”.').waitFor()
+  await page.getByRole('button', { name: 'Keep this repair' }).click()
+  await page.getByText('This repair is kept already').waitFor()
+  assert.equal(await page.getByRole('textbox', { name: /^Name of/ }).count(), 1)
+  await page.getByRole('button', { name: 'Score plans' }).click()
+  await page.getByText(/Best: plan 1\. Leak/).waitFor()
+  const [report] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Report on plan 1' }).click(),
+  ])
   assert.equal(report.suggestedFilename(), 'plan 1.html')
   await report.saveAs(join(service.folder, 'report.html'))
   const content = readFileSync(join(service.folder, 'report.html'), 'utf8')
-  for (const words of [/How the plans were scored/, /If remodelling goes on/]) assert.match(content, words)
-  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save plans' }).click()])
+  for (const words of [/How the plans were scored/, /Under further remodelling/]) assert.match(content, words)
+  const [saved] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save plans' }).click(),
+  ])
   assert.equal(saved.suggestedFilename(), 'plans.json')
   await saved.saveAs(join(service.folder, 'plans.json'))
   await page.getByLabel('Plans to load').setInputFiles(join(service.folder, 'plans.json'))
   await page.getByText('1 loaded from plans.json.').waitFor()
   writeFileSync(join(service.folder, 'no-plan.json'), '{"a": 1}')
   await page.getByLabel('Plans to load').setInputFiles(join(service.folder, 'no-plan.json'))
-  await page.getByText('it holds no plan').waitFor()
+  await page.getByText('the file holds no plan').waitFor()
 })
 
 test('what is repaired is saved as other programs read it', async () => {
-  await page.getByLabel('Format of the file').selectOption('csv')
-  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save file' }).click()])
+  await page.getByLabel('File format').selectOption('csv')
+  const [saved] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save file' }).click(),
+  ])
   assert.equal(saved.suggestedFilename(), 'repaired.csv')
 })
 
 test('a plan that is not possible says why, with its place', async () => {
-  const plan = { schema: 'coapt.plan/1', steps: [{ step: 'papillary_approximation', side: 'anterolateral', anchor: 'saddle_peak', suture_length_mm: 99 }] }
+  const plan = {
+    schema: 'coapt.plan/1',
+    steps: [{ step: 'papillary_approximation', side: 'anterolateral', anchor: 'saddle_peak', suture_length_mm: 99 }],
+  }
   writeFileSync(join(service.folder, 'long.json'), JSON.stringify(plan))
   await page.getByLabel('Plans to load').setInputFiles(join(service.folder, 'long.json'))
-  await page.getByRole('button', { name: 'Revise' }).last().click()
-  await page.locator('.problems code', { hasText: '/plan/steps/0/suture_length_mm' }).waitFor()
+  await page
+    .locator('[data-part=problems] code', { hasText: '/plan/steps/0/suture_length_mm' })
+    .waitFor({ state: 'attached' })
+  await page.getByText(/Steps 1, suture length:/).waitFor()
 })

@@ -10,19 +10,20 @@ const RUNS = 7
 const service = await startService()
 const browser = await startBrowser()
 const middle = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)]
-const told = (values) => `${Math.round(middle([...values]))} ms (${Math.round(Math.min(...values))} to ${Math.round(Math.max(...values))}, ${values.length} runs)`
+const told = (values) =>
+  `${Math.round(middle([...values]))} ms (${Math.round(Math.min(...values))} to ${Math.round(Math.max(...values))}, ${values.length} runs)`
 
 const first = []
 for (let i = 0; i < RUNS; ++i) {
   const { page } = await openView(browser, service.url, 'valve')
-  await page.locator('.labels .orifice').first().waitFor()
+  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
   first.push(await page.evaluate(() => performance.getEntriesByName('first valve')[0].startTime))
   await page.close()
 }
 console.log(`first view, from asking for the page to the drawn valve: ${told(first)}`)
 
 const { page } = await openView(browser, service.url, 'repair')
-await page.locator('.labels .orifice').first().waitFor()
+await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
 await page.getByRole('button', { name: 'Suture PM' }).click()
 const answers = []
 const slider = page.getByRole('slider', { name: /^Suture/ })
@@ -34,11 +35,15 @@ for (let i = 0; i < 3 * RUNS; ++i) {
         new Promise((resolve) => {
           const start = performance.now()
           const seen = new MutationObserver(() => {
-            if (!/Closed/.test(document.querySelector('.answer').textContent)) return
+            if (!/Closed/.test(document.querySelector('[data-part=answer]').textContent)) return
             seen.disconnect()
             requestAnimationFrame(() => resolve(performance.now() - start))
           })
-          seen.observe(document.querySelector('.answer'), { childList: true, characterData: true, subtree: true })
+          seen.observe(document.querySelector('[data-part=answer]'), {
+            childList: true,
+            characterData: true,
+            subtree: true,
+          })
           input.value = String(value)
           input.dispatchEvent(new Event('change'))
         }),
@@ -50,9 +55,11 @@ console.log(`a repair by hand, from letting go to its picture (650 triangles): $
 await page.close()
 
 const fine = (await openView(browser, service.url, 'valve')).page
-await fine.locator('.labels .orifice').first().waitFor()
-await fine.getByLabel('Your file').setInputFiles({ name: 'fine.json', mimeType: 'application/json', buffer: readFileSync(FINE) })
-await fine.locator('.open-valve', { hasText: 'fine.json' }).waitFor()
+await fine.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
+await fine
+  .getByLabel('Your file')
+  .setInputFiles({ name: 'fine.json', mimeType: 'application/json', buffer: readFileSync(FINE) })
+await fine.locator('[data-part=open-valve]', { hasText: 'fine.json' }).waitFor()
 const frames = await fine.evaluate(
   () =>
     new Promise((resolve) => {
@@ -68,7 +75,9 @@ const frames = await fine.evaluate(
     }),
 )
 const between = frames.slice(1).map((time, i) => time - frames[i])
-console.log(`2,600 triangles closing, software rendering at 1280 x 800: ${(1000 / middle(between)).toFixed(0)} pictures a second`)
+console.log(
+  `2,600 triangles closing, software rendering at 1280 x 800: ${(1000 / middle(between)).toFixed(0)} pictures a second`,
+)
 
 await browser.close()
 await service.stop()

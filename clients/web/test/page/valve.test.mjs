@@ -16,46 +16,52 @@ after(async () => {
   assert.deepEqual(complaints, [])
 })
 
-const measure = (name) => page.locator('.measures tr', { hasText: name }).first().locator('td').last()
+const measure = (name) => page.locator('[data-part=measures] tr', { hasText: name }).first().locator('td').last()
 /// How many colours a part of the view has: one where nothing is drawn.
 async function colours() {
-  const png = await page.locator('.viewer canvas').screenshot()
+  const png = await page.locator('[data-part=viewer] canvas').screenshot()
   return new Set(png.toString('hex').match(/.{6}/g)).size
 }
 
 test('the first valve is closed and measured as the service says, and drawn', async () => {
-  const expected = await (await fetch(`${service.url}/v1/closures`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })).json()
-  await page.locator('.labels .orifice').first().waitFor()
-  assert.equal(await measure('Orifice from the atrium').textContent(), `${expected.orifice_area_mm2.toFixed(1)} mm²`)
-  assert.match(await page.locator('.labels .orifice').first().textContent(), /^\d+\.\d mm²$/)
+  const expected = await (
+    await fetch(`${service.url}/v1/closures`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })
+  ).json()
+  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
+  assert.equal(await measure('Orifice (atrial view)').textContent(), `${expected.orifice_area_mm2.toFixed(1)} mm²`)
+  assert.match(await page.locator('[data-part=labels] [data-part=orifice]').first().textContent(), /^\d+\.\d mm²$/)
   assert.ok((await colours()) > 500)
   for (const name of ['A2', 'P2', 'saddle peak', 'PM trigone'])
-    assert.ok(await page.locator('.labels span', { hasText: name }).first().isVisible(), name)
+    assert.ok(await page.locator('[data-part=labels] span', { hasText: name }).first().isVisible(), name)
 })
 
 test('the cut tells the coaptation height where it is', async () => {
-  const scene = await (await fetch(`${service.url}/v1/scenes`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })).json()
+  const scene = await (
+    await fetch(`${service.url}/v1/scenes`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })
+  ).json()
   for (const index of [4, 18]) {
-    await page.getByLabel('Place of the cut').fill(String(index))
+    await page.getByLabel('Position of the cut').fill(String(index))
     const { contact, height_mm, distance_mm } = scene.sections[index]
-    const words = contact ? `coaptation height ${height_mm.toFixed(1)} mm` : `leaflets ${distance_mm.toFixed(1)} mm apart`
-    assert.ok((await page.locator('.looks output').first().textContent()).includes(words), words)
-    assert.ok(await page.locator('svg.section').isVisible())
+    const words = contact
+      ? `coaptation height ${height_mm.toFixed(1)} mm`
+      : `leaflets ${distance_mm.toFixed(1)} mm apart`
+    assert.ok((await page.locator('[data-part=looks] output').first().textContent()).includes(words), words)
+    assert.ok(await page.locator('[data-part=section]').isVisible())
   }
 })
 
 test('the valve closes before the eyes: open it leaves no orifice drawn, closed it does', async () => {
   await page.getByLabel('Cut', { exact: true }).uncheck()
   await page.getByLabel('Open to closed').fill('0')
-  assert.equal(await page.locator('.labels .orifice').count(), 0)
+  assert.equal(await page.locator('[data-part=labels] [data-part=orifice]').count(), 0)
   await page.getByRole('button', { name: 'Play the closing' }).click()
-  await page.locator('.labels .orifice').first().waitFor()
+  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
 })
 
 test('every colouring has a legend', async () => {
   for (const mode of ['strain_circumferential', 'strain_radial', 'height', 'tension']) {
     await page.getByLabel('Colours').selectOption(mode)
-    assert.ok(await page.locator('.legend.scale canvas').isVisible(), mode)
+    assert.ok(await page.locator('[data-part=scale] canvas').isVisible(), mode)
   }
   await page.getByLabel('Colours').selectOption('leaflets')
 })
@@ -63,13 +69,13 @@ test('every colouring has a legend', async () => {
 test('a distance is measured between two points', async () => {
   await page.getByRole('button', { name: 'From the atrium' }).click()
   await page.getByRole('button', { name: 'Measure a distance' }).click()
-  const box = await page.locator('.viewer canvas').boundingBox()
-  const labels = page.locator('.labels span')
+  const box = await page.locator('[data-part=viewer] canvas').boundingBox()
+  const labels = page.locator('[data-part=labels] span')
   for (const name of ['A2', 'P2']) {
     const at = await labels.filter({ hasText: new RegExp(`^${name}$`) }).boundingBox()
     await page.mouse.click(at.x + at.width / 2, at.y + at.height / 2)
   }
-  const text = await page.locator('.labels .distance').textContent()
+  const text = await page.locator('[data-part=labels] [data-part=distance]').textContent()
   const mm = Number.parseFloat(text)
   assert.ok(mm > 3 && mm < 40, text)
   assert.ok(box.width > 300)
@@ -78,12 +84,12 @@ test('a distance is measured between two points', async () => {
 
 test('a preset and a file can be opened', async () => {
   await page.getByLabel('Preset').selectOption('human-p2-prolapse')
-  await page.locator('.open-valve', { hasText: 'human-p2-prolapse' }).waitFor()
+  await page.locator('[data-part=open-valve]', { hasText: 'human-p2-prolapse' }).waitFor()
   const valve = await (await fetch(`${service.url}/v1/presets/porcine-1`)).text()
   const file = join(service.folder, 'mine.json')
   writeFileSync(file, valve)
   await page.getByLabel('Your file').setInputFiles(file)
-  await page.locator('.open-valve', { hasText: 'mine.json' }).waitFor()
+  await page.locator('[data-part=open-valve]', { hasText: 'mine.json' }).waitFor()
   assert.match(await measure('Annulus, anteroposterior').textContent(), /mm$/)
 })
 
@@ -94,24 +100,48 @@ test('all problems of a file are shown with where they are, and the valve stays'
   const file = join(service.folder, 'wrong.json')
   writeFileSync(file, JSON.stringify(valve))
   await page.getByLabel('Your file').setInputFiles(file)
-  const problems = page.locator('.problems li')
+  const problems = page.locator('[data-part=problems] li')
   await problems.nth(1).waitFor()
-  const texts = (await problems.allTextContents()).join('\n')
-  assert.match(texts, /\/pressure_kpa.*-3/)
-  assert.match(texts, /\/chordae\/0\/segments\/0\/rest_length_mm/)
-  assert.equal(await page.locator('.open-valve').textContent(), 'mine.json')
+  const [chorda, pressure] = await problems.allTextContents()
+  assert.match(chorda, /^Chordae 1, segments 1, rest length: .*"long".*\/chordae\/0\/segments\/0\/rest_length_mm/)
+  assert.match(pressure, /^Pressure: is -3, must be.*\/pressure_kpa/)
+  assert.deepEqual(await problems.locator('pre').allTextContents(), ['"long"', '-3'])
+  assert.equal(await page.locator('[data-part=open-valve]').textContent(), 'mine.json')
   writeFileSync(file, 'no JSON at all <script>alert(1)</script>')
   await page.getByLabel('Your file').setInputFiles(file)
-  await page.locator('.problems li', { hasText: 'parse error' }).waitFor()
+  await page.getByText('This is not a JSON document.').waitFor()
 })
 
 test('arrow keys turn the valve', async () => {
-  const place = () => page.locator('.labels span', { hasText: 'saddle peak' }).boundingBox()
+  const place = () => page.locator('[data-part=labels] span', { hasText: 'saddle peak' }).boundingBox()
   const first = await place()
-  await page.locator('.viewer canvas').focus()
+  await page.locator('[data-part=viewer] canvas').focus()
   for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowDown')
   await page.waitForTimeout(300)
   assert.notDeepEqual(await place(), first)
+})
+
+test('the whole annulus is in the picture at first, after the window has got another shape, and after it was turned', async () => {
+  await page.getByRole('button', { name: 'From the atrium' }).click()
+  for (const [width, height] of [
+    [1440, 900],
+    [820, 1180],
+    [1180, 820],
+    [390, 844],
+  ]) {
+    await page.setViewportSize({ width, height })
+    await page.waitForTimeout(300)
+    const canvas = await page.locator('[data-part=viewer] canvas').boundingBox()
+    const names = await page.locator('[data-part=labels] [data-part=landmark]:visible').all()
+    const boxes = await Promise.all(names.map((name) => name.boundingBox()))
+    const middles = boxes.map((box) => [box.x + box.width / 2 - canvas.x, box.y + box.height / 2 - canvas.y])
+    for (const [x, y] of middles)
+      assert.ok(x > 0 && x < canvas.width && y > 0 && y < canvas.height, `${width}: ${x} ${y}`)
+    const across = Math.max(...middles.map(([x]) => x)) - Math.min(...middles.map(([x]) => x))
+    const along = Math.max(...middles.map(([, y]) => y)) - Math.min(...middles.map(([, y]) => y))
+    assert.ok(across > 0.6 * canvas.width || along > 0.6 * canvas.height, `${width}: ${across} of ${canvas.width}`)
+  }
+  await page.setViewportSize({ width: 1280, height: 800 })
 })
 
 test('it says on every view that it is for research only, and what is not modelled', async () => {

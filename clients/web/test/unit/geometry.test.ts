@@ -36,7 +36,12 @@ test('the motion is followed linearly between its states, and ends where they en
 })
 
 test('edges of one face alone are the boundary', () => {
-  expect(boundaryEdges(pyramid().faces)).toEqual([[0, 1], [1, 2], [2, 3], [3, 0]])
+  expect(boundaryEdges(pyramid().faces)).toEqual([
+    [0, 1],
+    [1, 2],
+    [2, 3],
+    [3, 0],
+  ])
 })
 
 test('a plane cuts the faces it goes through, each in one piece', () => {

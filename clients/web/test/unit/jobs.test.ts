@@ -3,11 +3,11 @@ import type { JobProgress } from '../../src/api/types'
 import { Pace } from '../../src/jobs/pace'
 import { endedSeries, liveSeries } from '../../src/search/cost_chart'
 
-function progress(stage: string, evaluations: number, seconds: number, more: Partial<JobProgress> = {}): JobProgress {
+function progress(stage: string, closures: number, seconds: number, more: Partial<JobProgress> = {}): JobProgress {
   return {
     stage,
-    evaluations,
-    evaluations_planned: 100,
+    closures,
+    closures_planned: 100,
     best_leak_mm2: null,
     best_cost: null,
     random_cost: null,

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { anchorPoint, describe, newApproximation, newNeochorda, sutureRange } from '../../src/repair/steps'
-import { plansIn } from '../../src/repair/kept_plans'
+import { plansIn } from '../../src/repair/plan_files'
 import { placeOf } from '../../src/valve/open'
 import { colourOf, scaleOf } from '../../src/viewer/colours'
 import { EventReader } from '../../src/api/events'
@@ -61,7 +61,9 @@ test('colours run along the scale and stop at its ends', () => {
 test('events are put together from parts that come as they like', () => {
   const reader = new EventReader()
   expect(reader.read('retry: 2000\n\nid: 7\nevent: pro')).toEqual([])
-  expect(reader.read('gress\ndata: {"a": 1}\n\n: heartbeat\n\n')).toEqual([{ id: '7', event: 'progress', data: '{"a": 1}' }])
+  expect(reader.read('gress\ndata: {"a": 1}\n\n: heartbeat\n\n')).toEqual([
+    { id: '7', event: 'progress', data: '{"a": 1}' },
+  ])
 })
 
 test('what is not known is said so', () => {

@@ -6,6 +6,7 @@ export function pyramid(): Scene {
   const rest_mm = [10, 0, 0, 0, 10, 0, -10, 0, 0, 0, -10, 0, 0, 0, -10]
   return {
     schema: 'coapt.scene/1',
+    notice: '',
     plane: { origin_mm: [0, 0, 0], x: [1, 0, 0], y: [0, 1, 0], normal: [0, 0, 1] },
     thickness_mm: 1,
     rest_mm,

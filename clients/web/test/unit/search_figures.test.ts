@@ -81,7 +81,7 @@ test('ties are said as ties, also across ranks between', () => {
   const tied = [plan({ rank: 1, tie: true, ahead: 0.75 }), plan({ rank: 2, tie: true }), plan({ rank: 3 })] as const
   expect(tieWords(tied[0], tied[1], [...tied])).toBe('Ranks 1 and 2 tie; rank 1 is ahead with a probability of 75 %.')
   expect(tieWords(tied[0], tied[2], [...tied])).toBe(
-    'Each plan from rank 1 to 3 ties with the next: their order says little.',
+    'Plans ranked 1 to 3 tie, each with the next: their order means little.',
   )
   const apart = [plan({ rank: 1, ahead: 1 }), plan({ rank: 2 }), plan({ rank: 3 })] as const
   expect(tieWords(apart[0], apart[1], [...apart])).toBe('Rank 1 is ahead of rank 2 with a probability of 100 %.')
@@ -93,7 +93,7 @@ test('a plan whose closures failed is doubted', () => {
   expect(
     doubts({ ...plan({}), status: 'step_limit', crossing: true, region_failures: 2, region_closures: 65 }),
   ).toEqual([
-    'The closure did not settle (step limit).',
+    'The closure did not converge (step limit).',
     'Leaflets pass through each other.',
     '2 of 65 closures over the region failed and are left out.',
   ])

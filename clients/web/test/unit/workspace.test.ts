@@ -10,12 +10,14 @@ let asked: { body: { valve: string; plan?: { steps: Step[] } }; answer: (scene: 
 beforeEach(() => {
   asked = []
   vi.stubGlobal('sessionStorage', { getItem: () => null })
-  vi.stubGlobal('fetch', (_: string, { body }: { body: string }) =>
-    new Promise((resolve, reject) => {
-      const answer = (scene: Scene | Error): void =>
-        scene instanceof Error ? reject(scene) : resolve({ ok: true, json: () => Promise.resolve(scene) })
-      asked.push({ body: JSON.parse(body), answer })
-    }),
+  vi.stubGlobal(
+    'fetch',
+    (_: string, { body }: { body: string }) =>
+      new Promise((resolve, reject) => {
+        const answer = (scene: Scene | Error): void =>
+          scene instanceof Error ? reject(scene) : resolve({ ok: true, json: () => Promise.resolve(scene) })
+        asked.push({ body: JSON.parse(body), answer })
+      }),
   )
 })
 afterEach(() => vi.unstubAllGlobals())

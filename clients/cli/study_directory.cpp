@@ -1,0 +1,50 @@
+#include "clients/cli/study_directory.h"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "clients/cli/files.h"
+#include "io/store/subject.h"
+
+namespace coapt {
+namespace {
+
+[[noreturn]] void fail(const Errors& errors) { throw std::runtime_error(errors.front().message); }
+
+}  // namespace
+
+Expected<std::unique_ptr<StudyDirectory>> StudyDirectory::open(const std::string& directory,
+                                                               int threads) {
+  if (Errors errors = make_directory(directory); !errors.empty()) return errors;
+  Expected<ClosureStore> store =
+      ClosureStore::open((std::filesystem::path(directory) / "closures.sqlite").string());
+  if (!store) return store.errors();
+  return std::unique_ptr<StudyDirectory>(new StudyDirectory(directory, threads, std::move(*store)));
+}
+
+OrificeTable StudyDirectory::table(const Valve& valve, const ClosureOptions& closure) {
+  OrificeTableOptions options;
+  options.closure = closure;
+  options.threads = threads_;
+  const std::string subject = subject_of(valve, options.closure);
+  Expected<KnownOrifices> known = store_.read(subject);
+  if (!known) fail(known.errors());
+  options.known = std::move(*known);
+  options.keep = [this, subject](const ConfigurationKey& key, const OrificeSample& sample) {
+    if (const Errors errors = store_.keep(subject, key, sample); !errors.empty()) fail(errors);
+  };
+  options.progress = [this](int done, int planned) {
+    if (done % 16 == 0 || done == planned) bar_.show(done, planned, "closures: " + stage_);
+  };
+  return OrificeTable(valve, std::move(options));
+}
+
+int StudyDirectory::write(const std::string& name, const std::string& content) const {
+  return write_output((std::filesystem::path(directory_) / name).string(), content);
+}
+
+double StudyDirectory::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+}
+
+}  // namespace coapt

@@ -1,0 +1,20 @@
+// What the words on the page mean, each in a sentence or two for a surgeon.
+export const GLOSSARY = {
+  leak: 'The larger of two areas: the orifice seen from the atrium, and the gap between the leaflets. It is an area of the closed valve, not a volume of blood.',
+  orifice: 'The open area that one sees from the atrium, between leaflets with their thickness.',
+  gap: 'The area of the slit between the free edges where the leaflets do not touch, also where one covers the other when seen from the atrium, as in a prolapse.',
+  coaptation:
+    'How high the contact between the leaflets is, across the line of coaptation. About 8 mm is the aim of a repair.',
+  tenting_height: 'From the plane of the annulus down to where the leaflets meet.',
+  tenting_area:
+    'The area between the plane of the annulus and the leaflets, in the middle section. It is negative where the leaflets are above the plane.',
+  saddle: 'How far the annulus rises from its plane to the saddle peak in the middle of the anterior side.',
+  tension: 'The force in a chorda of the closed valve.',
+  strain:
+    'How much the leaflet is stretched against its unloaded state, along the annulus (circumferential) or from the annulus to the free edge (radial). Given is the 99th percentile: 1 % of the leaflet area is stretched more. Chordae pull at single points, so radial values are too high near them.',
+  mesh: 'The same valve on a finer mesh gives a leak that differs by about this much. The order of plans is hardly touched by it.',
+  margin: 'By how much a suture or a ring may be off before the valve leaks more than 1 mm².',
+  robust:
+    'Closes also with small errors of execution: the plan was closed many times with lengths and places a little off.',
+} as const
+export type Term = keyof typeof GLOSSARY

@@ -1,0 +1,121 @@
+// Ctrl+K: every view, valve, kept plan and action by its name.
+import { presets } from '../api/calls'
+import { h } from '../dom'
+import { openedValves } from '../state/valves'
+import { presetTitle } from '../valve/presets'
+import type { Workspace } from '../workspace'
+import shellStyle from './shell.module.css'
+import { switchTheme } from './theme'
+import { VIEWS } from './views'
+
+export interface Command {
+  group: string
+  name: string
+  run(): void
+}
+
+export interface Palette {
+  open(): void
+}
+
+export function commandPalette(workspace: Workspace): Palette {
+  let commands: Command[] = []
+  let found: Command[] = []
+  let at = 0
+  const list = h('ul', { role: 'listbox', id: 'palette-list', 'aria-label': 'Commands', class: shellStyle.commands })
+  const input = h('input', {
+    type: 'search',
+    role: 'combobox',
+    'aria-label': 'Find a command',
+    'aria-controls': 'palette-list',
+    'aria-expanded': 'true',
+    autocomplete: 'off',
+    placeholder: 'View, valve, plan or action',
+    oninput: () => relist(0),
+    onkeydown: (event: KeyboardEvent) => step(event),
+  })
+  const dialog = h('dialog', { class: shellStyle.palette, 'aria-label': 'Commands' }, input, list)
+  dialog.addEventListener('click', (event) => event.target === dialog && dialog.close())
+
+  function relist(marked: number): void {
+    found = matching(commands, input.value)
+    at = Math.max(0, Math.min(marked, found.length - 1))
+    list.replaceChildren(
+      ...found.map((command, i) =>
+        h(
+          'li',
+          { role: 'option', id: `command-${i}`, 'aria-selected': String(i === at), onclick: () => run(command) },
+          h('span', { class: shellStyle.group }, command.group),
+          command.name,
+        ),
+      ),
+    )
+    if (found.length === 0) list.append(h('li', { role: 'option', 'aria-disabled': 'true' }, 'Nothing has this name.'))
+    input.setAttribute('aria-activedescendant', found.length > 0 ? `command-${at}` : '')
+    list.children[at]?.scrollIntoView({ block: 'nearest' })
+  }
+
+  function step(event: KeyboardEvent): void {
+    const way = event.key === 'ArrowDown' ? 1 : event.key === 'ArrowUp' ? -1 : 0
+    if (way !== 0) relist(at + way)
+    else if (event.key === 'Enter') run(found[at])
+    else return
+    event.preventDefault()
+  }
+
+  function run(command: Command | undefined): void {
+    dialog.close()
+    command?.run()
+  }
+
+  return {
+    open() {
+      if (dialog.open) return
+      if (!dialog.isConnected) document.body.append(dialog)
+      commands = [...views(), ...actions(workspace), ...plans(workspace)]
+      input.value = ''
+      relist(0)
+      dialog.showModal()
+      void valves(workspace).then((more) => {
+        commands = [...commands, ...more]
+        relist(at)
+      })
+    },
+  }
+}
+
+/// Those that have all words of `asked` in them.
+export function matching(commands: Command[], asked: string): Command[] {
+  const words = asked.toLowerCase().split(/\s+/)
+  return commands.filter(({ group, name }) => words.every((word) => `${group} ${name}`.toLowerCase().includes(word)))
+}
+
+function views(): Command[] {
+  return VIEWS.map(([view, name]) => ({ group: 'View', name, run: () => (location.hash = `#/${view}`) }))
+}
+
+function actions(workspace: Workspace): Command[] {
+  return [
+    { group: 'Action', name: 'Undo', run: () => void workspace.undo() },
+    { group: 'Action', name: 'Redo', run: () => void workspace.redo() },
+    { group: 'Action', name: 'Clear the plan', run: () => void workspace.setPlan([]) },
+    { group: 'Action', name: 'Light or dark', run: switchTheme },
+  ]
+}
+
+function plans(workspace: Workspace): Command[] {
+  return workspace.kept.map((kept) => ({
+    group: 'Kept plan',
+    name: kept.name,
+    run: () => void workspace.revise(kept).then(() => (location.hash = '#/repair')),
+  }))
+}
+
+async function valves(workspace: Workspace): Promise<Command[]> {
+  const open = (reference: string, label: string) => () => void workspace.open({ reference, label }).catch(() => {})
+  const [names, opened] = await Promise.all([presets().catch(() => []), openedValves().catch(() => [])])
+  return [
+    ...names.map((name) => ({ group: 'Preset', name: `${presetTitle(name)} (${name})`, run: open(name, name) })),
+    ...opened.map(({ id, name }) => ({ group: 'Valve', name, run: open(id, name) })),
+  ]
+}

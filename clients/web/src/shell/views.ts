@@ -1,0 +1,8 @@
+/// The views of the page, in their order.
+export const VIEWS = [
+  ['valve', 'Valve'],
+  ['repair', 'Repair'],
+  ['search', 'Search'],
+  ['studies', 'Studies'],
+] as const
+export type ViewName = (typeof VIEWS)[number][0]

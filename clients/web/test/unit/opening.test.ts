@@ -1,0 +1,94 @@
+import { describe, expect, it } from 'vitest'
+import { cornerColours, scaleOf, vertexValues } from '../../src/viewer/colours'
+import { hiddenMembranes, type Membrane, orificeMembranes } from '../../src/viewer/opening'
+import { thickSheet, vertexNormals } from '../../src/viewer/thick_sheet'
+import { pyramid } from './scenes'
+
+type Section = ReturnType<typeof pyramid>['sections'][number]
+
+/// At x, leaflets `width` apart along y, 5 mm below the plane.
+function apart(x: number, width: number): Section {
+  const nearest_mm: Section['nearest_mm'] = [
+    [x, width / 2, -5],
+    [x, -width / 2, -5],
+  ]
+  return {
+    along: 0,
+    point_mm: [x, 0, 0],
+    normal: [1, 0, 0],
+    height_mm: 0,
+    distance_mm: width,
+    contact: false,
+    nearest_mm,
+  }
+}
+
+function area({ points, triangles }: Membrane): number {
+  let sum = 0
+  for (let i = 0; i < triangles.length; i += 3) {
+    const [a, b, c] = triangles.slice(i, i + 3).map((vertex) => points.slice(3 * vertex, 3 * vertex + 3)) as number[][]
+    const u = b?.map((part, k) => part - (a?.[k] as number)) as [number, number, number]
+    const v = c?.map((part, k) => part - (a?.[k] as number)) as [number, number, number]
+    sum += 0.5 * Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+  }
+  return sum
+}
+
+describe('the opening', () => {
+  it('spans two parallel edges over their length', () => {
+    const scene = { ...pyramid(), sections: [apart(-2, 3), apart(0, 3), apart(2, 3)] }
+    const [membrane, ...others] = hiddenMembranes(scene)
+    expect(others).toEqual([])
+    expect(area(membrane as Membrane)).toBeCloseTo(4 * 3)
+  })
+
+  it('ends where the leaflets touch', () => {
+    const touching = { ...apart(0, 0.5), contact: true }
+    const scene = { ...pyramid(), sections: [apart(-4, 3), apart(-2, 3), touching, apart(2, 1), apart(4, 1)] }
+    expect(hiddenMembranes(scene).map(area)).toEqual([6, 2])
+  })
+
+  it('is the orifice itself where the atrial view shows it, as high as its outline', () => {
+    const outline = [-5, -2, -3, 5, -2, -3, 5, 2, -6, -5, 2, -6]
+    const scene = {
+      ...pyramid(),
+      sections: [apart(-2, 3), apart(0, 3), apart(2, 3)],
+      orifices: [{ area_mm2: 40, contours_mm: [outline] }],
+    }
+    expect(hiddenMembranes(scene)).toEqual([])
+    const [membrane] = orificeMembranes(scene)
+    expect(area(membrane as Membrane)).toBeCloseTo(10 * 5) // 4 mm across, 3 mm deep
+    expect(membrane?.label).toEqual({ point_mm: [0, 0, -4.5], text: '40.0 mm²' })
+  })
+
+  it('is nothing of a valve that is closed', () => {
+    expect([...orificeMembranes(pyramid()), ...hiddenMembranes(pyramid())]).toEqual([])
+  })
+})
+
+describe('leaflets with their thickness', () => {
+  it('have two sides of each face and a rim of two triangles an edge', () => {
+    const { source, sides, rim } = thickSheet(pyramid())
+    expect(rim).toBe(2 * 12)
+    expect(source.length).toBe(2 * 12 + 4 * 6) // the annulus; the pyramid has no free edge
+    expect(sides.slice(0, 12).every((side) => side === 1)).toBe(true)
+    expect(new Set(source.slice(rim)).size).toBe(8)
+  })
+
+  it('are moved along normals as long as 1', () => {
+    const { faces, rest_mm } = pyramid()
+    const normals = vertexNormals(faces, rest_mm, 5)
+    expect([...normals.slice(12)].map((part) => Math.round(1e6 * part) / 1e6 + 0)).toEqual([0, 0, 1])
+    expect(Math.hypot(...normals.slice(0, 3))).toBeCloseTo(1)
+  })
+})
+
+describe('colours of strain', () => {
+  it('run smoothly over vertices', () => {
+    const scene = pyramid()
+    expect(vertexValues(scene, 'strain_circumferential', scene.rest_mm)?.map(Math.round)).toEqual([15, 5, 15, 25, 15])
+    const scale = scaleOf('strain_circumferential', [scene])
+    const colours = cornerColours(scene, 'strain_circumferential', scale, scene.rest_mm)
+    expect([...colours.slice(6, 9)]).toEqual([...colours.slice(15, 18)]) // the tip, in two faces
+  })
+})

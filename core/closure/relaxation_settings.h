@@ -1,0 +1,25 @@
+// What a relaxation (relaxation.h) is asked for.
+#pragma once
+
+#include "core/closure/contact.h"
+#include "core/closure/kernels/kernels.h"
+
+namespace coapt {
+
+struct RelaxationSettings {
+  double residual_tolerance = 0.005;
+  double way_tolerance_mm = 0.02;  ///< predicted rms way of the leaflets to rest
+  int max_steps = 6000;
+  double damping = 0.06;  ///< share of a velocity lost in a step at 650 triangles (relaxation.cpp)
+  double longest_move_mm = 0.15;  ///< of a node in a step; longer ones let leaflets jump through
+  /// A node's mass over the sum of its stiffness. The guaranteed bound is half of that sum; contact
+  /// and damping take a little more. Less is a longer step, without guarantee.
+  double mass_share = 0.55;
+  ContactLaw contact;
+  bool guards = true;   ///< see above; without, crossings are only reported
+  int samples = 1;      ///< end states recorded, five steps apart
+  bool motion = false;  ///< record states on the way, 15 steps apart
+  kernels::InstructionSet instructions = kernels::best_instruction_set();
+};
+
+}  // namespace coapt

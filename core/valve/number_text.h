@@ -1,0 +1,30 @@
+// Numbers as text: the same in every locale, with a point.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace coapt {
+
+inline std::string number_text(double number, std::chars_format format, int precision) {
+  std::array<char, 400> text;  // the longest double has 309 digits before the point
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), number, format, precision).ptr;
+  return {text.data(), end};
+}
+
+/// As %.*f: "12.30", "-0.0", "nan".
+inline std::string with_decimals(double number, int decimals) {
+  return number_text(number, std::chars_format::fixed, decimals);
+}
+
+/// As %.*g: "12.3", "1.2e+09", "nan".
+inline std::string significant(double number, int digits) {
+  return number_text(number, std::chars_format::general, digits);
+}
+
+/// Six significant digits.
+inline std::string shown(double number) { return significant(number, 6); }
+
+}  // namespace coapt

@@ -1,0 +1,211 @@
+#include "io/command_line/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <type_traits>
+
+namespace coapt {
+namespace {
+
+constexpr int kUsageError = 2;
+
+template <class T>
+Check number_check(T min, T max) {
+  std::ostringstream range;
+  range.precision(std::numeric_limits<double>::digits10);
+  range << "from " << min << " to " << max;
+  const std::string kind = std::is_integral_v<T> ? "a whole number " : "a number ";
+  const auto problem = [=, accepted = kind + range.str()](const std::string& text) -> std::string {
+    T value = {};
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    const bool inside = error == std::errc() && rest == end && value >= min && value <= max;
+    return inside ? "" : "is " + text + ", must be " + accepted;
+  };
+  return {problem, range.str()};
+}
+
+void end_with(CLI::App& command, const std::string& notice) {
+  for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; }))
+    end_with(*below, notice);
+  const std::string footer = command.get_footer();
+  command.footer(footer + (footer.empty() ? "" : "\n\n") + notice);
+}
+
+}  // namespace
+
+Check number_from(int min, int max) { return number_check(min, max); }
+Check number_from(double min, double max) { return number_check(min, max); }
+Check number_from(std::uint64_t min, std::uint64_t max) { return number_check(min, max); }
+
+Option& Option::required() {
+  option_->required();
+  return *this;
+}
+
+Option& Option::check(const Check& check) {
+  option_->check(CLI::Validator(
+      [problem = check.problem](const std::string& argument) { return problem(argument); },
+      check.accepted, ""));
+  return *this;
+}
+
+Option& Option::one_of(const std::vector<std::string>& accepted) {
+  option_->check(CLI::IsMember(accepted));
+  return *this;
+}
+
+Option& Option::one_of(const std::vector<double>& accepted) {
+  option_->check(CLI::IsMember(accepted));
+  return *this;
+}
+
+Option& Option::count(int min, int max) {
+  option_->expected(min, max);
+  return *this;
+}
+
+Option& Option::one_at_a_time() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+Option& Option::split_at(char delimiter) {
+  option_->delimiter(delimiter);
+  return *this;
+}
+
+Option& Option::excludes(const std::string& name) {
+  option_->excludes(name);
+  return *this;
+}
+
+Option& Option::needs(const Option& other) {
+  option_->needs(other.option_);
+  return *this;
+}
+
+Option& Option::environment(const std::string& variable) {
+  option_->envname(variable);
+  return *this;
+}
+
+Option& Option::show_default() {
+  option_->capture_default_str();
+  return *this;
+}
+
+Option& Option::show_default(const std::string& text) {
+  option_->default_str(text);
+  return *this;
+}
+
+Option& Option::show_argument(const std::string& text) {
+  option_->option_text(text);
+  return *this;
+}
+
+Option& Option::group(const std::string& heading) {
+  option_->group(heading);
+  return *this;
+}
+
+Command Command::add_command(const std::string& name, const std::string& what) {
+  return Command(*app_->add_subcommand(name, what));
+}
+
+Command Command::add_hidden_command(const std::string& name) {
+  CLI::App* const command = app_->add_subcommand(name)->group("")->prefix_command();
+  command->set_help_flag();
+  return Command(*command);
+}
+
+void Command::require_command() { app_->require_subcommand(1); }
+
+Option Command::add_option(const std::string& names, std::string& value, const std::string& help) {
+  return Option(*app_->add_option(names, value, help));
+}
+
+Option Command::add_option(const std::string& names, int& value, const std::string& help) {
+  return Option(*app_->add_option(names, value, help));
+}
+
+Option Command::add_option(const std::string& names, double& value, const std::string& help) {
+  return Option(*app_->add_option(names, value, help));
+}
+
+Option Command::add_option(const std::string& names, std::uint64_t& value,
+                           const std::string& help) {
+  return Option(*app_->add_option(names, value, help));
+}
+
+Option Command::add_option(const std::string& names, std::optional<double>& value,
+                           const std::string& help) {
+  return Option(*app_->add_option(names, value, help));
+}
+
+Option Command::add_option(const std::string& names, std::vector<std::string>& value,
+                           const std::string& help) {
+  return Option(*app_->add_option(names, value, help));
+}
+
+Option Command::add_option(const std::string& names, std::vector<double>& value,
+                           const std::string& help) {
+  return Option(*app_->add_option(names, value, help));
+}
+
+Option Command::add_flag(const std::string& names, bool& value, const std::string& help) {
+  return Option(*app_->add_flag(names, value, help));
+}
+
+Option Command::add_choice(const std::string& names, const std::map<std::string, int>& choices,
+                           std::function<void(int)> choose, const std::string& help) {
+  return Option(*app_->add_option_function<int>(names, std::move(choose), help)
+                     ->transform(CLI::CheckedTransformer(choices)));
+}
+
+void Command::footer(const std::string& text) { app_->footer(text); }
+
+void Command::on_run(std::function<void()> run) { app_->callback(std::move(run)); }
+
+bool Command::has(const std::string& option) const { return app_->count(option) > 0; }
+
+void Command::refuse_group(const std::string& name, const std::string& heading) const {
+  for (const CLI::Option* option : app_->get_options())
+    if (option->get_group() == heading && option->count() > 0)
+      throw CLI::ExcludesError(name, option->get_name());
+}
+
+CommandLine::CommandLine(const std::string& program, const std::string& what,
+                         const std::string& version)
+    : app_(std::make_unique<CLI::App>(what, program)) {
+  app_->set_version_flag("--version", version);
+}
+
+CommandLine::~CommandLine() = default;
+
+Command CommandLine::program() { return Command(*app_); }
+
+void CommandLine::end_helps_with(const std::string& notice) { end_with(*app_, notice); }
+
+std::string CommandLine::help() const { return app_->help(); }
+
+std::optional<int> CommandLine::parse(int argc, char** argv) {
+  try {
+    app_->parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::RequiredError& error) {
+    // CLI11 says what is missing before what it does not know, such as a misspelt command.
+    const std::vector<std::string> unknown = app_->remaining(true);
+    if (!unknown.empty()) std::cerr << app_->get_name() << ": unknown: " << unknown.front() << '\n';
+    app_->exit(error);
+    return kUsageError;
+  } catch (const CLI::ParseError& error) {
+    return app_->exit(error) == 0 ? 0 : kUsageError;
+  }
+}
+
+}  // namespace coapt

@@ -1,0 +1,111 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "clients/cli/closure_options.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "clients/cli/progress_bar.h"
+#include "core/metrics/quantile.h"
+#include "io/command_line/command_line.h"
+#include "io/json/plan_json.h"
+#include "io/json/result_json.h"
+#include "lab/cli/commands.h"
+#include "lab/closures/study_json.h"
+
+namespace coapt {
+namespace {
+
+struct BenchArguments {
+  std::string valve;
+  ClosureStudyOptions study;
+  std::optional<double> accuracy_mm2;
+  bool no_accuracy = false, json = false;
+};
+
+void print(std::ostream& out, const ClosureStudy& study, bool accuracy) {
+  std::vector<double> rms, orifice;
+  for (const SceneOutcome& scene : study.scenes) {
+    if (!scene.compared) continue;
+    rms.push_back(scene.from_end.rms_mm);
+    orifice.push_back(std::abs(scene.from_end.orifice_mm2));
+  }
+  out << study.scenes.size() << " closures: median " << study.median_ms << " ms, 90 % below "
+      << study.p90_ms << " ms, " << study.closures_per_second_per_core << " a second and core\n"
+      << study.unconverged << " not converged, " << study.crossed << " crossed, " << study.retried
+      << " needed more than one attempt\n";
+  if (!accuracy) return;
+  out << "Distance from their own end state (residual 1e-6): rms median " << quantile(rms, 0.5)
+      << ", 90 % below " << quantile(rms, 0.9) << " mm; orifice 90 % below "
+      << quantile(orifice, 0.9) << " mm2\n"
+      << study.other_equilibria
+      << " settle elsewhere (0.05 mm rms or more) when closed differently\n";
+}
+
+int run(const BenchArguments& arguments) {
+  const Expected<Valve> valve = read_valve_argument(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  ClosureStudyOptions options = arguments.study;
+  options.accuracy = !arguments.no_accuracy;
+  const auto accuracy = apply_accuracy(arguments.accuracy_mm2, options.closure);
+  if (!accuracy) return report_option_errors("bench closures", accuracy.errors());
+  if (options.warm && options.closure.method != Method::Fast)
+    return report_option_errors(
+        "bench closures",
+        {{ErrorCode::Unsupported, "/warm", "is for method fast only; leave out --method thesis"}});
+  const ClosureStudy study = [&] {
+    const ProgressBar bar;
+    return study_closures(*valve, options,
+                          [&](int done) { bar.show(done, options.count, "scenes"); });
+  }();
+  if (arguments.json) {
+    auto json = to_json(options, study);
+    if (*accuracy) json["accuracy"] = to_json(**accuracy, options.closure.membrane);
+    std::cout << json.dump(2) << '\n';
+  } else {
+    print(std::cout, study, options.accuracy);
+  }
+  return study.unconverged + study.crossed == 0 ? exit_code::kOk : exit_code::kNotClosed;
+}
+
+}  // namespace
+
+void add_bench_closures(Command parent, int& status) {
+  const auto arguments = std::make_shared<BenchArguments>();
+  Command command =
+      parent.add_command("closures", "Close many variations of a valve: speed and accuracy");
+  ClosureStudyOptions& study = arguments->study;
+  command.add_option("valve", arguments->valve, kValveHelp).required();
+  command.add_option("--count", study.count, "How many variations")
+      .check(number_from(1, 1'000'000))
+      .show_default();
+  command.add_option("--seed", study.seed, "Same seed, same variations")
+      .check(number_from(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))
+      .show_default();
+  command.add_option("--threads", study.threads, "0: all cores; does not change the closures")
+      .check(number_from(0, 1024))
+      .show_default();
+  add_method_option(command, study.closure.method);
+  add_membrane_option(command, study.closure.membrane);
+  add_accuracy_option(command, arguments->accuracy_mm2);
+  command.add_flag("--no-accuracy", arguments->no_accuracy,
+                   "Skip the two further closures of each variation that errors are measured from");
+  command.add_flag("--warm", study.warm,
+                   "Start each closure from that of a neighbour, tips within 1 mm; compared with a "
+                   "cold start instead of a closure at half the speed");
+  command.add_flag("--json", arguments->json, "Print JSON");
+  command.footer(
+      "Variations: AP dilation 0 to 30 %, annular height 80 to 120 %, tips displaced by up to 6 "
+      "mm,\n"
+      "rings and papillary sutures on 40 % each. Times are of whole closures from the open state\n"
+      "(with --warm: from a neighbour), including further attempts and crossing tests. Exit code "
+      "3\n"
+      "if a closure did not converge or leaflets cross.\n\n"
+      "Examples:\n"
+      "  coapt-lab bench closures human-normal --count 200\n"
+      "  coapt-lab bench closures human-normal --count 200 --warm\n"
+      "  coapt-lab bench closures porcine-1 --count 20 --method thesis --json");
+  command.on_run([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace coapt

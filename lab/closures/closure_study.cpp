@@ -1,0 +1,93 @@
+#include "lab/closures/closure_study.h"
+
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <optional>
+
+#include "core/metrics/measure.h"
+#include "core/metrics/quantile.h"
+#include "lab/closures/varied_scenes.h"
+#include "search/evaluator.h"
+#include "search/parallel.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kOtherSpeed = 0.5;
+
+SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options, int index) {
+  using Clock = std::chrono::steady_clock;
+  SceneOutcome outcome;
+  std::optional<ClosureResult> neighbour;
+  if (options.warm)
+    neighbour = close_valve(neighbour_of(scene, options.seed, index), options.closure);
+  const ClosureResult* from = neighbour ? &*neighbour : nullptr;
+  const auto start = Clock::now();
+  const ClosureResult closed = close_valve(scene, options.closure, from);
+  outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  outcome.status = closed.status;
+  outcome.crossing = closed.crossing;
+  outcome.steps = closed.steps;
+  outcome.attempts = static_cast<int>(closed.attempts.size());
+  if (!options.accuracy || !trusted(closed)) return outcome;
+  ClosureOptions to_end = to_the_end(options.closure);
+  const ClosureResult end = close_valve(scene, to_end, from);
+  if (!options.warm) to_end.speed *= kOtherSpeed;
+  const ClosureResult other = close_valve(scene, to_end);
+  outcome.compared = trusted(end) && trusted(other);
+  if (!outcome.compared) return outcome;
+  outcome.from_end = closure_error(scene, closed, end);
+  outcome.from_other = closure_error(scene, end, other);
+  outcome.other_equilibrium = outcome.from_other.rms_mm > kOtherEquilibrium_mm;
+  return outcome;
+}
+
+}  // namespace
+
+ClosureOptions to_the_end(ClosureOptions options) {
+  options.residual_tolerance = 1e-6;
+  options.way_tolerance_mm = 1e-4;
+  options.max_steps = 100000;
+  return options;
+}
+
+ClosureError closure_error(const Valve& valve, const ClosureResult& a, const ClosureResult& b) {
+  const Eigen::VectorXd apart = (a.closed_mm - b.closed_mm).rowwise().norm();
+  const ValveMeasure of_a = measure(valve, a), of_b = measure(valve, b);
+  return {std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size())), apart.maxCoeff(),
+          of_a.orifice.area_mm2 - of_b.orifice.area_mm2,
+          of_a.coaptation.height_mean_mm - of_b.coaptation.height_mean_mm};
+}
+
+ClosureStudy study_closures(const Valve& valve, const ClosureStudyOptions& options,
+                            const std::function<void(int)>& progress) {
+  ClosureStudy study;
+  study.scenes.resize(static_cast<std::size_t>(options.count));
+  std::mutex mutex;
+  int done = 0;
+  for_each_index(options.count, options.threads, [&](int i) {
+    study.scenes[static_cast<std::size_t>(i)] =
+        close_scene(varied_scene(valve, options.seed, i), options, i);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (progress) progress(++done);
+  });
+  std::vector<double> ms, steps;
+  double seconds = 0.0;
+  for (const SceneOutcome& scene : study.scenes) {
+    ms.push_back(1e3 * scene.seconds);
+    steps.push_back(scene.steps);
+    seconds += scene.seconds;
+    study.unconverged += scene.status != ClosureStatus::Converged;
+    study.crossed += scene.crossing;
+    study.retried += scene.attempts > 1;
+    study.other_equilibria += scene.other_equilibrium;
+  }
+  study.closures_per_second_per_core = seconds > 0.0 ? options.count / seconds : 0.0;
+  study.median_ms = quantile(ms, 0.5);
+  study.p90_ms = quantile(ms, 0.9);
+  study.median_steps = quantile(steps, 0.5);
+  return study;
+}
+
+}  // namespace coapt

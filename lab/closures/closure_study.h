@@ -1,0 +1,63 @@
+// How fast and how true closures are, over many scenes of one valve.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/closure/closure.h"
+#include "core/repair/annuloplasty.h"
+
+namespace coapt {
+
+/// Rms distance of two ends from which on they count as different equilibria.
+inline constexpr double kOtherEquilibrium_mm = 0.05;
+
+struct ClosureStudyOptions {
+  ClosureOptions closure;
+  int count = 100;         ///< scenes
+  std::uint64_t seed = 1;  ///< of varied_scene
+  int threads = 0;         ///< 0: all cores
+  bool accuracy = true;    ///< also close each scene to the end, and once more on another way
+  bool warm = false;       ///< close each scene from the closure of a neighbour (neighbour_of)
+};
+
+/// Distances over the leaflet vertices.
+struct ClosureError {
+  double rms_mm = 0.0, max_mm = 0.0;
+  double orifice_mm2 = 0.0;           ///< of the leaflets with their half thickness
+  double coaptation_height_mm = 0.0;  ///< of the mean
+};
+
+struct SceneOutcome {
+  ClosureStatus status = ClosureStatus::StepLimit;
+  bool crossing = false;
+  int steps = 0, attempts = 0;
+  double seconds = 0.0;     ///< of the closure, reruns and crossing tests included
+  bool compared = false;    ///< the closures compared with have converged uncrossed, too
+  ClosureError from_end;    ///< from the same closure carried on to residual 1e-6 in double
+  ClosureError from_other;  ///< of that end from the end of a closure at half the speed; warm: from
+                            ///< the end of a cold start
+  bool other_equilibrium = false;  ///< the two ends are more than 0.05 mm rms apart
+};
+
+struct ClosureStudy {
+  std::vector<SceneOutcome> scenes;
+  double closures_per_second_per_core = 0.0;
+  double median_ms = 0.0, p90_ms = 0.0;
+  int unconverged = 0, crossed = 0, retried = 0, other_equilibria = 0;
+  double median_steps = 0.0;
+};
+
+/// The end of such a closure: to residual 1e-6 and 1e-4 mm of predicted way.
+ClosureOptions to_the_end(ClosureOptions closure);
+
+/// Error of closure `a` against closure `b` of the same valve.
+ClosureError closure_error(const Valve& valve, const ClosureResult& a, const ClosureResult& b);
+
+/// Closes varied scenes of a valve. `progress` is called with the number of scenes done, from several
+/// threads, one at a time. All but the times is the same for any number of threads.
+ClosureStudy study_closures(const Valve& valve, const ClosureStudyOptions& options,
+                            const std::function<void(int)>& progress = {});
+
+}  // namespace coapt

@@ -1,0 +1,65 @@
+#include "lab/closures/study_json.h"
+
+#include <cmath>
+
+#include "core/metrics/quantile.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json spread(const std::vector<double>& values) {
+  return {{"median", quantile(values, 0.5)},
+          {"p90", quantile(values, 0.9)},
+          {"max", quantile(values, 1.0)}};
+}
+
+ordered_json errors(const std::vector<ClosureError>& all) {
+  std::vector<double> rms, max, orifice, height;
+  for (const ClosureError& error : all) {
+    rms.push_back(error.rms_mm);
+    max.push_back(error.max_mm);
+    orifice.push_back(std::abs(error.orifice_mm2));
+    height.push_back(std::abs(error.coaptation_height_mm));
+  }
+  return {{"scenes", all.size()},
+          {"rms_mm", spread(rms)},
+          {"max_mm", spread(max)},
+          {"orifice_mm2", spread(orifice)},
+          {"coaptation_height_mm", spread(height)}};
+}
+
+}  // namespace
+
+ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& study) {
+  std::vector<ClosureError> from_end, of_other;
+  for (const SceneOutcome& scene : study.scenes) {
+    if (scene.compared) from_end.push_back(scene.from_end);
+    if (scene.other_equilibrium) of_other.push_back(scene.from_other);
+  }
+  ordered_json json = {{"method", to_string(options.closure.method)},
+                       {"membrane", to_string(options.closure.membrane)},
+                       {"count", options.count},
+                       {"seed", options.seed},
+                       {"warm", options.warm},
+                       {"closures_per_second_per_core", study.closures_per_second_per_core},
+                       {"median_ms", study.median_ms},
+                       {"p90_ms", study.p90_ms},
+                       {"median_steps", study.median_steps},
+                       {"retried", study.retried},
+                       {"unconverged", study.unconverged},
+                       {"crossed", study.crossed}};
+  ordered_json accuracy = nullptr, others = nullptr, equilibria = nullptr;
+  if (options.accuracy) {
+    equilibria = study.other_equilibria;
+    accuracy = errors(from_end);
+    others = errors(of_other);
+  }
+  json["other_equilibria"] = equilibria;
+  json["from_own_end"] = accuracy;
+  json["between_equilibria"] = others;
+  return json;
+}
+
+}  // namespace coapt

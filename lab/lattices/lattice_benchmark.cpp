@@ -1,0 +1,122 @@
+#include "lab/lattices/lattice_benchmark.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/presets/presets.h"
+#include "core/valve/remodel.h"
+#include "search/plans/exploration.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kTriangles = 650;
+constexpr std::size_t kPortion = 64;  // plans closed at once
+
+Valve diseased(const char* preset, double dilation, const Vec3& al, const Vec3& pm) {
+  Remodelling change;
+  change.ap_dilation_percent = dilation;
+  change.anterolateral_mm = al;
+  change.posteromedial_mm = pm;
+  return *remodel(*make_preset(preset, kTriangles), change);
+}
+
+/// The next combination of the flat variables, the first fastest.
+void advance(const std::vector<FlatVariable>& variables, std::vector<int>& values) {
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    if (++values[v] < variables[v].count) return;
+    values[v] = 0;
+  }
+}
+
+}  // namespace
+
+std::vector<LatticeCase> lattice_cases(const Valve& real) {
+  SearchRules both;
+  both.suture_lattice_mm = 1.0;
+  both.forbidden = {"papillary_approximation:annulus_point"};
+  SearchRules flail;
+  flail.most_neochordae = 2;
+  flail.neochorda_lattice_mm = 4.0;
+  flail.forbidden = {"annuloplasty:own", "annuloplasty:generic-geoform-like"};
+  const Vec3 none = Vec3::Zero();
+  return {
+      {"functional", *make_preset("human-functional-mr", kTriangles), both},
+      {"porcine-both", diseased("porcine-thesis", 10.0, {2, 3, 4}, {3, 3, 4}), both},
+      {"human-pm", diseased("human-normal", 15.0, none, {4, 4, 5}), {}},
+      {"real", real, both},
+      {"ischaemic", diseased("human-normal", 20.0, {3, 4, 5}, {5, 6, 5}), both},
+      {"flail-p2", *make_preset("human-p2-prolapse", kTriangles), flail},
+  };
+}
+
+std::optional<SolvedLattice> solve_lattice(const LatticeCase& lattice, int threads,
+                                           const SearchContext& context) {
+  SolvedLattice solved{.of = lattice,
+                       .space = std::make_shared<PlanSpace>(lattice.valve, lattice.rules)};
+  solved.flat = std::make_shared<FlatSpace>(*solved.space);
+  const std::vector<FlatVariable>& variables = solved.flat->variables();
+  std::size_t combinations = 1;
+  for (const FlatVariable& variable : variables)
+    combinations *= static_cast<std::size_t>(variable.count);
+
+  SearchMonitor monitor(0.0, context.cancelled, context.progress);
+  const Evaluator evaluate = context.evaluate ? context.evaluate : closing_evaluator({});
+  PlanEvaluations evaluations(evaluate, lattice.valve,
+                              {threads, context.known, context.keep, {}, {}}, monitor);
+  solved.before = evaluations.before();
+  std::vector<PlanRecord*> of_combination, plans;
+  std::unordered_map<const PlanRecord*, int> number;
+  std::vector<int> values(variables.size(), 0);
+  for (std::size_t i = 0; i < combinations; ++i, advance(variables, values)) {
+    PlanRecord* record = nullptr;
+    if (const auto point = solved.flat->point(values)) {
+      const Branch& branch = solved.space->branches()[point->branch];
+      record = &evaluations.record(solved.space->plan(branch, point->at));
+      if (is_infeasible(*record)) record = nullptr;
+    }
+    if (record != nullptr && number.try_emplace(record, static_cast<int>(plans.size())).second)
+      plans.push_back(record);
+    of_combination.push_back(record);
+    solved.plans.push_back(record == nullptr ? 0 : number.at(record));
+  }
+  monitor.plan(1 + kChosenBy * static_cast<int>(plans.size()), "solving lattice " + lattice.name);
+  for (std::size_t first = 0; first < plans.size(); first += kPortion) {
+    std::vector<PlanEvaluations::Wanted> wanted;
+    for (std::size_t i = first; i < std::min(plans.size(), first + kPortion); ++i)
+      for (int d = 0; d < kChosenBy; ++d) wanted.push_back({plans[i], d});
+    if (!evaluations.close(wanted, PlanEvaluations::Phase::Ranking)) return std::nullopt;
+  }
+  for (PlanRecord* plan : plans) {
+    solved.sorted_costs.push_back(evaluations.cost(*plan, kChosenBy));
+    solved.closures[plan->key] = plan->closures;
+  }
+  for (const PlanRecord* record : of_combination)
+    solved.costs.push_back(record == nullptr ? std::numeric_limits<double>::infinity()
+                                             : evaluations.cost(*record, kChosenBy));
+  std::sort(solved.sorted_costs.begin(), solved.sorted_costs.end());
+  solved.seconds = monitor.seconds();
+  return solved;
+}
+
+LatticeRun search_lattice(const SolvedLattice& lattice, const SearchOptions& options) {
+  const Evaluator evaluate = [&](const Valve&, const ClosureResult*) {
+    return ClosedPlan{lattice.before, nullptr};  // asked for the unrepaired valve alone
+  };
+  SearchMonitor monitor(0.0, nullptr);
+  PlanEvaluations evaluations(evaluate, lattice.of.valve, {1, lattice.closures, {}, {}, {}},
+                              monitor);
+  SearchOptions alone = options;
+  alone.threads = 1;
+  const ExplorationState exploration = explore({evaluations, *lattice.space, alone, monitor});
+  LatticeRun run;
+  run.improvements = exploration.scored_progress;
+  run.closures = evaluations.closures() - 1;
+  run.winner = std::numeric_limits<double>::infinity();
+  for (PlanRecord* plan : best_plans(exploration, 1))
+    if (evaluations.close_here(*plan, kChosenBy)) run.winner = evaluations.cost(*plan, kChosenBy);
+  return run;
+}
+
+}  // namespace coapt

@@ -1,0 +1,94 @@
+#include "lab/lattices/rival_runs.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+#include "io/json/plan_json.h"
+#include "lab/rivals/rivals.h"
+#include "search/plans/exploration.h"
+
+namespace coapt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Standard output of a command, line by line.
+std::vector<std::string> lines_of(const std::string& command) {
+  std::vector<std::string> lines;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return lines;
+  char line[512];
+  while (std::fgets(line, sizeof line, pipe) != nullptr) {
+    lines.emplace_back(line);
+    if (!lines.back().empty() && lines.back().back() == '\n') lines.back().pop_back();
+  }
+  pclose(pipe);
+  return lines;
+}
+
+}  // namespace
+
+rivals::LatticeTable table_of(const SolvedLattice& lattice) {
+  rivals::LatticeTable table{lattice.of.name, {}, lattice.costs, lattice.plans};
+  for (const FlatVariable& variable : lattice.flat->variables())
+    table.variables.push_back({variable.name, variable.ordered, variable.count});
+  return table;
+}
+
+std::string outside_program(const std::string& given) {
+  if (!given.empty()) return given;
+  std::error_code failed;
+  const fs::path here = fs::read_symlink("/proc/self/exe", failed).parent_path();
+  for (const fs::path& place : {here, here / "../../rivals/bin"})
+    if (fs::exists(place / "coapt-rivals", failed)) return (place / "coapt-rivals").string();
+  return "";
+}
+
+rivals::MeasuredRun measured_run(const RivalTask& task, int budget, const std::string& outside) {
+  const std::vector<std::string> here = rivals::rival_names();
+  const double best = task.lattice->sorted_costs.front();
+  rivals::MeasuredRun run{task.method, task.lattice->of.name, task.seed, {}, 0};
+  if (task.method == "coapt") {
+    SearchOptions options;
+    options.seed = task.seed;
+    options.plans = 1;
+    options.evaluations = kChosenBy * budget;
+    const LatticeRun ours = search_lattice(*task.lattice, options);
+    for (const Progress& step : ours.improvements)
+      run.improvements.emplace_back(step.closures - 1, step.cost - best);
+    run.spent = ours.closures;
+  } else if (std::find(here.begin(), here.end(), task.method) != here.end()) {
+    const rivals::RivalRun theirs =
+        rivals::run_rival(table_of(*task.lattice), {task.method, task.seed, budget, {}});
+    for (const rivals::Improvement& step : theirs.improvements)
+      run.improvements.emplace_back(kChosenBy * step.evaluations, step.cost - best);
+    run.spent = kChosenBy * theirs.evaluations;
+  } else {
+    std::ostringstream command;
+    command << '\'' << outside << "' '" << task.file << "' " << task.method << ' ' << task.seed
+            << ' ' << budget;
+    run.spent = kChosenBy * budget;  // if it was killed
+    for (const std::string& line : lines_of(command.str())) {
+      const std::size_t second = line.find(',', line.find(',') + 1);
+      int evaluations = 0;
+      double cost = 0.0;
+      if (second == std::string::npos) continue;
+      const int read = std::sscanf(line.c_str() + second, ",%d,%lf", &evaluations, &cost);
+      if (read == 2) run.improvements.emplace_back(kChosenBy * evaluations, cost - best);
+      if (read == 1 && line.ends_with(",end")) run.spent = kChosenBy * evaluations;
+    }
+  }
+  return run;
+}
+
+std::vector<std::string> compared_methods(const std::string& outside) {
+  std::vector<std::string> methods = {"coapt"};
+  for (const std::string& name : rivals::rival_names()) methods.push_back(name);
+  if (!outside.empty())
+    for (const std::string& name : lines_of('\'' + outside + "' --list")) methods.push_back(name);
+  return methods;
+}
+
+}  // namespace coapt

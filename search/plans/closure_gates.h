@@ -1,0 +1,15 @@
+// The rules that hold of how a repaired valve closes.
+#pragma once
+
+#include <vector>
+
+#include "search/plans/gates.h"
+
+namespace coapt {
+
+/// Of how the repaired valve closes as planned: "convergence", "crossing", "contact",
+/// "coaptation_height", "chordal_tension", "regurgitation_grade". Always these, in this order;
+/// figures of a closure that is not to be trusted are not assessed.
+std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& before);
+
+}  // namespace coapt

@@ -1,0 +1,222 @@
+#include "search/plans/plan_evaluations.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "core/repair/apply_plan.h"
+#include "core/valve/annulus_frame.h"
+#include "search/parallel.h"
+#include "search/plans/gates.h"
+#include "search/plans/plan_key.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kStates = 256;  // closures kept to start others from; 0.1 MB each
+
+// Millimetres and shares that count as one unit of place_of().
+constexpr double kAnnulusUnit_mm = 2.0, kTipUnit_mm = 2.0, kLengthUnit_mm = 2.0;
+constexpr double kAlongUnit = 0.07;
+constexpr double kOtherKind = 10.0;  // apart: nothing in common
+constexpr Eigen::Index kMostNeochordae = 4;
+
+}  // namespace
+
+bool is_infeasible(const PlanRecord& record) {
+  return !record.possible || !record.rejected_by.empty();
+}
+
+Eigen::VectorXd place_of(const Valve& repaired, const RepairPlan& plan) {
+  const AnnulusFrame frame = annulus_frame(repaired);
+  Eigen::VectorXd place = Eigen::VectorXd::Zero(10 + 2 * kMostNeochordae);
+  place[0] = ap_diameter_mm(repaired, frame) / kAnnulusUnit_mm;
+  place[1] = transverse_diameter_mm(repaired, frame) / kAnnulusUnit_mm;
+  place.segment<3>(2) = papillary_tip_mm(repaired, Side::Anterolateral) / kTipUnit_mm;
+  place.segment<3>(5) = papillary_tip_mm(repaired, Side::Posteromedial) / kTipUnit_mm;
+  Eigen::Index neochordae = 0, chordal = 0;
+  for (const RepairStep& step : plan.steps) {
+    if (const auto* neochorda = std::get_if<Neochorda>(&step)) {
+      if (neochordae++ >= kMostNeochordae) continue;
+      place[8 + 2 * neochordae] = neochorda->length_mm / kLengthUnit_mm;
+      place[9 + 2 * neochordae] = neochorda->insertion.along / kAlongUnit;
+    } else if (const auto* change = std::get_if<ChordalLengthChange>(&step)) {
+      place[9] += kOtherKind + change->change_mm / kLengthUnit_mm;
+    } else if (!std::holds_alternative<Annuloplasty>(step) &&
+               !std::holds_alternative<PapillaryApproximation>(step)) {
+      ++chordal;
+    }
+  }
+  place[8] = kOtherKind * static_cast<double>(neochordae);
+  place[9] += kOtherKind * static_cast<double>(chordal);
+  return place;
+}
+
+PlanEvaluations::PlanEvaluations(const Evaluator& evaluate, const Valve& valve,
+                                 PlanEvaluationOptions options, SearchMonitor& monitor)
+    : evaluate_(evaluate),
+      valve_(valve),
+      options_(std::move(options)),
+      monitor_(monitor),
+      before_(evaluate(valve, nullptr)) {
+  context_ = {valve.tissue.thickness_mm, before().measure.tension_max_n, options_.weights};
+  if (!trusted(before())) context_.tension_before_n = std::numeric_limits<double>::infinity();
+  const Expected<Valve> fixed = apply_plan(valve, options_.fixed);
+  if (fixed)
+    for (const Gate& gate : operation_gates({options_.fixed, valve_, *fixed}))
+      if (gate.severity == GateSeverity::Reject) tolerated_.insert(gate.rule);
+  closures_ = 1;
+  not_converged_ = before().status != ClosureStatus::Converged;
+  crossed_ = before().crossing;
+  monitor_.closed(std::numeric_limits<double>::infinity());
+}
+
+PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
+  const std::string key = plan_key(plan);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const auto found = records_.find(key); found != records_.end()) return *found->second;
+  }
+  auto made = std::make_unique<PlanRecord>();
+  made->plan = plan;
+  made->key = key;
+  const Expected<Valve> repaired = apply_plan(valve_, plan);
+  made->possible = bool(repaired);
+  if (repaired) {
+    made->effort = effort(valve_, *repaired, plan);
+    made->place = place_of(*repaired, plan);
+    for (const Gate& gate : operation_gates({plan, valve_, *repaired}))
+      if (gate.severity == GateSeverity::Reject && made->rejected_by.empty() &&
+          !tolerated_.contains(gate.rule))
+        made->rejected_by = gate.rule;
+    made->lowest_cost = effort_price(made->effort, options_.weights);
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return *records_.try_emplace(key, std::move(made)).first->second;
+}
+
+std::shared_ptr<const PlanEvaluations::State> PlanEvaluations::state_of(const PlanRecord& plan) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const auto found = states_.find(&plan); found != states_.end()) return found->second;
+  }
+  auto state = std::make_shared<State>();
+  state->repaired = *apply_plan(valve_, plan.plan);
+  state->closed = evaluate_(state->repaired, nullptr);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto [entry, is_new] = states_.try_emplace(&plan, state);
+  if (is_new) {
+    newest_states_.push_back(&plan);
+    if (newest_states_.size() > kStates) {
+      states_.erase(newest_states_.front());
+      newest_states_.pop_front();
+    }
+  }
+  return state;
+}
+
+ClosedPlan PlanEvaluations::closed(const PlanRecord& plan) { return state_of(plan)->closed; }
+
+void PlanEvaluations::add(PlanRecord& plan, int disturbance, const PlanClosure& closure,
+                          bool was_known) {
+  plan.closures.emplace(disturbance, closure);
+  ++closures_;
+  known_ += was_known;
+  not_converged_ += closure.status != ClosureStatus::Converged;
+  crossed_ += closure.crossing;
+  if (!was_known && options_.keep) {
+    try {
+      options_.keep(plan.key, disturbance, closure);
+    } catch (...) {
+      failed_ = true;  // not before: other threads look
+      throw;
+    }
+  }
+  monitor_.closed(disturbance == 0 && trusted(closure) ? leak_mm2(closure)
+                                                       : std::numeric_limits<double>::infinity());
+}
+
+bool PlanEvaluations::take_known(PlanRecord& plan, int disturbance) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (plan.closures.contains(disturbance)) return true;
+  const auto known = options_.known.find(plan.key);
+  if (known == options_.known.end()) return false;
+  const auto closure = known->second.find(disturbance);
+  if (closure == known->second.end()) return false;
+  add(plan, disturbance, closure->second, true);
+  return true;
+}
+
+void PlanEvaluations::close_one(PlanRecord& plan, int disturbance) {
+  const std::shared_ptr<const State> state = state_of(plan);
+  const PlanClosure closure = plan_closure(
+      disturbance == 0 ? state->closed.evaluation
+                       : evaluate_(disturb(state->repaired, plan.plan, disturbances()[disturbance]),
+                                   state->closed.closure.get())
+                             .evaluation);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!plan.closures.contains(disturbance)) add(plan, disturbance, closure, false);
+}
+
+bool PlanEvaluations::close(std::span<const Wanted> wanted, Phase phase) {
+  const auto stopped = [&] {
+    return failed_ || (phase == Phase::Searching ? monitor_.search_stopped() : monitor_.stopped());
+  };
+  std::vector<Wanted> missing;
+  std::set<std::pair<const PlanRecord*, int>> seen;
+  for (const Wanted& one : wanted) {
+    if (!one.plan->possible || take_known(*one.plan, one.disturbance)) continue;
+    if (seen.emplace(one.plan, one.disturbance).second) missing.push_back(one);
+  }
+  // In portions whose plans' own closures are all at hand, each of them made once.
+  for (std::size_t first = 0; first < missing.size();) {
+    std::vector<const PlanRecord*> plans;
+    std::size_t last = first;
+    for (; last < missing.size(); ++last) {
+      if (std::find(plans.begin(), plans.end(), missing[last].plan) != plans.end()) continue;
+      if (plans.size() == kStates / 2) break;
+      plans.push_back(missing[last].plan);
+    }
+    for_each_index(static_cast<int>(plans.size()), options_.threads, [&](int i) {
+      if (!stopped()) state_of(*plans[i]);
+    });
+    for_each_index(static_cast<int>(last - first), options_.threads, [&](int i) {
+      const Wanted& one = missing[first + i];
+      if (!stopped()) close_one(*one.plan, one.disturbance);
+    });
+    first = last;
+  }
+  return std::all_of(missing.begin(), missing.end(), [](const Wanted& one) {
+    return one.plan->closures.contains(one.disturbance);
+  });
+}
+
+bool PlanEvaluations::close_here(PlanRecord& plan, int count) {
+  for (int d = 0; d < count && plan.possible; ++d) {
+    if (take_known(plan, d)) continue;
+    if (monitor_.search_stopped() || failed_) return false;
+    close_one(plan, d);
+  }
+  return true;
+}
+
+std::map<std::string, int> PlanEvaluations::rejections() const {
+  std::map<std::string, int> count;
+  for (const auto& [key, record] : records_)
+    if (!record->rejected_by.empty()) ++count[record->rejected_by];
+  return count;
+}
+
+double PlanEvaluations::cost(const PlanRecord& plan, int count) const {
+  if (!plan.possible) return 10.0 * options_.weights.untrusted;
+  std::vector<ScoredClosure> closures;
+  for (const auto& [disturbance, closure] : plan.closures) {
+    if (disturbance >= count) break;
+    closures.push_back({closure, region_share(disturbances()[disturbance])});
+  }
+  assert(std::ssize(closures) == count);
+  return plan_cost(closures, plan.effort, context_);
+}
+
+}  // namespace coapt

@@ -1,0 +1,126 @@
+#include "search/plans/search_option_table.h"
+
+#include <string>
+#include <type_traits>
+
+namespace coapt {
+namespace {
+
+constexpr double kMost = 1e6;
+constexpr Range kPrice = {0.0, kMost};
+constexpr Range kAny = {};
+
+constexpr OptionRow<SearchOptions> kOptions[] = {
+    {"evaluations",
+     &SearchOptions::evaluations,
+     {1.0, kMost},
+     "",
+     "Closures for the search itself; ranking takes more. Fewer if nothing is left to try."},
+    {"seed", &SearchOptions::seed, kAny, "", "Same seed, same plans."},
+    {"threads",
+     &SearchOptions::threads,
+     {0.0, 1024.0},
+     "",
+     "0: all cores. Does not change the result."},
+    {"plans", &SearchOptions::plans, {1.0, 50.0}, "", "How many ranked plans to report."},
+    {"region_points",
+     &SearchOptions::region_points,
+     {1.0, 1089.0},
+     "",
+     "Nodes of the region of interest, for each reported plan."},
+    {"evidence", &SearchOptions::evidence, kAny, "",
+     "Close the reported plans also under errors of single sutures and further remodelling."},
+    {"seconds",
+     &SearchOptions::seconds,
+     {0.0, kMost},
+     " s",
+     "Stop earlier when this much time is gone, the last 40 % of it spent on ranking; 0: no "
+     "limit."},
+    {"no_improvement",
+     &SearchOptions::no_improvement,
+     {0.0, kMost},
+     "",
+     "Stop searching after so many closures without a better plan; 0: never."},
+    {"target_mm2",
+     &SearchOptions::target_mm2,
+     {-1.0, kMost},
+     " mm2",
+     "Stop searching when mean + sd of a plan's leak over 17 nodes is not above this; -1: never."},
+};
+
+constexpr OptionRow<SearchRules> kRules[] = {
+    {"most_neochordae",
+     &SearchRules::most_neochordae,
+     {0.0, 4.0},
+     "",
+     "Neochordae that a plan has at most."},
+    {"chordal_length_change", &SearchRules::chordal_length_change, kAny, "",
+     "Allows shortening the marginal chordae beside a lesion."},
+    {"chordal_excision", &SearchRules::chordal_excision, kAny, "",
+     "Allows cutting the anterior leaflet's strut chordae."},
+    {"chordal_transfer", &SearchRules::chordal_transfer, kAny, "", "Allows transfer to a lesion."},
+    {"suture_lattice_mm", &SearchRules::suture_lattice_mm, {0.1, 5.0}, " mm", "What can be tied."},
+    {"neochorda_lattice_mm",
+     &SearchRules::neochorda_lattice_mm,
+     {0.5, 5.0},
+     " mm",
+     "Step between the lengths of a neochorda."},
+    {"most_movement_mm",
+     &SearchRules::most_movement_mm,
+     {2.0, 15.0},
+     " mm",
+     "Of a papillary muscle: more than 10 is unusual."},
+};
+
+constexpr OptionRow<CostWeights> kWeights[] = {
+    {"leak", &CostWeights::leak, kPrice, "", "Per mm2 of mean + sd_share x sd."},
+    {"sd_share", &CostWeights::sd_share, kPrice, "", "Sds that count beside the mean."},
+    {"incompetence", &CostWeights::incompetence, kPrice, "", "More, per mm2 of that above 1."},
+    {"margin", &CostWeights::margin, kPrice, "",
+     "For a plan that leaks at once; none if no disturbance makes it leak."},
+    {"coaptation", &CostWeights::coaptation, kPrice, "",
+     "Per mm that A2 with P2 falls short of 8."},
+    {"gap", &CostWeights::gap, kPrice, "",
+     "Per mm by which leaflets are further apart than they are thick."},
+    {"movement", &CostWeights::movement, kPrice, "", "Per mm of papillary movement."},
+    {"movement_above_10", &CostWeights::movement_above_10, kPrice, "",
+     "More, per mm above what is usual."},
+    {"undersizing", &CostWeights::undersizing, kPrice, "", "Per ring size."},
+    {"undersizing_above_4", &CostWeights::undersizing_above_4, kPrice, "",
+     "More, per size above what practice accepts."},
+    {"step", &CostWeights::step, kPrice, "", "Per step."},
+    {"tension", &CostWeights::tension, kPrice, "",
+     "Per newton of peak chordal tension above the unrepaired valve's."},
+    {"untrusted", &CostWeights::untrusted, kPrice, "",
+     "For closures that did not converge or crossed, by their share."},
+};
+static_assert(sizeof(CostWeights) == std::size(kWeights) * sizeof(double), "a row for each");
+
+template <class Options>
+void check_rows(ProblemList& problems, const std::string& path,
+                std::span<const OptionRow<Options>> rows, const Options& options) {
+  for (const OptionRow<Options>& row : rows)
+    std::visit(
+        [&]<class Value>(Value Options::*member) {
+          if constexpr (std::is_same_v<Value, int> || std::is_same_v<Value, double>)
+            check_range(problems, path + "/" + row.name, options.*member, row.range, row.unit);
+        },
+        row.member);
+}
+
+}  // namespace
+
+std::span<const OptionRow<SearchOptions>> search_option_rows() { return kOptions; }
+std::span<const OptionRow<SearchRules>> search_rule_rows() { return kRules; }
+std::span<const OptionRow<CostWeights>> cost_weight_rows() { return kWeights; }
+
+void check_option_ranges(ProblemList& problems, const SearchOptions& options) {
+  check_rows(problems, "", search_option_rows(), options);
+  check_rows(problems, "/weights", cost_weight_rows(), options.weights);
+}
+
+void check_option_ranges(ProblemList& problems, const SearchRules& rules) {
+  check_rows(problems, "", search_rule_rows(), rules);
+}
+
+}  // namespace coapt

@@ -1,0 +1,36 @@
+// What a caller may set for a search.
+#pragma once
+
+#include <cstdint>
+
+#include "core/closure/closure.h"
+#include "search/plans/objective.h"
+#include "search/plans/rules.h"
+
+namespace coapt {
+
+/// Accepted ranges are those of search_option_table.h.
+struct SearchOptions {
+  /// Closures spent on searching; fewer if nothing is left to try.
+  int evaluations = 2000;
+  std::uint64_t seed = 1;
+  /// 0: all cores. Does not change the result.
+  int threads = 0;
+  /// How many ranked plans to report.
+  int plans = 5;
+  /// Nodes of the region of interest, for each reported plan.
+  int region_points = 1089;
+  /// Close the reported plans also under errors of single sutures and further remodelling.
+  bool evidence = true;
+  /// Stop earlier when this much time is gone, the last 40 % of it spent on ranking; 0: no limit.
+  double seconds = 0.0;
+  /// Stop searching after so many closures without a better plan; 0: never.
+  int no_improvement = 0;
+  /// Stop searching when mean + sd of a plan's leak over 17 nodes is not above this; -1: never.
+  double target_mm2 = -1.0;
+  SearchRules rules;
+  CostWeights weights;
+  ClosureOptions closure;
+};
+
+}  // namespace coapt

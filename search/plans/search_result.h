@@ -1,0 +1,104 @@
+// What a search for repair plans finds.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "search/plans/gates.h"
+#include "search/plans/ladder.h"
+#include "search/plans/plan_space.h"
+#include "search/plans/region_report.h"
+#include "search/plans/search_progress.h"
+
+namespace coapt {
+
+struct RankedPlan {
+  int rank = 0;
+  std::string name;  ///< of an own plan: its name, or those of all that are the same; else empty
+  RepairPlan plan;
+  std::vector<std::string> description;  ///< in surgical words, one line a step
+  double cost = 0.0;         ///< over the region's nodes that all ranked plans have closed
+  double subset_cost = 0.0;  ///< over the nodes by which it was chosen
+  int subset_nodes = 0;
+  ClosureStatus status = ClosureStatus::Converged;
+  bool crossing = false;
+  ValveMeasure measure;  ///< as planned
+  /// As planned, with its closure; null if the evaluator kept none.
+  std::shared_ptr<const ClosedValve> closed;
+  Effort effort;
+  RegionReport region;
+  std::vector<Gate> gates;
+  std::vector<std::string> warnings;  ///< of gates and region, in words
+  /// That it truly comes before the next plan, by robust closing, then by cost: resampling the
+  /// nodes and the scatter of closures. NaN for the last. A tie if between 0.05 and 0.95.
+  double probability_outranks_next = 0.0;
+  /// No other ranked plan is as good in mean, sd, steps and undersizing, and better in one.
+  bool pareto = false;
+};
+
+/// A plan that no other one closed at as many nodes beats in mean and sd of the leak, steps and
+/// undersizing.
+struct ParetoPlan {
+  RepairPlan plan;
+  std::vector<std::string> description;
+  double mean_mm2 = 0.0, sd_mm2 = 0.0;  ///< of the leak
+  int steps = 0;
+  double sizes_below = 0.0;
+  int nodes = 0;
+};
+
+/// A plan that was closed at least as planned.
+struct TriedPlan {
+  RepairPlan plan;
+  PlanClosure planned;           ///< its closure as planned
+  double cost_as_planned = 0.0;  ///< over that closure alone
+  double cost = 0.0;             ///< over its nodes
+  int nodes = 0;                 ///< of the region, closed one after the other from the first
+  OrificeStatistics leak_mm2;    ///< over its nodes
+  int failures = 0;              ///< of its nodes
+  int rank = 0;                  ///< among the ranked plans; 0: it is none of them
+};
+
+struct SearchResult {
+  Evaluation before;
+  /// The valve as it is, with its closure; null if the evaluator kept none.
+  std::shared_ptr<const ClosedValve> closed_before;
+  /// Best first, distinct in surgical terms.
+  std::vector<RankedPlan> plans;
+  /// Whether a ranked plan closes the valve robustly.
+  bool any_competent = false;
+  /// Of the search, at one closure a plan.
+  std::vector<Progress> progress;
+  /// What trying plans at random is expected to reach, likewise.
+  std::vector<Progress> random_progress;
+  /// Of all plans that were closed at 17 nodes, by steps.
+  std::vector<ParetoPlan> pareto_front;
+  /// In the order of trying.
+  std::vector<TriedPlan> tried;
+  std::vector<LadderStep> ladder;
+  std::vector<CutBranches> cut;
+  int branches = 0;
+  std::int64_t plans_possible = 0;  ///< points of all lattices
+  int plans_tried = 0;
+  SearchStop stop = SearchStop::EvaluationLimit;
+  int closures = 0;        ///< all of them: known ones, the valve as it is and ranking included
+  int evaluations = 0;     ///< of these: of the search
+  int closures_known = 0;  ///< of all: from an earlier run
+  int closures_not_converged = 0, closures_crossed = 0;
+  double seconds = 0.0;
+};
+
+/// Converged, not crossed, its leak a number: as planned.
+bool trusted(const RankedPlan& plan);
+
+/// Whether the plan closes the valve also when the surgeon's hand varies: it converges without
+/// crossing, so does every closure over its region of interest, and mean + sd of the leak is below
+/// kCompetentLeak_mm2. False where nothing of the region but the plan itself was closed.
+bool closes_robustly(const RankedPlan& plan);
+
+/// Whether the best-ranked plan does; false without plans.
+bool closes_robustly(const SearchResult& result);
+
+}  // namespace coapt

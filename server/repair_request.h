@@ -1,0 +1,35 @@
+// A valve and a repair plan in a request: what closures, scenes, exports and pictures are asked for with.
+#pragma once
+
+#include <variant>
+
+#include "server/answers.h"
+#include "server/json_body.h"
+#include "server/route.h"
+
+namespace coapt {
+
+struct RepairRequest {
+  Valve valve;
+  RepairPlan plan;  ///< no steps, if there is none
+  Valve repaired;   ///< the valve as the plan leaves it
+};
+
+/// A body of "valve", "plan" (optional) and the fields `more`; or its refusal: read_body()'s, or 422 if the valve does
+/// not allow the plan.
+std::variant<RepairRequest, Answer> read_repair_request(const ValveSource& valves,
+                                                        std::string_view body,
+                                                        std::vector<JsonField> more);
+
+/// What `answer` makes of such a body when it is this request's turn to compute; or the refusal.
+template <class MakeAnswer>
+Answer answer_repair(const ValveSource& valves, Compute& compute, const Request& request,
+                     std::vector<JsonField> more, const MakeAnswer& answer) {
+  const auto asked = read_repair_request(valves, request.body, std::move(more));
+  if (const auto* refused = std::get_if<Answer>(&asked)) return *refused;
+  const Compute::Turn turn(compute);
+  if (!turn) return too_busy();
+  return answer(std::get<RepairRequest>(asked));
+}
+
+}  // namespace coapt

@@ -1,0 +1,34 @@
+"""How far a process has come, told by what it has done: time on the clock says nothing on a busy machine."""
+
+import os
+import pathlib
+import resource
+import time
+
+HANGS_S = 300  # against hanging, not a measure
+
+
+def wait_until(condition):
+    deadline = time.monotonic() + HANGS_S
+    while not condition():
+        if time.monotonic() > deadline:
+            raise TimeoutError(f"not within {HANGS_S} s")
+        time.sleep(0.02)
+
+
+def cpu_seconds(process):
+    """Of all its threads, in user mode."""
+    after_name = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+    return int(after_name[11]) / os.sysconf("SC_CLK_TCK")
+
+
+def children_cpu_seconds():
+    """Of those that have ended, in user mode."""
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+
+
+def catches(process, signal):
+    """Whether it has a handler for it."""
+    status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+    caught = next(line for line in status.splitlines() if line.startswith("SigCgt:")).split()[1]
+    return bool(int(caught, 16) >> (signal - 1) & 1)

@@ -1,0 +1,33 @@
+"""coapt-lab bench."""
+
+import json
+import unittest
+
+from laboratory import coapt_lab
+from programs import BAD_INPUT, OK, SOURCE, ProgramTest
+
+CLOSURES = ("bench", "closures", "human-normal")
+
+
+class BenchClosures(ProgramTest):
+    def test_an_accuracy_chooses_the_tolerances_that_are_measured(self):
+        bench = coapt_lab(*CLOSURES, "--count", "1", "--no-accuracy", "--json", "--accuracy", "5.6")
+        self.assertEqual(bench.returncode, OK, bench.stderr)
+        self.assertEqual(json.loads(bench.stdout)["accuracy"]["residual_tolerance"], 0.1)
+
+    def test_warm_starts_of_method_thesis_are_refused(self):
+        result = coapt_lab(*CLOSURES, "--warm", "--method", "thesis")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("--warm: is for method fast only", result.stderr)
+
+
+class BenchSearch(ProgramTest):
+    def test_a_lattice_that_is_not_there_is_refused_with_those_that_are(self):
+        real = SOURCE / "examples/valves/bodyparts3d-leaking.json"
+        result = coapt_lab("bench", "search", "--lattice", "moon", "--real", real, "-o", self.folder / "search")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("porcine-both", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,56 @@
+"""coapt-lab chart."""
+
+import csv
+import unittest
+import xml.etree.ElementTree
+
+from laboratory import coapt_lab
+from programs import BAD_INPUT, FAILURE, OK, ProgramTest
+
+SVG = "{http://www.w3.org/2000/svg}svg"
+
+
+class Ablation(ProgramTest):
+    def test_there_is_a_line_for_every_change_and_scene_and_a_chart(self):
+        folder = self.folder / "charts"
+        result = coapt_lab("chart", "ablation", "-o", folder, "--variations", "0", "--repeats", "1")
+        self.assertEqual((result.returncode, result.stdout), (OK, ""), result.stderr)
+        with open(folder / "ablation.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        changes = {row["change"] for row in rows}
+        self.assertEqual(
+            {row["scene"] for row in rows}, {"human-normal", "human-functional-mr", "human-p2-prolapse", "porcine-1"}
+        )
+        self.assertEqual(len(rows), 4 * len(changes))
+        self.assertEqual(xml.etree.ElementTree.parse(folder / "ablation.svg").getroot().tag, SVG)
+
+    def test_an_impossible_count_is_refused(self):
+        result = coapt_lab("chart", "ablation", "--variations", "-1")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("--variations", result.stderr)
+
+
+class Stability(ProgramTest):
+    def test_one_axis_gives_a_table_and_a_picture_of_all_methods(self):
+        result = coapt_lab(
+            "chart", "stability", "--scene", "human-normal", "--axis", "pressure", "-o", self.folder / "new"
+        )
+        self.assertEqual((result.returncode, result.stdout), (OK, ""), result.stderr)
+        with open(self.folder / "new" / "stability.csv", newline="") as file:
+            cells = list(csv.DictReader(file))
+        methods = ["thesis", "unguarded", "fast", "newton", "xpbd", "coapt"]
+        self.assertEqual([cell["method"] for cell in cells], [m for m in methods for _ in range(6)])
+        self.assertEqual({cell["axis"] for cell in cells}, {"pressure"})
+        self.assertEqual([cell["level"] for cell in cells if cell["nominal"] == "true"], ["16"] * 6)
+        for cell in cells:
+            if cell["method"] == "coapt":
+                self.assertEqual(cell["crossing_pairs"], "0", cell)
+        self.assertEqual(xml.etree.ElementTree.parse(self.folder / "new" / "stability.svg").getroot().tag, SVG)
+
+    def test_what_is_unknown_or_has_no_place_is_refused_before_anything_is_closed(self):
+        self.assertEqual(coapt_lab("chart", "stability", "--axis", "weather").returncode, BAD_INPUT)
+        self.assertEqual(coapt_lab("chart", "stability", "-o", "/proc/nowhere").returncode, FAILURE)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,200 @@
+#include "search/plans/plan_evaluations.h"
+
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <set>
+
+#include "search/parallel.h"
+#include "search/plans/disturbance.h"
+#include "tests/search/plans/search_scene.h"
+
+namespace coapt::scene {
+namespace {
+
+const RepairPlan kSuture = suture(Side::Posteromedial, 22.0);
+
+/// Of one lattice finer than a surgeon's: up to 300 plans.
+RepairPlan numbered(int k) { return suture(Side::Anterolateral, 16.0 + 0.04 * k); }
+
+TEST(PlanEvaluations, ClosesTheUnrepairedValveWhenItIsMade) {
+  EvaluationScene scene(leak_of([](const Valve&) { return 7.0; }));
+  EXPECT_EQ(scene.evaluations.before().measure.orifice.area_mm2, 7.0);
+  EXPECT_EQ(scene.evaluations.closures(), 1);
+  EXPECT_EQ(scene.evaluations.known(), 0);
+}
+
+TEST(PlanEvaluations, TensionCostsNothingWhereThatOfTheUnrepairedValveIsUnknown) {
+  const auto evaluate = [](ClosureStatus status) {
+    return [status](const Valve&, const ClosureResult*) {
+      Evaluation evaluation = leaking(0.0);
+      evaluation.status = status;
+      evaluation.measure.tension_max_n = 3.0;
+      return ClosedPlan{evaluation, nullptr};
+    };
+  };
+  EvaluationScene trusted_one(evaluate(ClosureStatus::Converged)),
+      failed(evaluate(ClosureStatus::StepLimit));
+  EXPECT_EQ(trusted_one.evaluations.context().tension_before_n, 3.0);
+  EXPECT_EQ(failed.evaluations.context().tension_before_n, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(failed.evaluations.not_converged(), 1);
+}
+
+TEST(PlanEvaluations, OnePlanHasOneRecordInWhateverOrderItsSteps) {
+  EvaluationScene scene(needs_suture);
+  PlanRecord& record = scene.evaluations.record(both(own_ring(2), kSuture));
+  EXPECT_EQ(&scene.evaluations.record(both(kSuture, own_ring(2))), &record);
+  EXPECT_NE(&scene.evaluations.record(kSuture), &record);
+  EXPECT_EQ(record.effort.steps, 2);
+  EXPECT_EQ(record.lowest_cost, effort_price(record.effort));
+}
+
+TEST(PlanEvaluations, ManyThreadsAskingForAPlanGetTheSameRecord) {
+  EvaluationScene scene(needs_suture);
+  std::vector<PlanRecord*> records(40);
+  for_each_index(40, 4, [&](int i) {
+    records[static_cast<std::size_t>(i)] = &scene.evaluations.record(numbered(i % 4));
+  });
+  for (std::size_t i = 4; i < 40; ++i) EXPECT_EQ(records[i], records[i - 4]);
+  EXPECT_EQ((std::set<PlanRecord*>(records.begin(), records.end()).size()), 4u);
+}
+
+TEST(PlanEvaluations, ABatchIsClosedOnceWhateverItAsksForTwice) {
+  for (const int threads : {1, 3}) {
+    std::atomic<int> calls = 0;
+    std::set<std::pair<std::string, int>> kept;
+    PlanEvaluationOptions options = on_threads(threads);
+    options.keep = [&kept](const std::string& key, int d, const PlanClosure&) {
+      EXPECT_TRUE(kept.emplace(key, d).second);
+    };
+    EvaluationScene scene(counted(needs_suture, calls), std::move(options));
+    std::vector<PlanEvaluations::Wanted> wanted;
+    for (int twice = 0; twice < 2; ++twice)
+      for (int k = 0; k < 5; ++k)
+        for (int d = 0; d < 4; ++d) wanted.push_back({&scene.evaluations.record(numbered(k)), d});
+    EXPECT_TRUE(scene.evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
+    EXPECT_TRUE(scene.evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
+    EXPECT_EQ(calls, 1 + 5 * 4);
+    EXPECT_EQ(scene.evaluations.closures(), 1 + 5 * 4);
+    EXPECT_EQ(kept.size(), 5u * 4u);
+  }
+}
+
+TEST(PlanEvaluations, ADisturbedClosureStartsFromThatOfThePlan) {
+  // Leaks as much as the closure that it started from says; none as planned.
+  const Evaluator evaluate = [](const Valve& valve, const ClosureResult* from) {
+    auto closure = std::make_shared<ClosureResult>();
+    closure->residual = moved_mm(valve, Side::Posteromedial);
+    return ClosedPlan{leaking(from == nullptr ? 0.0 : from->residual), closure};
+  };
+  EvaluationScene scene(evaluate);
+  const PlanRecord& record = scene.closed(kSuture, 5);
+  EXPECT_EQ(leak_mm2(record.closures.at(0)), 0.0);
+  for (int d = 1; d < 5; ++d)
+    EXPECT_NEAR(leak_mm2(record.closures.at(d)), kTipToTrigone_mm - 22.0, 1e-3);
+}
+
+TEST(PlanEvaluations, WhatIsKnownIsNotClosedAndNotKept) {
+  std::atomic<int> calls = 0, kept = 0;
+  PlanEvaluationOptions options = on_threads(1);
+  options.known[plan_key(kSuture)] = {{0, closure_leaking(1.5)}, {2, closure_leaking(2.5)}};
+  options.keep = [&kept](const std::string&, int, const PlanClosure&) { ++kept; };
+  EvaluationScene scene(counted(needs_suture, calls), std::move(options));
+  const PlanRecord& record = scene.closed(kSuture, 3);
+  EXPECT_EQ(leak_mm2(record.closures.at(0)), 1.5);
+  EXPECT_EQ(leak_mm2(record.closures.at(2)), 2.5);
+  EXPECT_EQ(scene.evaluations.closures(), 1 + 3);
+  EXPECT_EQ(scene.evaluations.known(), 2);
+  EXPECT_EQ(kept, 1);
+  EXPECT_EQ(calls, 1 + 2) << "node 1, and the plan as planned to start it from";
+}
+
+TEST(PlanEvaluations, AForgottenClosureIsMadeAgainWhereItIsNeeded) {
+  std::atomic<int> calls = 0;
+  EvaluationScene scene(counted(needs_suture, calls));
+  std::vector<PlanEvaluations::Wanted> wanted;
+  for (int k = 0; k < 300; ++k) wanted.push_back({&scene.evaluations.record(numbered(k)), 0});
+  EXPECT_TRUE(scene.evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
+  EXPECT_EQ(calls, 1 + 300);
+  scene.closed(numbered(299), 2);
+  EXPECT_EQ(calls, 1 + 300 + 1);
+  const PlanRecord& first = scene.closed(numbered(0), 2);
+  EXPECT_EQ(calls, 1 + 300 + 1 + 2);
+  EXPECT_EQ(scene.evaluations.closures(), 1 + 300 + 2);
+  EvaluationScene fresh(needs_suture);
+  const PlanRecord& same = fresh.closed(numbered(0), 2);
+  EXPECT_EQ(bits(leak_mm2(first.closures.at(1))), bits(leak_mm2(same.closures.at(1))));
+}
+
+TEST(PlanEvaluations, CostsCountTheFirstNodesOnly) {
+  PlanEvaluationOptions options = on_threads(1);
+  options.weights = leak_alone();
+  options.weights.sd_share = 1.0;
+  for (int d = 0; d < 4; ++d)
+    options.known[plan_key(kSuture)][d] = closure_leaking(d == 0 ? 2.0 : 4.0);
+  EvaluationScene scene(needs_suture, std::move(options));
+  const PlanRecord& record = scene.closed(kSuture, 4);
+  EXPECT_DOUBLE_EQ(scene.evaluations.cost(record, 1), 2.0);
+  EXPECT_DOUBLE_EQ(scene.evaluations.cost(record, 2), 3.0 + 1.0);
+  EXPECT_DOUBLE_EQ(scene.evaluations.cost(record, 4), 3.5 + std::sqrt(0.75));
+}
+
+TEST(PlanEvaluations, AnImpossiblePlanCostsMoreThanAnyFailureAndIsNotClosed) {
+  std::atomic<int> calls = 0;
+  EvaluationScene scene(counted(needs_suture, calls));
+  const PlanRecord& slack = scene.closed(suture(Side::Posteromedial, 99.0), 0);
+  EXPECT_FALSE(slack.possible);
+  std::vector<PlanEvaluations::Wanted> wanted = {{&scene.evaluations.record(slack.plan), 0}};
+  EXPECT_TRUE(scene.evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
+  EXPECT_TRUE(scene.evaluations.close_here(*wanted[0].plan, 1));
+  EXPECT_EQ(calls, 1);
+  EXPECT_TRUE(slack.closures.empty());
+  EXPECT_EQ(scene.evaluations.cost(slack, 1), 10.0 * CostWeights{}.untrusted);
+}
+
+TEST(PlanEvaluations, CloseHereGoesNoFurtherThanTheWatchSays) {
+  std::atomic<bool> cancelled = false;
+  std::atomic<int> calls = 0;
+  EvaluationScene scene(cancelling(needs_suture, calls, 4, cancelled), {}, &cancelled);
+  PlanRecord& record = scene.evaluations.record(kSuture);
+  EXPECT_FALSE(scene.evaluations.close_here(record, 5));
+  EXPECT_EQ(calls, 4);
+  EXPECT_EQ(record.closures.size(), 3u);
+  EXPECT_FALSE(scene.evaluations.close_here(record, 4));
+  EXPECT_TRUE(scene.evaluations.close_here(record, 3)) << "they are closed";
+  std::vector<PlanEvaluations::Wanted> wanted = {{&record, 2}, {&record, 3}};
+  EXPECT_FALSE(scene.evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
+  EXPECT_EQ(calls, 4);
+}
+
+TEST(PlanEvaluations, CountsFailuresAndWhatPracticeRejects) {
+  const Evaluator evaluate = [](const Valve& valve, const ClosureResult*) {
+    Evaluation evaluation = leaking(1.0);
+    evaluation.crossing = has_ring(valve);
+    return ClosedPlan{evaluation, nullptr};
+  };
+  EvaluationScene scene(evaluate);
+  scene.closed(own_ring(1), 3);
+  scene.closed(kSuture, 2);
+  EXPECT_EQ(scene.evaluations.crossed(), 3);
+  EXPECT_EQ(scene.evaluations.not_converged(), 0);
+  EXPECT_TRUE(scene.evaluations.rejections().empty());
+  EXPECT_EQ(scene.evaluations.record(own_ring(6)).rejected_by, "undersizing");
+  scene.evaluations.record(own_ring(5));
+  EXPECT_EQ(scene.evaluations.rejections(), (std::map<std::string, int>{{"undersizing", 2}}));
+}
+
+TEST(PlanEvaluations, PlansAtNearbyPlacesAreNearAndOtherKindsFar) {
+  EvaluationScene scene(needs_suture);
+  const auto apart = [&scene](const RepairPlan& a, const RepairPlan& b) {
+    return (scene.evaluations.record(a).place - scene.evaluations.record(b).place).norm();
+  };
+  // The tip moves 0.5 mm: a quarter of its unit.
+  EXPECT_NEAR(apart(kSuture, suture(Side::Posteromedial, 22.5)), 0.25, 1e-9);
+  EXPECT_GT(apart(own_ring(1), own_ring(2)), 0.9);
+  const RepairPlan neochorda = {{Neochorda{"PM1", {Leaflet::Anterior, 0.6, 1.0}, 20.0}}};
+  EXPECT_GT(apart(neochorda, {}), 9.9);
+}
+
+}  // namespace
+}  // namespace coapt::scene

@@ -1,0 +1,91 @@
+#include "server/endpoints/evaluations.h"
+
+#include "tests/server/endpoints/service_scene.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+class EvaluationsTest : public ServiceTest {};
+
+const ordered_json kNothing = {{"schema", "coapt.plan/1"}, {"steps", ordered_json::array()}};
+const ordered_json kRing = {
+    {"schema", "coapt.plan/1"},
+    {"steps", {{{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 1}}}}};
+
+ordered_json request_of(const std::vector<ordered_json>& plans) {
+  return {{"valve", small_document()}, {"plans", plans}};
+}
+
+TEST_F(EvaluationsTest, PlansAreAnsweredInTheOrderAskedEachWithItsRank) {
+  const Answer answer = post("/v1/evaluations", request_of({kNothing, kRing, kNothing}));
+  ASSERT_EQ(answer.status, 200) << json_of(answer);
+  const ordered_json json = json_of(answer);
+  ASSERT_EQ(json["plans"].size(), 3u);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(json["plans"][static_cast<std::size_t>(i)]["index"], i);
+  EXPECT_EQ(json["plans"][0]["rank"], json["plans"][2]["rank"]);
+  EXPECT_EQ(json["plans"][0]["plan"], kNothing);
+  EXPECT_EQ(json["plans"][1]["plan"]["steps"], kRing["steps"]);
+  EXPECT_EQ(json["plans_tried"], 2);
+  EXPECT_EQ(json["closures"], 1 + 2);
+  EXPECT_FALSE(json.contains("evaluations"));  // nothing was searched
+  EXPECT_FALSE(json["plans"][0].contains("name"));
+}
+
+TEST_F(EvaluationsTest, RegionPointsAndEvidenceAreClosedToo) {
+  ordered_json request = request_of({kNothing});
+  request["region_points"] = 2;
+  request["evidence"] = true;
+  const Answer answer = post("/v1/evaluations", request);
+  ASSERT_EQ(answer.status, 200) << json_of(answer);
+  EXPECT_EQ(json_of(answer)["plans"][0]["region_closures"], 2);
+  EXPECT_EQ(json_of(answer)["closures"], 1 + 2 + 24);
+}
+
+TEST_F(EvaluationsTest, TooManyClosuresAtOnceAreRefused) {
+  limits_.evaluation_closures = 10;  // of the usual size: some 43 of this one
+  ordered_json many = request_of({kNothing, kRing});
+  many["region_points"] = 25;
+  EXPECT_EQ(refusal(post("/v1/evaluations", many)), (Refused{422, {"/plans"}}));
+  ordered_json evidence = request_of({kNothing, kRing});
+  evidence["evidence"] = true;
+  EXPECT_EQ(refusal(post("/v1/evaluations", evidence)), (Refused{422, {"/plans"}}));
+}
+
+TEST_F(EvaluationsTest, ProblemsPointIntoTheRequest) {
+  for (const char* path : {"/v1/evaluations", "/v1/reports"}) {
+    EXPECT_EQ(refusal(post(path, request_of({}))), (Refused{422, {"/plans"}}));
+    ordered_json request = request_of({kNothing, kRing});
+    request["plans"][1]["steps"][0]["step"] = "fly";
+    request["region_points"] = 1090;
+    request["evidence"] = "yes";
+    request["surprise"] = 1;
+    EXPECT_EQ(
+        refusal(post(path, request)),
+        (Refused{422, {"/plans/1/steps/0/step", "/region_points", "/evidence", "/surprise"}}));
+    ordered_json impossible = request_of({kNothing, kRing});
+    impossible["plans"][1]["steps"] = {{{"step", "chordal_excision"}, {"chorda", "none"}}};
+    EXPECT_EQ(refusal(post(path, impossible)), (Refused{422, {"/plans/1/steps/0/chorda"}}));
+    EXPECT_EQ(refusal(post(path, {{"plans", {kNothing}}})), (Refused{422, {"/valve"}}));
+    EXPECT_EQ(ask("POST", path, "[").status, 400);
+  }
+}
+
+TEST_F(EvaluationsTest, WithoutATurnTheyAre503) {
+  const Compute::Turn other(compute());
+  EXPECT_EQ(post("/v1/evaluations", request_of({kNothing})).status, 503);
+  EXPECT_EQ(post("/v1/reports", request_of({kNothing})).status, 503);
+}
+
+TEST_F(EvaluationsTest, AReportIsAPageOnTenPlansAtMost) {
+  const Answer answer = post("/v1/reports", request_of({kNothing, kRing}));
+  ASSERT_EQ(answer.status, 200);
+  EXPECT_EQ(std::get<Content>(answer.body).type, kHtmlType);
+  EXPECT_TRUE(bytes_of(answer).starts_with("<!DOCTYPE html>"));
+  EXPECT_EQ(refusal(post("/v1/reports", request_of(std::vector<ordered_json>(11, kNothing)))),
+            (Refused{422, {"/plans"}}));
+}
+
+}  // namespace
+}  // namespace coapt
