@@ -124,6 +124,7 @@ std::optional<Answer> refuse(const Access& access, const Request& request) {
   if (request.headers.contains("origin")) {
     const std::string origin = lower(header(request, "origin"));
     const std::string own = lower(host);
+    if (access.origins.contains(origin)) return std::nullopt;
     if (own.empty() || (origin != "http://" + own && origin != "https://" + own)) {
       return problem(403, ErrorCode::Unsupported,
                      "requests from pages of another origin are refused");

@@ -12,9 +12,11 @@
 namespace coapt {
 
 struct Access {
-  std::string token;  ///< empty: none is asked for
-  std::set<std::string>
-      hosts;  ///< names, without port, that Host may say besides localhost, 127.0.0.1, [::1]
+  std::string token = {};  ///< empty: none is asked for
+  /// Names, without port, that Host may say besides localhost, 127.0.0.1, [::1].
+  std::set<std::string> hosts = {};
+  /// Of other sites whose pages may send requests: "https://plans.example".
+  std::set<std::string> origins = {};
 };
 
 /// The first line of a file, without what is blank around it: 16 to 4,096 visible ASCII characters. The

@@ -12,9 +12,9 @@ namespace coapt {
 
 class Compute {
  public:
-  /// @param patience for a turn; answers that need many closures take seconds each
+  /// @param patience for a turn; longer than an answer may take (ServiceLimits::request_seconds)
   explicit Compute(int turns = static_cast<int>(std::thread::hardware_concurrency()),
-                   std::chrono::milliseconds patience = std::chrono::seconds(10))
+                   std::chrono::milliseconds patience = std::chrono::seconds(20))
       : free_(std::max(1, turns)), patience_(patience) {}
 
   /// Waits for its turn, which ends with it; false if it has none, because the others took too long.

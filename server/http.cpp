@@ -9,10 +9,13 @@
 #include <optional>
 #include <string>
 
+#include "server/cors.h"
 #include "server/header_block.h"
 #include "server/header_gate.h"
 #include "server/httplib_adapter.h"
 #include "server/listening.h"
+#include "server/memory.h"
+#include "server/negotiation.h"
 #include "server/request_body.h"
 #include "server/workers.h"
 
@@ -45,7 +48,8 @@ struct HttpServer::Inside {
 
   void admit(Arrival arrival);
   std::string serve(Connection& connection, std::string_view header_bytes, Clock::time_point since);
-  Answer answer(Request request, BodySource& body, const Route*& route);
+  Answer answer(Request& request, BodySource& body, const Route*& route);
+  Answer full_answer(Request& request, BodySource& body, const Route*& route);
   Answer counted(Answer answer);
 
   const HttpLimits limits;
@@ -86,9 +90,16 @@ HttpServer::Inside::Inside(const HttpLimits& given, const Routes& their_routes,
           }),
       workers(given.requests) {}
 
-Answer HttpServer::Inside::answer(Request request, BodySource& body, const Route*& route) {
+Answer HttpServer::Inside::answer(Request& request, BodySource& body, const Route*& route) {
   if (request.method == "HEAD") request.method = "GET";
   request.headers = body.header.fields;
+  request.abandoned = [this, &body] { return stopping || body.connection.client_gone(); };
+  if (std::optional<Answer> preflight = answer_preflight(access, request))
+    return *std::move(preflight);
+  return for_origin(access, request, negotiated(full_answer(request, body, route), request));
+}
+
+Answer HttpServer::Inside::full_answer(Request& request, BodySource& body, const Route*& route) {
   if (std::optional<Answer> refusal = refuse(access, request)) return *std::move(refusal);
   Found found = find_route(routes, request);
   if (found.route == nullptr) return std::move(found.refusal);
@@ -97,6 +108,7 @@ Answer HttpServer::Inside::answer(Request request, BodySource& body, const Route
   if (brings_body(request.method + ' ')) {
     if (std::optional<Answer> refusal = refuse_body(body.header, limits.body_bytes))
       return *std::move(refusal);
+    const MayRunOut hungry;
     if (std::optional<Answer> refusal = read_body(body, limits, request.body))
       return *std::move(refusal);
   }
@@ -128,6 +140,7 @@ void HttpServer::Inside::admit(Arrival arrival) {
       // Out of memory, for instance: the client gets an end without an answer, the others are served.
     }
     gate.give_back(connection.release(), std::move(answer));
+    refill_memory_reserve();
   });
 }
 
@@ -150,7 +163,7 @@ std::string HttpServer::Inside::serve(Connection& connection, std::string_view h
   Served served = serve_request(wire, [&](Request request, const ReadBody& read) {
     method = method_name(request.method);
     body.decoded = read;
-    return answer(std::move(request), body, route);
+    return answer(request, body, route);
   });
   const std::chrono::duration<double> seconds = Clock::now() - since;
   observe({method, route == nullptr ? "none" : route->path, served.status, seconds.count()});

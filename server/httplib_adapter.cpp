@@ -93,7 +93,8 @@ class OneRequest : httplib::Server {
     }));
     set_post_routing_handler([this](const auto&, httplib::Response& response) {
       served_.status = response.status;
-      if (response.status == 204) response.headers.erase("Content-Length");
+      if (response.status == 204 || response.status == 304)
+        response.headers.erase("Content-Length");
     });
   }
 

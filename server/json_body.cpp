@@ -3,11 +3,21 @@
 #include <algorithm>
 
 #include "core/presets/presets.h"
+#include "core/valve/nearest_name.h"
 #include "io/json/valve_json.h"
 #include "server/answers.h"
+#include "server/memory.h"
 
 namespace coapt {
 namespace {
+
+/// Freed without taking memory.
+struct Document {
+  ~Document() {
+    if (json) take_apart(*json);
+  }
+  Expected<nlohmann::json> json;
+};
 
 Expected<Valve> found_valve(const ValveSource& source, const std::string& name) {
   const std::vector<std::string>& presets = preset_names();
@@ -16,7 +26,8 @@ Expected<Valve> found_valve(const ValveSource& source, const std::string& name) 
   if (!stored) return stored.errors();
   if (!*stored)
     return Error{ErrorCode::BadReference, "",
-                 "is neither the id of a stored valve nor the name of a preset (/v1/presets)"};
+                 "is neither the id of a stored valve nor the name of a preset (/v1/presets)" +
+                     did_you_mean(name, presets)};
   return read_valve(**stored);
 }
 
@@ -69,10 +80,11 @@ std::optional<Answer> read_body(const ValveSource& source, std::string_view body
                                 const std::vector<JsonField>& fields) {
   const Compute::Turn turn(source.parsing);
   if (!turn) return retry_later(503, "too many requests are read at once");
-  const Expected<nlohmann::json> request = parse_json(body, most_values(source.limits));
-  if (!request) return problem(400, request.errors());
+  const MayRunOut hungry;
+  const Document request{parse_json(body, most_values(source.limits))};
+  if (!request.json) return problem(400, request.json.errors());
   ProblemList problems;
-  read_fields({*request, problems}, fields);
+  read_fields({*request.json, problems}, fields);
   if (!problems.empty()) return problem(422, std::move(problems).take());
   return std::nullopt;
 }

@@ -1,5 +1,4 @@
 // coapt-server: closures, searches and studies over HTTP.
-#include <malloc.h>
 #include <pthread.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -16,8 +15,11 @@
 #include "io/json/result_json.h"
 #include "io/store/closure_store.h"
 #include "io/store/plan_store.h"
+#include "server/content_id.h"
 #include "server/jobs/plan_job.h"
 #include "server/jobs/study_job.h"
+#include "server/login_accounts.h"
+#include "server/memory.h"
 #include "server/options.h"
 #include "server/service.h"
 
@@ -89,16 +91,21 @@ class Stopper {
   bool is_over_ = false;
 };
 
-// Memory of large requests goes back to the system as soon as they are answered. By itself glibc raises this
-// threshold with each large block that is freed, up to 32 MiB, and keeps what is below: half a GiB after a hundred
-// bodies of 64 MiB.
-constexpr int kMapFrom_bytes = 1 << 20;
-// Each arena keeps the most that a request ever had in it, and by itself glibc makes eight to a core.
-constexpr int kArenas = 2;
+/// Where people open the page: with the token, if one was made for them.
+void print_address(const std::string& host, int port, const std::string& made_token) {
+  const std::string address = "http://" + host + ':' + std::to_string(port);
+  std::ostringstream lines;
+  if (!made_token.empty())
+    lines << "coapt-server: other accounts may log in to this machine, so requests need a token "
+             "(--no-token: none)\n"
+             "coapt-server: the page is at "
+          << address << "/#token=" << made_token
+          << "\ncoapt-server: programs need COAPT_TOKEN=" << made_token << '\n';
+  std::cerr << lines.str() << "coapt-server: listening on " << address << '\n';
+}
 
 int serve(const ServerOptions& options, const Access& access) {
-  mallopt(M_MMAP_THRESHOLD, kMapFrom_bytes);
-  mallopt(M_ARENA_MAX, kArenas);
+  set_up_memory();
   Stopper stopper;
   umask(S_IRWXG | S_IRWXO);  // valves are of patients: no other user reads the files
   Expected<JobStore> store = JobStore::open(options.database);
@@ -139,7 +146,7 @@ int serve(const ServerOptions& options, const Access& access) {
                            {{"plans", PlanJob{board, *store, options.service, plans}},
                             {"study", StudyJob{board, *store, options.service, studies}}},
                            options.service.running_jobs);
-    std::cerr << "coapt-server: listening on http://" << options.host << ':' << *port << '\n';
+    print_address(options.host, *port, options.token_file.empty() ? access.token : "");
     served = http.run();
     board.stop();
   }
@@ -166,6 +173,7 @@ int run(int argc, char** argv) {
 
   Access access;
   access.hosts.insert(options.hosts.begin(), options.hosts.end());
+  access.origins.insert(options.origins.begin(), options.origins.end());
   if (!options.token_file.empty()) {
     const Expected<std::string> token = read_token(options.token_file);
     if (!token) return fail(kBadInput, token.errors());
@@ -174,6 +182,8 @@ int run(int argc, char** argv) {
     return fail(kBadInput, {Error{ErrorCode::MissingField, "",
                                   "other machines can reach " + options.host +
                                       ": --token-file must say who may come in"}});
+  } else if (!options.no_token && !other_login_accounts().empty()) {
+    access.token = random_id();
   }
   return serve(options, access);
 }

@@ -32,6 +32,10 @@ void add_service_limits(Command app, ServiceLimits& service) {
   add_limit(app, "--chordae", service.chordae, 1, 100'000, "Chordae of a valve at most");
   add_limit(app, "--evaluations", service.evaluations, 1, 1'000'000,
             "Closures that a search may ask for, at most");
+  add_limit(app, "--vertex-steps", service.vertex_steps, 1e3, 1e12,
+            "Steps times vertices of a closure that a client waits for, at most");
+  add_limit(app, "--request-seconds", service.request_seconds, 0.1, 3600.0,
+            "Time that is computed for a client that waits");
   add_limit(app, "--seconds", service.seconds, 1.0, 1e6, "Time that a job may run");
   add_limit(app, "--kept-plans", service.kept_plans, 0, 1'000'000, "Plans that it keeps, at most");
   add_limit(app, "--queue", service.queue, 1, 100'000, "Jobs that wait, at most");
@@ -59,10 +63,17 @@ void add_options(Command app, ServerOptions& options) {
          "File of valves and jobs (SQLite, made if missing); closures are kept beside it, in "
          "FILE-plans and FILE-studies")
       .show_default();
-  app.add_option("--token-file", options.token_file,
-                 "Requests must carry its first line: Authorization: Bearer TOKEN");
+  app.add_option(
+      "--token-file", options.token_file,
+      "Requests must carry its first line: Authorization: Bearer TOKEN. Without it a token "
+      "is made and printed where other accounts may log in");
+  app.add_flag("--no-token", options.no_token,
+               "Ask for no token: every account of this machine may read all valves and jobs");
   app.add_option("--allow-host", options.hosts,
                  "Name by which clients call this server besides localhost (Host, Origin)");
+  app.add_option(
+      "--allow-origin", options.origins,
+      "Site whose pages may use this server from a browser, such as https://plans.example");
   app.add_option(
       "--web", options.web,
       "Folder of the built page; by default build/web, or share/coapt/web of an installation");

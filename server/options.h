@@ -14,9 +14,11 @@ struct ServerOptions {
   std::string host = "127.0.0.1";
   int port = 8080;
   std::string database = "coapt.sqlite";
-  std::string token_file;          ///< empty: no token is asked for
-  std::vector<std::string> hosts;  ///< names by which a proxy may call this server
-  std::string web;                 ///< folder of the page; empty: the usual place (page.h)
+  std::string token_file;            ///< empty: a token is made where others may log in
+  bool no_token = false;             ///< none is made
+  std::vector<std::string> hosts;    ///< names by which a proxy may call this server
+  std::vector<std::string> origins;  ///< sites whose pages may use it
+  std::string web;                   ///< folder of the page; empty: the usual place (page.h)
   bool log_requests = false;
   HttpLimits http;
   ServiceLimits service;

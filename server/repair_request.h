@@ -5,6 +5,7 @@
 
 #include "server/answers.h"
 #include "server/json_body.h"
+#include "server/request_closures.h"
 #include "server/route.h"
 
 namespace coapt {
@@ -21,15 +22,15 @@ std::variant<RepairRequest, Answer> read_repair_request(const ValveSource& valve
                                                         std::string_view body,
                                                         std::vector<JsonField> more);
 
-/// What `answer` makes of such a body when it is this request's turn to compute; or the refusal.
+/// What `answer(asked, closures)` makes of such a body when it is this request's turn to compute; or the refusal.
 template <class MakeAnswer>
 Answer answer_repair(const ValveSource& valves, Compute& compute, const Request& request,
                      std::vector<JsonField> more, const MakeAnswer& answer) {
   const auto asked = read_repair_request(valves, request.body, std::move(more));
   if (const auto* refused = std::get_if<Answer>(&asked)) return *refused;
-  const Compute::Turn turn(compute);
-  if (!turn) return too_busy();
-  return answer(std::get<RepairRequest>(asked));
+  return answer_in_turn(compute, valves.limits, request, [&](RequestClosures& closures) {
+    return answer(std::get<RepairRequest>(asked), closures);
+  });
 }
 
 }  // namespace coapt

@@ -19,6 +19,8 @@ struct Request {
   std::map<std::string, std::string> headers;  ///< names in lower case; the first of each
   std::string body;
   std::vector<std::string> parameters;  ///< what the {...} of the route matched, in order
+  /// Whether nobody waits for the answer any more; empty: somebody does.
+  std::function<bool()> abandoned = {};
 };
 
 /// The value of a header; empty if it is not there. @param name in lower case

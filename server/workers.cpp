@@ -6,10 +6,17 @@
 namespace coapt {
 
 Workers::Workers(int threads) : most_with_body_(std::max(threads / 2, 1)) {
-  for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+  try {
+    for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+  } catch (...) {  // no more threads can be had
+    end();
+    throw;
+  }
 }
 
-Workers::~Workers() {
+Workers::~Workers() { end(); }
+
+void Workers::end() {
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;

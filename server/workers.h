@@ -14,8 +14,8 @@ namespace coapt {
 /// that the others always get through.
 class Workers {
  public:
-  explicit Workers(int threads);
-  ~Workers();  ///< when the queue is empty
+  explicit Workers(int threads);  ///< throws std::system_error if there cannot be so many
+  ~Workers();                     ///< when the queue is empty
 
   /// First come, first served among those that may run. `work` must not throw.
   void add(bool with_body, std::function<void()> work);
@@ -27,6 +27,7 @@ class Workers {
     long number = 0;
     std::function<void()> work;
   };
+  void end();
   void serve();
   std::deque<Waiting>* next_queue();
 

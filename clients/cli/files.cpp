@@ -9,6 +9,7 @@
 
 #include "clients/cli/exit_code.h"
 #include "core/presets/presets.h"
+#include "core/valve/nearest_name.h"
 #include "io/json/plan_document.h"
 #include "io/json/valve_json.h"
 
@@ -68,7 +69,8 @@ Expected<Valve> read_valve_argument(const std::string& argument) {
   if (argument != "-" && !std::filesystem::exists(argument, ignored)) {
     if (is_preset(argument)) return make_preset(argument);
     return Error{ErrorCode::InputOutput, "",
-                 "no such file, and not a preset (" + names_of_presets() + ")"};
+                 "no such file, and not a preset (" + names_of_presets() + ")" +
+                     did_you_mean(argument, preset_names())};
   }
   const Expected<std::string> text = read_input(argument);
   if (!text) return text.errors();

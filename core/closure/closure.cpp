@@ -27,8 +27,9 @@ struct Rung {
 };
 
 std::vector<Rung> thesis_ladder(const ClosureModel& model, const ClosureOptions& options,
-                                const ContactLaw& contact) {
+                                const ContactLaw& contact, Allowance& allowance) {
   ThesisSettings plain;
+  plain.allowance = &allowance;
   plain.residual_tolerance = options.residual_tolerance;
   plain.max_steps = options.max_steps > 0 ? options.max_steps : kThesisSteps;
   plain.damping_per_ms = options.damping_per_ms;
@@ -72,15 +73,17 @@ ClosureRun relax_in_parts(const ClosureModel& model, const RelaxationSettings& s
     const ClosureRun start = std::move(run);
     run = relax<double>(part, quarter < 4 ? loose : settings, quarter > 1 ? &start : nullptr);
     steps += run.steps;
-    if (run.status == ClosureStatus::Diverged) break;
+    if (run.status == ClosureStatus::Diverged || settings.allowance->spent()) break;
   }
   run.steps = steps;
   return run;
 }
 
 std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& options,
-                              const ContactLaw& contact, const ClosureRun* start) {
+                              const ContactLaw& contact, Allowance& allowance,
+                              const ClosureRun* start) {
   RelaxationSettings plain;
+  plain.allowance = &allowance;
   plain.residual_tolerance = options.residual_tolerance;
   plain.way_tolerance_mm = options.way_tolerance_mm;
   plain.max_steps = options.max_steps > 0 ? options.max_steps : kFastSteps;
@@ -183,9 +186,11 @@ ClosureResult close_valve(const Valve& valve, const ClosureOptions& options,
   result.membrane = options.membrane;
   ClosureRun best;
   std::size_t best_attempt = 0;
-  std::vector<Rung> ladder = options.method == Method::Fast
-                                 ? fast_ladder(model, options, contact, start ? &*start : nullptr)
-                                 : thesis_ladder(model, options, contact);
+  Allowance allowance(options.budget, model.vertices);
+  std::vector<Rung> ladder =
+      options.method == Method::Fast
+          ? fast_ladder(model, options, contact, allowance, start ? &*start : nullptr)
+          : thesis_ladder(model, options, contact, allowance);
   if (options.edge_contact) ladder.erase(ladder.begin());
   for (const Rung& rung : ladder) {
     ClosureRun run = rung.run();
@@ -197,7 +202,9 @@ ClosureResult close_valve(const Valve& valve, const ClosureOptions& options,
       best_attempt = result.attempts.size() - 1;
     }
     if (attempt.status == ClosureStatus::Converged && attempt.crossing_pairs == 0) break;
+    if (allowance.spent()) break;
   }
+  result.unfinished = allowance.spent();
   const ClosureAttempt& chosen = result.attempts[best_attempt];
   result.status = chosen.status;
   result.residual = chosen.residual;

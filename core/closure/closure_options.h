@@ -1,6 +1,9 @@
 // What a closure is asked for: method, membrane, tolerances.
 #pragma once
 
+#include <functional>
+#include <limits>
+
 #include "core/closure/membrane.h"
 #include "core/closure/self_contact.h"
 
@@ -13,6 +16,14 @@ const char* to_string(Method method);
 
 /// End states that the thesis takes the mean of (4.2.1).
 inline constexpr int kThesisSamples = 5;
+
+/// What a closure may cost. One that ends within it has the same bits as without.
+struct ClosureBudget {
+  /// Steps times vertices, of all attempts.
+  double vertex_steps = std::numeric_limits<double>::infinity();
+  /// Asked every 15 or 20 steps, on the thread that closes; true ends the closure. Empty: nobody asks.
+  std::function<bool()> cancelled{};
+};
 
 struct ClosureOptions {
   Method method = Method::Fast;
@@ -34,6 +45,7 @@ struct ClosureOptions {
   bool edge_contact = false;
   SelfContact self_contact = SelfContact::All;
   bool motion = false;  ///< Fast: keep the states on the way (ClosureResult::motion_mm)
+  ClosureBudget budget{};
 };
 
 }  // namespace coapt

@@ -41,6 +41,7 @@ struct ClosureResult {
   int crossing_pairs = 0;
   std::vector<int> guarded_faces;        ///< Fast: whose edges have contact, too (relaxation.h)
   std::vector<ClosureAttempt> attempts;  ///< in the order tried; the result is the best of them
+  bool unfinished = false;  ///< the budget was spent or the closure cancelled: not all was tried
 };
 
 }  // namespace coapt

@@ -180,6 +180,10 @@ double remaining_mm(const Points& x_mm, int vertices, Progress& now) {
 
 template <class R>
 void end_window(Relaxation<R>& r) {
+  if (r.settings.allowance && !r.settings.allowance->spend(kWindow_steps)) {
+    r.gave_up = true;
+    return;
+  }
   const Points x = r.valve.positions();
   if (!std::isfinite(r.run.residual) || has_diverged(x)) {
     r.run.status = ClosureStatus::Diverged;

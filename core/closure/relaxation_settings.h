@@ -1,6 +1,7 @@
 // What a relaxation (relaxation.h) is asked for.
 #pragma once
 
+#include "core/closure/allowance.h"
 #include "core/closure/contact.h"
 #include "core/closure/kernels/kernels.h"
 
@@ -16,9 +17,10 @@ struct RelaxationSettings {
   /// and damping take a little more. Less is a longer step, without guarantee.
   double mass_share = 0.55;
   ContactLaw contact;
-  bool guards = true;   ///< see above; without, crossings are only reported
-  int samples = 1;      ///< end states recorded, five steps apart
-  bool motion = false;  ///< record states on the way, 15 steps apart
+  bool guards = true;              ///< see above; without, crossings are only reported
+  int samples = 1;                 ///< end states recorded, five steps apart
+  bool motion = false;             ///< record states on the way, 15 steps apart
+  Allowance* allowance = nullptr;  ///< may be null; must outlive the relaxation
   kernels::InstructionSet instructions = kernels::best_instruction_set();
 };
 

@@ -68,7 +68,10 @@ ClosureRun run_thesis(const ClosureModel& model, const ThesisSettings& settings)
     }
     run.x_mm = state.x;
   };
-  while (run.status == ClosureStatus::StepLimit && run.steps < settings.max_steps) {
+  const auto affordable = [&] {
+    return settings.allowance == nullptr || settings.allowance->spend(kResidualEvery_steps);
+  };
+  while (run.status == ClosureStatus::StepLimit && run.steps < settings.max_steps && affordable()) {
     steps(kResidualEvery_steps);
     run.residual = residual(model, state.x, state.force);
     if (run.status == ClosureStatus::StepLimit && state.time_ms > kBoundaryTravel_ms &&

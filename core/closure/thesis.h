@@ -7,6 +7,7 @@
 // over another. At rest means: rms free force / rms pressure force below the tolerance.
 #pragma once
 
+#include "core/closure/allowance.h"
 #include "core/closure/contact.h"
 #include "core/closure/model.h"
 #include "core/closure/run.h"
@@ -21,6 +22,7 @@ struct ThesisSettings {
   double step = 1.0;            ///< of the time step alone; above 1.4 the bound is left behind
   ContactLaw contact;
   int samples = 1;  ///< end states recorded, 0.5 ms apart (thesis 4.2.1), if so many steps are left
+  Allowance* allowance = nullptr;  ///< may be null; must outlive the run
 };
 
 ClosureRun run_thesis(const ClosureModel& model, const ThesisSettings& settings);

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <type_traits>
 
+#include "core/valve/nearest_name.h"
+
 namespace coapt {
 namespace {
 
@@ -26,6 +28,26 @@ Check number_check(T min, T max) {
     return inside ? "" : "is " + text + ", must be " + accepted;
   };
   return {problem, range.str()};
+}
+
+/// What the command that was given takes by name: its options and the commands below it.
+std::vector<std::string> names_in(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (const CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(below->get_name());
+  return names;
+}
+
+/// Says of each word that no command took what it may have been meant to be.
+void suggest(const CLI::App& program) {
+  const CLI::App* command = &program;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  for (const std::string& word : program.remaining(true))
+    if (const std::string meant = did_you_mean(word.substr(0, word.find('=')), names_in(*command));
+        !meant.empty())
+      std::cerr << program.get_name() << ": unknown: " << word << meant << '\n';
 }
 
 void end_with(CLI::App& command, const std::string& notice) {
@@ -200,11 +222,15 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
   } catch (const CLI::RequiredError& error) {
     // CLI11 says what is missing before what it does not know, such as a misspelt command.
     const std::vector<std::string> unknown = app_->remaining(true);
-    if (!unknown.empty()) std::cerr << app_->get_name() << ": unknown: " << unknown.front() << '\n';
+    if (!unknown.empty())
+      std::cerr << app_->get_name() << ": unknown: " << unknown.front()
+                << did_you_mean(unknown.front(), names_in(*app_)) << '\n';
     app_->exit(error);
     return kUsageError;
   } catch (const CLI::ParseError& error) {
-    return app_->exit(error) == 0 ? 0 : kUsageError;
+    const int code = app_->exit(error);
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) suggest(*app_);
+    return code == 0 ? 0 : kUsageError;
   }
 }
 

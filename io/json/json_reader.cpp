@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/valve/nearest_name.h"
+
 namespace coapt {
 namespace {
 
@@ -79,8 +81,10 @@ void read_fields(const JsonPlace& place, std::span<const JsonField> fields) {
     const auto known = [&](const JsonField& field) { return field.name == item.key(); };
     if (std::any_of(fields.begin(), fields.end(), known)) continue;
     std::string message = "is not a field here, must be one of";
-    for (const JsonField& field : fields) message += " " + std::string(field.name);
-    add_problem(member(place, *item, item.key()), ErrorCode::UnknownField, message);
+    std::vector<std::string> names;
+    for (const JsonField& field : fields) message += ' ' + names.emplace_back(field.name);
+    add_problem(member(place, *item, item.key()), ErrorCode::UnknownField,
+                message + did_you_mean(item.key(), names));
   }
 }
 
@@ -187,7 +191,7 @@ std::optional<std::size_t> read_choice(const JsonPlace& place,
   if (match != names.end()) return static_cast<std::size_t>(match - names.begin());
   std::string message = "is " + described(place.value) + ", must be one of";
   for (const std::string& name : names) message += " \"" + name + '"';
-  add_problem(place, ErrorCode::BadReference, message);
+  add_problem(place, ErrorCode::BadReference, message + did_you_mean(found, names));
   return {};
 }
 

@@ -27,6 +27,8 @@ class Builder {
   Builder(ProblemList& problems, std::size_t max_values)
       : problems_(problems), max_values_(max_values) {}
 
+  ~Builder() { take_apart(root_); }
+
   nlohmann::json take() { return std::move(root_); }
 
   // The events of nlohmann::json::sax_parse; false stops it.
@@ -125,6 +127,14 @@ class Builder {
 };
 
 }  // namespace
+
+void take_apart(nlohmann::json& value) {
+  if (auto* const array = value.get_ptr<nlohmann::json::array_t*>()) {
+    for (; !array->empty(); array->pop_back()) take_apart(array->back());
+  } else if (auto* const object = value.get_ptr<nlohmann::json::object_t*>()) {
+    for (; !object->empty(); object->erase(object->begin())) take_apart(object->begin()->second);
+  }
+}
 
 Expected<nlohmann::json> parse_json(std::string_view text, std::size_t max_values) {
   if (text.size() > kMaxBytes) {

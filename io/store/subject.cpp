@@ -24,7 +24,7 @@ nlohmann::ordered_json values_of(const ClosureOptions& options) {
   // Names all fields, so that this does not compile when there is one more.
   const auto& [method, membrane, residual_tolerance, way_tolerance_mm, max_steps,
                contact_pressure_mpa, speed, damping_per_ms, samples, edge_contact, self_contact,
-               motion] = options;  // motion moves nothing
+               motion, budget] = options;  // motion moves nothing; what is unfinished is not kept
   return nlohmann::ordered_json::array({to_string(method), to_string(membrane), residual_tolerance,
                                         way_tolerance_mm, max_steps, contact_pressure_mpa, speed,
                                         damping_per_ms, samples, edge_contact,

@@ -18,9 +18,9 @@ struct Closed {
   nlohmann::ordered_json json;  ///< coapt.closure/1, with the warnings of the operation
 };
 
-Closed close(const RepairRequest& asked, const ClosureOptions& options) {
+Closed close(const RepairRequest& asked, RequestClosures& closures, const ClosureOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  Closed closed{close_valve(asked.repaired, options), {}};
+  Closed closed{closures.close(asked.repaired, options), {}};
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   closed.json = closure_to_json(asked.repaired, closed.closure,
                                 measure(asked.repaired, closed.closure), seconds.count());
@@ -31,9 +31,10 @@ Closed close(const RepairRequest& asked, const ClosureOptions& options) {
 }  // namespace
 
 Answer PostClosures::operator()(const Request& request) const {
-  return answer_repair(valves, compute, request, {}, [](const RepairRequest& asked) {
-    return json_answer(200, close(asked, {.samples = kThesisSamples}).json);
-  });
+  return answer_repair(
+      valves, compute, request, {}, [](const RepairRequest& asked, RequestClosures& closures) {
+        return json_answer(200, close(asked, closures, {.samples = kThesisSamples}).json);
+      });
 }
 
 Answer PostScenes::operator()(const Request& request) const {
@@ -43,8 +44,8 @@ Answer PostScenes::operator()(const Request& request) const {
   };
   return answer_repair(
       valves, compute, request, {{"frames", into(frames, read_frames), false}},
-      [&frames](const RepairRequest& asked) {
-        Closed closed = close(asked, {.motion = frames > 0});
+      [&frames](const RepairRequest& asked, RequestClosures& closures) {
+        Closed closed = close(asked, closures, {.motion = frames > 0});
         auto scene = scene_to_json({asked.repaired, closed.closure, asked.plan, frames});
         scene["closure"] = std::move(closed.json);
         return json_answer(200, std::move(scene));

@@ -13,6 +13,7 @@
 #include "search/plans/plan_search.h"
 #include "search/plans/ranking.h"
 #include "server/answers.h"
+#include "server/request_closures.h"
 
 namespace coapt {
 namespace {
@@ -26,7 +27,6 @@ std::vector<RepairPlan> read_plans(const JsonPlace& place) {
 }
 
 constexpr double kUsualTriangles = 650.0;
-constexpr double kMostSeconds = 60.0;  // it is waited for
 constexpr std::size_t kMostReported = 10, kAnyNumber = std::numeric_limits<std::size_t>::max();
 
 /// How much a closure costs against one of a valve of the usual size, roughly.
@@ -67,7 +67,7 @@ std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Req
   asked.options.threads = 1;
   asked.options.evidence = false;
   asked.options.region_points = 1;
-  asked.options.seconds = kMostSeconds;
+  asked.options.seconds = valves.limits.request_seconds;
   const auto points = [](const JsonPlace& place) { return read_integer_in(place, 1, 1089); };
   if (auto refused = read_body(valves, request.body,
                                {{"valve", valve_field(valves, asked.valve)},
@@ -95,14 +95,13 @@ std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Req
   return asked;
 }
 
-std::variant<SearchResult, Answer> score(const AskedPlans& asked) {
+std::variant<SearchResult, Answer> score(AskedPlans asked, RequestClosures& closures) {
+  asked.options.closure.budget.cancelled = [&closures] { return closures.cancelled(); };
   std::vector<NamedPlan> named;
   for (const RepairPlan& plan : asked.plans) named.push_back({"", plan});
   const Expected<SearchResult> result = evaluate_plans(asked.valve, named, asked.options, {});
   if (!result) return problem(422, result.errors());
-  if (result->stop == SearchStop::TimeLimit)
-    return retry_later(503, "took longer than " + shown(kMostSeconds) +
-                                " s: ask for fewer plans or region_points at once, or no evidence");
+  if (closures.cancelled()) return closures.refusal();
   return *result;
 }
 
@@ -112,11 +111,11 @@ Answer scored(const ValveSource& valves, Compute& compute, const Request& reques
               std::size_t most_plans, const Write& write) {
   const auto asked = read_asked(valves, request, most_plans);
   if (const auto* refused = std::get_if<Answer>(&asked)) return *refused;
-  const Compute::Turn turn(compute);
-  if (!turn) return too_busy();
-  const auto result = score(std::get<AskedPlans>(asked));
-  if (const auto* refused = std::get_if<Answer>(&result)) return *refused;
-  return write(std::get<AskedPlans>(asked), std::get<SearchResult>(result));
+  return answer_in_turn(compute, valves.limits, request, [&](RequestClosures& closures) -> Answer {
+    const auto result = score(std::get<AskedPlans>(asked), closures);
+    if (const auto* refused = std::get_if<Answer>(&result)) return *refused;
+    return write(std::get<AskedPlans>(asked), std::get<SearchResult>(result));
+  });
 }
 
 }  // namespace

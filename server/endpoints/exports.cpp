@@ -28,20 +28,24 @@ Answer PostExports::operator()(const Request& request) const {
   return answer_repair(
       valves, compute, request,
       {{"format", into(format, read_format)}, {"open", into(options.open, read_boolean), false}},
-      [&](const RepairRequest& asked) {
-        return valve_file_answer(with_repair(close_and_measure(asked.repaired, {.motion = true}),
-                                             asked.valve, asked.plan),
-                                 *format, options);
+      [&](const RepairRequest& asked, RequestClosures& closures) {
+        return valve_file_answer(
+            with_repair(closures.close_and_measure(asked.repaired, {.motion = true}), asked.valve,
+                        asked.plan),
+            *format, options);
       });
 }
 
 Answer PostPictures::operator()(const Request& request) const {
-  return answer_repair(valves, compute, request, {}, [](const RepairRequest& asked) {
-    const ClosedValve closed = with_repair(
-        close_and_measure(asked.repaired, {.samples = kThesisSamples}), asked.valve, asked.plan);
-    return Answer{
-        200, Content{"image/png", closure_picture_png(closed)}, {closure_header(closed.closure)}};
-  });
+  return answer_repair(
+      valves, compute, request, {}, [](const RepairRequest& asked, RequestClosures& closures) {
+        const ClosedValve closed =
+            with_repair(closures.close_and_measure(asked.repaired, {.samples = kThesisSamples}),
+                        asked.valve, asked.plan);
+        return Answer{200,
+                      Content{"image/png", closure_picture_png(closed)},
+                      {closure_header(closed.closure)}};
+      });
 }
 
 Answer valve_file_answer(const ClosedValve& exported, const FileFormat& format,

@@ -3,6 +3,7 @@
 
 #include "io/store/job_store.h"
 #include "server/compute.h"
+#include "server/limits.h"
 #include "server/page_tokens.h"
 #include "server/route.h"
 
@@ -30,6 +31,7 @@ struct GetPlan {
 /// GET /v1/jobs/{id}/plans/{rank}/mesh?format=: the valve as the plan leaves it, closed, as a file (io/exchange).
 struct GetPlanMesh {
   const JobStore& store;
+  const ServiceLimits& limits;
   Compute& compute;
   Answer operator()(const Request& request) const;
 };
@@ -37,6 +39,7 @@ struct GetPlanMesh {
 /// GET /v1/jobs/{id}/plans/{rank}/picture: PNG, before and after.
 struct GetPlanPicture {
   const JobStore& store;
+  const ServiceLimits& limits;
   Compute& compute;
   Answer operator()(const Request& request) const;
 };

@@ -74,7 +74,8 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
   if (!request) return failed(job, request.errors());
   const Expected<SearchOptions> asked = search_options_from_json(*request);
   if (!asked) return failed(job, asked.errors());
-  const SearchOptions options = granted(*asked, limits, job.seconds());
+  SearchOptions options = granted(*asked, limits, job.seconds());
+  options.closure.budget.cancelled = [this] { return board.stopping(); };
 
   auto kept = retried<PlanStore>(board, job, [&] { return PlanStore::open(closures); });
   const std::string subject = plan_subject_of(valve, options.closure);
@@ -86,6 +87,7 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
   SearchContext context{.cancelled = &job.cancelled};
   context.known = std::move(known);
   context.keep = [&](const std::string& key, int disturbance, const PlanClosure& closure) {
+    if (board.stopping()) throw std::runtime_error(kJobStops);  // the closure may be unfinished
     keep_closure(board, job, [&] { return kept.keep(subject, key, disturbance, closure); });
   };
   context.progress = [&](const SearchProgress& now) {

@@ -50,6 +50,7 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
 
   OrificeTableOptions options;
   options.closure = thesis_closure();
+  options.closure.budget.cancelled = [this] { return board.stopping(); };
   options.threads = limits.threads;
   auto kept = retried<ClosureStore>(board, job, [&] { return ClosureStore::open(closures); });
   const std::string subject = subject_of(valve, options.closure);
@@ -62,6 +63,7 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
     if (job.seconds() > limits.seconds) throw StudyStopped("out of time");
   };
   options.keep = [&](const ConfigurationKey& key, const OrificeSample& sample) {
+    if (board.stopping()) throw StudyStopped("the server stops");  // the closure may be unfinished
     keep_closure(board, job, [&] { return kept.keep(subject, key, sample); });
     go_on();
   };

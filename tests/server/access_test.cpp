@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "server/cors.h"
+
 namespace coapt {
 namespace {
 
@@ -118,6 +120,47 @@ TEST(Refuse, PagesOfOtherOriginsStayOutWhateverTheyKnow) {
 TEST(Refuse, WhetherItLivesEverybodyMayAsk) {
   EXPECT_EQ(status({kToken, {}}, {{"host", "evil.example"}}, "/healthz/live"), 0);
   EXPECT_EQ(status({kToken, {}}, {}, "/healthz/ready"), 401);
+}
+
+Request from_site(const std::string& method, const std::string& origin) {
+  Request request;
+  request.method = method;
+  request.path = "/v1/presets";
+  request.headers = {{"host", "localhost"}, {"origin", origin}};
+  return request;
+}
+
+std::string header_of(const Answer& answer, const std::string& name) {
+  for (const auto& [given, value] : answer.headers)
+    if (given == name) return value;
+  return "";
+}
+
+TEST(Cors, PagesOfNamedSitesComeInAndMayReadTheAnswer) {
+  const Access access{.origins = {"https://plans.example"}};
+  const Request named = from_site("GET", "https://plans.example");
+  EXPECT_FALSE(refuse(access, named));
+  EXPECT_EQ(header_of(for_origin(access, named, {}), "Access-Control-Allow-Origin"),
+            "https://plans.example");
+  for (const char* origin : {"https://plans.example.org", "http://plans.example", "null"}) {
+    const Request other = from_site("GET", origin);
+    EXPECT_EQ(refuse(access, other)->status, 403) << origin;
+    EXPECT_EQ(header_of(for_origin(access, other, {}), "Access-Control-Allow-Origin"), "")
+        << origin;
+  }
+}
+
+TEST(Cors, ABrowserMayAskWhetherItMaySend) {
+  const Access access{.token = kToken, .origins = {"https://plans.example"}};
+  Request asks = from_site("OPTIONS", "https://plans.example");
+  EXPECT_FALSE(answer_preflight(access, asks));
+  asks.headers["access-control-request-method"] = "POST";
+  const std::optional<Answer> answer = answer_preflight(access, asks);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 204);
+  EXPECT_EQ(header_of(*answer, "Access-Control-Allow-Origin"), "https://plans.example");
+  asks.headers["origin"] = "https://other.example";
+  EXPECT_FALSE(answer_preflight(access, asks));
 }
 
 }  // namespace

@@ -72,13 +72,14 @@ class Memory:
 
     def __init__(self, server):
         self.server, self.samples, self.ended = server, [], threading.Event()
+        self.start = time.monotonic()
         self.thread = threading.Thread(target=self.watch)
         self.thread.start()
 
     def watch(self):
         while not self.ended.wait(0.5):
             try:
-                self.samples.append(self.server.resident_mib())
+                self.samples.append((time.monotonic() - self.start, self.server.resident_mib()))
             except (OSError, AttributeError):  # it has gone: the requests will tell
                 return
 
@@ -86,8 +87,14 @@ class Memory:
         """Median MiB of the first and of the last third of the time."""
         self.ended.set()
         self.thread.join()
-        third = max(1, len(self.samples) // 3)
-        return statistics.median(self.samples[:third]), statistics.median(self.samples[-third:])
+        mib = [sample for _, sample in self.samples]
+        third = max(1, len(mib) // 3)
+        return statistics.median(mib[:third]), statistics.median(mib[-third:])
+
+    def write(self, path):
+        """As CSV."""
+        lines = ["seconds,resident_mib"] + [f"{seconds:.1f},{mib:.1f}" for seconds, mib in self.samples]
+        path.write_text("\n".join(lines) + "\n")
 
 
 def metric(server, name):
@@ -131,8 +138,8 @@ def run(server, requests, seconds, seed, at_once=8):
     return world, outcomes, wrong
 
 
-def examine(server, requests, seconds, seed):
-    """Figures of a run, among them all that was wrong."""
+def examine(server, requests, seconds, seed, curve=None):
+    """Figures of a run, among them all that was wrong; memory over time goes into the file `curve`."""
     memory = Memory(server)
     start = time.monotonic()
     try:
@@ -140,6 +147,8 @@ def examine(server, requests, seconds, seed):
         took = time.monotonic() - start
     finally:
         first_mib, last_mib = memory.thirds()
+        if curve:
+            memory.write(curve)
     jobs = []
     try:
         jobs = good.ended_jobs(world, seconds=120)
@@ -175,11 +184,12 @@ def main():
         default=16.0,
         help="by how much memory may grow from the first third of the time to the last",
     )
+    parser.add_argument("--curve", type=pathlib.Path, help="CSV of memory over time")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         server = Server(options.server, pathlib.Path(folder) / "jobs.sqlite")
         try:
-            figures = examine(server, options.requests, options.seconds, options.seed)
+            figures = examine(server, options.requests, options.seconds, options.seed, options.curve)
             code = server.stop()
             if code != 0:
                 figures["wrong"].append(f"exit code {code}")

@@ -1,6 +1,6 @@
 // The page: a bar of views over one workspace. The address says which view, valve, plan and job is shown.
 import './style/base.css'
-import { onTokenNeeded } from './api/http'
+import { onTokenNeeded, takeTokenFromAddress } from './api/http'
 import { h } from './dom'
 import { askForToken } from './shell/token'
 import { footer } from './shell/footer'
@@ -23,6 +23,7 @@ const makers: Record<ViewName, (workspace: Workspace) => Promise<View>> = {
   studies: async (workspace) => new (await import('./studies/view')).StudiesView(workspace),
 }
 
+takeTokenFromAddress()
 const app = document.getElementById('app') as HTMLElement
 const workspace = new Workspace()
 const views = new Map<ViewName, Promise<View>>()

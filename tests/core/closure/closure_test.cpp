@@ -34,6 +34,43 @@ Valve moved(Valve valve, const Eigen::Matrix3d& r, bool mirror) {
   return valve;
 }
 
+TEST(Closure, OneThatStaysWithinItsBudgetHasTheSameBits) {
+  const Valve valve = human(150);
+  for (const Method method : {Method::Fast, Method::Thesis}) {
+    const ClosureResult plain = close_valve(valve, {.method = method});
+    int asked = 0;
+    ClosureOptions options{.method = method};
+    options.budget = {1.2 * plain.steps * static_cast<double>(valve.rest_mm.rows()),
+                      [&asked] { return ++asked < 0; }};
+    const ClosureResult within = close_valve(valve, options);
+    EXPECT_FALSE(plain.unfinished || within.unfinished);
+    EXPECT_EQ(within.closed_mm, plain.closed_mm);
+    EXPECT_GE(asked, plain.steps / 20 - 1);
+  }
+}
+
+TEST(Closure, OneThatSpendsItsBudgetEndsUnfinished) {
+  const Valve valve = human(150);
+  for (const Method method : {Method::Fast, Method::Thesis}) {
+    ClosureOptions options{.method = method};
+    options.budget.vertex_steps = 100.0 * static_cast<double>(valve.rest_mm.rows());
+    const ClosureResult closed = close_valve(valve, options);
+    EXPECT_TRUE(closed.unfinished);
+    EXPECT_EQ(closed.status, ClosureStatus::StepLimit);
+    EXPECT_EQ(closed.attempts.size(), 1U);
+    EXPECT_NEAR(closed.steps, 100, 20);
+    EXPECT_TRUE(closed.closed_mm.allFinite());
+  }
+}
+
+TEST(Closure, OneThatIsCancelledEndsAtOnce) {
+  ClosureOptions options;
+  options.budget.cancelled = [] { return true; };
+  const ClosureResult closed = close_valve(human(150), options);
+  EXPECT_TRUE(closed.unfinished);
+  EXPECT_LE(closed.steps, 20);
+}
+
 TEST(Closure, BranchPointsRestWhereTheirCablesBalance) {
   const Valve valve = human();
   ClosureOptions options;

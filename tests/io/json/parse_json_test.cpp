@@ -93,5 +93,15 @@ TEST(ParseJson, NamesAreLimitedTo256Bytes) {
   EXPECT_EQ(found(named(257)), (Found{{InvalidJson, ""}}));
 }
 
+TEST(TakeApart, LeavesNothingInside) {
+  nlohmann::json document =
+      *parse_json(R"({"a": [[1, "long enough for a string of its own"], {}], "b": 2})");
+  take_apart(document);
+  EXPECT_EQ(document, nlohmann::json::object());
+  nlohmann::json number = 3;
+  take_apart(number);
+  EXPECT_EQ(number, 3);
+}
+
 }  // namespace
 }  // namespace coapt

@@ -112,7 +112,8 @@ TEST(SearchOptionsJson, AProblemSaysWhatIsAccepted) {
             "is 16, must be from 2 to 15 mm");
   EXPECT_EQ(message_at(R"({"weights": {"steps": 1}})", "/weights/steps"),
             "is not a field here, must be one of leak sd_share incompetence margin coaptation gap "
-            "movement movement_above_10 undersizing undersizing_above_4 step tension untrusted");
+            "movement movement_above_10 undersizing undersizing_above_4 step tension untrusted; "
+            "did you mean \"step\"?");
 }
 
 }  // namespace

@@ -39,6 +39,24 @@ TEST_F(ClosuresTest, AClosureIsThatOfTheValve) {
   EXPECT_TRUE(json["warnings"].empty());
 }
 
+TEST_F(ClosuresTest, AClosureOfTooManyStepsIsRefused) {
+  limits_.vertex_steps = 1000.0;
+  for (const std::string& path : kPaths) {
+    const Answer answer = post(path, request_to(path));
+    EXPECT_EQ(answer.status, 422) << path;
+    EXPECT_NE(content_bytes(answer).find("more than 1000 steps times vertices"), std::string::npos);
+  }
+}
+
+TEST_F(ClosuresTest, ARequestOutOfTimeIsRefused) {
+  limits_.request_seconds = 1e-9;
+  for (const std::string& path : kPaths) {
+    const Answer answer = post(path, request_to(path));
+    EXPECT_EQ(answer.status, 503) << path;
+    EXPECT_NE(content_bytes(answer).find("POST /v1/plans"), std::string::npos) << path;
+  }
+}
+
 TEST_F(ClosuresTest, AValveMayBeWrittenThereOrNamed) {
   const auto leak_of = [&](const ordered_json& valve) {
     return json_of(post("/v1/closures", {{"valve", valve}}))["leak_mm2"];

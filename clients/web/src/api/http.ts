@@ -21,6 +21,14 @@ export function onTokenNeeded(ask: typeof askForToken): void {
   askForToken = ask
 }
 
+/// Takes the token out of the address `#token=TOKEN`, which coapt-server prints.
+export function takeTokenFromAddress(): void {
+  const token = /^#token=(.+)$/.exec(location.hash)?.[1]
+  if (token === undefined) return
+  sessionStorage.setItem(TOKEN, token)
+  history.replaceState(null, '', '#')
+}
+
 export function hasToken(): boolean {
   return sessionStorage.getItem(TOKEN) !== null
 }

@@ -18,7 +18,10 @@ export const PATIENCE_MS = 300_000 // machines are shared and slow
 export async function startService(flags = [], { port = 0, folder = mkdtempSync(join(tmpdir(), 'coapt-page-')) } = {}) {
   const child = spawn(
     SERVER,
-    ['--port', String(port), '--db', join(folder, 'jobs.sqlite'), '--web', join(ROOT, 'build/web'), ...flags],
+    [
+      ...['--port', String(port), '--db', join(folder, 'jobs.sqlite'), '--web', join(ROOT, 'build/web')],
+      ...['--no-token', '--request-seconds', String(PATIENCE_MS / 1000), ...flags],
+    ],
     {
       stdio: ['ignore', 'ignore', 'pipe'],
     },

@@ -1,0 +1,45 @@
+#include "server/request_closures.h"
+
+#include "core/valve/number_text.h"
+
+namespace coapt {
+namespace {
+
+// A client that has closed its half of the connection may still wait for an answer, but not for long.
+constexpr std::chrono::seconds kPatience(1);
+
+}  // namespace
+
+ClosureResult RequestClosures::close(const Valve& valve, ClosureOptions options) {
+  options.budget = {limits_.vertex_steps, [this] { return cancelled(); }};
+  ClosureResult closure = close_valve(valve, options);
+  if (closure.unfinished) throw Unfinished{};
+  return closure;
+}
+
+ClosedValve RequestClosures::close_and_measure(const Valve& valve, const ClosureOptions& options) {
+  ClosureResult closure = close(valve, options);
+  const ValveMeasure measured = measure(valve, closure);
+  return {valve, std::move(closure), measured};
+}
+
+bool RequestClosures::cancelled() {
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started_;
+  cancelled_ = cancelled_ || seconds.count() > limits_.request_seconds ||
+               (seconds > kPatience && request_.abandoned && request_.abandoned());
+  return cancelled_;
+}
+
+Answer RequestClosures::refusal() const {
+  if (cancelled_)
+    return retry_later(503, "took longer than " + shown(limits_.request_seconds) +
+                                " s: ask for fewer plans or region_points at once, search as a job "
+                                "(POST /v1/plans), or close the valve offline (coapt close)");
+  return problem(422, ErrorCode::OutOfRange,
+                 "the closure takes more than " + shown(limits_.vertex_steps) +
+                     " steps times vertices, the limit of this service: use a coarser mesh or "
+                     "softer chordae, or close "
+                     "the valve offline (coapt close)");
+}
+
+}  // namespace coapt
