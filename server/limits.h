@@ -1,6 +1,8 @@
 // What the service takes, each a flag of coapt-server (those of HTTP: http.h).
 #pragma once
 
+#include "io/store/job_store.h"
+
 namespace coapt {
 
 struct ServiceLimits {
@@ -10,6 +12,7 @@ struct ServiceLimits {
   double vertex_steps = 25e6;     ///< steps times vertices, of a closure that a client waits for
   double request_seconds = 10.0;  ///< of computing for a client that waits
   double seconds = 3600.0;  ///< of a job's running; asked for more, or for no limit, it gets this
+  Retention retention;      ///< enforced when a job or a valve comes
   int kept_plans = 1000;    ///< in all; over it 409
   int queue = 100;          ///< jobs that wait to be run; over it 429
   int evaluation_closures =

@@ -114,7 +114,7 @@ int serve(const ServerOptions& options, const Access& access) {
   if (const auto opened = PlanStore::open(plans); !opened) return fail(kFailure, opened.errors());
   if (const auto opened = ClosureStore::open(studies); !opened)
     return fail(kFailure, opened.errors());
-  JobBoard board(*store, options.service.queue);
+  JobBoard board(*store, options.service.queue, options.service.retention);
   if (const Errors errors = board.resume(); !errors.empty()) return fail(kFailure, errors);
 
   const std::string folder = options.web.empty() ? usual_page_folder() : options.web;

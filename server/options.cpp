@@ -38,6 +38,12 @@ void add_service_limits(Command app, ServiceLimits& service) {
             "Time that is computed for a client that waits");
   add_limit(app, "--seconds", service.seconds, 1.0, 1e6, "Time that a job may run");
   add_limit(app, "--kept-plans", service.kept_plans, 0, 1'000'000, "Plans that it keeps, at most");
+  add_limit(app, "--kept-jobs", service.retention.jobs, 1, 1'000'000,
+            "Ended jobs that it keeps, at most; the oldest go first");
+  add_limit(app, "--kept-days", service.retention.days, 0.0, 36500.0,
+            "Days that it keeps an ended job; 0: no limit");
+  add_limit(app, "--kept-valves", service.retention.valves, 1, 1'000'000,
+            "Valves that it keeps, at most, besides those of jobs and kept plans");
   add_limit(app, "--queue", service.queue, 1, 100'000, "Jobs that wait, at most");
   add_limit(app, "--evaluation-closures", service.evaluation_closures, 1, 1'000'000,
             "Closures of one POST /v1/evaluations at most (plans times region points, and "

@@ -1,8 +1,10 @@
 #include "clients/cli/server_option.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "clients/cli/exit_code.h"
@@ -12,6 +14,8 @@
 
 namespace coapt {
 namespace {
+
+constexpr std::array<std::string_view, 3> kThisMachine = {"localhost", "127.0.0.1", "[::1]"};
 
 /// A line end in it would begin another header of the request.
 Expected<std::string> without_controls(std::string token, const std::string& source) {
@@ -46,6 +50,17 @@ bool is_url(const std::string& url) {
   return false;
 }
 
+/// Whether what is sent there can be read on the way: http, to another machine.
+bool is_open_to_others(const std::string& url) {
+  constexpr std::string_view kPlain = "http://";
+  if (!url.starts_with(kPlain)) return false;
+  const std::string host = url.substr(kPlain.size());
+  return std::none_of(kThisMachine.begin(), kThisMachine.end(), [&](std::string_view name) {
+    return host.starts_with(name) &&
+           (host.size() == name.size() || host[name.size()] == ':' || host[name.size()] == '/');
+  });
+}
+
 }  // namespace
 
 void add_server_option(Command command, ServerOption& option) {
@@ -59,6 +74,10 @@ void add_server_option(Command command, ServerOption& option) {
       .add_option("--token-file", option.token_file,
                   "Its first line is the service's token; otherwise COAPT_TOKEN is")
       .show_argument("FILE")
+      .group("Service");
+  command
+      .add_flag("--plain-http", option.plain_http,
+                "Send the token without encryption (http://) to another machine")
       .group("Service");
 }
 
@@ -76,6 +95,11 @@ Expected<std::optional<Service>> service_of(const Command& command, const Server
           name + ": a service does not offer it; leave it out, or run here with --server ''");
   const Expected<std::string> token = read_token(option.token_file);
   if (!token) problems.add(token.errors().front().code, "", token.errors().front().message);
+  if (token && !token->empty() && is_open_to_others(option.url) && !option.plain_http)
+    problems.add(ErrorCode::Unsupported, "",
+                 "--server: " + option.url +
+                     " is not encrypted: others could read the token on the way; use https://, or "
+                     "--plain-http if the network is yours");
   if (!problems.empty()) return std::move(problems).take();
   return std::optional<Service>(Service{option.url, *token});
 }

@@ -14,6 +14,7 @@ namespace coapt {
 
 struct ServerOption {
   std::string url, token_file;
+  bool plain_http = false;  ///< the token may go unencrypted to another machine
 };
 
 /// --server (or COAPT_SERVER) and --token-file (or the token itself in COAPT_TOKEN).

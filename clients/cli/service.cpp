@@ -7,7 +7,6 @@
 #include <chrono>
 #include <csignal>
 #include <ctime>
-#include <sstream>
 #include <thread>
 
 #include "io/json/result_json.h"
@@ -77,10 +76,26 @@ httplib::Client client_of(const std::string& origin, std::chrono::seconds patien
   return client;
 }
 
+std::string in_words(httplib::Error error) {
+  switch (error) {
+    case httplib::Error::Connection:
+      return "no connection; is coapt-server running there, and the address right?";
+    case httplib::Error::ConnectionTimeout:
+      return "no connection within " + std::to_string(kConnect.count()) + " s";
+    case httplib::Error::Read:
+    case httplib::Error::Write:
+      return "the connection broke off";
+    case httplib::Error::SSLConnection:
+      return "no encrypted connection can be made (TLS)";
+    case httplib::Error::SSLServerVerification:
+      return "its certificate is not trusted";
+    default:
+      return httplib::to_string(error);
+  }
+}
+
 Errors unreachable(const Service& service, httplib::Error error) {
-  std::ostringstream why;
-  why << service.url << " does not answer: " << httplib::to_string(error);
-  return {Error{ErrorCode::InputOutput, "", why.str()}};
+  return {Error{ErrorCode::InputOutput, "", service.url + " does not answer: " + in_words(error)}};
 }
 
 Expected<Reply> call_once(const Service& service, const Call& call) {

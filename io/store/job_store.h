@@ -101,6 +101,13 @@ struct JobPage {
   std::int64_t next_before = 0;  ///< 0: there are no more
 };
 
+/// What stays of what nobody removes.
+struct Retention {
+  int jobs = 1000;      ///< ended ones, the newest
+  double days = 0.0;    ///< since a job ended; 0: without limit
+  int valves = 10'000;  ///< at most; those that a job or a kept plan refers to stay all the same
+};
+
 /// From any thread. A failure is Busy if another process has the file locked for too long, NoSpace if
 /// disk, quota or size of the file has no room (then nothing has changed, and it may be tried again), else
 /// InputOutput; BadReference where it is said. A full file size is NoSpace only if SIGXFSZ is ignored.
@@ -157,6 +164,9 @@ class JobStore {
   /// With all that belongs to it but its valve. False if there is none. BadReference while it has not
   /// ended.
   Expected<bool> remove(const std::string& id);
+
+  /// Removes the jobs and valves that are not to stay, the oldest first.
+  Errors retain(const Retention& retention, std::int64_t now_ms);
 
   /// Appends; its number. Every change of state is appended with the change itself: kind "state", content
   /// {"state": "RUNNING"}. "progress" of a job that has not ended becomes the job's progress and

@@ -96,6 +96,23 @@ Expected<bool> JobStore::remove(const std::string& id) {
   return change.end_with(presence == Presence::Ended);
 }
 
+Errors JobStore::retain(const Retention& retention, std::int64_t now_ms) {
+  constexpr double kDay_ms = 24.0 * 3600.0 * 1000.0;
+  const std::int64_t oldest_ms =
+      retention.days > 0.0 ? now_ms - static_cast<std::int64_t>(retention.days * kDay_ms) : 0;
+  Transaction change = writing("old jobs and valves cannot be removed");
+  change.run(
+      "DELETE FROM jobs WHERE finished_ms > 0 AND (finished_ms < ?2 OR number <= "
+      "(SELECT number FROM jobs WHERE finished_ms > 0 ORDER BY number DESC LIMIT 1 OFFSET ?1))",
+      {std::int64_t{retention.jobs}, oldest_ms});
+  change.run(
+      "DELETE FROM valves WHERE (SELECT count(*) FROM valves) > ?1 AND number <= "
+      "(SELECT number FROM valves ORDER BY number DESC LIMIT 1 OFFSET ?1) "
+      "AND id NOT IN (SELECT valve FROM jobs) AND id NOT IN (SELECT valve FROM kept_plans)",
+      {std::int64_t{retention.valves}});
+  return change.end();
+}
+
 Expected<std::int64_t> JobStore::add_event(const std::string& id, const std::string& kind,
                                            const std::string& content, double seconds) {
   std::int64_t number = 0;

@@ -7,6 +7,7 @@
 #include "io/json/valve_json.h"
 #include "server/answers.h"
 #include "server/content_id.h"
+#include "server/jobs/job_board.h"
 #include "server/query.h"
 
 namespace coapt {
@@ -39,6 +40,7 @@ Answer PostValve::operator()(const Request& request) const {
   const std::string id = content_id(document);
   const Expected<bool> is_new = store.add_valve(id, document);
   if (!is_new) return store_problem(is_new.errors());
+  static_cast<void>(store.retain(valves.limits.retention, wall_clock_ms()));  // else with the next
   Answer answer = json_answer(*is_new ? 201 : 200, {{"id", id},
                                                     {"vertices", valve->rest_mm.rows()},
                                                     {"triangles", valve->faces.rows()},

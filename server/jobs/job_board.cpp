@@ -52,6 +52,7 @@ Expected<JobBoard::Submission> JobBoard::submit(const NewJob& asked,
   }
   const auto submitted = store_.submit(asked, valve_document, wall_clock_ms());
   if (!submitted) return submitted.errors();
+  static_cast<void>(store_.retain(retention_, wall_clock_ms()));  // else with the next job
   const Job& job = submitted->job;
   const std::lock_guard<std::mutex> lock(mutex_);
   queue_.push_back(job.id);

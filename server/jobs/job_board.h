@@ -37,7 +37,8 @@ class JobBoard {
   static constexpr int kMostWaiting = 16;
 
   /// @param queue jobs that may wait.
-  JobBoard(JobStore& store, int queue) : store_(store), queue_limit_(queue) {}
+  JobBoard(JobStore& store, int queue, const Retention& retention = {})
+      : store_(store), queue_limit_(queue), retention_(retention) {}
 
   /// Queues what the store has unfinished. Before anything else.
   Errors resume();
@@ -90,6 +91,7 @@ class JobBoard {
 
   JobStore& store_;
   const int queue_limit_;
+  const Retention retention_;  // enforced with each new job
   std::mutex intake_;  // over every change of the queue, together with its place in the store
   mutable std::mutex mutex_;  // over what follows; never held while the store works
   mutable std::condition_variable changed_;

@@ -196,7 +196,7 @@ class OnlyHere(ThroughService):
     def test_too_many_closures_at_once_are_refused_with_the_limit(self):
         run = self.remote("evaluate", VALVE, self.write("ring.json", RING), "--no-evidence")
         self.assertEqual(run.returncode, BAD_INPUT)
-        self.assertIn("must be at most 1000", run.stderr)
+        self.assertIn("must be at most 500", run.stderr)
 
 
 class Environment(ThroughService):
@@ -213,6 +213,20 @@ class Environment(ThroughService):
             run = coapt("close", VALVE, "--server", url)
             self.assertEqual(run.returncode, BAD_INPUT)
             self.assertIn("--server", run.stderr)
+
+    def test_a_token_does_not_go_unencrypted_to_another_machine(self):
+        surroundings = os.environ | {"COAPT_TOKEN": TOKEN}
+        for url in ("http://plans.invalid", "http://localhost.plans.invalid:8080", "http://127.0.0.1.plans.invalid/"):
+            run = subprocess.run(
+                [COAPT, "close", VALVE, "--server", url], env=surroundings, capture_output=True, text=True
+            )
+            self.assertEqual(run.returncode, BAD_INPUT, run.stderr)
+            self.assertIn("not encrypted", run.stderr)
+        for arguments in (["https://plans.invalid"], ["http://plans.invalid", "--plain-http"], ["http://localhost:1"]):
+            run = subprocess.run(
+                [COAPT, "close", VALVE, "--server", *arguments], env=surroundings, capture_output=True, text=True
+            )
+            self.assertEqual(run.returncode, FAILURE, run.stderr)
 
 
 class Tokens(ThroughService):

@@ -156,6 +156,36 @@ TEST_F(JobStoreRun, AJobGoesWithAllThatBelongsToItAndItsNumberIsNotGivenAgain) {
   EXPECT_TRUE(store().files(numbered_id(2))->empty());
 }
 
+TEST_F(JobStoreRun, TheNewestEndedJobsStay) {
+  for (const int i : {1, 2, 3, 4, 5}) submit(store(), i);
+  for (const int i : {1, 3, 4, 5})
+    EXPECT_TRUE(store().finish(numbered_id(i), numbered_end(i), 1'000).empty());
+  EXPECT_TRUE(store().retain({.jobs = 2}, 1'000).empty());
+  for (const int i : {1, 3}) EXPECT_FALSE(*store().job(numbered_id(i))) << i;
+  for (const int i : {2, 4, 5}) EXPECT_TRUE(*store().job(numbered_id(i))) << i;
+}
+
+TEST_F(JobStoreRun, EndedJobsStayAsLongAsAsked) {
+  constexpr std::int64_t kDay_ms = 24 * 3600 * 1000;
+  for (const int i : {1, 2, 3}) submit(store(), i);
+  for (const int i : {1, 2})
+    EXPECT_TRUE(store().finish(numbered_id(i), numbered_end(i), i * kDay_ms).empty());
+  EXPECT_TRUE(store().retain({}, 9 * kDay_ms).empty());
+  EXPECT_TRUE(*store().job(numbered_id(1)));
+  EXPECT_TRUE(store().retain({.days = 7.5}, 9 * kDay_ms).empty());
+  EXPECT_FALSE(*store().job(numbered_id(1)));
+  for (const int i : {2, 3}) EXPECT_TRUE(*store().job(numbered_id(i))) << i;
+}
+
+TEST_F(JobStoreRun, ValvesThatNothingRefersToGoTheOldestFirst) {
+  submit(store(), 1);  // valve-0
+  for (const char* id : {"a", "b", "c", "d"}) EXPECT_TRUE(*store().add_valve(id, "{}"));
+  EXPECT_TRUE(*store().keep_plan({"kept", "a plan", "a", "{}"}, 9));
+  EXPECT_TRUE(store().retain({.valves = 2}, 1).empty());
+  EXPECT_FALSE(*store().valve("b"));
+  for (const char* id : {"valve-0", "a", "c", "d"}) EXPECT_TRUE(*store().valve(id)) << id;
+}
+
 TEST_F(JobStoreRun, WhatIsAskedOfAJobThatIsNotThereIsABadReference) {
   expect_bad_reference(store().start("none", 0, 1).errors());
   expect_bad_reference(store().suspend("none", 0.0, ""));
