@@ -9,23 +9,36 @@ export interface components {
          * @description Millimetres. Origin at the annulus centroid, x to the posteromedial commissure, y anterior, z to the atrium. Integers are written without a decimal point. Beyond what is said here a reader checks that indices exist and ids differ; that the faces are one orientable sheet, each with its segment and its fibre of length 1; that the annulus is one of its boundary loops, 30 to 400 mm around and centred within 15 mm, with the landmarks in order; that papillary heads of both sides lie below it; that the chordae are trees, and that weights add up to 1.
          */
         Valve: {
-            /** @constant */
+            /**
+             * @description Format and version of this document.
+             * @constant
+             */
             schema: "coapt.valve/1";
+            /** @description Name for people to read. */
             name: string;
             /** @description Sources, licences and every change, in order. */
             provenance: string[];
-            /** @description Transvalvular. */
+            /** @description Pressure across the closed valve, at the peak of systole. */
             pressure_kpa: number;
             /** @description Moduli below (pre) and above (post) the transition strain. */
             tissue: {
+                /** @description Density of leaflets and chordae. */
                 density_g_per_mm3: number;
+                /** @description Thickness of the leaflets, the same everywhere. */
                 thickness_mm: number;
+                /** @description Modulus along the fibres below the transition strain. */
                 circumferential_pre_kpa: number;
+                /** @description Modulus along the fibres above the transition strain. */
                 circumferential_post_kpa: number;
+                /** @description Strain along the fibres at which the modulus changes. */
                 circumferential_transition: number;
+                /** @description Modulus across the fibres below the transition strain. */
                 radial_pre_kpa: number;
+                /** @description Modulus across the fibres above the transition strain. */
                 radial_post_kpa: number;
+                /** @description Strain across the fibres at which the modulus changes. */
                 radial_transition: number;
+                /** @description Modulus of the chordae. */
                 chordae_kpa: number;
             };
             /** @description The unstressed shape. Edges of faces are 0.02 mm or longer. */
@@ -36,7 +49,7 @@ export interface components {
                 number,
                 number
             ][];
-            /** @description One for each face; AC and PC are the commissures, which a valve may lack. Each of the others must be there. */
+            /** @description Segment of each face; AC and PC are the commissures, which a valve may lack. Each of the others must be there. */
             segments: ("A1" | "A2" | "A3" | "P1" | "P2" | "P3" | "AC" | "PC")[];
             /** @description One for each face: the circumferential direction, a unit vector in its plane. */
             fibre: [
@@ -46,6 +59,7 @@ export interface components {
             ][];
             /** @description A boundary loop, counter-clockwise seen from the atrium, and where it sits under pressure. */
             annulus: {
+                /** @description Vertex indices, in order around the loop. */
                 vertices: [
                     number,
                     number,
@@ -55,6 +69,7 @@ export interface components {
                     number,
                     ...number[]
                 ];
+                /** @description Place of each of these vertices under pressure. */
                 positions_mm: [
                     components["schemas"]["Valve.point"],
                     components["schemas"]["Valve.point"],
@@ -67,14 +82,22 @@ export interface components {
             };
             /** @description Vertices of the annulus. */
             landmarks: {
+                /** @description Vertex at the trigone on the anterolateral side. */
                 anterolateral_trigone: number;
+                /** @description Vertex at the trigone on the posteromedial side. */
                 posteromedial_trigone: number;
+                /** @description Vertex at the saddle peak, the middle of the anterior annulus. */
                 saddle_peak: number;
+                /** @description Vertex at the middle of the posterior annulus. */
                 mid_posterior: number;
+                /** @description Vertex at the anterolateral commissure. */
                 anterolateral_commissure: number;
+                /** @description Vertex at the posteromedial commissure. */
                 posteromedial_commissure: number;
             };
+            /** @description Heads of the papillary muscles, where chordae start. */
             papillary_heads: components["schemas"]["Valve.head"][];
+            /** @description Chordae, each a tree from one papillary head to one or more insertions. */
             chordae: components["schemas"]["Valve.chorda"][];
         };
         "Valve.point": [
@@ -83,38 +106,52 @@ export interface components {
             number
         ];
         "Valve.head": {
+            /** @description Unique name, such as AL1. */
             id: string;
-            /** @enum {unknown} */
+            /**
+             * @description Papillary muscle to which it belongs.
+             * @enum {string}
+             */
             side: "anterolateral" | "posteromedial";
-            /** @description In the unpressurised valve. */
+            /** @description Place in the unpressurised valve. */
             rest_mm: components["schemas"]["Valve.point"];
-            /** @description Under pressure. */
+            /** @description Place under pressure; it does not move during closure. */
             tip_mm: components["schemas"]["Valve.point"];
         };
         "Valve.chorda": {
+            /** @description Unique name, such as AL1-P2-marginal-1. */
             id: string;
-            /** @enum {unknown} */
+            /**
+             * @description Where it inserts: marginal at the free edge, strut and basal away from it; neochorda: artificial.
+             * @enum {string}
+             */
             kind: "marginal" | "strut" | "basal" | "neochorda";
             /** @description Index of the papillary head. */
             head: number;
+            /** @description Whether it is ruptured and carries nothing. */
             ruptured: boolean;
+            /** @description Straight pieces; a piece comes after its parent. */
             segments: components["schemas"]["Valve.segment"][];
         };
         "Valve.segment": {
             /** @description -1: the head; else the earlier segment whose branch point it goes on from. */
             parent: number;
+            /** @description Length without tension. */
             rest_length_mm: number;
+            /** @description Diameter of its cross-section. */
             diameter_mm: number;
             /** @description Barycentric weights on the vertices of a face. */
             insertion?: {
+                /** @description Index of the face. */
                 face: number;
+                /** @description One for each vertex of the face; together 1. */
                 weights: [
                     number,
                     number,
                     number
                 ];
             };
-            /** @description In the unpressurised valve. */
+            /** @description Place in the unpressurised valve. */
             branch_point_mm?: components["schemas"]["Valve.point"];
         } & (unknown | unknown);
         /**
@@ -122,75 +159,160 @@ export interface components {
          * @description Steps in any order; their order does not change the result. Integers are written without a decimal point. Beyond what is said here coapt checks each step against the valve: a suture, for one, is from half the distance between tip and anchor to the whole of it.
          */
         Plan: {
-            /** @constant */
+            /**
+             * @description Format and version of this document.
+             * @constant
+             */
             schema: "coapt.plan/1";
-            steps: (components["schemas"]["Plan.own_ring"] | components["schemas"]["Plan.catalogue_ring"] | components["schemas"]["Plan.neochorda"] | components["schemas"]["Plan.chordal_length_change"] | components["schemas"]["Plan.chordal_excision"] | components["schemas"]["Plan.chordal_transfer"] | components["schemas"]["Plan.approximation_to_landmark"] | components["schemas"]["Plan.approximation_to_point"])[];
+            /** @description Surgical steps; none: the valve stays as it is. */
+            steps: (components["schemas"]["Plan.annuloplasty"] | components["schemas"]["Plan.neochorda"] | components["schemas"]["Plan.chordal_length_change"] | components["schemas"]["Plan.chordal_excision"] | components["schemas"]["Plan.chordal_transfer"] | components["schemas"]["Plan.papillary_approximation"])[];
         };
-        /** @description along: 0 at the anterolateral, 1 at the posteromedial commissure. height: 0 at the annulus, 1 at the free edge. */
+        /** @description A point of a leaflet, the same on every mesh. */
         "Plan.leaflet_point": {
-            /** @enum {unknown} */
+            /**
+             * @description Leaflet on which the point lies.
+             * @enum {string}
+             */
             leaflet: "anterior" | "posterior";
+            /** @description 0 at the anterolateral, 1 at the posteromedial commissure. */
             along: number;
+            /** @description 0 at the annulus, 1 at the free edge. */
             height: number;
         };
-        /** @description The valve's own annulus, smaller by sizes of 2 mm transverse. */
-        "Plan.own_ring": {
-            /** @constant */
+        /** @description A ring sutured to the annulus. */
+        "Plan.annuloplasty": {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             step: "annuloplasty";
-            /** @constant */
+        } & (components["schemas"]["Plan.own_ring"] | components["schemas"]["Plan.catalogue_ring"]);
+        /** @description A ring in the shape of the valve's own annulus, made smaller in proportion. */
+        "Plan.own_ring": {
+            /**
+             * @description What is done.
+             * @constant
+             */
+            step: "annuloplasty";
+            /**
+             * @description The shape of the valve's own annulus. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
             shape: "own";
+            /** @description Sizes of 2 mm by which the annulus gets narrower. */
             sizes_below: number;
         };
-        /** @description A shape of core/repair/rings.h by its labelled transverse size. */
+        /** @description A ring of the catalogue. */
         "Plan.catalogue_ring": {
-            /** @constant */
+            /**
+             * @description What is done.
+             * @constant
+             */
             step: "annuloplasty";
-            shape: string;
+            /**
+             * @description A shape of the catalogue, none of them a manufacturer's. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            shape: "generic-classic" | "generic-etlogix-like" | "generic-geoform-like";
+            /** @description Labelled transverse size, in steps of 2 mm. */
             size_mm: number;
         };
+        /** @description An artificial chorda: a suture from a papillary head to the leaflet. */
         "Plan.neochorda": {
-            /** @constant */
+            /**
+             * @description What is done. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
             step: "neochorda";
+            /** @description Id of the papillary head from which it starts. */
             head: string;
+            /** @description Where it is sutured to the leaflet. */
             insertion: components["schemas"]["Plan.leaflet_point"];
+            /** @description Length without tension. */
             length_mm: number;
         };
+        /** @description A chorda made shorter or longer. */
         "Plan.chordal_length_change": {
-            /** @constant */
+            /**
+             * @description What is done. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
             step: "chordal_length_change";
+            /** @description Id of the chorda. */
             chorda: string;
-            /** @description Of the trunk; negative shortens. */
+            /** @description Change of the length of its trunk, the part at the papillary head; below 0: shorter. */
             change_mm: number;
         };
+        /** @description A chorda cut, so that it carries nothing. */
         "Plan.chordal_excision": {
-            /** @constant */
+            /**
+             * @description What is done. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
             step: "chordal_excision";
+            /** @description Id of the chorda. */
             chorda: string;
         };
+        /** @description A chorda moved to another point of the leaflets. */
         "Plan.chordal_transfer": {
-            /** @constant */
+            /**
+             * @description What is done. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
             step: "chordal_transfer";
+            /** @description Id of the chorda. */
             chorda: string;
+            /** @description Where all its insertions go. */
             insertion: components["schemas"]["Plan.leaflet_point"];
         };
-        "Plan.approximation_to_landmark": {
-            /** @constant */
+        /** @description A suture that ties a papillary muscle to the annulus; the muscle moves until the suture is taut. */
+        "Plan.papillary_approximation": {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             step: "papillary_approximation";
-            /** @enum {unknown} */
+        } & (components["schemas"]["Plan.approximation_to_landmark"] | components["schemas"]["Plan.approximation_to_point"]);
+        /** @description Tied to a landmark of the annulus. */
+        "Plan.approximation_to_landmark": {
+            /**
+             * @description What is done.
+             * @constant
+             */
+            step: "papillary_approximation";
+            /**
+             * @description Papillary muscle that is tied.
+             * @enum {string}
+             */
             side: "anterolateral" | "posteromedial";
-            /** @enum {unknown} */
+            /**
+             * @description Where on the annulus: the trigone of its own side, or the saddle peak. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
             anchor: "ipsilateral_trigone" | "saddle_peak";
+            /** @description From the mean tip of the muscle to the anchor. */
             suture_length_mm: number;
         };
+        /** @description Tied to any point of the annulus. */
         "Plan.approximation_to_point": {
-            /** @constant */
+            /**
+             * @description What is done.
+             * @constant
+             */
             step: "papillary_approximation";
-            /** @enum {unknown} */
+            /**
+             * @description Papillary muscle that is tied.
+             * @enum {string}
+             */
             side: "anterolateral" | "posteromedial";
-            /** @constant */
+            /**
+             * @description Where on the annulus: at annulus_around. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
             anchor: "annulus_point";
             /** @description 0 posteromedial commissure, 0.25 saddle peak, 0.5 anterolateral commissure, 0.75 mid-posterior. */
             annulus_around: number;
+            /** @description From the mean tip of the muscle to the anchor. */
             suture_length_mm: number;
         };
         /**
@@ -246,10 +368,14 @@ export interface components {
             rules?: components["schemas"]["Search.rules"];
             weights?: components["schemas"]["Search.weights"];
         };
+        /** @description What every plan must have, what none may have, and what may be tied. */
         "Search.rules": {
             /** @description Steps that every plan has, as they are. */
             fixed?: {
-                /** @constant */
+                /**
+                 * @description Format and version of the plan; may be left out.
+                 * @constant
+                 */
                 schema?: "coapt.plan/1";
                 steps: components["schemas"]["Plan"]["steps"];
             };
@@ -373,7 +499,10 @@ export interface components {
         /** @description A valve, or in a word: the id of a stored one, or a preset's name. */
         ValveSource: components["schemas"]["Valve"] | string;
         Fault: {
-            /** @enum {string} */
+            /**
+             * @description Kind of problem, for programs.
+             * @enum {string}
+             */
             code: "invalid_json" | "missing_field" | "unknown_field" | "wrong_type" | "out_of_range" | "bad_reference" | "bad_topology" | "bad_geometry" | "impossible_step" | "unsupported" | "input_output" | "busy" | "no_space";
             /** @description JSON pointer into the request's body; ?NAME: a parameter of the query; empty: the whole of the request. */
             path: string;
@@ -382,9 +511,14 @@ export interface components {
         };
         /** @description RFC 9457. */
         Problem: {
-            /** @constant */
+            /**
+             * @description Always about:blank; the kind of each problem is its code.
+             * @constant
+             */
             type: "about:blank";
+            /** @description The status in words. */
             title: string;
+            /** @description HTTP status of this answer. */
             status: number;
             /** @description The first of the problems, or a general sentence. */
             detail: string;
@@ -392,27 +526,35 @@ export interface components {
             problems: components["schemas"]["Fault"][];
             notice: components["schemas"]["Notice"];
         };
+        /** @description A valve that is stored now. */
         StoredValve: {
             id: components["schemas"]["Id"];
+            /** @description Number of vertices of the leaflets. */
             vertices: number;
+            /** @description Number of triangles of the leaflets. */
             triangles: number;
+            /** @description Number of chordae, ruptured ones included. */
             chordae: number;
             notice: components["schemas"]["Notice"];
         };
+        /** @description Whether a document is a valve. */
         Validation: {
+            /** @description Whether this service accepts it as a valve. */
             valid: boolean;
+            /** @description Every problem that was found; empty if there is none. */
             problems: components["schemas"]["Fault"][];
             notice: components["schemas"]["Notice"];
         };
         Valves: {
             /** @description Newest first. */
             valves: {
+                /** @description Id of the valve. */
                 valve: components["schemas"]["Id"];
-                /** @description Of its document. */
+                /** @description Name in its document. */
                 name: string;
-                /** @description Of its leaflets. */
+                /** @description Number of vertices of the leaflets. */
                 vertices: number;
-                /** @description Of its leaflets. */
+                /** @description Number of triangles of the leaflets. */
                 triangles: number;
             }[];
             next_page_token: components["schemas"]["NextPageToken"];
@@ -423,6 +565,7 @@ export interface components {
             name: string;
             /** @description The id of a stored valve, or a preset's name. */
             valve: string;
+            /** @description The plan; it must be possible on that valve. */
             plan: components["schemas"]["Plan"];
         };
         NewName: {
@@ -430,11 +573,13 @@ export interface components {
             name: string;
         };
         KeptPlan: {
+            /** @description Id of the kept plan. */
             kept_plan: components["schemas"]["Id"];
             /** @description For people to read: one line, at most 200 bytes of UTF-8. */
             name: string;
             /** @description The id of a stored valve, or a preset's name. */
             valve: string;
+            /** @description The plan as it was kept. */
             plan: components["schemas"]["Plan"];
             notice?: components["schemas"]["Notice"];
         };
@@ -446,17 +591,20 @@ export interface components {
         };
         /** @description Of a search: the best plan so far. One closed at more nodes comes before one closed at fewer. */
         LeadingPlan: {
-            /** @description mm2, over its nodes; lower is better. */
+            /** @description Cost in mm2 over its nodes; lower is better. */
             cost: number | null;
-            /** @description Of the region of interest, closed so far. */
+            /** @description How many nodes of the region of interest it was closed at. */
             nodes: number;
-            /** @description As planned. */
+            /** @description Leak of the plan as planned; null: not known. */
             leak_mm2: number | null;
             description: components["schemas"]["RankedPlan"]["description"];
+            /** @description The plan, ready for another request. */
             plan: components["schemas"]["Plan"];
         };
         Presets: {
+            /** @description One entry for each preset. */
             presets: {
+                /** @description Name of the preset; requests take it for the valve. */
                 name: string;
                 /**
                  * Format: uri-reference
@@ -467,208 +615,290 @@ export interface components {
             notice: components["schemas"]["Notice"];
         };
         Rings: {
+            /** @description Ring shapes of the catalogue. */
             rings: {
-                /** @description What a plan's step calls its shape. */
-                name: string;
+                /** @description Name of the shape in a plan's step. */
+                name: components["schemas"]["Plan.catalogue_ring"]["shape"];
+                /** @description Anteroposterior depth over true transverse width. */
                 ap_over_transverse: number;
                 /** @description True transverse width over the labelled size. */
                 transverse_factor: number;
-                /** @description Height of the saddle. */
+                /** @description Height of the saddle over true transverse width; 0: flat. */
                 saddle_over_transverse: number;
+                /** @description The shape in words, and what was left out of it. */
                 note: string;
             }[];
             /** @description Labelled transverse sizes. */
             sizes_mm: {
+                /** @description Smallest labelled size. */
                 min: number;
+                /** @description Largest labelled size. */
                 max: number;
+                /** @description Difference between neighbouring sizes. */
                 step: number;
             };
             notice: components["schemas"]["Notice"];
         };
-        /** @description Of a closed valve. Null: the closure flew apart, so nothing is known but its annulus. */
+        /** @description Figures of a closed valve. Null: the closure diverged, so nothing is known but the annulus. */
         Measure: {
-            /** @description Of the view from the atrium, leaflets with their half thickness. */
+            /** @description Area of the regurgitant orifice in the view from the atrium, leaflets with their half thickness. */
             orifice_area_mm2: number | null;
-            /** @description Leaflets as bare mid-surfaces. */
+            /** @description The same area with the leaflets as bare mid-surfaces. */
             orifice_area_raw_mm2: number | null;
-            /** @description Mean over closely spaced end states. */
+            /** @description Mean of orifice_area_mm2 over closely spaced end states. */
             orifice_area_mean_mm2: number | null;
-            /** @description The larger of orifice and gap: what a competent valve keeps near zero. */
+            /** @description The larger of orifice_area_mm2 and gap_area_mm2: what a competent valve keeps near zero. */
             leak_mm2: number | null;
-            /** @description Largest first. */
+            /** @description Connected openings in the view from the atrium, largest first. */
             orifices: {
+                /** @description Area of this opening. */
                 area_mm2: number;
-                /** @description On the annular plane. */
+                /** @description Centroid of this opening, on the annular plane. */
                 centroid_mm: [
                     number,
                     number,
                     number
                 ];
-                /** @enum {unknown} */
+                /**
+                 * @description Segment of the leaflet nearest to the centroid.
+                 * @enum {string}
+                 */
                 segment: "A1" | "A2" | "A3" | "P1" | "P2" | "P3" | "AC" | "PC";
             }[];
+            /** @description How the leaflets meet across the line of coaptation. */
             coaptation: {
+                /** @description Smallest height of the nine sections. */
                 height_min_mm: number | null;
+                /** @description Mean height of the nine sections. */
                 height_mean_mm: number | null;
+                /** @description Tenth percentile of the heights of the nine sections. */
                 height_p10_mm: number | null;
-                /** @description The widest of the sections' smallest distances. */
+                /** @description Largest distance_mm of the nine sections; null also if one has no anterior tissue. */
                 distance_max_mm: number | null;
-                /** @description Opening between the leaflets in three dimensions. */
+                /** @description Opening between the leaflets in three dimensions, also where one hides it from the atrium. */
                 gap_area_mm2: number | null;
-                /** @description Nine, across the line of coaptation. */
+                /** @description Nine sections across the line of coaptation, from along 0.1 to 0.9. */
                 sections: {
-                    /** @description 0 anterolateral, 1 posteromedial commissure. */
+                    /** @description 0 at the anterolateral, 1 at the posteromedial commissure. */
                     along: number;
+                    /** @description Coaptation height: length over which the leaflets are in contact. */
                     height_mm: number | null;
+                    /** @description Smallest distance between the mid-surfaces; null also if there is no anterior tissue. */
                     distance_mm: number | null;
+                    /** @description Whether the leaflets are in contact here. */
                     contact: boolean;
                 }[];
             };
+            /** @description Dimensions of the annulus under pressure. */
             annulus: {
+                /** @description Anteroposterior: saddle peak to mid-posterior, projected on the plane of best fit. */
                 ap_mm: number;
+                /** @description Transverse: widest extent in the direction from commissure to commissure. */
                 al_pm_mm: number;
+                /** @description Length around, in three dimensions. */
                 circumference_mm: number;
-                /** @description Projected. */
+                /** @description Area, projected on the plane of best fit. */
                 area_mm2: number;
+                /** @description Height of the saddle: extent along the normal of that plane. */
                 saddle_height_mm: number;
             };
-            /** @description Below 0 where leaflets billow. */
+            /** @description From the annular line (saddle peak to mid-posterior) to the coaptation point; below 0 where leaflets billow. */
             tenting_height_mm: number | null;
+            /** @description Between the annular line and the leaflets in the mid-valve section; below 0 where leaflets billow. */
             tenting_area_mm2: number | null;
-            /** @description Of a chorda. */
+            /** @description Highest tension in a segment of a chorda. */
             tension_max_n: number | null;
-            /** @description Over segments that leave a papillary head. */
+            /** @description Sum of the tensions of the segments that leave a papillary head. */
             tension_sum_n: number | null;
-            /** @description 99th percentile over triangles. */
+            /** @description Green-Lagrange strain along the fibres, 99th percentile over triangles. */
             strain_circumferential_max: number | null;
-            /** @description Likewise. */
+            /** @description Green-Lagrange strain across the fibres, 99th percentile over triangles. */
             strain_radial_max: number | null;
         };
         /** @description coapt.closure/1, as `coapt close --json` prints it. */
         Closure: components["schemas"]["Measure"] & {
-            /** @constant */
+            /**
+             * @description Format and version of this document.
+             * @constant
+             */
             schema: "coapt.closure/1";
+            /** @description Version of coapt that closed the valve. */
             version: string;
             notice: components["schemas"]["Notice"];
-            /** @description Its name. */
+            /** @description Name of the valve. */
             valve: string;
+            /** @description Number of triangles of the leaflets. */
             triangles: number;
-            /** @enum {unknown} */
+            /**
+             * @description Fast relaxation, or the method of the thesis; the service uses fast.
+             * @enum {string}
+             */
             method: "fast" | "thesis";
-            /** @enum {unknown} */
+            /**
+             * @description Model of the leaflets: springs, or orthotropic finite elements; the service uses springs.
+             * @enum {string}
+             */
             membrane: "springs" | "continuum";
-            /** @enum {unknown} */
+            /**
+             * @description converged: at rest; step_limit: not yet at rest; diverged: unstable, there is no shape.
+             * @enum {string}
+             */
             status: "converged" | "step_limit" | "diverged";
-            /** @description rms free force / rms pressure force. */
+            /** @description Force left at rest: rms free force / rms pressure force. */
             residual: number | null;
+            /** @description Steps of all attempts. */
             steps: number;
+            /** @description Time that closing took. */
             seconds: number;
             /** @description Whether leaflets pass through each other: then the figures do not count. */
             crossing: boolean;
-            /** @description Of triangles. */
+            /** @description Pairs of triangles that pass through each other. */
             crossing_pairs: number;
             /** @description From quick to careful, until one is converged and uncrossed. */
             attempts: {
+                /** @description Name of the attempt, such as float, edge contact. */
                 how: string;
-                /** @enum {unknown} */
+                /**
+                 * @description How this attempt ended.
+                 * @enum {string}
+                 */
                 status: "converged" | "step_limit" | "diverged";
+                /** @description Pairs of triangles that pass through each other after it. */
                 crossing_pairs: number;
+                /** @description Residual after this attempt. */
                 residual: number | null;
+                /** @description Steps of this attempt. */
                 steps: number;
             }[];
+            /** @description Rules of practice that the repair breaks, in words. */
             warnings: string[];
         };
         /** @description x, y, z, x, y, z, ... in mm, rounded to 0.001. */
         FlatPoints: number[];
         /** @description coapt.scene/1: all that is drawn of a closed valve. Indices count from 0. */
         Scene: {
-            /** @constant */
+            /**
+             * @description Format and version of this document.
+             * @constant
+             */
             schema: "coapt.scene/1";
             notice: components["schemas"]["Notice"];
             /** @description The annulus's plane of best fit: x posteromedial, y anterior, normal to the atrium. */
             plane: {
+                /** @description Mean of the vertices of the annulus. */
                 origin_mm: components["schemas"]["Vector"];
+                /** @description Unit vector towards the posteromedial commissure. */
                 x: components["schemas"]["Vector"];
+                /** @description Unit vector towards the anterior side. */
                 y: components["schemas"]["Vector"];
+                /** @description Unit vector towards the atrium. */
                 normal: components["schemas"]["Vector"];
             };
-            /** @description Of the leaflets. */
+            /** @description Thickness of the leaflets. */
             thickness_mm: number;
             /** @description Vertices of the unstressed leaflets. */
             rest_mm: components["schemas"]["FlatPoints"];
-            /** @description The same under pressure; null if the closure flew apart. */
+            /** @description Vertices of the leaflets under pressure; null: the closure diverged. */
             closed_mm: components["schemas"]["FlatPoints"] | null;
-            /** @description Three vertices each. */
+            /** @description Vertex indices, three for each face. */
             faces: number[];
-            /** @description Of each face. */
+            /** @description Segment of each face. */
             segments: ("A1" | "A2" | "A3" | "P1" | "P2" | "P3" | "AC" | "PC")[];
             /** @description Of each vertex. around: 0 at the posteromedial commissure, 0.25 at the saddle peak, 0.5 at the anterolateral commissure, 0.75 at mid-posterior. height: 0 at the annulus, 1 at the free edge. */
             leaflet_coordinates: {
+                /** @description One for each vertex. */
                 around: number[];
+                /** @description One for each vertex. */
                 height: number[];
             };
-            /** @description Its vertices, in order. */
+            /** @description Vertex indices of the annulus, in order. */
             annulus: number[];
-            /** @description Where they sit under pressure. */
+            /** @description Places of these vertices under pressure. */
             annulus_mm: components["schemas"]["FlatPoints"];
-            /** @description Vertices of the annulus. */
+            /** @description Vertex indices of the landmarks, by name. */
             landmarks: {
                 [key: string]: number;
             };
-            /** @description Of the papillary muscles; tip_mm under pressure. */
+            /** @description Heads of the papillary muscles. */
             heads: {
+                /** @description Id in the valve's document. */
                 id: string;
-                /** @enum {unknown} */
+                /**
+                 * @description Papillary muscle to which it belongs.
+                 * @enum {string}
+                 */
                 side: "anterolateral" | "posteromedial";
+                /** @description Place in the unpressurised valve. */
                 rest_mm: components["schemas"]["Vector"];
+                /** @description Place under pressure. */
                 tip_mm: components["schemas"]["Vector"];
             }[];
+            /** @description Chordae under pressure, each a tree of segments. */
             chordae: {
+                /** @description Id in the valve's document; a repair names new ones neochorda-1, neochorda-2. */
                 id: string;
-                /** @enum {unknown} */
+                /**
+                 * @description Kind of chorda; neochorda: artificial.
+                 * @enum {string}
+                 */
                 kind: "marginal" | "strut" | "basal" | "neochorda";
                 /** @description Index into heads. */
                 head: number;
+                /** @description Whether it is ruptured or cut, and carries nothing. */
                 ruptured: boolean;
                 /** @description From the head to the leaflet; they branch. */
                 segments: {
-                    /** @description At whose end it starts; -1: at the head. */
+                    /** @description Segment at whose end it starts; -1: it starts at the head. */
                     parent: number;
+                    /** @description Its far end: a branch point or a point of the leaflet. */
                     end_mm: components["schemas"]["Vector"];
+                    /** @description Tension; 0 if it is slack or ruptured; null: the closure diverged. */
                     tension_n: number | null;
-                    /** @description Into which it inserts; missing: it ends in a branch point. */
+                    /** @description Index of the face into which it inserts; missing: it ends in a branch point. */
                     face?: number;
-                    /** @description Of the corners of the face. */
+                    /** @description Weights of the face's vertices at the insertion; together 1. */
                     weights?: components["schemas"]["Vector"];
                 }[];
             }[];
             /** @description Of the plan: from the mean tip of a papillary muscle to its anchor on the annulus. */
             sutures: {
-                /** @enum {unknown} */
+                /**
+                 * @description Papillary muscle that is tied.
+                 * @enum {string}
+                 */
                 side: "anterolateral" | "posteromedial";
+                /** @description Mean tip of the heads of that muscle. */
                 tip_mm: components["schemas"]["Vector"];
+                /** @description Anchor on the annulus. */
                 anchor_mm: components["schemas"]["Vector"];
             }[];
-            /** @description Green-Lagrange strain of each face. */
+            /** @description Green-Lagrange strain of each face; null: the closure diverged. */
             strain: {
+                /** @description Along the fibres, one for each face. */
                 circumferential: number[];
+                /** @description Across the fibres, one for each face. */
                 radial: number[];
             } | null;
             /** @description Of the view from the atrium, largest first: the line around each, then those around islands of tissue in it. Seen from the atrium they are the orifice; each point is as high as the tissue beside it, so a membrane across the lines lies where the valve is open. */
             orifices: {
+                /** @description Area in the view from the atrium. */
                 area_mm2: number;
+                /** @description Closed lines, the outer one first. */
                 contours_mm: components["schemas"]["FlatPoints"][];
             }[];
             /** @description 37 planes across the line between the commissures. */
             sections: {
                 /** @description 0 at the anterolateral commissure, 1 at the posteromedial one. */
                 along: number;
+                /** @description Point of the plane, on the line between the commissures. */
                 point_mm: components["schemas"]["Vector"];
+                /** @description Unit normal of the plane, towards the posteromedial side. */
                 normal: components["schemas"]["Vector"];
-                /** @description Of coaptation. */
+                /** @description Coaptation height: length over which the leaflets are in contact. */
                 height_mm: number;
                 /** @description Smallest between the leaflets' mid-surfaces; null without anterior tissue. */
                 distance_mm: number | null;
+                /** @description Whether the leaflets are in contact here. */
                 contact: boolean;
                 /** @description Where the leaflets' mid-surfaces are nearest to each other: on the anterior side, in the section, and on the posterior side; null without anterior tissue. Lines between them, over neighbouring sections without contact, span the gap. */
                 nearest_mm: [
@@ -678,8 +908,10 @@ export interface components {
             }[];
             /** @description States on the way from open to closed, which is not that of real time: vertices, branch points of chordae, heads. */
             motion_mm: components["schemas"]["FlatPoints"][];
+            /** @description What was measured of this closure. */
             closure: components["schemas"]["Closure"];
         };
+        /** @description x, y and z; of a place in mm. */
         Vector: [
             number,
             number,
@@ -687,105 +919,160 @@ export interface components {
         ];
         /** @description mm2, over the region of interest. Null: fewer than two of its nodes were closed, which says nothing of it. */
         Statistics: {
-            /** @description As planned. */
+            /** @description Of the plan as planned. */
             nominal: number | null;
+            /** @description Mean over the region. */
             mean: number | null;
+            /** @description Standard deviation over the region. */
             sd: number | null;
+            /** @description Largest value in the region. */
             worst: number | null;
-            /** @description 95th percentile. */
+            /** @description 95th percentile over the region. */
             p95: number | null;
             /** @description Share of the region below 5 mm2. */
             below_5: number | null;
+            /** @description Share of the region below 10 mm2. */
             below_10: number | null;
+            /** @description Share of the region below 20 mm2. */
             below_20: number | null;
         };
+        /** @description A plan with its evidence, ranked against others. */
         RankedPlan: {
             /** @description 1: the best. */
             rank: number;
+            /** @description The plan, ready for another request. */
             plan: components["schemas"]["Plan"];
             /** @description In surgical words, a line a step. */
             description: string[];
+            /** @description Orifice over the region of interest. */
             orifice_area_mm2: components["schemas"]["Statistics"];
+            /** @description Leak, the larger of orifice and gap, over the region of interest. */
             leak_mm2: components["schemas"]["Statistics"];
-            /** @description mm2; lower is better. */
+            /** @description Cost in mm2 over the region; lower is better. */
             cost: number | null;
-            /** @enum {unknown} */
+            /**
+             * @description How the closure of the plan as planned ended.
+             * @enum {string}
+             */
             status: "converged" | "step_limit" | "diverged";
+            /** @description Whether leaflets pass through each other in that closure. */
             crossing: boolean;
+            /** @description What was measured of the plan as planned. */
             measure: components["schemas"]["Measure"];
+            /** @description Number of surgical steps. */
             steps: number;
-            /** @description Of 2 mm. */
+            /** @description By how many sizes of 2 mm the annulus was undersized; 0 if it was left as it is. */
             ring_sizes_below: number;
+            /** @description How far the anterolateral papillary muscle is moved. */
             anterolateral_movement_mm: number;
+            /** @description How far the posteromedial papillary muscle is moved. */
             posteromedial_movement_mm: number;
+            /** @description How many nodes of the region were closed. */
             region_closures: number;
-            /** @description Of these: not converged, or crossed. */
+            /** @description How many of these closures did not converge or crossed. */
             region_failures: number;
+            /** @description How much error it takes until the valve leaks more than 1 mm2 or a closure fails; 0 if it does as planned. */
             margin_to_leak: {
+                /** @description Error of suture length, longer or shorter; 1 if none in the region leaks; null: not closed. */
                 suture_length_mm: number | null;
+                /** @description Error of angle, outwards or backwards; 5 if none in the region leaks; null: not closed. */
                 angle_deg: number | null;
-                /** @description Of the way to the region's border; 1: no node leaks. */
+                /** @description Share of the way to the region's border, in any direction; 1 if no node leaks; null: not closed. */
                 share: number | null;
             };
             /** @description Pareto-optimal among the ranked plans in mean leak, its sd, steps and undersizing. */
             pareto: boolean;
+            /** @description Probability that it is truly better than the next plan; null for the last one or without a region. */
             probability_outranks_next: number | null;
+            /** @description Whether that probability is between 0.05 and 0.95. */
             tie_with_next: boolean;
-            /** @description The nodes by which it was chosen. */
+            /** @description Nodes by which the plan was chosen for ranking. */
             subset: {
+                /** @description How many nodes, at most 17. */
                 nodes: number;
+                /** @description Cost in mm2 over these nodes. */
                 cost: number | null;
             };
+            /** @description Leak against suture length and angle: of both muscles, then of each sutured one alone if that was closed. */
             leak_map: {
-                /** @enum {unknown} */
+                /**
+                 * @description Which muscle is disturbed.
+                 * @enum {string}
+                 */
                 muscle: "both" | "anterolateral" | "posteromedial";
+                /** @description Error of suture length in each row. */
                 suture_length_mm: number[];
+                /** @description Swing outwards in each column. */
                 outwards_deg: number[];
-                /** @description Rows by length, columns by angle. Null: not closed. */
+                /** @description Rows by length, columns by angle; null: not closed, or the closure failed. */
                 leak_mm2: (number | null)[][];
             }[];
-            /** @description Shares of the leak's variance. */
+            /** @description Shares of the leak's variance over the region; null unless all 1,089 nodes were closed and the leak varies. */
             sobol: {
+                /** @description Share of each error alone (first-order Sobol index). */
                 first: {
+                    /** @description Share of suture length. */
                     suture_length: number | null;
+                    /** @description Share of the swing outwards. */
                     outwards: number | null;
+                    /** @description Share of the swing backwards. */
                     posterior: number | null;
                 };
+                /** @description Share of each error with its interactions (total Sobol index). */
                 total: {
+                    /** @description Share of suture length. */
                     suture_length: number | null;
+                    /** @description Share of the swing outwards. */
                     outwards: number | null;
+                    /** @description Share of the swing backwards. */
                     posterior: number | null;
                 };
             };
-            /** @description Two sutures, each with its own error. */
+            /** @description Leak if the errors of two sutures are independent; null unless both were tied and evidence was asked for. */
             independent_leak_mm2: components["schemas"]["Statistics"];
+            /** @description Leak while the ventricle goes on remodelling; empty unless evidence was asked for. */
             remodelling: {
+                /** @description Where both papillary tips go: apical, outwards, posterior, or all three. */
                 direction: string;
-                /** @description At 0, 1, ... 6 mm. */
+                /** @description Leak at 0, 1, ... 6 mm; null: not closed, or the closure failed. */
                 leak_mm2: (number | null)[];
             }[];
             /** @description Sixteen rules of practice. */
             gates: {
+                /** @description Short name of the rule, such as papillary_movement. */
                 rule: string;
-                /** @enum {unknown} */
+                /**
+                 * @description What the rule says of the plan; not_assessed: coapt cannot tell.
+                 * @enum {string}
+                 */
                 severity: "pass" | "warn" | "reject" | "not_assessed";
+                /** @description What was found, with its figure. */
                 finding: string;
+                /** @description Where the rule comes from. */
                 source: string;
             }[];
-            /** @description Of gates and region, in words. */
+            /** @description What speaks against the plan, in words. */
             warnings: string[];
             notice?: components["schemas"]["Notice"];
         };
         /** @description The valve as it is. */
         Before: components["schemas"]["Measure"] & {
-            /** @enum {unknown} */
+            /**
+             * @description How the closure of the valve as it is ended.
+             * @enum {string}
+             */
             status: "converged" | "step_limit" | "diverged";
+            /** @description Whether leaflets pass through each other in that closure. */
             crossing: boolean;
         };
         /** @description coapt.plans/1, as `coapt plan --json` prints it. */
         Plans: {
-            /** @constant */
+            /**
+             * @description Format and version of this document.
+             * @constant
+             */
             schema: "coapt.plans/1";
+            /** @description Version of coapt that searched. */
             version: string;
             notice: components["schemas"]["Notice"];
             before: components["schemas"]["Before"];
@@ -793,64 +1080,102 @@ export interface components {
             any_competent: boolean;
             /** @description Best first. */
             plans: components["schemas"]["RankedPlan"][];
+            /** @description The costs of progress. */
             best_cost_history: (number | null)[];
+            /** @description Lowest cost that the search had found, with each plan closed once. */
             progress: {
+                /** @description After so many closures. */
                 closures: number;
+                /** @description Lowest cost by then, mm2. */
                 cost: number | null;
             }[];
             /** @description What plans tried at random are expected to reach. */
             random_progress: {
+                /** @description After so many closures. */
                 closures: number;
+                /** @description Lowest cost expected by then, mm2. */
                 cost: number | null;
             }[];
+            /** @description Plans that no other one closed at as many nodes beats in mean and sd of the leak, steps and undersizing. */
             pareto_front: {
+                /** @description The plan, ready for another request. */
                 plan: components["schemas"]["Plan"];
+                /** @description In surgical words, a line a step. */
                 description: string[];
+                /** @description Mean of the leak over its nodes. */
                 mean_mm2: number | null;
+                /** @description Standard deviation of the leak over its nodes. */
                 sd_mm2: number | null;
+                /** @description Number of surgical steps. */
                 steps: number;
+                /** @description By how many sizes of 2 mm the annulus was undersized. */
                 ring_sizes_below: number;
+                /** @description How many nodes of the region of interest it was closed at. */
                 nodes: number;
             }[];
+            /** @description How well costs from few nodes rank plans as costs from more nodes do. */
             ladder: {
+                /** @description Nodes of the cheaper cost; 0: geometry alone, nothing closed. */
                 from: number;
+                /** @description Nodes of the dearer cost. */
                 to: number;
+                /** @description Number of plans that were compared. */
                 plans: number;
+                /** @description Rank correlation of the two costs; null: not measured. */
                 spearman: number | null;
+                /** @description Whether it is below 0.8: then the cheaper cost alone does not rule plans out. */
                 skipped: boolean;
             }[];
+            /** @description Number of combinations of techniques that the search could try. */
             branches: number;
-            /** @description What was left out. */
+            /** @description Plans and techniques that were left out. */
             cut: {
+                /** @description What was left out. */
                 what: string;
+                /** @description Why it was left out. */
                 why: string;
             }[];
+            /** @description Number of plans that the search could try. */
             plans_possible: number;
+            /** @description Number of plans that were closed at least once. */
             plans_tried: number;
-            /** @enum {unknown} */
+            /**
+             * @description Why the search ended; exhausted: no plan was left that could be better.
+             * @enum {string}
+             */
             stop: "evaluation_limit" | "exhausted" | "no_improvement" | "target_reached" | "time_limit" | "cancelled";
-            /** @description All of them, known ones included. */
+            /** @description All closures, known ones included. */
             closures: number;
             /** @description Closures of the search itself: neither of the valve as it is nor of ranking. */
             evaluations: number;
-            /** @description From an earlier run. */
+            /** @description How many of them were known from an earlier run. */
             closures_known: number;
+            /** @description How many of them did not converge. */
             closures_not_converged: number;
+            /** @description In how many of them leaflets pass through each other. */
             closures_crossed: number;
+            /** @description Time that search and ranking took. */
             seconds: number;
+            /** @description What the model leaves out, in sentences. */
             not_modelled: string[];
             weights: components["schemas"]["Search"]["weights"];
+            /** @description What gives the same plans again. */
             reproduce: {
+                /** @description Hash of the valve, the options of its closure and the version. */
                 valve_hash: string;
+                /** @description Version of coapt that searched. */
                 version: string;
+                /** @description Seed of the search. */
                 seed: number;
                 /** @description Empty: a request has none. */
                 command: string;
+                /** @description All options of the search, defaults included. */
                 search: components["schemas"]["Search"];
             };
         };
         PlansToScore: {
             valve: components["schemas"]["ValveSource"];
+            /** @description Plans to score. */
             plans: [
                 components["schemas"]["Plan"],
                 ...components["schemas"]["Plan"][]
@@ -867,6 +1192,7 @@ export interface components {
             evidence?: boolean;
         };
         Evaluations: {
+            /** @description Version of coapt that scored the plans. */
             version: string;
             before: components["schemas"]["Before"];
             /** @description In the order asked, each with its rank. */
@@ -876,23 +1202,38 @@ export interface components {
             })[];
             any_competent: components["schemas"]["Plans"]["any_competent"];
             ladder: components["schemas"]["Plans"]["ladder"];
-            /** @description Different ones. */
+            /** @description Number of different plans. */
             plans_tried: number;
+            /** @description All closures, that of the valve as it is included. */
             closures: number;
+            /** @description How many of them did not converge. */
             closures_not_converged: number;
+            /** @description In how many of them leaflets pass through each other. */
             closures_crossed: number;
+            /** @description Time that scoring took. */
             seconds: number;
+            /** @description What the model leaves out, in sentences. */
             not_modelled: string[];
             notice: components["schemas"]["Notice"];
         };
-        Study: {
-            /** @enum {unknown} */
+        Study: components["schemas"]["GeometryStudy"] | components["schemas"]["AnchorStudy"];
+        /** @description How the orifice depends on the geometry of the valve. */
+        GeometryStudy: {
+            /**
+             * @description What is varied: the annulus, the papillary tips, or these under undersized rings. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
             name: "annulus" | "papillary" | "ring";
-        } | {
-            /** @enum {unknown} */
+        };
+        /** @description Papillary approximation to the trigone and to the saddle peak, compared over the region of interest. */
+        AnchorStudy: {
+            /**
+             * @description approximation: that alone; thesis: the studies of geometry as well. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
             name: "approximation" | "thesis";
             /**
-             * @description How positions of a region get their orifice.
+             * @description Whether positions are looked up in a grid of closures or closed; optimum: also at each anchor's best suture.
              * @default [
              *       "lookup-clamped",
              *       "lookup-extended"
@@ -903,52 +1244,67 @@ export interface components {
                 ...("lookup-clamped" | "lookup-extended" | "closed" | "optimum")[]
             ];
             /**
-             * @description Of the displaced configurations.
-             * @enum {unknown}
+             * @description Step between the displacements to repair, 0 to 6 mm; 1 if left out.
+             * @enum {number}
              */
             displacement_step_mm?: 1 | 2 | 3 | 6;
-            /** @description Of the region's 1,089. */
+            /** @description Nodes of the region of interest; all 1,089 if left out. */
             region_points?: number;
-            /** @description Anchors around the annulus, besides trigone and saddle peak. */
+            /** @description Anchors around the annulus to compare with; if left out 24, none in thesis. */
             scan_sites?: number;
         };
         StudyResult: {
+            /** @description Name of the study. */
             study: string;
-            /** @description Its name. */
+            /** @description Name of the valve. */
             valve: string;
+            /** @description Version of coapt that ran the study. */
             version: string;
-            /** @description Five end states each. */
+            /** @description Number of geometries, five end states each. */
             configurations: number;
-            /** @description Made now. */
+            /** @description Number of closures made now; others were known. */
             closures: number;
-            /** @description Not converged, or crossed. */
+            /** @description How many configurations did not converge or crossed. */
             untrusted: number;
+            /** @description Time that the study ran. */
             seconds: number;
+            /** @description Findings of the thesis beside those on this valve. */
             findings: {
+                /** @description Name of the finding, such as dilation-grows-superlinearly. */
                 finding: string;
-                /** @description Of the thesis. */
+                /** @description Section of the thesis. */
                 section: string;
+                /** @description What the thesis says. */
                 thesis: string;
+                /** @description What this valve shows, in numbers. */
                 ours: string;
+                /** @description When the two count as agreeing. */
                 judged: string;
+                /** @description Whether they agree. */
                 agrees: boolean;
             }[];
-            /** @description Findings that agree with the thesis. */
+            /** @description Number of findings that agree with the thesis. */
             agree: number;
             notice: components["schemas"]["Notice"];
         };
-        /** @enum {unknown} */
+        /**
+         * @description QUEUED, RUNNING, then one of the others.
+         * @enum {string}
+         */
         JobState: "QUEUED" | "RUNNING" | "SUCCEEDED" | "FAILED" | "CANCELLED";
+        /** @description How far a job is. */
         Progress: {
+            /** @description What it does now: starting, searching, ranking, or a part of the study. */
             stage: string;
             /** @description Of a search: so far, of any kind, known ones included. Of a study: made in its present stage. */
             closures: number;
+            /** @description Of a search: for all of it, at most. Of a study: in its present stage. 0: not known yet. */
             closures_planned: number;
-            /** @description Of plans as planned, so far. */
+            /** @description Smallest leak of a plan as planned, so far; null: none yet, or a study. */
             best_leak_mm2: number | null;
-            /** @description mm2; of a search, at one closure a plan, so far. */
+            /** @description Lowest cost of a search at one closure a plan, so far, mm2; null: none yet, or a study. */
             best_cost: number | null;
-            /** @description What trying plans at random is expected to have after as many closures; null until some were tried. */
+            /** @description Cost in mm2 that trying plans at random is expected to reach in as many closures; null until some were tried. */
             random_cost: number | null;
             /** @description Of running, over all attempts. */
             seconds: number;
@@ -958,27 +1314,45 @@ export interface components {
             /** @description 1: the best. */
             rank: number;
             description: components["schemas"]["RankedPlan"]["description"];
+            /** @description The plan, ready for another request. */
             plan: components["schemas"]["Plan"];
+            /** @description Orifice over the region of interest. */
             orifice_area_mm2: components["schemas"]["Statistics"];
+            /** @description Leak, the larger of orifice and gap, over the region of interest. */
             leak_mm2: components["schemas"]["Statistics"];
-            /** @description mm2; lower is better. */
+            /** @description Cost in mm2 over the region; lower is better. */
             cost: number | null;
-            /** @enum {unknown} */
+            /**
+             * @description How the closure of the plan as planned ended.
+             * @enum {string}
+             */
             status: "converged" | "step_limit" | "diverged";
+            /** @description Whether leaflets pass through each other in that closure. */
             crossing: boolean;
             margin_to_leak: components["schemas"]["RankedPlan"]["margin_to_leak"];
+            /** @description Whether it is uncertain that it is better than the next plan. */
             tie_with_next: boolean;
             warnings: components["schemas"]["RankedPlan"]["warnings"];
         };
+        /** @description A search or a study. */
         Job: {
+            /** @description Id of the job. */
             id: components["schemas"]["Id"];
-            /** @enum {unknown} */
+            /**
+             * @description plans: a search; study: a study.
+             * @enum {string}
+             */
             kind: "plans" | "study";
             state: components["schemas"]["JobState"];
+            /** @description When it was asked for. */
             created: components["schemas"]["Time"];
+            /** @description When it first ran; null: not yet. */
             started: components["schemas"]["Time"] | null;
+            /** @description When it ended; null: not yet. */
             finished: components["schemas"]["Time"] | null;
+            /** @description Id of its valve, also if a preset was asked for. */
             valve: components["schemas"]["Id"];
+            /** @description Whether somebody asked to end it early. */
             cancel_requested: boolean;
             /** @description Of a running job that stands still, because nothing can be stored now: why. It goes on by itself. */
             waiting_for: string | null;
@@ -992,27 +1366,51 @@ export interface components {
             stop?: components["schemas"]["Plans"]["stop"];
             /** @description Of a search that has ended: see its result. */
             any_competent?: boolean;
-            /** @description Of a study that has ended. */
+            /** @description Number of findings of a study that has ended. */
             findings?: number;
-            /** @description Of these: with the thesis. */
+            /** @description How many of them agree with the thesis. */
             agree?: number;
             /** @description Paths. Those of results once there are some; plans and evaluations only of a search. */
             links: {
-                /** Format: uri-reference */
+                /**
+                 * Format: uri-reference
+                 * @description This job.
+                 */
                 self: string;
-                /** Format: uri-reference */
+                /**
+                 * Format: uri-reference
+                 * @description Its events.
+                 */
                 events: string;
-                /** Format: uri-reference */
+                /**
+                 * Format: uri-reference
+                 * @description POST ends it early.
+                 */
                 cancel: string;
-                /** Format: uri-reference */
+                /**
+                 * Format: uri-reference
+                 * @description All that it has found.
+                 */
                 result?: string;
-                /** Format: uri-reference */
+                /**
+                 * Format: uri-reference
+                 * @description Its ranked plans.
+                 */
                 plans?: string;
-                /** Format: uri-reference */
+                /**
+                 * Format: uri-reference
+                 * @description Every plan that was tried, as CSV.
+                 */
                 evaluations?: string;
-                /** Format: uri-reference */
+                /**
+                 * Format: uri-reference
+                 * @description Its report, as HTML.
+                 */
                 report?: string;
-                /** Format: uri-reference */
+                /**
+                 * Format: uri-reference
+                 * @description Its files.
+                 */
                 files?: string;
             };
             notice?: components["schemas"]["Notice"];
@@ -1030,35 +1428,56 @@ export interface components {
             notice: components["schemas"]["Notice"];
         };
         Files: {
+            /** @description Files that the job has left. */
             files: {
+                /** @description Name of the file. */
                 name: string;
                 /** @description Media type. */
                 type: string;
+                /** @description Size of the file. */
                 bytes: number;
-                /** Format: uri-reference */
+                /**
+                 * Format: uri-reference
+                 * @description Path that answers the file.
+                 */
                 path: string;
             }[];
             notice: components["schemas"]["Notice"];
         };
         Live: {
-            /** @constant */
+            /**
+             * @description The process answers.
+             * @constant
+             */
             status: "live";
             notice: components["schemas"]["Notice"];
         };
         Ready: {
-            /** @constant */
+            /**
+             * @description The service takes work.
+             * @constant
+             */
             status: "ready";
-            /** @description Of a small valve, just now. */
+            /** @description Time that closing a small valve took just now. */
             closure_ms: number;
+            /** @description Jobs that wait. */
             jobs_queued: number;
+            /** @description Jobs that run. */
             jobs_running: number;
             notice: components["schemas"]["Notice"];
         };
         Version: {
-            /** @constant */
+            /**
+             * @description Name of the program.
+             * @constant
+             */
             name: "coapt-server";
+            /** @description Version of coapt. */
             version: string;
-            /** @constant */
+            /**
+             * @description Version of the API, the first part of its paths.
+             * @constant
+             */
             api: "v1";
             /** @description What the model leaves out, in sentences. */
             not_modelled: string[];

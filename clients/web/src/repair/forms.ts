@@ -8,6 +8,7 @@ import {
   newApproximation,
   sutureRange,
   type Anatomy,
+  type Annuloplasty,
   type Approximation,
 } from './steps'
 import parts from '../style/parts.module.css'
@@ -51,11 +52,12 @@ export function stepForm(step: Step, context: StepContext): HTMLElement {
   }
 }
 
-function ringForm(step: Extract<Step, { step: 'annuloplasty' }>, context: StepContext): HTMLElement {
+function ringForm(step: Annuloplasty, context: StepContext): HTMLElement {
   const { rings, sizes_mm } = context.rings
   const shapes = [['own', 'own shape'] as const, ...rings.map(({ name }) => [name, name] as const)]
   const usual = 2 * Math.round(context.before.closure.annulus.al_pm_mm / 2) - 4
-  const choose = (shape: string): void => {
+  const choose = (name: string): void => {
+    const shape = name as Annuloplasty['shape']
     const size_mm = Math.min(Math.max(usual, sizes_mm.min), sizes_mm.max)
     context.change(
       shape === 'own' ? { step: 'annuloplasty', shape, sizes_below: 2 } : { step: 'annuloplasty', shape, size_mm },

@@ -25,6 +25,7 @@ export const FREE_EDGE: Readonly<Record<string, LeafletPoint>> = Object.fromEntr
   ),
 )
 
+export type Annuloplasty = Extract<Step, { step: 'annuloplasty' }>
 export type Approximation = Extract<Step, { step: 'papillary_approximation' }>
 
 /// In surgical words.
