@@ -11,14 +11,17 @@ Units are the last part of a name: mm, mm2, n (newtons), deg, s. coapt is resear
 clinical decisions.
 """
 
-from .client import Client, RingShape, StoredValve, Valve
+from .client import Client
 from .errors import (
     AccessDenied,
+    BadDocument,
     Busy,
     CoaptError,
     Conflict,
     InvalidRequest,
     JobFailed,
+    MissingPackage,
+    NoSuchFile,
     NotEnded,
     NotFound,
     Problem,
@@ -27,6 +30,7 @@ from .errors import (
     Unreachable,
 )
 from .events import Event, Progress
+from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling, Section, Table
 from .jobs import Job, show_progress
 from .meshes import Mesh, Picture
 from .repair import (
@@ -34,13 +38,18 @@ from .repair import (
     ChordalLengthChange,
     ChordalTransfer,
     LeafletPoint,
+    NamedPlan,
     Neochorda,
     OwnRing,
     PapillaryApproximation,
     Plan,
     Ring,
+    read_plans,
 )
 from .results import Before, Closure, Evaluations, Finding, Measure, RankedPlan, SearchResult, Statistics, StudyResult
+from .sources import PlanSource, Valve
+from .stored import KeptPlan, RingShape, StoredValve
+from .sweep import Sweep, SweepItem
 from .tables import NOTICE
 
 __version__ = "0.1.0"
@@ -48,6 +57,7 @@ __version__ = "0.1.0"
 __all__ = [
     "NOTICE",
     "AccessDenied",
+    "BadDocument",
     "Before",
     "Busy",
     "ChordalExcision",
@@ -56,6 +66,7 @@ __all__ = [
     "Client",
     "Closure",
     "CoaptError",
+    "Coaptation",
     "Conflict",
     "Evaluations",
     "Event",
@@ -63,28 +74,41 @@ __all__ = [
     "InvalidRequest",
     "Job",
     "JobFailed",
+    "KeptPlan",
     "LeafletPoint",
+    "LeakMap",
+    "LeakMaps",
     "Measure",
     "Mesh",
+    "MissingPackage",
+    "NamedPlan",
     "Neochorda",
+    "NoSuchFile",
     "NotEnded",
     "NotFound",
     "OwnRing",
     "PapillaryApproximation",
     "Picture",
     "Plan",
+    "PlanSource",
     "Problem",
     "Progress",
     "RankedPlan",
     "Refused",
+    "Remodelling",
     "Ring",
     "RingShape",
     "SearchResult",
+    "Section",
     "ServiceFailed",
     "Statistics",
     "StoredValve",
     "StudyResult",
+    "Sweep",
+    "SweepItem",
+    "Table",
     "Unreachable",
     "Valve",
+    "read_plans",
     "show_progress",
 ]
