@@ -49,7 +49,8 @@ class Coaptation:
 @dataclass(frozen=True)
 class LeakMap:
     """Leak when sutures and tips are off the plan. leak_mm2: a row for each error of suture_length_mm, a column for each angle
-    outwards_deg; None: not closed. muscle "both": the same error on both sides."""
+    outwards_deg; None: not closed. muscle "both": the same error on both sides. Without a suture suture_length_mm is the error
+    of the distance between a tip and its trigone."""
 
     muscle: Muscle
     suture_length_mm: tuple[float, ...]
