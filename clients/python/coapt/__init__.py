@@ -3,8 +3,8 @@
     from coapt import Client, Plan, Ring
 
     client = Client("http://127.0.0.1:8080")
-    print(client.close("human-functional-mr", Plan(Ring("generic-classic", size_mm=30))).measure.leak_mm2)
-    result = client.search("human-functional-mr", evaluations=60, seed=1, plans=2, region_points=17, evidence=False).result()
+    print(client.close("human-functional-mr", Plan(Ring("generic-classic", size_mm=36))).measure.leak_mm2)
+    result = client.search("human-functional-mr", evaluations=60, seed=1, plans=2, region_points=65).result()
     result.plans[0].picture().write("before-after.png")
 
 Units are the last part of a name: mm, mm2, n (newtons), deg, s. coapt is research software, not a medical device; not for

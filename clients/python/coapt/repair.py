@@ -1,6 +1,6 @@
 """Repair plans (coapt.plan/1) from small parts. Lengths are millimetres.
 
-    Plan(Ring("generic-classic", size_mm=30), PapillaryApproximation("posteromedial", suture_length_mm=22))
+    Plan(Ring("generic-classic", size_mm=38), PapillaryApproximation("posteromedial", suture_length_mm=24))
 
 Each part knows its JSON; what a valve allows (which chordae there are, how short a suture may be) the service checks.
 """
