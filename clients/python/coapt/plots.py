@@ -64,9 +64,9 @@ def leak_map(
     )
     width, height = angles[1] - angles[0], lengths[1] - lengths[0]
     axes.add_patch(_frame(-width / 2, -height / 2, width, height))
-    axes.set_xlabel("tip outwards, degrees")
+    axes.set_xlabel("tip outwards, degrees off the plan")
     sutured = any(isinstance(step, PapillaryApproximation) for step in plan.plan.steps)
-    axes.set_ylabel(f"{'suture length' if sutured else 'distance of tip and trigone'} off the plan, mm")
+    axes.set_ylabel(f"{'suture length' if sutured else 'tip to trigone'}, mm off the plan")
     axes.figure.colorbar(cells, ax=axes, label="leak, mm²", extend="neither" if most_mm2 is None else "max")
     return axes
 
