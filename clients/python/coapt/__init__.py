@@ -29,7 +29,7 @@ from .errors import (
     ServiceFailed,
     Unreachable,
 )
-from .events import Event, Progress
+from .events import Event, LeadingPlan, Progress
 from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling, Section, Table
 from .jobs import Job, show_progress
 from .meshes import Mesh, Picture
@@ -75,6 +75,7 @@ __all__ = [
     "Job",
     "JobFailed",
     "KeptPlan",
+    "LeadingPlan",
     "LeafletPoint",
     "LeakMap",
     "LeakMaps",
