@@ -20,11 +20,11 @@ def main(valve: str | pathlib.Path) -> None:
         f"Before: leak {before.measure.leak_mm2:.1f} mm2, coaptation {before.measure.coaptation_height_mean_mm:.1f} mm"
     )
 
-    by_hand = Plan(Ring("generic-classic", size_mm=34), PapillaryApproximation("posteromedial", suture_length_mm=26))
+    by_hand = Plan(Ring("generic-classic", size_mm=38), PapillaryApproximation("posteromedial", suture_length_mm=24))
     after = client.close(valve, by_hand)
     print(f"By hand: leak {after.measure.leak_mm2:.1f} mm2")
 
-    job = client.search(valve, evaluations=60, seed=1, plans=2, region_points=17, evidence=False)
+    job = client.search(valve, evaluations=60, seed=1, plans=2, region_points=65)
     for plan in job.wait(progress=show_progress).result().plans:
         leak = plan.leak_mm2
         print(

@@ -1,5 +1,7 @@
 """Tokens, services that are busy, connections that break."""
 
+import socket
+import threading
 import unittest
 
 import coapt
@@ -131,6 +133,54 @@ class Broken(ClientTest):
         with self.assertRaisesRegex(coapt.Unreachable, self.url):
             self.client.presets()
         self.assertEqual(pauses, [0.25, 0.5, 1.0])
+
+
+class Words(unittest.TestCase):
+    """What is said of a service that does not answer."""
+
+    def said(self, url, **options):
+        with self.assertRaises(coapt.Unreachable) as raised:
+            coapt.Client(url, retries=0, **options).presets()
+        return str(raised.exception)
+
+    def answering(self, answer):
+        """The address of a service that answers each request with these bytes, or with none if they are None."""
+        listener = socket.create_server(("127.0.0.1", 0))
+        self.addCleanup(listener.close)
+        held = []
+
+        def serve():
+            connection, _ = listener.accept()
+            connection.recv(4096)
+            held.append(connection)
+            if answer is not None:
+                connection.sendall(answer)
+                connection.close()
+
+        thread = threading.Thread(target=serve)
+        thread.start()
+        self.addCleanup(lambda: [connection.close() for connection in held])
+        self.addCleanup(thread.join)
+        return f"127.0.0.1:{listener.getsockname()[1]}"
+
+    def test_nothing_listens(self):
+        with socket.create_server(("127.0.0.1", 0)) as listener:
+            url = f"http://127.0.0.1:{listener.getsockname()[1]}"
+        self.assertEqual(self.said(url), f"nothing listens at {url}: connection refused; is coapt-server running?")
+
+    def test_there_is_no_such_machine(self):
+        self.assertIn("there is no machine called nowhere.invalid", self.said("http://nowhere.invalid"))
+
+    def test_no_answer_in_time(self):
+        url = f"http://{self.answering(None)}"
+        self.assertEqual(self.said(url, timeout_s=0.1), f"{url} did not answer in time")
+
+    def test_the_connection_breaks_off(self):
+        for answer in (b"", b"HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\n{"):
+            self.assertIn(" broke the connection off: ", self.said(f"http://{self.answering(answer)}"))
+
+    def test_no_https_is_spoken(self):
+        self.assertIn(" does not speak https: ", self.said(f"https://{self.answering(b'HTTP/1.1 400 Bad request')}"))
 
 
 class Addresses(unittest.TestCase):

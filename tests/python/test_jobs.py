@@ -25,6 +25,10 @@ class Searches(ClientTest):
         self.assertEqual(best.leak_mm2.mean, printed["plans"][0]["leak_mm2"]["mean"])
         self.assertEqual((job.state, job.kind), ("SUCCEEDED", "plans"))
         self.assertEqual(len(seen), len([event for event in job.events() if event.progress]))
+        leading = job.progress.best
+        self.assertEqual(
+            (leading.plan, leading.description, leading.leak_mm2), (best.plan, best.description, best.leak_mm2.nominal)
+        )
 
     def test_events_tell_all_from_the_beginning_and_go_on_after_one_that_is_known(self):
         job = self.client.search(VALVE, **SMALL)

@@ -1,9 +1,11 @@
 """What notebooks show, and the examples that the documentation names."""
 
 import html.parser
+import importlib.util
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -69,7 +71,15 @@ class Shown(ClientTest):
         self.shown(result)
 
 
+DRAWS = importlib.util.find_spec("pandas") and importlib.util.find_spec("matplotlib")
+
+
 class Examples(ClientTest):
+    def setUp(self):
+        super().setUp()
+        os.environ["MPLBACKEND"] = "Agg"
+
+    @unittest.skipUnless(DRAWS, "pandas and matplotlib are not installed")
     def test_the_notebook_runs(self):
         notebook = EXAMPLES / "repair.ipynb"
         self.assertLess(notebook.stat().st_size, 300_000)
@@ -80,6 +90,7 @@ class Examples(ClientTest):
             if cell["cell_type"] == "code":
                 exec(compile("".join(cell["source"]), cell["id"], "exec"), names)
         self.assertEqual(names["result"].plans[0].rank, 1)
+        self.assert_practicable(names["by_hand"])
 
     def test_the_script_prints_plans_and_leaves_files(self):
         surroundings = os.environ | {"COAPT_SERVER": self.url}
@@ -97,14 +108,39 @@ class Examples(ClientTest):
             self.assertGreater((self.folder / name).stat().st_size, 100)
         self.assertEqual(coapt.Plan.read(self.folder / "best-plan.json").to_json()["schema"], "coapt.plan/1")
 
-    def test_the_package_says_what_the_readme_says(self):
-        text = (SOURCE / "clients/python/README.md").read_text()
-        code = text.split("```python\n")[1].split("```")[0].replace("http://127.0.0.1:8080", self.url)
-        before = pathlib.Path.cwd()
+    def run_blocks(self, document):
+        """Runs the Python of a document, in a folder of its own that has the examples; the names it leaves."""
+        code = "\n".join(re.findall("```python\n(.*?)```", document.read_text(), re.DOTALL))
+        (self.folder / "examples").symlink_to(SOURCE / "examples")
+        self.addCleanup(os.chdir, pathlib.Path.cwd())
         os.chdir(self.folder)
-        self.addCleanup(os.chdir, before)
-        exec(code, {})
+        names = {}
+        exec(compile(code.replace("http://127.0.0.1:8080", self.url), document.name, "exec"), names)
+        return names
+
+    def assert_practicable(self, plan):
+        """No rule of practice rejects it."""
+        gates = self.client.evaluate(VALVE, [plan]).plans[0].json["gates"]
+        self.assertEqual([gate["finding"] for gate in gates if gate["severity"] == "reject"], [])
+
+    def test_the_package_says_what_the_readme_says(self):
+        names = self.run_blocks(SOURCE / "clients/python/README.md")
         self.assertTrue((self.folder / "before-after.png").exists())
+        self.assert_practicable(names["plan"])
+
+    @unittest.skipUnless(DRAWS, "pandas and matplotlib are not installed")
+    def test_the_guide_runs(self):
+        names = self.run_blocks(SOURCE / "docs/engineer/python.md")
+        self.assert_practicable(names["plan"])
+        self.assertGreater((self.folder / "map.pdf").stat().st_size, 1000)
+        self.assertEqual(list(names["table"].valve), ["human-normal", "porcine-1"])
+        leaks = [
+            self.client.close(VALVE, SOURCE / f"examples/plans/{name}.json").measure.leak_mm2
+            for name in ("ring", "mixed")
+        ]
+        self.assertEqual(
+            names["asyncio"].run(names["leaks"](["examples/plans/ring.json", "examples/plans/mixed.json"])), leaks
+        )
 
 
 class WithoutNumpy(unittest.TestCase):

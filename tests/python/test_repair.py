@@ -5,6 +5,7 @@ import unittest
 
 import jsonschema
 from coapt import (
+    BadDocument,
     ChordalExcision,
     ChordalLengthChange,
     ChordalTransfer,
@@ -15,6 +16,7 @@ from coapt import (
     Plan,
     Ring,
 )
+from coapt.repair import step_from_json
 from programs import SOURCE, ProgramTest
 
 SCHEMA = json.loads((SOURCE / "io/schema/plan.schema.json").read_text())
@@ -57,9 +59,25 @@ class Plans(ProgramTest):
         for wrong in [{}, {"schema": "coapt.plan/1"}, {"schema": "coapt.plan/2", "steps": []}]:
             with self.assertRaisesRegex(ValueError, "schema"):
                 Plan.from_json(wrong)
-        for step in [{}, {"step": "clip"}, {"step": "annuloplasty"}, {"step": "neochorda", "head": "PM1"}]:
+        for step in [{}, {"step": 7}, {"step": "clip"}, {"step": "annuloplasty"}, {"step": "neochorda", "head": "PM1"}]:
             with self.assertRaisesRegex(ValueError, "no step"):
                 Plan.from_json({"schema": "coapt.plan/1", "steps": [step]})
+
+    def test_a_mistyped_step_or_field_is_told_with_the_right_one(self):
+        excision, neochorda = ChordalExcision("PM1-P2-marginal-1").to_json(), Neochorda("PM1", P2, 20).to_json()
+        for step, said in (
+            (excision | {"step": "chordal_excission"}, 'did you mean "chordal_excision"'),
+            (excision | {"cord": "PM1-P2-marginal-1"}, 'ChordalExcision has no field "cord"; did you mean "chorda"'),
+            (
+                neochorda | {"insertion": P2.to_json() | {"hight": 1}},
+                'LeafletPoint has no field "hight"; did you mean "height"',
+            ),
+            ({"step": "annuloplasty", "shape": "own"}, 'OwnRing needs "sizes_below"'),
+            ({"step": "annuloplasty"}, 'Ring needs "shape", needs "size_mm"'),
+            (neochorda | {"insertion": 0.5}, "LeafletPoint cannot be 0.5"),
+        ):
+            with self.assertRaisesRegex(BadDocument, said):
+                step_from_json(step)
 
 
 if __name__ == "__main__":

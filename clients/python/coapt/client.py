@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-import json
 import os
 import urllib.parse
 import uuid
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias
+from dataclasses import replace
+from typing import Any, Literal
 
-from .errors import Problem
+from .errors import InvalidRequest, NotFound, Problem, Refused
+from .files import did_you_mean
 from .jobs import Job
 from .meshes import Picture
-from .repair import Plan
-from .results import Closure, Evaluations, RankedPlan, SearchResult, StudyResult, known_fields
-from .transport import Transport
-
-Valve: TypeAlias = str | Mapping[str, Any] | os.PathLike[str]
-"""A preset's name or the id of a stored valve; a coapt.valve/1 document; or the path (pathlib.Path) of a file of one."""
+from .results import Closure, Evaluations, SearchResult, StudyResult, known_fields
+from .sources import PlanSource, Valve, all_named_plans, every_valve, plan_document, valve_document
+from .stored import KeptPlan, RingShape, StoredValve
+from .sweep import Sweep
+from .transport import Answer, Transport
 
 Protocol = Literal["lookup-clamped", "lookup-extended", "closed", "optimum"]
 FileFormat = Literal["glb", "vtk", "ply", "obj", "stl", "mrk.json", "csv", "feb"]
@@ -27,44 +26,22 @@ StudyName = Literal["annulus", "papillary", "ring", "approximation", "thesis"]
 LOCAL = "http://127.0.0.1:8080"
 
 
-@dataclass(frozen=True)
-class StoredValve:
-    id: str
-    vertices: int
-    triangles: int
-    chordae: int
+MOST_THREADS = 32  # of a sweep: a quarter of the requests that a service answers at once
 
 
-@dataclass(frozen=True)
-class RingShape:
-    """Widths are shares of the labelled transverse size; transverse_factor: true transverse width over the label."""
-
-    name: str
-    ap_over_transverse: float
-    transverse_factor: float
-    saddle_over_transverse: float
-    note: str
+def _repair(plan: PlanSource | None, **more: Any) -> dict[str, Any]:
+    return more | ({} if plan is None else {"plan": plan_document(plan)})
 
 
-def _document(valve: Valve) -> Any:
-    if isinstance(valve, os.PathLike):
-        with open(valve, encoding="utf-8") as file:
-            return json.load(file)
-    return valve
+def _scoring(
+    plans: PlanSource | Iterable[PlanSource], region_points: int | None, evidence: bool | None
+) -> dict[str, Any]:
+    documents = [plan for _, plan in all_named_plans(plans)]
+    return {"plans": documents} | _given(region_points=region_points, evidence=evidence)
 
 
-def _plan(plan: Plan | RankedPlan | Mapping[str, Any]) -> Any:
-    if isinstance(plan, RankedPlan):
-        plan = plan.plan
-    return plan.to_json() if isinstance(plan, Plan) else plan
-
-
-def _repair(valve: Valve, plan: Plan | RankedPlan | Mapping[str, Any] | None) -> dict[str, Any]:
-    return {"valve": _document(valve)} | ({} if plan is None else {"plan": _plan(plan)})
-
-
-def _plans(valve: Valve, plans: Iterable[Plan | RankedPlan | Mapping[str, Any]], **options: Any) -> dict[str, Any]:
-    return {"valve": _document(valve), "plans": [_plan(plan) for plan in plans]} | _given(**options)
+def _path(folder: str, name: str) -> str:
+    return f"{folder}/{urllib.parse.quote(name, safe='')}"
 
 
 def _given(**fields: Any) -> dict[str, Any]:
@@ -119,33 +96,89 @@ class Client:
 
     def put_valve(self, valve: Valve) -> StoredValve:
         """Stores a valve; the same valve has the same id."""
-        answer = self._post("/v1/valves", _document(valve))
-        return StoredValve(answer["id"], answer["vertices"], answer["triangles"], answer["chordae"])
+        document = valve_document(valve)
+        stored = self._post("/v1/valves", document)
+        return StoredValve(stored["id"], document["name"], stored["vertices"], stored["triangles"], stored["chordae"])
+
+    def valves(self) -> Iterator[StoredValve]:
+        """Stored valves, newest first: those of put_valve() and those that jobs were asked for with."""
+        for one in self._listed("/v1/valves", "valves"):
+            yield StoredValve(one["valve"], one["name"], one["vertices"], one["triangles"])
 
     def get_valve(self, name: str) -> dict[str, Any]:
         """The coapt.valve/1 of a preset or a stored valve: millimetres; x posteromedial, y anterior, z to the atrium."""
-        valve: dict[str, Any] = self._get("/v1/valves/" + urllib.parse.quote(name, safe=""))
+        try:
+            valve: dict[str, Any] = self._get(_path("/v1/valves", name))
+        except NotFound as error:
+            raise self._with_preset(error, name) from None
         return valve
 
     def delete_valve(self, id: str) -> None:
-        """:raises Conflict: jobs refer to it; delete these first"""
-        self._transport.request("DELETE", "/v1/valves/" + urllib.parse.quote(id, safe=""))
+        """:raises Conflict: jobs or kept plans refer to it; delete these first"""
+        self._transport.request("DELETE", _path("/v1/valves", id))
 
     def validate_valve(self, valve: Valve) -> tuple[Problem, ...]:
         """Every problem of what is to be a valve; empty: it is one. Nothing is stored."""
-        return tuple(map(Problem.from_json, self._post("/v1/valves:validate", _document(valve))["problems"]))
+        return tuple(map(Problem.from_json, self._post("/v1/valves:validate", valve_document(valve))["problems"]))
+
+    # Kept plans
+
+    def keep_plan(self, valve: Valve, plan: PlanSource, name: str) -> KeptPlan:
+        """Keeps a plan that is possible on the valve, which is stored if it is a document; the page lists it, too.
+
+        :param name: one line, at most 200 bytes
+        :raises Conflict: there are as many as the service keeps
+        """
+        source = valve_document(valve)
+        of = source if isinstance(source, str) else self.put_valve(source).id
+        return KeptPlan.from_json(self._ask("/v1/kept-plans", of, _repair(plan, name=name)).json())
+
+    def kept_plans(self, valve: str | StoredValve | None = None) -> Iterator[KeptPlan]:
+        """Kept plans, newest first; only those of a valve, by the id or preset's name that they were kept for."""
+        query = _given(valve=None if valve is None else valve_document(valve))
+        yield from map(KeptPlan.from_json, self._listed("/v1/kept-plans", "kept_plans", query))
+
+    def rename_kept_plan(self, id: str, name: str) -> KeptPlan:
+        answer = self._transport.request("PATCH", _path("/v1/kept-plans", id), {"name": name})
+        return KeptPlan.from_json(answer.json())
+
+    def delete_kept_plan(self, id: str) -> None:
+        self._transport.request("DELETE", _path("/v1/kept-plans", id))
 
     # Short work
 
-    def close(self, valve: Valve, plan: Plan | RankedPlan | Mapping[str, Any] | None = None) -> Closure:
+    def close(self, valve: Valve, plan: PlanSource | None = None) -> Closure:
         """Closes a valve, repaired if there is a plan, and measures what leaks. Look at Closure.trusted."""
-        return Closure.from_json(self._post("/v1/closures", _repair(valve, plan)))
+        return self._closure(valve, None if plan is None else plan_document(plan))
+
+    def map(
+        self,
+        valves: Valve | Iterable[Valve],
+        plans: PlanSource | Iterable[PlanSource] | None = None,
+        *,
+        threads: int | None = None,
+    ) -> Sweep:
+        """Closes every valve with every plan, several at once, and yields the closures in order: all plans of the first valve,
+        then all of the second. An error of one (no such file, an impossible plan) stands in its place, and the others go on.
+
+            for item in client.map(Path("valves").glob("*.json"), "plans.json"): ...
+            client.map(client.presets(), [Plan(Ring("generic-classic", 36)), "mixed.json"]).to_frame()
+
+        A valve is read when its turn comes, so there may be any number of them; at most two closures a thread are ahead of
+        what was taken. Leaving the loop ends it.
+
+        :param plans: read at once; None: the valves as they are
+        :param threads: closures asked for at once; by default as many as this machine has cores, 32 at most. More than
+            the service's cores gain nothing
+        """
+        named = [("no repair", None)] if plans is None else all_named_plans(plans)
+        return Sweep(self._closure, every_valve(valves), named, min(threads or os.cpu_count() or 1, MOST_THREADS))
 
     def export(
         self,
         valve: Valve,
         format: FileFormat,
-        plan: Plan | RankedPlan | Mapping[str, Any] | None = None,
+        plan: PlanSource | None = None,
         *,
         open: bool = False,
     ) -> bytes:
@@ -153,28 +186,25 @@ class Client:
 
         :param open: the unstressed shape, not the closed one; not for csv
         """
-        request = _repair(valve, plan) | {"format": format, "open": open}
-        return self._transport.request("POST", "/v1/exports", request).body
+        return self._ask("/v1/exports", valve, _repair(plan, format=format, open=open)).body
 
-    def picture(self, valve: Valve, plan: Plan | RankedPlan | Mapping[str, Any] | None = None) -> Picture:
+    def picture(self, valve: Valve, plan: PlanSource | None = None) -> Picture:
         """The closed valve, repaired if there is a plan, from the atrium and in section, with its figures; a notebook shows it."""
-        return Picture(self._transport.request("POST", "/v1/pictures", _repair(valve, plan)).body)
+        return Picture(self._ask("/v1/pictures", valve, _repair(plan)).body)
 
-    def scene(
-        self, valve: Valve, plan: Plan | RankedPlan | Mapping[str, Any] | None = None, *, frames: int = 0
-    ) -> dict[str, Any]:
+    def scene(self, valve: Valve, plan: PlanSource | None = None, *, frames: int = 0) -> dict[str, Any]:
         """All that is drawn of a closed valve as lists and numbers (coapt.scene/1): points, triangles, chordae with tension,
         orifices, annulus. One end state, where close() takes the mean of five.
 
         :param frames: 0 to 60 states on the way from open to closed
         """
-        scene: dict[str, Any] = self._post("/v1/scenes", _repair(valve, plan) | {"frames": frames})
+        scene: dict[str, Any] = self._ask("/v1/scenes", valve, _repair(plan, frames=frames)).json()
         return scene
 
     def evaluate(
         self,
         valve: Valve,
-        plans: Iterable[Plan | RankedPlan | Mapping[str, Any]],
+        plans: PlanSource | Iterable[PlanSource],
         region_points: int | None = None,
         evidence: bool | None = None,
     ) -> Evaluations:
@@ -185,19 +215,18 @@ class Client:
         :param evidence: each plan also under errors of single sutures and further remodelling, 24 to 284 closures more; not
             by default
         """
-        request = _plans(valve, plans, region_points=region_points, evidence=evidence)
-        return Evaluations.from_json(self._post("/v1/evaluations", request))
+        request = _scoring(plans, region_points, evidence)
+        return Evaluations.from_json(self._ask("/v1/evaluations", valve, request).json())
 
     def report(
         self,
         valve: Valve,
-        plans: Iterable[Plan | RankedPlan | Mapping[str, Any]],
+        plans: PlanSource | Iterable[PlanSource],
         region_points: int | None = None,
         evidence: bool | None = None,
     ) -> str:
         """The page about plans of one's own, ten at most, scored as evaluate() does: HTML that stands alone."""
-        request = _plans(valve, plans, region_points=region_points, evidence=evidence)
-        return self._transport.request("POST", "/v1/reports", request).body.decode()
+        return self._ask("/v1/reports", valve, _scoring(plans, region_points, evidence)).body.decode()
 
     # Long work
 
@@ -214,7 +243,7 @@ class Client:
         no_improvement: int | None = None,
         target_mm2: float | None = None,
         threads: int | None = None,
-        fixed: Plan | None = None,
+        fixed: PlanSource | None = None,
         forbidden: Sequence[str] | None = None,
         rules: Mapping[str, Any] | None = None,
         weights: Mapping[str, float] | None = None,
@@ -238,7 +267,8 @@ class Client:
         :param idempotency_key: the same key with the same request gives the same job; a new one by default
         """
         all_rules = dict(rules or {}) | _given(
-            fixed=None if fixed is None else fixed.to_json(), forbidden=None if forbidden is None else list(forbidden)
+            fixed=None if fixed is None else plan_document(fixed),
+            forbidden=None if forbidden is None else list(forbidden),
         )
         search = _given(
             evaluations=evaluations,
@@ -253,7 +283,7 @@ class Client:
             rules=all_rules or None,
             weights=None if weights is None else dict(weights),
         )
-        json = self._submit("/v1/plans", {"valve": _document(valve), "search": search}, idempotency_key)
+        json = self._submit("/v1/plans", valve, {"search": search}, idempotency_key)
         return Job(self._transport, json, SearchResult.from_json, self._patience_s)
 
     def study(
@@ -280,29 +310,57 @@ class Client:
             displacement_step_mm=displacement_step_mm,
             region_points=region_points,
         )
-        json = self._submit("/v1/studies", {"valve": _document(valve), "study": study}, idempotency_key)
+        json = self._submit("/v1/studies", valve, {"study": study}, idempotency_key)
         return Job(self._transport, json, StudyResult.from_json, self._patience_s)
 
     def job(self, id: str) -> Job[Any]:
         """A job that was begun before."""
-        return self._job(self._get("/v1/jobs/" + urllib.parse.quote(id, safe="")))
+        return self._job(self._get(_path("/v1/jobs", id)))
 
     def jobs(self, state: str | None = None) -> Iterator[Job[Any]]:
         """All jobs, newest first; only those QUEUED, RUNNING, SUCCEEDED, FAILED or CANCELLED if state says so."""
-        query = _given(state=state, page_size=100)
-        while True:
-            page = self._transport.request("GET", "/v1/jobs", query=query).json()
-            yield from map(self._job, page["jobs"])
-            if page["next_page_token"] is None:
-                return
-            query["page_token"] = page["next_page_token"]
+        yield from map(self._job, self._listed("/v1/jobs", "jobs", _given(state=state)))
 
     def _job(self, json: Mapping[str, Any]) -> Job[Any]:
         read: Any = SearchResult.from_json if json["kind"] == "plans" else StudyResult.from_json
         return Job(self._transport, json, read, self._patience_s)
 
-    def _submit(self, path: str, request: Any, key: str | None) -> Any:
-        return self._transport.request("POST", path, request, {"Idempotency-Key": key or uuid.uuid4().hex}).json()
+    def _closure(self, valve: Valve, plan: Any) -> Closure:
+        return Closure.from_json(self._ask("/v1/closures", valve, _given(plan=plan)).json())
+
+    def _submit(self, path: str, valve: Valve, request: Mapping[str, Any], key: str | None) -> Any:
+        return self._ask(path, valve, request, {"Idempotency-Key": key or uuid.uuid4().hex}).json()
+
+    def _ask(
+        self, path: str, valve: Valve, request: Mapping[str, Any], headers: Mapping[str, str] | None = None
+    ) -> Answer:
+        """The answer to a request about a valve."""
+        source = valve_document(valve)
+        try:
+            return self._transport.request("POST", path, {"valve": source, **request}, headers)
+        except InvalidRequest as error:
+            if isinstance(source, str) and any(problem.path == "/valve" for problem in error.problems):
+                raise self._with_preset(error, source) from None
+            raise
+
+    def _with_preset(self, error: Refused, name: str) -> Refused:
+        """The error, with the preset that an unknown valve's name may stand for."""
+        hint = did_you_mean(name, self.presets())
+        problems = [
+            replace(problem, message=problem.message + hint) if problem.path in ("", "/valve") else problem
+            for problem in error.problems
+        ]
+        return type(error)(error.status, error.title, problems, error.retry_after_s)
+
+    def _listed(self, path: str, name: str, query: Mapping[str, Any] | None = None) -> Iterator[Any]:
+        """Every member of a list that comes in pages."""
+        asked = {"page_size": 100, **(query or {})}
+        while True:
+            page = self._transport.request("GET", path, query=asked).json()
+            yield from page[name]
+            if page["next_page_token"] is None:
+                return
+            asked["page_token"] = page["next_page_token"]
 
     def _get(self, path: str) -> Any:
         return self._transport.request("GET", path).json()

@@ -36,6 +36,20 @@ class CoaptError(Exception):
         super().__init__("\n  ".join([message, *map(str, self.problems)]))
 
 
+class NoSuchFile(CoaptError, FileNotFoundError):
+    """A valve or a plan was to be read from a file that is not there."""
+
+    __str__ = Exception.__str__  # that of FileNotFoundError wants a number
+
+
+class BadDocument(CoaptError, ValueError):
+    """What was to be a valve or a plan is none."""
+
+
+class MissingPackage(CoaptError, ImportError):
+    """A package that this function needs, pandas or matplotlib, is not installed."""
+
+
 class Unreachable(CoaptError):
     """No answer: nothing listens there, the connection broke, or time ran out, after all tries."""
 

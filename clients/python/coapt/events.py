@@ -7,24 +7,54 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from .repair import Plan
+
 JobState = Literal["QUEUED", "RUNNING", "SUCCEEDED", "FAILED", "CANCELLED"]
 ENDED = ("SUCCEEDED", "FAILED", "CANCELLED")
 
 
 @dataclass(frozen=True)
+class LeadingPlan:
+    """A search's best plan so far. cost in mm2 over so many nodes of its region of interest; leak_mm2 as planned; description in
+    surgical words, a line a step."""
+
+    plan: Plan
+    description: tuple[str, ...]
+    cost: float | None
+    nodes: int
+    leak_mm2: float | None
+
+    @classmethod
+    def from_json(cls, json: Mapping[str, Any]) -> LeadingPlan:
+        plan, description = Plan.from_json(json["plan"]), tuple(json["description"])
+        return cls(plan, description, json["cost"], json["nodes"], json["leak_mm2"])
+
+
+@dataclass(frozen=True)
 class Progress:
-    """How far a job is. closures includes known ones; best_leak_mm2 is the least leak of a plan as planned, None: none yet;
-    seconds are those of running, over all attempts."""
+    """How far a job is. closures includes known ones; best_leak_mm2 is the least leak of a plan as planned, best_cost the least
+    cost (mm2) at one closure a plan, best the plan in front, None: none yet; seconds are those of running, over all attempts.
+    """
 
     stage: str
     closures: int
     closures_planned: int
     best_leak_mm2: float | None
+    best_cost: float | None
     seconds: float
+    best: LeadingPlan | None = None
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Progress:
-        return cls(json["stage"], json["closures"], json["closures_planned"], json["best_leak_mm2"], json["seconds"])
+        return cls(
+            json["stage"],
+            json["closures"],
+            json["closures_planned"],
+            json["best_leak_mm2"],
+            json["best_cost"],
+            json["seconds"],
+            LeadingPlan.from_json(json["best"]) if "best" in json else None,
+        )
 
     def __str__(self) -> str:
         best = "" if self.best_leak_mm2 is None else f", lowest leak as planned {self.best_leak_mm2:.1f} mm2"

@@ -11,6 +11,7 @@ from typing import Any, Generic, TypeVar
 from . import tables
 from .errors import Busy, JobFailed, NotEnded, Problem
 from .events import ENDED, Event, JobState, Progress, read_events
+from .evidence import Table
 from .transport import LOST, Transport
 
 Result = TypeVar("Result")
@@ -175,6 +176,15 @@ class Job(Generic[Result]):
 
     def file(self, name: str) -> bytes:
         return self._transport.request("GET", f"{self.path}/files/{name}").body
+
+    def table(self, name: str) -> Table:
+        """One of its files that is CSV, such as "annulus.csv" of a study of the annulus."""
+        return Table(self.file(name).decode())
+
+    def evaluations(self) -> Table:
+        """Every plan that a search has tried, a row each in the order of trying; rank is empty for those that are not in its
+        result, plan is a coapt.plan/1 as JSON."""
+        return Table(self._transport.request("GET", f"{self.path}/evaluations.csv").body.decode())
 
     def __repr__(self) -> str:
         return f"Job({self.id}, {self.kind}, {self.state})"

@@ -1,18 +1,21 @@
 """Repair plans (coapt.plan/1) from small parts. Lengths are millimetres.
 
-    Plan(Ring("generic-classic", size_mm=30), PapillaryApproximation("posteromedial", suture_length_mm=22))
+    Plan(Ring("generic-classic", size_mm=38), PapillaryApproximation("posteromedial", suture_length_mm=24))
 
 Each part knows its JSON; what a valve allows (which chordae there are, how short a suture may be) the service checks.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import json
-import os
 import pathlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, TypeAlias
+
+from .errors import BadDocument
+from .files import Path, did_you_mean, read_plan_entries
 
 Side = Literal["anterolateral", "posteromedial"]
 Anchor = Literal["ipsilateral_trigone", "saddle_peak", "annulus_point"]
@@ -132,8 +135,8 @@ class PapillaryApproximation:
 Step: TypeAlias = (
     Ring | OwnRing | Neochorda | ChordalLengthChange | ChordalExcision | ChordalTransfer | PapillaryApproximation
 )
-_WITH_INSERTION = ("neochorda", "chordal_transfer")
 _KINDS: dict[str, type[Step]] = {
+    Ring.step: Ring,
     Neochorda.step: Neochorda,
     ChordalLengthChange.step: ChordalLengthChange,
     ChordalExcision.step: ChordalExcision,
@@ -142,17 +145,38 @@ _KINDS: dict[str, type[Step]] = {
 }
 
 
+def _made(kind: Any, json: Any) -> Any:
+    """A part from its fields. Their values are checked by the service.
+
+    :raises BadDocument: one is unknown or missing
+    """
+    if not isinstance(json, Mapping):
+        raise BadDocument(f"no step of coapt.plan/1: {kind.__name__} cannot be {json!r}")
+    needed = {one.name: one.default is dataclasses.MISSING for one in dataclasses.fields(kind)}
+    wrong = [f'has no field "{name}"{did_you_mean(name, needed)}' for name in json if name not in needed]
+    wrong += [f'needs "{name}"' for name in needed if needed[name] and name not in json]
+    if wrong:
+        raise BadDocument(f"no step of coapt.plan/1: {kind.__name__} {', '.join(wrong)}")
+    return kind(**json)
+
+
 def step_from_json(json: Mapping[str, Any]) -> Step:
-    """:raises ValueError: it is no step of coapt.plan/1"""
+    """:raises BadDocument: it is no step of coapt.plan/1"""
     fields = {name: value for name, value in json.items() if name != "step"}
-    try:
-        if json["step"] == "annuloplasty":
-            return OwnRing(fields["sizes_below"]) if fields["shape"] == "own" else Ring(**fields)
-        if json["step"] in _WITH_INSERTION:
-            fields["insertion"] = LeafletPoint(**fields["insertion"])
-        return _KINDS[json["step"]](**fields)
-    except (KeyError, TypeError) as error:
-        raise ValueError(f"no step of coapt.plan/1: {dict(json)}") from error
+    name = json.get("step")
+    if name not in _KINDS:
+        known = ", ".join(_KINDS)
+        raise BadDocument(
+            f'no step of coapt.plan/1: "step" is {name!r}, must be one of {known}{did_you_mean(str(name), _KINDS)}'
+        )
+    if "insertion" in fields:
+        fields["insertion"] = _made(LeafletPoint, fields["insertion"])
+    if name == Ring.step and fields.get("shape") == "own":
+        del fields["shape"]
+        step: Step = _made(OwnRing, fields)
+    else:
+        step = _made(_KINDS[name], fields)
+    return step
 
 
 class Plan:
@@ -163,20 +187,28 @@ class Plan:
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Plan:
-        """:raises ValueError: it is no coapt.plan/1"""
-        if json.get("schema") != "coapt.plan/1" or not isinstance(json.get("steps"), list):
-            raise ValueError('no coapt.plan/1: "schema" and "steps" are needed')
+        """:raises BadDocument: it is no coapt.plan/1"""
+        if (
+            not isinstance(json, Mapping)
+            or json.get("schema") != "coapt.plan/1"
+            or not isinstance(json.get("steps"), list)
+        ):
+            raise BadDocument('no coapt.plan/1: "schema" and "steps" are needed')
         return cls(*map(step_from_json, json["steps"]))
 
     @classmethod
-    def read(cls, path: str | os.PathLike[str]) -> Plan:
-        return cls.from_json(json.loads(pathlib.Path(path).read_text()))
+    def read(cls, path: Path) -> Plan:
+        """The plan of a file, the first of several.
+
+        :raises NoSuchFile, BadDocument: it holds none
+        """
+        return read_plans(path)[0].plan
 
     def to_json(self) -> dict[str, Any]:
         """coapt.plan/1, as the service and `coapt close --plan` read it."""
         return {"schema": "coapt.plan/1", "steps": [step.to_json() for step in self.steps]}
 
-    def write(self, path: str | os.PathLike[str]) -> None:
+    def write(self, path: Path) -> None:
         pathlib.Path(path).write_text(json.dumps(self.to_json(), indent=2) + "\n")
 
     def with_step(self, step: Step) -> Plan:
@@ -191,3 +223,26 @@ class Plan:
 
     def __repr__(self) -> str:
         return f"Plan({', '.join(map(repr, self.steps))})"
+
+
+@dataclass(frozen=True)
+class NamedPlan:
+    """A plan of a file."""
+
+    name: str
+    plan: Plan
+
+
+def read_plans(path: Path) -> list[NamedPlan]:
+    """Every plan of a file, in its order: a coapt.plan/1, what `coapt plan --json` prints, or the page's saved plans.
+
+    :raises NoSuchFile, BadDocument: it holds none
+    """
+
+    def read(name: str, plan: Any) -> NamedPlan:
+        try:
+            return NamedPlan(name, Plan.from_json(plan))
+        except BadDocument as error:
+            raise BadDocument(f"{path}: {name}: {error}") from error
+
+    return [read(name, plan) for name, plan in read_plan_entries(path)]

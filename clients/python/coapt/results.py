@@ -8,13 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
-from . import tables
+from . import frames, tables
 from .errors import CoaptError
+from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling
 from .meshes import Mesh, Picture
 from .repair import Plan
 from .transport import Transport
+
+if TYPE_CHECKING:
+    import pandas
 
 Status = Literal["converged", "step_limit", "diverged"]
 Document = Mapping[str, Any]
@@ -67,6 +71,10 @@ class Measure:
             json["strain_radial_max"],
             json,
         )
+
+    @property
+    def coaptation(self) -> Coaptation:
+        return Coaptation.from_json(self.json["coaptation"])
 
 
 @dataclass(frozen=True)
@@ -137,7 +145,7 @@ class _Place:
 class RankedPlan:
     """A plan with its evidence. rank 1 is the best; description is in surgical words, a line a step; cost is in mm2, lower is
     better. margin_mm and margin_deg: how much shorter or longer a suture, how far off a tip may be before it leaks. The rest
-    (gates, leak maps, Sobol indices, remodelling) is in json.
+    (gates, Sobol indices) is in json.
     """
 
     rank: int
@@ -198,6 +206,14 @@ class RankedPlan:
             and mean + sd < 1.0
         )
 
+    @property
+    def leak_maps(self) -> LeakMaps:
+        return LeakMaps(tuple(map(LeakMap.from_json, self.json["leak_map"])))
+
+    @property
+    def remodelling(self) -> Remodelling:
+        return Remodelling.from_json(self.json["remodelling"])
+
     def picture(self) -> Picture:
         """The view from the atrium, before and after (PNG)."""
         return Picture(self._get("/picture"))
@@ -257,6 +273,11 @@ class Evaluations:
             json,
         )
 
+    def to_frame(self) -> pandas.DataFrame:
+        """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those with mean_, sd_, p95_ and
+        worst_, which are over the region of interest."""
+        return frames.plans(self.plans)
+
     def _repr_html_(self) -> str:
         return tables.plans_html(self.before, self.plans)
 
@@ -286,6 +307,11 @@ class SearchResult:
             json["seconds"],
             json,
         )
+
+    def to_frame(self) -> pandas.DataFrame:
+        """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those with mean_, sd_, p95_ and
+        worst_, which are over the region of interest."""
+        return frames.plans(self.plans)
 
     def _repr_html_(self) -> str:
         return tables.plans_html(self.before, self.plans)
@@ -328,6 +354,10 @@ class StudyResult:
             tuple(Finding(**known_fields(Finding, finding)) for finding in json["findings"]),
             json,
         )
+
+    def to_frame(self) -> pandas.DataFrame:
+        """A row a finding."""
+        return frames.findings(self.findings)
 
     def _repr_html_(self) -> str:
         return tables.findings_html(self)

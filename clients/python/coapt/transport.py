@@ -5,6 +5,7 @@ from __future__ import annotations
 import http.client
 import itertools
 import json
+import socket
 import ssl
 import time
 import urllib.parse
@@ -13,7 +14,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
-from .errors import Busy, CoaptError, Unreachable, refusal
+from .errors import BadDocument, Busy, CoaptError, Unreachable, refusal
 
 LOST = (OSError, http.client.HTTPException)  # the answer, or a part of it, did not come
 _FIRST_PAUSE_S = 0.25  # before the second try; doubled with each
@@ -60,10 +61,11 @@ class Transport:
         """The answer, of a status below 400.
 
         :param body: sent as JSON unless None
+        :raises BadDocument: the body is no JSON
         :raises Refused: the service says what is wrong
         :raises Unreachable: no answer
         """
-        content = None if body is None else json.dumps(body, allow_nan=False).encode()
+        content = None if body is None else _encoded(body)
         # What was removed by a request whose answer got lost would not be found by the next.
         further = 0 if method == "DELETE" else self.retries
         for tried in itertools.count():
@@ -82,7 +84,25 @@ class Transport:
         raise AssertionError("the last try returns or raises")
 
     def unreachable(self, error: Exception) -> Unreachable:
-        return Unreachable(f"{self.url} does not answer: {error or type(error).__name__}")
+        return Unreachable(self._what_happened(error))
+
+    def _what_happened(self, error: Exception) -> str:
+        """In words; the kinds that know most come first."""
+        host = urllib.parse.urlsplit(self.url).hostname
+        match error:
+            case ConnectionRefusedError():
+                return f"nothing listens at {self.url}: connection refused; is coapt-server running?"
+            case socket.gaierror():
+                return f"{self.url} cannot be reached: there is no machine called {host} ({error.strerror})"
+            case ssl.SSLCertVerificationError():
+                return f"{self.url} is not trusted: {error.verify_message}"
+            case ssl.SSLError():
+                return f"{self.url} does not speak https: {error.reason or error}"
+            case TimeoutError():
+                return f"{self.url} did not answer in time"
+            case ConnectionError() | http.client.HTTPException():
+                return f"{self.url} broke the connection off: {error or type(error).__name__}"
+        return f"{self.url} cannot be reached: {error}"
 
     @contextmanager
     def open(
@@ -127,3 +147,10 @@ class Transport:
 
 def _headers(response: http.client.HTTPResponse) -> dict[str, str]:
     return {name.lower(): value for name, value in response.getheaders()}
+
+
+def _encoded(body: Any) -> bytes:
+    try:
+        return json.dumps(body, allow_nan=False).encode()
+    except (TypeError, ValueError) as error:
+        raise BadDocument(f"what was to be sent is no JSON: {error}") from error

@@ -1,0 +1,145 @@
+"""Drawings with matplotlib, which is imported when the first is asked for. Each takes axes (ax=) or makes new ones, and returns
+them.
+
+    from coapt import plots
+
+    plots.leak_map(result.plans[0]).figure.savefig("map.pdf")
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from .errors import MissingPackage
+from .repair import PapillaryApproximation
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from .evidence import Muscle
+    from .results import Closure, Evaluations, RankedPlan, SearchResult
+
+LEAKS_MM2 = 1.0  # a leak that counts, as in margins: a map's scale ends there or beyond
+_BLUE, _RED, _GREY = "#3b7dd8", "#c8372d", "#9aa3ad"
+_UNKNOWN = float("nan")
+
+
+def _axes(ax: Axes | None) -> Axes:
+    if ax is not None:
+        return ax
+    try:
+        from matplotlib import pyplot
+    except ImportError as error:
+        raise MissingPackage(
+            "a drawing needs matplotlib: pip install matplotlib, or apt install python3-matplotlib"
+        ) from error
+    return pyplot.subplots(layout="constrained")[1]
+
+
+def _numbers(values: Iterable[float | None]) -> list[float]:
+    return [_UNKNOWN if value is None else value for value in values]
+
+
+def leak_map(
+    plan: RankedPlan, muscle: Muscle = "both", *, most_mm2: float | None = None, ax: Axes | None = None
+) -> Axes:
+    """Leak over errors of suture length and of the tips' angle. The plan as planned is framed; what was not closed is hatched.
+
+    :param most_mm2: end of the colour scale, so that maps can be compared; by default the map's largest leak, 1 mm2 at least
+    :raises KeyError: the plan has no map of this muscle
+    """
+    one, axes = plan.leak_maps.of(muscle), _axes(ax)
+    known = [leak for row in one.leak_mm2 for leak in row if leak is not None]
+    lengths, angles = one.suture_length_mm, one.outwards_deg
+    axes.patch.set(facecolor="white", edgecolor=_GREY, hatch="////")
+    cells = axes.pcolormesh(
+        angles,
+        lengths,
+        list(map(_numbers, one.leak_mm2)),
+        shading="nearest",
+        cmap="viridis_r",
+        vmin=0.0,
+        vmax=most_mm2 or max([LEAKS_MM2, *known]),
+    )
+    width, height = angles[1] - angles[0], lengths[1] - lengths[0]
+    axes.add_patch(_frame(-width / 2, -height / 2, width, height))
+    axes.set_xlabel("tip outwards, degrees off the plan")
+    sutured = any(isinstance(step, PapillaryApproximation) for step in plan.plan.steps)
+    axes.set_ylabel(f"{'suture length' if sutured else 'tip to trigone'}, mm off the plan")
+    axes.figure.colorbar(cells, ax=axes, label="leak, mm²", extend="neither" if most_mm2 is None else "max")
+    return axes
+
+
+def _frame(x: float, y: float, width: float, height: float) -> Any:
+    from matplotlib.patches import Rectangle
+
+    return Rectangle((x, y), width, height, fill=False, edgecolor="black", linewidth=1.5)
+
+
+def coaptation(closure: Closure, *, ax: Axes | None = None) -> Axes:
+    """Height of coaptation at nine sections (blue); where leaflets do not touch, their distance (red, downwards)."""
+    axes, sections = _axes(ax), closure.measure.coaptation.sections
+    width = 0.8 / len(sections)
+    for label, colour, contact in (("coaptation height", _BLUE, True), ("leaflets apart", _RED, False)):
+        shown = [one for one in sections if one.contact == contact]
+        if shown:
+            heights = _numbers(one.height_mm if contact else one.distance_mm for one in shown)
+            bars = heights if contact else [-height for height in heights]
+            axes.bar([one.along for one in shown], bars, width, color=colour, label=label)
+    axes.axhline(0.0, color="black", linewidth=0.8)
+    axes.set_xlim(0.0, 1.0)
+    axes.set_xticks([0.0, 0.5, 1.0], ["anterolateral\ncommissure", "A2 and P2", "posteromedial\ncommissure"])
+    axes.yaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
+    axes.set_ylabel("mm")
+    axes.legend()
+    return axes
+
+
+def plans(result: SearchResult | Evaluations, *, ax: Axes | None = None) -> Axes:
+    """Highest chordal tension of each ranked plan over its mean leak, with the leak's sd. Numbers are ranks, full points
+    Pareto-optimal plans. Left out: plans closed at one node of their region alone."""
+    axes = _axes(ax)
+    known = [
+        (plan, plan.leak_mm2.mean, plan.leak_mm2.sd or 0.0, plan.measure.tension_max_n)
+        for plan in result.plans
+        if plan.leak_mm2.mean is not None and plan.measure.tension_max_n is not None
+    ]
+    for plan, mean, sd, tension in known:
+        inside = _BLUE if plan.pareto else "white"
+        axes.errorbar([mean], [tension], xerr=[sd], fmt="o", color=_BLUE, ecolor=_GREY, markerfacecolor=inside)
+        axes.annotate(str(plan.rank), (mean, tension), xytext=(5, 5), textcoords="offset points")
+    axes.set_xlim(left=0.0)
+    axes.set_xlabel("leak over the region, mean ± sd, mm²")
+    axes.set_ylabel("highest chordal tension, N")
+    return axes
+
+
+def progress(result: SearchResult, *, ax: Axes | None = None) -> Axes:
+    """The cost of the best plan so far over closures, and what plans tried at random are expected to reach."""
+    axes = _axes(ax)
+    for name, label, style in (("progress", "search", "-"), ("random_progress", "plans at random, expected", "--")):
+        points: Sequence[Mapping[str, Any]] = [one for one in result.json[name] if one["cost"] is not None]
+        if len(points) > 1:
+            closures, costs = [one["closures"] for one in points], [one["cost"] for one in points]
+            axes.step(closures, costs, style, where="post", color=_BLUE if name == "progress" else _GREY, label=label)
+    axes.set_yscale("symlog", linthresh=1.0)
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlabel("closures")
+    axes.set_ylabel("cost of the best plan so far, mm²")
+    axes.legend()
+    return axes
+
+
+def remodelling(plan: RankedPlan, *, ax: Axes | None = None) -> Axes:
+    """Leak if the papillary tips move further after the repair, a line a direction."""
+    axes, curves = _axes(ax), plan.remodelling
+    for direction, leaks in curves.leak_mm2.items():
+        axes.plot(curves.displacement_mm[: len(leaks)], _numbers(leaks), marker=".", label=direction)
+    axes.axhline(LEAKS_MM2, color=_GREY, linestyle="--", linewidth=0.8)
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlabel("further remodelling, mm")
+    axes.set_ylabel("leak, mm²")
+    axes.legend()
+    return axes

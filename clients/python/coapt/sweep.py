@@ -1,0 +1,91 @@
+"""Closures of many valves with many plans, several at once."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from . import frames
+from .errors import CoaptError
+from .results import Closure
+from .sources import Valve, valve_document, valve_name
+
+if TYPE_CHECKING:
+    import pandas
+
+
+@dataclass(frozen=True)
+class SweepItem:
+    """One closure of a sweep, or the error in its place. Numbers count from 0, in the order given; valve and plan are names."""
+
+    valve_number: int
+    plan_number: int
+    valve: str
+    plan: str
+    closure: Closure | None
+    error: CoaptError | None
+
+    @property
+    def trusted(self) -> bool:
+        """Whether there is a closure whose figures count."""
+        return self.closure is not None and self.closure.trusted
+
+    @property
+    def problem(self) -> str:
+        """The error in words; empty: there is none."""
+        return "" if self.error is None else str(self.error)
+
+
+class Sweep:
+    """Every valve with every plan: iterating makes the closures. See Client.map()."""
+
+    def __init__(
+        self,
+        close: Callable[[Any, Any], Closure],
+        valves: Iterable[Valve],
+        plans: Sequence[tuple[str, Any]],
+        threads: int,
+    ) -> None:
+        """:param plans: names and documents; a document None is the valve as it is"""
+        self._close, self._valves, self._plans, self._threads = close, valves, plans, threads
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Makes all closures: a row each, with the valve's and the plan's number and name, figures, trusted, error."""
+        return frames.sweep(self)
+
+    def __iter__(self) -> Iterator[SweepItem]:
+        waiting: deque[Future[SweepItem]] = deque()
+        with ThreadPoolExecutor(self._threads) as pool:
+            try:
+                for task in self._tasks():
+                    if len(waiting) == 2 * self._threads:
+                        yield waiting.popleft().result()
+                    waiting.append(pool.submit(task))
+                while waiting:
+                    yield waiting.popleft().result()
+            finally:
+                for future in waiting:
+                    future.cancel()
+
+    def _tasks(self) -> Iterator[Callable[[], SweepItem]]:
+        for valve_number, valve in enumerate(self._valves):
+            name = valve_name(valve)
+            try:
+                document, error = valve_document(valve), None
+            except CoaptError as unreadable:
+                document, error = None, unreadable
+            for plan_number, (plan_name, plan) in enumerate(self._plans):
+                place = (valve_number, plan_number, name, plan_name)
+                yield partial(self._item, place, document, plan, error)
+
+    def _item(self, place: tuple[int, int, str, str], valve: Any, plan: Any, error: CoaptError | None) -> SweepItem:
+        if error is None:
+            try:
+                return SweepItem(*place, self._close(valve, plan), None)
+            except CoaptError as refused:
+                error = refused
+        return SweepItem(*place, None, error)

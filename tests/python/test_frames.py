@@ -1,0 +1,124 @@
+"""Results as tables of pandas."""
+
+import importlib.util
+import json
+import sys
+import unittest
+from unittest import mock
+
+import coapt
+from client_runs import SMALL, VALVE, ClientTest
+from coapt import Plan, Ring
+from programs import SOURCE
+
+RING = SOURCE / "examples/plans/ring.json"
+UNITS = ("_mm", "_mm2", "_n", "_deg")
+COUNTS = {"rank", "nodes", "failed_nodes", "valve_number", "plan_number", "number"}
+SHARES = {"along", "strain_circumferential_max", "strain_radial_max"}
+
+
+@unittest.skipUnless(importlib.util.find_spec("pandas"), "pandas is not installed")
+class Frames(ClientTest):
+    def assert_units(self, frame):
+        """Every number says what it is in; booleans are none."""
+        for name, kind in frame.dtypes.items():
+            if kind.kind in "if":
+                self.assertTrue(name.endswith(UNITS) or name in COUNTS | SHARES, name)
+
+    def test_ranked_plans_are_a_row_each(self):
+        result = self.client.evaluate(VALVE, [RING, Plan()], region_points=2, evidence=True)
+        frame = result.to_frame()
+        self.assert_units(frame)
+        self.assertEqual(list(frame["rank"]), [plan.rank for plan in result.plans])
+        self.assertEqual(list(frame.cost_mm2), [plan.cost for plan in result.plans])
+        self.assertEqual(list(frame.leak_mm2), [plan.leak_mm2.nominal for plan in result.plans])
+        self.assertEqual(list(frame.p95_leak_mm2), [plan.leak_mm2.p95 for plan in result.plans])
+        self.assertEqual(list(frame.description), ["; ".join(plan.description) for plan in result.plans])
+        self.assertEqual(list(frame.closes_robustly), [plan.closes_robustly for plan in result.plans])
+        self.assertEqual(Plan.from_json(json.loads(frame.plan[0])), result.plans[0].plan)
+
+    def test_a_table_of_no_plans_has_the_same_columns(self):
+        some = self.client.evaluate(VALVE, [RING])
+        none = coapt.Evaluations(some.before, (), 0, 0.0, {})
+        self.assertEqual(list(none.to_frame().columns), list(some.to_frame().columns))
+
+    def test_what_is_not_known_is_a_number_that_is_none(self):
+        plan = self.client.evaluate(VALVE, [RING]).plans[0]
+        self.assertIsNone(plan.leak_mm2.sd)
+        frame = coapt.Evaluations(None, (plan,), 1, 0.0, {}).to_frame()
+        self.assertEqual((frame.sd_leak_mm2.dtype.kind, frame.sd_leak_mm2.isna()[0]), ("f", True))
+
+    def test_a_leak_map_is_a_row_a_node(self):
+        plan = self.client.evaluate(VALVE, [SOURCE / "examples/plans/mixed.json"], 17, evidence=True).plans[0]
+        both = plan.leak_maps.of("both")
+        self.assertEqual([one.muscle for one in plan.leak_maps.maps], ["both", "posteromedial"])
+        frame = plan.leak_maps.to_frame()
+        self.assert_units(frame)
+        self.assertEqual(len(frame), 2 * len(both.suture_length_mm) * len(both.outwards_deg))
+        planned = frame.query("muscle == 'both' and suture_length_mm == 0 and outwards_deg == 0")
+        self.assertEqual(list(planned.leak_mm2), [plan.leak_mm2.nominal])
+        first = frame.iloc[0]
+        self.assertEqual((first.suture_length_mm, first.outwards_deg), (both.suture_length_mm[0], both.outwards_deg[0]))
+        with self.assertRaisesRegex(KeyError, "no map of 'anterolateral'"):
+            plan.leak_maps.of("anterolateral")
+
+    def test_remodelling_begins_with_the_plan_as_planned(self):
+        plan = self.client.evaluate(VALVE, [RING], evidence=True).plans[0]
+        frame = plan.remodelling.to_frame()
+        self.assertEqual(set(frame[frame.displacement_mm == 0].leak_mm2), {plan.leak_mm2.nominal})
+        self.assertEqual(set(frame.displacement_mm), set(range(7)))
+        self.assertEqual(list(self.client.evaluate(VALVE, [RING]).plans[0].remodelling.to_frame().direction), [])
+
+    def test_sections_run_from_commissure_to_commissure(self):
+        measure = self.client.close(VALVE).measure
+        frame = measure.coaptation.to_frame()
+        self.assert_units(frame)
+        self.assertEqual(len(frame), 9)
+        self.assertTrue(frame.along.is_monotonic_increasing)
+        self.assertEqual(frame.height_mm.min(), measure.coaptation_height_min_mm)
+        self.assertEqual(frame.distance_mm.max(), measure.json["coaptation"]["distance_max_mm"])
+
+    def test_every_plan_that_a_search_tried_is_a_row(self):
+        job = self.client.search(VALVE, **SMALL)
+        best = job.result().plans[0]
+        frame = job.evaluations().to_frame()
+        self.assert_units(frame)
+        row = frame[frame["rank"] == 1].iloc[0]
+        self.assertEqual(Plan.from_json(json.loads(row.plan)), best.plan)
+        ranked = job.result().to_frame()
+        shared = set(ranked.columns) & set(frame.columns)
+        self.assertLessEqual({"cost_mm2", "leak_mm2", "orifice_mm2", "gap_mm2", "tension_max_n", "nodes"}, shared)
+        for name in shared:
+            if frame[name].dtype.kind in "if":
+                self.assertAlmostEqual(row[name], ranked[name][0], delta=1e-5 * abs(ranked[name][0]), msg=name)
+        job.evaluations().write(self.folder / "tried.csv")
+        self.assertEqual((self.folder / "tried.csv").read_text(), job.evaluations().csv)
+
+    def test_a_study_has_its_findings_and_tables(self):
+        job = self.client.study("porcine-3", "annulus")
+        result = job.result()
+        self.assertEqual(int(result.to_frame().agrees.sum()), result.json["agree"])
+        frame = job.table("annulus.csv").to_frame()
+        self.assertEqual(list(frame.columns), ["annular_height_percent", "ap_dilation_percent", "orifice_mm2"])
+        self.refused(coapt.NotFound, job.evaluations)
+
+    def test_a_sweep_has_its_errors_beside_its_figures(self):
+        frame = self.client.map([VALVE, "nowhere.json"], [RING, Plan(Ring("generic-classic", 31))]).to_frame()
+        self.assert_units(frame)
+        self.assertEqual(list(frame.trusted), [True, False, False, False])
+        self.assertEqual(frame.leak_mm2[0], self.client.close(VALVE, RING).measure.leak_mm2)
+        self.assertEqual(list(frame.error == ""), list(frame.trusted))
+        self.assertEqual(list(frame.leak_mm2.isna()), [False, True, True, True])
+        known = frame[frame.trusted]
+        self.assertEqual(list(known.columns[known.isna().any()]), [])
+
+
+class WithoutPandas(unittest.TestCase):
+    def test_the_package_that_is_missing_is_named(self):
+        with mock.patch.dict(sys.modules, {"pandas": None}):
+            with self.assertRaisesRegex(coapt.MissingPackage, "pip install pandas"):
+                coapt.Table("a,b\n1,2\n").to_frame()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,99 @@
+"""Drawings with matplotlib."""
+
+import importlib.util
+import os
+import sys
+import unittest
+from unittest import mock
+
+import coapt
+from client_runs import SMALL, VALVE, ClientTest
+from coapt import Plan, plots
+from programs import SOURCE
+
+PLANS = SOURCE / "examples/plans"
+UNITS = ("mm", "mm²", "N", "degrees", "closures")
+
+
+@unittest.skipUnless(importlib.util.find_spec("matplotlib"), "matplotlib is not installed")
+class Plots(ClientTest):
+    def setUp(self):
+        super().setUp()
+        os.environ["MPLBACKEND"] = "Agg"
+        from matplotlib import pyplot
+
+        self.addCleanup(pyplot.close, "all")
+
+    def drawn(self, draw, *arguments, **named):
+        """Axes of their own, which draw() takes, returns and labels."""
+        from matplotlib import pyplot
+
+        axes = pyplot.figure().subplots()
+        self.assertIs(draw(*arguments, **named, ax=axes), axes)
+        for label in (axes.get_xlabel(), axes.get_ylabel()):
+            words = label.replace(",", "").replace("(", " ").split()
+            self.assertTrue(not label or set(words) & set(UNITS), label)
+        axes.figure.savefig(self.folder / "drawing.png")
+        self.assertGreater((self.folder / "drawing.png").stat().st_size, 1000)
+        return axes
+
+    def scored(self, *plans, **options):
+        return self.client.evaluate(VALVE, plans, **options)
+
+    def test_a_leak_map_has_a_cell_a_node_and_frames_the_plan(self):
+        plan = self.scored(PLANS / "mixed.json", region_points=17, evidence=True).plans[0]
+        for muscle in ("both", "posteromedial"):
+            axes, one = self.drawn(plots.leak_map, plan, muscle), plan.leak_maps.of(muscle)
+            cells, frame = axes.collections[0], axes.patches[0]
+            self.assertEqual(cells.get_array().size, len(one.suture_length_mm) * len(one.outwards_deg))
+            self.assertEqual(cells.get_array().mask.sum(), sum(row.count(None) for row in one.leak_mm2))
+            self.assertEqual((frame.get_x() + frame.get_width() / 2, frame.get_y() + frame.get_height() / 2), (0, 0))
+            self.assertEqual(cells.get_clim(), (0.0, 1.0))
+        self.assertEqual(self.drawn(plots.leak_map, plan, most_mm2=7.0).collections[0].get_clim(), (0.0, 7.0))
+
+    def test_a_map_without_sutures_says_what_its_lengths_are(self):
+        plans = self.scored(PLANS / "ring.json", PLANS / "mixed.json", region_points=17).plans
+        labels = [self.drawn(plots.leak_map, plan).get_ylabel() for plan in plans]
+        self.assertEqual(labels, ["tip to trigone, mm off the plan", "suture length, mm off the plan"])
+
+    def test_coaptation_is_a_bar_a_section_down_where_leaflets_are_apart(self):
+        closure = self.client.close(VALVE)
+        heights = [bar.get_height() for bar in self.drawn(plots.coaptation, closure).patches]
+        sections = closure.measure.coaptation.sections
+        self.assertEqual(
+            sorted(heights), sorted(one.height_mm if one.contact else -one.distance_mm for one in sections)
+        )
+
+    def test_plans_are_points_with_their_ranks(self):
+        result = self.scored(PLANS / "ring.json", PLANS / "own-ring.json", region_points=2)
+        axes = self.drawn(plots.plans, result)
+        self.assertEqual(
+            {(text.get_text(), text.xy) for text in axes.texts},
+            {(str(one.rank), (one.leak_mm2.mean, one.measure.tension_max_n)) for one in result.plans},
+        )
+        self.assertEqual(list(self.drawn(plots.plans, self.scored(Plan())).texts), [])  # nothing is known of its region
+
+    def test_progress_ends_where_the_search_did(self):
+        result = self.client.search(VALVE, **SMALL | {"evaluations": 20}).result()
+        line = self.drawn(plots.progress, result).lines[0]
+        self.assertEqual(line.get_xydata()[-1].tolist(), list(result.json["progress"][-1].values()))
+
+    def test_remodelling_is_a_line_a_direction(self):
+        plan = self.scored(PLANS / "ring.json", evidence=True).plans[0]
+        labels = [text.get_text() for text in self.drawn(plots.remodelling, plan).get_legend().get_texts()]
+        self.assertEqual(labels, list(plan.remodelling.leak_mm2))
+
+    def test_axes_are_made_where_none_are_given(self):
+        closure = self.client.close(VALVE)
+        self.assertIsNot(plots.coaptation(closure).figure, plots.coaptation(closure).figure)
+
+
+class WithoutMatplotlib(unittest.TestCase):
+    def test_the_package_that_is_missing_is_named(self):
+        with mock.patch.dict(sys.modules, {"matplotlib": None}):
+            with self.assertRaisesRegex(coapt.MissingPackage, "pip install matplotlib"):
+                plots.coaptation(None)
+
+
+if __name__ == "__main__":
+    unittest.main()
