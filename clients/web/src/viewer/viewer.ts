@@ -1,9 +1,9 @@
 // A valve in three dimensions: leaflets, chordae, annulus, orifices, a cut, names.
 import { Plane, Vector3 } from 'three'
-import type { Scene, Vector } from '../api/types'
+import type { Scene, Segment, Vector } from '../api/types'
 import { h } from '../dom'
-import { chordaColours, cornerColours, type ColourMode, type Scale } from './colours'
-import { at, boundaryEdges, chordaLines, closedNodes, dot, minus, nodesAt, section } from './geometry'
+import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
+import { at, chordaLines, closedNodes, dot, minus, nodesAt, section, unit } from './geometry'
 import { Labels, type Label } from './labels'
 import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines, pieces } from './lines'
@@ -13,6 +13,9 @@ import { pickAt, type Pick, type PickKind } from './pick'
 import { Stage, type ViewName } from './stage'
 import viewerStyle from './viewer.module.css'
 
+type Cut = Scene['sections'][number]
+
+const LEAST_SLANT = 0.1 // sine between sight and cut, from where on the hidden side changes
 const TURNED_PX = 4 // a pointer that moved so far has turned the valve, not clicked it
 
 export interface Look {
@@ -36,18 +39,18 @@ export class Viewer {
   private opening: Opening | null = null
   // Kept: a new one would have its program compiled again.
   private readonly materials = { leaflets: leafletMaterial(), opening: openingMaterials() }
-  private edges: [number, number][] = []
   private pressed: [number, number] = [0, 0] // where on the screen
+  private look: Look | null = null
   private drawn = '' // the look of the scene that is drawn
+  private side = 1 // of the cut that is hidden: 1 posteromedial, -1 anterolateral
   private readonly labels: Labels
   private readonly lines = {
-    chordae: new Lines({ pixels: 1.6 }),
-    ruptured: new Lines({ pixels: 1.6, colour: '#c8342b', dashed: true }),
-    edges: new Lines({ pixels: 1.4, colour: '#5b3a3a' }),
-    annulus: new Lines({ pixels: 4, colour: '#8a8f98' }),
-    sutures: new Lines({ pixels: 3, colour: '#0f8a5f' }),
-    cut: new Lines({ pixels: 3.5 }),
-    drawn: new Lines({ pixels: 2.5, colour: '#d6336c', inFront: true }),
+    chordae: new Lines({ width: 1.6 }),
+    ruptured: new Lines({ width: 1.6, colour: TINTS.ruptured, dashed: true }),
+    annulus: new Lines({ width: 4, colour: '#8a8f98' }),
+    sutures: new Lines({ width: 3, colour: TINTS.added }),
+    cut: new Lines({ width: 1, inMillimetres: true }),
+    drawn: new Lines({ width: 2.5, colour: '#d6336c', inFront: true }),
   }
 
   constructor(label: string) {
@@ -61,8 +64,9 @@ export class Viewer {
     )
     this.stage.add(...Object.values(this.lines).map((line) => line.object))
     this.stage.onFrame.push(() => {
-      for (const line of Object.values(this.lines)) line.resolution(this.stage.size)
+      for (const line of [...Object.values(this.lines), this.opening]) line?.resolution(this.stage.size)
     })
+    this.stage.controls.addEventListener('change', () => this.look && this.show(this.look))
     this.stage.canvas.addEventListener('pointerdown', ({ clientX, clientY }) => (this.pressed = [clientX, clientY]))
     this.stage.canvas.addEventListener('click', (event) => this.click(event))
   }
@@ -77,7 +81,6 @@ export class Viewer {
     if (this.opening) this.stage.scene.remove(this.opening.group)
     this.leaflets = new Leaflets(scene, this.materials.leaflets)
     this.opening = new Opening(scene, this.materials.opening)
-    this.edges = boundaryEdges(scene.faces)
     this.drawn = ''
     this.stage.add(this.leaflets.mesh, this.opening.group)
     this.lines.annulus.set(pieces(scene.annulus_mm, true))
@@ -88,8 +91,11 @@ export class Viewer {
   }
 
   show(look: Look): void {
-    const { scene, leaflets, opening, lines } = this
-    const asked = JSON.stringify([look, this.extra])
+    const { scene, leaflets, opening } = this
+    this.look = look
+    const cut = look.cut === null ? undefined : scene?.sections[look.cut]
+    if (cut) this.side = this.nearSide(cut)
+    const asked = JSON.stringify([look, this.extra, this.side])
     if (!scene || !leaflets || !opening || asked === this.drawn) return
     this.drawn = asked
     const closed = look.share >= 1 || scene.motion_mm.length < 2
@@ -99,13 +105,12 @@ export class Viewer {
     const mode = closed || look.mode === 'height' ? look.mode : 'leaflets'
     leaflets.paint(cornerColours(scene, mode, look.scale, this.nodes))
     this.drawChordae(scene, mode, look.scale)
-    lines.edges.set(this.edges.flatMap(([a, b]) => [...at(this.nodes, a), ...at(this.nodes, b)]))
     opening.group.visible = look.orifices && closed
-    this.drawCut(scene, look)
+    this.drawCut(scene, cut)
     const words: Label[] = look.names ? namesOf(scene, this.nodes) : []
     if (opening.group.visible) words.push(...opening.labels.map((label) => ({ ...label, kind: 'orifice' as const })))
-    const cut = look.cut === null ? undefined : scene.sections[look.cut]
-    const isLeft = ({ point_mm }: Label): boolean => !cut || dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
+    const isLeft = ({ point_mm }: Label): boolean =>
+      !cut || this.side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
     this.labels.set([...words.filter(isLeft), ...this.extra])
     this.stage.draw()
   }
@@ -141,28 +146,29 @@ export class Viewer {
     this.lines.ruptured.set(ruptured)
   }
 
-  /// Hides what lies on the posteromedial side of the cut and traces where it goes through.
-  private drawCut(scene: Scene, look: Look): void {
-    const chosen = look.cut === null ? undefined : scene.sections[look.cut]
-    const planes = chosen
-      ? [
-          new Plane().setFromNormalAndCoplanarPoint(
-            new Vector3(...chosen.normal).negate(),
-            new Vector3(...chosen.point_mm),
-          ),
-        ]
-      : []
+  /// Hides what lies between the eye and the cut and shows the cut edge.
+  private drawCut(scene: Scene, cut: Cut | undefined): void {
+    const away = new Vector3(...(cut?.normal ?? [0, 0, 1])).multiplyScalar(-this.side)
+    const planes = cut ? [new Plane().setFromNormalAndCoplanarPoint(away, new Vector3(...cut.point_mm))] : []
     this.leaflets?.cut(planes)
     this.opening?.cut(planes)
-    for (const name of ['chordae', 'ruptured', 'edges', 'annulus', 'sutures'] as const) this.lines[name].cut(planes)
-    const traced = chosen ? section(scene, this.nodes, chosen.point_mm, chosen.normal) : []
+    for (const name of ['chordae', 'ruptured', 'annulus', 'sutures'] as const) this.lines[name].cut(planes)
+    const traced = cut ? section(scene, this.nodes, cut.point_mm, cut.normal) : []
+    this.lines.cut.width = scene.thickness_mm
     this.lines.cut.set(
       traced.flatMap(({ from, to }) => [...from, ...to]),
       traced.flatMap(({ face }) => {
-        const colour = scene.segments[face]?.startsWith('A') ? [0.75, 0.12, 0.12] : [0.1, 0.35, 0.75]
+        const colour = cutColour(scene.segments[face] as Segment)
         return [...colour, ...colour]
       }),
     )
+  }
+
+  /// Which side of the cut the eye is on; as before if it is nearly in it.
+  private nearSide(cut: Cut): number {
+    const toEye = unit(minus(this.stage.camera.position.toArray(), cut.point_mm))
+    const slant = dot(toEye, cut.normal)
+    return Math.abs(slant) < LEAST_SLANT ? this.side : Math.sign(slant)
   }
 
   private click(event: MouseEvent): void {
