@@ -90,6 +90,11 @@ function between(pairs: [Vector, Vector][]): Membrane {
   return { points: pairs.flat(2), triangles, label: null }
 }
 
+function middleOfPairs({ points }: Membrane): Vector {
+  const pair = Math.floor(points.length / 6 / 2)
+  return blend(at(points, 2 * pair), at(points, 2 * pair + 1), 0.5)
+}
+
 function isInOrifice(scene: Scene, point: Vector): boolean {
   const [x, y] = seen(scene, point)
   return scene.orifices.some(({ contours_mm: [outer = []] }) => {
@@ -131,7 +136,7 @@ function vectors(points: number[]): Vector[] {
 export class Opening {
   readonly group = new Group()
   readonly labels: OpeningLabel[]
-  readonly points_mm: Vector[] // of all membranes
+  readonly membranes_mm: Vector[][] // their points
   private readonly outline = new Lines({ width: 2, colour: TINTS.opening, inFront: true })
 
   /// `materials`: openingMaterials(), the same for all closures of a view.
@@ -146,8 +151,8 @@ export class Opening {
     const gap_mm2 = scene.closure.coaptation?.gap_area_mm2 ?? 0
     const widest = hidden.sort((a, b) => b.points.length - a.points.length)[0]
     if (widest && gap_mm2 >= LEAST_NAMED_MM2)
-      this.labels.push({ point_mm: middle(widest.points), text: `gap ${gap_mm2.toFixed(1)} mm²` })
-    this.points_mm = membranes.flatMap(({ points }) => vectors(points))
+      this.labels.push({ point_mm: middleOfPairs(widest), text: `gap ${gap_mm2.toFixed(1)} mm²` })
+    this.membranes_mm = membranes.map(({ points }) => vectors(points))
     for (const membrane of membranes) this.add(membrane, [materials.seen, materials.throughTissue])
     for (const membrane of shown) this.add(skirt(scene, membrane), [materials.seen])
     this.outline.set(

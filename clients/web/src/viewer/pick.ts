@@ -65,10 +65,23 @@ export function pickAt(
   }
 }
 
-/// Of the leaflets as they are shown: what is cut away is not hit.
-function leafletHit(event: MouseEvent, stage: Stage, { mesh }: Leaflets): Intersection | null {
+const SEEN_MM = 2 // behind tissue is what lies so far behind it
+
+export function isBehind(point_mm: Vector, stage: Stage, leaflets: Leaflets): boolean {
+  const eye = stage.camera.position
+  const way = new Vector3(...point_mm).sub(eye)
+  const hit = firstHit(new Raycaster(eye, way.clone().normalize()), leaflets)
+  return hit !== null && hit.distance < way.length() - SEEN_MM
+}
+
+function leafletHit(event: MouseEvent, stage: Stage, leaflets: Leaflets): Intersection | null {
   const ray = new Raycaster()
   ray.setFromCamera(stage.pointer(event), stage.camera)
+  return firstHit(ray, leaflets)
+}
+
+/// Of the leaflets as they are shown: what is cut away is not hit.
+function firstHit(ray: Raycaster, { mesh }: Leaflets): Intersection | null {
   const planes = (mesh.material as Material).clippingPlanes ?? []
   const isShown = ({ point }: Intersection): boolean => planes.every((plane) => plane.distanceToPoint(point) >= 0)
   return ray.intersectObject(mesh).find(isShown) ?? null

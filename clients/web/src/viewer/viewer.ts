@@ -4,12 +4,13 @@ import type { Scene, Segment, Vector } from '../api/types'
 import { h } from '../dom'
 import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
 import { at, chordaLines, closedNodes, dot, minus, nodesAt, section, unit } from './geometry'
+import { around, type Box } from './label_layout'
 import { Labels, type Label } from './labels'
 import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines, pieces } from './lines'
 import { namedAnnulus, namesOf, wholeValve } from './marks'
 import { openingMaterials, Opening } from './opening'
-import { pickAt, type Pick, type PickKind } from './pick'
+import { isBehind, pickAt, type Pick, type PickKind } from './pick'
 import { Stage, type ViewName } from './stage'
 import viewerStyle from './viewer.module.css'
 
@@ -33,6 +34,7 @@ export class Viewer {
   onPick: ((pick: Pick) => void) | null = null
   picks: PickKind[] = [] // what a click may mean
   extra: Label[] = [] // words besides the names
+  inset: HTMLElement | null = null // lies over the canvas
   private scene: Scene | null = null
   private nodes: Float32Array = new Float32Array()
   private leaflets: Leaflets | null = null
@@ -56,6 +58,8 @@ export class Viewer {
   constructor(label: string) {
     this.stage = new Stage(label)
     this.labels = new Labels(this.stage)
+    this.labels.avoid = () => this.covered()
+    this.labels.isBehind = (point_mm) => this.leaflets !== null && isBehind(point_mm, this.stage, this.leaflets)
     this.element = h(
       'div',
       { class: viewerStyle.viewer, 'data-part': 'viewer' },
@@ -107,11 +111,11 @@ export class Viewer {
     this.drawChordae(scene, mode, look.scale)
     opening.group.visible = look.orifices && closed
     this.drawCut(scene, cut)
-    const words: Label[] = look.names ? namesOf(scene, this.nodes) : []
-    if (opening.group.visible) words.push(...opening.labels.map((label) => ({ ...label, kind: 'orifice' as const })))
     const isLeft = ({ point_mm }: Label): boolean =>
       !cut || this.side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
-    this.labels.set([...words.filter(isLeft), ...this.extra])
+    const names = look.names ? namesOf(scene, this.nodes).filter(isLeft) : []
+    const leaks = opening.group.visible ? opening.labels.map((label) => ({ ...label, kind: 'orifice' as const })) : []
+    this.labels.set([...names, ...leaks, ...this.extra])
     this.stage.draw()
   }
 
@@ -177,6 +181,18 @@ export class Viewer {
     if (Math.hypot(event.clientX - x, event.clientY - y) > TURNED_PX) return
     const pick = pickAt(event, this.stage, this.scene, this.nodes, this.leaflets, this.picks)
     if (pick) this.onPick(pick)
+  }
+
+  /// By what has to be seen: the opening, the inset.
+  private covered(): Box[] {
+    const { group, membranes_mm } = this.opening ?? { group: { visible: false }, membranes_mm: [] }
+    const shown = group.visible ? membranes_mm : []
+    const boxes = shown.flatMap((points) => around(points.map((point) => this.stage.place(point))) ?? [])
+    const canvas = this.stage.canvas.getBoundingClientRect()
+    const inset = this.inset?.getBoundingClientRect()
+    if (!inset || inset.width === 0) return boxes
+    const { x, y } = canvas
+    return [...boxes, { left: inset.left - x, top: inset.top - y, right: inset.right - x, bottom: inset.bottom - y }]
   }
 
   get shown(): Scene | null {
