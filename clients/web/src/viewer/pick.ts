@@ -6,7 +6,7 @@ import type { Leaflets } from './leaflets'
 import type { Stage } from './stage'
 
 export type Pick =
-  | { kind: 'leaflet'; point: LeafletPoint; point_mm: Vector }
+  | { kind: 'leaflet'; point: LeafletPoint; point_mm: Vector; face: number; weights: Vector }
   | { kind: 'annulus'; around: number; point_mm: Vector }
   | { kind: 'head'; id: string; point_mm: Vector }
   | { kind: 'chorda'; id: string; point_mm: Vector }
@@ -57,11 +57,13 @@ export function pickAt(
     Vector3,
     Vector3,
   ]
-  const weights = Triangle.getBarycoord(hit.point, ...corners, new Vector3()) ?? new Vector3(1, 0, 0)
+  const weights = (Triangle.getBarycoord(hit.point, ...corners, new Vector3()) ?? new Vector3(1, 0, 0)).toArray()
   return {
     kind: 'leaflet',
-    point: leafletPointAt(scene, face, [weights.x, weights.y, weights.z]),
-    point_mm: [hit.point.x, hit.point.y, hit.point.z],
+    point: leafletPointAt(scene, face, weights),
+    point_mm: hit.point.toArray(),
+    face,
+    weights,
   }
 }
 

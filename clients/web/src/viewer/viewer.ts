@@ -11,6 +11,7 @@ import { Lines, pieces } from './lines'
 import { namedAnnulus, namesOf, wholeValve } from './marks'
 import { openingMaterials, Opening } from './opening'
 import { isBehind, pickAt, type Pick, type PickKind } from './pick'
+import { reading, Readout } from './readout'
 import { Stage, type ViewName } from './stage'
 import viewerStyle from './viewer.module.css'
 
@@ -46,6 +47,8 @@ export class Viewer {
   private drawn = '' // the look of the scene that is drawn
   private side = 1 // of the cut that is hidden: 1 posteromedial, -1 anterolateral
   private readonly labels: Labels
+  private readonly readout = new Readout()
+  private pointed = 0 // the frame in which the readout follows the pointer
   private readonly lines = {
     chordae: new Lines({ width: 1.6 }),
     ruptured: new Lines({ width: 1.6, colour: TINTS.ruptured, dashed: true }),
@@ -65,6 +68,7 @@ export class Viewer {
       { class: viewerStyle.viewer, 'data-part': 'viewer' },
       this.stage.canvas,
       this.labels.element,
+      this.readout.element,
     )
     this.stage.add(...Object.values(this.lines).map((line) => line.object))
     this.stage.onFrame.push(() => {
@@ -73,6 +77,8 @@ export class Viewer {
     this.stage.controls.addEventListener('change', () => this.look && this.show(this.look))
     this.stage.canvas.addEventListener('pointerdown', ({ clientX, clientY }) => (this.pressed = [clientX, clientY]))
     this.stage.canvas.addEventListener('click', (event) => this.click(event))
+    this.stage.canvas.addEventListener('pointermove', (event) => this.point(event))
+    this.stage.canvas.addEventListener('pointerleave', () => this.pointAway())
   }
 
   /// Another valve or another closure. `ring`: whether the annulus carries one.
@@ -102,11 +108,10 @@ export class Viewer {
     const asked = JSON.stringify([look, this.extra, this.side])
     if (!scene || !leaflets || !opening || asked === this.drawn) return
     this.drawn = asked
-    const closed = look.share >= 1 || scene.motion_mm.length < 2
+    const closed = this.isClosed(look)
     this.nodes = closed ? closedNodes(scene) : nodesAt(scene, look.share)
     leaflets.move(this.nodes)
-    // Strain and tension are those of the closed valve.
-    const mode = closed || look.mode === 'height' ? look.mode : 'leaflets'
+    const mode = this.modeOf(look)
     leaflets.paint(cornerColours(scene, mode, look.scale, this.nodes))
     this.drawChordae(scene, mode, look.scale)
     opening.group.visible = look.orifices && closed
@@ -117,6 +122,15 @@ export class Viewer {
     const leaks = opening.group.visible ? opening.labels.map((label) => ({ ...label, kind: 'orifice' as const })) : []
     this.labels.set([...names, ...leaks, ...this.extra])
     this.stage.draw()
+  }
+
+  private isClosed(look: Look): boolean {
+    return look.share >= 1 || (this.scene?.motion_mm.length ?? 0) < 2
+  }
+
+  /// Strain and tension are those of the closed valve.
+  private modeOf(look: Look): ColourMode {
+    return this.isClosed(look) || look.mode === 'height' ? look.mode : 'leaflets'
   }
 
   view(name: ViewName): void {
@@ -173,6 +187,28 @@ export class Viewer {
     const toEye = unit(minus(this.stage.camera.position.toArray(), cut.point_mm))
     const slant = dot(toEye, cut.normal)
     return Math.abs(slant) < LEAST_SLANT ? this.side : Math.sign(slant)
+  }
+
+  /// Once a frame; not while the valve is turned.
+  private point(event: PointerEvent): void {
+    this.pointAway()
+    if (event.buttons === 0) this.pointed = requestAnimationFrame(() => this.read(event))
+  }
+
+  private pointAway(): void {
+    cancelAnimationFrame(this.pointed)
+    this.readout.hide()
+  }
+
+  private read(event: PointerEvent): void {
+    const { scene, leaflets, look, stage, nodes } = this
+    if (!scene || !leaflets || !look) return
+    const kinds: PickKind[] = look.mode === 'tension' ? ['chorda'] : ['leaflet']
+    const pick = pickAt(event, stage, scene, nodes, leaflets, kinds)
+    const text = pick ? reading(scene, nodes, this.modeOf(look), look.scale, pick) : ''
+    const box = stage.canvas.getBoundingClientRect()
+    const place = { x: event.clientX - box.left, y: event.clientY - box.top }
+    if (text !== '') this.readout.show(text, place, box.width)
   }
 
   private click(event: MouseEvent): void {
