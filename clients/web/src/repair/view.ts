@@ -46,6 +46,8 @@ export class RepairView implements View {
     this.editor = new PlanEditor(workspace, (request) => this.pick(request))
     this.kept = new KeptPlans(workspace)
     this.before.stage.pair(this.after.stage)
+    this.before.inset = this.insets.before
+    this.after.inset = this.insets.after
     this.looks.onChange = () => this.draw()
     this.looks.onView = (view) => this.before.view(view)
     this.element = h(

@@ -2,9 +2,10 @@
 import type { Scene } from '../api/types'
 import { button, field, h, select } from '../dom'
 import { number, withUnit } from '../format'
-import { COLOUR_MODES, scaleOf, type ColourMode } from '../viewer/colours'
+import { COLOUR_MODES, type ColourMode } from '../viewer/colours'
 import type { ViewName } from '../viewer/stage'
 import type { Look } from '../viewer/viewer'
+import { ScaleRange } from './scale_range'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
@@ -37,6 +38,7 @@ export class Looks {
     oninput: () => this.onChange(),
   })
   private readonly play: HTMLButtonElement
+  private readonly range = new ScaleRange()
   private started = 0 // of the closing that plays; 0: none
 
   constructor(withMotion: boolean) {
@@ -50,6 +52,7 @@ export class Looks {
       { class: `${parts.panel} ${valveStyle.looks}`, 'data-part': 'looks' },
       h('legend', {}, 'Show'),
       field('Colours', mode),
+      this.range.element,
       field('Names', this.names),
       field('Orifices', this.orifices),
       field('Cut', this.cutting),
@@ -59,6 +62,7 @@ export class Looks {
       withMotion &&
         h('p', { class: parts.row }, this.play, h('span', { class: parts.hint }, 'the path to rest, not real time')),
     )
+    this.range.onChange = () => this.onChange()
     this.views = h('div', {
       class: valveStyle.views,
       role: 'group',
@@ -76,7 +80,7 @@ export class Looks {
     this.tellCut(scenes, cut)
     return {
       mode: this.mode,
-      scale: scaleOf(this.mode, scenes),
+      scale: this.range.scale(this.mode, scenes),
       share: Number(this.closing.value),
       orifices: this.orifices.checked,
       names: this.names.checked,

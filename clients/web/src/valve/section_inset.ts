@@ -1,12 +1,15 @@
-// The cut as a drawing: atrium up, anterior left. Where the leaflets are nearer than the distance of contact the line is
-// thick, as a help to the eye; the height is the service's.
-import type { Scene, Vector } from '../api/types'
+// The cut as a drawing: atrium up, anterior left, leaflets as thick and coloured as in the other pictures. Where they are
+// nearer than the distance of contact their edges are dark, as a help to the eye; the height is the service's. Where they
+// are apart a line joins the nearest points.
+import type { Scene, Segment, Vector } from '../api/types'
 import { svg } from '../dom'
 import { withUnit } from '../format'
+import { css, cutColour, TINTS } from '../viewer/colours'
 import { blend, closedNodes, distance, dot, minus, section, type SectionPiece } from '../viewer/geometry'
 import valveStyle from './valve.module.css'
 
 const CONTACT = 1.25 // of the thickness: mid-surfaces nearer than this touch (coaptation.h)
+const EDGED = 0.6 // of the thickness is within the edges
 const MARGIN_MM = 3
 const LETTERS = 26 // heights of a letter across the drawing
 
@@ -30,24 +33,24 @@ export function sectionInset(scene: Scene, index: number): SVGSVGElement {
   drawing.setAttribute('aria-label', `Section of the closed valve: ${words}`)
   const anterior = cut.filter(({ face }) => isAnterior(scene, face))
   const posterior = cut.filter(({ face }) => !isAnterior(scene, face))
-  for (const [pieces, others, name] of [
-    [anterior, posterior, 'anterior'],
-    [posterior, anterior, 'posterior'],
-  ] as const)
-    for (const piece of pieces) {
-      const [x1, y1] = flat(piece.from)
-      const [x2, y2] = flat(piece.to)
-      const touches = others.some((other) => nearness(piece, other) < CONTACT * scene.thickness_mm)
-      drawing.append(
-        svg('line', {
-          x1,
-          y1,
-          x2,
-          y2,
-          class: touches ? `${valveStyle[name]} ${valveStyle.contact}` : valveStyle[name],
-        }),
-      )
-    }
+  const stroke = ({ from, to }: { from: Vector; to: Vector }, colour: string, breadth: number): void => {
+    const [x1, y1] = flat(from)
+    const [x2, y2] = flat(to)
+    drawing.append(svg('line', { x1, y1, x2, y2, stroke: colour, 'stroke-width': breadth }))
+  }
+  const touching = new Set([...touches(scene, anterior, posterior), ...touches(scene, posterior, anterior)])
+  for (const piece of cut) {
+    const edge = css(cutColour(scene.segments[piece.face] as Segment))
+    stroke(piece, touching.has(piece) ? 'var(--text)' : edge, scene.thickness_mm)
+  }
+  for (const piece of cut) {
+    const tint = isAnterior(scene, piece.face) ? TINTS.anterior : TINTS.posterior
+    stroke(piece, tint, EDGED * scene.thickness_mm)
+  }
+  if (!place.contact && place.nearest_mm) {
+    const [from, to] = place.nearest_mm as [Vector, Vector]
+    stroke({ from, to }, TINTS.opening, 0.5 * scene.thickness_mm)
+  }
   const size = width / LETTERS
   const text = (x: number, y: number, anchor: string, said: string, name = ''): SVGTextElement =>
     svg('text', { x, y, 'text-anchor': anchor, 'font-size': size, class: name }, said)
@@ -63,6 +66,10 @@ export function sectionInset(scene: Scene, index: number): SVGSVGElement {
 
 function isAnterior(scene: Scene, face: number): boolean {
   return scene.segments[face]?.startsWith('A') ?? false
+}
+
+function touches(scene: Scene, pieces: SectionPiece[], others: SectionPiece[]): SectionPiece[] {
+  return pieces.filter((piece) => others.some((other) => nearness(piece, other) < CONTACT * scene.thickness_mm))
 }
 
 /// Of pieces that do not cross.

@@ -31,6 +31,7 @@ export class ValveView implements View {
 
   constructor(private readonly workspace: Workspace) {
     const told = h('div', {})
+    this.viewer.inset = this.inset
     this.looks.onChange = () => this.draw()
     this.looks.onView = (view) => this.viewer.view(view)
     this.distance.onResult = () => this.draw()

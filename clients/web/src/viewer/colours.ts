@@ -14,15 +14,27 @@ export const COLOUR_MODES: readonly (readonly [ColourMode, string])[] = [
   ['tension', 'Chordal tension'],
 ]
 
-const SEGMENTS: Record<Segment, string> = {
-  A1: '#d98a86',
-  A2: '#cf7773',
-  A3: '#d98a86',
-  P1: '#d9b08a',
-  P2: '#cfa074',
-  P3: '#d9b08a',
-  AC: '#b98ba6',
-  PC: '#b98ba6',
+/// Leaflets as in the report (io/picture/canvas.h); the other kinds are the page's alone.
+export const TINTS = {
+  anterior: '#e8998a',
+  posterior: '#f2c491',
+  commissure: '#c39bb4',
+  opening: '#1668d6',
+  ruptured: '#c8342b',
+  added: '#0f8a5f',
+} as const
+const OUTER_THIRDS = 0.22 // of the way to white, so that segments can be told apart
+const CUT_EDGE = 0.7 // as bright as the leaflet
+
+const SEGMENTS: Record<Segment, Rgb> = {
+  A1: paler(TINTS.anterior),
+  A2: rgb(TINTS.anterior),
+  A3: paler(TINTS.anterior),
+  P1: paler(TINTS.posterior),
+  P2: rgb(TINTS.posterior),
+  P3: paler(TINTS.posterior),
+  AC: rgb(TINTS.commissure),
+  PC: rgb(TINTS.commissure),
 }
 const TISSUE: Rgb = rgb('#cdb7b0')
 const RISING = ['#2c1160', '#711f81', '#b63679', '#ee605e', '#fdae78', '#fcfdbf'].map(rgb) // after matplotlib's magma
@@ -39,6 +51,20 @@ export interface Scale {
 export function rgb(hex: string): Rgb {
   const value = Number.parseInt(hex.slice(1), 16)
   return [(value >> 16) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255]
+}
+
+/// Shaders work with linear light.
+export function toLinear(part: number): number {
+  return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4
+}
+
+function paler(hex: string): Rgb {
+  return rgb(hex).map((part) => part + OUTER_THIRDS * (1 - part)) as Rgb
+}
+
+/// Where a leaflet is cut.
+export function cutColour(segment: Segment): Rgb {
+  return SEGMENTS[segment].map((part) => CUT_EDGE * part) as Rgb
 }
 
 export function css(colour: Rgb): string {
@@ -107,7 +133,7 @@ export function cornerColours(
   for (let face = 0; face < scene.segments.length; ++face)
     for (let k = 0; k < 3; ++k) {
       const value = values?.[scene.faces[3 * face + k] as number]
-      if (mode === 'leaflets' || !scale) colours.push(...rgb(SEGMENTS[scene.segments[face] as Segment]))
+      if (mode === 'leaflets' || !scale) colours.push(...SEGMENTS[scene.segments[face] as Segment])
       else colours.push(...(value === undefined ? TISSUE : colourOf(scale, value)))
     }
   return Float32Array.from(colours)
@@ -129,10 +155,10 @@ export function vertexValues(scene: Scene, mode: ColourMode, nodes: ArrayLike<nu
 }
 
 const CHORDAE: Record<string, Rgb> = {
-  marginal: rgb('#7a6f5d'),
-  strut: rgb('#4f463a'),
-  basal: rgb('#93866f'),
-  neochorda: rgb('#0f8a5f'),
+  marginal: rgb('#978a72'),
+  strut: rgb('#7a6d5b'),
+  basal: rgb('#ac9f87'),
+  neochorda: rgb(TINTS.added),
 }
 
 /// One colour for each end of each segment, in the order of chordaLines().
@@ -140,7 +166,7 @@ export function chordaColours(scene: Scene, mode: ColourMode, scale: Scale | nul
   const colours: number[] = []
   for (const chorda of scene.chordae)
     for (const segment of chorda.segments) {
-      const plain = chorda.ruptured ? rgb('#c8342b') : (CHORDAE[chorda.kind] as Rgb)
+      const plain = chorda.ruptured ? rgb(TINTS.ruptured) : (CHORDAE[chorda.kind] as Rgb)
       const colour = mode === 'tension' && scale && !chorda.ruptured ? colourOf(scale, segment.tension_n ?? 0) : plain
       colours.push(...colour, ...colour)
     }

@@ -6,9 +6,16 @@ export function at(points: ArrayLike<number>, i: number): Vector {
   return [points[3 * i] ?? NaN, points[3 * i + 1] ?? NaN, points[3 * i + 2] ?? NaN]
 }
 
+export const plus = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 export const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+export const times = (share: number, a: Vector): Vector => [share * a[0], share * a[1], share * a[2]]
 export const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+export function cross(a: Vector, b: Vector): Vector {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
 export const length = (a: Vector): number => Math.sqrt(dot(a, a))
+/// As long as 1; nothing stays nothing.
+export const unit = (a: Vector): Vector => times(1 / (length(a) || 1), a)
 export const distance = (a: Vector, b: Vector): number => length(minus(a, b))
 export function blend(a: Vector, b: Vector, share: number): Vector {
   return [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])]

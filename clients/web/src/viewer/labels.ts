@@ -1,19 +1,40 @@
-// Words over the canvas at points of the scene.
+// Words over the canvas at points of the scene. They avoid each other and the opening; one that stands beside its place
+// has a line to it.
 import { Vector3 } from 'three'
 import type { Vector } from '../api/types'
-import { h } from '../dom'
+import { h, svg } from '../dom'
+import { type Box, layOut, type Spot } from './label_layout'
 import type { Stage } from './stage'
 import viewerStyle from './viewer.module.css'
 
 export interface Label {
-  point_mm: Vector
+  point_mm: Vector // where the word is best
+  names_mm?: Vector // what it names, if that is elsewhere
   text: string
   kind: 'landmark' | 'tip' | 'segment' | 'orifice' | 'distance'
 }
 
+/// The most important first; pixels that a word may be moved.
+const KINDS: Record<Label['kind'], { rank: number; reach: number }> = {
+  distance: { rank: 0, reach: 160 },
+  orifice: { rank: 1, reach: 160 },
+  segment: { rank: 2, reach: 80 },
+  landmark: { rank: 3, reach: 50 },
+  tip: { rank: 4, reach: 50 },
+}
+
+interface Placed {
+  label: Label
+  node: HTMLElement
+  line: SVGLineElement
+  size: { width: number; height: number } | null // not measured yet
+}
+
 export class Labels {
   readonly element = h('div', { class: viewerStyle.labels, 'data-part': 'labels', 'aria-hidden': 'true' })
-  private placed: { label: Label; node: HTMLElement }[] = []
+  avoid: () => Box[] = () => [] // what words may not cover
+  isBehind: (point_mm: Vector) => boolean = () => false // tissue
+  private placed: Placed[] = []
 
   constructor(private readonly stage: Stage) {
     stage.onFrame.push(() => this.place())
@@ -23,18 +44,46 @@ export class Labels {
     this.placed = labels.map((label) => ({
       label,
       node: h('span', { class: viewerStyle[label.kind], 'data-part': label.kind }, label.text),
+      line: svg('line'),
+      size: null,
     }))
-    this.element.replaceChildren(...this.placed.map(({ node }) => node))
+    const lines = svg('svg', {}, ...this.placed.map(({ line }) => line))
+    this.element.replaceChildren(lines, ...this.placed.map(({ node }) => node))
     this.place()
   }
 
   private place(): void {
-    // There the leaflets hide the tips.
-    const fromAbove = this.stage.camera.getWorldDirection(new Vector3()).z < -0.8
-    for (const { label, node } of this.placed) {
-      const { x, y, depth } = this.stage.place(label.point_mm)
-      node.hidden = depth > 1 || (label.kind === 'tip' && fromAbove)
-      node.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`
-    }
+    const shown = this.placed.filter((placed) => this.isSeen(placed))
+    const words = shown.map((placed) => {
+      const { x, y } = this.stage.place(placed.label.point_mm)
+      placed.size ??= measured(placed.node)
+      return { x, y, ...(placed.size ?? { width: 0, height: 0 }), ...KINDS[placed.label.kind] }
+    })
+    const { x: width, y: height } = this.stage.size
+    const spots = new Map(layOut(words, this.avoid(), { width, height }).map((spot, i) => [shown[i], spot]))
+    for (const placed of this.placed) this.move(placed, spots.get(placed) ?? null)
   }
+
+  private isSeen({ label }: Placed): boolean {
+    const { depth } = this.stage.place(label.point_mm)
+    if (depth > 1) return false
+    // From above the leaflets hide the tips.
+    if (label.kind === 'tip') return this.stage.camera.getWorldDirection(new Vector3()).z >= -0.8
+    return label.kind !== 'segment' || !this.isBehind(label.point_mm)
+  }
+
+  private move({ label, node, line }: Placed, spot: Spot | null): void {
+    node.style.visibility = spot ? '' : 'hidden'
+    line.style.visibility = spot?.isMoved ? '' : 'hidden'
+    if (!spot) return
+    node.style.transform = `translate(-50%, -50%) translate(${spot.x.toFixed(1)}px, ${spot.y.toFixed(1)}px)`
+    const to = this.stage.place(label.names_mm ?? label.point_mm)
+    for (const [name, value] of Object.entries({ x1: spot.x, y1: spot.y, x2: to.x, y2: to.y }))
+      line.setAttribute(name, value.toFixed(1))
+  }
+}
+
+/// Null while the view is not in the page.
+function measured(node: HTMLElement): { width: number; height: number } | null {
+  return node.offsetWidth === 0 ? null : { width: node.offsetWidth, height: node.offsetHeight }
 }

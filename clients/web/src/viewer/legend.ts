@@ -1,22 +1,25 @@
 // What the colours of a view mean.
 import { h } from '../dom'
 import { number } from '../format'
-import { css, type ColourMode, type Scale } from './colours'
+import { css, TINTS, type ColourMode, type Scale } from './colours'
 import viewerStyle from './viewer.module.css'
 
 export function legend(mode: ColourMode, scale: Scale | null): HTMLElement {
   if (!scale) {
-    const kinds: [string, string][] = [
-      ['anterior', 'anterior leaflet'],
-      ['posterior', 'posterior leaflet'],
-      ['commissure', 'commissures'],
-      ['orifice', 'orifice (atrial view)'],
-      ['ruptured', 'ruptured chorda'],
-      ['added', 'suture or neochorda'],
-    ]
+    const kinds = [
+      [TINTS.anterior, 'anterior leaflet'],
+      [TINTS.posterior, 'posterior leaflet'],
+      [TINTS.commissure, 'commissures'],
+      [TINTS.opening, 'where it leaks'],
+      [TINTS.ruptured, 'ruptured chorda'],
+      [TINTS.added, 'suture or neochorda'],
+    ] as const
     const list = h('ul', { class: viewerStyle.legend })
-    for (const [kind, words] of kinds)
-      list.append(h('li', {}, h('span', { class: `${viewerStyle.swatch} ${viewerStyle[kind]}` }), words))
+    for (const [colour, words] of kinds) {
+      const swatch = h('span', { class: viewerStyle.swatch })
+      swatch.style.background = colour
+      list.append(h('li', {}, swatch, words))
+    }
     return list
   }
   const bar = h('canvas', { width: scale.stops.length * 32, height: 12, 'aria-hidden': 'true' })

@@ -1,12 +1,13 @@
-// Lines of a width in pixels: chordae, annulus, free edge, sutures, the cut.
+// Lines of a width in pixels or millimetres: chordae, sutures, the cut, outlines.
 import type { Plane, Vector2 } from 'three'
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js'
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js'
-import { rgb } from './colours'
+import { rgb, toLinear } from './colours'
 
 export interface LineStyle {
-  pixels: number
+  width: number // in pixels
+  inMillimetres?: boolean // its width
   colour?: string // hex; left out: each end has its own
   dashed?: boolean
   inFront?: boolean // of everything
@@ -19,7 +20,8 @@ export class Lines {
 
   constructor(style: LineStyle) {
     this.material = new LineMaterial({
-      linewidth: style.pixels,
+      linewidth: style.width,
+      worldUnits: style.inMillimetres ?? false,
       vertexColors: style.colour === undefined,
       dashed: style.dashed ?? false,
       dashSize: 1.2,
@@ -45,7 +47,7 @@ export class Lines {
       this.count = points.length
     }
     this.object.geometry.setPositions(points)
-    if (colours) this.object.geometry.setColors(colours)
+    if (colours) this.object.geometry.setColors(colours.map(toLinear))
     if (this.material.dashed) this.object.computeLineDistances()
   }
 
@@ -53,8 +55,17 @@ export class Lines {
     this.material.resolution.copy(size)
   }
 
+  set width(width: number) {
+    this.material.linewidth = width
+  }
+
   cut(planes: Plane[]): void {
     this.material.clippingPlanes = planes
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose()
+    this.material.dispose()
   }
 }
 

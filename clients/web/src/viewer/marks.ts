@@ -1,6 +1,6 @@
 // What is named on a valve: landmarks of the annulus, segments of the leaflets, tips.
 import type { Scene, Segment, Vector } from '../api/types'
-import { at, blend, vertexCount } from './geometry'
+import { at, blend, distance, onFace, plus, times, vertexCount } from './geometry'
 import type { Label } from './labels'
 
 const LANDMARKS: Record<string, string> = {
@@ -13,13 +13,14 @@ const LANDMARKS: Record<string, string> = {
 }
 const OUTSIDE = 1.14 // of the way from the middle of the annulus: beside it
 
-/// Landmarks, segments (at the middle of their faces) and heads of the papillary muscles.
+/// Landmarks, segments (at their middle face) and heads of the papillary muscles.
 export function namesOf(scene: Scene, nodes: ArrayLike<number>): Label[] {
   const labels: Label[] = []
   for (const [name, vertex] of Object.entries(scene.landmarks)) {
     const place = at(nodes, vertex)
     labels.push({
       point_mm: blend(scene.plane.origin_mm, place, OUTSIDE),
+      names_mm: place,
       text: LANDMARKS[name] ?? name,
       kind: 'landmark',
     })
@@ -32,23 +33,21 @@ export function namesOf(scene: Scene, nodes: ArrayLike<number>): Label[] {
   return labels
 }
 
-function segmentMiddles(scene: Scene, nodes: ArrayLike<number>): Map<Segment, [number, number, number]> {
-  const sums = new Map<Segment, { sum: number[]; count: number }>()
+/// The middle of the face that is nearest to the mean of a segment's faces: a point of the tissue.
+function segmentMiddles(scene: Scene, nodes: ArrayLike<number>): Map<Segment, Vector> {
+  const middles = new Map<Segment, Vector[]>()
   scene.segments.forEach((segment, face) => {
-    const of = sums.get(segment) ?? { sum: [0, 0, 0], count: 0 }
-    for (let k = 0; k < 3; ++k) {
-      const corner = at(nodes, scene.faces[3 * face + k] as number)
-      of.sum = of.sum.map((part, axis) => part + (corner[axis] as number))
-      ++of.count
-    }
-    sums.set(segment, of)
+    middles.set(segment, [...(middles.get(segment) ?? []), onFace(scene, nodes, face, [1 / 3, 1 / 3, 1 / 3])])
   })
-  return new Map(
-    [...sums].map(([segment, { sum, count }]) => [
-      segment,
-      sum.map((part) => part / count) as [number, number, number],
-    ]),
-  )
+  return new Map([...middles].map(([segment, points]) => [segment, nearestTo(mean(points), points)]))
+}
+
+function mean(points: Vector[]): Vector {
+  return times(1 / points.length, points.reduce(plus))
+}
+
+function nearestTo(place: Vector, points: Vector[]): Vector {
+  return points.reduce((best, point) => (distance(point, place) < distance(best, place) ? point : best))
 }
 
 /// Leaflets and papillary tips, unloaded.

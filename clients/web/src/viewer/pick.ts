@@ -6,7 +6,7 @@ import type { Leaflets } from './leaflets'
 import type { Stage } from './stage'
 
 export type Pick =
-  | { kind: 'leaflet'; point: LeafletPoint; point_mm: Vector }
+  | { kind: 'leaflet'; point: LeafletPoint; point_mm: Vector; face: number; weights: Vector }
   | { kind: 'annulus'; around: number; point_mm: Vector }
   | { kind: 'head'; id: string; point_mm: Vector }
   | { kind: 'chorda'; id: string; point_mm: Vector }
@@ -57,18 +57,33 @@ export function pickAt(
     Vector3,
     Vector3,
   ]
-  const weights = Triangle.getBarycoord(hit.point, ...corners, new Vector3()) ?? new Vector3(1, 0, 0)
+  const weights = (Triangle.getBarycoord(hit.point, ...corners, new Vector3()) ?? new Vector3(1, 0, 0)).toArray()
   return {
     kind: 'leaflet',
-    point: leafletPointAt(scene, face, [weights.x, weights.y, weights.z]),
-    point_mm: [hit.point.x, hit.point.y, hit.point.z],
+    point: leafletPointAt(scene, face, weights),
+    point_mm: hit.point.toArray(),
+    face,
+    weights,
   }
 }
 
-/// Of the leaflets as they are shown: what is cut away is not hit.
-function leafletHit(event: MouseEvent, stage: Stage, { mesh }: Leaflets): Intersection | null {
+const SEEN_MM = 2 // behind tissue is what lies so far behind it
+
+export function isBehind(point_mm: Vector, stage: Stage, leaflets: Leaflets): boolean {
+  const eye = stage.camera.position
+  const way = new Vector3(...point_mm).sub(eye)
+  const hit = firstHit(new Raycaster(eye, way.clone().normalize()), leaflets)
+  return hit !== null && hit.distance < way.length() - SEEN_MM
+}
+
+function leafletHit(event: MouseEvent, stage: Stage, leaflets: Leaflets): Intersection | null {
   const ray = new Raycaster()
   ray.setFromCamera(stage.pointer(event), stage.camera)
+  return firstHit(ray, leaflets)
+}
+
+/// Of the leaflets as they are shown: what is cut away is not hit.
+function firstHit(ray: Raycaster, { mesh }: Leaflets): Intersection | null {
   const planes = (mesh.material as Material).clippingPlanes ?? []
   const isShown = ({ point }: Intersection): boolean => planes.every((plane) => plane.distanceToPoint(point) >= 0)
   return ray.intersectObject(mesh).find(isShown) ?? null

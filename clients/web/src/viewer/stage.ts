@@ -35,7 +35,7 @@ export class Stage {
   readonly controls: OrbitControls
   readonly onFrame: (() => void)[] = [] // after each drawing
   private readonly renderer: WebGLRenderer
-  private readonly light = new DirectionalLight(0xffffff, 2.2)
+  private readonly light = new DirectionalLight(0xffffff, 2.1)
   private held: Vector3[] = [] // points that the camera keeps in the picture
   private asked = 0
 
@@ -45,7 +45,7 @@ export class Stage {
     this.renderer.localClippingEnabled = true
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2))
     this.camera.up.set(0, 0, 1)
-    this.scene.add(this.camera, new AmbientLight(0xffffff, 1.5))
+    this.scene.add(this.camera, new AmbientLight(0xffffff, 1.2))
     this.camera.add(this.light)
     this.light.position.set(-0.4, 0.7, 1)
     this.controls = new OrbitControls(this.camera, this.canvas)

@@ -1,18 +1,23 @@
 // A valve in three dimensions: leaflets, chordae, annulus, orifices, a cut, names.
 import { Plane, Vector3 } from 'three'
-import type { Scene, Vector } from '../api/types'
+import type { Scene, Segment, Vector } from '../api/types'
 import { h } from '../dom'
-import { chordaColours, cornerColours, type ColourMode, type Scale } from './colours'
-import { at, boundaryEdges, chordaLines, closedNodes, dot, minus, nodesAt, section } from './geometry'
+import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
+import { at, chordaLines, closedNodes, dot, minus, nodesAt, section, unit } from './geometry'
+import { around, type Box } from './label_layout'
 import { Labels, type Label } from './labels'
 import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines, pieces } from './lines'
 import { namedAnnulus, namesOf, wholeValve } from './marks'
 import { openingMaterials, Opening } from './opening'
-import { pickAt, type Pick, type PickKind } from './pick'
+import { isBehind, pickAt, type Pick, type PickKind } from './pick'
+import { reading, Readout } from './readout'
 import { Stage, type ViewName } from './stage'
 import viewerStyle from './viewer.module.css'
 
+type Cut = Scene['sections'][number]
+
+const LEAST_SLANT = 0.1 // sine between sight and cut, from where on the hidden side changes
 const TURNED_PX = 4 // a pointer that moved so far has turned the valve, not clicked it
 
 export interface Look {
@@ -30,41 +35,50 @@ export class Viewer {
   onPick: ((pick: Pick) => void) | null = null
   picks: PickKind[] = [] // what a click may mean
   extra: Label[] = [] // words besides the names
+  inset: HTMLElement | null = null // lies over the canvas
   private scene: Scene | null = null
   private nodes: Float32Array = new Float32Array()
   private leaflets: Leaflets | null = null
   private opening: Opening | null = null
   // Kept: a new one would have its program compiled again.
   private readonly materials = { leaflets: leafletMaterial(), opening: openingMaterials() }
-  private edges: [number, number][] = []
   private pressed: [number, number] = [0, 0] // where on the screen
+  private look: Look | null = null
   private drawn = '' // the look of the scene that is drawn
+  private side = 1 // of the cut that is hidden: 1 posteromedial, -1 anterolateral
   private readonly labels: Labels
+  private readonly readout = new Readout()
+  private pointed = 0 // the frame in which the readout follows the pointer
   private readonly lines = {
-    chordae: new Lines({ pixels: 1.6 }),
-    ruptured: new Lines({ pixels: 1.6, colour: '#c8342b', dashed: true }),
-    edges: new Lines({ pixels: 1.4, colour: '#5b3a3a' }),
-    annulus: new Lines({ pixels: 4, colour: '#8a8f98' }),
-    sutures: new Lines({ pixels: 3, colour: '#0f8a5f' }),
-    cut: new Lines({ pixels: 3.5 }),
-    drawn: new Lines({ pixels: 2.5, colour: '#d6336c', inFront: true }),
+    chordae: new Lines({ width: 1.6 }),
+    ruptured: new Lines({ width: 1.6, colour: TINTS.ruptured, dashed: true }),
+    annulus: new Lines({ width: 4, colour: '#8a8f98' }),
+    sutures: new Lines({ width: 3, colour: TINTS.added }),
+    cut: new Lines({ width: 1, inMillimetres: true }),
+    drawn: new Lines({ width: 2.5, colour: '#d6336c', inFront: true }),
   }
 
   constructor(label: string) {
     this.stage = new Stage(label)
     this.labels = new Labels(this.stage)
+    this.labels.avoid = () => this.covered()
+    this.labels.isBehind = (point_mm) => this.leaflets !== null && isBehind(point_mm, this.stage, this.leaflets)
     this.element = h(
       'div',
       { class: viewerStyle.viewer, 'data-part': 'viewer' },
       this.stage.canvas,
       this.labels.element,
+      this.readout.element,
     )
     this.stage.add(...Object.values(this.lines).map((line) => line.object))
     this.stage.onFrame.push(() => {
-      for (const line of Object.values(this.lines)) line.resolution(this.stage.size)
+      for (const line of [...Object.values(this.lines), this.opening]) line?.resolution(this.stage.size)
     })
+    this.stage.controls.addEventListener('change', () => this.look && this.show(this.look))
     this.stage.canvas.addEventListener('pointerdown', ({ clientX, clientY }) => (this.pressed = [clientX, clientY]))
     this.stage.canvas.addEventListener('click', (event) => this.click(event))
+    this.stage.canvas.addEventListener('pointermove', (event) => this.point(event))
+    this.stage.canvas.addEventListener('pointerleave', () => this.pointAway())
   }
 
   /// Another valve or another closure. `ring`: whether the annulus carries one.
@@ -77,7 +91,6 @@ export class Viewer {
     if (this.opening) this.stage.scene.remove(this.opening.group)
     this.leaflets = new Leaflets(scene, this.materials.leaflets)
     this.opening = new Opening(scene, this.materials.opening)
-    this.edges = boundaryEdges(scene.faces)
     this.drawn = ''
     this.stage.add(this.leaflets.mesh, this.opening.group)
     this.lines.annulus.set(pieces(scene.annulus_mm, true))
@@ -88,26 +101,36 @@ export class Viewer {
   }
 
   show(look: Look): void {
-    const { scene, leaflets, opening, lines } = this
-    const asked = JSON.stringify([look, this.extra])
+    const { scene, leaflets, opening } = this
+    this.look = look
+    const cut = look.cut === null ? undefined : scene?.sections[look.cut]
+    if (cut) this.side = this.nearSide(cut)
+    const asked = JSON.stringify([look, this.extra, this.side])
     if (!scene || !leaflets || !opening || asked === this.drawn) return
     this.drawn = asked
-    const closed = look.share >= 1 || scene.motion_mm.length < 2
+    const closed = this.isClosed(look)
     this.nodes = closed ? closedNodes(scene) : nodesAt(scene, look.share)
     leaflets.move(this.nodes)
-    // Strain and tension are those of the closed valve.
-    const mode = closed || look.mode === 'height' ? look.mode : 'leaflets'
+    const mode = this.modeOf(look)
     leaflets.paint(cornerColours(scene, mode, look.scale, this.nodes))
     this.drawChordae(scene, mode, look.scale)
-    lines.edges.set(this.edges.flatMap(([a, b]) => [...at(this.nodes, a), ...at(this.nodes, b)]))
     opening.group.visible = look.orifices && closed
-    this.drawCut(scene, look)
-    const words: Label[] = look.names ? namesOf(scene, this.nodes) : []
-    if (opening.group.visible) words.push(...opening.labels.map((label) => ({ ...label, kind: 'orifice' as const })))
-    const cut = look.cut === null ? undefined : scene.sections[look.cut]
-    const isLeft = ({ point_mm }: Label): boolean => !cut || dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
-    this.labels.set([...words.filter(isLeft), ...this.extra])
+    this.drawCut(scene, cut)
+    const isLeft = ({ point_mm }: Label): boolean =>
+      !cut || this.side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
+    const names = look.names ? namesOf(scene, this.nodes).filter(isLeft) : []
+    const leaks = opening.group.visible ? opening.labels.map((label) => ({ ...label, kind: 'orifice' as const })) : []
+    this.labels.set([...names, ...leaks, ...this.extra])
     this.stage.draw()
+  }
+
+  private isClosed(look: Look): boolean {
+    return look.share >= 1 || (this.scene?.motion_mm.length ?? 0) < 2
+  }
+
+  /// Strain and tension are those of the closed valve.
+  private modeOf(look: Look): ColourMode {
+    return this.isClosed(look) || look.mode === 'height' ? look.mode : 'leaflets'
   }
 
   view(name: ViewName): void {
@@ -141,28 +164,51 @@ export class Viewer {
     this.lines.ruptured.set(ruptured)
   }
 
-  /// Hides what lies on the posteromedial side of the cut and traces where it goes through.
-  private drawCut(scene: Scene, look: Look): void {
-    const chosen = look.cut === null ? undefined : scene.sections[look.cut]
-    const planes = chosen
-      ? [
-          new Plane().setFromNormalAndCoplanarPoint(
-            new Vector3(...chosen.normal).negate(),
-            new Vector3(...chosen.point_mm),
-          ),
-        ]
-      : []
+  /// Hides what lies between the eye and the cut and shows the cut edge.
+  private drawCut(scene: Scene, cut: Cut | undefined): void {
+    const away = new Vector3(...(cut?.normal ?? [0, 0, 1])).multiplyScalar(-this.side)
+    const planes = cut ? [new Plane().setFromNormalAndCoplanarPoint(away, new Vector3(...cut.point_mm))] : []
     this.leaflets?.cut(planes)
     this.opening?.cut(planes)
-    for (const name of ['chordae', 'ruptured', 'edges', 'annulus', 'sutures'] as const) this.lines[name].cut(planes)
-    const traced = chosen ? section(scene, this.nodes, chosen.point_mm, chosen.normal) : []
+    for (const name of ['chordae', 'ruptured', 'annulus', 'sutures'] as const) this.lines[name].cut(planes)
+    const traced = cut ? section(scene, this.nodes, cut.point_mm, cut.normal) : []
+    this.lines.cut.width = scene.thickness_mm
     this.lines.cut.set(
       traced.flatMap(({ from, to }) => [...from, ...to]),
       traced.flatMap(({ face }) => {
-        const colour = scene.segments[face]?.startsWith('A') ? [0.75, 0.12, 0.12] : [0.1, 0.35, 0.75]
+        const colour = cutColour(scene.segments[face] as Segment)
         return [...colour, ...colour]
       }),
     )
+  }
+
+  /// Which side of the cut the eye is on; as before if it is nearly in it.
+  private nearSide(cut: Cut): number {
+    const toEye = unit(minus(this.stage.camera.position.toArray(), cut.point_mm))
+    const slant = dot(toEye, cut.normal)
+    return Math.abs(slant) < LEAST_SLANT ? this.side : Math.sign(slant)
+  }
+
+  /// Once a frame; not while the valve is turned.
+  private point(event: PointerEvent): void {
+    this.pointAway()
+    if (event.buttons === 0) this.pointed = requestAnimationFrame(() => this.read(event))
+  }
+
+  private pointAway(): void {
+    cancelAnimationFrame(this.pointed)
+    this.readout.hide()
+  }
+
+  private read(event: PointerEvent): void {
+    const { scene, leaflets, look, stage, nodes } = this
+    if (!scene || !leaflets || !look) return
+    const kinds: PickKind[] = look.mode === 'tension' ? ['chorda'] : ['leaflet']
+    const pick = pickAt(event, stage, scene, nodes, leaflets, kinds)
+    const text = pick ? reading(scene, nodes, this.modeOf(look), look.scale, pick) : ''
+    const box = stage.canvas.getBoundingClientRect()
+    const place = { x: event.clientX - box.left, y: event.clientY - box.top }
+    if (text !== '') this.readout.show(text, place, box.width)
   }
 
   private click(event: MouseEvent): void {
@@ -171,6 +217,18 @@ export class Viewer {
     if (Math.hypot(event.clientX - x, event.clientY - y) > TURNED_PX) return
     const pick = pickAt(event, this.stage, this.scene, this.nodes, this.leaflets, this.picks)
     if (pick) this.onPick(pick)
+  }
+
+  /// By what has to be seen: the opening, the inset.
+  private covered(): Box[] {
+    const { group, membranes_mm } = this.opening ?? { group: { visible: false }, membranes_mm: [] }
+    const shown = group.visible ? membranes_mm : []
+    const boxes = shown.flatMap((points) => around(points.map((point) => this.stage.place(point))) ?? [])
+    const canvas = this.stage.canvas.getBoundingClientRect()
+    const inset = this.inset?.getBoundingClientRect()
+    if (!inset || inset.width === 0) return boxes
+    const { x, y } = canvas
+    return [...boxes, { left: inset.left - x, top: inset.top - y, right: inset.right - x, bottom: inset.bottom - y }]
   }
 
   get shown(): Scene | null {

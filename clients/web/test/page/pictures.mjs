@@ -23,7 +23,7 @@ await picture('cut', 'valve', { theme: 'dark' }, async (page) => {
   await page.getByLabel('Preset').selectOption('human-normal')
   await page.locator('[data-part=open-valve]', { hasText: 'human-normal' }).waitFor()
   await page.getByRole('button', { name: 'Oblique' }).click()
-  await page.getByLabel('Colours').selectOption('strain_radial')
+  await page.getByRole('combobox', { name: 'Colours' }).selectOption('strain_radial')
   await page.getByLabel('Position of the cut').fill('18')
 })
 await picture('repair', 'repair', {}, async (page) => {

@@ -60,10 +60,47 @@ test('the valve closes before the eyes: open it leaves no orifice drawn, closed 
 
 test('every colouring has a legend', async () => {
   for (const mode of ['strain_circumferential', 'strain_radial', 'height', 'tension']) {
-    await page.getByLabel('Colours').selectOption(mode)
+    await page.getByRole('combobox', { name: 'Colours' }).selectOption(mode)
     assert.ok(await page.locator('[data-part=scale] canvas').isVisible(), mode)
   }
-  await page.getByLabel('Colours').selectOption('leaflets')
+  await page.getByRole('combobox', { name: 'Colours' }).selectOption('leaflets')
+})
+
+test('the value under the pointer is told with its unit', async () => {
+  await page.getByRole('button', { name: 'From the atrium' }).click()
+  const a2 = page.locator('[data-part=labels] span', { hasText: /^A2$/ })
+  for (const [mode, words] of [
+    ['leaflets', /^A2: \d+\.\d mm (below|above) the annular plane$/],
+    ['strain_radial', /^A2: -?\d+ %$/],
+    ['height', /^A2: -?\d+\.\d mm$/],
+  ]) {
+    await page.getByRole('combobox', { name: 'Colours' }).selectOption(mode)
+    await page.waitForTimeout(200)
+    const { x, y, width, height } = await a2.boundingBox()
+    await page.mouse.move(x, y)
+    await page.mouse.move(x + width / 2, y + height / 2)
+    await page.locator('[data-part=readout]').waitFor()
+    assert.match(await page.locator('[data-part=readout]').textContent(), words)
+  }
+  await page.mouse.move(2, 2)
+  await page.locator('[data-part=readout]').waitFor({ state: 'hidden' })
+})
+
+test('a range of colours that is typed holds for other valves, until it is let go', async () => {
+  const ends = () => page.locator('[data-part=scale] span').allTextContents()
+  await page.getByRole('combobox', { name: 'Colours' }).selectOption('strain_radial')
+  const own = await ends()
+  await page.getByLabel('Colours to').fill('60')
+  await page.keyboard.press('Enter')
+  assert.deepEqual((await ends()).slice(0, 2), ['0', '60 %'])
+  await page.getByLabel('Preset').selectOption('human-normal')
+  await page.locator('[data-part=open-valve]', { hasText: 'human-normal' }).waitFor()
+  assert.deepEqual((await ends()).slice(0, 2), ['0', '60 %'])
+  await page.getByLabel('Preset').selectOption('human-functional-mr')
+  await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
+  await page.getByLabel('Same scale for all valves').uncheck()
+  assert.deepEqual(await ends(), own)
+  await page.getByRole('combobox', { name: 'Colours' }).selectOption('leaflets')
 })
 
 test('a distance is measured between two points', async () => {

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest'
 import { cornerColours, scaleOf, vertexValues } from '../../src/viewer/colours'
-import { hiddenMembranes, type Membrane, orificeMembranes } from '../../src/viewer/opening'
-import { thickSheet, vertexNormals } from '../../src/viewer/thick_sheet'
+import { boundaryEdges } from '../../src/viewer/geometry'
+import { hiddenMembranes, type Membrane, orificeMembranes, skirt } from '../../src/viewer/opening'
+import { outwards, thickSheet, vertexNormals } from '../../src/viewer/thick_sheet'
 import { pyramid } from './scenes'
 
 type Section = ReturnType<typeof pyramid>['sections'][number]
@@ -49,16 +50,29 @@ describe('the opening', () => {
   })
 
   it('is the orifice itself where the atrial view shows it, as high as its outline', () => {
-    const outline = [-5, -2, -3, 5, -2, -3, 5, 2, -6, -5, 2, -6]
+    const outline = [-5, -20, -3, 5, -20, -3, 5, 20, -33, -5, 20, -33]
     const scene = {
       ...pyramid(),
       sections: [apart(-2, 3), apart(0, 3), apart(2, 3)],
-      orifices: [{ area_mm2: 40, contours_mm: [outline] }],
+      orifices: [{ area_mm2: 400, contours_mm: [outline] }],
     }
     expect(hiddenMembranes(scene)).toEqual([])
     const [membrane] = orificeMembranes(scene)
-    expect(area(membrane as Membrane)).toBeCloseTo(10 * 5) // 4 mm across, 3 mm deep
-    expect(membrane?.label).toEqual({ point_mm: [0, 0, -4.5], text: '40.0 mm²' })
+    expect(area(membrane as Membrane)).toBeCloseTo(10 * 50) // 40 mm across, 30 mm deep
+    expect(membrane?.label?.text).toBe('400.0 mm²')
+    expect(membrane?.label?.point_mm[2]).toBeCloseTo(-18)
+  })
+
+  it('is level where folds of the edge lie above each other', () => {
+    const outline = [-20, 0, -2, -20, 0, -4, 20, -20, -3, 20, 20, -3]
+    const [membrane] = orificeMembranes({ ...pyramid(), orifices: [{ area_mm2: 800, contours_mm: [outline] }] })
+    expect(membrane?.points).toEqual([-20, 0, -3, -20, 0, -3, 20, -20, -3, 20, 20, -3])
+  })
+
+  it('reaches half of the thickness into the tissue beside it', () => {
+    const scene = { ...pyramid(), sections: [apart(-2, 3), apart(0, 3), apart(2, 3)] }
+    const [membrane] = hiddenMembranes(scene)
+    expect(area(skirt(scene, membrane as Membrane))).toBeCloseTo(5 * 4 - 4 * 3)
   })
 
   it('is nothing of a valve that is closed', () => {
@@ -67,12 +81,20 @@ describe('the opening', () => {
 })
 
 describe('leaflets with their thickness', () => {
-  it('have two sides of each face and a rim of two triangles an edge', () => {
-    const { source, sides, rim } = thickSheet(pyramid())
-    expect(rim).toBe(2 * 12)
-    expect(source.length).toBe(2 * 12 + 4 * 6) // the annulus; the pyramid has no free edge
-    expect(sides.slice(0, 12).every((side) => side === 1)).toBe(true)
-    expect(new Set(source.slice(rim)).size).toBe(8)
+  it('have two sides of each face and a round edge in four strips', () => {
+    const { source, ups, outs } = thickSheet(pyramid())
+    expect(source.length).toBe(2 * 12 + 4 * 4 * 6) // the annulus; the pyramid has no free edge
+    expect([...ups.slice(0, 24)]).toEqual([...Array(12).fill(1), ...Array(12).fill(-1)])
+    expect(new Set(source.slice(24)).size).toBe(8)
+    expect(Math.max(...outs)).toBe(1)
+  })
+
+  it('reach out as far at a corner as beside it', () => {
+    const { faces, rest_mm } = pyramid()
+    const upwards = Float32Array.from({ length: 15 }, (_, i) => (i % 3 === 2 ? 1 : 0))
+    const away = outwards(boundaryEdges(faces), rest_mm, upwards)
+    expect(away[0]).toBeCloseTo(Math.SQRT2) // a square's corner
+    expect([...away.slice(12)]).toEqual([0, 0, 0])
   })
 
   it('are moved along normals as long as 1', () => {

@@ -1,0 +1,57 @@
+// What the picture shows at the pointer, in words beside it.
+import type { Scene, Vector } from '../api/types'
+import { h } from '../dom'
+import { number, withUnit } from '../format'
+import { vertexValues, type ColourMode, type Scale } from './colours'
+import type { Pick } from './pick'
+import viewerStyle from './viewer.module.css'
+
+const OFFSET_PX = 14 // from the pointer
+const LEFT_OF_PX = 220 // from the right border: there it stands on the other side
+
+export class Readout {
+  readonly element = h('output', { class: viewerStyle.readout, 'data-part': 'readout', hidden: true })
+
+  show(text: string, { x, y }: { x: number; y: number }, width: number): void {
+    const side = x > width - LEFT_OF_PX ? 'translateX(-100%)' : ''
+    this.element.textContent = text
+    this.element.hidden = false
+    const away = side === '' ? OFFSET_PX : -OFFSET_PX
+    this.element.style.transform = `translate(${x + away}px, ${y + OFFSET_PX}px) ${side}`
+  }
+
+  hide(): void {
+    this.element.hidden = true
+  }
+}
+
+/// `scale`: of the mode; without one a leaflet tells its segment and height alone.
+export function reading(
+  scene: Scene,
+  nodes: ArrayLike<number>,
+  mode: ColourMode,
+  scale: Scale | null,
+  pick: Pick,
+): string {
+  if (pick.kind === 'chorda') return chordaReading(scene, pick.id)
+  if (pick.kind !== 'leaflet') return ''
+  const segment = scene.segments[pick.face] ?? ''
+  const values = vertexValues(scene, mode, nodes)
+  if (values && scale) {
+    const value = onCorners(scene, values, pick.face, pick.weights)
+    return `${segment}: ${withUnit(value, scale.unit, scale.unit === '%' ? 0 : 1)}`
+  }
+  const height = onCorners(scene, vertexValues(scene, 'height', nodes) ?? [], pick.face, pick.weights)
+  return `${segment}: ${number(Math.abs(height))} mm ${height < 0 ? 'below' : 'above'} the annular plane`
+}
+
+function chordaReading(scene: Scene, id: string): string {
+  const chorda = scene.chordae.find((other) => other.id === id)
+  if (!chorda) return ''
+  if (chorda.ruptured) return `${id}: ruptured`
+  return `${id}: ${withUnit(Math.max(...chorda.segments.map(({ tension_n }) => tension_n ?? 0)), 'N', 2)}`
+}
+
+function onCorners(scene: Scene, values: number[], face: number, weights: Vector): number {
+  return weights.reduce((sum, weight, k) => sum + weight * (values[scene.faces[3 * face + k] as number] ?? NaN), 0)
+}
