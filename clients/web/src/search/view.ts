@@ -1,12 +1,11 @@
 // Searches for repair plans of the open valve.
 import { h } from '../dom'
 import { JobView, type JobKind } from '../jobs/job_view'
-import { grouped } from '../jobs/progress_panel'
 import type { View } from '../view'
 import type { Workspace } from '../workspace'
 import { searchForm } from './form'
 import { searchPanel } from './job_panel'
-import { DEFAULT_CLOSURES } from './options'
+import { inShort } from './in_short'
 import { Pictures } from './pictures'
 import parts from '../style/parts.module.css'
 
@@ -21,7 +20,7 @@ export class SearchView implements View {
       member: 'search',
       earlier: 'Earlier searches',
       form: searchForm,
-      note: (search) => `${grouped(Number(search.evaluations ?? DEFAULT_CLOSURES))} closures`,
+      note: inShort,
       empty: empty(),
       panel(job, changed, signal) {
         return searchPanel(job, { workspace, pictures: new Pictures(signal), signal, changed })

@@ -17,6 +17,8 @@ after(async () => {
 })
 
 const set = (label, value) => page.getByLabel(label, { exact: true }).fill(value)
+const unfold = (title) =>
+  page.locator('[data-part=form] details', { hasText: title }).evaluate((details) => (details.open = true))
 const start = () => page.getByRole('button', { name: 'Start the search' }).click()
 const accessible = async () => assert.deepEqual(await accessProblems(page), [])
 
@@ -26,22 +28,26 @@ async function saved(button) {
 }
 
 test('what the service says against an option stands at it', async () => {
-  await set('Ranked plans', '0')
-  await page.getByText('Allowed', { exact: true }).click()
-  for (const box of await page.getByRole('group', { name: 'Ring' }).getByRole('checkbox').all()) await box.uncheck()
+  await set('Plans to show', '0')
+  await unfold('Optimiser')
+  await set('Seed', '-1')
+  await page.locator('[data-part=form] details', { hasText: 'Optimiser' }).evaluate((details) => (details.open = false))
   await start()
   await page
-    .locator('[data-part=option]', { hasText: 'Ranked plans' })
+    .locator('[data-part=option]', { hasText: 'Plans to show' })
     .locator('[data-part=problems] code', { hasText: '/search/plans' })
     .waitFor({ state: 'attached' })
+  await page.getByText('Plans to show is 0, must be from 1 to 50').waitFor()
+  await page.getByText('Seed is -1').waitFor() // its fold is opened
   await accessible()
   await page.getByRole('button', { name: 'Defaults' }).click()
   assert.equal(await page.locator('[data-part=problems]').count(), 0)
 })
 
 test('a search that is cancelled shows the best so far', async () => {
+  await unfold('Optimiser')
   await set('Closures', '100000')
-  await set('Ranked plans', '1')
+  await set('Plans to show', '1')
   await set('Region points', '17')
   await page.getByLabel('Evidence').uncheck()
   await start()
@@ -54,8 +60,9 @@ test('a search that is cancelled shows the best so far', async () => {
 })
 
 test('a search goes on when the page is loaded again', async () => {
+  await unfold('Optimiser')
   await set('Closures', '60')
-  await set('Ranked plans', '2')
+  await set('Plans to show', '2')
   await set('Region points', '33')
   await page.getByLabel('Evidence').check()
   const [answer] = await Promise.all([page.waitForResponse((response) => response.status() === 202), start()])
