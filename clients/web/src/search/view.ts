@@ -6,7 +6,6 @@ import type { Workspace } from '../workspace'
 import { searchForm } from './form'
 import { searchPanel } from './job_panel'
 import { inShort } from './in_short'
-import { Pictures } from './pictures'
 import parts from '../style/parts.module.css'
 
 export class SearchView implements View {
@@ -23,7 +22,7 @@ export class SearchView implements View {
       note: inShort,
       empty: empty(),
       panel(job, changed, signal) {
-        return searchPanel(job, { workspace, pictures: new Pictures(signal), signal, changed })
+        return searchPanel(job, { workspace, signal, changed })
       },
     }
     this.jobs = new JobView(workspace, searches)

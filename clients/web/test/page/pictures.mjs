@@ -44,7 +44,7 @@ await picture('search', 'search', { height: 1000 }, async (page) => {
   await page.getByLabel('Plans to show').fill('3')
   await page.getByRole('button', { name: 'Start the search' }).click()
   await page
-    .locator('[data-part=plan] img[src]')
+    .locator('[data-part=plan] [data-part=photo][data-taken]')
     .nth(2)
     .waitFor({ timeout: 5 * PATIENCE_MS })
   const plan = page.locator('[data-part=plan]').first()
