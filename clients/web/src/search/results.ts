@@ -38,8 +38,12 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
   const { before } = result
   const told = h('div', {})
   const path = `/v1/jobs/${context.job.id}`
+  const leak = result.plans[0]?.leak_mm2.nominal
   const facts: [string, string][] = [
-    ['Orifice before', withUnit(before.orifice_area_mm2, 'mm²')],
+    ...(leak === undefined || leak === null
+      ? []
+      : [['Leak before, with plan 1', `${number(before.leak_mm2)} → ${withUnit(leak, 'mm²')}`] as [string, string]]),
+    ['orifice before', withUnit(before.orifice_area_mm2, 'mm²')],
     ['gap before', withUnit(before.coaptation.gap_area_mm2, 'mm²')],
     ['coaptation before, mean', withUnit(before.coaptation.height_mean_mm, 'mm')],
     ['plans tried', `${grouped(result.plans_tried)} of ${grouped(result.plans_possible)}`],

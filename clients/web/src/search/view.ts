@@ -1,6 +1,9 @@
 // Searches for repair plans of the open valve.
+import type { Job } from '../api/types'
 import { h } from '../dom'
+import { withUnit } from '../format'
 import { JobView, type JobKind } from '../jobs/job_view'
+import { describe } from '../repair/steps'
 import type { View } from '../view'
 import type { Workspace } from '../workspace'
 import { searchForm } from './form'
@@ -20,6 +23,7 @@ export class SearchView implements View {
       earlier: 'Earlier searches',
       form: searchForm,
       note: inShort,
+      outcome: bestSoFar,
       empty: empty(),
       panel(job, changed, signal) {
         return searchPanel(job, { workspace, signal, changed })
@@ -33,6 +37,12 @@ export class SearchView implements View {
     void this.jobs.show()
   }
   hide(): void {}
+}
+
+function bestSoFar({ progress: { best } }: Job): string | null {
+  if (!best) return null
+  const steps = best.plan.steps.map(describe).join('; ') || 'No repair'
+  return `${steps}: leak ${withUnit(best.leak_mm2, 'mm²')}`
 }
 
 function empty(): HTMLElement {
