@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <variant>
 
+#include "core/repair/plan.h"
+#include "core/valve/valve.h"
 #include "io/picture/heat_map.h"
 #include "io/picture/line_chart.h"
 #include "io/picture/svg.h"
@@ -16,8 +19,9 @@ namespace coapt {
 namespace {
 
 constexpr double kPanelHeight = 330.0, kScaleHeight = 46.0;  // px
-constexpr double kDarkest_mm2 =
-    10.0;  // the same scale for all plans; their middle is a good repair's most
+// The same for all plans and on the page (clients/web/src/search/evidence.ts): competent below 1,
+// a good repair below 5.
+constexpr std::array<double, kShades - 1> kLeakLimits_mm2 = {0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0};
 constexpr double kLengthStep_mm = 0.25;
 
 using Panel = std::function<std::string(const PlotBox&)>;
@@ -40,11 +44,29 @@ HeatScale scale_of(const LeakMap& map) {
   double most = 0.0;
   for (const std::vector<double>& row : map.leak_mm2)
     for (const double value : row) most = std::max(most, std::isfinite(value) ? value : 0.0);
-  return {0.0, kDarkest_mm2, most < 99.5 ? 1 : 0};
+  return {0.0, kLeakLimits_mm2.back(), most < 99.5 ? 1 : 0, kLeakLimits_mm2};
 }
 
-Panel map_panel(const LeakMap& map) {
-  return [&map](const PlotBox& box) {
+bool has_suture(const RepairPlan& plan, Side side) {
+  return std::any_of(plan.steps.begin(), plan.steps.end(), [side](const RepairStep& step) {
+    const auto* suture = std::get_if<PapillaryApproximation>(&step);
+    return suture != nullptr && suture->side == side;
+  });
+}
+
+/// What errors of length are of: a suture, or without one the distance that holds the muscle.
+/// @param muscle as in LeakMap
+std::string length_words(const RepairPlan& plan, const std::string& muscle) {
+  const bool al = has_suture(plan, Side::Anterolateral);
+  const bool pm = has_suture(plan, Side::Posteromedial);
+  const bool both = muscle == "both";
+  const bool one = muscle == to_string(Side::Anterolateral) ? al : pm;
+  if (both ? al && pm : one) return "suture";
+  return both && (al || pm) ? "suture or tip to trigone" : "tip to trigone";
+}
+
+Panel map_panel(const LeakMap& map, const RepairPlan& plan) {
+  return [&map, &plan](const PlotBox& box) {
     HeatMap heat{title_of(map), "", {}, {}, {""}, {map.leak_mm2}};
     for (int l = 0; l < kRegionLengths; ++l)
       heat.row_ticks.push_back(l % 2 == 0 ? fixed(kLengthStep_mm * (l - kRegionLengths / 2), 1)
@@ -59,7 +81,7 @@ Panel map_panel(const LeakMap& map) {
                    "text-anchor=\"middle\"", "angle outwards, degrees") +
            text_at(box.left + 20.0, 0.5 * (box.top + box.bottom),
                    "text-anchor=\"middle\" transform=\"rotate(-90 " + x + " " + y + ")\"",
-                   "suture longer by, mm");
+                   length_words(plan, map.muscle) + " longer by, mm");
   };
 }
 
@@ -127,17 +149,18 @@ std::string bar(const char* style, double x, double y, double width, double heig
          fixed(height, 1) + "\"/>\n";
 }
 
-Panel indices_panel(const RegionIndices& indices) {
-  return [&indices](const PlotBox& box) {
-    constexpr std::array kAxes = {"suture length", "angle outwards", "angle backwards"};
+Panel indices_panel(const RegionIndices& indices, const RepairPlan& plan) {
+  return [&indices, &plan](const PlotBox& box) {
+    const std::array<std::string, 3> axes = {"length: " + length_words(plan, "both"),
+                                             "angle outwards", "angle backwards"};
     constexpr double kRow = 62.0, kThick = 16.0;
     const double left = box.left + 20.0, width = box.right - 30.0 - left;
     std::string svg = text_at(left, box.top + 18.0, "class=\"head\"", "Which error matters most");
     double y = box.top + 52.0;
-    for (std::size_t i = 0; i < kAxes.size(); ++i, y += kRow) {
+    for (std::size_t i = 0; i < axes.size(); ++i, y += kRow) {
       const double alone = std::clamp(indices.first[i], 0.0, 1.0);
       const double total = std::clamp(indices.total[i], 0.0, 1.0);
-      svg += text_at(left, y, "", kAxes[i]);
+      svg += text_at(left, y, "", axes[i]);
       svg += text_at(left + width, y, "class=\"tick\" text-anchor=\"end\"",
                      fixed(100.0 * indices.first[i], 0) + " % alone, " +
                          fixed(100.0 * indices.total[i], 0) + " % with interactions");
@@ -158,15 +181,16 @@ std::string evidence_svg(const RankedPlan& plan, const ValveMeasure& before) {
   const RegionReport& region = plan.region;
   std::vector<Panel> panels;
   for (const LeakMap& map : region.maps)
-    if (any_finite(map.leak_mm2)) panels.push_back(map_panel(map));
+    if (any_finite(map.leak_mm2)) panels.push_back(map_panel(map, plan.plan));
   const bool maps = !panels.empty();
   if (!region.remodelling.empty()) panels.push_back(remodelling_panel(region.remodelling));
-  if (std::isfinite(region.indices.total[0])) panels.push_back(indices_panel(region.indices));
+  if (std::isfinite(region.indices.total[0]))
+    panels.push_back(indices_panel(region.indices, plan.plan));
   panels.push_back(coaptation_panel(before, plan.measure));
   std::string svg;
   if (maps)
     svg =
-        draw_scale({0.0, kDarkest_mm2, 0},
+        draw_scale({0.0, kLeakLimits_mm2.back(), 0, kLeakLimits_mm2},
                    "mm² of leak. Framed: as planned. Both muscles: mean over the angles backwards.",
                    60.0, 12.0);
   const CellGrid grid{static_cast<int>(panels.size()), columns_for(panels.size()),

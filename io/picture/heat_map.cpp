@@ -11,8 +11,12 @@ namespace {
 
 constexpr double kBlockGap = 5.0, kRowTicks = 34.0, kAbove = 40.0, kBelow = 22.0;
 
-double share_of(const HeatScale& scale, double value) {
-  return scale.high > scale.low ? (value - scale.low) / (scale.high - scale.low) : 0.0;
+std::string shade_of(const HeatScale& scale, double value) {
+  if (scale.limits.empty())
+    return shade_class(scale.high > scale.low ? (value - scale.low) / (scale.high - scale.low)
+                                              : 0.0);
+  const auto above = std::upper_bound(scale.limits.begin(), scale.limits.end(), value);
+  return shade_class((static_cast<double>(above - scale.limits.begin()) + 0.5) / kShades);
 }
 
 struct Place {
@@ -24,7 +28,7 @@ std::string draw_cell(const Place& at, double value, const HeatScale& scale) {
                            fixed(at.top + 0.5, 1) + "\" width=\"" + fixed(at.width - 1.0, 1) +
                            "\" height=\"" + fixed(at.height - 1.0, 1) + "\"/>\n";
   if (!std::isfinite(value)) return "<rect class=\"empty grid\" fill=\"none" + size;
-  const std::string shade = shade_class(share_of(scale, value));
+  const std::string shade = shade_of(scale, value);
   return "<rect class=\"cell solid " + shade + size +
          text_at(at.left + 0.5 * at.width, at.top + 0.5 * at.height + 3.5,
                  "text-anchor=\"middle\" class=\"small on" + shade.substr(1) + "\"",
@@ -80,12 +84,16 @@ std::string draw_scale(const HeatScale& scale, const std::string& label, double 
     svg += "<rect class=\"solid h" + std::to_string(i) + "\" x=\"" + fixed(x + i * kStep, 1) +
            "\" y=\"" + fixed(y, 1) + "\" width=\"" + fixed(kStep, 1) + "\" height=\"" +
            fixed(kThick, 1) + "\"/>\n";
-  for (int i = 0; i <= kShades; i += kShades / 2) {
-    const double value = scale.low + (scale.high - scale.low) * i / kShades;
+  const auto tick = [&](double border, double value) {
     const bool round = std::abs(value - std::round(value)) < 1e-9;
-    svg += text_at(x + i * kStep, y + kThick + 13.0, "text-anchor=\"middle\" class=\"tick\"",
+    return text_at(x + border * kStep, y + kThick + 13.0, "text-anchor=\"middle\" class=\"tick\"",
                    fixed(value, round ? 0 : 1));
-  }
+  };
+  for (std::size_t i = 0; i < scale.limits.size(); ++i)
+    svg += tick(static_cast<double>(i + 1), scale.limits[i]);
+  if (scale.limits.empty())
+    for (int i = 0; i <= kShades; i += kShades / 2)
+      svg += tick(i, scale.low + (scale.high - scale.low) * i / kShades);
   return svg + text_at(x + kShades * kStep + 14.0, y + kThick, "class=\"note\"", label);
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,13 @@ struct HeatMap {
 struct HeatScale {
   double low = 0.0, high = 1.0;
   int decimals = 0;  ///< of the values written in the cells
+  /// Where the shades change, ascending, kShades - 1 of them; empty: evenly from low to high.
+  std::span<const double> limits{};
 };
 
 std::string draw_heat_map(const HeatMap& map, const HeatScale& scale, const PlotBox& box);
 
-/// Bar with round values; `x`, `y`: its upper left corner.
+/// Bar with the limits of its shades, or with round values; `x`, `y`: its upper left corner.
 std::string draw_scale(const HeatScale& scale, const std::string& label, double x, double y);
 
 }  // namespace coapt

@@ -91,9 +91,9 @@ std::string figure_words(const RegionReport& region) {
   std::string words;
   if (!region.maps.empty())
     words +=
-        "Heat maps: the leak for sutures up to 1 mm too short (bottom) or too long (top) and tips "
-        "up to 5 degrees inwards (left) or outwards (right); the framed cell is the plan as "
-        "planned. ";
+        "Heat maps: the leak for sutures (without one: for distances from tip to trigone) up to 1 "
+        "mm too short (bottom) or too long (top) and tips up to 5 degrees inwards (left) or "
+        "outwards (right); the framed cell is the plan as planned. ";
   if (!region.remodelling.empty())
     words +=
         "Remodelling: the leak when the tips move further away after the repair while a taut "

@@ -138,7 +138,7 @@ std::string ranked_section(const PlanReport& report) {
       "<th scope=\"col\">mean ± sd<br>mm²</th><th scope=\"col\">95th p.<br>mm²</th><th "
       "scope=\"col\">worst<br>mm²</th>"
       "<th scope=\"col\">below<br>5 "
-      "mm²</th><th scope=\"col\">suture<br>mm</th><th scope=\"col\">angle<br>°</th><th "
+      "mm²</th><th scope=\"col\">length<br>mm</th><th scope=\"col\">angle<br>°</th><th "
       "scope=\"col\">Coap-<br>tation<br>mm</th>"
       "<th scope=\"col\">Tension<br>N</th><th scope=\"col\">Cost</th><th scope=\"col\">Ahead "
       "of<br>the next</th></tr></thead><tbody>\n";
@@ -148,7 +148,8 @@ std::string ranked_section(const PlanReport& report) {
          "Gap: opening between the leaflets in three dimensions, which that view can hide. Leak: "
          "the larger of the two, over small deviations of suture length and papillary position "
          "around the plan; below 5 mm²: the share of deviations with a good repair. Margin: the "
-         "smallest deviation that leaks more than 1 mm²; 0 if the plan itself leaks more. "
+         "smallest deviation that leaks more than 1 mm²; 0 if the plan itself leaks more; length: "
+         "of a suture, or without one of the distance from tip to trigone. "
          "Coaptation: mean height over nine sections. Tension: highest in any chorda. Cost: what "
          "the search minimises, in mm². Ahead of the next: the probability that its true cost is "
          "lower than the next plan's; from 5 to 95 % the two tie. Robust: every closure converged "

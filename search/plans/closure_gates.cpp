@@ -43,14 +43,16 @@ Gate contact(const ValveMeasure& measure) {
 }
 
 Gate coaptation_height(const Evaluation& repaired) {
-  const double height = plan_closure(repaired).coaptation_mm;
-  const std::string figure = "coaptation of A2 with P2 is " + with_decimals(height, 1) +
-                             " mm high: " + shown(kCoaptationAim_mm) + " mm is ";
+  constexpr const char* kRule = "coaptation_height";
+  // To the tenth that is told: what reads as the aim has reached it.
+  const double height = std::round(10.0 * plan_closure(repaired).coaptation_mm) / 10.0;
+  const std::string figure =
+      "coaptation of A2 with P2 is " + with_decimals(height, 1) + " mm high, ";
+  const std::string aim =
+      "below the aim of " + shown(kCoaptationAim_mm) + " mm, whose evidence is weak";
   if (height >= kCoaptationAim_mm - kGateRounding)
-    return {"coaptation_height", GateSeverity::Pass, figure + "the aim, with weak evidence",
-            kPractice};
-  return {"coaptation_height", GateSeverity::Warn, figure + "only an aim, with weak evidence",
-          kPractice};
+    return {kRule, GateSeverity::Pass, figure + "not " + aim, kPractice};
+  return {kRule, GateSeverity::Warn, figure + aim, kPractice};
 }
 
 Gate chordal_tension(const Evaluation& repaired, const Evaluation& before) {

@@ -4,15 +4,19 @@ import { h } from './dom'
 import { words } from './format'
 import parts from './style/parts.module.css'
 
-/// Empty and not shown if there are none. Screen readers hear of new ones. `textAt`: what stands at a JSON pointer of a file.
-export function problemList(problems: Problem[], textAt: (pointer: string) => string = () => ''): HTMLElement {
+/// Empty and not shown if there are none. Screen readers hear of new ones. `textAt`: what stands at a JSON pointer of a
+/// file; `placeAt`: what is there called.
+export function problemList(
+  problems: Problem[],
+  textAt: (pointer: string) => string = () => '',
+  placeAt = placeInWords,
+): HTMLElement {
   const list = h('ul', { class: parts.problems, 'data-part': 'problems' })
-  for (const problem of problems) list.append(item(problem, textAt(problem.path)))
+  for (const problem of problems) list.append(item(problem, textAt(problem.path), placeAt(problem.path)))
   return h('div', { role: 'alert', hidden: problems.length === 0 }, list) // a list's own role is to be one
 }
 
-function item({ code, path, message }: Problem, text: string): HTMLElement {
-  const place = placeInWords(path)
+function item({ code, path, message }: Problem, text: string, place: string): HTMLElement {
   const isParser = code === 'invalid_json'
   return h(
     'li',

@@ -79,7 +79,11 @@ TEST(ClosureGates, CoaptationOfA2WithP2IsAnAim) {
   Evaluation low = quiet();
   for (const std::size_t i : {3u, 4u, 5u}) low.measure.coaptation.sections[i].height_mm = 5.0;
   expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Warn, "5.0 mm");
-  expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Warn, "only an aim");
+  expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Warn,
+              "below the aim of 8 mm");
+  for (const std::size_t i : {3u, 4u, 5u}) low.measure.coaptation.sections[i].height_mm = 7.96;
+  expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Pass,
+              "8.0 mm high, not below");
   low = quiet();
   low.measure.coaptation.sections[0].height_mm = 1.0;  // no part of A2 and P2
   expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Pass, "evidence");

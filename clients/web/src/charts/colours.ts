@@ -13,12 +13,16 @@ export function colourOf(element: Element): string {
   return getComputedStyle(element).color
 }
 
-export const SHADES = 9 // of heat maps: heat0 is nothing, heat8 the most
+export const SHADES = 8 // of heat maps: heat0 is the least
 
-/// The shade of `value` in a scale from 0 to `most`.
-export function shadeOf(value: number, most: number): number {
-  if (!(most > 0)) return 0
-  return Math.max(0, Math.min(SHADES - 1, Math.round((value / most) * (SHADES - 1))))
+/// Where the shades change, of a scale from 0 to `most`.
+export function evenLimits(most: number): number[] {
+  return Array.from({ length: SHADES - 1 }, (_, i) => (most * (i + 1)) / SHADES)
+}
+
+/// 0 to SHADES - 1; `limits` are ascending, a value at a limit has the shade above it.
+export function shadeOf(value: number, limits: number[]): number {
+  return limits.filter((limit) => value >= limit).length
 }
 
 /// Calls `changed` whenever the colours are others, until `signal` says so.

@@ -5,7 +5,7 @@ import chartsStyle from './charts.module.css'
 import parts from '../style/parts.module.css'
 
 export interface TableColumn {
-  label: string
+  label: Child
   numeric?: boolean
 }
 

@@ -1,6 +1,7 @@
 // A table whose cells are shaded by their values: to be seen as a map, and to be read cell by cell.
 import { h } from '../dom'
 import { number } from '../format'
+import { figure } from './data_table'
 import { SHADES, shadeOf } from './colours'
 import chartsStyle from './charts.module.css'
 import parts from '../style/parts.module.css'
@@ -11,7 +12,7 @@ export interface HeatMap {
   rows: { label: string; ticks: string[] } // downwards
   columns: { label: string; ticks: string[] }
   values: (number | null)[][] // by row; null: not known
-  most: number // end of the scale
+  limits: number[] // where the shades change
   digits?: number
   marked?: { row: number; column: number } // what was planned
 }
@@ -25,7 +26,7 @@ export function heatMap(map: HeatMap): HTMLElement {
       h('th', { scope: 'row', class: parts.number }, map.rows.ticks[r]),
       ...row.map((value, c) => {
         const marked = map.marked?.row === r && map.marked.column === c
-        const shade = chartsStyle[value === null ? 'heatNone' : `heat${shadeOf(value, map.most)}`]
+        const shade = chartsStyle[value === null ? 'heatNone' : `heat${shadeOf(value, map.limits)}`]
         return h(
           'td',
           { class: marked ? `${shade} ${chartsStyle.marked}` : shade },
@@ -56,19 +57,23 @@ export function heatMap(map: HeatMap): HTMLElement {
   )
 }
 
-/// What the shades mean, from 0 to `most`, and `none` what a dash does.
-export function heatScale(most: number, unit: string, none = 'not closed'): HTMLElement {
-  const shades = Array.from({ length: SHADES }, (_, i) => h('span', { class: chartsStyle[`heat${i}`] }))
+/// What the shades mean, with the values where they change, and `none` what a dash does.
+export function heatScale(limits: number[], unit: string, none = 'not closed'): HTMLElement {
+  const shade = (i: number) => chartsStyle[`heat${i}`]
   return h(
     'div',
     { class: chartsStyle.heatScale, 'data-part': 'heat-scale' },
-    h('span', {}, '0'),
-    h('span', { class: chartsStyle.shades, 'aria-hidden': 'true' }, ...shades),
-    h('span', {}, `${number(most, most < 10 ? 1 : 0)} ${unit}; – ${none}`),
+    h(
+      'span',
+      {
+        class: chartsStyle.shades,
+        role: 'img',
+        'aria-label': `Shades change at ${limits.map(figure).join(', ')} ${unit}`,
+      },
+      ...Array.from({ length: SHADES }, (_, i) =>
+        h('span', { class: shade(i) }, i > 0 && h('small', {}, figure(limits[i - 1]))),
+      ),
+    ),
+    h('span', {}, `${unit}; – ${none}`),
   )
-}
-
-/// The largest of the known values.
-export function mostOf(values: (number | null)[][]): number {
-  return Math.max(0, ...values.flat().filter((value): value is number => value !== null))
 }

@@ -4,15 +4,15 @@ import 'uplot/dist/uPlot.min.css'
 import { h } from '../dom'
 import { colourOf, hueClass, onTheme } from './colours'
 import { asTable, dataTable, figure } from './data_table'
-import { roundDown, roundsIn, roundUp } from './rounds'
+import { roundDown, roundsIn } from './rounds'
 import { aligned, readAt, type Series } from './series'
 import chartsStyle from './charts.module.css'
 
 export interface LineChart {
   title: string
   summary: string // in words, for those who cannot see it
-  x: { label: string; lowest?: number; highest?: number }
-  y: { label: string; highest?: number; log?: boolean }
+  x: { label: string; lowest?: number; highest?: number; log?: boolean }
+  y: { label: string; highest?: number; clip?: number } // clip: at so many times the lowest value
   series: Series[]
 }
 
@@ -23,6 +23,11 @@ export interface DrawnChart {
 
 const HEIGHT_PX = 260
 const WHOLE = roundsIn(1, 1e6) // between the ticks of whole numbers
+const LOG_DECADE = 10 // between the ends of a logarithmic axis, at least
+const LOG_AXIS: uPlot.Axis = {
+  splits: (_u, _axis, low, high) => roundsIn(low, high),
+  values: (_u, at: (number | null)[]) => at.map((value) => value?.toLocaleString('en-GB') ?? ''),
+}
 const RANGE_SHIFT_PX = 4 // between the ranges of neighbouring series at one place
 
 /// Drawn until `signal` aborts.
@@ -120,10 +125,8 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
         dataIdx: (u, line, at) => (line === 0 ? at : readAt(series[line - 1]?.look, u.data[line] ?? [], at)),
       },
       scales: {
-        x: { time: false, range: (_u, low, high) => xRange(chart, low, high) },
-        y: chart.y.log
-          ? { distr: 3, range: (_u, low, high) => [roundDown(0.9 * low), roundUp(1.1 * high)] }
-          : { range: (_u, _low, high) => [0, chart.y.highest ?? (high > 0 ? 1.05 * high : 1)] },
+        x: { time: false, distr: chart.x.log ? 3 : 1, range: (_u, low, high) => xRange(chart, low, high) },
+        y: { range: (_u, low, high) => yRange(chart, low, high) },
       },
       axes: [
         {
@@ -132,18 +135,13 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
           grid: { show: false },
           size: 30,
           ...(series.every((one) => one.x.every(Number.isInteger)) ? { incrs: WHOLE } : {}),
+          ...(chart.x.log ? LOG_AXIS : {}),
         },
         {
           ...axis,
           label: chart.y.label,
           grid,
           size: 52,
-          ...(chart.y.log
-            ? {
-                splits: (_u, _axis, low, high) => roundsIn(low, high),
-                values: (_u, at) => at.map((value) => String(value)),
-              }
-            : {}),
         },
       ],
       series: [
@@ -195,7 +193,13 @@ export function lineChart(chart: LineChart, signal: AbortSignal): DrawnChart {
   }
 }
 
+function yRange({ y }: LineChart, low: number, high: number): [number, number] {
+  if (y.clip !== undefined && low > 0) return [0.9 * low, Math.max(1.2 * low, Math.min(1.05 * high, y.clip * low))]
+  return [0, y.highest ?? (high > 0 ? 1.05 * high : 1)]
+}
+
 function xRange(chart: LineChart, low: number, high: number): [number, number] {
+  if (chart.x.log) return [roundDown(low), Math.max(high, LOG_DECADE * roundDown(low))]
   const from = chart.x.lowest ?? low
   const to = chart.x.highest ?? high
   return to > from ? [from, to] : [from - 1, from + 1]

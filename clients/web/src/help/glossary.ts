@@ -14,6 +14,11 @@ export const GLOSSARY = {
     'How much the leaflet is stretched against its unloaded state, along the annulus (circumferential) or from the annulus to the free edge (radial). Given is the 99th percentile: 1 % of the leaflet area is stretched more. Chordae pull at single points, so radial values are too high near them.',
   mesh: 'The same valve on a finer mesh gives a leak that differs by about this much. The order of plans is hardly touched by it.',
   margin: 'By how much a suture or a ring may be off before the valve leaks more than 1 mm².',
+  cost: 'What a search makes small: the leak with its spread, and prices in mm² of leak for steps, undersizing, movement of the muscles, too little coaptation and too much tension. The prices are judgements, not measurements; they stand under “Weights of the cost”.',
+  region:
+    'The plan is closed many times with small errors of execution: lengths up to 1 mm and the direction of the papillary tips up to 5° off. Given are the mean and the standard deviation of the leak; 95 % of these closures leak less than the next column says.',
+  pareto:
+    'No other ranked plan is better in one of mean leak, its spread, number of steps and undersizing without being worse in another of them.',
   robust:
     'Closes also with small errors of execution: the plan was closed many times with lengths and places a little off.',
 } as const

@@ -1,5 +1,5 @@
 // Jobs of the service: searches and studies.
-import { getJson, postJson } from '../api/http'
+import { getJson, postJson, request } from '../api/http'
 import type { Job, JobFile } from '../api/types'
 
 const PAGE_SIZE = 100
@@ -16,6 +16,10 @@ export function job(id: string): Promise<Job> {
 
 export function cancelJob(id: string): Promise<Job> {
   return postJson(`/v1/jobs/${id}:cancel`, {})
+}
+
+export async function removeJob(id: string): Promise<void> {
+  await request('DELETE', `/v1/jobs/${id}`)
 }
 
 export async function filesOf(id: string): Promise<JobFile[]> {

@@ -2,11 +2,12 @@
 import { postJson } from '../api/http'
 import type { Job, Plan, Problem } from '../api/types'
 import { h } from '../dom'
+import { tellTabs } from '../state/tabs'
 import { problemsOf, type Workspace } from '../workspace'
 import { problemList } from '../problems'
-import { hasEnded, job } from './calls'
+import { hasEnded, job, removeJob } from './calls'
 import { jobList, type JobList } from './job_list'
-import { noteJob } from './notes'
+import { forgetJob, noteJob } from './notes'
 import { rememberValve } from './valves'
 import jobsStyle from './jobs.module.css'
 
@@ -26,6 +27,7 @@ export interface JobKind {
   earlier: string // title of the list
   form(start: (asked: Asked) => void): JobForm
   note(asked: Asked): string // in a few words
+  outcome(job: Job): string | null // in a few words: what it has found so far
   empty: HTMLElement // while none is open
   /// Shows a job until `signal` aborts; `changed` is told its states.
   panel(job: Job, changed: (job: Job) => void, signal: AbortSignal): HTMLElement
@@ -45,7 +47,13 @@ export class JobView {
     private readonly kind: JobKind,
   ) {
     this.form = kind.form((asked) => void this.start(asked))
-    this.list = jobList(kind.kind, kind.earlier, (job) => this.openAndLook(job))
+    this.list = jobList({
+      kind: kind.kind,
+      title: kind.earlier,
+      outcome: kind.outcome,
+      open: (job) => this.openAndLook(job),
+      remove: (job) => this.remove(job),
+    })
     this.found = h('div', {}, kind.empty)
     this.element = h(
       'div',
@@ -97,6 +105,18 @@ export class JobView {
     this.form.busy(false)
   }
 
+  private async remove(job: Job): Promise<void> {
+    await removeJob(job.id)
+    tellTabs('jobs')
+    forgetJob(job.id)
+    if (job.id !== this.openId) return
+    this.opened?.abort()
+    this.openId = null
+    this.list.mark(null)
+    this.workspace.lookAt(this.kind.kind, null)
+    this.found.replaceChildren(this.kind.empty)
+  }
+
   private openAndLook(job: Job): void {
     this.open(job)
     if (this.found.getBoundingClientRect().top > innerHeight / 2) this.found.scrollIntoView() // it stands below
@@ -109,7 +129,10 @@ export class JobView {
     this.workspace.lookAt(this.kind.kind, job.id)
     this.list.mark(job.id)
     const changed = (now: Job) => {
-      if (this.states.get(now.id) !== now.state) void this.list.refresh()
+      if (this.states.get(now.id) !== now.state) {
+        void this.list.refresh()
+        tellTabs('jobs')
+      }
       this.states.set(now.id, now.state)
     }
     this.found.replaceChildren(this.kind.panel(job, changed, this.opened.signal))

@@ -1,18 +1,19 @@
 // What this browser asked of a job; the service's list of jobs does not tell.
+import { store, stored } from '../state/stored'
+
 const STORED = 'coapt-job-notes'
 
-function notes(): Record<string, string> {
-  try {
-    return JSON.parse(localStorage.getItem(STORED) ?? '{}') as Record<string, string>
-  } catch {
-    return {}
-  }
-}
+const notes = () => stored<Record<string, string>>(STORED, {})
 
 export function noteJob(id: string, words: string): void {
-  localStorage.setItem(STORED, JSON.stringify({ ...notes(), [id]: words }))
+  store(STORED, { ...notes(), [id]: words })
 }
 
 export function noteOf(id: string): string | null {
   return notes()[id] ?? null
+}
+
+export function forgetJob(id: string): void {
+  const { [id]: _, ...others } = notes()
+  store(STORED, others)
 }

@@ -1,11 +1,11 @@
 // What a running job does: stage, closures of planned, time gone and time left; and the way to end it.
 import type { Job, JobProgress } from '../api/types'
 import { button, h } from '../dom'
-import { number, seconds, words } from '../format'
+import { seconds, words } from '../format'
 import { problemList } from '../problems'
 import { problemsOf } from '../workspace'
 import { cancelJob } from './calls'
-import { Pace } from './pace'
+import { Pace, roughly, SEARCH_SHARES } from './pace'
 import { standing, stateBadge } from './state'
 import jobsStyle from './jobs.module.css'
 import parts from '../style/parts.module.css'
@@ -17,7 +17,7 @@ export interface ProgressPanel {
 }
 
 export function progressPanel(first: Job, what: string): ProgressPanel {
-  const pace = new Pace()
+  const pace = new Pace(first.kind === 'plans' ? SEARCH_SHARES : null)
   let job = first
   let unit = 'closures'
   const bar = h('progress', { max: 1, 'aria-label': `Progress of the ${what}` })
@@ -64,16 +64,8 @@ export function progressPanel(first: Job, what: string): ProgressPanel {
     const entries: [string, string][] = [
       [unit, planned > 0 ? `${grouped(closures)} of ${grouped(planned)}` : grouped(closures)],
       ['time', seconds(progress.seconds)],
-      [
-        'time left, about',
-        left === null ? 'not known yet' : `${seconds(left)}${job.kind === 'study' ? ' of this stage' : ''}`,
-      ],
+      [job.kind === 'study' ? 'left of this stage' : 'time left', left === null ? 'not known yet' : roughly(left)],
     ]
-    if (job.kind === 'plans')
-      entries.push([
-        'lowest leak as planned',
-        progress.best_leak_mm2 === null ? 'none yet' : `${number(progress.best_leak_mm2)} mm²`,
-      ])
     figures.replaceChildren(...entries.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))))
   }
 

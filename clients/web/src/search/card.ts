@@ -1,26 +1,22 @@
 // One ranked plan: what is done, what it leaves, how sure that is.
 import type { Job, RankedPlan } from '../api/types'
-import { button, h } from '../dom'
+import { button, h, type Child } from '../dom'
 import { withUnit } from '../format'
+import { term } from '../help/term'
 import { openValveOf, valveOf } from '../jobs/valves'
 import { problemList } from '../problems'
 import { problemsOf, type Workspace } from '../workspace'
 import { downloadButton, meshDownload, reportLink, saveJson } from '../jobs/downloads'
 import { evidence } from './evidence'
-import { doubts, marginWords, meanAndSd } from './figures'
-import type { Pictures } from './pictures'
+import { doubts, inWords, isRobust, marginWords, meanAndSd } from './figures'
+import type { Photos } from './photos'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
-
-export interface Card {
-  element: HTMLElement
-  choose: HTMLInputElement // to compare it
-}
 
 export interface CardContext {
   job: Job
   workspace: Workspace
-  pictures: Pictures
+  photos: Photos
   signal: AbortSignal
 }
 
@@ -28,23 +24,18 @@ export function planPath(job: Job, plan: RankedPlan): string {
   return `/v1/jobs/${job.id}/plans/${plan.rank}`
 }
 
-/// "annuloplasty: generic-classic ring, size 30 mm; ..."
-export function inWords(plan: { description: string[] }): string {
-  return plan.description.length > 0 ? plan.description.join('; ') : 'no repair'
+export function cardId({ job }: CardContext, plan: RankedPlan): string {
+  return `plan-${job.id}-${plan.rank}`
 }
 
-export function picture(job: Job, plan: RankedPlan, pictures: Pictures): HTMLElement {
-  return pictures.image(
-    `${planPath(job, plan)}/picture`,
-    `The valve seen from the atrium before and after plan ${plan.rank}: ${inWords(plan)}`,
-  )
+export function photo(plan: RankedPlan, { photos }: CardContext): HTMLElement {
+  return photos.photo(plan.plan, `The closed valve seen from the atrium after plan ${plan.rank}: ${inWords(plan)}`)
 }
 
-export function planCard(plan: RankedPlan, context: CardContext): Card {
+export function planCard(plan: RankedPlan, context: CardContext): HTMLElement {
   const { job, workspace } = context
   const told = h('div', {})
   const said = h('span', { class: parts.hint, role: 'status' })
-  const choose = h('input', { type: 'checkbox' })
   const name = `coapt-plan-${plan.rank}`
   const path = planPath(job, plan)
 
@@ -77,20 +68,19 @@ export function planCard(plan: RankedPlan, context: CardContext): Card {
     if (more.open && more.children.length === 1) more.append(evidence(plan, context.signal))
   })
 
-  const element = h(
+  return h(
     'article',
-    { class: `${parts.panel} ${searchStyle.plan}`, 'data-part': 'plan', 'aria-label': `Plan of rank ${plan.rank}` },
-    picture(job, plan, context.pictures),
+    {
+      class: `${parts.panel} ${searchStyle.plan}`,
+      id: cardId(context, plan),
+      'data-part': 'plan',
+      'aria-label': `Plan of rank ${plan.rank}`,
+    },
+    photo(plan, context),
     h(
       'div',
       { class: searchStyle.about },
-      h(
-        'div',
-        { class: `${parts.row} ${searchStyle.head}` },
-        h('h3', {}, `${plan.rank}.`),
-        ...badges(plan),
-        h('label', { class: `${parts.check} ${searchStyle.compare}` }, choose, of(h('span', {}, 'Compare'))),
-      ),
+      h('div', { class: `${parts.row} ${searchStyle.head}` }, h('h3', {}, `${plan.rank}.`), ...badges(plan)),
       h(
         'ul',
         { class: searchStyle.steps, 'data-part': 'steps' },
@@ -109,6 +99,7 @@ export function planCard(plan: RankedPlan, context: CardContext): Card {
         'div',
         { class: parts.row, role: 'group', 'aria-label': `Downloads of plan ${plan.rank}` },
         reportLink('Report', `${path}/report`, `${name}.html`, told),
+        downloadButton('Picture, before and after', `${path}/picture`, `${name}.png`, told),
         meshDownload(path, name, told),
         button('Plan (JSON)', () => saveJson(`${name}.json`, plan.plan)),
         downloadButton('All figures (JSON)', path, `${name}-figures.json`, told),
@@ -117,42 +108,33 @@ export function planCard(plan: RankedPlan, context: CardContext): Card {
     ),
     more,
   )
-  return { element, choose }
 }
 
 function badges(plan: RankedPlan): HTMLElement[] {
-  const { mean, sd } = plan.leak_mm2
-  const robust =
-    plan.status === 'converged' &&
-    !plan.crossing &&
-    plan.region_failures === 0 &&
-    mean !== null &&
-    sd !== null &&
-    mean + sd < 1
-  const badge = (words: string, tone: string) => h('span', { class: `${parts.badge} ${parts[tone]}` }, words)
+  const badge = (tone: string, ...words: Child[]) => h('span', { class: `${parts.badge} ${parts[tone]}` }, ...words)
   return [
-    ...(robust ? [badge('✓ robust', 'good')] : [badge('! not shown to close robustly', 'warn')]),
-    ...(plan.tie_with_next ? [badge('= ties with the next', 'soft')] : []),
-    ...(plan.pareto ? [badge('Pareto', 'soft')] : []),
+    isRobust(plan) ? badge('good', '✓ ', term('robust', 'robust')) : badge('warn', '! not shown to close robustly'),
+    ...(plan.tie_with_next ? [badge('soft', '= ties with the next')] : []),
+    ...(plan.pareto ? [badge('soft', term('pareto', 'Pareto'))] : []),
   ]
 }
 
 function figures(plan: RankedPlan): HTMLElement {
   const { measure } = plan
-  const entries: [string, string][] = [
-    ['Leak over the region', meanAndSd(plan.leak_mm2)],
-    ['Leak, 95th percentile', withUnit(plan.leak_mm2.p95, 'mm²')],
+  const entries: [Child, string][] = [
+    [term('region', 'Leak over the region'), meanAndSd(plan.leak_mm2)],
+    ['Leak, 95 % below', withUnit(plan.leak_mm2.p95, 'mm²')],
     ['Orifice over the region', meanAndSd(plan.orifice_area_mm2)],
     [
       'Orifice, gap as planned',
       `${withUnit(measure.orifice_area_mm2, 'mm²')}, ${withUnit(measure.coaptation.gap_area_mm2, 'mm²')}`,
     ],
-    ['Margin to leak', marginWords(plan.margin_to_leak)],
+    [term('margin', 'Margin to leak'), marginWords(plan)],
     [
-      'Coaptation, mean (minimum)',
+      term('coaptation', 'Coaptation, mean (minimum)'),
       `${withUnit(measure.coaptation.height_mean_mm, 'mm')} (${withUnit(measure.coaptation.height_min_mm, 'mm')})`,
     ],
-    ['Highest chordal tension', withUnit(measure.tension_max_n, 'N', 2)],
+    [term('tension', 'Highest chordal tension'), withUnit(measure.tension_max_n, 'N', 2)],
   ]
   return h(
     'dl',

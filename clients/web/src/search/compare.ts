@@ -1,22 +1,21 @@
-// Two plans side by side: pictures, figures with the better one marked, maps in one scale.
+// Two plans side by side: pictures, figures with the better one marked, maps.
 import type { RankedPlan } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { heatScale } from '../charts/heat_map'
 import { h, type Child } from '../dom'
-import { inWords, picture, type CardContext } from './card'
-import { leakMap, mapsMost } from './evidence'
-import { FIGURES, judge, shownFigure, tieWords, type Figure } from './figures'
+import { photo, type CardContext } from './card'
+import { LEAK_LIMITS_MM2, leakMap } from './evidence'
+import { FIGURES, inWords, judge, shownFigure, tieWords, type Figure } from './figures'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
 
 /// `a` is ranked before `b`.
 export function comparison(a: RankedPlan, b: RankedPlan, all: RankedPlan[], context: CardContext): HTMLElement {
-  const most = mapsMost([a, b])
   const tie = tieWords(a, b, all)
   const side = (plan: RankedPlan) =>
-    h('div', {}, h('h3', {}, `Rank ${plan.rank}: ${inWords(plan)}`), picture(context.job, plan, context.pictures))
+    h('div', {}, h('h3', {}, `Rank ${plan.rank}: ${inWords(plan)}`), photo(plan, context))
   const maps = (plan: RankedPlan) =>
-    h('div', {}, h('h3', {}, `Rank ${plan.rank}`), ...plan.leak_map.map((map) => leakMap(map, most)))
+    h('div', {}, h('h3', {}, `Rank ${plan.rank}`), ...plan.leak_map.map((map) => leakMap(map, plan)))
   return h(
     'section',
     { class: `${parts.panel} ${searchStyle.comparison}`, 'aria-label': `Ranks ${a.rank} and ${b.rank} compared` },
@@ -34,7 +33,7 @@ export function comparison(a: RankedPlan, b: RankedPlan, all: RankedPlan[], cont
       FIGURES.map((figure) => row(figure, a, b)),
     ),
     a.leak_map.length + b.leak_map.length > 0 && h('div', { class: searchStyle.two }, maps(a), maps(b)),
-    a.leak_map.length + b.leak_map.length > 0 && heatScale(most, 'mm² in both'),
+    a.leak_map.length + b.leak_map.length > 0 && heatScale(LEAK_LIMITS_MM2, 'mm²'),
   )
 }
 

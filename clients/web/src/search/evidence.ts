@@ -1,36 +1,33 @@
 // What speaks for and against one plan: its leak over the region, further remodelling, the rules of practice.
 import type { Gate, LeakMap, RankedPlan } from '../api/types'
 import { dataTable } from '../charts/data_table'
-import { heatMap, heatScale, mostOf } from '../charts/heat_map'
+import { heatMap, heatScale } from '../charts/heat_map'
 import { lineChart } from '../charts/line_chart'
 import type { Hue } from '../charts/colours'
 import { h, type Child } from '../dom'
 import { number, percent, words } from '../format'
-import { meanAndSd } from './figures'
+import { lengthName, meanAndSd } from './figures'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
 
-const LEAST_SCALE_MM2 = 1 // a map of next to nothing is not shaded as if it leaked
-
-export function mapsMost(plans: RankedPlan[]): number {
-  return Math.max(LEAST_SCALE_MM2, ...plans.flatMap((plan) => plan.leak_map.map((map) => mostOf(map.leak_mm2))))
-}
+// Of all leak maps, here and in the report (io/picture/evidence_figure.cpp): competent below 1, a good repair below 5.
+export const LEAK_LIMITS_MM2 = [0.5, 1, 2, 3, 5, 10, 20]
 
 const signed = (value: number, digits: number) => (value > 0 ? '+' : '') + number(value, digits)
 
-/// `most`: mm2, end of the scale, so that maps can be compared.
-export function leakMap(map: LeakMap, most: number): HTMLElement {
+export function leakMap(map: LeakMap, plan: RankedPlan): HTMLElement {
+  const length = lengthName(plan, map.muscle)
   const muscle =
     map.muscle === 'both'
       ? 'Both muscles, same error'
-      : `${map.muscle[0]?.toUpperCase()}${map.muscle.slice(1)} suture alone`
+      : `${map.muscle[0]?.toUpperCase()}${map.muscle.slice(1)} muscle alone`
   return heatMap({
     title: `${muscle}: leak, mm².`,
     unit: 'mm²',
-    rows: { label: 'suture length, mm', ticks: map.suture_length_mm.map((value) => signed(value, 2)) },
+    rows: { label: `${length}, mm`, ticks: map.suture_length_mm.map((value) => signed(value, 2)) },
     columns: { label: 'muscle outwards, degrees', ticks: map.outwards_deg.map((value) => signed(value, 0)) },
     values: map.leak_mm2,
-    most,
+    limits: LEAK_LIMITS_MM2,
     marked: { row: map.suture_length_mm.indexOf(0), column: map.outwards_deg.indexOf(0) },
   })
 }
@@ -48,12 +45,11 @@ export function evidence(plan: RankedPlan, signal: AbortSignal): HTMLElement {
 
 function maps(plan: RankedPlan): Child[] {
   if (plan.leak_map.length === 0) return []
-  const most = mapsMost([plan])
   const alone = plan.independent_leak_mm2
   return [
-    h('h4', {}, 'Leak when suture length and muscle position deviate from the plan'),
-    h('div', { class: searchStyle.maps }, ...plan.leak_map.map((map) => leakMap(map, most))),
-    heatScale(most, 'mm²'),
+    h('h4', {}, `Leak when ${lengthName(plan)} and position of the muscles deviate from the plan`),
+    h('div', { class: searchStyle.maps }, ...plan.leak_map.map((map) => leakMap(map, plan))),
+    heatScale(LEAK_LIMITS_MM2, 'mm²'),
     alone.mean !== null &&
       h(
         'p',
@@ -85,21 +81,20 @@ function remodelling(plan: RankedPlan, signal: AbortSignal): Node[] {
   return [chart.element]
 }
 
-const AXES = [
-  ['suture_length', 'suture length'],
-  ['outwards', 'angle outwards'],
-  ['posterior', 'angle to posterior'],
-] as const
-
 function sobol(plan: RankedPlan): Node[] {
+  const axes = [
+    ['suture_length', lengthName(plan)],
+    ['outwards', 'angle outwards'],
+    ['posterior', 'angle to posterior'],
+  ] as const
   const { first, total } = plan.sobol
-  if (AXES.every(([axis]) => total[axis] === null)) return []
+  if (axes.every(([axis]) => total[axis] === null)) return []
   return [
     h('h4', {}, 'Which error matters most'),
     dataTable(
       'Shares of the leak’s variance (Sobol indices)',
       [{ label: 'error of' }, { label: 'alone', numeric: true }, { label: 'with interactions', numeric: true }],
-      AXES.map(([axis, label]) => [label, percent(first[axis]), percent(total[axis])]),
+      axes.map(([axis, label]) => [label, percent(first[axis]), percent(total[axis])]),
     ),
   ]
 }

@@ -1,5 +1,5 @@
 // The figures of a ranked plan that matter, and which of two plans has the better one.
-import type { RankedPlan } from '../api/types'
+import type { LeakMap, RankedPlan } from '../api/types'
 import { number, withUnit } from '../format'
 
 // One closure of one plan is not known better than this (docs/researcher/accuracy.md, "Other equilibria").
@@ -74,7 +74,7 @@ export const FIGURES: Figure[] = [
     blur: oneClosure,
   },
   {
-    label: 'Margin to leak, suture length',
+    label: 'Margin to leak, length',
     unit: 'mm',
     digits: 2,
     value: (p) => p.margin_to_leak.suture_length_mm,
@@ -139,16 +139,42 @@ export function judge(figure: Figure, a: RankedPlan, b: RankedPlan): Verdict {
 }
 
 /// "0.3 ± 0.2", "not known".
-export function meanAndSd(statistics: { mean: number | null; sd: number | null }): string {
-  return statistics.mean === null ? 'not known' : `${number(statistics.mean)} ± ${number(statistics.sd)} mm²`
+export function meanAndSdCell({ mean, sd }: { mean: number | null; sd: number | null }): string {
+  return mean === null ? 'not known' : `${number(mean)} ± ${number(sd)}`
 }
 
-/// "suture more than 1.00 mm, angle more than 5.0°": a margin at the region's border may be larger.
-export function marginWords(margin: RankedPlan['margin_to_leak']): string {
+export function meanAndSd(statistics: { mean: number | null; sd: number | null }): string {
+  return statistics.mean === null ? 'not known' : `${meanAndSdCell(statistics)} mm²`
+}
+
+/// "suture more than 1.00 mm, angle more than 5.0°".
+export function marginWords(plan: RankedPlan): string {
+  const { suture_length_mm, angle_deg } = plan.margin_to_leak
   const part = (value: number | null, farthest: number, unit: string, digits: number) =>
     `${value !== null && value >= farthest ? 'more than ' : ''}${withDegrees(value, unit, digits)}`
-  if (margin.suture_length_mm === null && margin.angle_deg === null) return 'not known (too few region points)'
-  return `suture ${part(margin.suture_length_mm, FARTHEST.suture_length_mm, 'mm', 2)}, angle ${part(margin.angle_deg, FARTHEST.angle_deg, '°', 1)}`
+  if (suture_length_mm === null && angle_deg === null) return 'not known (too few region points)'
+  return `${lengthName(plan)} ${part(suture_length_mm, FARTHEST.suture_length_mm, 'mm', 2)}, angle ${part(angle_deg, FARTHEST.angle_deg, '°', 1)}`
+}
+
+/// What the errors of length are of: of a suture, or where there is none of the distance that holds the muscle.
+export function lengthName(plan: RankedPlan, muscle: LeakMap['muscle'] = 'both'): string {
+  const sutured = plan.plan.steps.flatMap((step) => (step.step === 'papillary_approximation' ? [step.side] : []))
+  if (muscle !== 'both') return sutured.includes(muscle) ? 'suture' : TIP_TO_TRIGONE
+  const muscles = new Set(sutured).size
+  return muscles === 0 ? TIP_TO_TRIGONE : muscles === 1 ? `suture or ${TIP_TO_TRIGONE}` : 'suture'
+}
+const TIP_TO_TRIGONE = 'tip to trigone distance'
+
+/// Closes also with small errors of execution.
+export function isRobust(plan: RankedPlan): boolean {
+  const { mean, sd } = plan.leak_mm2
+  const isTrusted = plan.status === 'converged' && !plan.crossing && plan.region_failures === 0
+  return isTrusted && mean !== null && sd !== null && mean + sd < 1
+}
+
+/// "annuloplasty: generic-classic ring, size 30 mm; ..."
+export function inWords(plan: { description: string[] }): string {
+  return plan.description.length > 0 ? plan.description.join('; ') : 'no repair'
 }
 
 /// What is not to be relied on.
@@ -168,10 +194,10 @@ export function tieWords(a: RankedPlan, b: RankedPlan, all: RankedPlan[]): strin
   if (between.length === 0) return null
   const ties = between.every((plan) => plan.tie_with_next)
   if (between.length > 1)
-    return ties ? `Plans ranked ${a.rank} to ${b.rank} tie, each with the next: their order means little.` : null
+    return ties ? `Plans ${a.rank} to ${b.rank} tie, each with the next: their order means little.` : null
   const ahead = a.probability_outranks_next
-  const likely = ahead === null ? '' : `; rank ${a.rank} is ahead with a probability of ${number(100 * ahead, 0)} %`
+  const likely = ahead === null ? '' : `; plan ${a.rank} is ahead with a probability of ${number(100 * ahead, 0)} %`
   return ties
-    ? `Ranks ${a.rank} and ${b.rank} tie${likely}.`
-    : `Rank ${a.rank} is ahead of rank ${b.rank}${likely.replace(`; rank ${a.rank} is ahead`, '')}.`
+    ? `Plans ${a.rank} and ${b.rank} tie${likely}.`
+    : `Plan ${a.rank} is ahead of plan ${b.rank}${likely.replace(`; plan ${a.rank} is ahead`, '')}.`
 }

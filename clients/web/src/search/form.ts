@@ -1,9 +1,9 @@
-// The options of a search, each with what the service says against it.
+// What may be done on this valve, then how the search goes about it; each with what the service says against it.
 import { rings } from '../api/calls'
 import type { Plan, Problem } from '../api/types'
-import { button, field, h } from '../dom'
+import { button, field, h, select, type Child } from '../dom'
 import type { Asked, JobForm } from '../jobs/job_view'
-import { problemList } from '../problems'
+import { placeInWords, problemList } from '../problems'
 import * as options from './options'
 import jobsStyle from '../jobs/jobs.module.css'
 import parts from '../style/parts.module.css'
@@ -13,16 +13,23 @@ export function searchForm(start: (search: Asked) => void): JobForm {
   const switches = new Map<options.Switch, HTMLInputElement>()
   const kinds = new Map<string, HTMLInputElement>()
   const slots = new Map<string, HTMLElement>() // pointer -> where its problems are shown
+  const names = new Map<string, string>() // pointer -> what the field is called
   const rest = h('div', {})
   const valve = h('strong', {}, 'opening ...')
-  const steps = h('span', { class: parts.unit })
+  const steps = h('p', { class: parts.hint })
   const fixed = h('input', { type: 'checkbox', disabled: true })
   const go = h('button', { type: 'submit', class: parts.primary }, 'Start the search')
+  const muscles = select(
+    options.SUTURES.map(({ name, label }) => [name, label] as const),
+    'both',
+    () => {},
+  )
   let plan: Plan | null = null
 
-  function slot(pointer: string): HTMLElement {
+  function slot(pointer: string, name: string): HTMLElement {
     const place = h('div', {})
     slots.set(pointer, place)
+    names.set(pointer, name)
     return place
   }
 
@@ -36,41 +43,37 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       placeholder: option.fallback === null ? 'no limit' : String(option.fallback),
     })
     inputs.set(option, input)
-    return h(
-      'div',
-      { class: jobsStyle.option, 'data-part': 'option' },
-      field(option.label, input, option.unit),
-      option.hint && h('p', { class: parts.hint }, option.hint),
-      slot(option.pointer),
-    )
+    return optionField(option, field(option.label, input, option.unit))
   }
 
   function switchField(option: options.Switch): HTMLElement {
     const input = h('input', { type: 'checkbox', checked: option.fallback })
     switches.set(option, input)
+    return optionField(option, check(option.label, input))
+  }
+
+  function optionField(option: options.NumberOption | options.Switch, control: HTMLElement): HTMLElement {
     return h(
       'div',
       { class: jobsStyle.option, 'data-part': 'option' },
-      check(option.label, input),
+      control,
       option.hint && h('p', { class: parts.hint }, option.hint),
-      slot(option.pointer),
+      slot(option.pointer, option.label),
     )
   }
 
-  function techniqueFields(technique: options.Technique): HTMLElement {
-    const boxes = technique.kinds.map(([word, label]) => {
-      const input = h('input', { type: 'checkbox', checked: true })
-      kinds.set(word, input)
-      return check(label, input)
-    })
-    return h('fieldset', {}, h('legend', {}, technique.title), ...boxes)
+  function kindBox({ word, label, hint, title }: options.Kind): HTMLElement {
+    const input = h('input', { type: 'checkbox', checked: true })
+    kinds.set(word, input)
+    return check(label, input, hint, title)
   }
 
-  const allowed = h('div', {})
+  const shelf = h('div', {})
+  const showRings = (found: { name: string; note: string }[]) =>
+    shelf.replaceChildren(...options.ringKinds(found).map(kindBox))
   rings().then(
-    (answer) =>
-      allowed.replaceChildren(...options.techniques(answer.rings.map((ring) => ring.name)).map(techniqueFields)),
-    () => allowed.replaceChildren(...options.techniques([]).map(techniqueFields)),
+    (answer) => showRings(answer.rings),
+    () => showRings([]),
   )
 
   const element = h(
@@ -82,26 +85,30 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       novalidate: true,
     },
     h('h2', {}, 'Search for repairs of ', valve),
-    ...options.BUDGET.map(numberField),
-    switchField(options.EVIDENCE),
-    h(
-      'div',
-      { class: jobsStyle.option, 'data-part': 'option' },
+    group('Rings on the shelf', shelf, slot('/rules/forbidden', 'The choice of techniques')),
+    group(
+      'Sutures and chordae',
+      field('Papillary sutures', muscles),
+      numberField(options.NEOCHORDAE),
+      ...options.CHORDAL_STEPS.map(switchField),
+    ),
+    group(
+      'Time and answer',
+      ...options.ANSWER.map(numberField),
       check('Keep the steps tried by hand', fixed),
       steps,
-      slot('/rules/fixed'),
+      slot('/rules/fixed', 'The steps tried by hand'),
     ),
-    section('Stop early', ...options.STOPS.map(numberField)),
-    section(
-      'Allowed',
-      allowed,
-      h('fieldset', {}, h('legend', {}, 'Chordae'), ...options.CHORDAL_STEPS.map(switchField)),
-      slot('/rules/forbidden'),
+    folded(
+      'Limits of the steps',
+      ...options.LIMITS.map(numberField),
+      group('Sutures to', ...options.ANCHORS.map(kindBox)),
+      group('Neochordae to', ...options.LEAFLETS.map(kindBox)),
     ),
-    section('Limits of the steps', ...options.LIMITS.map(numberField)),
-    section(
-      'Weights',
-      h('p', { class: parts.hint }, 'Each weight is a cost in mm² of leak.'),
+    folded('Optimiser', ...options.OPTIMISER.map(numberField), switchField(options.EVIDENCE)),
+    folded(
+      'Weights of the cost',
+      h('p', { class: parts.hint }, 'Plans are ranked by their cost. Each weight is a price in mm² of leak.'),
       ...options.WEIGHTS.map(numberField),
     ),
     rest,
@@ -113,10 +120,12 @@ export function searchForm(start: (search: Asked) => void): JobForm {
   })
 
   function choices(): options.Choices {
+    const sutures = options.SUTURES.find(({ name }) => name === muscles.value)
+    const unticked = [...kinds].filter(([, input]) => !input.checked).map(([word]) => word)
     return {
       numbers: new Map([...inputs].map(([option, input]) => [option, input.value === '' ? null : Number(input.value)])),
       switches: new Map([...switches].map(([option, input]) => [option, input.checked])),
-      forbidden: [...kinds].filter(([, input]) => !input.checked).map(([word]) => word),
+      forbidden: [...(sutures?.forbidden ?? []), ...unticked],
       fixed: fixed.checked ? plan : null,
     }
   }
@@ -132,12 +141,17 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       problems.filter((problem) => options.placeOf(problem, pointers) === pointer)
     for (const [pointer, place] of slots) {
       const of = placed(pointer)
-      place.replaceChildren(...(of.length > 0 ? [problemList(of)] : []))
+      place.replaceChildren(...(of.length > 0 ? [problemList(of, () => '', nameOf)] : []))
       if (of.length > 0) place.closest('details')?.setAttribute('open', '')
     }
     const others = placed(null)
     rest.replaceChildren(...(others.length > 0 ? [problemList(others)] : []))
     element.querySelector('[data-part=problems]')?.scrollIntoView({ block: 'nearest' })
+  }
+
+  /// What the page calls the field that a pointer leads to, where it leads to one.
+  function nameOf(path: string): string {
+    return names.get(path.replace('/search', '')) ?? placeInWords(path)
   }
 
   return {
@@ -160,10 +174,19 @@ export function searchForm(start: (search: Asked) => void): JobForm {
   }
 }
 
-function check(label: string, input: HTMLInputElement): HTMLElement {
-  return h('label', { class: parts.check }, input, h('span', {}, label))
+function check(label: string, input: HTMLInputElement, hint = '', title = ''): HTMLElement {
+  return h(
+    'label',
+    { class: parts.check, title: title || null },
+    input,
+    h('span', {}, label, hint && h('span', { class: parts.hint }, ` ${hint}`)),
+  )
 }
 
-function section(title: string, ...fields: HTMLElement[]): HTMLElement {
-  return h('details', { class: parts.more }, h('summary', {}, title), ...fields)
+function group(title: string, ...children: Child[]): HTMLElement {
+  return h('fieldset', {}, h('legend', {}, title), ...children)
+}
+
+function folded(title: string, ...children: Child[]): HTMLElement {
+  return h('details', { class: parts.more }, h('summary', {}, title), ...children)
 }

@@ -8,15 +8,16 @@ import { progressPanel, type ProgressPanel } from '../jobs/progress_panel'
 import { valveOf } from '../jobs/valves'
 import { problemList } from '../problems'
 import { problemsOf } from '../workspace'
-import type { DrawnChart } from '../charts/line_chart'
 import type { CardContext } from './card'
-import { costChart, costSummary, liveSeries } from './cost_chart'
+import { costChart, liveSeries, type CostChart } from './cost_chart'
+import { leadingPlan } from './leading'
+import { Photos } from './photos'
 import { searchResults } from './results'
 import parts from '../style/parts.module.css'
 
 const REDRAW_MS = 250 // of the chart while progress comes in
 
-export interface SearchPanelContext extends Omit<CardContext, 'job'> {
+export interface SearchPanelContext extends Omit<CardContext, 'job' | 'photos'> {
   changed(job: Job): void // its state
 }
 
@@ -24,14 +25,12 @@ export interface SearchPanelContext extends Omit<CardContext, 'job'> {
 export function searchPanel(first: Job, context: SearchPanelContext): HTMLElement {
   const title = h('h1', {}, 'Search')
   const body = h('div', {})
-  const curves = h(
-    'section',
-    { class: parts.panel, 'aria-label': 'Best cost so far' },
-    h('p', { class: parts.hint }, 'The best cost so far appears here once plans are scored.'),
-  )
+  const curves = h('section', { class: parts.panel, 'aria-label': 'Best cost so far', hidden: true })
+  const photos = new Photos(first.valve, context.signal)
+  const leading = leadingPlan(photos)
   const seen: JobProgress[] = []
   let panel: ProgressPanel | null = null
-  let chart: DrawnChart | null = null
+  let chart: CostChart | null = null
   let redraw = 0
   void valveOf(first).then(({ label }) => (title.textContent = `Search: ${label}`))
 
@@ -43,18 +42,21 @@ export function searchPanel(first: Job, context: SearchPanelContext): HTMLElemen
       panel.change(job)
     } else {
       panel = progressPanel(job, 'search')
-      body.replaceChildren(panel.element, curves)
+      body.replaceChildren(panel.element, leading.element, curves)
       draw()
     }
   }
 
   /// There is nothing to draw before the first plans are scored.
   function draw(): void {
+    const now = seen.at(-1)
+    if (now) leading.show(now)
     const series = liveSeries(seen)
     if (series.every((one) => one.x.length === 0)) return
     chart ??= costChart(series, context.signal)
     if (!chart.element.isConnected) curves.replaceChildren(chart.element)
-    chart.show(series, costSummary(series))
+    curves.hidden = false
+    chart.show(series)
   }
 
   function progress(now: JobProgress): void {
@@ -76,7 +78,7 @@ export function searchPanel(first: Job, context: SearchPanelContext): HTMLElemen
       return body.replaceChildren(h('p', { class: parts.panel }, 'The search was cancelled before it found a plan.'))
     try {
       const result = await getJson<SearchResult>(job.links.result, context.signal)
-      body.replaceChildren(searchResults(result, { ...context, job }))
+      body.replaceChildren(searchResults(result, { ...context, job, photos }))
     } catch (error) {
       if (!context.signal.aborted) complain(error)
     }

@@ -13,43 +13,11 @@ export interface NumberOption {
 }
 
 const INTEGER = 1
-export const DEFAULT_CLOSURES = 2000
 
-export const BUDGET: NumberOption[] = [
-  {
-    pointer: '/evaluations',
-    label: 'Closures',
-    least: 1,
-    most: 1_000_000,
-    step: INTEGER,
-    fallback: DEFAULT_CLOSURES,
-    hint: 'For the search itself; ranking takes more.',
-  },
-  { pointer: '/plans', label: 'Ranked plans', least: 1, most: 50, step: INTEGER, fallback: 5 },
-  {
-    pointer: '/region_points',
-    label: 'Region points',
-    least: 1,
-    most: 1089,
-    step: INTEGER,
-    fallback: 1089,
-    hint: 'Small errors of execution with which each ranked plan is closed, out of 1,089.',
-  },
-  {
-    pointer: '/seed',
-    label: 'Seed',
-    least: 0,
-    most: Number.MAX_SAFE_INTEGER,
-    step: INTEGER,
-    fallback: 1,
-    hint: 'The same seed gives the same plans.',
-  },
-]
-
-export const STOPS: NumberOption[] = [
+export const ANSWER: NumberOption[] = [
   {
     pointer: '/seconds',
-    label: 'Time limit',
+    label: 'Time, at most',
     unit: 's',
     least: 0,
     most: 1_000_000,
@@ -57,29 +25,19 @@ export const STOPS: NumberOption[] = [
     fallback: null,
     hint: 'The last 40 % is for ranking.',
   },
-  {
-    pointer: '/no_improvement',
-    label: 'No better plan for',
-    unit: 'closures',
-    least: 0,
-    most: 1_000_000,
-    step: INTEGER,
-    fallback: null,
-  },
-  {
-    pointer: '/target_mm2',
-    label: 'Good enough at',
-    unit: 'mm²',
-    least: 0,
-    most: 1_000_000,
-    step: 0.1,
-    fallback: null,
-    hint: 'Mean + sd of the leak.',
-  },
+  { pointer: '/plans', label: 'Plans to show', least: 1, most: 50, step: INTEGER, fallback: 5 },
 ]
 
+export const NEOCHORDAE: NumberOption = {
+  pointer: '/rules/most_neochordae',
+  label: 'Neochordae, at most',
+  least: 0,
+  most: 4,
+  step: INTEGER,
+  fallback: 4,
+}
+
 export const LIMITS: NumberOption[] = [
-  { pointer: '/rules/most_neochordae', label: 'Neochordae, at most', least: 0, most: 4, step: INTEGER, fallback: 4 },
   {
     pointer: '/rules/most_movement_mm',
     label: 'Papillary movement, at most',
@@ -107,6 +65,56 @@ export const LIMITS: NumberOption[] = [
     most: 5,
     step: 0.1,
     fallback: 1,
+  },
+]
+
+export const OPTIMISER: NumberOption[] = [
+  {
+    pointer: '/evaluations',
+    label: 'Closures',
+    least: 1,
+    most: 1_000_000,
+    step: INTEGER,
+    fallback: 2000,
+    hint: 'For the search itself; ranking takes more.',
+  },
+  {
+    pointer: '/region_points',
+    label: 'Region points',
+    least: 1,
+    most: 1089,
+    step: INTEGER,
+    fallback: 1089,
+    hint: 'Small errors of execution with which each ranked plan is closed, out of 1,089.',
+  },
+  {
+    pointer: '/seed',
+    label: 'Seed',
+    least: 0,
+    most: Number.MAX_SAFE_INTEGER,
+    step: INTEGER,
+    fallback: 1,
+    hint: 'The same seed gives the same plans.',
+  },
+  {
+    pointer: '/no_improvement',
+    label: 'No better plan for',
+    unit: 'closures',
+    least: 0,
+    most: 1_000_000,
+    step: INTEGER,
+    fallback: null,
+    hint: 'The search then stops early.',
+  },
+  {
+    pointer: '/target_mm2',
+    label: 'Good enough at',
+    unit: 'mm²',
+    least: 0,
+    most: 1_000_000,
+    step: 0.1,
+    fallback: null,
+    hint: 'The search stops at a plan with this mean + sd of the leak.',
   },
 ]
 
@@ -147,7 +155,7 @@ export const EVIDENCE: Switch = {
   pointer: '/evidence',
   label: 'Evidence',
   fallback: true,
-  hint: 'Errors of single sutures, further remodelling.',
+  hint: 'Closes ranked plans also with errors of single sutures and with further remodelling.',
 }
 
 export const CHORDAL_STEPS: Switch[] = [
@@ -156,40 +164,46 @@ export const CHORDAL_STEPS: Switch[] = [
   { pointer: '/rules/chordal_transfer', label: 'Transfer chordae', fallback: false },
 ]
 
-/// What can be forbidden: the word of the rules and what it means.
-export interface Technique {
-  title: string
-  kinds: [word: string, label: string][]
+const SUTURE = 'papillary_approximation'
+
+/// Which muscles may be sutured, each with what the rules forbid for it.
+export const SUTURES = [
+  { name: 'both', label: 'both muscles', forbidden: [] },
+  { name: 'anterolateral', label: 'anterolateral muscle only', forbidden: [`${SUTURE}:posteromedial`] },
+  { name: 'posteromedial', label: 'posteromedial muscle only', forbidden: [`${SUTURE}:anterolateral`] },
+  { name: 'none', label: 'none', forbidden: [SUTURE] },
+] as const
+
+/// What can be forbidden: a word of the rules and what it means.
+export interface Kind {
+  word: string
+  label: string
+  hint?: string
+  title?: string
 }
 
-export function techniques(rings: string[]): Technique[] {
+export function ringKinds(rings: { name: string; note: string }[]): Kind[] {
   return [
-    {
-      title: 'Ring',
-      kinds: [
-        ['annuloplasty:own', 'the annulus’s own shape'],
-        ...rings.map((name): [string, string] => [`annuloplasty:${name}`, name]),
-      ],
-    },
-    {
-      title: 'Papillary suture',
-      kinds: [
-        ['papillary_approximation:anterolateral', 'anterolateral muscle'],
-        ['papillary_approximation:posteromedial', 'posteromedial muscle'],
-        ['papillary_approximation:ipsilateral_trigone', 'to the trigone'],
-        ['papillary_approximation:saddle_peak', 'to the saddle peak'],
-        ['papillary_approximation:annulus_point', 'to any point of the annulus'],
-      ],
-    },
-    {
-      title: 'Neochordae',
-      kinds: [
-        ['neochorda:anterior', 'anterior leaflet'],
-        ['neochorda:posterior', 'posterior leaflet'],
-      ],
-    },
+    { word: 'annuloplasty:own', label: 'the annulus’s own shape' },
+    ...rings.map(({ name, note }) => ({
+      word: `annuloplasty:${name}`,
+      label: name,
+      hint: note.split(/;|, as /)[0] ?? '',
+      title: note,
+    })),
   ]
 }
+
+export const ANCHORS: Kind[] = [
+  { word: `${SUTURE}:ipsilateral_trigone`, label: 'trigone' },
+  { word: `${SUTURE}:saddle_peak`, label: 'saddle peak' },
+  { word: `${SUTURE}:annulus_point`, label: 'any point of the annulus' },
+]
+
+export const LEAFLETS: Kind[] = [
+  { word: 'neochorda:anterior', label: 'anterior leaflet' },
+  { word: 'neochorda:posterior', label: 'posterior leaflet' },
+]
 
 export interface Choices {
   numbers: Map<NumberOption, number | null> // null: left empty

@@ -1,13 +1,16 @@
 // What a search has found: the valve before, ranked plans, two of them compared, the rest of its evidence.
-import type { RankedPlan, SearchResult } from '../api/types'
+import type { SearchResult } from '../api/types'
 import { dataTable, figure } from '../charts/data_table'
 import { h } from '../dom'
 import { number, seconds, withUnit } from '../format'
 import { grouped } from '../jobs/progress_panel'
-import { inWords, planCard, type CardContext } from './card'
+import { cardId, planCard, type CardContext } from './card'
 import { comparison } from './compare'
 import { costChart, endedSeries } from './cost_chart'
 import { downloadButton, reportLink } from '../jobs/downloads'
+import { inWords } from './figures'
+import { planTable } from './plan_table'
+import { whyFirst, type Weights } from './price'
 import jobsStyle from '../jobs/jobs.module.css'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -26,7 +29,7 @@ export function searchResults(result: SearchResult, context: CardContext): HTMLE
     'div',
     { class: jobsStyle.results },
     overview(result, context),
-    ...ranked(result.plans, context),
+    ...ranked(result, context),
     ...rest(result, context),
   )
 }
@@ -35,8 +38,12 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
   const { before } = result
   const told = h('div', {})
   const path = `/v1/jobs/${context.job.id}`
+  const leak = result.plans[0]?.leak_mm2.nominal
   const facts: [string, string][] = [
-    ['Orifice before', withUnit(before.orifice_area_mm2, 'mm²')],
+    ...(leak === undefined || leak === null
+      ? []
+      : [['Leak before, with plan 1', `${number(before.leak_mm2)} → ${withUnit(leak, 'mm²')}`] as [string, string]]),
+    ['orifice before', withUnit(before.orifice_area_mm2, 'mm²')],
     ['gap before', withUnit(before.coaptation.gap_area_mm2, 'mm²')],
     ['coaptation before, mean', withUnit(before.coaptation.height_mean_mm, 'mm')],
     ['plans tried', `${grouped(result.plans_tried)} of ${grouped(result.plans_possible)}`],
@@ -65,22 +72,34 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
     before.crossing &&
       h('p', { class: parts.warn }, 'Before repair, leaflets pass through each other: do not trust the figures.'),
     h(
-      'dl',
-      { class: parts.figures },
-      ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
+      'div',
+      { class: searchStyle.overview },
+      context.photos.photo(null, 'The closed valve seen from the atrium, before repair'),
+      h(
+        'div',
+        {},
+        h(
+          'dl',
+          { class: parts.figures },
+          ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
+        ),
+        h('p', { class: parts.hint }, STOPS[result.stop] ?? result.stop),
+      ),
     ),
-    h('p', { class: parts.hint }, STOPS[result.stop] ?? result.stop),
     h(
       'div',
       { class: parts.row, role: 'group', 'aria-label': 'Downloads of the search' },
       reportLink('Report of the search', `${path}/report`, 'coapt-search.html', told),
+      context.job.links.evaluations &&
+        downloadButton('Every plan tried (CSV)', context.job.links.evaluations, 'coapt-plans-tried.csv', told),
       downloadButton('Result (JSON)', `${path}/result`, 'coapt-search.json', told),
     ),
     told,
   )
 }
 
-function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
+function ranked(result: SearchResult, context: CardContext): HTMLElement[] {
+  const { plans } = result
   if (plans.length === 0)
     return [
       h(
@@ -90,29 +109,21 @@ function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
       ),
     ]
   const compared = h('div', { 'aria-live': 'polite' })
-  const chosen: RankedPlan[] = []
-  const cards = plans.map((plan) => planCard(plan, context))
-  const hint = h(
-    'p',
-    { class: parts.hint },
-    'Choose two plans to compare them. Leak: the larger of the orifice seen from the atrium and the gap between the leaflets. Region: small errors of execution around the plan.',
-  )
-
-  const boxOf = (plan: RankedPlan) => cards[plans.indexOf(plan)]?.choose
-  cards.forEach((card, i) => {
-    card.choose.addEventListener('change', () => {
-      const plan = plans[i] as RankedPlan
-      if (card.choose.checked) chosen.push(plan)
-      else chosen.splice(chosen.indexOf(plan), 1)
+  const table = planTable(result, (plan) => cardId(context, plan))
+  const chosen: number[] = [] // indices of plans, at most two
+  table.boxes.forEach((box, i) => {
+    box.addEventListener('change', () => {
+      if (box.checked) chosen.push(i)
+      else chosen.splice(chosen.indexOf(i), 1)
       const dropped = chosen.length > 2 ? chosen.shift() : undefined // the one chosen first
-      const box = dropped && boxOf(dropped)
-      if (box) box.checked = false
+      const other = dropped === undefined ? undefined : table.boxes[dropped]
+      if (other) other.checked = false
       compare()
     })
   })
 
   function compare(): void {
-    const [a, b] = [...chosen].sort((one, other) => one.rank - other.rank)
+    const [a, b] = [...chosen].sort((one, other) => one - other).map((i) => plans[i])
     if (a && b) compared.replaceChildren(comparison(a, b, plans, context))
     else
       compared.replaceChildren(
@@ -121,15 +132,18 @@ function ranked(plans: RankedPlan[], context: CardContext): HTMLElement[] {
     if (a && b) compared.scrollIntoView({ block: 'start' })
   }
 
+  const why = whyFirst(plans, result.weights as Weights)
   return [
     h(
-      'h2',
-      { class: searchStyle.plansTitle },
-      plans.length === 1 ? 'One ranked plan' : `${plans.length} ranked plans, best first`,
+      'section',
+      { class: parts.panel, 'data-part': 'ranked', 'aria-label': 'Ranked plans' },
+      h('h2', {}, plans.length === 1 ? 'One ranked plan' : `${plans.length} ranked plans, best first`),
+      why && h('p', { 'data-part': 'why' }, why),
+      table.element,
+      plans.length > 1 && h('p', { class: parts.hint }, 'Tick two plans to compare them.'),
     ),
-    hint,
     compared,
-    ...cards.map((card) => card.element),
+    ...plans.map((plan) => planCard(plan, context)),
   ]
 }
 

@@ -1,13 +1,14 @@
 // Searches for repair plans of the open valve.
+import type { Job } from '../api/types'
 import { h } from '../dom'
+import { withUnit } from '../format'
 import { JobView, type JobKind } from '../jobs/job_view'
-import { grouped } from '../jobs/progress_panel'
+import { describe } from '../repair/steps'
 import type { View } from '../view'
 import type { Workspace } from '../workspace'
 import { searchForm } from './form'
 import { searchPanel } from './job_panel'
-import { DEFAULT_CLOSURES } from './options'
-import { Pictures } from './pictures'
+import { inShort } from './in_short'
 import parts from '../style/parts.module.css'
 
 export class SearchView implements View {
@@ -21,10 +22,11 @@ export class SearchView implements View {
       member: 'search',
       earlier: 'Earlier searches',
       form: searchForm,
-      note: (search) => `${grouped(Number(search.evaluations ?? DEFAULT_CLOSURES))} closures`,
+      note: inShort,
+      outcome: bestSoFar,
       empty: empty(),
       panel(job, changed, signal) {
-        return searchPanel(job, { workspace, pictures: new Pictures(signal), signal, changed })
+        return searchPanel(job, { workspace, signal, changed })
       },
     }
     this.jobs = new JobView(workspace, searches)
@@ -35,6 +37,12 @@ export class SearchView implements View {
     void this.jobs.show()
   }
   hide(): void {}
+}
+
+function bestSoFar({ progress: { best } }: Job): string | null {
+  if (!best) return null
+  const steps = best.plan.steps.map(describe).join('; ') || 'No repair'
+  return `${steps}: leak ${withUnit(best.leak_mm2, 'mm²')}`
 }
 
 function empty(): HTMLElement {

@@ -1,4 +1,5 @@
 // A grid of displacements, one apical level at a time.
+import { evenLimits } from '../charts/colours'
 import { heatMap, heatScale } from '../charts/heat_map'
 import { field, h, select } from '../dom'
 import type { Row } from './csv'
@@ -34,7 +35,7 @@ export function sliceMap(map: SliceMap): HTMLElement {
     const scaled = (at: number) =>
       slice(rows, at, map.column).map((row) => row.map((value) => (value === null ? null : factor * value)))
     const all = levels.flatMap((at) => scaled(at).flat()).filter((value) => value !== null)
-    const most = Math.max(1, ...all)
+    const limits = evenLimits(Math.max(1, ...all))
     shown.textContent = `${apical} mm`
     level.setAttribute('aria-valuetext', `${apical} mm`)
     holder.replaceChildren(
@@ -44,11 +45,11 @@ export function sliceMap(map: SliceMap): HTMLElement {
         rows: { label: 'posterior displacement, mm', ticks: places(rows, 'posterior_mm').reverse().map(String) },
         columns: { label: 'transverse displacement, mm', ticks: places(rows, 'transverse_mm').map(String) },
         values: scaled(apical),
-        most,
+        limits,
         digits: map.digits,
       }),
     )
-    scale.replaceChildren(heatScale(most, map.unit, map.none))
+    scale.replaceChildren(heatScale(limits, map.unit, map.none))
   }
 
   const chosen = select(map.choices, choice, (name) => {

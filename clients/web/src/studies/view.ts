@@ -19,6 +19,7 @@ export class StudiesView implements View {
       earlier: 'Earlier studies',
       form: studyForm,
       note: (study) => String(study.name),
+      outcome: ({ findings, agree }) => (findings ? `${agree} of ${findings} findings agree with the thesis` : null),
       empty: empty(),
       panel: studyPanel,
     }

@@ -39,11 +39,12 @@ await picture('repair-tablet', 'repair', { width: 820, height: 1180, theme: 'dar
 })
 
 await picture('search', 'search', { height: 1000 }, async (page) => {
+  await page.getByText('Optimiser', { exact: true }).click()
   await page.getByLabel('Closures', { exact: true }).fill('300')
-  await page.getByLabel('Ranked plans').fill('3')
+  await page.getByLabel('Plans to show').fill('3')
   await page.getByRole('button', { name: 'Start the search' }).click()
   await page
-    .locator('[data-part=plan] img[src]')
+    .locator('[data-part=plan] [data-part=photo][data-taken]')
     .nth(2)
     .waitFor({ timeout: 5 * PATIENCE_MS })
   const plan = page.locator('[data-part=plan]').first()

@@ -17,6 +17,8 @@ after(async () => {
 })
 
 const set = (label, value) => page.getByLabel(label, { exact: true }).fill(value)
+const unfold = (title) =>
+  page.locator('[data-part=form] details', { hasText: title }).evaluate((details) => (details.open = true))
 const start = () => page.getByRole('button', { name: 'Start the search' }).click()
 const accessible = async () => assert.deepEqual(await accessProblems(page), [])
 
@@ -26,27 +28,32 @@ async function saved(button) {
 }
 
 test('what the service says against an option stands at it', async () => {
-  await set('Ranked plans', '0')
-  await page.getByText('Allowed', { exact: true }).click()
-  for (const box of await page.getByRole('group', { name: 'Ring' }).getByRole('checkbox').all()) await box.uncheck()
+  await set('Plans to show', '0')
+  await unfold('Optimiser')
+  await set('Seed', '-1')
+  await page.locator('[data-part=form] details', { hasText: 'Optimiser' }).evaluate((details) => (details.open = false))
   await start()
   await page
-    .locator('[data-part=option]', { hasText: 'Ranked plans' })
+    .locator('[data-part=option]', { hasText: 'Plans to show' })
     .locator('[data-part=problems] code', { hasText: '/search/plans' })
     .waitFor({ state: 'attached' })
+  await page.getByText('Plans to show is 0, must be from 1 to 50').waitFor()
+  await page.getByText('Seed is -1').waitFor() // its fold is opened
   await accessible()
   await page.getByRole('button', { name: 'Defaults' }).click()
   assert.equal(await page.locator('[data-part=problems]').count(), 0)
 })
 
 test('a search that is cancelled shows the best so far', async () => {
+  await unfold('Optimiser')
   await set('Closures', '100000')
-  await set('Ranked plans', '1')
+  await set('Plans to show', '1')
   await set('Region points', '17')
   await page.getByLabel('Evidence').uncheck()
   await start()
   await page.locator('[data-part=progress] dl', { hasText: /of 1\d\d,/ }).waitFor()
   await page.locator('[data-part=plot] canvas').waitFor()
+  await page.locator('[data-part=leading] [data-part=photo][data-taken]').nth(1).waitFor() // before, and with the plan
   await accessible()
   await page.getByRole('button', { name: 'Cancel' }).click()
   await page.getByText('The search was cancelled; this is the best so far.').waitFor()
@@ -54,8 +61,9 @@ test('a search that is cancelled shows the best so far', async () => {
 })
 
 test('a search goes on when the page is loaded again', async () => {
+  await unfold('Optimiser')
   await set('Closures', '60')
-  await set('Ranked plans', '2')
+  await set('Plans to show', '2')
   await set('Region points', '33')
   await page.getByLabel('Evidence').check()
   const [answer] = await Promise.all([page.waitForResponse((response) => response.status() === 202), start()])
@@ -69,21 +77,40 @@ test('a search goes on when the page is loaded again', async () => {
 test('a picture that comes when its search is no longer open is dropped', async () => {
   let answer
   const asked = new Promise((resolve) => (answer = resolve))
-  await page.route('**/picture', (route) => asked.then(() => route.continue()))
+  await page.route('**/v1/scenes', (route) => asked.then(() => route.continue()).catch(() => {})) // some are given up
   const jobs = page.locator('[data-part=jobs] li')
   for (const [job, plans] of [
     [1, 1],
     [0, 2],
   ]) {
     await jobs.nth(job).getByRole('button').first().click()
-    await page.waitForFunction((count) => document.querySelectorAll('[data-part=plan] img').length === count, plans)
+    await page.waitForFunction((count) => document.querySelectorAll('[data-part=plan]').length === count, plans)
   }
   answer()
-  await page.waitForFunction(() =>
-    [...document.querySelectorAll('[data-part=plan] img')].every((image) => image.naturalWidth > 0),
-  )
-  await page.unroute('**/picture')
+  await page.locator('[data-part=photo][data-taken]').nth(2).waitFor() // the valve as it is and two plans
+  await page.unroute('**/v1/scenes')
   assert.deepEqual(complaints, [])
+})
+
+test('all plans stand in one table, with the reason of the first; pictures follow the theme', async () => {
+  const table = page.locator('[data-part=ranked] table')
+  assert.equal(await table.locator('tbody tr').count(), 3) // the valve as it is, two plans
+  assert.match(await page.locator('[data-part=why]').textContent(), /Plan 1 stands first with a cost of \d/)
+  const corner = () =>
+    page
+      .locator('[data-part=plan] [data-part=photo] canvas')
+      .first()
+      .evaluate((canvas) => canvas.getContext('2d').getImageData(2, 2, 1, 1).data[0])
+  assert.ok((await corner()) > 200)
+  await page.emulateMedia({ colorScheme: 'dark' })
+  await page.waitForFunction(() => {
+    const canvas = document.querySelector('[data-part=plan] [data-part=photo] canvas')
+    return canvas.getContext('2d').getImageData(2, 2, 1, 1).data[0] < 60
+  })
+  await page.emulateMedia({ colorScheme: 'light' })
+  const { name, content } = await saved(page.getByRole('button', { name: 'Every plan tried (CSV)' }))
+  assert.equal(name, 'coapt-plans-tried.csv')
+  assert.match(content, /^number,rank,description,cost_mm2,/)
 })
 
 test('a plan shows the figures of the result', async () => {
@@ -120,12 +147,12 @@ test('its evidence holds a map, curves that can be read and hidden, and the rule
   await plan.getByRole('rowheader', { name: 'opening area' }).waitFor()
 })
 
-test('two plans are compared, their maps in one scale', async () => {
+test('two plans are compared', async () => {
   await page.getByRole('checkbox', { name: 'Compare plan 1' }).check()
   await page.getByRole('checkbox', { name: 'Compare plan 2' }).check()
   const comparison = page.getByRole('region', { name: 'Ranks 1 and 2 compared' })
   await comparison.waitFor()
-  assert.equal(await comparison.locator('img').count(), 2)
+  assert.equal(await comparison.locator('[data-part=photo]').count(), 2)
   assert.equal(await comparison.locator('[data-part=heat-scale]').count(), 1)
   await comparison.getByText('Highest chordal tension').waitFor()
   for (const [theme, width] of [
@@ -156,4 +183,27 @@ test('a plan is kept, and tried by hand', async () => {
   await plan.getByText('Kept:').waitFor()
   await plan.getByRole('button', { name: 'Try by hand' }).click()
   await page.waitForFunction(() => location.hash.startsWith('#/repair?'))
+})
+
+test('the list tells what was found; what one tab removes is gone in the other', async () => {
+  await page.getByRole('link', { name: 'Search' }).click()
+  const entries = (of) => of.locator('[data-part=jobs] li')
+  await entries(page)
+    .first()
+    .getByText(/leak \d/)
+    .waitFor()
+  await entries(page)
+    .first()
+    .getByText(/^today \d\d:\d\d, 60 closures$/)
+    .waitFor()
+  const second = await page.context().newPage()
+  await second.goto(`${service.url}/#/search`)
+  await entries(second).nth(1).waitFor()
+  await entries(page).nth(1).getByRole('button', { name: 'Remove the search' }).click()
+  await entries(second).nth(1).waitFor({ state: 'detached' })
+  await entries(page).first().getByRole('button', { name: 'Remove the search' }).click() // the one that is open
+  await page.getByText('None yet.').waitFor()
+  await page.locator('[data-part=ranked]').waitFor({ state: 'detached' })
+  assert.doesNotMatch(page.url(), /job=/)
+  await second.close()
 })

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { shadeOf } from '../../src/charts/colours'
+import { evenLimits, shadeOf } from '../../src/charts/colours'
 import { roundDown, roundsIn, roundUp } from '../../src/charts/rounds'
 import { aligned, readAt } from '../../src/charts/series'
 import { histogram } from '../../src/studies/histogram'
@@ -26,9 +26,9 @@ test('where a line has no value the nearest is read, of steps the one before, of
   expect(readAt('line', [null, null], 1)).toBe(1)
 })
 
-test('shades run from nothing to the most', () => {
-  expect([0, 4, 8, 9, -1].map((value) => shadeOf(value, 8))).toEqual([0, 4, 8, 8, 0])
-  expect(shadeOf(1, 0)).toBe(0)
+test('a shade begins at its limit', () => {
+  expect([-1, 0, 0.4, 0.5, 1.9, 2, 99].map((value) => shadeOf(value, [0.5, 2]))).toEqual([0, 0, 0, 1, 1, 2, 2])
+  expect(evenLimits(8)).toEqual([1, 2, 3, 4, 5, 6, 7])
 })
 
 test('a histogram counts every known value once, in round bins', () => {

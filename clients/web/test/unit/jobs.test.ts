@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import type { JobProgress } from '../../src/api/types'
-import { Pace } from '../../src/jobs/pace'
-import { endedSeries, liveSeries } from '../../src/search/cost_chart'
+import { Pace, roughly } from '../../src/jobs/pace'
+import { costSummary, endedSeries, liveSeries } from '../../src/search/cost_chart'
 
 function progress(stage: string, closures: number, seconds: number, more: Partial<JobProgress> = {}): JobProgress {
   return {
@@ -35,6 +35,45 @@ test('a stage that begins again has a new pace', () => {
   pace.left(progress('ring', 90, 9))
   expect(pace.left(progress('ring', 0, 10))).toBeNull()
   expect(pace.left(progress('ring', 50, 20))).toBe(10)
+})
+
+test('stages that share their closures foretell the end of all of them', () => {
+  const pace = new Pace({ searching: 0.6, ranking: 0.5 })
+  pace.left(progress('searching', 0, 0))
+  expect(pace.left(progress('searching', 20, 4))).toBe(8) // 5 a second, 40 of the 60 that are needed
+  expect(pace.left(progress('ranking', 20, 5))).toBe(7) // time passes
+})
+
+test('what is told follows a change of pace slowly', () => {
+  const pace = new Pace()
+  pace.left(progress('searching', 0, 0))
+  expect(pace.left(progress('searching', 40, 4))).toBe(6)
+  const slower = pace.left(progress('searching', 42, 6)) ?? 0 // 7 a second now, 58 left: 8.3 s; 4 were expected
+  expect(slower).toBeGreaterThan(4)
+  expect(slower).toBeLessThan(6)
+})
+
+test('time left is told no more exactly than it is known', () => {
+  expect([3, 43, 58, 95, 400, 7000].map(roughly)).toEqual([
+    'a few seconds',
+    'about 45 s',
+    'about 1 min',
+    'about 1.5 min',
+    'about 7 min',
+    'about 2 h',
+  ])
+})
+
+test('the best cost is told with when it was found', () => {
+  const series = endedSeries(
+    [
+      { closures: 9, cost: 5 },
+      { closures: 24, cost: 2.6 },
+      { closures: 2000, cost: 2.6 },
+    ],
+    [],
+  )
+  expect(costSummary(series)).toBe('2.60 mm² since 24 closures of 2,000.')
 })
 
 test('the live curves hold what is known, once for each number of closures', () => {

@@ -1,6 +1,15 @@
 import { expect, test } from 'vitest'
 import type { RankedPlan } from '../../src/api/types'
-import { doubts, FIGURES, judge, marginWords, meanAndSd, shownFigure, tieWords } from '../../src/search/figures'
+import {
+  doubts,
+  FIGURES,
+  judge,
+  lengthName,
+  marginWords,
+  meanAndSd,
+  shownFigure,
+  tieWords,
+} from '../../src/search/figures'
 
 interface Given {
   rank?: number
@@ -16,6 +25,7 @@ function plan({ rank = 1, mean = 1, sd = 0, tension = 1, angle = 1, tie = false,
   const statistics = { nominal: mean, mean, sd, worst: mean, p95: mean, below_5: 1, below_10: 1, below_20: 1 }
   return {
     rank,
+    plan: { schema: 'coapt.plan/1', steps: [] },
     leak_mm2: statistics,
     orifice_area_mm2: statistics,
     measure: { orifice_area_mm2: mean, tension_max_n: tension, coaptation: {} },
@@ -65,11 +75,28 @@ test('what is not known is not compared', () => {
 })
 
 test('a margin at the border of the region may be larger', () => {
-  expect(marginWords({ suture_length_mm: 1, angle_deg: 2.5, share: null })).toBe('suture more than 1.00 mm, angle 2.5°')
-  expect(marginWords({ suture_length_mm: null, angle_deg: 5, share: null })).toBe(
-    'suture not known, angle more than 5.0°',
-  )
+  const wide = { ...plan({}), margin_to_leak: { suture_length_mm: 1, angle_deg: 2.5, share: null } }
+  expect(marginWords(wide)).toBe('tip to trigone distance more than 1.00 mm, angle 2.5°')
   expect(shownFigure(figure('Margin to leak, angle'), plan({ angle: 5 }))).toBe('≥ 5.0°')
+})
+
+test('errors of length are of sutures where there are some', () => {
+  const tied = (...sides: ('anterolateral' | 'posteromedial')[]): RankedPlan => ({
+    ...plan({}),
+    plan: {
+      schema: 'coapt.plan/1',
+      steps: sides.map((side) => ({
+        step: 'papillary_approximation' as const,
+        side,
+        anchor: 'saddle_peak' as const,
+        suture_length_mm: 30,
+      })),
+    },
+  })
+  expect(lengthName(tied())).toBe('tip to trigone distance')
+  expect(lengthName(tied('anterolateral'))).toBe('suture or tip to trigone distance')
+  expect(lengthName(tied('anterolateral'), 'anterolateral')).toBe('suture')
+  expect(lengthName(tied('anterolateral', 'posteromedial'))).toBe('suture')
 })
 
 test('an unknown mean is not zero', () => {
@@ -79,12 +106,10 @@ test('an unknown mean is not zero', () => {
 
 test('ties are said as ties, also across ranks between', () => {
   const tied = [plan({ rank: 1, tie: true, ahead: 0.75 }), plan({ rank: 2, tie: true }), plan({ rank: 3 })] as const
-  expect(tieWords(tied[0], tied[1], [...tied])).toBe('Ranks 1 and 2 tie; rank 1 is ahead with a probability of 75 %.')
-  expect(tieWords(tied[0], tied[2], [...tied])).toBe(
-    'Plans ranked 1 to 3 tie, each with the next: their order means little.',
-  )
+  expect(tieWords(tied[0], tied[1], [...tied])).toBe('Plans 1 and 2 tie; plan 1 is ahead with a probability of 75 %.')
+  expect(tieWords(tied[0], tied[2], [...tied])).toBe('Plans 1 to 3 tie, each with the next: their order means little.')
   const apart = [plan({ rank: 1, ahead: 1 }), plan({ rank: 2 }), plan({ rank: 3 })] as const
-  expect(tieWords(apart[0], apart[1], [...apart])).toBe('Rank 1 is ahead of rank 2 with a probability of 100 %.')
+  expect(tieWords(apart[0], apart[1], [...apart])).toBe('Plan 1 is ahead of plan 2 with a probability of 100 %.')
   expect(tieWords(apart[0], apart[2], [...apart])).toBeNull()
 })
 

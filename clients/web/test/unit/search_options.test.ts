@@ -1,18 +1,23 @@
 import { expect, test } from 'vitest'
+import { inShort } from '../../src/search/in_short'
 import {
-  BUDGET,
+  ANCHORS,
+  ANSWER,
   EVIDENCE,
+  LEAFLETS,
   LIMITS,
+  NEOCHORDAE,
+  OPTIMISER,
   placeOf,
+  ringKinds,
   searchOf,
-  STOPS,
-  techniques,
+  SUTURES,
   WEIGHTS,
   type Choices,
 } from '../../src/search/options'
 import schema from '../../../../io/schema/search.schema.json'
 
-const all = [...BUDGET, ...STOPS, ...LIMITS, ...WEIGHTS]
+const all = [...ANSWER, NEOCHORDAE, ...LIMITS, ...OPTIMISER, ...WEIGHTS]
 const none: Choices = { numbers: new Map(), switches: new Map(), forbidden: [], fixed: null }
 
 /// What the schema says of an option.
@@ -38,15 +43,14 @@ test('defaults make an empty search', () => {
 })
 
 test('what differs from the defaults stands where its pointer says', () => {
-  const [closures] = BUDGET
+  const [closures] = OPTIMISER
   const [leak] = WEIGHTS
-  const [neochordae] = LIMITS
-  if (!closures || !leak || !neochordae) throw new Error('no options')
+  if (!closures || !leak) throw new Error('no options')
   const search = searchOf({
     numbers: new Map([
       [closures, 200],
       [leak, 2],
-      [neochordae, 0],
+      [NEOCHORDAE, 0],
     ]),
     switches: new Map([[EVIDENCE, false]]),
     forbidden: ['annuloplasty:own'],
@@ -61,11 +65,11 @@ test('what differs from the defaults stands where its pointer says', () => {
 })
 
 test('an empty field leaves the option out', () => {
-  expect(searchOf({ ...none, numbers: new Map(STOPS.map((option) => [option, null])) })).toEqual({})
+  expect(searchOf({ ...none, numbers: new Map(ANSWER.map((option) => [option, null])) })).toEqual({})
 })
 
 test('a target of zero is a target', () => {
-  const target = STOPS.find(({ pointer }) => pointer === '/target_mm2')
+  const target = OPTIMISER.find(({ pointer }) => pointer === '/target_mm2')
   if (!target) throw new Error('no target')
   expect(searchOf({ ...none, numbers: new Map([[target, 0]]) })).toEqual({ target_mm2: 0 })
 })
@@ -80,10 +84,30 @@ test.each(all.map((option) => [option.pointer, option] as const))(
   },
 )
 
-test('every kind of a technique is a word of the rules', () => {
-  const words = techniques(['generic-classic']).flatMap(({ kinds }) => kinds.map(([word]) => word))
+test('what can be forbidden is a word of the rules', () => {
+  const kinds = [
+    ...ringKinds([{ name: 'generic-classic', note: 'flat, 3 : 4, as most; no saddle' }]),
+    ...ANCHORS,
+    ...LEAFLETS,
+  ]
+  const words = [...kinds.map(({ word }) => word), ...SUTURES.flatMap(({ forbidden }) => forbidden)]
   expect(words).toContain('annuloplasty:generic-classic')
-  for (const word of words) expect(word).toMatch(/^(annuloplasty|papillary_approximation|neochorda):/)
+  expect(kinds[1]?.hint).toBe('flat, 3 : 4')
+  for (const word of words) expect(word).toMatch(/^(annuloplasty|papillary_approximation|neochorda)(:|$)/)
+})
+
+test('what was asked is said in short', () => {
+  expect(inShort({})).toBe('default options')
+  expect(
+    inShort({
+      evaluations: 2500,
+      seconds: 30,
+      rules: { forbidden: ['papillary_approximation', 'annuloplasty:own'], most_neochordae: 2 },
+    }),
+  ).toBe('no sutures, without own-shape ring, at most 2 neochordae, at most 30 s, 2,500 closures')
+  expect(inShort({ rules: { forbidden: ['papillary_approximation:anterolateral'], chordal_excision: true } })).toBe(
+    'sutures of the posteromedial muscle only, cut strut chordae',
+  )
 })
 
 test('a problem belongs to the option that its pointer leads into', () => {

@@ -1,0 +1,125 @@
+// Pictures of a valve before and after plans, as the 3D view shows them from the atrium. One view that nobody sees takes
+// them all, one after the other, and again when the theme changes.
+import { drawScene } from '../api/calls'
+import type { Plan, Scene, Vector } from '../api/types'
+import { onTheme } from '../charts/colours'
+import { h } from '../dom'
+import type { Viewer } from '../viewer/viewer'
+import parts from '../style/parts.module.css'
+import searchStyle from './search.module.css'
+
+const LOOK = { mode: 'leaflets', scale: null, share: 1, orifices: true, names: false, cut: null } as const
+
+// Colours and widths in pixels of strokes over each other.
+const RING = [
+  ['#2a3442', 11],
+  ['#f8f2e0', 8],
+] as const
+const SUTURE = [
+  ['#ffffff', 5],
+  ['#0b6b4a', 3],
+] as const
+
+let studio: Promise<Viewer> | null = null
+
+async function openStudio(): Promise<Viewer> {
+  const { Viewer } = await import('../viewer/viewer')
+  const viewer = new Viewer('')
+  document.body.append(h('div', { class: searchStyle.studio, inert: true }, viewer.element))
+  await new Promise((laidOut) => requestAnimationFrame(() => requestAnimationFrame(laidOut)))
+  return viewer
+}
+
+export class Photos {
+  private readonly scenes = new Map<string, Promise<Scene>>() // by the plan
+  private readonly taken: (() => void)[] = []
+  private last: Promise<unknown> = Promise.resolve() // one at a time
+
+  /// `valve`: a preset's name or a stored valve's id. Nothing is asked for after `signal` aborts.
+  constructor(
+    private readonly valve: string,
+    private readonly signal: AbortSignal,
+  ) {
+    const again = () => {
+      for (const take of this.taken) take()
+    }
+    onTheme(again, signal)
+  }
+
+  /// Of the valve as `plan` leaves it; null: as it is.
+  photo(plan: Plan | null, alt: string): HTMLElement {
+    const canvas = h('canvas', { role: 'img', 'aria-label': alt })
+    const frame = h('div', { class: searchStyle.photo, 'data-part': 'photo' }, canvas)
+    const take = () => {
+      this.last = this.last
+        .then(() => this.take(canvas, plan))
+        .then(
+          () => frame.setAttribute('data-taken', ''),
+          () => frame.replaceChildren(h('p', { class: parts.hint }, 'The picture could not be drawn.')),
+        )
+    }
+    take()
+    this.taken.push(take)
+    return frame
+  }
+
+  private async take(canvas: HTMLCanvasElement, plan: Plan | null): Promise<void> {
+    if (this.signal.aborted) return
+    studio ??= openStudio()
+    const [before, scene, viewer] = await Promise.all([this.scene(null), this.scene(plan), studio])
+    if (this.signal.aborted) return
+    viewer.set(scene, LOOK)
+    viewer.stage.look('atrial', points(before.annulus_mm)) // all in one scale
+    viewer.stage.drawNow()
+    const drawn = viewer.stage.canvas
+    canvas.width = drawn.width
+    canvas.height = drawn.height
+    const pen = canvas.getContext('2d')
+    if (!pen) return
+    pen.drawImage(drawn, 0, 0)
+    pen.scale(drawn.width / drawn.clientWidth, drawn.height / drawn.clientHeight)
+    const hasRing = plan?.steps.some(({ step }) => step === 'annuloplasty') ?? false
+    drawImplants(pen, scene, hasRing, (point) => viewer.stage.place(point))
+  }
+
+  private scene(plan: Plan | null): Promise<Scene> {
+    const key = JSON.stringify(plan?.steps ?? [])
+    const scene = this.scenes.get(key) ?? drawScene(this.valve, plan, 0, this.signal)
+    this.scenes.set(key, scene)
+    return scene
+  }
+}
+
+type Place = (point_mm: Vector) => { x: number; y: number }
+
+/// Over the leaflets, as in the report: seen from the atrium they hide the sutures and neochordae.
+function drawImplants(pen: CanvasRenderingContext2D, scene: Scene, hasRing: boolean, place: Place): void {
+  const line = (points_mm: Vector[], colour: string, width: number) => {
+    pen.beginPath()
+    for (const point of points_mm) {
+      const { x, y } = place(point)
+      pen.lineTo(x, y)
+    }
+    pen.strokeStyle = colour
+    pen.lineWidth = width
+    pen.stroke()
+  }
+  pen.lineJoin = pen.lineCap = 'round'
+  const annulus = points(scene.annulus_mm)
+  if (hasRing) for (const [colour, width] of RING) line([...annulus, ...annulus.slice(0, 2)], colour, width)
+  const ties = scene.sutures.map(({ tip_mm, anchor_mm }) => [tip_mm, anchor_mm])
+  const neochordae = scene.chordae
+    .filter(({ kind }) => kind === 'neochorda')
+    .map(({ head, segments }) => [scene.heads[head]?.tip_mm, ...segments.map(({ end_mm }) => end_mm)])
+  for (const implant of [...ties, ...neochordae])
+    for (const [colour, width] of SUTURE)
+      line(
+        implant.filter((point) => point !== undefined),
+        colour,
+        width,
+      )
+}
+
+function points(flat_mm: number[]): Vector[] {
+  return Array.from({ length: flat_mm.length / 3 }, (_, i) => flat_mm.slice(3 * i, 3 * i + 3) as Vector)
+}
