@@ -14,7 +14,7 @@ core/presets     : core/closure core/valve
 search/          : core
 search/plans     : core search/
 search/studies   : core search/ search/plans
-io/command_line  :
+io/command_line  : core/valve
 io/json          : core search
 io/mesh          : core io/json
 io/exchange      : core search io/json io/mesh

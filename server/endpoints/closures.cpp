@@ -31,9 +31,14 @@ Closed close(const RepairRequest& asked, RequestClosures& closures, const Closur
 }  // namespace
 
 Answer PostClosures::operator()(const Request& request) const {
+  int end_states = kThesisSamples;
+  const auto read_states = [](const JsonPlace& place) {
+    return read_integer_in(place, 1, kThesisSamples);
+  };
   return answer_repair(
-      valves, compute, request, {}, [](const RepairRequest& asked, RequestClosures& closures) {
-        return json_answer(200, close(asked, closures, {.samples = kThesisSamples}).json);
+      valves, compute, request, {{"end_states", into(end_states, read_states), false}},
+      [&end_states](const RepairRequest& asked, RequestClosures& closures) {
+        return json_answer(200, close(asked, closures, {.samples = end_states}).json);
       });
 }
 

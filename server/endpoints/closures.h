@@ -7,8 +7,8 @@
 
 namespace coapt {
 
-/// POST /v1/closures {"valve", "plan" (optional)}: closes the valve, repaired if there is a plan. Answers what
-/// `coapt close --json` prints.
+/// POST /v1/closures {"valve", "plan" (optional), "end_states" (optional, 5)}: closes the valve, repaired if there is a
+/// plan. Answers what `coapt close --json` prints; fewer end states are measured faster.
 struct PostClosures {
   ValveSource valves;
   Compute& compute;

@@ -39,6 +39,19 @@ TEST_F(ClosuresTest, AClosureIsThatOfTheValve) {
   EXPECT_TRUE(json["warnings"].empty());
 }
 
+TEST_F(ClosuresTest, AsManyEndStatesAreMeasuredAsAsked) {
+  ordered_json request = request_to("/v1/closures");
+  request["end_states"] = 1;
+  const ordered_json one = json_of(post("/v1/closures", request));
+  const ClosureResult closure = close_valve(small_valve());
+  EXPECT_EQ(one["leak_mm2"], closure_to_json(small_valve(), closure,
+                                             measure(small_valve(), closure), 0.0)["leak_mm2"]);
+  for (const ordered_json& wrong : {ordered_json(0), ordered_json(6), ordered_json("one")}) {
+    request["end_states"] = wrong;
+    EXPECT_EQ(refusal(post("/v1/closures", request)), (Refused{422, {"/end_states"}})) << wrong;
+  }
+}
+
 TEST_F(ClosuresTest, AClosureOfTooManyStepsIsRefused) {
   limits_.vertex_steps = 1000.0;
   for (const std::string& path : kPaths) {
