@@ -19,7 +19,7 @@ foreach(component Valve Plan Search)
   string(REPLACE "\n" "\n  " defs "${defs}")
   set(text "${schema},${defs}")
   string(REPLACE "\"#/$defs/" "\"#/components/schemas/${component}." text "${text}")
-  string(REPLACE "\"../coapt.plan/1#/" "\"#/components/schemas/Plan/" text "${text}")
+  string(REPLACE "\"../plan/1#/" "\"#/components/schemas/Plan/" text "${text}")
   string(REPLACE "{\"$ref\": \"../io/schema/${file}\"}" "${text}" COAPT_OPENAPI "${COAPT_OPENAPI}")
 endforeach()
 

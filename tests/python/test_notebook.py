@@ -123,6 +123,11 @@ class Examples(ClientTest):
         gates = self.client.evaluate(VALVE, [plan]).plans[0].json["gates"]
         self.assertEqual([gate["finding"] for gate in gates if gate["severity"] == "reject"], [])
 
+    def test_the_line_of_the_readme_runs(self):
+        line = re.search(r"`(Client\(.*?)`", (SOURCE / "README.md").read_text())[1]
+        leak = eval(line.replace("http://127.0.0.1:8080", self.url), vars(coapt))
+        self.assertEqual(leak, self.client.close(VALVE).measure.leak_mm2)
+
     def test_the_package_says_what_the_readme_says(self):
         names = self.run_blocks(SOURCE / "clients/python/README.md")
         self.assertTrue((self.folder / "before-after.png").exists())

@@ -24,8 +24,6 @@ FileFormat = Literal["glb", "vtk", "ply", "obj", "stl", "mrk.json", "csv", "feb"
 StudyName = Literal["annulus", "papillary", "ring", "approximation", "thesis"]
 
 LOCAL = "http://127.0.0.1:8080"
-
-
 MOST_THREADS = 32  # of a sweep: a quarter of the requests that a service answers at once
 
 
@@ -49,7 +47,7 @@ def _given(**fields: Any) -> dict[str, Any]:
 
 
 class Client:
-    """A coapt-server.
+    """A coapt-server. Threads may share a client.
 
     :param url: COAPT_SERVER or http://127.0.0.1:8080 by default
     :param token: of a service that wants one; COAPT_TOKEN by default
@@ -161,8 +159,9 @@ class Client:
         """Closes every valve with every plan, several at once, and yields the closures in order: all plans of the first valve,
         then all of the second. An error of one (no such file, an impossible plan) stands in its place, and the others go on.
 
-            for item in client.map(Path("valves").glob("*.json"), "plans.json"): ...
-            client.map(client.presets(), [Plan(Ring("generic-classic", 36)), "mixed.json"]).to_frame()
+            for item in client.map(Path("valves").glob("*.json"), "plans.json"):
+                print(item.valve, item.plan, item.closure or item.error)
+            client.map(client.presets(), [Plan(), "ring.json"]).to_frame()
 
         A valve is read when its turn comes, so there may be any number of them; at most two closures a thread are ahead of
         what was taken. Leaving the loop ends it.

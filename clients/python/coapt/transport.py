@@ -87,7 +87,7 @@ class Transport:
         return Unreachable(self._what_happened(error))
 
     def _what_happened(self, error: Exception) -> str:
-        """In words; the kinds that know most come first."""
+        """In words. Special kinds come before those that contain them."""
         host = urllib.parse.urlsplit(self.url).hostname
         match error:
             case ConnectionRefusedError():
