@@ -184,6 +184,15 @@ class Words(unittest.TestCase):
 
 
 class Addresses(unittest.TestCase):
+    def test_a_token_does_not_go_unencrypted_to_another_machine(self):
+        for url in ("http://plans.invalid", "http://localhost.plans.invalid:8080"):
+            with self.assertRaisesRegex(coapt.CoaptError, "not encrypted"):
+                coapt.Client(url, TOKEN)
+            coapt.Client(url, TOKEN, plain_http=True)
+            coapt.Client(url)
+        for url in ("https://plans.invalid", "http://localhost:8080", "http://127.0.0.1", "http://[::1]:8080"):
+            coapt.Client(url, TOKEN)
+
     def test_an_address_that_is_none_is_refused_at_once(self):
         for url in ("localhost:8080", "ftp://localhost", "http://"):
             with self.assertRaisesRegex(coapt.CoaptError, "http://127"):

@@ -55,6 +55,7 @@ class Client:
     :param retries: further tries of requests whose answer got lost or that find the service busy (its Retry-After is kept).
         Jobs carry an idempotency key, so a repeated request makes no second job
     :param patience_s: how long the service may be away while a job is followed
+    :param plain_http: the token may go over http:// to another machine
     """
 
     def __init__(
@@ -65,12 +66,14 @@ class Client:
         timeout_s: float = 120.0,
         retries: int = 3,
         patience_s: float = 60.0,
+        plain_http: bool = False,
     ) -> None:
         self._transport = Transport(
             (url or os.environ.get("COAPT_SERVER") or LOCAL).rstrip("/"),
             token or os.environ.get("COAPT_TOKEN") or None,
             timeout_s,
             retries,
+            plain_http=plain_http,
         )
         self._patience_s = patience_s
 

@@ -19,6 +19,7 @@ from .errors import BadDocument, Busy, CoaptError, Unreachable, refusal
 LOST = (OSError, http.client.HTTPException)  # the answer, or a part of it, did not come
 _FIRST_PAUSE_S = 0.25  # before the second try; doubled with each
 _LONGEST_PAUSE_S = 30.0
+_THIS_MACHINE = ("localhost", "127.0.0.1", "::1")
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,7 @@ class Transport:
 
     timeout_s: for the service to answer, from the last byte that came. retries: further tries of a request whose answer
     got lost or that the service is too busy for (429, 503), after the pause that the service asks for in Retry-After.
+    plain_http: the token may go unencrypted to another machine.
     """
 
     url: str
@@ -44,11 +46,17 @@ class Transport:
     timeout_s: float = 120.0
     retries: int = 3
     sleep: Callable[[float], object] = time.sleep
+    plain_http: bool = False
 
     def __post_init__(self) -> None:
         parts = urllib.parse.urlsplit(self.url)
         if parts.scheme not in ("http", "https") or not parts.hostname:
             raise CoaptError(f"{self.url!r} is no address of a service; must be like http://127.0.0.1:8080")
+        if self.token and parts.scheme == "http" and parts.hostname not in _THIS_MACHINE and not self.plain_http:
+            raise CoaptError(
+                f"{self.url} is not encrypted: others could read the token on the way; use https://, or plain_http=True "
+                "if the network is yours"
+            )
 
     def request(
         self,
