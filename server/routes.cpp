@@ -2,6 +2,7 @@
 #include "server/endpoints/evaluations.h"
 #include "server/endpoints/exports.h"
 #include "server/endpoints/health.h"
+#include "server/endpoints/imports.h"
 #include "server/endpoints/job_results.h"
 #include "server/endpoints/jobs.h"
 #include "server/endpoints/kept_plans.h"
@@ -19,6 +20,7 @@ Routes routes_of(const Service& service) {
       {"POST", "/v1/valves", PostValve{store, valves}},
       {"GET", "/v1/valves", GetValves{store, tokens}},
       {"POST", "/v1/valves:validate", ValidateValve{valves}},
+      {"POST", "/v1/valves:import", ImportValve{store, valves, compute}},
       {"GET", "/v1/valves/{id}", GetValve{valves}},
       {"DELETE", "/v1/valves/{id}", DeleteValve{store, known}},
       {"GET", "/v1/presets", GetPresets{}},

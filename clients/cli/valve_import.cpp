@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,10 +9,9 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "io/command_line/command_line.h"
-#include "io/exchange/markups.h"
+#include "io/exchange/import_files.h"
 #include "io/exchange/slicerheart.h"
 #include "io/json/valve_json.h"
-#include "io/mesh/import_valve.h"
 
 namespace coapt {
 namespace {
@@ -27,15 +25,6 @@ struct ValveImportArguments {
   std::string output;
 };
 
-/// "obj" of "Leaflet.OBJ".
-std::string format_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  if (!extension.empty()) extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 /// Reads the file at `path` with `parse` into `value`; returns an exit code.
 template <class T, class Parse>
 int read_part(const std::string& path, const Parse& parse, T& value) {
@@ -45,15 +34,6 @@ int read_part(const std::string& path, const Parse& parse, T& value) {
   if (!parsed) return report_errors(path, parsed.errors());
   value = *std::move(parsed);
   return exit_code::kOk;
-}
-
-Expected<Points> parse_contour(std::string_view text, const std::string& format) {
-  if (format != "json") return read_points_csv(text);
-  const Expected<std::vector<Markup>> markups = read_markups(text);
-  if (!markups) return markups.errors();
-  for (const Markup& markup : *markups)
-    if (markup.type == MarkupType::ClosedCurve) return markup.points_mm;
-  return Error{ErrorCode::MissingField, "/markups", "has no ClosedCurve"};
 }
 
 /// The files of a folder that a valve can be made of, in the order of their names.
@@ -89,7 +69,7 @@ int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
     source.leaflets.emplace_back();
     if (const int failed = read_part(path, read_mesh, source.leaflets.back())) return failed;
   }
-  if (const int failed = read_part(arguments.annulus, parse_contour, source.annulus_mm)) {
+  if (const int failed = read_part(arguments.annulus, read_contour, source.annulus_mm)) {
     return failed;
   }
   return read_part(arguments.chordae, read_chordae, source.chordae);

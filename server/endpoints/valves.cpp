@@ -32,21 +32,25 @@ Read read_valve_body(const ValveSource& source, const Request& request) {
 
 }  // namespace
 
+Answer store_valve(JobStore& store, const ServiceLimits& limits, const Valve& valve) {
+  const std::string document = write_valve(valve);
+  const std::string id = content_id(document);
+  const Expected<bool> is_new = store.add_valve(id, document);
+  if (!is_new) return store_problem(is_new.errors());
+  static_cast<void>(store.retain(limits.retention, wall_clock_ms()));  // else with the next
+  Answer answer = json_answer(*is_new ? 201 : 200, {{"id", id},
+                                                    {"vertices", valve.rest_mm.rows()},
+                                                    {"triangles", valve.faces.rows()},
+                                                    {"chordae", valve.chordae.size()}});
+  answer.headers.emplace_back("Location", "/v1/valves/" + id);
+  return answer;
+}
+
 Answer PostValve::operator()(const Request& request) const {
   const auto [valve, refusal] = read_valve_body(valves, request);
   if (refusal) return *refusal;
   if (!valve) return problem(422, valve.errors());
-  const std::string document = write_valve(*valve);
-  const std::string id = content_id(document);
-  const Expected<bool> is_new = store.add_valve(id, document);
-  if (!is_new) return store_problem(is_new.errors());
-  static_cast<void>(store.retain(valves.limits.retention, wall_clock_ms()));  // else with the next
-  Answer answer = json_answer(*is_new ? 201 : 200, {{"id", id},
-                                                    {"vertices", valve->rest_mm.rows()},
-                                                    {"triangles", valve->faces.rows()},
-                                                    {"chordae", valve->chordae.size()}});
-  answer.headers.emplace_back("Location", "/v1/valves/" + id);
-  return answer;
+  return store_valve(store, valves.limits, *valve);
 }
 
 Answer GetValves::operator()(const Request& request) const {

@@ -14,6 +14,9 @@ struct PostValve {
   Answer operator()(const Request& request) const;
 };
 
+/// 201 with the id of a valve that is new, else 200.
+Answer store_valve(JobStore& store, const ServiceLimits& limits, const Valve& valve);
+
 /// GET /v1/valves?page_size=&page_token=: newest first.
 struct GetValves {
   const JobStore& store;

@@ -1,0 +1,59 @@
+#include "io/exchange/import_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "core/valve/problem_list.h"
+#include "io/exchange/markups.h"
+
+namespace coapt {
+namespace {
+
+/// Into `target`, or its problems below `pointer`.
+template <class T>
+void take(Expected<T> read, const std::string& pointer, ProblemList& problems, T& target) {
+  if (read) {
+    target = *std::move(read);
+  } else {
+    for (const Error& error : read.errors()) {
+      const bool below = error.path.starts_with(pointer + "/");
+      problems.add(error.code, below ? error.path : pointer + error.path, error.message);
+    }
+  }
+}
+
+}  // namespace
+
+std::string format_of(const std::string& file_name) {
+  std::string extension = std::filesystem::path(file_name).extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+Expected<Points> read_contour(std::string_view text, const std::string& format) {
+  if (format != "json") return read_points_csv(text);
+  const Expected<std::vector<Markup>> markups = read_markups(text);
+  if (!markups) return markups.errors();
+  for (const Markup& markup : *markups)
+    if (markup.type == MarkupType::ClosedCurve) return markup.points_mm;
+  return Error{ErrorCode::MissingField, "/markups", "has no ClosedCurve"};
+}
+
+Expected<ImportSource> read_import_files(const ImportFiles& files) {
+  ImportSource source;
+  ProblemList problems;
+  for (std::size_t i = 0; i < files.leaflets.size(); ++i)
+    take(read_mesh(files.leaflets[i].bytes, format_of(files.leaflets[i].name)),
+         "/leaflets/" + std::to_string(i), problems, source.leaflets.emplace_back());
+  take(read_contour(files.annulus.bytes, format_of(files.annulus.name)), "/annulus", problems,
+       source.annulus_mm);
+  take(read_chordae(files.chordae.bytes, format_of(files.chordae.name)), "/chordae", problems,
+       source.chordae);
+  if (!problems.empty()) return std::move(problems).take();
+  return source;
+}
+
+}  // namespace coapt

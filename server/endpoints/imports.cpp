@@ -1,0 +1,127 @@
+#include "server/endpoints/imports.h"
+
+#include "io/exchange/import_files.h"
+#include "io/exchange/slicerheart.h"
+#include "server/answers.h"
+#include "server/base64.h"
+#include "server/endpoints/valves.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kLongestName = 200;
+
+struct Asked {
+  std::optional<std::vector<NamedFile>> leaflets, slicerheart;
+  std::optional<NamedFile> annulus, chordae;
+  std::string name = "imported";
+  std::vector<std::string> provenance;
+  ImportOptions options;
+};
+
+NamedFile read_file(const JsonPlace& place) {
+  NamedFile file;
+  std::optional<std::string> text, base64;
+  read_fields(place, std::vector<JsonField>{{"name", into(file.name, read_string)},
+                                            {"text", into(text, read_string), false},
+                                            {"base64", into(base64, read_string), false}});
+  if (text.has_value() == base64.has_value()) {
+    add_problem(place, ErrorCode::MissingField, "must have either text or base64");
+  } else if (text) {
+    file.bytes = *std::move(text);
+  } else if (std::optional<std::string> bytes = decoded_base64(*base64)) {
+    file.bytes = *std::move(bytes);
+  } else {
+    add_problem(place, ErrorCode::OutOfRange, "base64 has other characters than those of base64");
+  }
+  return file;
+}
+
+std::vector<NamedFile> read_files(const JsonPlace& place) { return read_list(place, read_file); }
+
+std::string read_name(const JsonPlace& place) {
+  std::string name = read_string(place);
+  if (name.size() > kLongestName)
+    add_problem(place, ErrorCode::OutOfRange, "is longer than 200 bytes");
+  return name;
+}
+
+std::vector<std::string> read_names(const JsonPlace& place) { return read_list(place, read_name); }
+
+/// Either all of one kind of files or all of the other.
+Errors check_files(const Asked& asked) {
+  ProblemList problems;
+  for (const auto& [given, path] : {std::pair(asked.leaflets.has_value(), "/leaflets"),
+                                    {asked.annulus.has_value(), "/annulus"},
+                                    {asked.chordae.has_value(), "/chordae"}}) {
+    if (given && asked.slicerheart)
+      problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
+    if (!given && !asked.slicerheart)
+      problems.add(ErrorCode::MissingField, path, "is missing (or give slicerheart)");
+  }
+  if (asked.leaflets && (asked.leaflets->empty() || asked.leaflets->size() > 2))
+    problems.add(ErrorCode::OutOfRange, "/leaflets",
+                 "has " + std::to_string(asked.leaflets->size()) +
+                     " files, must have 1 (a skirt) or 2 (the anterior, then the posterior sheet)");
+  return std::move(problems).take();
+}
+
+/// With what a file of a folder is called in the message: its pointer is that of the list.
+Errors below_folder(Errors errors) {
+  for (Error& error : errors) {
+    if (!error.path.empty()) error.message = error.path + ": " + error.message;
+    error.path = "/slicerheart";
+  }
+  return errors;
+}
+
+Expected<Valve> imported(const Asked& asked) {
+  Expected<ImportSource> source =
+      asked.slicerheart ? read_slicerheart(*asked.slicerheart)
+                        : read_import_files({*asked.leaflets, *asked.annulus, *asked.chordae});
+  if (!source) return asked.slicerheart ? below_folder(source.errors()) : source.errors();
+  source->name = asked.name;
+  source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),
+                            asked.provenance.end());
+  Expected<Valve> valve = import_valve(*source, asked.options);
+  if (valve) return valve;
+  Errors errors = valve.errors();
+  for (Error& error : errors)
+    if (error.path.starts_with("/annulus_mm")) error.path.replace(0, 11, "/annulus");
+  return asked.slicerheart ? below_folder(std::move(errors)) : errors;
+}
+
+}  // namespace
+
+Answer ImportValve::operator()(const Request& request) const {
+  Asked asked;
+  ImportOptions& options = asked.options;
+  const auto whole = [](int min, int max) {
+    return [=](const JsonPlace& place) { return read_integer_in(place, min, max); };
+  };
+  const auto number = [](double min, double max) {
+    return [=](const JsonPlace& place) { return read_number_in(place, {min, max}); };
+  };
+  if (auto refused = read_body(valves, request.body,
+                               {{"leaflets", into(asked.leaflets, read_files), false},
+                                {"annulus", into(asked.annulus, read_file), false},
+                                {"chordae", into(asked.chordae, read_file), false},
+                                {"slicerheart", into(asked.slicerheart, read_files), false},
+                                {"name", into(asked.name, read_name), false},
+                                {"provenance", into(asked.provenance, read_names), false},
+                                {"triangles", into(options.triangles, whole(100, 100'000)), false},
+                                {"branches", into(options.branches, whole(1, 5)), false},
+                                {"branch_at", into(options.branch_at, number(0.05, 0.95)), false},
+                                {"slack", into(options.slack, number(0.8, 1.5)), false}}))
+    return *std::move(refused);
+  if (const Errors errors = check_files(asked); !errors.empty()) return problem(422, errors);
+  const Compute::Turn turn(compute);
+  if (!turn) return too_busy();
+  const Expected<Valve> valve = imported(asked);
+  if (!valve) return problem(422, valve.errors());
+  if (const Errors errors = check_size(*valve, valves.limits); !errors.empty())
+    return problem(422, errors);
+  return store_valve(store, valves.limits, *valve);
+}
+
+}  // namespace coapt

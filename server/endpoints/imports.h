@@ -1,0 +1,20 @@
+// Valves out of the files of segmentation tools.
+#pragma once
+
+#include "server/compute.h"
+#include "server/json_body.h"
+#include "server/route.h"
+
+namespace coapt {
+
+/// POST /v1/valves:import {"leaflets": [FILE, ...], "annulus": FILE, "chordae": FILE} or {"slicerheart": [FILE, ...]},
+/// both with "name", "provenance", "triangles", "branches", "branch_at", "slack" (optional). FILE is {"name", "text" or
+/// "base64"}. What `coapt valve import` makes of them is stored, and answered as by POST /v1/valves.
+struct ImportValve {
+  JobStore& store;
+  ValveSource valves;
+  Compute& compute;
+  Answer operator()(const Request& request) const;
+};
+
+}  // namespace coapt
