@@ -38,13 +38,17 @@ class Document:
                 parameters = [self.resolved(p) for p in shared + operation.get("parameters", [])]
                 yield Operation(method.upper(), path, operation | {"parameters": parameters})
 
+    def at(self, reference):
+        """What stands where "#/components/..." points."""
+        target = self.json
+        for name in reference.removeprefix("#/").split("/"):
+            target = target[name]
+        return target
+
     def resolved(self, node):
         """What a reference stands for."""
         while "$ref" in node:
-            target = self.json
-            for name in node["$ref"].removeprefix("#/").split("/"):
-                target = target[name]
-            node = target
+            node = self.at(node["$ref"])
         return node
 
     def closed(self, schema):

@@ -190,7 +190,7 @@ export interface components {
         /** @description A ring in the shape of the valve's own annulus, made smaller in proportion. */
         "Plan.own_ring": {
             /**
-             * @description What is done.
+             * @description Kind of step.
              * @constant
              */
             step: "annuloplasty";
@@ -205,7 +205,7 @@ export interface components {
         /** @description A ring of the catalogue. */
         "Plan.catalogue_ring": {
             /**
-             * @description What is done.
+             * @description Kind of step.
              * @constant
              */
             step: "annuloplasty";
@@ -220,7 +220,7 @@ export interface components {
         /** @description An artificial chorda: a suture from a papillary head to the leaflet. */
         "Plan.neochorda": {
             /**
-             * @description What is done. (enum property replaced by openapi-typescript)
+             * @description Kind of step. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             step: "neochorda";
@@ -234,7 +234,7 @@ export interface components {
         /** @description A chorda made shorter or longer. */
         "Plan.chordal_length_change": {
             /**
-             * @description What is done. (enum property replaced by openapi-typescript)
+             * @description Kind of step. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             step: "chordal_length_change";
@@ -246,7 +246,7 @@ export interface components {
         /** @description A chorda cut, so that it carries nothing. */
         "Plan.chordal_excision": {
             /**
-             * @description What is done. (enum property replaced by openapi-typescript)
+             * @description Kind of step. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             step: "chordal_excision";
@@ -256,7 +256,7 @@ export interface components {
         /** @description A chorda moved to another point of the leaflets. */
         "Plan.chordal_transfer": {
             /**
-             * @description What is done. (enum property replaced by openapi-typescript)
+             * @description Kind of step. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             step: "chordal_transfer";
@@ -276,7 +276,7 @@ export interface components {
         /** @description Tied to a landmark of the annulus. */
         "Plan.approximation_to_landmark": {
             /**
-             * @description What is done.
+             * @description Kind of step.
              * @constant
              */
             step: "papillary_approximation";
@@ -290,13 +290,13 @@ export interface components {
              * @enum {string}
              */
             anchor: "ipsilateral_trigone" | "saddle_peak";
-            /** @description From the mean tip of the muscle to the anchor. */
+            /** @description Length from the mean tip of the muscle to the anchor. */
             suture_length_mm: number;
         };
         /** @description Tied to any point of the annulus. */
         "Plan.approximation_to_point": {
             /**
-             * @description What is done.
+             * @description Kind of step.
              * @constant
              */
             step: "papillary_approximation";
@@ -312,7 +312,7 @@ export interface components {
             anchor: "annulus_point";
             /** @description 0 posteromedial commissure, 0.25 saddle peak, 0.5 anterolateral commissure, 0.75 mid-posterior. */
             annulus_around: number;
-            /** @description From the mean tip of the muscle to the anchor. */
+            /** @description Length from the mean tip of the muscle to the anchor. */
             suture_length_mm: number;
         };
         /**
@@ -522,7 +522,7 @@ export interface components {
             status: number;
             /** @description The first of the problems, or a general sentence. */
             detail: string;
-            /** @description All of them, not only the first. */
+            /** @description Every problem, not only the first. */
             problems: components["schemas"]["Fault"][];
             notice: components["schemas"]["Notice"];
         };
@@ -546,7 +546,7 @@ export interface components {
             notice: components["schemas"]["Notice"];
         };
         Valves: {
-            /** @description Newest first. */
+            /** @description Stored valves, newest first. */
             valves: {
                 /** @description Id of the valve. */
                 valve: components["schemas"]["Id"];
@@ -561,7 +561,7 @@ export interface components {
             notice: components["schemas"]["Notice"];
         };
         PlanToKeep: {
-            /** @description For people to read: one line, at most 200 bytes of UTF-8. */
+            /** @description Name for people to read: one line, at most 200 bytes of UTF-8. */
             name: string;
             /** @description The id of a stored valve, or a preset's name. */
             valve: string;
@@ -569,13 +569,13 @@ export interface components {
             plan: components["schemas"]["Plan"];
         };
         NewName: {
-            /** @description For people to read: one line, at most 200 bytes of UTF-8. */
+            /** @description Name for people to read: one line, at most 200 bytes of UTF-8. */
             name: string;
         };
         KeptPlan: {
             /** @description Id of the kept plan. */
             kept_plan: components["schemas"]["Id"];
-            /** @description For people to read: one line, at most 200 bytes of UTF-8. */
+            /** @description Name for people to read: one line, at most 200 bytes of UTF-8. */
             name: string;
             /** @description The id of a stored valve, or a preset's name. */
             valve: string;
@@ -584,7 +584,7 @@ export interface components {
             notice?: components["schemas"]["Notice"];
         };
         KeptPlans: {
-            /** @description Newest first. */
+            /** @description Kept plans, newest first. */
             kept_plans: components["schemas"]["KeptPlan"][];
             next_page_token: components["schemas"]["NextPageToken"];
             notice: components["schemas"]["Notice"];
@@ -702,9 +702,9 @@ export interface components {
                 /** @description Height of the saddle: extent along the normal of that plane. */
                 saddle_height_mm: number;
             };
-            /** @description From the annular line (saddle peak to mid-posterior) to the coaptation point; below 0 where leaflets billow. */
+            /** @description Distance from the annular line (saddle peak to mid-posterior) to the coaptation point; below 0 where leaflets billow. */
             tenting_height_mm: number | null;
-            /** @description Between the annular line and the leaflets in the mid-valve section; below 0 where leaflets billow. */
+            /** @description Area between the annular line and the leaflets in the mid-valve section; below 0 where leaflets billow. */
             tenting_area_mm2: number | null;
             /** @description Highest tension in a segment of a chorda. */
             tension_max_n: number | null;
@@ -754,7 +754,7 @@ export interface components {
             crossing: boolean;
             /** @description Pairs of triangles that pass through each other. */
             crossing_pairs: number;
-            /** @description From quick to careful, until one is converged and uncrossed. */
+            /** @description Attempts, from quick to careful, until one is converged and uncrossed. */
             attempts: {
                 /** @description Name of the attempt, such as float, edge contact. */
                 how: string;
@@ -804,7 +804,7 @@ export interface components {
             faces: number[];
             /** @description Segment of each face. */
             segments: ("A1" | "A2" | "A3" | "P1" | "P2" | "P3" | "AC" | "PC")[];
-            /** @description Of each vertex. around: 0 at the posteromedial commissure, 0.25 at the saddle peak, 0.5 at the anterolateral commissure, 0.75 at mid-posterior. height: 0 at the annulus, 1 at the free edge. */
+            /** @description Place of each vertex on the leaflets. around: 0 at the posteromedial commissure, 0.25 at the saddle peak, 0.5 at the anterolateral commissure, 0.75 at mid-posterior. height: 0 at the annulus, 1 at the free edge. */
             leaflet_coordinates: {
                 /** @description One for each vertex. */
                 around: number[];
@@ -846,7 +846,7 @@ export interface components {
                 head: number;
                 /** @description Whether it is ruptured or cut, and carries nothing. */
                 ruptured: boolean;
-                /** @description From the head to the leaflet; they branch. */
+                /** @description Segments from the head to the leaflet; they branch. */
                 segments: {
                     /** @description Segment at whose end it starts; -1: it starts at the head. */
                     parent: number;
@@ -860,7 +860,7 @@ export interface components {
                     weights?: components["schemas"]["Vector"];
                 }[];
             }[];
-            /** @description Of the plan: from the mean tip of a papillary muscle to its anchor on the annulus. */
+            /** @description Sutures of papillary approximation, each from the mean tip of a muscle to its anchor on the annulus. */
             sutures: {
                 /**
                  * @description Papillary muscle that is tied.
@@ -879,7 +879,7 @@ export interface components {
                 /** @description Across the fibres, one for each face. */
                 radial: number[];
             } | null;
-            /** @description Of the view from the atrium, largest first: the line around each, then those around islands of tissue in it. Seen from the atrium they are the orifice; each point is as high as the tissue beside it, so a membrane across the lines lies where the valve is open. */
+            /** @description Openings in the view from the atrium, largest first: the line around each, then those around islands of tissue in it. Seen from the atrium they are the orifice; each point is as high as the tissue beside it, so a membrane across the lines lies where the valve is open. */
             orifices: {
                 /** @description Area in the view from the atrium. */
                 area_mm2: number;
@@ -919,7 +919,7 @@ export interface components {
         ];
         /** @description mm2, over the region of interest. Null: fewer than two of its nodes were closed, which says nothing of it. */
         Statistics: {
-            /** @description Of the plan as planned. */
+            /** @description Value of the plan as planned. */
             nominal: number | null;
             /** @description Mean over the region. */
             mean: number | null;
@@ -938,11 +938,11 @@ export interface components {
         };
         /** @description A plan with its evidence, ranked against others. */
         RankedPlan: {
-            /** @description 1: the best. */
+            /** @description Place among the ranked plans; 1 is the best. */
             rank: number;
             /** @description The plan, ready for another request. */
             plan: components["schemas"]["Plan"];
-            /** @description In surgical words, a line a step. */
+            /** @description The plan in surgical words, a line a step. */
             description: string[];
             /** @description Orifice over the region of interest. */
             orifice_area_mm2: components["schemas"]["Statistics"];
@@ -961,7 +961,7 @@ export interface components {
             measure: components["schemas"]["Measure"];
             /** @description Number of surgical steps. */
             steps: number;
-            /** @description By how many sizes of 2 mm the annulus was undersized; 0 if it was left as it is. */
+            /** @description Undersizing of the annulus in ring sizes of 2 mm; 0 if it was left as it is. */
             ring_sizes_below: number;
             /** @description How far the anterolateral papillary muscle is moved. */
             anterolateral_movement_mm: number;
@@ -969,7 +969,7 @@ export interface components {
             posteromedial_movement_mm: number;
             /** @description How many nodes of the region were closed. */
             region_closures: number;
-            /** @description How many of these closures did not converge or crossed. */
+            /** @description How many closures over the region did not converge or crossed. */
             region_failures: number;
             /** @description How much error it takes until the valve leaks more than 1 mm2 or a closure fails; 0 if it does as planned. */
             margin_to_leak: {
@@ -1078,7 +1078,7 @@ export interface components {
             before: components["schemas"]["Before"];
             /** @description Whether a plan closes the valve also when the surgeon's hand varies. */
             any_competent: boolean;
-            /** @description Best first. */
+            /** @description Ranked plans, best first. */
             plans: components["schemas"]["RankedPlan"][];
             /** @description The costs of progress. */
             best_cost_history: (number | null)[];
@@ -1089,7 +1089,7 @@ export interface components {
                 /** @description Lowest cost by then, mm2. */
                 cost: number | null;
             }[];
-            /** @description What plans tried at random are expected to reach. */
+            /** @description Lowest cost that trying plans at random is expected to reach, in the same terms. */
             random_progress: {
                 /** @description After so many closures. */
                 closures: number;
@@ -1100,7 +1100,7 @@ export interface components {
             pareto_front: {
                 /** @description The plan, ready for another request. */
                 plan: components["schemas"]["Plan"];
-                /** @description In surgical words, a line a step. */
+                /** @description The plan in surgical words, a line a step. */
                 description: string[];
                 /** @description Mean of the leak over its nodes. */
                 mean_mm2: number | null;
@@ -1108,7 +1108,7 @@ export interface components {
                 sd_mm2: number | null;
                 /** @description Number of surgical steps. */
                 steps: number;
-                /** @description By how many sizes of 2 mm the annulus was undersized. */
+                /** @description Undersizing of the annulus in ring sizes of 2 mm. */
                 ring_sizes_below: number;
                 /** @description How many nodes of the region of interest it was closed at. */
                 nodes: number;
@@ -1128,9 +1128,9 @@ export interface components {
             }[];
             /** @description Number of combinations of techniques that the search could try. */
             branches: number;
-            /** @description Plans and techniques that were left out. */
+            /** @description Plans and techniques that the search left out. */
             cut: {
-                /** @description What was left out. */
+                /** @description Plans or techniques. */
                 what: string;
                 /** @description Why it was left out. */
                 why: string;
@@ -1144,22 +1144,22 @@ export interface components {
              * @enum {string}
              */
             stop: "evaluation_limit" | "exhausted" | "no_improvement" | "target_reached" | "time_limit" | "cancelled";
-            /** @description All closures, known ones included. */
+            /** @description Number of closures, known ones included. */
             closures: number;
             /** @description Closures of the search itself: neither of the valve as it is nor of ranking. */
             evaluations: number;
-            /** @description How many of them were known from an earlier run. */
+            /** @description Number of closures known from an earlier run. */
             closures_known: number;
-            /** @description How many of them did not converge. */
+            /** @description Number of closures that did not converge. */
             closures_not_converged: number;
-            /** @description In how many of them leaflets pass through each other. */
+            /** @description Number of closures in which leaflets pass through each other. */
             closures_crossed: number;
             /** @description Time that search and ranking took. */
             seconds: number;
             /** @description What the model leaves out, in sentences. */
             not_modelled: string[];
             weights: components["schemas"]["Search"]["weights"];
-            /** @description What gives the same plans again. */
+            /** @description Input that gives the same plans again. */
             reproduce: {
                 /** @description Hash of the valve, the options of its closure and the version. */
                 valve_hash: string;
@@ -1195,20 +1195,20 @@ export interface components {
             /** @description Version of coapt that scored the plans. */
             version: string;
             before: components["schemas"]["Before"];
-            /** @description In the order asked, each with its rank. */
+            /** @description The plans in the order asked, each with its rank. */
             plans: (components["schemas"]["RankedPlan"] & {
-                /** @description Its place in the request, from 0. */
+                /** @description Place in the request, from 0. */
                 index: number;
             })[];
             any_competent: components["schemas"]["Plans"]["any_competent"];
             ladder: components["schemas"]["Plans"]["ladder"];
             /** @description Number of different plans. */
             plans_tried: number;
-            /** @description All closures, that of the valve as it is included. */
+            /** @description Number of closures, that of the valve as it is included. */
             closures: number;
-            /** @description How many of them did not converge. */
+            /** @description Number of closures that did not converge. */
             closures_not_converged: number;
-            /** @description In how many of them leaflets pass through each other. */
+            /** @description Number of closures in which leaflets pass through each other. */
             closures_crossed: number;
             /** @description Time that scoring took. */
             seconds: number;
@@ -1220,7 +1220,7 @@ export interface components {
         /** @description How the orifice depends on the geometry of the valve. */
         GeometryStudy: {
             /**
-             * @description What is varied: the annulus, the papillary tips, or these under undersized rings. (enum property replaced by openapi-typescript)
+             * @description Geometry to vary: the annulus, the papillary tips, or these tips under undersized rings. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             name: "annulus" | "papillary" | "ring";
@@ -1294,11 +1294,11 @@ export interface components {
         JobState: "QUEUED" | "RUNNING" | "SUCCEEDED" | "FAILED" | "CANCELLED";
         /** @description How far a job is. */
         Progress: {
-            /** @description What it does now: starting, searching, ranking, or a part of the study. */
+            /** @description Present stage: starting, searching, ranking, or a part of the study. */
             stage: string;
-            /** @description Of a search: so far, of any kind, known ones included. Of a study: made in its present stage. */
+            /** @description Closures so far: of a search of any kind, known ones included; of a study made in its present stage. */
             closures: number;
-            /** @description Of a search: for all of it, at most. Of a study: in its present stage. 0: not known yet. */
+            /** @description Closures planned: of a search at most, of a study in its present stage; 0: not known yet. */
             closures_planned: number;
             /** @description Smallest leak of a plan as planned, so far; null: none yet, or a study. */
             best_leak_mm2: number | null;
@@ -1306,12 +1306,12 @@ export interface components {
             best_cost: number | null;
             /** @description Cost in mm2 that trying plans at random is expected to reach in as many closures; null until some were tried. */
             random_cost: number | null;
-            /** @description Of running, over all attempts. */
+            /** @description Time of running, over all attempts. */
             seconds: number;
             best?: components["schemas"]["LeadingPlan"];
         };
         PlanSummary: {
-            /** @description 1: the best. */
+            /** @description Place among the ranked plans; 1 is the best. */
             rank: number;
             description: components["schemas"]["RankedPlan"]["description"];
             /** @description The plan, ready for another request. */
@@ -1354,62 +1354,62 @@ export interface components {
             valve: components["schemas"]["Id"];
             /** @description Whether somebody asked to end it early. */
             cancel_requested: boolean;
-            /** @description Of a running job that stands still, because nothing can be stored now: why. It goes on by itself. */
+            /** @description Why a running job stands still: nothing can be stored now. It goes on by itself. */
             waiting_for: string | null;
             /** @description Jobs before it; null: it does not wait. */
             queue_position: number | null;
             progress: components["schemas"]["Progress"];
-            /** @description Of a failed job: why. */
+            /** @description Why a job failed; else empty. */
             problems: components["schemas"]["Fault"][];
-            /** @description Of a search: best first; null: it has not ended. A page of jobs leaves it out. */
+            /** @description Plans of a search, best first; null: it has not ended. A page of jobs leaves it out. */
             plans?: components["schemas"]["PlanSummary"][] | null;
             stop?: components["schemas"]["Plans"]["stop"];
-            /** @description Of a search that has ended: see its result. */
+            /** @description Whether a search that has ended found a plan that closes the valve also when the surgeon's hand varies. */
             any_competent?: boolean;
             /** @description Number of findings of a study that has ended. */
             findings?: number;
-            /** @description How many of them agree with the thesis. */
+            /** @description Number of findings of a study that agree with the thesis. */
             agree?: number;
             /** @description Paths. Those of results once there are some; plans and evaluations only of a search. */
             links: {
                 /**
                  * Format: uri-reference
-                 * @description This job.
+                 * @description Path of this job.
                  */
                 self: string;
                 /**
                  * Format: uri-reference
-                 * @description Its events.
+                 * @description Path of its events.
                  */
                 events: string;
                 /**
                  * Format: uri-reference
-                 * @description POST ends it early.
+                 * @description Path to POST to, to end it early.
                  */
                 cancel: string;
                 /**
                  * Format: uri-reference
-                 * @description All that it has found.
+                 * @description Path of all that it has found.
                  */
                 result?: string;
                 /**
                  * Format: uri-reference
-                 * @description Its ranked plans.
+                 * @description Path of its ranked plans.
                  */
                 plans?: string;
                 /**
                  * Format: uri-reference
-                 * @description Every plan that was tried, as CSV.
+                 * @description Path of every plan that was tried, as CSV.
                  */
                 evaluations?: string;
                 /**
                  * Format: uri-reference
-                 * @description Its report, as HTML.
+                 * @description Path of its report, as HTML.
                  */
                 report?: string;
                 /**
                  * Format: uri-reference
-                 * @description Its files.
+                 * @description Path of the list of its files.
                  */
                 files?: string;
             };
@@ -1422,7 +1422,7 @@ export interface components {
             notice: components["schemas"]["Notice"];
         };
         PlansPage: {
-            /** @description By rank. */
+            /** @description Plans by rank. */
             plans: components["schemas"]["RankedPlan"][];
             next_page_token: components["schemas"]["NextPageToken"];
             notice: components["schemas"]["Notice"];
@@ -1432,7 +1432,7 @@ export interface components {
             files: {
                 /** @description Name of the file. */
                 name: string;
-                /** @description Media type. */
+                /** @description Media type of the file. */
                 type: string;
                 /** @description Size of the file. */
                 bytes: number;
@@ -1460,9 +1460,9 @@ export interface components {
             status: "ready";
             /** @description Time that closing a small valve took just now. */
             closure_ms: number;
-            /** @description Jobs that wait. */
+            /** @description Number of jobs that wait. */
             jobs_queued: number;
-            /** @description Jobs that run. */
+            /** @description Number of jobs that run. */
             jobs_running: number;
             notice: components["schemas"]["Notice"];
         };
