@@ -69,7 +69,7 @@ int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
     source.leaflets.emplace_back();
     if (const int failed = read_part(path, read_mesh, source.leaflets.back())) return failed;
   }
-  if (const int failed = read_part(arguments.annulus, read_contour, source.annulus_mm)) {
+  if (const int failed = read_part(arguments.annulus, read_closed_loop, source.annulus_mm)) {
     return failed;
   }
   return read_part(arguments.chordae, read_chordae, source.chordae);

@@ -33,7 +33,7 @@ std::string format_of(const std::string& file_name) {
   return extension;
 }
 
-Expected<Points> read_contour(std::string_view text, const std::string& format) {
+Expected<Points> read_closed_loop(std::string_view text, const std::string& format) {
   if (format != "json") return read_points_csv(text);
   const Expected<std::vector<Markup>> markups = read_markups(text);
   if (!markups) return markups.errors();
@@ -48,7 +48,7 @@ Expected<ImportSource> read_import_files(const ImportFiles& files) {
   for (std::size_t i = 0; i < files.leaflets.size(); ++i)
     take(read_mesh(files.leaflets[i].bytes, format_of(files.leaflets[i].name)),
          "/leaflets/" + std::to_string(i), problems, source.leaflets.emplace_back());
-  take(read_contour(files.annulus.bytes, format_of(files.annulus.name)), "/annulus", problems,
+  take(read_closed_loop(files.annulus.bytes, format_of(files.annulus.name)), "/annulus", problems,
        source.annulus_mm);
   take(read_chordae(files.chordae.bytes, format_of(files.chordae.name)), "/chordae", problems,
        source.chordae);

@@ -17,7 +17,7 @@ struct ImportFiles {
 std::string format_of(const std::string& file_name);
 
 /// A closed loop. @param format "json": markups of Slicer, the first closed curve; else lines x,y,z
-Expected<Points> read_contour(std::string_view text, const std::string& format);
+Expected<Points> read_closed_loop(std::string_view text, const std::string& format);
 
 /// For import_valve(). Errors: all problems of all files, with pointers that begin with /leaflets/0, /annulus or
 /// /chordae.

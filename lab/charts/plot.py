@@ -6,6 +6,7 @@ speed-accuracy.csv      distance from a reference, and error of the orifice, aga
 stability.csv           where each method closes a valve and where it fails
 orifice-resolution.csv  error and time of the orifice's image
 ecdf.csv                share of targets that the search and its rivals reach
+hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
 """
 
 import argparse
@@ -396,12 +397,22 @@ def draw_ecdf(rows):
     return figure
 
 
+def draw_hostile_memory(rows):
+    figure, axis = figure_titled("Memory of the service under hostile requests", 8, 3)
+    axis.plot(numbers(rows, "seconds"), numbers(rows, "resident_mib"), color=BLUE, linewidth=1)
+    axis.set(xlabel="seconds", ylabel="resident memory, MiB")
+    axis.set_xlim(left=0)
+    axis.set_ylim(bottom=0)
+    return figure
+
+
 CHARTS = {
     "ablation": {"ablation": draw_ablation},
     "speed-accuracy": {"speed-accuracy": draw_speed_accuracy, "speed-accuracy-orifice": draw_orifice_accuracy},
     "stability": {"stability": draw_stability},
     "orifice-resolution": {"orifice-error": draw_orifice_error, "orifice-time": draw_orifice_time},
     "ecdf": {"ecdf": draw_ecdf},
+    "hostile-memory": {"hostile-memory": draw_hostile_memory},
 }
 
 

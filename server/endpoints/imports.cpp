@@ -39,14 +39,16 @@ NamedFile read_file(const JsonPlace& place) {
 
 std::vector<NamedFile> read_files(const JsonPlace& place) { return read_list(place, read_file); }
 
-std::string read_name(const JsonPlace& place) {
+std::string read_short_text(const JsonPlace& place) {
   std::string name = read_string(place);
   if (name.size() > kLongestName)
     add_problem(place, ErrorCode::OutOfRange, "is longer than 200 bytes");
   return name;
 }
 
-std::vector<std::string> read_names(const JsonPlace& place) { return read_list(place, read_name); }
+std::vector<std::string> read_short_texts(const JsonPlace& place) {
+  return read_list(place, read_short_text);
+}
 
 /// Either all of one kind of files or all of the other.
 Errors check_files(const Asked& asked) {
@@ -107,8 +109,8 @@ Answer ImportValve::operator()(const Request& request) const {
                                 {"annulus", into(asked.annulus, read_file), false},
                                 {"chordae", into(asked.chordae, read_file), false},
                                 {"slicerheart", into(asked.slicerheart, read_files), false},
-                                {"name", into(asked.name, read_name), false},
-                                {"provenance", into(asked.provenance, read_names), false},
+                                {"name", into(asked.name, read_short_text), false},
+                                {"provenance", into(asked.provenance, read_short_texts), false},
                                 {"triangles", into(options.triangles, whole(100, 100'000)), false},
                                 {"branches", into(options.branches, whole(1, 5)), false},
                                 {"branch_at", into(options.branch_at, number(0.05, 0.95)), false},

@@ -1,6 +1,6 @@
 // What the page asks of the service.
 import { getJson, postJson, request } from './http'
-import type { Evaluations, Plan, Problem, Rings, Scene, ValveDocument } from './types'
+import type { Evaluations, ImportRequest, Plan, Problem, Rings, Scene, ValveDocument } from './types'
 
 /// `valve`: a preset's name or a stored valve's id. `frames`: states of the closing, at most.
 export function drawScene(valve: string, plan: Plan | null, frames: number, signal?: AbortSignal): Promise<Scene> {
@@ -23,6 +23,11 @@ export function preset(name: string): Promise<ValveDocument> {
 /// The id of a valve given as the text of its file.
 export async function storeValve(text: string): Promise<string> {
   return (await postJson<{ id: string }>('/v1/valves', text)).id
+}
+
+/// What the service makes of meshes, annulus and chordae.
+export function importValve(files: ImportRequest): Promise<{ id: string }> {
+  return postJson('/v1/valves:import', files)
 }
 
 export async function problemsOfValve(text: string): Promise<Problem[]> {

@@ -526,6 +526,56 @@ export interface components {
             problems: components["schemas"]["Fault"][];
             notice: components["schemas"]["Notice"];
         };
+        /** @description A file: as text, or as base64 (binary PLY and STL). */
+        FileToImport: {
+            /** @description Its extension says its format: skirt.stl, annulus.mrk.json. */
+            name: string;
+            /** @description What is in it, if that is text; then without base64. */
+            text?: string;
+            /** @description Its bytes (RFC 4648); then without text. */
+            base64?: string;
+        };
+        /** @description Either leaflets, annulus and chordae, in one coordinate system in millimetres, or slicerheart. */
+        FilesToImport: {
+            /** @description Open surfaces (OBJ, PLY, STL, VTK): the anterior, then the posterior sheet, or one skirt. */
+            leaflets?: [
+            ] | [
+                components["schemas"]["FileToImport"]
+            ];
+            /** @description Closed loop: CSV of x,y,z, or a closed curve of Slicer (.mrk.json). */
+            annulus?: components["schemas"]["FileToImport"];
+            /** @description Insertions and papillary tips: CSV of id,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z, or JSON. */
+            chordae?: components["schemas"]["FileToImport"];
+            /** @description The files of a folder that SlicerHeart's ValveFemExport or coapt export wrote. */
+            slicerheart?: components["schemas"]["FileToImport"][];
+            /**
+             * @description Of the valve.
+             * @default imported
+             */
+            name?: string;
+            /** @description Source or licence, a sentence each; kept in the valve. */
+            provenance?: string[];
+            /**
+             * @description About how many triangles the valve is to have.
+             * @default 720
+             */
+            triangles?: number;
+            /**
+             * @description Insertions of each marginal chorda.
+             * @default 3
+             */
+            branches?: number;
+            /**
+             * @description Where a chorda branches, as a share of the way from its tip to its insertion.
+             * @default 0.75
+             */
+            branch_at?: number;
+            /**
+             * @description Lengths of chordae over the straight distances.
+             * @default 1
+             */
+            slack?: number;
+        };
         /** @description A valve that is stored now. */
         StoredValve: {
             id: components["schemas"]["Id"];

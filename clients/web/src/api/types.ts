@@ -18,6 +18,9 @@ export type Measure = Schemas['Measure']
 export type Closure = Schemas['Closure']
 export type Scene = Schemas['Scene']
 export type Segment = Scene['segments'][number]
+export type FileToImport = Schemas['FileToImport']
+/// FilesToImport; its leaflets are a list while they come together.
+export type ImportRequest = Omit<Schemas['FilesToImport'], 'leaflets'> & { leaflets?: FileToImport[] }
 export type Rings = Omit<Schemas['Rings'], 'notice'>
 
 export type RankedPlan = Schemas['RankedPlan']

@@ -6,6 +6,7 @@ import { withUnit } from '../format'
 import { problemList } from '../problems'
 import { nameValve } from '../state/valves'
 import { problemsOf, type ValveSource, type Workspace } from '../workspace'
+import { importPanel } from './import'
 import { openedList } from './opened_list'
 import { gradeOf, presetWords } from './presets'
 import parts from '../style/parts.module.css'
@@ -20,7 +21,7 @@ export function openPanel(workspace: Workspace): HTMLElement {
   const file = h('input', {
     type: 'file',
     accept: '.json,application/json',
-    onchange: () => void take(file.files?.[0]),
+    onchange: () => void take([...(file.files ?? [])]),
   })
   const names = h('span', {})
   let choice: HTMLSelectElement | null = null
@@ -55,8 +56,10 @@ export function openPanel(workspace: Workspace): HTMLElement {
     }
   }
 
-  async function take(chosen: File | undefined): Promise<void> {
+  async function take(given: File[]): Promise<void> {
+    const [chosen] = given
     if (!chosen) return
+    if (given.length > 1 || !chosen.name.toLowerCase().endsWith('.json')) return imports.take(given)
     const text = await chosen.text()
     file.value = '' // the same file, corrected, is another choice
     said.textContent = `reading ${chosen.name} ...`
@@ -79,6 +82,10 @@ export function openPanel(workspace: Workspace): HTMLElement {
       found.length === 1 ? 'This cannot be opened: one problem.' : `This cannot be opened: ${found.length} problems.`
   }
 
+  const imports = importPanel(async (id, name) => {
+    await open(id, name)
+    await opened.refresh()
+  })
   const opened = openedList(workspace, (id, name) => void open(id, name))
   const panel = h(
     'section',
@@ -87,7 +94,8 @@ export function openPanel(workspace: Workspace): HTMLElement {
     names,
     about,
     field('Your file', file),
-    h('p', { class: parts.hint }, 'A valve file of coapt (JSON). Meshes become one with “coapt valve import”.'),
+    h('p', { class: parts.hint }, 'A valve file of coapt (JSON). Files may be dropped here, meshes too.'),
+    imports.element,
     said,
     problems,
     opened.element,
@@ -100,7 +108,7 @@ export function openPanel(workspace: Workspace): HTMLElement {
     panel.addEventListener(name, (event) => {
       event.preventDefault()
       panel.toggleAttribute('data-over', over)
-      if (event.type === 'drop') void take(event.dataTransfer?.files[0])
+      if (event.type === 'drop') void take([...(event.dataTransfer?.files ?? [])])
     })
   return panel
 }
