@@ -6,7 +6,9 @@ import {
   CHANGE_MM,
   NEOCHORDA_MM,
   newApproximation,
+  reachable,
   sutureRange,
+  within,
   type Anatomy,
   type Annuloplasty,
   type Approximation,
@@ -114,12 +116,6 @@ function approximationForm(step: Approximation, context: StepContext): HTMLEleme
   )
 }
 
-/// With the suture's length inside what its anchor allows.
-function reachable(anatomy: Anatomy, step: Approximation): Approximation {
-  const { min, max } = sutureRange(anatomy, step)
-  return { ...step, suture_length_mm: Math.min(Math.max(step.suture_length_mm, min), max) }
-}
-
 function headField(head: string, { before }: StepContext, choose: (head: string) => void): HTMLElement {
   return field(
     'Papillary head',
@@ -196,10 +192,4 @@ function slider(
     h('span', { class: parts.unit }, unit),
     input,
   )
-}
-
-/// The nearest step of the range.
-function within(value: number, { min, max, step }: { min: number; max: number; step: number }): number {
-  const near = min + step * Math.round(((Number.isFinite(value) ? value : min) - min) / step)
-  return Number(Math.min(Math.max(near, min), max).toFixed(6))
 }

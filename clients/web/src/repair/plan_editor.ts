@@ -24,7 +24,7 @@ export class PlanEditor {
   private readonly list = h('ol', { class: repairStyle.steps, 'data-part': 'steps' })
   private readonly undo = iconButton('undo', 'Undo', () => void this.workspace.undo(), { title: 'Undo (Ctrl+Z)' })
   private readonly redo = iconButton('redo', 'Redo', () => void this.workspace.redo(), { title: 'Redo (Ctrl+Shift+Z)' })
-  private rings: Rings = { rings: [], sizes_mm: { min: 24, max: 40, step: 2 } }
+  rings: Rings = { rings: [], sizes_mm: { min: 24, max: 40, step: 2 } }
   private open = -1 // step whose controls are shown
   private titles: HTMLElement[] = [] // one a step
   private shown = '' // steps whose items are in the list, and the annulus that they are for

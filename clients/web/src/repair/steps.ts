@@ -83,6 +83,18 @@ export function sutureRange(
   return { min: Math.min(max, Math.max(12, Math.ceil((0.5 * whole) / HALF_MM) * HALF_MM)), max, step: HALF_MM }
 }
 
+/// With the suture's length inside what its anchor allows.
+export function reachable(anatomy: Anatomy, step: Approximation): Approximation {
+  const { min, max } = sutureRange(anatomy, step)
+  return { ...step, suture_length_mm: Math.min(Math.max(step.suture_length_mm, min), max) }
+}
+
+/// The nearest step of the range.
+export function within(value: number, { min, max, step }: { min: number; max: number; step: number }): number {
+  const near = min + step * Math.round(((Number.isFinite(value) ? value : min) - min) / step)
+  return Number(Math.min(Math.max(near, min), max).toFixed(6))
+}
+
 /// With a suture of a length that is possible there.
 export function newApproximation(
   anatomy: Anatomy,

@@ -1,5 +1,5 @@
 // A repair by hand: the valve before and after, side by side, and what it would measure.
-import type { Plan } from '../api/types'
+import type { Plan, Step } from '../api/types'
 import { button, h, select } from '../dom'
 import { closureSaver, type FileSaver } from '../files'
 import { problemList } from '../problems'
@@ -9,8 +9,10 @@ import { headline } from '../valve/headline'
 import { measures } from '../valve/measures'
 import { sectionInset } from '../valve/section_inset'
 import { legend } from '../viewer/legend'
+import type { Grip } from '../viewer/handles'
 import { Viewer } from '../viewer/viewer'
 import { problemsOf, type Workspace } from '../workspace'
+import { handlesOf } from './handles'
 import { KeptPlans } from './kept_plans'
 import { PlanEditor, type PickRequest } from './plan_editor'
 import parts from '../style/parts.module.css'
@@ -140,6 +142,23 @@ export class RepairView implements View {
       measures(before, this.workspace.after),
     )
     this.draw()
+    this.after.handles.set(this.grips())
+  }
+
+  /// Of the repair that is shown; none while there is none.
+  private grips(): Grip<Step>[] {
+    const { before, after, plan } = this.workspace
+    if (!before || !after) return []
+    return handlesOf(plan, { before, ringed: after }, this.editor.rings).map(({ step, handle }) => ({
+      handle,
+      present: plan.steps[step] as Step,
+      apply: (value, isPassing) => this.apply(step, value, isPassing),
+    }))
+  }
+
+  private apply(i: number, step: Step, isPassing: boolean): void {
+    const steps = this.workspace.plan.steps.map((other, at) => (at === i ? step : other))
+    void this.workspace.setPlan(steps, isPassing)
   }
 
   private draw(): void {

@@ -68,14 +68,3 @@ export class Lines {
     this.material.dispose()
   }
 }
-
-/// Consecutive points of a line, closed if `closed`, as six numbers a piece.
-export function pieces(points: number[], closed: boolean): number[] {
-  const lines: number[] = []
-  const count = points.length / 3
-  for (let i = 0; i + (closed ? 0 : 1) < count; ++i) {
-    const next = (i + 1) % count
-    lines.push(...points.slice(3 * i, 3 * i + 3), ...points.slice(3 * next, 3 * next + 3))
-  }
-  return lines
-}

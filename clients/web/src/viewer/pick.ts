@@ -1,7 +1,7 @@
 // What lies under the pointer, in terms of a repair plan.
 import { Raycaster, Triangle, Vector3, type Intersection, type Material } from 'three'
 import type { LeafletPoint, Scene, Vector } from '../api/types'
-import { at, chordaLines, leafletPointAt } from './geometry'
+import { annulusPoint, at, chordaLines, leafletPointAt } from './geometry'
 import type { Leaflets } from './leaflets'
 import type { Stage } from './stage'
 
@@ -65,6 +65,17 @@ export function pickAt(
     face,
     weights,
   }
+}
+
+/// The place of the annulus, 0 to 1, that is seen nearest to the pointer.
+export function nearestAround(event: MouseEvent, stage: Stage, scene: Scene): number {
+  const box = stage.canvas.getBoundingClientRect()
+  const away = (around: number): number => {
+    const { x, y } = stage.place(annulusPoint(scene, around))
+    return Math.hypot(x - event.clientX + box.left, y - event.clientY + box.top)
+  }
+  const places = Array.from({ length: 180 }, (_, i) => i / 180)
+  return places.reduce((best, place) => (away(place) < away(best) ? place : best))
 }
 
 const SEEN_MM = 2 // behind tissue is what lies so far behind it

@@ -1,4 +1,4 @@
-// What the picture shows at the pointer, in words beside it.
+// Words beside the pointer: what the picture shows there.
 import type { Scene, Vector } from '../api/types'
 import { h } from '../dom'
 import { number, withUnit } from '../format'
@@ -10,7 +10,11 @@ const OFFSET_PX = 14 // from the pointer
 const LEFT_OF_PX = 220 // from the right border: there it stands on the other side
 
 export class Readout {
-  readonly element = h('output', { class: viewerStyle.readout, 'data-part': 'readout', hidden: true })
+  readonly element: HTMLElement
+
+  constructor(part: string) {
+    this.element = h('output', { class: viewerStyle.readout, 'data-part': part, hidden: true })
+  }
 
   show(text: string, { x, y }: { x: number; y: number }, width: number): void {
     const side = x > width - LEFT_OF_PX ? 'translateX(-100%)' : ''

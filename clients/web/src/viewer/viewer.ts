@@ -1,17 +1,19 @@
 // A valve in three dimensions: leaflets, chordae, annulus, orifices, a cut, names.
 import { Plane, Vector3 } from 'three'
-import type { Scene, Segment, Vector } from '../api/types'
+import type { LeafletPoint, Scene, Segment, Step, Vector } from '../api/types'
 import { h } from '../dom'
 import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
 import { at, chordaLines, closedNodes, dot, minus, nodesAt, section, unit } from './geometry'
+import { Handles } from './handles'
 import { around, type Box } from './label_layout'
 import { Labels, type Label } from './labels'
 import { leafletMaterial, Leaflets } from './leaflets'
-import { Lines, pieces } from './lines'
+import { Lines } from './lines'
 import { namedAnnulus, namesOf, wholeValve } from './marks'
 import { openingMaterials, Opening } from './opening'
-import { isBehind, pickAt, type Pick, type PickKind } from './pick'
+import { isBehind, nearestAround, pickAt, type Pick, type PickKind } from './pick'
 import { reading, Readout } from './readout'
+import { Ring } from './ring'
 import { Stage, type ViewName } from './stage'
 import viewerStyle from './viewer.module.css'
 
@@ -36,6 +38,7 @@ export class Viewer {
   picks: PickKind[] = [] // what a click may mean
   extra: Label[] = [] // words besides the names
   inset: HTMLElement | null = null // lies over the canvas
+  readonly handles: Handles<Step>
   private scene: Scene | null = null
   private nodes: Float32Array = new Float32Array()
   private leaflets: Leaflets | null = null
@@ -47,13 +50,14 @@ export class Viewer {
   private drawn = '' // the look of the scene that is drawn
   private side = 1 // of the cut that is hidden: 1 posteromedial, -1 anterolateral
   private readonly labels: Labels
-  private readonly readout = new Readout()
+  private readonly readout = new Readout('readout')
   private pointed = 0 // the frame in which the readout follows the pointer
+  private readonly ring = new Ring()
   private readonly lines = {
     chordae: new Lines({ width: 1.6 }),
     ruptured: new Lines({ width: 1.6, colour: TINTS.ruptured, dashed: true }),
-    annulus: new Lines({ width: 4, colour: '#8a8f98' }),
     sutures: new Lines({ width: 3, colour: TINTS.added }),
+    behind: new Lines({ width: 2, colour: TINTS.added, dashed: true, inFront: true }), // sutures through tissue
     cut: new Lines({ width: 1, inMillimetres: true }),
     drawn: new Lines({ width: 2.5, colour: '#d6336c', inFront: true }),
   }
@@ -63,14 +67,20 @@ export class Viewer {
     this.labels = new Labels(this.stage)
     this.labels.avoid = () => this.covered()
     this.labels.isBehind = (point_mm) => this.leaflets !== null && isBehind(point_mm, this.stage, this.leaflets)
+    this.handles = new Handles(
+      this.stage,
+      (event) => this.aroundAt(event),
+      (event) => this.leafletAt(event),
+    )
     this.element = h(
       'div',
       { class: viewerStyle.viewer, 'data-part': 'viewer' },
       this.stage.canvas,
       this.labels.element,
+      this.handles.element,
       this.readout.element,
     )
-    this.stage.add(...Object.values(this.lines).map((line) => line.object))
+    this.stage.add(this.ring.mesh, ...Object.values(this.lines).map((line) => line.object))
     this.stage.onFrame.push(() => {
       for (const line of [...Object.values(this.lines), this.opening]) line?.resolution(this.stage.size)
     })
@@ -93,9 +103,10 @@ export class Viewer {
     this.opening = new Opening(scene, this.materials.opening)
     this.drawn = ''
     this.stage.add(this.leaflets.mesh, this.opening.group)
-    this.lines.annulus.set(pieces(scene.annulus_mm, true))
-    this.lines.annulus.object.visible = ring
-    this.lines.sutures.set(scene.sutures.flatMap((suture) => [...suture.tip_mm, ...suture.anchor_mm]))
+    this.ring.set(ring ? scene : null)
+    const sutures = scene.sutures.flatMap((suture) => [...suture.tip_mm, ...suture.anchor_mm])
+    this.lines.sutures.set(sutures)
+    this.lines.behind.set(sutures)
     this.show(look)
     if (first) this.view('atrial')
   }
@@ -170,7 +181,8 @@ export class Viewer {
     const planes = cut ? [new Plane().setFromNormalAndCoplanarPoint(away, new Vector3(...cut.point_mm))] : []
     this.leaflets?.cut(planes)
     this.opening?.cut(planes)
-    for (const name of ['chordae', 'ruptured', 'annulus', 'sutures'] as const) this.lines[name].cut(planes)
+    this.ring.cut(planes)
+    for (const name of ['chordae', 'ruptured', 'sutures', 'behind'] as const) this.lines[name].cut(planes)
     const traced = cut ? section(scene, this.nodes, cut.point_mm, cut.normal) : []
     this.lines.cut.width = scene.thickness_mm
     this.lines.cut.set(
@@ -211,6 +223,16 @@ export class Viewer {
     if (text !== '') this.readout.show(text, place, box.width)
   }
 
+  private leafletAt(event: PointerEvent): LeafletPoint | null {
+    if (!this.scene || !this.leaflets) return null
+    const pick = pickAt(event, this.stage, this.scene, this.nodes, this.leaflets, ['leaflet'])
+    return pick?.kind === 'leaflet' ? pick.point : null
+  }
+
+  private aroundAt(event: PointerEvent): number {
+    return this.scene ? nearestAround(event, this.stage, this.scene) : 0
+  }
+
   private click(event: MouseEvent): void {
     if (!this.scene || !this.leaflets || !this.onPick || this.picks.length === 0) return
     const [x, y] = this.pressed
@@ -224,6 +246,7 @@ export class Viewer {
     const { group, membranes_mm } = this.opening ?? { group: { visible: false }, membranes_mm: [] }
     const shown = group.visible ? membranes_mm : []
     const boxes = shown.flatMap((points) => around(points.map((point) => this.stage.place(point))) ?? [])
+    boxes.push(...this.handles.boxes())
     const canvas = this.stage.canvas.getBoundingClientRect()
     const inset = this.inset?.getBoundingClientRect()
     if (!inset || inset.width === 0) return boxes

@@ -74,7 +74,7 @@ test('a slider that is dragged slowly stays under the pointer; one undo takes th
 
 test('a suture can be tied to a point that is picked on the annulus', async () => {
   await page.getByRole('button', { name: 'Suture PM' }).click()
-  await page.getByLabel('Anchor').selectOption('annulus_point')
+  await page.getByRole('combobox', { name: 'Anchor' }).selectOption('annulus_point')
   await page.getByRole('button', { name: 'Pick on the annulus' }).click()
   const peak = await page
     .locator('figure')

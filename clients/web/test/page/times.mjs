@@ -26,7 +26,7 @@ const { page } = await openView(browser, service.url, 'repair')
 await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
 await page.getByRole('button', { name: 'Suture PM' }).click()
 const answers = []
-const slider = page.getByRole('slider', { name: /^Suture/ })
+const slider = page.getByRole('slider', { name: 'Suture, mm' })
 for (let i = 0; i < 3 * RUNS; ++i) {
   const length = Number(await slider.inputValue()) + (i % 2 === 0 ? -0.5 : 0.5)
   answers.push(

@@ -21,12 +21,13 @@ const notice = (page_) => page_.locator('[data-part=notices]').getByText('The se
 const jobOf = () => page.evaluate(() => new URLSearchParams(location.hash.split('?')[1]).get('job'))
 /// Repair's panel as it is meant to be: steps one below the other, a slider that is wide enough to be dragged.
 async function panelIsWhole() {
-  const panel = await page.getByRole('region', { name: 'The plan' }).boundingBox()
+  const region = page.getByRole('region', { name: 'The plan' })
+  const panel = await region.boundingBox()
   for (const step of await page.locator('[data-part=steps] > li').all()) {
     const box = await step.boundingBox()
     assert.ok(box.width > 0.8 * panel.width, `a step of ${box.width} px in a panel of ${panel.width} px`)
   }
-  const slider = page.getByRole('slider').first()
+  const slider = region.getByRole('slider').first()
   if (await slider.count()) assert.ok((await slider.boundingBox()).width > 150)
 }
 

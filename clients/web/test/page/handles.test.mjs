@@ -1,0 +1,122 @@
+// A repair by grabbing it on the valve: with the pointer, a finger and the keyboard.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { accessProblems, openView, startBrowser, startService } from './page.mjs'
+
+let service, browser, page, complaints
+before(async () => {
+  service = await startService()
+  browser = await startBrowser()
+  ;({ page, complaints } = await openView(browser, service.url, 'repair', { width: 1440, height: 900 }))
+  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
+})
+after(async () => {
+  await browser.close()
+  await service.stop()
+  assert.deepEqual(complaints, [])
+})
+
+const handle = (name) => page.locator('[data-part=handles]').getByRole('slider', { name })
+const steps = () => page.locator('[data-part=steps] [data-part=step]').allTextContents()
+const headline = () => page.locator('[data-part=headline]').textContent()
+const told = () => page.locator('figure').last().locator('[data-part=dragged]')
+const isAnswered = () => page.locator('[aria-busy=false]').waitFor()
+const titled = (words) =>
+  page.waitForFunction((wanted) => document.querySelector('[data-part=steps]')?.textContent?.includes(wanted), words)
+
+/// Down on the handle, along the way; not let go.
+async function dragBy(name, across, down) {
+  await isAnswered()
+  const { x, y, width, height } = await handle(name).boundingBox()
+  await page.mouse.move(x + width / 2, y + height / 2)
+  await page.mouse.down()
+  await page.mouse.move(x + width / 2 + across, y + height / 2 + down, { steps: 5 })
+}
+
+test("a suture's end is dragged: its length is told, applied once when it is let go, and one undo takes it back", async () => {
+  await page.getByRole('button', { name: 'Suture PM' }).click()
+  await handle('Suture length, posteromedial').waitFor()
+  await isAnswered()
+  await page.getByRole('button', { name: 'Oblique' }).click()
+  await page.waitForTimeout(500)
+  const [title] = await steps()
+  const leak = await headline()
+  await dragBy('Suture length, posteromedial', -6, -30)
+  const length = (await told().textContent()).match(/^suture (\d+\.\d) mm$/)?.[1]
+  assert.ok(Number(length) < 26, length)
+  assert.deepEqual(await steps(), [title])
+  await page.mouse.up()
+  await titled(`suture ${length} mm`)
+  await isAnswered()
+  assert.notEqual(await headline(), leak)
+  assert.equal(await page.getByRole('spinbutton', { name: /^Suture/ }).inputValue(), length)
+  assert.ok(!(await told().isVisible()))
+  await page.keyboard.press('Control+z')
+  await titled(title)
+  await isAnswered()
+  assert.equal(await headline(), leak)
+})
+
+test('Escape leaves a handle that is held where it was', async () => {
+  const before_ = await steps()
+  await dragBy('Suture length, posteromedial', 0, -30)
+  await page.keyboard.press('Escape')
+  await page.mouse.up()
+  assert.ok(!(await told().isVisible()))
+  assert.deepEqual(await steps(), before_)
+})
+
+test('arrow keys set what is grabbed, step by step; the focus stays', async () => {
+  const value = async () => Number(await handle('Suture length, posteromedial').getAttribute('aria-valuenow'))
+  const first = await value()
+  await handle('Suture length, posteromedial').focus()
+  await page.keyboard.press('ArrowDown')
+  await page.keyboard.press('ArrowDown')
+  await titled(`suture ${(first - 1).toFixed(1)} mm`)
+  await isAnswered()
+  assert.equal(await value(), first - 1)
+  assert.ok(await handle('Suture length, posteromedial').evaluate((node) => node === document.activeElement))
+})
+
+test('the other end is tied to another point of the annulus', async () => {
+  await page.getByRole('button', { name: 'From the atrium' }).click()
+  await page.waitForTimeout(500)
+  await dragBy('Suture anchor, posteromedial', 20, 60)
+  assert.match(await told().textContent(), /^anchor at \d+°, suture \d+\.\d mm$/)
+  await page.mouse.up()
+  await titled('to the annulus at ')
+})
+
+test('a ring is drawn smaller', async () => {
+  await page.getByRole('button', { name: 'Clear' }).click()
+  await page.getByRole('button', { name: 'Ring', exact: true }).click()
+  await titled('undersized by 2 sizes')
+  await dragBy('Ring size', 0, -15)
+  const sizes = Number.parseInt(await told().textContent(), 10)
+  assert.ok(sizes > 2, String(sizes))
+  await page.mouse.up()
+  await titled(`undersized by ${sizes} sizes`)
+})
+
+test('a neochorda is put elsewhere on the leaflet', async () => {
+  await page.getByRole('button', { name: 'Clear' }).click()
+  await page.getByRole('button', { name: 'Neochorda' }).click()
+  await page.getByLabel('or choose the place').selectOption('P2')
+  await page.getByLabel('or choose the head').selectOption('PM1')
+  await titled('Neochorda from PM1 to P2')
+  await handle(/^Neochorda insertion/).waitFor()
+  await dragBy(/^Neochorda insertion/, 40, 60)
+  assert.match(await told().textContent(), /^P\d, (free edge|belly|base): along 0\.\d\d, height \d\.\d\d$/)
+  await page.mouse.up()
+  await page.waitForFunction(
+    () => !/P2, free edge/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
+  )
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await titled('P2, free edge')
+})
+
+test('handles are named and no smaller than a finger needs', async () => {
+  assert.deepEqual(await accessProblems(page), [])
+  const { width, height } = await handle(/^Neochorda insertion/).boundingBox()
+  assert.ok(width >= 24 && height >= 24)
+})
