@@ -25,6 +25,11 @@ export function seconds(value: number): string {
   return minutes < 60 ? `${minutes} min ${whole % 60} s` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`
 }
 
+/// "mm2" -> "mm²", in texts of the service.
+export function typeset(text: string): string {
+  return text.replaceAll(/\b([cm]m)2\b/g, '$1²')
+}
+
 /// "papillary_approximation" -> "papillary approximation"
 export function words(name: string): string {
   return name.replaceAll('_', ' ')

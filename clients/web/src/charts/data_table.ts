@@ -7,11 +7,12 @@ import parts from '../style/parts.module.css'
 export interface TableColumn {
   label: Child
   numeric?: boolean
+  sentences?: boolean // wide enough for them on a phone, too
 }
 
 /// The first cell of a row is its heading.
 export function dataTable(caption: string, columns: TableColumn[], rows: Child[][]): HTMLElement {
-  const kind = (i: number) => columns[i]?.numeric && parts.number
+  const kind = (i: number) => (columns[i]?.numeric ? parts.number : columns[i]?.sentences && parts.sentences)
   return h(
     'div',
     { class: parts.scroll, role: 'group', 'aria-label': caption, tabindex: 0 },

@@ -71,7 +71,7 @@ export function heatScale(limits: number[], unit: string, none = 'not closed'): 
         'aria-label': `Shades change at ${limits.map(figure).join(', ')} ${unit}`,
       },
       ...Array.from({ length: SHADES }, (_, i) =>
-        h('span', { class: shade(i) }, i > 0 && h('small', {}, figure(limits[i - 1]))),
+        h('span', { class: shade(i) }, i > 0 && h('small', {}, Number(figure(limits[i - 1])))),
       ),
     ),
     h('span', {}, `${unit}; – ${none}`),

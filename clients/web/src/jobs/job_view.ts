@@ -1,7 +1,7 @@
 // A view over jobs of one kind: what asks for one and the earlier ones on the left, the open one on the right.
 import { postJson } from '../api/http'
 import type { Job, Plan, Problem } from '../api/types'
-import { h } from '../dom'
+import { button, h } from '../dom'
 import { tellTabs } from '../state/tabs'
 import { problemsOf, type Workspace } from '../workspace'
 import { problemList } from '../problems'
@@ -25,6 +25,7 @@ export interface JobKind {
   path: string // that takes requests
   member: string // of the request, what is asked
   earlier: string // title of the list
+  another: string // leads from an open job to the form, where that stands below
   form(start: (asked: Asked) => void): JobForm
   note(asked: Asked): string // in a few words
   outcome(job: Job): string | null // in a few words: what it has found so far
@@ -55,12 +56,9 @@ export class JobView {
       remove: (job) => this.remove(job),
     })
     this.found = h('div', {}, kind.empty)
-    this.element = h(
-      'div',
-      { class: jobsStyle.jobView },
-      h('div', {}, this.form.element, this.list.element),
-      this.found,
-    )
+    const asking = h('div', {}, this.form.element, this.list.element)
+    const lead = button(kind.another, () => asking.scrollIntoView(), { class: jobsStyle.lead })
+    this.element = h('div', { class: jobsStyle.jobView }, asking, h('div', {}, lead, this.found))
     const follow = () => {
       this.form.show(workspace.valve?.label ?? null, workspace.plan)
       if (this.element.isConnected) void this.openAsked()
@@ -114,18 +112,21 @@ export class JobView {
     this.openId = null
     this.list.mark(null)
     this.workspace.lookAt(this.kind.kind, null)
+    this.element.removeAttribute('data-open')
     this.found.replaceChildren(this.kind.empty)
   }
 
   private openAndLook(job: Job): void {
     this.open(job)
-    if (this.found.getBoundingClientRect().top > innerHeight / 2) this.found.scrollIntoView() // it stands below
+    const { top } = this.found.getBoundingClientRect()
+    if (top < 0 || top > innerHeight / 2) this.found.scrollIntoView() // it stands out of sight
   }
 
   private open(job: Job): void {
     this.opened?.abort()
     this.opened = new AbortController()
     this.openId = job.id
+    this.element.setAttribute('data-open', '')
     this.workspace.lookAt(this.kind.kind, job.id)
     this.list.mark(job.id)
     const changed = (now: Job) => {

@@ -1,7 +1,7 @@
 // One ranked plan: what is done, what it leaves, how sure that is.
 import type { Job, RankedPlan } from '../api/types'
 import { button, h, type Child } from '../dom'
-import { withUnit } from '../format'
+import { typeset, withUnit } from '../format'
 import { term } from '../help/term'
 import { openValveOf, valveOf } from '../jobs/valves'
 import { problemList } from '../problems'
@@ -146,5 +146,5 @@ function figures(plan: RankedPlan): HTMLElement {
 function warnings(plan: RankedPlan): HTMLElement | null {
   const said = [...doubts(plan), ...plan.warnings]
   if (said.length === 0) return null
-  return h('ul', { class: searchStyle.warnings }, ...said.map((warning) => h('li', {}, warning)))
+  return h('ul', { class: searchStyle.warnings }, ...said.map((warning) => h('li', {}, typeset(warning))))
 }

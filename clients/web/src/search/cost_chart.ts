@@ -27,13 +27,20 @@ export function costChart(series: Series[], signal: AbortSignal): CostChart {
     },
     signal,
   )
+  chart.element.hidden = isFlat(series)
   return {
     element: h('div', {}, chart.element, said),
     show(others) {
+      chart.element.hidden = isFlat(others)
       said.textContent = costSummary(others)
       chart.show(others, costSummary(others))
     },
   }
+}
+
+/// One line that never falls is said, not drawn.
+export function isFlat(series: Series[]): boolean {
+  return new Set(series.flatMap((one) => one.y)).size < 2
 }
 
 /// "2.60 mm² since 24 closures of 2,000. A random search is expected to have 5.28 mm² after 77."

@@ -5,7 +5,7 @@ import { heatMap, heatScale } from '../charts/heat_map'
 import { lineChart } from '../charts/line_chart'
 import type { Hue } from '../charts/colours'
 import { h, type Child } from '../dom'
-import { number, percent, words } from '../format'
+import { number, percent, typeset, words } from '../format'
 import { lengthName, meanAndSd } from './figures'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -112,13 +112,13 @@ function gates(list: Gate[]): Node[] {
     h('h4', {}, 'Rules of practice'),
     dataTable(
       'Rules of practice',
-      [{ label: 'rule' }, { label: 'verdict' }, { label: 'finding' }, { label: 'source' }],
+      [{ label: 'rule' }, { label: 'verdict' }, { label: 'finding', sentences: true }, { label: 'source' }],
       list.map((gate) => {
         const [verdict, tone] = VERDICTS[gate.severity]
         return [
           words(gate.rule),
           h('span', { class: `${parts.verdict} ${parts[tone]}`, 'data-part': 'verdict' }, verdict),
-          gate.finding,
+          typeset(gate.finding),
           gate.source,
         ]
       }),

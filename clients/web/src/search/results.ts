@@ -161,7 +161,7 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
         dataTable(
           'Pareto front',
           [
-            { label: 'plan' },
+            { label: 'plan', sentences: true },
             { label: 'leak, mean, mm²', numeric: true },
             { label: 'sd, mm²', numeric: true },
             { label: 'steps', numeric: true },
@@ -186,7 +186,7 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
         '',
         dataTable(
           'What was left out',
-          [{ label: 'what' }, { label: 'why' }],
+          [{ label: 'what' }, { label: 'why', sentences: true }],
           result.cut.map(({ what, why }) => [what, why]),
         ),
       ),

@@ -21,6 +21,7 @@ export class SearchView implements View {
       path: '/v1/plans',
       member: 'search',
       earlier: 'Earlier searches',
+      another: 'New search and earlier ones',
       form: searchForm,
       note: inShort,
       outcome: bestSoFar,

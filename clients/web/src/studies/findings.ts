@@ -2,7 +2,7 @@
 import type { Finding, StudyResult } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h } from '../dom'
-import { seconds } from '../format'
+import { seconds, typeset } from '../format'
 import { grouped } from '../jobs/progress_panel'
 import parts from '../style/parts.module.css'
 
@@ -41,18 +41,18 @@ export function findingsTable(result: StudyResult): HTMLElement {
             [
               { label: 'finding' },
               { label: 'section' },
-              { label: 'thesis' },
-              { label: 'here' },
+              { label: 'thesis', sentences: true },
+              { label: 'here', sentences: true },
               { label: 'verdict' },
-              { label: 'criterion' },
+              { label: 'criterion', sentences: true },
             ],
             findings.map((finding) => [
               finding.finding.replaceAll('-', ' ').replace('/', ': '),
               finding.section,
-              finding.thesis,
-              finding.ours,
+              typeset(finding.thesis),
+              typeset(finding.ours),
               verdict(finding),
-              finding.judged,
+              typeset(finding.judged),
             ]),
           ),
         ),

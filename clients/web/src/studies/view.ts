@@ -17,9 +17,10 @@ export class StudiesView implements View {
       path: '/v1/studies',
       member: 'study',
       earlier: 'Earlier studies',
+      another: 'New study and earlier ones',
       form: studyForm,
       note: (study) => String(study.name),
-      outcome: ({ findings, agree }) => (findings ? `${agree} of ${findings} findings agree with the thesis` : null),
+      outcome: () => null, // the service's list does not tell
       empty: empty(),
       panel: studyPanel,
     }

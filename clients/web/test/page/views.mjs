@@ -1,4 +1,4 @@
-// Pictures of a service's Search and Studies views, to be looked at: `node views.mjs FOLDER`. Four sizes, light and dark.
+// Pictures of every view, to be looked at: `node views.mjs FOLDER`. Four sizes, light and dark.
 import { mkdirSync } from 'node:fs'
 import { join } from 'node:path'
 import { openView, startBrowser, startService } from './page.mjs'
@@ -34,15 +34,22 @@ async function shoot(page, name) {
     const long = await page.evaluate(
       () => document.querySelector('main').scrollHeight + innerHeight - document.querySelector('main').clientHeight,
     )
-    await page.setViewportSize({ width, height: Math.min(long, 12_000) })
+    await page.setViewportSize({ width, height: Math.min(long, 5000) })
     await page.waitForTimeout(600)
     await page.screenshot({ path: join(folder, `${name}-${width}-whole.png`) })
   }
   console.log(name)
 }
 
-const { page, complaints } = await openView(browser, service.url, 'search')
+const { page, complaints } = await openView(browser, service.url, 'valve')
 await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
+await shoot(page, 'valve')
+await page.getByRole('link', { name: 'Repair' }).click()
+await page.getByRole('button', { name: 'Ring' }).click()
+await page.locator('[data-part=answer]', { hasText: 'Closed' }).waitFor()
+await shoot(page, 'repair')
+await page.getByRole('link', { name: 'Search' }).click()
+await page.getByRole('button', { name: 'Start the search' }).waitFor()
 await shoot(page, 'search-form')
 await page.getByLabel('Plans to show').fill('0')
 await page.getByRole('button', { name: 'Start the search' }).click()
@@ -50,7 +57,7 @@ await page.locator('[data-part=problems]').waitFor()
 await shoot(page, 'search-problem')
 await page.getByLabel('Plans to show').fill('5')
 await page.getByRole('button', { name: 'Start the search' }).click()
-await page.locator('[data-part=plot] canvas').waitFor()
+await page.locator('[data-part=leading] [data-part=photo][data-taken]').nth(1).waitFor()
 await shoot(page, 'search-running')
 await page.locator('[data-part=plan]').nth(4).waitFor()
 await page.waitForTimeout(3000)

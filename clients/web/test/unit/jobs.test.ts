@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import type { JobProgress } from '../../src/api/types'
 import { Pace, roughly } from '../../src/jobs/pace'
-import { costSummary, endedSeries, liveSeries } from '../../src/search/cost_chart'
+import { costSummary, endedSeries, isFlat, liveSeries } from '../../src/search/cost_chart'
 
 function progress(stage: string, closures: number, seconds: number, more: Partial<JobProgress> = {}): JobProgress {
   return {
@@ -74,6 +74,18 @@ test('the best cost is told with when it was found', () => {
     [],
   )
   expect(costSummary(series)).toBe('2.60 mm² since 24 closures of 2,000.')
+  expect(isFlat(series)).toBe(false)
+  expect(
+    isFlat(
+      endedSeries(
+        [
+          { closures: 9, cost: 5 },
+          { closures: 24, cost: 5 },
+        ],
+        [],
+      ),
+    ),
+  ).toBe(true)
 })
 
 test('the live curves hold what is known, once for each number of closures', () => {
