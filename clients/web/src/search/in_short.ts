@@ -1,7 +1,18 @@
 // What was asked of a search, in a few words for the list of searches.
+import type { Plan, SearchResult } from '../api/types'
 import { seconds } from '../format'
 import { grouped } from '../jobs/progress_panel'
-import { CHORDAL_STEPS, SUTURES } from './options'
+import {
+  ANSWER,
+  CHORDAL_STEPS,
+  LIMITS,
+  NEOCHORDAE,
+  OPTIMISER,
+  searchOf,
+  SUTURES,
+  WEIGHTS,
+  type NumberOption,
+} from './options'
 
 interface Asked {
   evaluations?: number
@@ -29,6 +40,28 @@ export function inShort(search: Record<string, unknown>): string {
     weights && 'own weights',
   ].filter((words): words is string => typeof words === 'string')
   return said.length > 0 ? said.join(', ') : 'default options'
+}
+
+/// What differs from the defaults in a search as the service repeats it, with all its fields.
+export function differing(search: SearchResult['reproduce']['search']): Record<string, unknown> {
+  const found = new Map<NumberOption, number>()
+  for (const option of NUMBERS) {
+    const value = valueAt(search, option.pointer)
+    const isLimit = option.fallback !== null || (typeof value === 'number' && value > 0)
+    if (typeof value === 'number' && isLimit) found.set(option, value)
+  }
+  const { forbidden = [], fixed } = search.rules ?? {}
+  const switches = new Map(CHORDAL_STEPS.map((option) => [option, valueAt(search, option.pointer) === true]))
+  const steps = fixed?.steps ?? []
+  const plan: Plan | null = steps.length > 0 ? { schema: 'coapt.plan/1', steps } : null
+  return searchOf({ numbers: found, switches, forbidden, fixed: plan })
+}
+
+const NUMBERS = [...ANSWER, NEOCHORDAE, ...LIMITS, ...OPTIMISER, ...WEIGHTS]
+
+function valueAt(search: object, pointer: string): unknown {
+  const names = pointer.slice(1).split('/')
+  return names.reduce<unknown>((at, name) => (at as Record<string, unknown> | undefined)?.[name], search)
 }
 
 /// "annuloplasty:own" -> "own-shape ring"

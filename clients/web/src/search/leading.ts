@@ -8,6 +8,8 @@ import type { Photos } from './photos'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
 
+const PICTURE_PAUSE_MS = 2000 // each closes the valve beside the search
+
 export interface Leading {
   element: HTMLElement
   show(progress: JobProgress): void
@@ -32,6 +34,7 @@ export function leadingPlan(photos: Photos): Leading {
     both,
   )
   let shown: string | null = null
+  let drawn = -PICTURE_PAUSE_MS
 
   function picture(plan: Plan, said: string): void {
     both.hidden = false
@@ -51,8 +54,10 @@ export function leadingPlan(photos: Photos): Leading {
       ]
       figures.replaceChildren(...entries.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))))
       const plan = JSON.stringify(best.plan)
-      if (plan !== shown) picture(best.plan, said)
+      if (plan === shown || performance.now() - drawn < PICTURE_PAUSE_MS) return
+      picture(best.plan, said)
       shown = plan
+      drawn = performance.now()
     },
   }
 }

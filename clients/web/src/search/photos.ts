@@ -54,7 +54,10 @@ export class Photos {
       this.last = this.last
         .then(() => this.take(canvas, plan))
         .then(
-          () => frame.setAttribute('data-taken', ''),
+          () => {
+            frame.replaceChildren(canvas)
+            frame.setAttribute('data-taken', '')
+          },
           () => frame.replaceChildren(h('p', { class: parts.hint }, 'The picture could not be drawn.')),
         )
     }
@@ -65,7 +68,10 @@ export class Photos {
 
   private async take(canvas: HTMLCanvasElement, plan: Plan | null): Promise<void> {
     if (this.signal.aborted) return
-    studio ??= openStudio()
+    studio ??= openStudio().catch((error: unknown) => {
+      studio = null // the next picture tries again
+      throw error
+    })
     const [before, scene, viewer] = await Promise.all([this.scene(null), this.scene(plan), studio])
     if (this.signal.aborted) return
     viewer.set(scene, LOOK)
@@ -84,8 +90,11 @@ export class Photos {
 
   private scene(plan: Plan | null): Promise<Scene> {
     const key = JSON.stringify(plan?.steps ?? [])
-    const scene = this.scenes.get(key) ?? drawScene(this.valve, plan, 0, this.signal)
+    const known = this.scenes.get(key)
+    if (known) return known
+    const scene = drawScene(this.valve, plan, 0, this.signal)
     this.scenes.set(key, scene)
+    scene.catch(() => this.scenes.delete(key))
     return scene
   }
 }

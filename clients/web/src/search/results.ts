@@ -9,6 +9,7 @@ import { comparison } from './compare'
 import { costChart, endedSeries } from './cost_chart'
 import { downloadButton, reportLink } from '../jobs/downloads'
 import { inWords } from './figures'
+import { differing, inShort } from './in_short'
 import { planTable } from './plan_table'
 import { whyFirst, type Weights } from './price'
 import jobsStyle from '../jobs/jobs.module.css'
@@ -38,6 +39,7 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
   const { before } = result
   const told = h('div', {})
   const path = `/v1/jobs/${context.job.id}`
+  const asked = inShort(differing(result.reproduce.search))
   const leak = result.plans[0]?.leak_mm2.nominal
   const facts: [string, string][] = [
     ...(leak === undefined || leak === null
@@ -83,7 +85,7 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
           { class: parts.figures },
           ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
         ),
-        h('p', { class: parts.hint }, STOPS[result.stop] ?? result.stop),
+        h('p', { class: parts.hint }, `Asked: ${asked}. ${STOPS[result.stop] ?? result.stop}`),
       ),
     ),
     h(

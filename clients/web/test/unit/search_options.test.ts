@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { inShort } from '../../src/search/in_short'
+import { differing, inShort } from '../../src/search/in_short'
 import {
   ANCHORS,
   ANSWER,
@@ -15,6 +15,7 @@ import {
   WEIGHTS,
   type Choices,
 } from '../../src/search/options'
+import { NO_PLAN } from '../../src/workspace'
 import schema from '../../../../io/schema/search.schema.json'
 
 const all = [...ANSWER, NEOCHORDAE, ...LIMITS, ...OPTIMISER, ...WEIGHTS]
@@ -108,6 +109,23 @@ test('what was asked is said in short', () => {
   expect(inShort({ rules: { forbidden: ['papillary_approximation:anterolateral'], chordal_excision: true } })).toBe(
     'sutures of the posteromedial muscle only, cut strut chordae',
   )
+})
+
+test('what was asked is found again in what the service repeats', () => {
+  const repeated = {
+    evaluations: 300,
+    seconds: 0,
+    target_mm2: -1,
+    plans: 5,
+    rules: { fixed: NO_PLAN, forbidden: ['annuloplasty:own'], most_neochordae: 4, chordal_excision: true },
+    weights: { leak: 1, tension: 2 },
+  }
+  expect(differing(repeated)).toEqual({
+    evaluations: 300,
+    rules: { forbidden: ['annuloplasty:own'], chordal_excision: true },
+    weights: { tension: 2 },
+  })
+  expect(differing({ rules: { fixed: NO_PLAN } })).toEqual({})
 })
 
 test('a problem belongs to the option that its pointer leads into', () => {
