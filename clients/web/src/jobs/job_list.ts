@@ -44,7 +44,7 @@ export function jobList(listed: ListedJobs): JobList {
       h(
         'span',
         { class: parts.hint },
-        [when(job.created), noteOf(job.id)].filter((words) => words !== null).join(', '),
+        [when(job.created), noteOf(job.id)?.words].filter((words) => words !== undefined).join(', '),
       ),
       h('span', { class: jobsStyle.outcome }, listed.outcome(job)),
     )

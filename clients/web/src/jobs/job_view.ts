@@ -95,7 +95,8 @@ export class JobView {
     try {
       const job = await postJson<Job>(this.kind.path, { valve: valve.reference, [this.kind.member]: asked })
       rememberValve(job.valve, valve)
-      noteJob(job.id, this.kind.note(asked))
+      const { seconds } = asked
+      noteJob(job.id, { words: this.kind.note(asked), limit_s: typeof seconds === 'number' ? seconds : null })
       this.openAndLook(job)
     } catch (error) {
       this.form.complain(problemsOf(error))

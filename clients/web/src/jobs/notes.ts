@@ -1,15 +1,20 @@
 // What this browser asked of a job; the service's list of jobs does not tell.
 import { store, stored } from '../state/stored'
 
-const STORED = 'coapt-job-notes'
+const STORED = 'coapt-jobs-asked'
 
-const notes = () => stored<Record<string, string>>(STORED, {})
-
-export function noteJob(id: string, words: string): void {
-  store(STORED, { ...notes(), [id]: words })
+export interface JobNote {
+  words: string // what was asked, in short
+  limit_s: number | null // of its time
 }
 
-export function noteOf(id: string): string | null {
+const notes = () => stored<Record<string, JobNote>>(STORED, {})
+
+export function noteJob(id: string, note: JobNote): void {
+  store(STORED, { ...notes(), [id]: note })
+}
+
+export function noteOf(id: string): JobNote | null {
   return notes()[id] ?? null
 }
 

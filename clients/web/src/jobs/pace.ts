@@ -20,8 +20,15 @@ export class Pace {
   /// Without `shares` each stage has closures of its own, and its end is foretold.
   constructor(private readonly shares: Readonly<Record<string, number>> | null = null) {}
 
-  /// Seconds that are left; null while that cannot be told.
-  left(now: JobProgress): number | null {
+  /// Seconds that are left, at most to `limit_s`; null while that cannot be told.
+  left(now: JobProgress, limit_s: number | null = null): number | null {
+    const left = this.byPace(now)
+    if (limit_s === null) return left
+    const most = Math.max(0, limit_s - now.seconds)
+    return left === null ? most : Math.min(left, most)
+  }
+
+  private byPace(now: JobProgress): number | null {
     const before = this.recent.at(-1)
     if (now.stage !== this.stage || now.closures < (before?.closures ?? 0)) {
       if (this.shares === null) this.told = null

@@ -5,6 +5,7 @@ import { seconds, words } from '../format'
 import { problemList } from '../problems'
 import { problemsOf } from '../workspace'
 import { cancelJob } from './calls'
+import { noteOf } from './notes'
 import { Pace, roughly, SEARCH_SHARES } from './pace'
 import { standing, stateBadge } from './state'
 import jobsStyle from './jobs.module.css'
@@ -18,6 +19,7 @@ export interface ProgressPanel {
 
 export function progressPanel(first: Job, what: string): ProgressPanel {
   const pace = new Pace(first.kind === 'plans' ? SEARCH_SHARES : null)
+  const limit_s = noteOf(first.id)?.limit_s ?? null
   let job = first
   let unit = 'closures'
   const bar = h('progress', { max: 1, 'aria-label': `Progress of the ${what}` })
@@ -60,7 +62,7 @@ export function progressPanel(first: Job, what: string): ProgressPanel {
     const { closures, closures_planned: planned } = progress
     stage.textContent = words(progress.stage)
     if (planned > 0) bar.value = closures / planned
-    const left = pace.left(progress)
+    const left = pace.left(progress, limit_s)
     const entries: [string, string][] = [
       [unit, planned > 0 ? `${grouped(closures)} of ${grouped(planned)}` : grouped(closures)],
       ['time', seconds(progress.seconds)],

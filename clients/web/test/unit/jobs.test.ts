@@ -53,6 +53,17 @@ test('what is told follows a change of pace slowly', () => {
   expect(slower).toBeLessThan(6)
 })
 
+test('a limit of the time is the end at the latest', () => {
+  for (const [closures, left] of [
+    [5, 26], // 76 by the pace
+    [50, 4],
+  ] as const) {
+    const pace = new Pace()
+    expect(pace.left(progress('searching', 0, 0), 30)).toBe(30)
+    expect(pace.left(progress('searching', closures, 4), 30)).toBe(left)
+  }
+})
+
 test('time left is told no more exactly than it is known', () => {
   expect([3, 43, 58, 95, 400, 7000].map(roughly)).toEqual([
     'a few seconds',
