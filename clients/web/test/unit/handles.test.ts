@@ -60,7 +60,7 @@ test('a ring whose handle is drawn inwards by a tenth is a tenth smaller', () =>
   const [own] = handles({ step: 'annuloplasty', shape: 'own', sizes_below: 2 })
   // 10 mm from the middle; 20 mm across.
   expect(own?.handle.dragged({ ...still, mmAlong: () => -1 })).toMatchObject({ sizes_below: 3 })
-  const [named] = handles({ step: 'annuloplasty', shape: 'physio-ii', size_mm: 30 } as Step)
+  const [named] = handles({ step: 'annuloplasty', shape: 'generic-classic', size_mm: 30 } as Step)
   expect(named?.handle.dragged({ ...still, mmAlong: () => -1 })).toMatchObject({ size_mm: 28 })
 })
 
