@@ -7,6 +7,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr const char* kProblemTypes = "https://coapt.example/problems/";
+
 const char* title(int status) {
   switch (status) {
     case 400:
@@ -69,11 +71,12 @@ Answer json_answer(int status, ordered_json object) {
 }
 
 Answer problem(int status, const Errors& errors) {
-  return json_answer(status, {{"type", "about:blank"},
+  ordered_json problems = to_json(errors);
+  return json_answer(status, {{"type", kProblemTypes + problems[0]["code"].get<std::string>()},
                               {"title", title(status)},
                               {"status", status},
-                              {"detail", errors.empty() ? title(status) : errors.front().message},
-                              {"problems", to_json(errors)}});
+                              {"detail", errors.front().message},
+                              {"problems", std::move(problems)}});
 }
 
 Answer problem(int status, ErrorCode code, const std::string& message) {

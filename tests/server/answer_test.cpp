@@ -19,7 +19,7 @@ TEST(Answer, AProblemIsOfRfc9457) {
       422, {{ErrorCode::OutOfRange, "/valve/x", "x must be 1"}, {ErrorCode::WrongType, "/y", "z"}});
   EXPECT_EQ(content_type(answer), "application/problem+json");
   const auto json = nlohmann::ordered_json::parse(content_bytes(answer));
-  EXPECT_EQ(json["type"], "about:blank");
+  EXPECT_EQ(json["type"], "https://coapt.example/problems/out_of_range");
   EXPECT_EQ(json["title"], "Unprocessable content");
   EXPECT_EQ(json["status"], 422);
   EXPECT_EQ(json["detail"], "x must be 1");

@@ -84,12 +84,12 @@ class Schema {
     return true;
   }
 
-  // "#/$defs/rules", or "../coapt.plan/1#/..." into plan.schema.json.
+  // "#/$defs/rules", or "../plan/1#/..." into plan.schema.json.
   bool fits_reference(const std::string& reference, const nlohmann::json& value) const {
     const std::size_t hash = reference.find('#');
     const nlohmann::json::json_pointer at(reference.substr(hash + 1));
     if (hash == 0) return accepts(root_[at], value);
-    const std::size_t name = reference.find("coapt.") + 6;
+    const std::size_t name = reference.find("../") + 3;
     const Schema other(reference.substr(name, reference.find("/1#") - name));
     return other.accepts(other.root_[at], value);
   }

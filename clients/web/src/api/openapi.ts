@@ -512,10 +512,10 @@ export interface components {
         /** @description RFC 9457. */
         Problem: {
             /**
-             * @description Always about:blank; the kind of each problem is its code.
-             * @constant
+             * Format: uri
+             * @description The kind of the first problem, as an address that leads nowhere: https://coapt.example/problems/ and its code.
              */
-            type: "about:blank";
+            type: string;
             /** @description The status in words. */
             title: string;
             /** @description HTTP status of this answer. */
