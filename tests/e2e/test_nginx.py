@@ -18,15 +18,18 @@ NAME = "coapt.example.org"
 NGINX = shutil.which("nginx", path=os.environ["PATH"] + ":/usr/sbin")
 
 
-def free_port():
-    """Below those that the kernel hands out for port 0: another test would get it before nginx does."""
-    while True:
-        port = random.randrange(20000, 32000)
+def free_ports(count):
+    """Below those that the kernel hands out for port 0: another test would get them before nginx does."""
+    ports = []
+    for port in random.sample(range(20000, 32000), 1000):
         try:
             socket.create_server(("127.0.0.1", port)).close()
-            return port
         except OSError:
             continue
+        ports.append(port)
+        if len(ports) == count:
+            break
+    return ports
 
 
 @unittest.skipUnless(NGINX and shutil.which("openssl"), "needs nginx and openssl (package group proxy)")
@@ -34,7 +37,7 @@ class Nginx(ServerTest):
     def setUp(self):
         self.token = secrets.token_urlsafe(32)
         super().setUp()
-        self.port, self.plain_port = free_port(), free_port()
+        self.port, self.plain_port = free_ports(2)
         self.make_certificate()
         self.start_nginx()
 
@@ -153,19 +156,31 @@ class Nginx(ServerTest):
         self.assertEqual(self.curl("/v1/presets", "-H", f"Origin: https://{NAME}")[0], 200)
         self.assert_problem(self.curl("/v1/presets", "-H", "Origin: https://evil.example"), 403)
 
+    def follow(self, job):
+        """A connection on which the job's events come."""
+        context = ssl.create_default_context(cafile=self.folder / "certificate.pem")
+        plain = socket.create_connection(("127.0.0.1", self.port), timeout=60)
+        connection = context.wrap_socket(plain, server_hostname=NAME)
+        self.addCleanup(connection.close)
+        connection.sendall(
+            (
+                f"GET {job['links']['events']} HTTP/1.1\r\nHost: {NAME}\r\n"
+                f"Authorization: Bearer {self.token}\r\n\r\n"
+            ).encode()
+        )
+        return connection
+
+    def test_one_address_cannot_take_all_streams(self):
+        job = self.submit(search_of(1, evaluations=5000))
+        streams = [self.follow(job) for _ in range(9)]
+        statuses = [stream.recv(12).split()[1] for stream in streams]
+        self.assertEqual((statuses[:8], statuses[8]), ([b"200"] * 8, b"429"))
+        self.assertEqual(self.post(job["links"]["cancel"], {})[0], 200)
+
     def test_events_arrive_one_by_one(self):
         """A queued job has one event and then none: a proxy that buffers would keep it."""
         running, queued = self.submit(search_of(1, evaluations=5000)), self.submit(search_of(2))
-        context = ssl.create_default_context(cafile=self.folder / "certificate.pem")
-        with socket.create_connection(("127.0.0.1", self.port), timeout=60) as plain, context.wrap_socket(
-            plain, server_hostname=NAME
-        ) as connection:
-            connection.sendall(
-                (
-                    f"GET {queued['links']['events']} HTTP/1.1\r\nHost: {NAME}\r\n"
-                    f"Authorization: Bearer {self.token}\r\n\r\n"
-                ).encode()
-            )
+        with self.follow(queued) as connection:
             received = b""
             while b"event: state" not in received:
                 part = connection.recv(4096)

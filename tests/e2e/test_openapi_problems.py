@@ -60,6 +60,9 @@ class Problems(OpenApiTest):
         return {
             "no_json": ask("POST", "/v1/closures", '{"valve": ', JSON),
             "missing_fields": ask("POST", "/v1/valves", {"schema": "coapt.valve/1", "name": "nothing else"}),
+            "no_chordae": ask(
+                "POST", "/v1/valves:import", self.document.json["components"]["examples"]["no_chordae"]["value"]
+            ),
             "impossible_step": ask(
                 "POST",
                 "/v1/closures",
