@@ -1,6 +1,7 @@
 // Files of a closed valve that other programs open.
 import { request } from './api/http'
-import { button, download, h, select } from './dom'
+import { download, h, select } from './dom'
+import { labelledButton } from './icons'
 import { problemList } from './problems'
 import { problemsOf, type Workspace } from './workspace'
 import parts from './style/parts.module.css'
@@ -23,7 +24,7 @@ export interface FileSaver {
 
 /// A button beside the formats; `get` fetches one, `name` is what stands before the dot. What goes wrong is said in `told`.
 export function fileSaver(
-  label: string,
+  { label, title }: { label: string; title: string },
   get: (format: string) => Promise<Blob>,
   name: () => string,
   told: HTMLElement,
@@ -31,7 +32,7 @@ export function fileSaver(
   let format: string = FORMATS[0][0]
   const formats = select(FORMATS, format, (chosen) => (format = chosen))
   formats.setAttribute('aria-label', 'File format')
-  const press = button(label, () => void save())
+  const press = labelledButton('save', label, title, () => void save())
   async function save(): Promise<void> {
     press.disabled = true
     try {
@@ -51,5 +52,5 @@ export function closureSaver(workspace: Workspace, isRepaired: boolean, told: HT
     const plan = isRepaired ? { plan: workspace.plan } : {}
     return (await request('POST', '/v1/exports', { valve: workspace.valve?.reference, ...plan, format })).blob()
   }
-  return fileSaver('Save file', get, () => (isRepaired ? 'repaired' : 'valve'), told)
+  return fileSaver({ label: 'Save', title: 'Save file' }, get, () => (isRepaired ? 'repaired' : 'valve'), told)
 }

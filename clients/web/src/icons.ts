@@ -1,7 +1,12 @@
 // Icons of lucide (ISC licence), put into the page by the build.
 import animation from 'lucide-static/icons/play.svg?raw'
+import anterior from 'lucide-static/icons/arrow-left-to-line.svg?raw'
+import atrial from 'lucide-static/icons/arrow-down-to-line.svg?raw'
 import close from 'lucide-static/icons/x.svg?raw'
 import distance from 'lucide-static/icons/ruler.svg?raw'
+import keep from 'lucide-static/icons/bookmark.svg?raw'
+import lateral from 'lucide-static/icons/arrow-right-to-line.svg?raw'
+import oblique from 'lucide-static/icons/rotate-3d.svg?raw'
 import picture from 'lucide-static/icons/camera.svg?raw'
 import palette from 'lucide-static/icons/search.svg?raw'
 import redo from 'lucide-static/icons/redo-2.svg?raw'
@@ -10,10 +15,29 @@ import save from 'lucide-static/icons/download.svg?raw'
 import stop from 'lucide-static/icons/square.svg?raw'
 import theme from 'lucide-static/icons/sun-moon.svg?raw'
 import undo from 'lucide-static/icons/undo-2.svg?raw'
+import ventricular from 'lucide-static/icons/arrow-up-to-line.svg?raw'
 import { h, type Attributes } from './dom'
 import parts from './style/parts.module.css'
 
-const ICONS = { animation, close, distance, picture, palette, redo, remove, save, stop, theme, undo }
+const ICONS = {
+  animation,
+  anterior,
+  atrial,
+  close,
+  distance,
+  keep,
+  lateral,
+  oblique,
+  palette,
+  picture,
+  redo,
+  remove,
+  save,
+  stop,
+  theme,
+  undo,
+  ventricular,
+}
 export type IconName = keyof typeof ICONS
 
 export function icon(name: IconName): Element {
@@ -35,4 +59,17 @@ export function iconButton(
     { type: 'button', class: parts.tool, title: label, 'aria-label': label, onclick, ...attributes },
     icon(name),
   )
+}
+
+/// Beside its label; `title` is shown over it.
+export function labelledButton(
+  name: IconName,
+  label: string,
+  title: string,
+  onclick: () => void,
+  attributes: Attributes = {},
+): HTMLButtonElement {
+  const { class: more = '', ...others } = attributes
+  const named = { title, 'aria-label': title, class: `${parts.labelled} ${more}` }
+  return h('button', { type: 'button', onclick, ...named, ...others }, icon(name), h('span', {}, label))
 }

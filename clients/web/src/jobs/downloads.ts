@@ -26,7 +26,7 @@ async function save(path: string, name: string, told: HTMLElement, pressed: HTML
 /// Of one plan: `path` is .../plans/RANK, `name` without what follows the dot.
 export function meshDownload(path: string, name: string, told: HTMLElement): HTMLElement {
   return fileSaver(
-    'Mesh',
+    { label: 'Mesh', title: 'Save the mesh' },
     (format) => getBlob(`${path}/mesh?format=${format}`),
     () => name,
     told,

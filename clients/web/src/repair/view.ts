@@ -2,6 +2,9 @@
 import type { Plan, Step } from '../api/types'
 import { button, h, select } from '../dom'
 import { closureSaver, type FileSaver } from '../files'
+import type { Figure } from '../picture/figure'
+import { figureLines, pictureSaver } from '../picture/saver'
+import { labelledButton } from '../icons'
 import { problemList } from '../problems'
 import type { View } from '../view'
 import { Looks } from '../valve/looks'
@@ -41,7 +44,9 @@ export class RepairView implements View {
   private pickedFor: Plan | null = null
   private ringed = false // the valve on the right has a ring
   private readonly afterTitle = h('figcaption', {})
-  private readonly accept = button('Keep this repair', () => void this.keep(), { class: parts.primary })
+  private readonly accept = labelledButton('keep', 'Keep', 'Keep this repair', () => void this.keep(), {
+    class: parts.primary ?? '',
+  })
 
   constructor(private readonly workspace: Workspace) {
     this.save = closureSaver(workspace, true, this.problems)
@@ -59,7 +64,14 @@ export class RepairView implements View {
         'div',
         { class: viewerStyle.stage },
         h('h1', { class: parts.unseen }, 'Repair'),
-        h('div', { class: viewerStyle.tools }, this.looks.views, this.accept, this.save.element),
+        h(
+          'div',
+          { class: viewerStyle.tools },
+          this.looks.views,
+          this.accept,
+          this.save.element,
+          pictureSaver((width_px) => this.figure(width_px), this.problems),
+        ),
         h('div', { class: repairStyle.outcome }, this.headline, this.said),
         this.picking,
         this.problems,
@@ -175,6 +187,16 @@ export class RepairView implements View {
     if (cut === null) return
     this.insets.before.replaceChildren(sectionInset(before, cut))
     this.insets.after.replaceChildren(sectionInset(after, cut))
+  }
+
+  private figure(width_px: number): Figure {
+    const { before, after, plan, valve } = this.workspace
+    if (!before) throw new Error('No valve is open.')
+    const { scale } = this.looks.look(after ? [before, after] : [before])
+    const shown = after ? [this.before, this.after] : [this.before]
+    const titles = after ? ['Before', 'Repaired'] : ['']
+    const shots = shown.map((viewer, i) => ({ title: titles[i] ?? '', shot: viewer.shot(width_px / shown.length) }))
+    return { name: valve?.label ?? 'valve', lines: figureLines(before, after, plan), shots, scale }
   }
 
   private async keep(): Promise<void> {

@@ -1,7 +1,8 @@
 // The controls of how a valve is shown: colour, names, orifices, the cut, the closing.
 import type { Scene } from '../api/types'
-import { button, field, h, select } from '../dom'
+import { field, h, select } from '../dom'
 import { number, withUnit } from '../format'
+import { icon, labelledButton } from '../icons'
 import { COLOUR_MODES, type ColourMode } from '../viewer/colours'
 import type { ViewName } from '../viewer/stage'
 import type { Look } from '../viewer/viewer'
@@ -17,6 +18,7 @@ const VIEWS: readonly (readonly [ViewName, short: string, label: string])[] = [
   ['ventricular', 'Ventricle', 'From the ventricle'],
 ]
 const CLOSING_MS = 1800
+const PLAY = 'Play the closing'
 
 export class Looks {
   readonly element: HTMLElement
@@ -37,12 +39,12 @@ export class Looks {
     value: 1,
     oninput: () => this.onChange(),
   })
-  private readonly play: HTMLButtonElement
+  private readonly play: HTMLElement // the label of its button
   private readonly range = new ScaleRange()
   private started = 0 // of the closing that plays; 0: none
 
   constructor(withMotion: boolean) {
-    this.play = button('Play the closing', () => this.playOrStop())
+    this.play = h('span', {}, PLAY)
     const mode = select(COLOUR_MODES, 'leaflets', (value) => {
       this.mode = value as ColourMode
       this.onChange()
@@ -60,7 +62,17 @@ export class Looks {
       h('p', { class: parts.hint }, this.cutText),
       withMotion && field('Open to closed', this.closing),
       withMotion &&
-        h('p', { class: parts.row }, this.play, h('span', { class: parts.hint }, 'the path to rest, not real time')),
+        h(
+          'p',
+          { class: parts.row },
+          h(
+            'button',
+            { type: 'button', class: parts.labelled, onclick: () => this.playOrStop() },
+            icon('animation'),
+            this.play,
+          ),
+          h('span', { class: parts.hint }, 'the path to rest, not real time'),
+        ),
     )
     this.range.onChange = () => this.onChange()
     this.views = h('div', {
@@ -69,9 +81,7 @@ export class Looks {
       'aria-label': 'Direction of view',
     })
     for (const [name, short, label] of VIEWS)
-      this.views.append(
-        button(short, () => this.onView(name), { class: parts.quiet, title: label, 'aria-label': label }),
-      )
+      this.views.append(labelledButton(name, short, label, () => this.onView(name), { class: parts.quiet ?? '' }))
   }
 
   /// For these scenes, which share one scale of colours.
@@ -129,6 +139,6 @@ export class Looks {
 
   private stop(): void {
     this.started = 0
-    this.play.textContent = 'Play the closing'
+    this.play.textContent = PLAY
   }
 }

@@ -1,7 +1,8 @@
 // A valve as it is: opened, closing, measured, cut.
-import { download, h } from '../dom'
+import { h } from '../dom'
 import { closureSaver } from '../files'
-import { iconButton } from '../icons'
+import type { Figure } from '../picture/figure'
+import { figureLines, pictureSaver } from '../picture/saver'
 import type { View } from '../view'
 import { legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
@@ -48,7 +49,7 @@ export class ValveView implements View {
           this.looks.views,
           this.distance.element,
           closureSaver(workspace, false, told).element,
-          iconButton('picture', 'Save picture', () => this.savePicture()),
+          pictureSaver((width_px) => this.figure(width_px), told),
         ),
         this.headline,
         told,
@@ -100,8 +101,11 @@ export class ValveView implements View {
     this.inset.hidden = look.cut === null
   }
 
-  private savePicture(): void {
-    this.viewer.stage.drawNow()
-    this.viewer.stage.canvas.toBlob((blob) => blob && download(`${this.workspace.valve?.label ?? 'valve'}.png`, blob))
+  private figure(width_px: number): Figure {
+    const { before, valve, plan } = this.workspace
+    if (!before) throw new Error('No valve is open.')
+    const { scale } = this.looks.look([before])
+    const lines = figureLines(before, null, plan)
+    return { name: valve?.label ?? 'valve', lines, shots: [{ title: '', shot: this.viewer.shot(width_px) }], scale }
   }
 }

@@ -1,5 +1,6 @@
 // Where words go so that none covers another or what must be seen. The most important word is placed first, as near to its
-// place as it has room; one without room near enough is left out. Pixels, y down.
+// place as it has room, rather away from what must be seen than across it; one without room near enough is left out.
+// Pixels, y down.
 
 export interface Box {
   left: number
@@ -27,14 +28,14 @@ const GAP = 3 // between words
 const RINGS = [14, 22, 32, 44, 58, 74, 92, 112, 134, 158] // px
 const DIRECTIONS = 16
 
-/// In the order of `words`; null: left out.
+/// In the order of `words`; null: left out. `kept`: what must be seen, the most important first.
 export function layOut(words: Word[], kept: Box[], size: { width: number; height: number }): (Spot | null)[] {
   const taken = [...kept]
   const spots: (Spot | null)[] = words.map(() => null)
   const order = words.map((_, i) => i).sort((a, b) => rankOf(words, a) - rankOf(words, b))
   for (const i of order) {
     const word = words[i] as Word
-    const spot = candidates(word).find((place) => isFree(boxOf(place, word), taken, size))
+    const spot = candidates(word, kept[0]).find((place) => isFree(boxOf(place, word), taken, size))
     if (!spot) continue
     spots[i] = spot
     taken.push(boxOf(spot, word))
@@ -58,15 +59,18 @@ function rankOf(words: Word[], i: number): number {
   return (words[i] as Word).rank
 }
 
-/// Its own place, then rings around it, above and below first: words are wide.
-function candidates({ x, y, width, height, reach }: Word): Spot[] {
+/// Its own place, then rings around it, what is farther from `seen` first; else above and below first: words are wide.
+function candidates({ x, y, width, height, reach }: Word, seen: Box | undefined): Spot[] {
   const spots: Spot[] = [{ x, y, isMoved: false }]
+  const turns = Array.from({ length: DIRECTIONS }, (_, k) => (k % 2 === 0 ? k : -k - 1) / DIRECTIONS + 0.5)
+  const ways = turns.map((turn) => [Math.cos(turn * Math.PI), Math.sin(turn * Math.PI)] as const)
+  if (seen) {
+    const [across, along] = [x - (seen.left + seen.right) / 2, y - (seen.top + seen.bottom) / 2]
+    ways.sort((a, b) => b[0] * across + b[1] * along - a[0] * across - a[1] * along)
+  }
   for (const ring of RINGS.filter((radius) => radius <= reach))
-    for (let k = 0; k < DIRECTIONS; ++k) {
-      const turn = Math.PI / 2 + ((k % 2 === 0 ? k : -k - 1) * Math.PI) / DIRECTIONS
-      const [across, along] = [Math.cos(turn), Math.sin(turn)]
+    for (const [across, along] of ways)
       spots.push({ x: x + across * (ring + width / 2), y: y + along * (ring + height / 2), isMoved: true })
-    }
   return spots
 }
 

@@ -23,11 +23,21 @@ const KINDS: Record<Label['kind'], { rank: number; reach: number }> = {
   tip: { rank: 4, reach: 50 },
 }
 
+/// As it is seen, in pixels of the canvas: its middle and its size; `to`: the end of its line.
+export interface DrawnLabel extends Spot {
+  text: string
+  kind: Label['kind']
+  width: number
+  height: number
+  to: { x: number; y: number } | null
+}
+
 interface Placed {
   label: Label
   node: HTMLElement
   line: SVGLineElement
   size: { width: number; height: number } | null // not measured yet
+  spot: Spot | null // left out
 }
 
 export class Labels {
@@ -46,10 +56,19 @@ export class Labels {
       node: h('span', { class: viewerStyle[label.kind], 'data-part': label.kind }, label.text),
       line: svg('line'),
       size: null,
+      spot: null,
     }))
     const lines = svg('svg', {}, ...this.placed.map(({ line }) => line))
     this.element.replaceChildren(lines, ...this.placed.map(({ node }) => node))
     this.place()
+  }
+
+  drawn(): DrawnLabel[] {
+    return this.placed.flatMap(({ label, size, spot }) => {
+      if (!size || !spot) return []
+      const to = spot.isMoved ? this.stage.place(label.names_mm ?? label.point_mm) : null
+      return { ...spot, ...size, text: label.text, kind: label.kind, to }
+    })
   }
 
   private place(): void {
@@ -72,7 +91,9 @@ export class Labels {
     return label.kind !== 'segment' || !this.isBehind(label.point_mm)
   }
 
-  private move({ label, node, line }: Placed, spot: Spot | null): void {
+  private move(placed: Placed, spot: Spot | null): void {
+    const { label, node, line } = placed
+    placed.spot = spot
     node.style.visibility = spot ? '' : 'hidden'
     line.style.visibility = spot?.isMoved ? '' : 'hidden'
     if (!spot) return

@@ -1,5 +1,5 @@
 // Lines of a width in pixels or millimetres: chordae, sutures, the cut, outlines.
-import type { Plane, Vector2 } from 'three'
+import type { Plane } from 'three'
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js'
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js'
@@ -49,10 +49,6 @@ export class Lines {
     this.object.geometry.setPositions(points)
     if (colours) this.object.geometry.setColors(colours.map(toLinear))
     if (this.material.dashed) this.object.computeLineDistances()
-  }
-
-  resolution(size: Vector2): void {
-    this.material.resolution.copy(size)
   }
 
   set width(width: number) {

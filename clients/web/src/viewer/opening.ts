@@ -174,10 +174,6 @@ export class Opening {
     }
   }
 
-  resolution(size: Vector2): void {
-    this.outline.resolution(size)
-  }
-
   cut(planes: Plane[]): void {
     for (const material of Object.values(this.materials)) material.clippingPlanes = planes
     this.outline.cut(planes)

@@ -75,6 +75,27 @@ export class Stage {
     for (const drawn of this.onFrame) drawn()
   }
 
+  /// The picture as it is shown, on white, as a PNG of this width (a data URL).
+  capture(width_px: number): string {
+    const { clientWidth, clientHeight } = this.canvas
+    const ratio = this.renderer.getPixelRatio()
+    this.renderer.setPixelRatio(width_px / clientWidth)
+    this.renderer.setSize(clientWidth, clientHeight, false)
+    this.scene.background = new Color('#ffffff')
+    this.renderer.render(this.scene, this.camera)
+    const png = this.canvas.toDataURL('image/png')
+    this.renderer.setPixelRatio(ratio)
+    this.renderer.setSize(clientWidth, clientHeight, false)
+    this.drawNow()
+    return png
+  }
+
+  /// Of a millimetre at the middle of the view.
+  get pixels_mm(): number {
+    const away = this.camera.position.distanceTo(this.controls.target)
+    return this.canvas.clientHeight / (2 * away * Math.tan((FIELD_DEG * Math.PI) / 360))
+  }
+
   /// Turns to a view that holds all of `points_mm`; it holds them on a canvas of another shape, too.
   look(view: ViewName, points_mm: readonly (readonly number[])[]): void {
     this.held = points_mm.map((point) => new Vector3(...point))

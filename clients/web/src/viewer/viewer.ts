@@ -6,7 +6,7 @@ import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type S
 import { at, chordaLines, closedNodes, dot, minus, nodesAt, section, unit } from './geometry'
 import { Handles } from './handles'
 import { around, type Box } from './label_layout'
-import { Labels, type Label } from './labels'
+import { type DrawnLabel, Labels, type Label } from './labels'
 import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines } from './lines'
 import { namedAnnulus, namesOf, wholeValve } from './marks'
@@ -29,6 +29,15 @@ export interface Look {
   orifices: boolean
   names: boolean
   cut: number | null // index into Scene.sections
+}
+
+/// What is shown, as a picture; all but `png` in pixels of the screen.
+export interface Shot {
+  png: string // data URL
+  width: number
+  height: number
+  labels: DrawnLabel[]
+  pixels_mm: number // of a millimetre at the middle of the view
 }
 
 export class Viewer {
@@ -81,9 +90,6 @@ export class Viewer {
       this.readout.element,
     )
     this.stage.add(this.ring.mesh, ...Object.values(this.lines).map((line) => line.object))
-    this.stage.onFrame.push(() => {
-      for (const line of [...Object.values(this.lines), this.opening]) line?.resolution(this.stage.size)
-    })
     this.stage.controls.addEventListener('change', () => this.look && this.show(this.look))
     this.stage.canvas.addEventListener('pointerdown', ({ clientX, clientY }) => (this.pressed = [clientX, clientY]))
     this.stage.canvas.addEventListener('click', (event) => this.click(event))
@@ -133,6 +139,12 @@ export class Viewer {
     const leaks = opening.group.visible ? opening.labels.map((label) => ({ ...label, kind: 'orifice' as const })) : []
     this.labels.set([...names, ...leaks, ...this.extra])
     this.stage.draw()
+  }
+
+  shot(width_px: number): Shot {
+    const { x: width, y: height } = this.stage.size
+    const png = this.stage.capture(width_px)
+    return { png, width, height, labels: this.labels.drawn(), pixels_mm: this.stage.pixels_mm }
   }
 
   private isClosed(look: Look): boolean {
@@ -212,7 +224,7 @@ export class Viewer {
     this.readout.hide()
   }
 
-  private read(event: PointerEvent): void {
+  private read(event: MouseEvent): void {
     const { scene, leaflets, look, stage, nodes } = this
     if (!scene || !leaflets || !look) return
     const kinds: PickKind[] = look.mode === 'tension' ? ['chorda'] : ['leaflet']
@@ -234,9 +246,12 @@ export class Viewer {
   }
 
   private click(event: MouseEvent): void {
-    if (!this.scene || !this.leaflets || !this.onPick || this.picks.length === 0) return
     const [x, y] = this.pressed
-    if (Math.hypot(event.clientX - x, event.clientY - y) > TURNED_PX) return
+    if (!this.scene || !this.leaflets || Math.hypot(event.clientX - x, event.clientY - y) > TURNED_PX) return
+    if (!this.onPick || this.picks.length === 0) {
+      this.read(event) // a finger does not hover
+      return
+    }
     const pick = pickAt(event, this.stage, this.scene, this.nodes, this.leaflets, this.picks)
     if (pick) this.onPick(pick)
   }

@@ -64,11 +64,13 @@ const frames = await fine.evaluate(
   () =>
     new Promise((resolve) => {
       const times = []
-      const play = [...document.querySelectorAll('button')].find((button) => button.textContent === 'Play the closing')
+      const play = [...document.querySelectorAll('button')].find(
+        (button) => button.textContent.trim() === 'Play the closing',
+      )
       play.click()
       const step = (now) => {
         times.push(now)
-        if (play.textContent === 'Stop') requestAnimationFrame(step)
+        if (play.textContent.trim() === 'Stop') requestAnimationFrame(step)
         else resolve(times)
       }
       requestAnimationFrame(step)

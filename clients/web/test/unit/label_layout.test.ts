@@ -26,6 +26,12 @@ test('nothing stands over what has to be seen', () => {
   expect(Math.abs((spot?.y ?? 150) - 150)).toBeGreaterThanOrEqual(20 + 8)
 })
 
+test('a word goes away from what has to be seen, not across it', () => {
+  const opening = { left: 150, top: 140, right: 250, bottom: 160 }
+  const [spot] = layOut([word(200, 132)], [opening], SIZE)
+  expect(spot?.y).toBeLessThan(132)
+})
+
 test('words stay on the canvas', () => {
   const [spot] = layOut([word(390, 4)], [], SIZE)
   expect(spot?.x).toBeLessThanOrEqual(400 - 20)

@@ -1,0 +1,55 @@
+// The button that saves what is shown as a picture for a paper.
+import type { Plan, Scene } from '../api/types'
+import { download, h, select } from '../dom'
+import { number, percent, withUnit } from '../format'
+import { iconButton } from '../icons'
+import { MESH_SPREAD } from '../mesh_error'
+import { problemList } from '../problems'
+import { describe } from '../repair/steps'
+import { gradeOf } from '../valve/presets'
+import { problemsOf } from '../workspace'
+import { figureSvg, WIDTH_MM, type Figure } from './figure'
+import { drawingAsPng, drawingAsSvg, pixelsOf } from './png'
+import parts from '../style/parts.module.css'
+
+const FORMATS = [
+  ['png', 'PNG'],
+  ['svg', 'SVG'],
+] as const
+
+/// `width_px`: how wide the pictures of the valve are to be, all together. What goes wrong is said in `told`.
+export function pictureSaver(figure: (width_px: number) => Figure, told: HTMLElement): HTMLElement {
+  let format: string = FORMATS[0][0]
+  const formats = select(FORMATS, format, (chosen) => (format = chosen))
+  formats.setAttribute('aria-label', 'Picture format')
+  const press = iconButton('picture', 'Save picture', () => void save())
+  async function save(): Promise<void> {
+    press.disabled = true
+    try {
+      const shown = figure(pixelsOf(WIDTH_MM))
+      const drawing = figureSvg(shown)
+      download(
+        `${shown.name}.${format}`,
+        format === 'svg' ? drawingAsSvg(drawing) : await drawingAsPng(drawing, WIDTH_MM),
+      )
+      told.replaceChildren()
+    } catch (error) {
+      told.replaceChildren(problemList(problemsOf(error)))
+    }
+    press.disabled = false
+  }
+  return h('span', { class: parts.joined }, press, formats)
+}
+
+/// What a picture says of a closure, and of the repair that led to it.
+export function figureLines(before: Scene, after: Scene | null, plan: Plan): string[] {
+  const leaks = [before, ...(after ? [after] : [])].map(({ closure }) => number(closure.leak_mm2))
+  const { closure } = after ?? before
+  const grade = closure.leak_mm2 === null ? '' : ` (${gradeOf(closure.leak_mm2)})`
+  const { gap_area_mm2, height_mean_mm } = closure.coaptation
+  return [
+    `Leak ${leaks.join(' → ')} mm²${grade}, about ±${percent(MESH_SPREAD)} by the mesh`,
+    `Orifice ${withUnit(closure.orifice_area_mm2, 'mm²')}, gap ${withUnit(gap_area_mm2, 'mm²')}, coaptation height ${withUnit(height_mean_mm, 'mm')} on average`,
+    ...(after ? plan.steps.map((step, i) => `${i + 1}. ${describe(step)}`) : []),
+  ]
+}
