@@ -7,7 +7,7 @@ import { problemsOf, type Workspace } from './workspace'
 import parts from './style/parts.module.css'
 
 const FORMATS = [
-  ['glb', 'GLB, animated'],
+  ['glb', 'GLB'],
   ['vtk', 'VTK'],
   ['ply', 'PLY'],
   ['obj', 'OBJ'],

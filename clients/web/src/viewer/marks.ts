@@ -11,6 +11,7 @@ const LANDMARKS: Record<string, string> = {
   anterolateral_commissure: 'AL commissure',
   posteromedial_commissure: 'PM commissure',
 }
+const BELLY = { from: 0.1, to: 0.6 } // of the way from annulus to free edge
 const OUTSIDE = 1.14 // of the way from the middle of the annulus: beside it
 
 /// Landmarks, segments (at their middle face) and heads of the papillary muscles.
@@ -33,13 +34,22 @@ export function namesOf(scene: Scene, nodes: ArrayLike<number>): Label[] {
   return labels
 }
 
-/// The middle of the face that is nearest to the mean of a segment's faces: a point of the tissue.
+/// The middle face of a segment's belly: a point of tissue, which the other leaflet seldom hides.
 function segmentMiddles(scene: Scene, nodes: ArrayLike<number>): Map<Segment, Vector> {
-  const middles = new Map<Segment, Vector[]>()
+  const bellies = new Map<Segment, Vector[]>()
+  const alls = new Map<Segment, Vector[]>()
   scene.segments.forEach((segment, face) => {
-    middles.set(segment, [...(middles.get(segment) ?? []), onFace(scene, nodes, face, [1 / 3, 1 / 3, 1 / 3])])
+    const middle = onFace(scene, nodes, face, [1 / 3, 1 / 3, 1 / 3])
+    const heights = [0, 1, 2].map((k) => scene.leaflet_coordinates.height[scene.faces[3 * face + k] as number] ?? 0)
+    const isBelly = heights.every((height) => height >= BELLY.from && height <= BELLY.to)
+    for (const list of isBelly ? [alls, bellies] : [alls]) list.set(segment, [...(list.get(segment) ?? []), middle])
   })
-  return new Map([...middles].map(([segment, points]) => [segment, nearestTo(mean(points), points)]))
+  return new Map(
+    [...alls].map(([segment, all]) => {
+      const points = bellies.get(segment) ?? all
+      return [segment, nearestTo(mean(points), points)]
+    }),
+  )
 }
 
 function mean(points: Vector[]): Vector {
