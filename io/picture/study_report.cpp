@@ -210,7 +210,8 @@ StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOpti
 
 std::string study_timing(const nlohmann::ordered_json& study) {
   return std::to_string(study["configurations"].get<int>()) +
-         " configurations, five end states each; " + std::to_string(study["closures"].get<int>()) +
+         " configurations, five end states each; " +
+         std::to_string(study["closures"].get<int>() - study["closures_known"].get<int>()) +
          " closed now, in " + fixed(study["seconds"].get<double>(), 1) + " s; " +
          std::to_string(study["untrusted"].get<int>()) +
          " not trusted (not converged, or crossed). The thesis: " +
@@ -226,7 +227,8 @@ nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, const Orifi
                                    {"valve", table.valve().name},
                                    {"version", version()},
                                    {"configurations", table.configurations()},
-                                   {"closures", table.closures()},
+                                   {"closures", table.configurations()},
+                                   {"closures_known", table.configurations() - table.closures()},
                                    {"untrusted", table.untrusted()},
                                    {"seconds", seconds},
                                    {"findings", report.findings.size()},

@@ -93,8 +93,8 @@ class ServiceTest : public testing::Test {
 
   static constexpr int kQueue = 3;
 
-  ServiceLimits limits_{.request_seconds =
-                            300.0};  // machines are shared, and slow under sanitizers
+  // Machines are shared, and slow under sanitizers.
+  ServiceLimits limits_{.request_seconds = 300.0};
   JobStore& store() { return store_; }
   JobBoard& board() { return board_; }
   Compute& compute() { return compute_; }

@@ -1312,8 +1312,10 @@ export interface components {
             version: string;
             /** @description Number of geometries, five end states each. */
             configurations: number;
-            /** @description Number of closures made now; others were known. */
+            /** @description Number of closures, those of earlier runs included. */
             closures: number;
+            /** @description How many of them were known, from earlier runs or other studies of this valve. */
+            closures_known: number;
             /** @description How many configurations did not converge or crossed. */
             untrusted: number;
             /** @description Time that the study ran. */

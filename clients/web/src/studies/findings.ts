@@ -13,7 +13,7 @@ export function findingsTable(result: StudyResult): HTMLElement {
   const facts: [string, string][] = [
     ['findings that agree', `${result.agree} of ${findings.length}`],
     ['configurations', grouped(result.configurations)],
-    ['closed now', grouped(result.closures)],
+    ['closed now', grouped(result.closures - result.closures_known)],
     ['not trusted', grouped(result.untrusted)],
     ['time', seconds(result.seconds)],
   ]
