@@ -10,7 +10,8 @@ from dataclasses import replace
 from typing import Any, Literal
 
 from .errors import InvalidRequest, NotFound, Problem, Refused
-from .files import did_you_mean
+from .files import Path, did_you_mean
+from .imports import files_to_import, packed_folder
 from .jobs import Job
 from .meshes import Picture
 from .results import Closure, Evaluations, SearchResult, StudyResult, known_fields
@@ -100,6 +101,33 @@ class Client:
         document = valve_document(valve)
         stored = self._post("/v1/valves", document)
         return StoredValve(stored["id"], document["name"], stored["vertices"], stored["triangles"], stored["chordae"])
+
+    def import_valve(
+        self,
+        leaflets: Iterable[Path],
+        annulus: Path,
+        chordae: Path,
+        *,
+        name: str = "imported",
+        **options: Any,
+    ) -> StoredValve:
+        """Makes a valve of the files of a segmentation tool, in millimetres, and stores it.
+
+        :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior sheet, or one skirt
+        :param annulus: CSV of x,y,z, or a closed curve of Slicer (.mrk.json)
+        :param chordae: CSV or JSON
+        :param options: provenance (sentences), triangles, branches, branch_at, slack
+        :raises Refused: what is wrong with which file
+        """
+        return self._imported(files_to_import(leaflets, annulus, chordae), name, options)
+
+    def import_slicerheart(self, folder: Path, *, name: str = "imported", **options: Any) -> StoredValve:
+        """The same of a folder that SlicerHeart's ValveFemExport or `coapt export` wrote."""
+        return self._imported({"slicerheart": packed_folder(folder)}, name, options)
+
+    def _imported(self, files: dict[str, Any], name: str, options: dict[str, Any]) -> StoredValve:
+        stored = self._post("/v1/valves:import", files | options | {"name": name})
+        return StoredValve(stored["id"], name, stored["vertices"], stored["triangles"], stored["chordae"])
 
     def valves(self) -> Iterator[StoredValve]:
         """Stored valves, newest first: those of put_valve() and those that jobs were asked for with."""

@@ -1,0 +1,48 @@
+"""Files of segmentation tools, as they go to the service."""
+
+from __future__ import annotations
+
+import base64
+import os
+import pathlib
+from collections.abc import Iterable
+from typing import Any
+
+from .errors import NoSuchFile
+
+_BINARY = (".ply", ".stl")  # may be
+_OF_A_FOLDER = (".vtk", ".csv", ".json")  # what SlicerHeart and coapt write there
+
+
+def packed(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """
+    :raises NoSuchFile: it is not there, or cannot be read
+    """
+    file = pathlib.Path(path)
+    try:
+        content = file.read_bytes()
+    except OSError as error:
+        raise NoSuchFile(f"{path}: cannot be read: {error.strerror}") from error
+    if file.suffix.lower() in _BINARY:
+        return {"name": file.name, "base64": base64.b64encode(content).decode()}
+    return {"name": file.name, "text": content.decode(errors="replace")}
+
+
+def packed_folder(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
+    """
+    :raises NoSuchFile: it is no folder
+    """
+    folder = pathlib.Path(path)
+    if not folder.is_dir():
+        raise NoSuchFile(f"{path}: is no folder")
+    return [packed(file) for file in sorted(folder.iterdir()) if file.suffix.lower() in _OF_A_FOLDER]
+
+
+def files_to_import(
+    leaflets: Iterable[str | os.PathLike[str]], annulus: str | os.PathLike[str], chordae: str | os.PathLike[str]
+) -> dict[str, Any]:
+    return {
+        "leaflets": [packed(leaflet) for leaflet in leaflets],
+        "annulus": packed(annulus),
+        "chordae": packed(chordae),
+    }

@@ -1,0 +1,54 @@
+"""Files of segmentation tools become stored valves."""
+
+import json
+import subprocess
+import unittest
+
+import coapt
+from client_runs import ClientTest
+from programs import COAPT, OK, SOURCE
+
+EXAMPLE = json.loads((SOURCE / "server/openapi.json").read_text())["components"]["examples"]["one_skirt"]["value"]
+
+
+class Imports(ClientTest):
+    def files(self):
+        """Those of the example in the service's document."""
+        return [
+            self.write(one["name"], one["text"])
+            for one in (*EXAMPLE["leaflets"], EXAMPLE["annulus"], EXAMPLE["chordae"])
+        ]
+
+    def test_meshes_become_a_valve_that_closes(self):
+        skirt, annulus, chordae = self.files()
+        stored = self.client.import_valve([skirt], annulus, chordae, name="mine", triangles=100)
+        self.assertEqual((stored.name, stored.chordae), ("mine", 10))
+        self.assertEqual(self.client.close(stored.id).status, "converged")
+        self.assertIn("mine", [valve.name for valve in self.client.valves()])
+
+    def test_binary_meshes_and_folders_do_too(self):
+        valve = self.folder / "valve.json"
+        valve.write_text(json.dumps(self.client.get_valve("human-normal")))
+        for target in ("skirt.stl", "exported/"):
+            run = subprocess.run(
+                [COAPT, "export", valve, "--open", "-o", f"{self.folder}/{target}"], capture_output=True
+            )
+            self.assertEqual(run.returncode, OK, run.stderr)
+        _, annulus, chordae = self.files()
+        self.assertGreater(self.client.import_valve([self.folder / "skirt.stl"], annulus, chordae).triangles, 600)
+        stored = self.client.import_slicerheart(self.folder / "exported", name="from a folder", triangles=300)
+        self.assertEqual((stored.name, stored.triangles < 400), ("from a folder", True))
+
+    def test_what_is_wrong_is_said_of_the_file(self):
+        skirt, annulus, chordae = self.files()
+        annulus.write_text("1;2;3\n")
+        paths = self.problems(coapt.InvalidRequest, self.client.import_valve, [skirt], annulus, chordae)
+        self.assertTrue(paths and all(path.startswith("/annulus") for path, _ in paths), paths)
+        with self.assertRaisesRegex(coapt.NoSuchFile, "nowhere.obj"):
+            self.client.import_valve([self.folder / "nowhere.obj"], annulus, chordae)
+        with self.assertRaisesRegex(coapt.NoSuchFile, "is no folder"):
+            self.client.import_slicerheart(self.folder / "nowhere")
+
+
+if __name__ == "__main__":
+    unittest.main()
