@@ -56,7 +56,8 @@ Expected<Page> read_page(const std::string& folder) {
   if (failed)
     return Error{ErrorCode::InputOutput, "", (root / "assets").string() + " cannot be read"};
   for (const fs::directory_entry& entry : assets) {
-    if (!entry.is_regular_file(failed)) continue;
+    // A link would lead to any file of this machine.
+    if (!fs::is_regular_file(entry.symlink_status(failed))) continue;
     const std::string path = kAssets + entry.path().filename().string();
     if (const Errors errors = add_file(page, path, entry.path()); !errors.empty()) return errors;
   }

@@ -11,7 +11,7 @@ namespace coapt {
 /// By path: "/" (index.html), "/favicon.svg", "/assets/NAME".
 using Page = std::map<std::string, Content>;
 
-/// index.html, favicon.svg and what lies in assets/; other files are left out. InputOutput: `folder` has no index.html or assets/, a
+/// index.html, favicon.svg and what lies in assets/; other files and links are left out. InputOutput: `folder` has no index.html or assets/, a
 /// file cannot be read, or is larger than 16 MiB.
 Expected<Page> read_page(const std::string& folder);
 

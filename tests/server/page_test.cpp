@@ -55,6 +55,14 @@ TEST_F(PageFolder, GivesItsFilesWithTheirTypesAndNothingElse) {
     EXPECT_EQ(get(*page, path).status, 404) << path;
 }
 
+TEST_F(PageFolder, ItsLinksAreNotFollowed) {
+  fs::create_symlink("/etc/passwd", root_ / "assets" / "link.js");
+  const Expected<Page> page = read_page(root_.string());
+  ASSERT_TRUE(page);
+  EXPECT_EQ(get(*page, "/assets/link.js").status, 404);
+  EXPECT_EQ(get(*page, "/assets/a-1.js").status, 200);
+}
+
 TEST_F(PageFolder, MayRunItsOwnScriptsOnlyAndItsAssetsMayBeKept) {
   const Expected<Page> page = read_page(root_.string());
   ASSERT_TRUE(page);
