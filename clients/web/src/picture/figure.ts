@@ -3,6 +3,7 @@
 import { svg } from '../dom'
 import { number } from '../format'
 import { css, TINTS, type Scale } from '../viewer/colours'
+import { KINDS } from '../viewer/legend'
 import type { Shot } from '../viewer/viewer'
 
 export interface Figure {
@@ -13,7 +14,7 @@ export interface Figure {
 }
 
 export const WIDTH_MM = 180
-export const NOTICE = 'Research software, not a medical device; not for clinical decisions. coapt'
+const NOTICE = 'coapt: research software, not a medical device; not for clinical decisions'
 
 const INK = '#1b2430'
 const SOFT = '#55606e'
@@ -22,12 +23,7 @@ const NAME_MM = 5 // height of its letters, as those below
 const LINE_MM = 3.4
 const BAR_MM = 10 // of the valve
 const LEADING = 1.4
-const LEGEND = [
-  [TINTS.anterior, 'anterior leaflet'],
-  [TINTS.posterior, 'posterior leaflet'],
-  [TINTS.commissure, 'commissures'],
-  [TINTS.opening, 'where it leaks'],
-] as const
+const COLUMNS = 3 // of the legend
 
 export function figureSvg({ name, lines, shots, scale }: Figure): SVGSVGElement {
   const parts: SVGElement[] = []
@@ -43,7 +39,7 @@ export function figureSvg({ name, lines, shots, scale }: Figure): SVGSVGElement 
   parts.push(...drawn.map(({ element }) => element))
   y = Math.max(...drawn.map(({ bottom }) => bottom)) + 2 * LINE_MM
   parts.push(scale ? scaleLegend(scale, y) : tintLegend(y))
-  y += 2 * LINE_MM
+  y += (scale ? 2 : 1 + LEADING * Math.ceil(KINDS.length / COLUMNS)) * LINE_MM
   parts.push(text(0, y, LINE_MM, NOTICE, { fill: SOFT }))
   const height = y + LINE_MM
   return svg(
@@ -125,16 +121,16 @@ function panel(
   }
 }
 
-function tintLegend(y: number): SVGElement {
-  const between = WIDTH_MM / LEGEND.length
-  return svg(
-    'g',
-    {},
-    ...LEGEND.flatMap(([colour, words], i) => [
-      svg('rect', { x: i * between, y: y - 0.8 * LINE_MM, width: LINE_MM, height: LINE_MM, fill: colour }),
-      text(i * between + 1.4 * LINE_MM, y, LINE_MM, words),
-    ]),
-  )
+function tintLegend(top: number): SVGElement {
+  const entries = KINDS.flatMap(([colour, words], i) => {
+    const x = ((i % COLUMNS) * WIDTH_MM) / COLUMNS
+    const y = top + LEADING * LINE_MM * Math.floor(i / COLUMNS)
+    return [
+      svg('rect', { x, y: y - 0.8 * LINE_MM, width: LINE_MM, height: LINE_MM, fill: colour }),
+      text(x + 1.4 * LINE_MM, y, LINE_MM, words),
+    ]
+  })
+  return svg('g', {}, ...entries)
 }
 
 function scaleLegend(scale: Scale, y: number): SVGElement {

@@ -45,7 +45,7 @@ export class RepairView implements View {
   private ringed = false // the valve on the right has a ring
   private readonly afterTitle = h('figcaption', {})
   private readonly accept = labelledButton('keep', 'Keep', 'Keep this repair', () => void this.keep(), {
-    class: parts.primary ?? '',
+    class: parts.primary,
   })
 
   constructor(private readonly workspace: Workspace) {

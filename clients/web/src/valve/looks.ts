@@ -81,7 +81,7 @@ export class Looks {
       'aria-label': 'Direction of view',
     })
     for (const [name, short, label] of VIEWS)
-      this.views.append(labelledButton(name, short, label, () => this.onView(name), { class: parts.quiet ?? '' }))
+      this.views.append(labelledButton(name, short, label, () => this.onView(name), { class: parts.quiet }))
   }
 
   /// For these scenes, which share one scale of colours.

@@ -39,6 +39,7 @@ export class Handles<Value> {
   private readonly told = new Readout('dragged')
   private grips: Grip<Value>[] = []
   private readonly buttons = new Map<string, HTMLElement>()
+  private stepping = false // an arrow key is held
   private held: { key: string; from: [number, number]; value: Value | null } | null = null
 
   constructor(
@@ -93,7 +94,8 @@ export class Handles<Value> {
       onpointerup: () => this.drop(),
       onpointercancel: () => this.letGo(),
       onkeydown: (event: KeyboardEvent) => this.step(key, event),
-      onkeyup: (event: KeyboardEvent) => this.stepped(key, event),
+      onkeyup: () => this.stepped(key),
+      onblur: () => this.stepped(key),
     })
     this.buttons.set(key, button)
     this.element.append(button)
@@ -174,11 +176,13 @@ export class Handles<Value> {
     const grip = this.grip(key)
     if (!way || !grip) return
     event.preventDefault()
+    this.stepping = true
     grip.apply(grip.handle.stepped(...way), true)
   }
 
-  private stepped(key: string, event: KeyboardEvent): void {
+  private stepped(key: string): void {
     const grip = this.grip(key)
-    if (grip && event.key.startsWith('Arrow')) grip.apply(grip.present, false)
+    if (grip && this.stepping) grip.apply(grip.present, false)
+    this.stepping = false
   }
 }

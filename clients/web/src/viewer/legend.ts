@@ -4,18 +4,19 @@ import { number } from '../format'
 import { css, TINTS, type ColourMode, type Scale } from './colours'
 import viewerStyle from './viewer.module.css'
 
+export const KINDS = [
+  [TINTS.anterior, 'anterior leaflet'],
+  [TINTS.posterior, 'posterior leaflet'],
+  [TINTS.commissure, 'commissures'],
+  [TINTS.opening, 'where it leaks'],
+  [TINTS.ruptured, 'ruptured chorda'],
+  [TINTS.added, 'suture or neochorda'],
+] as const
+
 export function legend(mode: ColourMode, scale: Scale | null): HTMLElement {
   if (!scale) {
-    const kinds = [
-      [TINTS.anterior, 'anterior leaflet'],
-      [TINTS.posterior, 'posterior leaflet'],
-      [TINTS.commissure, 'commissures'],
-      [TINTS.opening, 'where it leaks'],
-      [TINTS.ruptured, 'ruptured chorda'],
-      [TINTS.added, 'suture or neochorda'],
-    ] as const
     const list = h('ul', { class: viewerStyle.legend })
-    for (const [colour, words] of kinds) {
+    for (const [colour, words] of KINDS) {
       const swatch = h('span', { class: viewerStyle.swatch })
       swatch.style.background = colour
       list.append(h('li', {}, swatch, words))

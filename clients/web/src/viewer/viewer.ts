@@ -125,6 +125,7 @@ export class Viewer {
     const asked = JSON.stringify([look, this.extra, this.side])
     if (!scene || !leaflets || !opening || asked === this.drawn) return
     this.drawn = asked
+    this.pointAway()
     const closed = this.isClosed(look)
     this.nodes = closed ? closedNodes(scene) : nodesAt(scene, look.share)
     leaflets.move(this.nodes)

@@ -39,11 +39,12 @@ async function leakUnder(boxes) {
       for (const { style } of all) style.opacity = value
     }, opacity)
   await fade('0')
-  const png = [...(await page.screenshot())]
+  const png = (await page.screenshot()).toString('base64')
   await fade('')
   return page.evaluate(
-    async ([bytes, found]) => {
-      const picture = await createImageBitmap(new Blob([Uint8Array.from(bytes)]))
+    async ([letters, found]) => {
+      const bytes = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0))
+      const picture = await createImageBitmap(new Blob([bytes]))
       const pen = new OffscreenCanvas(picture.width, picture.height).getContext('2d')
       pen.drawImage(picture, 0, 0)
       return found.map(({ left, top, right, bottom }) => {

@@ -78,6 +78,16 @@ export async function openView(browser, url, name, { width = 1280, height = 800,
   return { page, complaints }
 }
 
+/// Where on the page the point is that a label names; the label may stand beside it.
+export function namedPoint(viewer, label) {
+  return viewer.locator('[data-part=labels]').evaluate((labels, wanted) => {
+    const i = [...labels.querySelectorAll('span')].findIndex((span) => span.textContent === wanted)
+    const { x2, y2 } = labels.querySelectorAll('line')[i]
+    const { x, y } = labels.getBoundingClientRect()
+    return { x: x + x2.baseVal.value, y: y + y2.baseVal.value }
+  }, label)
+}
+
 /// What axe-core finds against the page as it is, as text.
 export async function accessProblems(page) {
   await page.evaluate(() => document.fonts.ready)

@@ -61,7 +61,8 @@ test('an SVG has its size in millimetres, and words, scale bar, leak and notice 
     />10 mm</,
     />A2</,
     />45\.7 mm²</,
-    /Research software, not a medical device/,
+    /suture or neochorda/,
+    /coapt: research software, not a medical device/,
   ])
     assert.match(drawing, new RegExp(words))
   assert.match(drawing, /<image href="data:image\/png;base64,/)

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict'
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
-import { openView, startBrowser, startService } from './page.mjs'
+import { namedPoint, openView, startBrowser, startService } from './page.mjs'
 
 let service, browser, page, complaints
 before(async () => {
@@ -76,18 +76,8 @@ test('a suture can be tied to a point that is picked on the annulus', async () =
   await page.getByRole('button', { name: 'Suture PM' }).click()
   await page.getByRole('combobox', { name: 'Anchor' }).selectOption('annulus_point')
   await page.getByRole('button', { name: 'Pick on the annulus' }).click()
-  const peak = await page
-    .locator('figure')
-    .first()
-    .locator('[data-part=labels] span', { hasText: 'saddle peak' })
-    .boundingBox()
-  const middle = await page.locator('figure').first().locator('canvas').boundingBox()
-  // Labels of landmarks stand a seventh of the way outside the annulus.
-  const x = peak.x + peak.width / 2
-  const y = peak.y + peak.height / 2
-  const cx = middle.x + middle.width / 2
-  const cy = middle.y + middle.height / 2
-  await page.mouse.click(cx + (x - cx) / 1.14, cy + (y - cy) / 1.14)
+  const peak = await namedPoint(page.locator('figure').first(), 'saddle peak')
+  await page.mouse.click(peak.x, peak.y)
   await page.waitForFunction(() =>
     /annulus at (7|8|9|10)\d?°/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
   )
@@ -97,8 +87,7 @@ test('a suture can be tied to a point that is picked on the annulus', async () =
 test('a neochorda is placed by clicking the leaflet and a papillary head', async () => {
   await page.getByRole('button', { name: 'Neochorda' }).click()
   const first = page.locator('figure').first()
-  const p2 = await first.locator('[data-part=labels] span', { hasText: /^P2$/ }).boundingBox()
-  const [x, y] = [p2.x + p2.width / 2, p2.y + p2.height / 2]
+  const { x, y } = await namedPoint(first, 'P2')
   // Turning the valve to see better picks nothing.
   await page.mouse.move(x + 40, y)
   await page.mouse.down()
@@ -111,8 +100,8 @@ test('a neochorda is placed by clicking the leaflet and a papillary head', async
   await page.locator('[data-part=picking]', { hasText: 'papillary head' }).waitFor()
   await page.getByRole('button', { name: 'From the ventricle' }).click()
   await page.waitForTimeout(500)
-  const head = await first.locator('[data-part=labels] [data-part=tip]').first().boundingBox()
-  await page.mouse.click(head.x + head.width / 2, head.y + head.height / 2)
+  const head = await namedPoint(first, 'AL3')
+  await page.mouse.click(head.x, head.y)
   await page.waitForFunction(() =>
     /Neochorda from \w+ to P2/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
   )
