@@ -21,14 +21,15 @@ export function leakMap(map: LeakMap, plan: RankedPlan): HTMLElement {
     map.muscle === 'both'
       ? 'Both muscles, same error'
       : `${map.muscle[0]?.toUpperCase()}${map.muscle.slice(1)} muscle alone`
+  const lengths = [...map.suture_length_mm].reverse() // the longest above, as in the report
   return heatMap({
     title: `${muscle}: leak, mm².`,
     unit: 'mm²',
-    rows: { label: `${length}, mm`, ticks: map.suture_length_mm.map((value) => signed(value, 2)) },
+    rows: { label: `${length}, mm`, ticks: lengths.map((value) => signed(value, 2)) },
     columns: { label: 'muscle outwards, degrees', ticks: map.outwards_deg.map((value) => signed(value, 0)) },
-    values: map.leak_mm2,
+    values: [...map.leak_mm2].reverse(),
     limits: LEAK_LIMITS_MM2,
-    marked: { row: map.suture_length_mm.indexOf(0), column: map.outwards_deg.indexOf(0) },
+    marked: { row: lengths.indexOf(0), column: map.outwards_deg.indexOf(0) },
   })
 }
 
