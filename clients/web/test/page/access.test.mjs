@@ -67,6 +67,13 @@ test('a service with a token gives the page to everybody, and a valve to who kno
     await page.getByRole('button', { name: 'Continue' }).click()
     await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
     await page.close()
+
+    const context = await browser.newContext()
+    const invited = await context.newPage()
+    await invited.goto(`${closed.url}/#token=${token}`) // as coapt-server prints it
+    await invited.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
+    assert.ok(!invited.url().includes(token))
+    await context.close()
   } finally {
     await closed.stop() // it would keep the run of all tests from ending
   }
