@@ -72,10 +72,11 @@ Answer json_answer(int status, ordered_json object) {
 
 Answer problem(int status, const Errors& errors) {
   ordered_json problems = to_json(errors);
-  return json_answer(status, {{"type", kProblemTypes + problems[0]["code"].get<std::string>()},
+  const std::string kind = errors.empty() ? "unsupported" : problems[0]["code"].get<std::string>();
+  return json_answer(status, {{"type", kProblemTypes + kind},
                               {"title", title(status)},
                               {"status", status},
-                              {"detail", errors.front().message},
+                              {"detail", errors.empty() ? title(status) : errors.front().message},
                               {"problems", std::move(problems)}});
 }
 
