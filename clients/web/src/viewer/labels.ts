@@ -50,6 +50,7 @@ export class Labels {
     stage.onFrame.push(() => this.place())
   }
 
+  /// Placed when the stage draws next.
   set(labels: Label[]): void {
     this.placed = labels.map((label) => ({
       label,
@@ -60,7 +61,6 @@ export class Labels {
     }))
     const lines = svg('svg', {}, ...this.placed.map(({ line }) => line))
     this.element.replaceChildren(lines, ...this.placed.map(({ node }) => node))
-    this.place()
   }
 
   drawn(): DrawnLabel[] {

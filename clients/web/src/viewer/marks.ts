@@ -42,7 +42,11 @@ function segmentMiddles(scene: Scene, nodes: ArrayLike<number>): Map<Segment, Ve
     const middle = onFace(scene, nodes, face, [1 / 3, 1 / 3, 1 / 3])
     const heights = [0, 1, 2].map((k) => scene.leaflet_coordinates.height[scene.faces[3 * face + k] as number] ?? 0)
     const isBelly = heights.every((height) => height >= BELLY.from && height <= BELLY.to)
-    for (const list of isBelly ? [alls, bellies] : [alls]) list.set(segment, [...(list.get(segment) ?? []), middle])
+    for (const points of isBelly ? [alls, bellies] : [alls]) {
+      const listed = points.get(segment)
+      if (listed) listed.push(middle)
+      else points.set(segment, [middle])
+    }
   })
   return new Map(
     [...alls].map(([segment, all]) => {
