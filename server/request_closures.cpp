@@ -38,8 +38,7 @@ Answer RequestClosures::refusal() const {
   return problem(422, ErrorCode::OutOfRange,
                  "the closure takes more than " + shown(limits_.vertex_steps) +
                      " steps times vertices, the limit of this service: use a coarser mesh or "
-                     "softer chordae, or close "
-                     "the valve offline (coapt close)");
+                     "softer chordae, or close the valve offline (coapt close)");
 }
 
 }  // namespace coapt

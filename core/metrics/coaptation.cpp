@@ -180,6 +180,15 @@ std::vector<CoaptationSection> coaptation_sections(const Valve& valve, const Poi
   return sections;
 }
 
+std::vector<CoaptationSection> fine_coaptation_sections(const Valve& valve,
+                                                        const Points& closed_mm) {
+  constexpr int kSections = 37;
+  constexpr double kFirst = 0.05, kStep = 0.025;
+  std::vector<double> along;
+  for (int i = 0; i < kSections; ++i) along.push_back(kFirst + kStep * i);
+  return coaptation_sections(valve, closed_mm, along);
+}
+
 Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
                               const CoaptationOptions& options) {
   Coaptation coaptation;

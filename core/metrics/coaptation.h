@@ -41,6 +41,10 @@ std::vector<CoaptationSection> coaptation_sections(const Valve& valve, const Poi
                                                    const std::vector<double>& along,
                                                    const CoaptationOptions& options = {});
 
+/// 37 sections, at 0.05 to 0.95: for what is drawn.
+std::vector<CoaptationSection> fine_coaptation_sections(const Valve& valve,
+                                                        const Points& closed_mm);
+
 struct Coaptation {
   std::array<CoaptationSection, 9> sections;
   double height_min_mm = 0.0, height_mean_mm = 0.0, height_p10_mm = 0.0;

@@ -13,9 +13,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kSections = 37;  // from 0.05 to 0.95
-constexpr double kFirstSection = 0.05, kSectionStep = 0.025;
-
 ordered_json rounded(double value, double digits) {
   return std::isfinite(value) ? ordered_json(std::round(value * digits) / digits) : nullptr;
 }
@@ -124,9 +121,7 @@ ordered_json orifices_json(const Valve& valve, const Points& closed_mm) {
 }
 
 ordered_json sections_json(const Valve& valve, const Points& closed_mm) {
-  std::vector<double> along;
-  for (int i = 0; i < kSections; ++i) along.push_back(kFirstSection + kSectionStep * i);
-  return list_of(coaptation_sections(valve, closed_mm, along),
+  return list_of(fine_coaptation_sections(valve, closed_mm),
                  [&](const CoaptationSection& section) -> ordered_json {
                    const SectionPlane plane = coaptation_plane(valve, section.along);
                    return {{"along", fine(section.along)},

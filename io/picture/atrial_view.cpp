@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/metrics/coaptation.h"
 #include "core/metrics/orifice.h"
 #include "io/picture/leaflet_paint.h"
+#include "io/picture/opening_paint.h"
 #include "io/picture/repair_paint.h"
 #include "io/picture/text.h"
 #include "io/picture/views.h"
@@ -15,20 +15,6 @@ namespace coapt {
 namespace {
 
 constexpr double kSupersampling = 2.0;  // of the sheet's own pixels
-constexpr double kLabelled_mm2 = 0.5;   // smaller orifices are coloured, not labelled
-
-void paint_orifices(const Canvas& canvas, const OrificeView& view, const Mapping& map) {
-  cairo_t* cairo = canvas.context.get();
-  cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
-  set_colour(canvas, palette::kOrifice);
-  for (const PixelRun& run : view.runs) {
-    const Vec2 from = map(from_pixels(view, Vec2(run.first, run.row)));
-    const Vec2 to = map(from_pixels(view, Vec2(run.last + 1, run.row + 1)));
-    cairo_rectangle(cairo, from.x(), from.y(), to.x() - from.x(), to.y() - from.y());
-  }
-  cairo_fill(cairo);
-  cairo_set_antialias(cairo, CAIRO_ANTIALIAS_DEFAULT);
-}
 
 void trace(const Canvas& canvas, const std::vector<Vec2>& polygon_mm, const Mapping& map) {
   for (const Vec2& point : polygon_mm)
@@ -117,37 +103,6 @@ void draw_segment_names(const Canvas& canvas, const Valve& valve, const AnnularP
   }
 }
 
-/// A pill with the area, led out of the orifice towards the annulus, by turns anterior and
-/// posterior.
-void label_orifices(const Canvas& canvas, const ClosedValve& closed, const Mapping& map) {
-  const AnnularPlane plane = annular_plane(closed.valve);
-  constexpr std::size_t kMost = 6;
-  cairo_t* cairo = canvas.context.get();
-  std::vector<Orifice> labelled;
-  for (const Orifice& orifice : closed.measure.orifice.orifices)
-    if (orifice.area_mm2 >= kLabelled_mm2 && labelled.size() < kMost) labelled.push_back(orifice);
-  std::stable_sort(labelled.begin(), labelled.end(), [&](const Orifice& a, const Orifice& b) {
-    return project(plane, a.centroid_mm).x() < project(plane, b.centroid_mm).x();
-  });
-  const TextStyle style{15.0, palette::kPaper, Align::Centre, true};
-  for (std::size_t i = 0; i < labelled.size(); ++i) {
-    const Vec2 from = map(project(plane, labelled[i].centroid_mm));
-    const Vec2 to = from + Vec2(0.0, (i % 2 ? 5.5 : -5.5) * map.pixels_per_mm);
-    set_colour(canvas, palette::kOrifice);
-    cairo_set_line_width(cairo, 2.0);
-    cairo_move_to(cairo, from.x(), from.y());
-    cairo_line_to(cairo, to.x(), to.y());
-    cairo_stroke(cairo);
-    const std::string text = fixed(labelled[i].area_mm2, 1) + " mm²";
-    const double width = text_width(canvas, text, style);
-    cairo_set_line_width(cairo, 24.0);
-    cairo_move_to(cairo, to.x() - 0.5 * width, to.y());
-    cairo_line_to(cairo, to.x() + 0.5 * width, to.y());
-    cairo_stroke(cairo);
-    draw_text(canvas, to + Vec2(0.0, 5.5), text, style);
-  }
-}
-
 /// Of the annulus that a ring drew in, on the plane of the annulus now.
 Eigen::AlignedBox2d extent_before_mm(const ClosedValve& closed, const AnnularPlane& plane) {
   Eigen::AlignedBox2d extent;
@@ -218,6 +173,7 @@ void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const Closed
   cairo_restore(large.context.get());
   paint_leaflets(large, faces);
   paint_orifices(large, view, large_map);
+  paint_hidden_gaps(large, closed, view, large_map);
 
   cairo_save(cairo);
   cairo_translate(cairo, box.x, box.y);
@@ -240,7 +196,7 @@ void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const Closed
   draw_segment_names(canvas, valve, view.plane, map, middle_px);
   draw_landmarks(canvas, valve, view.plane, map, middle_px);
   draw_sutures(repair, closed);
-  label_orifices(canvas, closed, map);
+  label_openings(canvas, closed, view, map);
   draw_scale_bar(canvas, frame);
 }
 

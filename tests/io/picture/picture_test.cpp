@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/metrics/coaptation.h"
+#include "core/presets/presets.h"
 #include "io/picture/section_map.h"
 #include "tests/io/picture/decoded_png.h"
 #include "tests/scenes/sheets.h"
@@ -29,6 +30,13 @@ TEST(ClosurePicture, ShowsAHoleInTheBlueOfOrificesAndASoundDiscWithout) {
   const auto blue = static_cast<double>(blue_pixels(leaking, 0, 960));
   EXPECT_LT(blue, 1.1 * expected);
   EXPECT_GT(blue, 0.8 * expected) << "label and leader cover some of it";
+}
+
+TEST(ClosurePicture, ShowsTheGapThatTheViewHides) {
+  const ClosedValve flail = close_and_measure(*make_preset("human-p2-prolapse"));
+  ASSERT_LT(flail.measure.orifice.area_mm2, 0.5);
+  ASSERT_GT(flail.measure.coaptation.gap_area_mm2, 20.0);
+  EXPECT_GT(blue_pixels(decode_png(closure_picture_png(flail)), 0, 960), 2000);
 }
 
 TEST(SectionMap, HoldsLeafletsThatBillowAndTipsThatLieAside) {

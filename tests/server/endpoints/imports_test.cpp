@@ -65,10 +65,11 @@ TEST_F(ImportsTest, BinaryFilesComeInBase64) {
 }
 
 TEST_F(ImportsTest, AFolderOfSlicerHeartIsAListOfFiles) {
-  const Valve& valve = small_valve();
+  const Expected<std::vector<NamedFile>> folder =
+      write_slicerheart(close_and_measure(small_valve(), {.motion = true}), {.open = true});
+  ASSERT_TRUE(folder);
   ordered_json files = ordered_json::array();
-  for (const NamedFile& file :
-       *write_slicerheart(close_and_measure(valve, {.motion = true}), {.open = true}))
+  for (const NamedFile& file : *folder)
     files.push_back({{"name", file.name}, {"text", file.bytes}});
   const Answer answer = post("/v1/valves:import", {{"slicerheart", files}, {"triangles", 150}});
   EXPECT_EQ(answer.status, 201) << json_of(answer);

@@ -1,0 +1,24 @@
+// Where a closed valve is open, in the atrial view.
+#pragma once
+
+#include "core/metrics/orifice.h"
+#include "io/picture/canvas.h"
+#include "io/picture/leaflet_paint.h"
+#include "io/picture/picture.h"
+
+namespace coapt {
+
+/// What the view shows open, solid.
+void paint_orifices(const Canvas& canvas, const OrificeView& view, const Mapping& map);
+
+/// What the view hides: strips between the nearest points of the sides in neighbouring sections without contact, seen
+/// through the tissue over them.
+void paint_hidden_gaps(const Canvas& canvas, const ClosedValve& closed, const OrificeView& view,
+                       const Mapping& map);
+
+/// A pill with its area, led out of each orifice towards the annulus, by turns anterior and posterior; another for the
+/// gap, where it is more than the view shows.
+void label_openings(const Canvas& canvas, const ClosedValve& closed, const OrificeView& view,
+                    const Mapping& map);
+
+}  // namespace coapt
