@@ -10,7 +10,7 @@ export interface Header {
   element: HTMLElement
   mark(view: ViewName): void
   lead(addressOf: (view: ViewName) => string): void // where the links lead
-  complain(message: string): void
+  complain(message: string): void // in the place of a valve, until one is open
 }
 
 export function header(workspace: Workspace, openPalette: () => void): Header {
@@ -56,7 +56,7 @@ export function header(workspace: Workspace, openPalette: () => void): Header {
       for (const [name, link] of links) link.setAttribute('href', addressOf(name))
     },
     complain(message) {
-      valve.textContent = message
+      if (!workspace.valve) valve.textContent = message
     },
   }
 }
