@@ -12,12 +12,6 @@ bool is_name_character(char c) {
          kOthers.find(c) != kOthers.npos;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t from = text.find_first_not_of(" \t");
-  if (from == text.npos) return "";
-  return text.substr(from, text.find_last_not_of(" \t") - from + 1);
-}
-
 // Takes the first line off, without its end.
 std::string_view next_line(std::string_view& bytes) {
   const std::size_t end = bytes.find('\n');
@@ -47,12 +41,18 @@ bool add_field(std::string_view line, std::map<std::string, std::string>& fields
   for (char& c : name) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  const bool is_new = fields.emplace(name, trimmed(line.substr(colon + 1))).second;
+  const bool is_new = fields.emplace(name, without_ows(line.substr(colon + 1))).second;
   constexpr std::array<std::string_view, 3> kOnce = {"host", "content-length", "transfer-encoding"};
   return is_new || std::find(kOnce.begin(), kOnce.end(), name) == kOnce.end();
 }
 
 }  // namespace
+
+std::string_view without_ows(std::string_view text) {
+  const std::size_t from = text.find_first_not_of(" \t");
+  if (from == text.npos) return "";
+  return text.substr(from, text.find_last_not_of(" \t") - from + 1);
+}
 
 bool is_control(char c) { return (c >= '\0' && c < ' ' && c != '\t') || c == '\x7f'; }
 

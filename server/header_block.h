@@ -17,6 +17,9 @@ struct HeaderBlock {
 /// What has no place in a header or the line of a chunk's size: control characters but the tab.
 bool is_control(char c);
 
+/// Without the optional whitespace around it: blanks and tabs (RFC 9110, 5.6.3).
+std::string_view without_ows(std::string_view text);
+
 std::string field(const HeaderBlock& header, const char* name);  ///< empty: not there
 
 /// How many bytes the header takes with the blank line that ends it; none: it has not ended. Lines end in

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "server/content_id.h"
+#include "server/header_block.h"
 
 namespace coapt {
 namespace {
@@ -17,18 +18,12 @@ constexpr std::size_t kTagLength = 32;     // of the 64 digits of a content's id
 constexpr int kWindowBits = 15,
               kGzip = 16;  // of deflateInit2: the largest window, with the header of gzip
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
-}
-
 /// Calls `take` with each member of a list that commas separate, until it returns true; whether it did.
 template <class Take>
 bool any_member(std::string_view list, const Take& take) {
   while (!list.empty()) {
     const std::size_t comma = std::min(list.find(','), list.size());
-    if (take(trimmed(list.substr(0, comma)))) return true;
+    if (take(without_ows(list.substr(0, comma)))) return true;
     list.remove_prefix(std::min(comma + 1, list.size()));
   }
   return false;
@@ -36,7 +31,7 @@ bool any_member(std::string_view list, const Take& take) {
 
 /// Of "gzip;q=0.5"; 1 if it says none, 0 if it cannot be read.
 double weight(std::string_view parameters) {
-  parameters = trimmed(parameters);
+  parameters = without_ows(parameters);
   if (parameters.empty()) return 1.0;
   if (!parameters.starts_with("q=") && !parameters.starts_with("Q=")) return 0.0;
   double q = 0.0;
@@ -72,7 +67,7 @@ std::string gzip(std::string_view bytes, int level) {
 bool takes_gzip(std::string_view accept_encoding) {
   return any_member(accept_encoding, [](std::string_view member) {
     const std::size_t end = std::min(member.find(';'), member.size());
-    const std::string_view coding = trimmed(member.substr(0, end));
+    const std::string_view coding = without_ows(member.substr(0, end));
     return (coding == "gzip" || coding == "*") &&
            weight(member.substr(std::min(end + 1, member.size()))) > 0.0;
   });
