@@ -173,7 +173,8 @@ void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const Closed
   cairo_restore(large.context.get());
   paint_leaflets(large, faces);
   paint_orifices(large, view, large_map);
-  paint_hidden_gaps(large, closed, view, large_map);
+  const std::vector<GapStrip> gaps = hidden_gaps(closed, view);
+  paint_hidden_gaps(large, gaps, large_map);
 
   cairo_save(cairo);
   cairo_translate(cairo, box.x, box.y);
@@ -196,7 +197,7 @@ void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const Closed
   draw_segment_names(canvas, valve, view.plane, map, middle_px);
   draw_landmarks(canvas, valve, view.plane, map, middle_px);
   draw_sutures(repair, closed);
-  label_openings(canvas, closed, view, map);
+  label_openings(canvas, closed, view, gaps, map);
   draw_scale_bar(canvas, frame);
 }
 

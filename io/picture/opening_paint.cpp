@@ -12,11 +12,6 @@ namespace {
 constexpr double kLabelled_mm2 = 0.5;  // smaller openings are coloured, not labelled
 constexpr double kSeenThrough = 0.5;   // of the colour
 
-/// Neighbouring sections that are open, on the plane of the view: on the anterior side, on the posterior one.
-struct Strip {
-  std::vector<Vec2> anterior, posterior;
-};
-
 /// Or as near to one as its rim, where the leaflets' thickness closes what their mid-surfaces leave open.
 bool is_in_orifice(const OrificeView& view, const Vec2& coordinates_mm, double half_thickness_mm) {
   const Vec2 at = to_pixels(view, coordinates_mm);
@@ -25,25 +20,6 @@ bool is_in_orifice(const OrificeView& view, const Vec2& coordinates_mm, double h
     return run.row - rim <= at.y() && at.y() <= run.row + 1 + rim && run.first - rim <= at.x() &&
            at.x() <= run.last + 1 + rim;
   });
-}
-
-std::vector<Strip> hidden_strips(const ClosedValve& closed, const OrificeView& view) {
-  const double half_thickness_mm = 0.5 * closed.valve.tissue.thickness_mm;
-  std::vector<Strip> strips(1);
-  for (const CoaptationSection& section :
-       fine_coaptation_sections(closed.valve, closed.closure.closed_mm)) {
-    const Vec2 anterior = project(view.plane, section.nearest_mm[0]);
-    const Vec2 posterior = project(view.plane, section.nearest_mm[1]);
-    if (section.contact || !std::isfinite(section.distance_mm) ||
-        is_in_orifice(view, 0.5 * (anterior + posterior), half_thickness_mm)) {
-      strips.emplace_back();
-    } else {
-      strips.back().anterior.push_back(anterior);
-      strips.back().posterior.push_back(posterior);
-    }
-  }
-  std::erase_if(strips, [](const Strip& strip) { return strip.anterior.size() < 2; });
-  return strips;
 }
 
 void draw_pill(const Canvas& canvas, const Vec2& from, const Vec2& to, const std::string& text) {
@@ -64,6 +40,25 @@ void draw_pill(const Canvas& canvas, const Vec2& from, const Vec2& to, const std
 
 }  // namespace
 
+std::vector<GapStrip> hidden_gaps(const ClosedValve& closed, const OrificeView& view) {
+  const double half_thickness_mm = 0.5 * closed.valve.tissue.thickness_mm;
+  std::vector<GapStrip> strips(1);
+  for (const CoaptationSection& section :
+       fine_coaptation_sections(closed.valve, closed.closure.closed_mm)) {
+    const Vec2 anterior = project(view.plane, section.nearest_mm[0]);
+    const Vec2 posterior = project(view.plane, section.nearest_mm[1]);
+    if (section.contact || !std::isfinite(section.distance_mm) ||
+        is_in_orifice(view, 0.5 * (anterior + posterior), half_thickness_mm)) {
+      strips.emplace_back();
+    } else {
+      strips.back().anterior.push_back(anterior);
+      strips.back().posterior.push_back(posterior);
+    }
+  }
+  std::erase_if(strips, [](const GapStrip& strip) { return strip.anterior.size() < 2; });
+  return strips;
+}
+
 void paint_orifices(const Canvas& canvas, const OrificeView& view, const Mapping& map) {
   cairo_t* cairo = canvas.context.get();
   cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
@@ -77,10 +72,10 @@ void paint_orifices(const Canvas& canvas, const OrificeView& view, const Mapping
   cairo_set_antialias(cairo, CAIRO_ANTIALIAS_DEFAULT);
 }
 
-void paint_hidden_gaps(const Canvas& canvas, const ClosedValve& closed, const OrificeView& view,
+void paint_hidden_gaps(const Canvas& canvas, const std::vector<GapStrip>& gaps,
                        const Mapping& map) {
   cairo_t* cairo = canvas.context.get();
-  for (const Strip& strip : hidden_strips(closed, view)) {
+  for (const GapStrip& strip : gaps) {
     for (const Vec2& point : strip.anterior) cairo_line_to(cairo, map(point).x(), map(point).y());
     for (auto point = strip.posterior.rbegin(); point != strip.posterior.rend(); ++point)
       cairo_line_to(cairo, map(*point).x(), map(*point).y());
@@ -96,7 +91,7 @@ void paint_hidden_gaps(const Canvas& canvas, const ClosedValve& closed, const Or
 }
 
 void label_openings(const Canvas& canvas, const ClosedValve& closed, const OrificeView& view,
-                    const Mapping& map) {
+                    const std::vector<GapStrip>& gaps, const Mapping& map) {
   constexpr std::size_t kMost = 6;
   const Vec2 out(0.0, 5.5 * map.pixels_per_mm);
   std::vector<Orifice> labelled;
@@ -110,12 +105,10 @@ void label_openings(const Canvas& canvas, const ClosedValve& closed, const Orifi
     draw_pill(canvas, from, from + (i % 2 ? out : -out), fixed(labelled[i].area_mm2, 1) + " mm²");
   }
   const double gap_mm2 = closed.measure.coaptation.gap_area_mm2;
-  const std::vector<Strip> strips = hidden_strips(closed, view);
-  if (gap_mm2 < kLabelled_mm2 || gap_mm2 <= closed.measure.orifice.area_mm2 || strips.empty())
-    return;
-  const Strip& longest = *std::max_element(
-      strips.begin(), strips.end(),
-      [](const Strip& a, const Strip& b) { return a.anterior.size() < b.anterior.size(); });
+  if (gap_mm2 < kLabelled_mm2 || gap_mm2 <= closed.measure.orifice.area_mm2 || gaps.empty()) return;
+  const GapStrip& longest = *std::max_element(
+      gaps.begin(), gaps.end(),
+      [](const GapStrip& a, const GapStrip& b) { return a.anterior.size() < b.anterior.size(); });
   const std::size_t middle = longest.anterior.size() / 2;
   const Vec2 from = map(0.5 * (longest.anterior[middle] + longest.posterior[middle]));
   draw_pill(canvas, from, from - out, "gap " + fixed(gap_mm2, 1) + " mm²");

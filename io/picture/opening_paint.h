@@ -8,17 +8,23 @@
 
 namespace coapt {
 
+/// Neighbouring sections without contact, on the plane of the view: the nearest points of both sides.
+struct GapStrip {
+  std::vector<Vec2> anterior, posterior;
+};
+
+/// Where the sides are apart and the view hides it.
+std::vector<GapStrip> hidden_gaps(const ClosedValve& closed, const OrificeView& view);
+
 /// What the view shows open, solid.
 void paint_orifices(const Canvas& canvas, const OrificeView& view, const Mapping& map);
 
-/// What the view hides: strips between the nearest points of the sides in neighbouring sections without contact, seen
-/// through the tissue over them.
-void paint_hidden_gaps(const Canvas& canvas, const ClosedValve& closed, const OrificeView& view,
-                       const Mapping& map);
+/// Seen through the tissue over them.
+void paint_hidden_gaps(const Canvas& canvas, const std::vector<GapStrip>& gaps, const Mapping& map);
 
 /// A pill with its area, led out of each orifice towards the annulus, by turns anterior and posterior; another for the
 /// gap, where it is more than the view shows.
 void label_openings(const Canvas& canvas, const ClosedValve& closed, const OrificeView& view,
-                    const Mapping& map);
+                    const std::vector<GapStrip>& gaps, const Mapping& map);
 
 }  // namespace coapt
