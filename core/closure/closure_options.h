@@ -27,7 +27,7 @@ struct ClosureBudget {
 
 struct ClosureOptions {
   Method method = Method::Fast;
-  Membrane membrane = Membrane::Springs;
+  Membrane membrane = Membrane::Continuum;
   double residual_tolerance = 0.005;  ///< rms free force / rms pressure force
   /// Fast: predicted rms displacement of the leaflets that remains until rest.
   double way_tolerance_mm = 0.02;

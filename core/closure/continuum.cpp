@@ -103,6 +103,7 @@ SheetLaw sheet_law(const Tissue& tissue) {
 }
 
 std::vector<Sheet> make_sheets(const Valve& valve) {
+  const auto [stretch1, stretch2] = prestretch(valve.tissue);
   std::vector<Sheet> sheets(valve.faces.rows());
   for (Index f = 0; f < valve.faces.rows(); ++f) {
     Sheet& sheet = sheets[f];
@@ -113,8 +114,9 @@ std::vector<Sheet> make_sheets(const Valve& valve) {
     const Vec3 normal = ab.cross(ac);
     const Vec3 across = normal.cross(Vec3(valve.fibre.row(f))).normalized();
     const Vec3 along = across.cross(normal).normalized();
-    Eigen::Matrix2d edges;
-    edges << along.dot(ab), along.dot(ac), across.dot(ab), across.dot(ac);
+    Eigen::Matrix2d edges;  // of the face free of stress
+    edges << along.dot(ab) / stretch1, along.dot(ac) / stretch1, across.dot(ab) / stretch2,
+        across.dot(ac) / stretch2;
     sheet.per_mm = edges.inverse();
     sheet.volume_mm3 = 0.5 * normal.norm() * valve.tissue.thickness_mm;
   }

@@ -52,11 +52,13 @@ Edges collect_edges(const Valve& valve) {
 
 void add_springs(const Valve& valve, const Edges& edges, ClosureModel& model) {
   const Tissue& tissue = valve.tissue;
+  const auto [stretch1, stretch2] = prestretch(tissue);
   for (const auto& [key, edge] : edges) {
     Spring spring;
     spring.a = key.first;
     spring.b = key.second;
-    spring.rest_mm = (vertex(valve.rest_mm, spring.a) - vertex(valve.rest_mm, spring.b)).norm();
+    spring.rest_mm = (vertex(valve.rest_mm, spring.a) - vertex(valve.rest_mm, spring.b)).norm() *
+                     orthotropic(1.0 / stretch1, 1.0 / stretch2, edge.cos2_theta);
     const double per_modulus =
         tissue.thickness_mm * edge.area_mm2 / (spring.rest_mm * spring.rest_mm);
     const double pre =
@@ -111,10 +113,9 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
       cable.segment = static_cast<int>(s);
       cable.start = segment.parent < 0 ? heads + chorda.head : branch_node[segment.parent];
       if (segment.inserts) {
-        for (int k = 0; k < 3; ++k) cable.end[k] = valve.faces(segment.insertion.face, k);
-        cable.weights = segment.insertion.weights;
+        cable.end = insertion_zone(valve, segment.insertion, segment.zone_mm);
       } else {
-        cable.end = {next_branch, next_branch, next_branch};
+        cable.end = {{next_branch, 1.0}};
         branch_node[s] = next_branch;
         model.rest_mm.row(next_branch) = segment.branch_point_mm;
         model.target_mm.row(next_branch) = segment.branch_point_mm + head.tip_mm - head.rest_mm;
@@ -129,8 +130,8 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
       const double half_mass =
           0.5 * valve.tissue.density_g_per_mm3 * section_mm2 * segment.rest_length_mm;
       model.mass_g[cable.start] += half_mass;
-      for (std::size_t k = 0; k < 3; ++k)
-        model.mass_g[cable.end[k]] += cable.weights[k] * half_mass;
+      for (const NodeShare& share : cable.end)
+        model.mass_g[share.node] += share.weight * half_mass;
       if (!chorda.ruptured) model.cables.push_back(cable);
     }
   }
@@ -154,10 +155,14 @@ double stable_step_ms(const ClosureModel& model) {
     const auto sums = stiffest_row_sums(model.law, sheet);
     for (std::size_t k = 0; k < 3; ++k) row_sum[sheet.node[k]] += sums[k];
   }
+  for (const Hinge& hinge : model.hinges) {
+    const auto sums = row_sums(hinge, model.rest_mm);
+    for (std::size_t k = 0; k < 4; ++k) row_sum[hinge.node[k]] += sums[k];
+  }
   for (const Cable& c : model.cables) {
     row_sum[c.start] += 2.0 * c.stiffness_n_per_mm;
-    for (std::size_t k = 0; k < 3; ++k)
-      row_sum[c.end[k]] += 2.0 * c.weights[k] * c.stiffness_n_per_mm;
+    for (const NodeShare& share : c.end)
+      row_sum[share.node] += 2.0 * share.weight * c.stiffness_n_per_mm;
   }
   double omega2 = 0.0;
   for (std::size_t i = 0; i < row_sum.size(); ++i)
@@ -196,6 +201,7 @@ ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
     model.target_mm.row(node) = valve.heads[h].tip_mm;
   }
   add_membrane(valve, membrane, model);
+  model.hinges = make_hinges(valve);
   add_chordae(valve, model);
   model.stable_step_ms = stable_step_ms(model);
   return model;
@@ -231,13 +237,14 @@ void add_elastic_forces(const ClosureModel& model, const Points& x, Points& forc
     force.row(s.b) -= f;
   }
   for (const Sheet& sheet : model.sheets) add_sheet_forces(model.law, sheet, x, force);
+  for (const Hinge& hinge : model.hinges) add_hinge_forces(hinge, x, force);
   for (const Cable& c : model.cables) {
     const Vec3 d = end_position(c, x) - vertex(x, c.start);
     const double length = d.norm();
     if (length <= c.rest_mm) continue;
     const Vec3 f = (c.stiffness_n_per_mm * (length - c.rest_mm) / length) * d;
     force.row(c.start) += f;
-    for (std::size_t k = 0; k < 3; ++k) force.row(c.end[k]) -= c.weights[k] * f;
+    for (const NodeShare& share : c.end) force.row(share.node) -= share.weight * f;
   }
 }
 

@@ -1,14 +1,16 @@
 // A valve as masses, membrane and cables: everything that does not change while it closes.
 //
 // Membrane: one spring per edge, stiffness after van Gelder (thesis equation 2.2), bilinear and
-// orthotropic (2.3, 2.4); or constant-strain triangles (continuum.h). Chordae: tension-only cables
-// with free branch points. Units inside the closure: mm, g, ms, hence N and MPa.
+// orthotropic (2.3, 2.4); or constant-strain triangles (continuum.h). Bending: hinges (hinges.h).
+// Chordae: tension-only cables with free branch points, which pull at zones of the leaflet. Units inside the closure: mm, g, ms, hence N and MPa.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "core/closure/continuum.h"
+#include "core/closure/hinges.h"
+#include "core/closure/insertion_zone.h"
 #include "core/closure/membrane.h"
 #include "core/valve/valve.h"
 
@@ -25,9 +27,8 @@ struct Spring {
 
 /// One chorda segment: pulls its two ends together when longer than its rest length.
 struct Cable {
-  int start = 0;                                    ///< node: papillary head or branch point
-  std::array<int, 3> end = {0, 0, 0};               ///< nodes
-  std::array<double, 3> weights = {1.0, 0.0, 0.0};  ///< of the end's position on these nodes
+  int start = 0;               ///< node: papillary head or branch point
+  std::vector<NodeShare> end;  ///< one branch point, or the zone of the leaflet where it inserts
   double rest_mm = 0.0;
   double stiffness_n_per_mm = 0.0;
   int chorda = 0, segment = 0;
@@ -48,27 +49,29 @@ struct ClosureModel {
   std::vector<Spring> springs;            ///< one per edge, or none
   SheetLaw law;
   std::vector<Sheet> sheets;  ///< one per face, or none
+  std::vector<Hinge> hinges;
   std::vector<Cable> cables;  ///< of chordae that are not ruptured
   double pressure_mpa = 0.0;
   double stable_step_ms = 0.0;  ///< Gershgorin bound of the symplectic Euler step without contact
 };
 
 /// @pre validate(valve) is empty.
-ClosureModel make_closure_model(const Valve& valve, Membrane membrane = Membrane::Springs);
+ClosureModel make_closure_model(const Valve& valve, Membrane membrane = Membrane::Continuum);
 
 /// Edges of the chosen faces, each once, in ascending order.
 std::vector<std::array<int, 2>> edges_of(const Faces& faces, const std::vector<int>& chosen);
 
 /// Far end of a cable.
 inline Vec3 end_position(const Cable& cable, const Points& x) {
-  return cable.weights[0] * x.row(cable.end[0]) + cable.weights[1] * x.row(cable.end[1]) +
-         cable.weights[2] * x.row(cable.end[2]);
+  Vec3 end = Vec3::Zero();
+  for (const NodeShare& share : cable.end) end += share.weight * x.row(share.node).transpose();
+  return end;
 }
 
 /// Tension of a cable, N, never negative.
 double tension_n(const Cable& cable, const Points& x);
 
-/// Adds the forces of springs, sheets and cables, N.
+/// Adds the forces of springs, sheets, hinges and cables, N.
 void add_elastic_forces(const ClosureModel& model, const Points& x, Points& force);
 
 /// Adds the pressure on each face, a third to each of its vertices, along the present face normal,

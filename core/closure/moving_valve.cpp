@@ -68,9 +68,9 @@ kernels::StepSums MovingValve<R>::step(double fixed_move_mm) {
   fixed_share_ += fixed_move_mm / fixed_margin_mm_;
   used_share_ += fixed_move_mm / fixed_margin_mm_;  // they have moved already
   if (std::max(listed_share_, fixed_share_) >= 1.0) list();
-  kernels_.pull_cables(laid_.cables.data(), static_cast<int>(laid_.cables.size()), x_.data(),
-                       force_.data());
+  pull_chordae();
   pull_sheets();
+  turn_hinges();
   if (parted_.empty()) faces_.push(x_, used_share_, force_);
   for (ContactPairs<R>& pairs : parted_) pairs.push(x_, used_share_, force_);
   if (edges_) edges_->push(x_, used_share_, force_);
@@ -160,6 +160,27 @@ void MovingValve<R>::return_to(const Moment& moment) {
   longest_move_mm_ = moment.longest_move_mm;
   travelled_ = moment.travelled;
   listed_share_ = 1.0;
+}
+
+template <class R>
+void MovingValve<R>::pull_chordae() {
+  kernels::CableInput<R> input;
+  input.blocks = laid_.cables.data();
+  input.block_count = static_cast<int>(laid_.cables.size());
+  input.shares = laid_.cable_ends.data();
+  input.x = x_.data();
+  input.force = force_.data();
+  kernels_.pull_cables(input);
+}
+
+template <class R>
+void MovingValve<R>::turn_hinges() {
+  kernels::HingeInput<R> input;
+  input.blocks = laid_.hinges.data();
+  input.block_count = static_cast<int>(laid_.hinges.size());
+  input.x = x_.data();
+  input.force = force_.data();
+  kernels_.turn_hinges(input);
 }
 
 template <class R>

@@ -49,7 +49,9 @@ class MovingValve {
   void return_to(const Moment& moment);
 
  private:
+  void pull_chordae();
   void pull_sheets();
+  void turn_hinges();
   void place(Index i, const Vec3& p);
 
   const ClosureModel& model_;

@@ -164,19 +164,41 @@ void lay_sheets(const ClosureModel& model, RelaxationModel<R>& laid) {
 }
 
 template <class R>
+void lay_hinges(const ClosureModel& model, RelaxationModel<R>& laid) {
+  Points centres(model.hinges.size(), 3);
+  for (std::size_t h = 0; h < model.hinges.size(); ++h) {
+    const auto& [a, b, c, d] = model.hinges[h].node;
+    centres.row(h) = 0.5 * (model.rest_mm.row(a) + model.rest_mm.row(b));
+  }
+  laid.hinges.resize(blocks_for(model.hinges.size()));
+  std::size_t next = 0;
+  for (const int i : cluster_order(centres)) {
+    const Hinge& hinge = model.hinges[i];
+    kernels::HingeBlock<R>& block = laid.hinges[next / kLanes];
+    const std::size_t lane = next++ % kLanes;
+    for (std::size_t k = 0; k < 4; ++k) block.node[k].at[lane] = laid.node_of[hinge.node[k]];
+    block.stiffness_n_mm.at[lane] = static_cast<R>(hinge.stiffness_n_mm);
+    block.rest.at[lane] = static_cast<R>(hinge.rest);
+    block.least_mm4.at[lane] = static_cast<R>(hinge.least_mm4);
+  }
+}
+
+template <class R>
 void lay_cables(const ClosureModel& model, RelaxationModel<R>& laid) {
   laid.cables.resize(blocks_for(model.cables.size()));
-  for (std::size_t c = 0; c < model.cables.size(); ++c) {
-    const Cable& cable = model.cables[c];
+  for (std::size_t c = 0; c < laid.cables.size() * kLanes; ++c) {
     kernels::CableBlock<R>& block = laid.cables[c / kLanes];
     const std::size_t lane = c % kLanes;
-    block.node[0].at[lane] = laid.node_of[cable.start];
-    for (std::size_t k = 0; k < 3; ++k) {
-      block.node[k + 1].at[lane] = laid.node_of[cable.end[k]];
-      block.weight[k].at[lane] = static_cast<R>(cable.weights[k]);
+    block.first_share[lane] = static_cast<int>(laid.cable_ends.size());
+    if (c < model.cables.size()) {
+      const Cable& cable = model.cables[c];
+      block.start.at[lane] = laid.node_of[cable.start];
+      for (const NodeShare& share : cable.end)
+        laid.cable_ends.push_back({laid.node_of[share.node], static_cast<R>(share.weight)});
+      block.rest_mm.at[lane] = static_cast<R>(cable.rest_mm);
+      block.stiffness_n_per_mm.at[lane] = static_cast<R>(cable.stiffness_n_per_mm);
     }
-    block.rest_mm.at[lane] = static_cast<R>(cable.rest_mm);
-    block.stiffness_n_per_mm.at[lane] = static_cast<R>(cable.stiffness_n_per_mm);
+    block.first_share[lane + 1] = static_cast<int>(laid.cable_ends.size());
   }
 }
 
@@ -188,6 +210,7 @@ RelaxationModel<R> make_relaxation_model(const ClosureModel& model) {
   number_nodes(model, laid);
   lay_springs(model, laid);
   lay_sheets(model, laid);
+  lay_hinges(model, laid);
   lay_cables(model, laid);
   return laid;
 }

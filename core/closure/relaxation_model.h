@@ -18,8 +18,10 @@ struct RelaxationModel {
   std::vector<kernels::NodeBlock<R>> blocks;
   std::vector<kernels::FanSlot<R>> slots;
   std::vector<kernels::CableBlock<R>> cables;
+  std::vector<kernels::EndShare<R>> cable_ends;
   std::vector<kernels::SheetBlock<R>> sheets;
   kernels::SheetModuli<R> sheet_law;
+  std::vector<kernels::HingeBlock<R>> hinges;
 };
 
 /// R is float or double.

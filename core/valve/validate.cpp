@@ -17,6 +17,8 @@ constexpr Range kThicknessMm = {0.05, 10.0};
 constexpr Range kModulusKpa = {0.01, 1e6};
 constexpr Range kTransitionStrain = {0.0, 2.0};
 constexpr Range kChordaeKpa = {1.0, 1e7};
+constexpr Range kPrestretch = {1.0, 2.0};
+constexpr Range kBendingNmm = {0.0, 10.0};
 constexpr Range kCoordinateMm = {-500.0, 500.0};
 constexpr std::size_t kMaxHeads = 100;
 // Pairs of a vertex and a face within contact of each other; more take minutes and gigabytes.
@@ -38,6 +40,9 @@ void check_tissue(const Tissue& tissue, ProblemList& problems) {
   check("radial_post_kpa", tissue.radial_post_kpa, kModulusKpa, " kPa");
   check("radial_transition", tissue.radial_transition, kTransitionStrain, "");
   check("chordae_kpa", tissue.chordae_kpa, kChordaeKpa, " kPa");
+  check("circumferential_prestretch", tissue.circumferential_prestretch, kPrestretch, "");
+  check("radial_prestretch", tissue.radial_prestretch, kPrestretch, "");
+  check("bending_n_mm", tissue.bending_n_mm, kBendingNmm, " N mm");
 }
 
 /// A mesh may not be so fine that the thickness spans too many of its faces.

@@ -10,6 +10,7 @@ constexpr std::size_t kMaxChordae = 2000;
 constexpr std::size_t kMaxSegments = 200;
 constexpr Range kRestLengthMm = {0.05, 100.0};
 constexpr Range kDiameterMm = {0.05, 5.0};
+constexpr Range kZoneMm = {0.0, 10.0};
 constexpr Range kBranchPointMm = {-500.0, 500.0};
 constexpr double kWeightTolerance = 1e-6;
 
@@ -37,6 +38,7 @@ void check_measures(const ChordaSegment& segment, int faces, const std::string& 
                     ProblemList& problems) {
   check_range(problems, path + "/rest_length_mm", segment.rest_length_mm, kRestLengthMm, " mm");
   check_range(problems, path + "/diameter_mm", segment.diameter_mm, kDiameterMm, " mm");
+  check_range(problems, path + "/zone_mm", segment.zone_mm, kZoneMm, " mm");
   if (segment.inserts) {
     check_insertion(segment.insertion, faces, path + "/insertion", problems);
     return;

@@ -4,6 +4,26 @@
 
 namespace coapt {
 
+std::array<double, 2> prestretch(const Tissue& tissue) {
+  switch (tissue.reference) {
+    case TissueReference::Excised:
+      return {1.0, 1.0};
+    case TissueReference::InVivo:
+      return {tissue.circumferential_prestretch, tissue.radial_prestretch};
+  }
+  return {1.0, 1.0};
+}
+
+const char* to_string(TissueReference reference) {
+  switch (reference) {
+    case TissueReference::Excised:
+      return "excised";
+    case TissueReference::InVivo:
+      return "in_vivo";
+  }
+  return "";
+}
+
 const char* to_string(Segment segment) {
   switch (segment) {
     case Segment::A1:

@@ -20,6 +20,11 @@ enum class Leaflet { Anterior, Posterior };
 enum class Side { Anterolateral, Posteromedial };
 enum class ChordaKind { Marginal, Strut, Basal, Neochorda };
 
+/// The shape that transition strains are counted from. Excised: free of stress, as the thesis's
+/// table 2.1. InVivo: as the leaflet hangs in the unpressurised heart, already stretched, so that
+/// less is left until the transition.
+enum class TissueReference { Excised, InVivo };
+
 /// Thesis table 2.1. The density there is misprinted as kg/mm3; 1060 kg/m3 is meant.
 struct Tissue {
   double density_g_per_mm3 = 1.06e-3;
@@ -30,6 +35,17 @@ struct Tissue {
   double radial_pre_kpa = 3.3;
   double radial_post_kpa = 760.0;
   double radial_transition = 0.33;
+  /// Of Valve::rest_mm. InVivo: the law is entered at the prestretches below.
+  TissueReference reference = TissueReference::Excised;
+  /// Length in the unpressurised heart over the excised one. The defaults leave 5 % along and 12 %
+  /// across the fibres of the transition strains: what ovine anterior leaflets reach at the peak of
+  /// systole (5.0 and 7.8 %, PMC3111015) and a little more.
+  double circumferential_prestretch = 1.13 / 1.05;
+  double radial_prestretch = 1.33 / 1.12;
+  /// Flexural rigidity D = E t^3 / (12 (1 - nu^2)). Porcine aortic cusps in flexure: 0.017 to 0.07 at
+  /// 1 mm (Merryman 2006, J Biomech 39:88); no source for mitral leaflets. 0: a membrane, whose folds
+  /// depend on the mesh.
+  double bending_n_mm = 0.03;
   double chordae_kpa = 40000.0;
 };
 
@@ -63,6 +79,10 @@ struct ChordaSegment {
   int parent = -1;  ///< index into Chorda::segments, always smaller than its own
   double rest_length_mm = 0.0;
   double diameter_mm = 1.0;
+  /// Of the disc of the leaflet that it pulls at, if it inserts (insertion_zone.h). Chordae of
+  /// parametric valves stand for several: together they hold the share of the leaflet that is
+  /// counted in a human valve (docs/researcher/closure.md).
+  double zone_mm = 2.0;
   bool inserts = false;                 ///< ends in the leaflet (else in a branch point)
   Insertion insertion;                  ///< where, if it inserts
   Vec3 branch_point_mm = Vec3::Zero();  ///< the branch point in the unpressurised valve, if not
@@ -96,6 +116,10 @@ struct Valve {
   double pressure_kpa = 16.0;  ///< transvalvular, peak systolic (120 mmHg)
 };
 
+/// Along and across the fibres, of Valve::rest_mm over its shape free of stress; 1 if that is given.
+std::array<double, 2> prestretch(const Tissue& tissue);
+
+const char* to_string(TissueReference reference);
 const char* to_string(Segment segment);
 const char* to_string(Leaflet leaflet);
 const char* to_string(Side side);

@@ -80,10 +80,12 @@ std::string name_of(const Valve& valve, const Cable& cable) {
          plain(valve.chordae[static_cast<std::size_t>(cable.chorda)].id);
 }
 
-/// Its heaviest end, 0-based.
+/// The heaviest node of its end, 0-based.
 int end_node(const Cable& cable) {
-  const auto heaviest = std::max_element(cable.weights.begin(), cable.weights.end());
-  return cable.end[static_cast<std::size_t>(heaviest - cable.weights.begin())];
+  return std::max_element(
+             cable.end.begin(), cable.end.end(),
+             [](const NodeShare& a, const NodeShare& b) { return a.weight < b.weight; })
+      ->node;
 }
 
 void add_fibre(Xml& xml, const char* axis, double post_kpa, double transition) {

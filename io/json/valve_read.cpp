@@ -22,6 +22,10 @@ ChordaKind read_kind(const JsonPlace& place) {
       place, {ChordaKind::Marginal, ChordaKind::Strut, ChordaKind::Basal, ChordaKind::Neochorda});
 }
 
+TissueReference read_reference(const JsonPlace& place) {
+  return read_name<TissueReference>(place, {TissueReference::Excised, TissueReference::InVivo});
+}
+
 Tissue read_tissue(const JsonPlace& place) {
   Tissue tissue;
   const auto number = [](double& target) { return into(target, read_number); };
@@ -33,7 +37,11 @@ Tissue read_tissue(const JsonPlace& place) {
                       {"radial_pre_kpa", number(tissue.radial_pre_kpa)},
                       {"radial_post_kpa", number(tissue.radial_post_kpa)},
                       {"radial_transition", number(tissue.radial_transition)},
-                      {"chordae_kpa", number(tissue.chordae_kpa)}});
+                      {"chordae_kpa", number(tissue.chordae_kpa)},
+                      {"reference", into(tissue.reference, read_reference), false},
+                      {"circumferential_prestretch", number(tissue.circumferential_prestretch), false},
+                      {"radial_prestretch", number(tissue.radial_prestretch), false},
+                      {"bending_n_mm", number(tissue.bending_n_mm), false}});
   return tissue;
 }
 
@@ -89,6 +97,7 @@ ChordaSegment read_chorda_segment(const JsonPlace& place) {
                          segment.insertion = read_insertion(insertion);
                        },
                        false},
+                      {"zone_mm", into(segment.zone_mm, read_number), false},
                       {"branch_point_mm",
                        [&](const JsonPlace& point) {
                          branches = true;

@@ -29,7 +29,11 @@ ordered_json tissue_json(const Tissue& tissue) {
           {"radial_pre_kpa", tissue.radial_pre_kpa},
           {"radial_post_kpa", tissue.radial_post_kpa},
           {"radial_transition", tissue.radial_transition},
-          {"chordae_kpa", tissue.chordae_kpa}};
+          {"chordae_kpa", tissue.chordae_kpa},
+          {"reference", to_string(tissue.reference)},
+          {"circumferential_prestretch", tissue.circumferential_prestretch},
+          {"radial_prestretch", tissue.radial_prestretch},
+          {"bending_n_mm", tissue.bending_n_mm}};
 }
 
 ordered_json landmarks_json(const Landmarks& marks) {
@@ -48,6 +52,7 @@ ordered_json segment_json(const ChordaSegment& segment) {
   if (segment.inserts) {
     json["insertion"] = {{"face", segment.insertion.face},
                          {"weights", triple(segment.insertion.weights)}};
+    json["zone_mm"] = segment.zone_mm;
   } else {
     json["branch_point_mm"] = triple(segment.branch_point_mm);
   }

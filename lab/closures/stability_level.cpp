@@ -68,8 +68,8 @@ Points StabilityLevel::all_nodes(const ClosureResult& closed) const {
   Points x = model_.target_mm;
   x.topRows(model_.vertices) = closed.closed_mm;
   for (const Cable& cable : model_.cables)
-    if (cable.end[0] >= model_.vertices)
-      x.row(cable.end[0]) =
+    if (cable.end.front().node >= model_.vertices)
+      x.row(cable.end.front().node) =
           closed.branch_points_mm[static_cast<std::size_t>(cable.chorda)].row(cable.segment);
   return x;
 }

@@ -33,22 +33,20 @@ constexpr double kEase = 0.6, kStiffen = 3.0;  // of mu, after a full step and a
 constexpr double kLeastStep = 0.1;             // share of dx that a cut leaves
 constexpr double kLeastDiagonal_n_per_mm = 1e-6;
 
-/// A block of stiffness between nodes: weights[a] weights[b] block.
+/// A block of stiffness between nodes a and b: their weights' product times the block.
 struct Element {
-  std::array<int, 4> nodes = {0, 0, 0, 0};
-  std::array<double, 4> weights = {0.0, 0.0, 0.0, 0.0};
+  std::vector<NodeShare> nodes;
   Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
   double stiffness_n_per_mm = 0.0;  // largest eigenvalue of the block
 };
 
 /// A line element of length |between| under `pull`.
-Element line(const std::array<int, 4>& nodes, const std::array<double, 4>& weights,
-             const Vec3& between, const Pull& pull) {
+Element line(std::vector<NodeShare> nodes, const Vec3& between, const Pull& pull) {
   const double length = between.norm();
   const Vec3 n = between / length;
   const double across = std::max(0.0, pull.tension_n) / length;
   const Eigen::Matrix3d along = n * n.transpose();
-  return {nodes, weights,
+  return {std::move(nodes),
           pull.stiffness_n_per_mm * along + across * (Eigen::Matrix3d::Identity() - along),
           std::max(pull.stiffness_n_per_mm, across)};
 }
@@ -98,38 +96,39 @@ class Newton {
     std::vector<Element> all;
     for (const Spring& s : model_.springs) {
       const Vec3 d = (x.row(s.b) - x.row(s.a)).transpose();
-      all.push_back(line({s.a, s.b, s.b, s.b}, {-1.0, 1.0, 0.0, 0.0}, d, pull_of(s, d.norm())));
+      all.push_back(line({{s.a, -1.0}, {s.b, 1.0}}, d, pull_of(s, d.norm())));
       all.back().stiffness_n_per_mm = std::max(s.pre_n_per_mm, s.post_n_per_mm);
     }
     for (const Cable& c : model_.cables) {
       const Vec3 d = end_position(c, x) - Vec3(x.row(c.start));
-      all.push_back(line({c.start, c.end[0], c.end[1], c.end[2]},
-                         {-1.0, c.weights[0], c.weights[1], c.weights[2]}, d,
-                         pull_of(c, d.norm())));
+      std::vector<NodeShare> nodes = c.end;
+      nodes.push_back({c.start, -1.0});
+      all.push_back(line(std::move(nodes), d, pull_of(c, d.norm())));
       all.back().stiffness_n_per_mm = c.stiffness_n_per_mm;
     }
     for (const Touch& t : contact_.touches(model_, x)) {
       const double stiffness = 2.0 * t.force_n_per_mm2 * t.gap_mm;
-      all.push_back(
-          {t.nodes, t.weights, stiffness * t.direction * t.direction.transpose(), stiffness});
+      Element touch{{}, stiffness * t.direction * t.direction.transpose(), stiffness};
+      for (std::size_t k = 0; k < 4; ++k) touch.nodes.push_back({t.nodes[k], t.weights[k]});
+      all.push_back(std::move(touch));
     }
     return all;
   }
 
   void add(const Element& e, double mu, std::vector<Eigen::Triplet<double>>& entries,
            Eigen::VectorXd& diagonal) const {
-    const double sum = std::abs(e.weights[0]) + std::abs(e.weights[1]) + std::abs(e.weights[2]) +
-                       std::abs(e.weights[3]);
-    for (std::size_t a = 0; a < 4; ++a) {
-      const int row = unknown_[static_cast<std::size_t>(e.nodes[a])];
-      if (row < 0 || e.weights[a] == 0.0) continue;
-      diagonal.segment<3>(row).array() += mu * std::abs(e.weights[a]) * sum * e.stiffness_n_per_mm;
-      for (std::size_t b = 0; b < 4; ++b) {
-        const int column = unknown_[static_cast<std::size_t>(e.nodes[b])];
-        if (column < 0 || column > row || e.weights[b] == 0.0) continue;
+    double sum = 0.0;
+    for (const NodeShare& a : e.nodes) sum += std::abs(a.weight);
+    for (const NodeShare& a : e.nodes) {
+      const int row = unknown_[static_cast<std::size_t>(a.node)];
+      if (row < 0) continue;
+      diagonal.segment<3>(row).array() += mu * std::abs(a.weight) * sum * e.stiffness_n_per_mm;
+      for (const NodeShare& b : e.nodes) {
+        const int column = unknown_[static_cast<std::size_t>(b.node)];
+        if (column < 0 || column > row) continue;
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
-            entries.emplace_back(row + i, column + j, e.weights[a] * e.weights[b] * e.block(i, j));
+            entries.emplace_back(row + i, column + j, a.weight * b.weight * e.block(i, j));
       }
     }
   }

@@ -107,7 +107,7 @@ class Xpbd {
         sum[at(t.nodes[k])] += 2.0 * std::abs(t.weights[k]) * t.force_n_per_mm2 * t.gap_mm;
     for (const Cable& c : model_.cables) {
       sum[at(c.start)] += c.stiffness_n_per_mm;
-      for (std::size_t k = 0; k < 3; ++k) sum[at(c.end[k])] += c.weights[k] * c.stiffness_n_per_mm;
+      for (const NodeShare& s : c.end) sum[at(s.node)] += s.weight * c.stiffness_n_per_mm;
     }
     inverse_mass_.assign(sum.size(), 0.0);
     for (std::size_t i = 0; i < sum.size(); ++i)
@@ -145,13 +145,12 @@ class Xpbd {
     const Pull pull = pull_of(c, length);
     if (pull.tension_n <= 0.0) return;
     double w = inverse_mass_[at(c.start)];
-    for (std::size_t k = 0; k < 3; ++k)
-      w += c.weights[k] * c.weights[k] * inverse_mass_[at(c.end[k])];
+    for (const NodeShare& s : c.end) w += s.weight * s.weight * inverse_mass_[at(s.node)];
     if (w == 0.0) return;
     const Vec3 push = (multiplier(pull, w) / length) * d;
     x_.row(c.start) += inverse_mass_[at(c.start)] * push;
-    for (std::size_t k = 0; k < 3; ++k)
-      x_.row(c.end[k]) -= c.weights[k] * inverse_mass_[at(c.end[k])] * push;
+    for (const NodeShare& s : c.end)
+      x_.row(s.node) -= s.weight * inverse_mass_[at(s.node)] * push;
   }
 
   /// lambda = h^2 k (gap - w lambda)^2, the smaller root.

@@ -49,13 +49,29 @@ struct NodeBlock {
   int first_slot = 0, slots = 0;
 };
 
-/// Sixteen cables: node 0 is pulled towards the weighted mean of nodes 1 to 3.
+/// A node's part of the end of a cable.
+template <class R>
+struct EndShare {
+  int node = 0;
+  R weight = 0;
+};
+
+/// Sixteen cables: each start is pulled towards the weighted mean of the nodes of its end.
 template <class R>
 struct CableBlock {
-  IndexLane node[4];
-  Lane<R> weight[3];
+  IndexLane start;
+  int first_share[kLanes + 1] = {};  ///< of the end of each; one more behind the last
   Lane<R> rest_mm;
   Lane<R> stiffness_n_per_mm;  ///< 0 for padding
+};
+
+/// Sixteen hinges (hinges.h has the symbols).
+template <class R>
+struct HingeBlock {
+  IndexLane node[4];
+  Lane<R> stiffness_n_mm;  ///< 0 for padding
+  Lane<R> rest;            ///< t(a0)
+  Lane<R> least_mm4;
 };
 
 /// Sixteen faces of the continuum membrane (continuum.h has the symbols).
@@ -146,6 +162,23 @@ struct SheetInput {
 };
 
 template <class R>
+struct CableInput {
+  const CableBlock<R>* blocks = nullptr;
+  int block_count = 0;
+  const EndShare<R>* shares = nullptr;
+  const Quad<R>* x = nullptr;
+  Quad<R>* force = nullptr;  ///< added to
+};
+
+template <class R>
+struct HingeInput {
+  const HingeBlock<R>* blocks = nullptr;
+  int block_count = 0;
+  const Quad<R>* x = nullptr;
+  Quad<R>* force = nullptr;  ///< added to
+};
+
+template <class R>
 struct StepInput {
   const Quad<R>* x = nullptr;  ///< where all nodes are
   Quad<R>* next = nullptr;     ///< where the moving ones will be
@@ -172,8 +205,9 @@ struct StepSums {
 template <class R>
 struct Kernels {
   StepSums (*advance)(const StepInput<R>&);
-  void (*pull_cables)(const CableBlock<R>*, int blocks, const Quad<R>* x, Quad<R>* force);
+  void (*pull_cables)(const CableInput<R>&);
   void (*pull_sheets)(const SheetInput<R>&);
+  void (*turn_hinges)(const HingeInput<R>&);
   /// `used`: share of the margins that nodes may have used up since the pairs were listed.
   void (*push_faces)(PairBlock<R>*, int blocks, R used, const Quad<R>* x, Quad<R>* force);
   void (*push_edges)(PairBlock<R>*, int blocks, R used, const Quad<R>* x, Quad<R>* force);

@@ -41,20 +41,33 @@ COAPT_INLINE void scatter(const IndexLane* node, unsigned active, const Vec3x<R>
 }
 
 template <class R>
-void pull_cables(const CableBlock<R>* cables, int blocks, const Quad<R>* x, Quad<R>* force) {
-  for (int b = 0; b < blocks; ++b) {
-    const CableBlock<R>& c = cables[b];
-    const Vec<R> w[4] = {all(R(1)), load(c.weight[0]), load(c.weight[1]), load(c.weight[2])};
-    const Vec3x<R> end = w[1] * xyz(gather(x, c.node[1])) + w[2] * xyz(gather(x, c.node[2])) +
-                         w[3] * xyz(gather(x, c.node[3]));
-    const Vec3x<R> d = end - xyz(gather(x, c.node[0]));
+void pull_cables(const CableInput<R>& in) {
+  for (int b = 0; b < in.block_count; ++b) {
+    const CableBlock<R>& c = in.blocks[b];
+    Quad<R> ends[kLanes];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      Quad4<R> end = {};
+      for (int s = c.first_share[lane]; s < c.first_share[lane + 1]; ++s)
+        end += load_quad(in.x[in.shares[s].node]) * in.shares[s].weight;
+      __builtin_memcpy(&ends[lane].at, &end, sizeof end);
+    }
+    const Vec3x<R> d = xyz(load_quads(ends)) - xyz(gather(in.x, c.start));
     const Vec<R> stiffness = load(c.stiffness_n_per_mm);
     const Vec<R> length2 = dot(d, d) + all(kTiny_mm2<R>);
     const Vec<R> inverse = inverse_sqrt(length2);
     const Vec<R> stretch = largest(length2 * inverse - load(c.rest_mm), all(R(0)));
     // A slack cable weighs as much as a taut one: else its end rattles between the two.
-    scatter(c.node, bits(all(R(0)) < stiffness), (stiffness * stretch * inverse) * d, stiffness, w,
-            1, force);
+    const Vec3x<R> f = (stiffness * stretch * inverse) * d;
+    Quad<R> pulls[kLanes];
+    store_quads(Vec4x<R>{f.x, f.y, f.z, stiffness}, pulls);
+    const Quad4<R> against = {-1, -1, -1, 1};
+    for (unsigned active = bits(all(R(0)) < stiffness); active != 0; active &= active - 1) {
+      const int lane = __builtin_ctz(active);
+      const Quad4<R> pull = load_quad(pulls[lane]), back = pull * against;
+      add_quad(pull, in.force[c.start.at[lane]]);
+      for (int s = c.first_share[lane]; s < c.first_share[lane + 1]; ++s)
+        add_quad(back * in.shares[s].weight, in.force[in.shares[s].node]);
+    }
   }
 }
 
