@@ -11,7 +11,7 @@ struct RelaxationSettings {
   double residual_tolerance = 0.005;
   double way_tolerance_mm = 0.02;  ///< predicted rms way of the leaflets to rest
   int max_steps = 6000;
-  double damping = 0.06;  ///< share of a velocity lost in a step at 650 triangles (relaxation.cpp)
+  double damping = 0.045;  ///< share of a velocity lost in a step at 650 triangles (relaxation.cpp)
   double longest_move_mm = 0.15;  ///< of a node in a step; longer ones let leaflets jump through
   /// A node's mass over the sum of its stiffness. The guaranteed bound is half of that sum; contact
   /// and damping take a little more. Less is a longer step, without guarantee.

@@ -37,6 +37,7 @@ ParametricValve porcine_thesis_tables() {
   d.asymmetry.slack = -0.047646;
   d.tissue.circumferential_transition = 0.10892;
   d.tissue.radial_transition = 0.12712;
+  d.tissue.reference = TissueReference::Excised;
   stiffen(3.0, d.tissue);
   return d;
 }
@@ -67,6 +68,7 @@ ParametricValve porcine_thesis() {
   d.asymmetry.slack = -0.040834;
   d.tissue.circumferential_transition = 0.1275;
   d.tissue.radial_transition = 0.18594;
+  d.tissue.reference = TissueReference::Excised;
   stiffen(2.9468, d.tissue);
   return d;
 }

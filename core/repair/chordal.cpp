@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kShortestTrunk_mm = 1.0;
 constexpr double kNeochordaDiameter_mm = 1.0;
+// A suture's bite holds as much of the leaflet as one fan of a natural chorda: a disc of 1.0 mm,
+// counted in a human valve (docs/researcher/closure.md), as a cone of the same rms radius.
+constexpr double kBite_mm = 1.3;
 
 template <class Items>
 auto find_by_id(Items& items, const std::string& id) {
@@ -115,6 +118,7 @@ void apply_neochorda(const Neochorda& step, const LeafletCoordinates& coordinate
   segment.diameter_mm = kNeochordaDiameter_mm;
   segment.inserts = true;
   segment.insertion = locate(valve, coordinates, step.insertion);
+  segment.zone_mm = kBite_mm;
   chorda.segments.push_back(segment);
   valve.chordae.push_back(chorda);
 }
@@ -139,6 +143,7 @@ void apply_transfer(const ChordalTransfer& step, const LeafletCoordinates& coord
     old_end += position(segment.insertion, valve.faces, valve.rest_mm);
     ++insertions;
     segment.insertion = insertion;
+    segment.zone_mm = kBite_mm;
   }
   move_branch_points(valve.heads[chorda.head].rest_mm, old_end / insertions,
                      position(insertion, valve.faces, valve.rest_mm), chorda);

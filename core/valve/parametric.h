@@ -27,24 +27,25 @@ struct ParametricValve {
   std::string name = "parametric";
   double ap_mm = 29.0;     ///< anteroposterior diameter of the annulus under pressure
   double al_pm_mm = 39.0;  ///< transverse diameter
-  // Left out, these are a human valve's, in proportion to the annulus: see proportions().
+  // Left out, these are a human valve's, in proportion to the annulus: see proportions(). Heights
+  // are those of the unpressurised heart with the default tissue, else as tissue.reference says.
   std::optional<double> saddle_height_mm;
-  std::optional<double> anterior_height_mm;   ///< unstressed, A2
+  std::optional<double> anterior_height_mm;   ///< A2
   std::optional<double> posterior_height_mm;  ///< P2
   std::optional<double> lateral_height_mm;    ///< P1, P3
   std::optional<double> commissure_height_mm;
-  double cleft_depth_mm = 1.5;    ///< between the posterior scallops
+  double cleft_depth_mm = 0.5;    ///< between the posterior scallops
   double anterior_arc = 0.38;     ///< share of the annulus from commissure to commissure
-  double inclination_deg = 20.0;  ///< of the unstressed leaflets, inwards from the vertical
+  double inclination_deg = 20.0;  ///< of the unpressurised leaflets, inwards from the vertical
   double tip_depth_mm = 23.5;     ///< papillary tips below the annulus plane
-  double tip_spread_mm = 24.0;    ///< between the tips, transverse
-  double tip_posterior_mm = 2.0;  ///< tips behind the annulus centre
+  double tip_spread_mm = 26.0;    ///< between the tips, transverse
+  double tip_posterior_mm = 4.0;  ///< tips behind the annulus centre
   double trigone_share = 0.66;    ///< trigones, share of the arc from saddle peak to commissure
   double slack = 1.0;  ///< chordae lengths over their lengths in the closed, pressurised valve
   double posterior_slack = 1.0;                 ///< times slack, of posterior marginal chordae
   double strut_slack = 1.0, basal_slack = 1.0;  ///< likewise
   Asymmetry asymmetry;
-  Tissue tissue;
+  Tissue tissue{.reference = TissueReference::InVivo};
   int triangles = 650;  ///< aimed at; the nearest structured mesh is made
   /// A measured contour instead of the diameters, any frame. A planar one (a projection: the
   /// annulus under pressure is a saddle) is given the saddle height; 0 leaves it planar.
@@ -55,10 +56,10 @@ struct ParametricValve {
 
 struct Proportions {
   double saddle_height_mm = 6.8;
-  double anterior_height_mm = 22.0;
-  double posterior_height_mm = 13.0;
-  double lateral_height_mm = 11.0;
-  double commissure_height_mm = 8.0;
+  double anterior_height_mm = 23.5;
+  double posterior_height_mm = 15.25;
+  double lateral_height_mm = 14.25;
+  double commissure_height_mm = 9.0;
 };
 
 /// The heights that are given, and for the others a human valve's of 29 x 39 mm (the defaults of

@@ -268,7 +268,7 @@ TEST(Closure, WithEdgeContactLeavesOutTheAttemptWithout) {
     EXPECT_EQ(closed.status, ClosureStatus::Converged);
     EXPECT_NE(closed.attempts.front().how.find("edge contact"), std::string::npos);
     EXPECT_EQ(closed.method, method);
-    EXPECT_EQ(closed.membrane, Membrane::Springs);
+    EXPECT_EQ(closed.membrane, Membrane::Continuum);
   }
 }
 

@@ -17,6 +17,7 @@ Tissue isotropic_1_mpa() {
   Tissue tissue;
   tissue.circumferential_pre_kpa = tissue.circumferential_post_kpa = 1000.0;
   tissue.radial_pre_kpa = tissue.radial_post_kpa = 1000.0;
+  tissue.bending_n_mm = 0.0;
   return tissue;
 }
 
@@ -29,7 +30,7 @@ struct PlaneConstants {
 /// work.
 PlaneConstants plane_constants(Valve valve) {
   valve.tissue = isotropic_1_mpa();
-  const ClosureModel model = make_closure_model(valve);
+  const ClosureModel model = make_closure_model(valve, Membrane::Springs);
   double area = 0.0;
   for (const double a : model.area_mm2) area += a;
   constexpr double kStrain = 1e-7;

@@ -38,7 +38,7 @@ TEST(Spring, FollowsTheBilinearLawBelowAndAboveItsTransition) {
 
 TEST(Spring, OfACircumferentialEdgeHasVanGeldersStiffness) {
   const Valve valve = small_valve();
-  const ClosureModel model = make_closure_model(valve);
+  const ClosureModel model = make_closure_model(valve, Membrane::Springs);
   // Annulus edge 0-1: one face only; k = E t A / l0^2 with E between the radial and circumferential
   // ones.
   const Spring& spring = model.springs.front();
@@ -64,7 +64,7 @@ TEST(Cable, PullsOnlyWhenLongerThanItsRestLength) {
   ClosureModel model;
   Cable cable;
   cable.start = 0;
-  cable.end = {1, 1, 1};
+  cable.end = {{1, 1.0}};
   cable.rest_mm = 10.0;
   cable.stiffness_n_per_mm = 2.0;
   model.cables.push_back(cable);
@@ -85,7 +85,7 @@ TEST(Cable, TwoInSeriesShareTheirStretchLikeTwoSpringsInSeries) {
   for (int i = 0; i < 2; ++i) {
     Cable cable;
     cable.start = i;
-    cable.end = {i + 1, i + 1, i + 1};
+    cable.end = {{i + 1, 1.0}};
     cable.rest_mm = 10.0 * (i + 1);
     cable.stiffness_n_per_mm = ea / cable.rest_mm;
     model.cables.push_back(cable);

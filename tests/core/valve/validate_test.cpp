@@ -95,7 +95,8 @@ TEST(Validate, NumbersOutsideTheirRangesAreNamed) {
 
 TEST(Validate, EveryTissueFieldHasARange) {
   const auto spoil = [](Valve& v) {
-    v.tissue = {kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan};
+    v.tissue = {kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan, TissueReference::InVivo,
+                kNan, kNan, kNan, kNan};
   };
   EXPECT_EQ(found(spoil), (Found{{OutOfRange, "/tissue/density_g_per_mm3"},
                                  {OutOfRange, "/tissue/thickness_mm"},
@@ -105,7 +106,10 @@ TEST(Validate, EveryTissueFieldHasARange) {
                                  {OutOfRange, "/tissue/radial_pre_kpa"},
                                  {OutOfRange, "/tissue/radial_post_kpa"},
                                  {OutOfRange, "/tissue/radial_transition"},
-                                 {OutOfRange, "/tissue/chordae_kpa"}}));
+                                 {OutOfRange, "/tissue/chordae_kpa"},
+                                 {OutOfRange, "/tissue/circumferential_prestretch"},
+                                 {OutOfRange, "/tissue/radial_prestretch"},
+                                 {OutOfRange, "/tissue/bending_n_mm"}}));
 }
 
 TEST(Validate, TissueTooThickForItsMeshIsNamedWithTheMostThatWouldDo) {

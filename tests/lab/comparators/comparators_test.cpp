@@ -79,7 +79,7 @@ TEST(Comparators, LeaveASlackChordaOutAndHangOnATautOne) {
   const auto cable = [](double rest_mm) {
     Cable made;
     made.start = 2;
-    made.end = {1, 1, 1};
+    made.end = {{1, 1.0}};
     made.rest_mm = rest_mm;
     made.stiffness_n_per_mm = 3.0;
     return made;
