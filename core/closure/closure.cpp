@@ -167,10 +167,8 @@ void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x
         ends.row(s) += segment.insertion.weights[k] * x.row(valve.faces(segment.insertion.face, k));
     }
   }
-  for (const Cable& cable : model.cables) {
-    result.branch_points_mm[cable.chorda].row(cable.segment) = end_position(cable, x);
+  for (const Cable& cable : model.cables)
     result.tension_n[cable.chorda][cable.segment] = tension_n(cable, x);
-  }
 }
 
 }  // namespace

@@ -26,4 +26,11 @@ struct NodeShare {
 std::vector<NodeShare> insertion_zone(const Valve& valve, const Insertion& insertion,
                                       double radius_mm);
 
+/// The weighted mean of nodes, where the end of a chorda is.
+inline Vec3 mean_position(const std::vector<NodeShare>& shares, const Points& x) {
+  Vec3 mean = Vec3::Zero();
+  for (const NodeShare& share : shares) mean += share.weight * x.row(share.node).transpose();
+  return mean;
+}
+
 }  // namespace coapt

@@ -63,9 +63,7 @@ std::vector<std::array<int, 2>> edges_of(const Faces& faces, const std::vector<i
 
 /// Far end of a cable.
 inline Vec3 end_position(const Cable& cable, const Points& x) {
-  Vec3 end = Vec3::Zero();
-  for (const NodeShare& share : cable.end) end += share.weight * x.row(share.node).transpose();
-  return end;
+  return mean_position(cable.end, x);
 }
 
 /// Tension of a cable, N, never negative.

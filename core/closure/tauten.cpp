@@ -1,5 +1,7 @@
 #include "core/closure/tauten.h"
 
+#include "core/closure/insertion_zone.h"
+
 namespace coapt {
 
 Valve tauten(const Valve& valve, const ClosureResult& closed, double slack) {
@@ -11,7 +13,11 @@ Valve tauten(const Valve& valve, const ClosureResult& closed, double slack) {
       ChordaSegment& segment = chorda.segments[s];
       const Vec3 start = segment.parent < 0 ? taut.heads[chorda.head].tip_mm
                                             : Vec3(closed.branch_points_mm[c].row(segment.parent));
-      const Vec3 end = closed.branch_points_mm[c].row(s);
+      const Vec3 end =
+          segment.inserts
+              ? mean_position(insertion_zone(valve, segment.insertion, segment.zone_mm),
+                              closed.closed_mm)
+              : Vec3(closed.branch_points_mm[c].row(s));
       segment.rest_length_mm = slack * (end - start).norm();
     }
   }

@@ -6,6 +6,7 @@ speed-accuracy.csv      distance from a reference, and error of the orifice, aga
 stability.csv           where each method closes a valve and where it fails
 orifice-resolution.csv  error and time of the orifice's image
 ecdf.csv                share of targets that the search and its rivals reach
+mesh.csv                error of areas and shapes against the number of triangles
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
 """
 
@@ -13,47 +14,28 @@ import argparse
 import csv
 import pathlib
 import statistics
-import sys
 
-try:
-    import matplotlib
-except ImportError:
-    sys.exit("plot.py: needs matplotlib (Debian: python3-matplotlib)")
-
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt  # noqa: E402 (after the backend is chosen)
-from matplotlib.patches import Patch, Rectangle  # noqa: E402
-from matplotlib.ticker import FuncFormatter  # noqa: E402
-
-# Okabe and Ito's colours, told apart by every kind of sight.
-BLACK, ORANGE, SKY, GREEN = "#000000", "#e69f00", "#56b4e9", "#009e73"
-YELLOW, BLUE, VERMILION, PURPLE = "#f0e442", "#0072b2", "#d55e00", "#cc79a7"
-GREY = "#5b6670"
-PLAIN = FuncFormatter(lambda value, _: f"{value:,.0f}" if value >= 1 else f"{value:g}")
-
-
-def each_once(values):
-    return list(dict.fromkeys(values))
-
-
-def numbers(rows, column):
-    return [float(row[column]) for row in rows]
-
-
-def title(figure, text, size=13):
-    figure.suptitle(text, x=0.01, ha="left", fontsize=size, fontweight="bold")
-
-
-def figure_titled(text, width, height, **grid):
-    figure, axes = plt.subplots(figsize=(width, height), layout="constrained", **grid)
-    title(figure, text)
-    return figure, axes
-
-
-def legend_beside(axis, *handles_and_labels):
-    axis.legend(*handles_and_labels, loc="center left", bbox_to_anchor=(1.02, 0.5))
-
+import mesh
+from matplotlib.patches import Patch, Rectangle
+from matplotlib.ticker import FuncFormatter
+from style import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PLAIN,
+    PURPLE,
+    SKY,
+    VERMILION,
+    YELLOW,
+    each_once,
+    figure_titled,
+    legend_beside,
+    numbers,
+    plt,
+    title,
+)
 
 # Speed against accuracy.
 
@@ -411,6 +393,7 @@ CHARTS = {
     "speed-accuracy": {"speed-accuracy": draw_speed_accuracy, "speed-accuracy-orifice": draw_orifice_accuracy},
     "stability": {"stability": draw_stability},
     "orifice-resolution": {"orifice-error": draw_orifice_error, "orifice-time": draw_orifice_time},
+    "mesh": {"mesh": mesh.draw_errors},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},
 }
@@ -422,7 +405,6 @@ def main(arguments=None):
     parser.add_argument("-o", "--output", type=pathlib.Path, help="directory for the charts (default: the table's)")
     parser.add_argument("--format", choices=("svg", "png"), default="svg")
     options = parser.parse_args(arguments)
-    plt.style.use(pathlib.Path(__file__).with_suffix(".mplstyle"))
     for table in options.tables:
         if table.stem not in CHARTS:
             parser.error(f"{table}: must be named {', '.join(f'{name}.csv' for name in CHARTS)}")

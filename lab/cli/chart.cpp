@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "clients/cli/closure_options.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/progress_bar.h"
@@ -12,6 +13,7 @@
 #include "lab/charts/tables.h"
 #include "lab/cli/commands.h"
 #include "lab/cli/draw.h"
+#include "lab/closures/mesh_study.h"
 #include "lab/comparators/newton.h"
 #include "lab/comparators/xpbd.h"
 
@@ -43,6 +45,14 @@ int run_speed_accuracy(const std::string& directory) {
     const ProgressBar bar;
     return accuracy_csv(
         study_accuracy({}, [&](int done, int planned) { bar.show(done, planned, "cases"); }));
+  });
+}
+
+int run_mesh(const std::string& directory, const MeshStudyOptions& options) {
+  return run_chart(directory, "mesh.csv", [&] {
+    const ProgressBar bar;
+    return mesh_csv(
+        study_meshes(options, [&](int done, int planned) { bar.show(done, planned, "scenes"); }));
   });
 }
 
@@ -148,6 +158,28 @@ void add_stability(Command chart, int& status) {
   });
 }
 
+void add_mesh(Command chart, int& status) {
+  const auto options = std::make_shared<MeshStudyOptions>();
+  Command command =
+      chart.add_command("mesh", "Close varied scenes on meshes of growing fineness");
+  const auto directory = add_output(command);
+  command.add_option("--scenes", options->scenes, "Varied scenes of each preset")
+      .check(number_from(1, 10000))
+      .show_default();
+  command.add_option("--preset", options->presets, "Only these presets").show_default();
+  command.add_option("--seed", options->seed, "Same seed, same scenes").show_default();
+  add_membrane_option(command, options->membrane);
+  command.add_option("--threads", options->threads, "0: all cores; does not change the areas")
+      .check(number_from(0, 1024))
+      .show_default();
+  command.footer(
+      "Orifice, gap, leak and shape on 650 to 5,200 triangles, each against 10,400 of the same\n"
+      "scene. A scene takes some six seconds of one core.\n\n"
+      "Example:\n"
+      "  coapt-lab chart mesh --scenes 12 -o charts");
+  command.on_run([directory, options, &status] { status = run_mesh(*directory, *options); });
+}
+
 }  // namespace
 
 void add_chart(Command parent, int& status) {
@@ -157,6 +189,7 @@ void add_chart(Command parent, int& status) {
   add_speed_accuracy(chart, status);
   add_stability(chart, status);
   add_ablation(chart, status);
+  add_mesh(chart, status);
 }
 
 }  // namespace coapt

@@ -56,11 +56,11 @@ ClosureError closure_error(const Valve& valve, const ClosureResult& a, const Clo
   const Eigen::VectorXd apart = (a.closed_mm - b.closed_mm).rowwise().norm();
   const ValveMeasure of_a = measure(valve, a), of_b = measure(valve, b);
   return {std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size())), apart.maxCoeff(),
-          of_a.orifice.area_mm2 - of_b.orifice.area_mm2,
+          of_a.orifice.area_mm2 - of_b.orifice.area_mm2, leak_mm2(of_a) - leak_mm2(of_b),
           of_a.coaptation.height_mean_mm - of_b.coaptation.height_mean_mm};
 }
 
-ClosureStudy study_closures(const Valve& valve, const ClosureStudyOptions& options,
+ClosureStudy study_closures(const std::vector<Valve>& valves, const ClosureStudyOptions& options,
                             const std::function<void(int)>& progress) {
   ClosureStudy study;
   study.scenes.resize(static_cast<std::size_t>(options.count));
@@ -68,11 +68,12 @@ ClosureStudy study_closures(const Valve& valve, const ClosureStudyOptions& optio
   int done = 0;
   for_each_index(options.count, options.threads, [&](int i) {
     study.scenes[static_cast<std::size_t>(i)] =
-        close_scene(varied_scene(valve, options.seed, i), options, i);
+        close_scene(varied_scene(valves[static_cast<std::size_t>(i) % valves.size()], options.seed, i),
+                    options, i);
     const std::lock_guard<std::mutex> lock(mutex);
     if (progress) progress(++done);
   });
-  std::vector<double> ms, steps;
+  std::vector<double> ms, steps, leak_differences = {0.0};
   double seconds = 0.0;
   for (const SceneOutcome& scene : study.scenes) {
     ms.push_back(1e3 * scene.seconds);
@@ -81,12 +82,17 @@ ClosureStudy study_closures(const Valve& valve, const ClosureStudyOptions& optio
     study.unconverged += scene.status != ClosureStatus::Converged;
     study.crossed += scene.crossing;
     study.retried += scene.attempts > 1;
+    if (!scene.compared) continue;
+    ++study.compared;
     study.other_equilibria += scene.other_equilibrium;
+    leak_differences.push_back(std::abs(scene.from_other.leak_mm2));
   }
   study.closures_per_second_per_core = seconds > 0.0 ? options.count / seconds : 0.0;
   study.median_ms = quantile(ms, 0.5);
   study.p90_ms = quantile(ms, 0.9);
   study.median_steps = quantile(steps, 0.5);
+  study.leak_difference_p90_mm2 = quantile(leak_differences, 0.9);
+  study.leak_difference_max_mm2 = quantile(leak_differences, 1.0);
   return study;
 }
 

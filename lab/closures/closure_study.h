@@ -1,4 +1,4 @@
-// How fast and how true closures are, over many scenes of one valve.
+// How fast and how true closures are, over many scenes of valves.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +26,7 @@ struct ClosureStudyOptions {
 struct ClosureError {
   double rms_mm = 0.0, max_mm = 0.0;
   double orifice_mm2 = 0.0;           ///< of the leaflets with their half thickness
+  double leak_mm2 = 0.0;
   double coaptation_height_mm = 0.0;  ///< of the mean
 };
 
@@ -45,7 +46,10 @@ struct ClosureStudy {
   std::vector<SceneOutcome> scenes;
   double closures_per_second_per_core = 0.0;
   double median_ms = 0.0, p90_ms = 0.0;
-  int unconverged = 0, crossed = 0, retried = 0, other_equilibria = 0;
+  int unconverged = 0, crossed = 0, retried = 0;
+  int compared = 0, other_equilibria = 0;
+  /// Of the two ends of each scene, absolute.
+  double leak_difference_p90_mm2 = 0.0, leak_difference_max_mm2 = 0.0;
   double median_steps = 0.0;
 };
 
@@ -55,9 +59,9 @@ ClosureOptions to_the_end(ClosureOptions closure);
 /// Error of closure `a` against closure `b` of the same valve.
 ClosureError closure_error(const Valve& valve, const ClosureResult& a, const ClosureResult& b);
 
-/// Closes varied scenes of a valve. `progress` is called with the number of scenes done, from several
+/// Closes varied scenes, one of each valve in turn. `progress` is called with the number of scenes done, from several
 /// threads, one at a time. All but the times is the same for any number of threads.
-ClosureStudy study_closures(const Valve& valve, const ClosureStudyOptions& options,
+ClosureStudy study_closures(const std::vector<Valve>& valves, const ClosureStudyOptions& options,
                             const std::function<void(int)>& progress = {});
 
 }  // namespace coapt

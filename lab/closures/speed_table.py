@@ -21,7 +21,7 @@ FIELDS = [
     "p90_ms",
     "closures_per_second_per_core",
     "median_steps",
-    "retried",
+    "second_attempts",
     "unconverged",
     "crossed",
 ]

@@ -1,5 +1,6 @@
 #include "lab/closures/study_json.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/metrics/quantile.h"
@@ -47,12 +48,15 @@ ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& stu
                        {"median_ms", study.median_ms},
                        {"p90_ms", study.p90_ms},
                        {"median_steps", study.median_steps},
-                       {"retried", study.retried},
+                       {"second_attempts", study.retried},
                        {"unconverged", study.unconverged},
                        {"crossed", study.crossed}};
   ordered_json accuracy = nullptr, others = nullptr, equilibria = nullptr;
   if (options.accuracy) {
     equilibria = study.other_equilibria;
+    json["elsewhere_share"] = static_cast<double>(study.other_equilibria) / std::max(1, study.compared);
+    json["leak_difference_p90_mm2"] = study.leak_difference_p90_mm2;
+    json["leak_difference_max_mm2"] = study.leak_difference_max_mm2;
     accuracy = errors(from_end);
     others = errors(of_other);
   }

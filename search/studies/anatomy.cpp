@@ -7,18 +7,18 @@ const std::array<AnatomyParameter, kAnatomyParameters>& anatomy_parameters() {
       {{"annulus, anteroposterior mm", 25.9, 28.4, 28.2},
        {"annulus, transverse mm", 36.2, 41.3, 37.0},
        {"saddle height mm", 4.5, 9.5, 7.4},
-       {"anterior height mm", 17.0, 26.0, 20.0},
-       {"posterior height mm", 9.0, 16.0, 11.5},
-       {"lateral height mm", 7.5, 15.0, 10.0},
-       {"commissure height mm", 4.5, 11.0, 7.0},
-       {"cleft depth mm", 0.5, 3.0, 1.1},
+       {"anterior height mm", 17.0, 27.0, 22.0},
+       {"posterior height mm", 9.0, 17.0, 13.5},
+       {"lateral height mm", 7.5, 16.0, 12.5},
+       {"commissure height mm", 4.5, 11.0, 8.0},
+       {"cleft depth mm", 0.5, 3.0, 0.8},
        {"anterior share of the annulus", 0.33, 0.45, 0.38},
        {"trigones, share from saddle peak to commissure", 0.55, 0.9, 0.66},
        {"inclination of the leaflets deg", 8.0, 40.0, 20.0},
        {"tip depth mm", 18.0, 28.0, 22.0},
-       {"tip spread mm", 15.0, 32.0, 22.0},
-       {"tips behind the centre mm", -3.0, 8.0, 2.0},
-       {"slack of chordae", 0.92, 1.12, 1.0},
+       {"tip spread mm", 15.0, 32.0, 24.0},
+       {"tips behind the centre mm", -3.0, 8.0, 3.0},
+       {"slack of chordae", 0.92, 1.25, 1.1},
        {"slack of posterior marginal chordae", 0.9, 1.15, 1.0},
        {"slack of strut chordae", 0.92, 1.3, 1.0},
        {"slack of basal chordae", 0.92, 1.3, 1.0},
@@ -52,6 +52,7 @@ ParametricValve parametric_valve(const Anatomy& anatomy, const std::string& name
   auto next = anatomy.begin();
   ParametricValve d;
   d.name = name;
+  d.tissue.reference = TissueReference::Excised;
   d.ap_mm = *next++;
   d.al_pm_mm = *next++;
   d.saddle_height_mm = *next++;

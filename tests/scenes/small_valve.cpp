@@ -54,6 +54,7 @@ ChordaSegment inserting(const Valve& valve, int parent, const Vec3& start, int f
   segment.parent = parent;
   segment.inserts = true;
   segment.insertion = {face, {0.0, 0.0, 1.0}};
+  segment.zone_mm = 0.0;
   segment.rest_length_mm = (position(segment.insertion, valve.faces, valve.rest_mm) - start).norm();
   return segment;
 }
@@ -107,6 +108,7 @@ Valve small_valve() {
   valve.heads = {{.id = "AL1", .side = Side::Anterolateral, .rest_mm = left, .tip_mm = left},
                  {.id = "PM1", .side = Side::Posteromedial, .rest_mm = right, .tip_mm = right}};
   valve.chordae = {branching(valve), single(valve)};
+  valve.tissue.bending_n_mm = 0.0;
   return valve;
 }
 

@@ -9,7 +9,7 @@ namespace coapt {
 /// counter-clockwise from +x; 32 faces, 4 a column. The annulus is an ellipse of 36 x 28 mm in z =
 /// 0, under pressure where it is at rest. Chorda 0 branches (AL1 to the free edge at vertices 20
 /// and 21), chorda 1 is one segment (PM1 to vertex 18). Rest lengths are the distances in the rest
-/// shape.
+/// shape; chordae pull at vertices, and nothing resists bending.
 Valve small_valve();
 
 }  // namespace coapt

@@ -74,9 +74,9 @@ TEST(ParametricValve, HasTheLeafletHeightsAndResolutionAskedFor) {
     const auto height = [&](int vertex) {
       return (valve.rest_mm.row(last_row + vertex) - valve.rest_mm.row(vertex)).norm();
     };
-    EXPECT_NEAR(height(valve.landmarks.saddle_peak), 22.0, 1e-9);
-    EXPECT_NEAR(height(valve.landmarks.mid_posterior), 13.0, 1e-9);
-    EXPECT_NEAR(height(valve.landmarks.posteromedial_commissure), 8.0, 1e-9);
+    EXPECT_NEAR(height(valve.landmarks.saddle_peak), 23.5, 1e-9);
+    EXPECT_NEAR(height(valve.landmarks.mid_posterior), 15.25, 1e-9);
+    EXPECT_NEAR(height(valve.landmarks.posteromedial_commissure), 9.0, 1e-9);
   }
 }
 
@@ -102,14 +102,14 @@ TEST(ParametricValve, LeftOutHeightsFollowTheDiametersAndGivenOnesStay) {
   ParametricValve d;
   d.lateral_height_mm = 12.0;
   const Proportions of_human = proportions(d, 29.0, 39.0);
-  EXPECT_EQ(of_human.anterior_height_mm, 22.0);
+  EXPECT_EQ(of_human.anterior_height_mm, 23.5);
   EXPECT_EQ(of_human.saddle_height_mm, 6.8);
   const Proportions twice = proportions(d, 58.0, 39.0);
-  EXPECT_EQ(twice.anterior_height_mm, 44.0);
-  EXPECT_EQ(twice.posterior_height_mm, 26.0);
+  EXPECT_EQ(twice.anterior_height_mm, 47.0);
+  EXPECT_EQ(twice.posterior_height_mm, 30.5);
   EXPECT_EQ(twice.lateral_height_mm, 12.0);
-  EXPECT_EQ(twice.commissure_height_mm, 8.0);
-  EXPECT_EQ(proportions(d, 29.0, 78.0).commissure_height_mm, 16.0);
+  EXPECT_EQ(twice.commissure_height_mm, 9.0);
+  EXPECT_EQ(proportions(d, 29.0, 78.0).commissure_height_mm, 18.0);
 }
 
 TEST(ParametricValve, NamesEveryDimensionOutsideItsRange) {

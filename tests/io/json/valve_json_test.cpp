@@ -71,7 +71,9 @@ TEST(ValveJson, BytesThatAreNotUtf8AreReplacedInWriting) {
   EXPECT_EQ(read->name, "\uFFFD");
 }
 
-TEST(ValveJson, EveryFieldIsRequired) {
+TEST(ValveJson, EveryFieldOfRelease01IsRequired) {
+  const std::set<std::string> later = {"reference", "circumferential_prestretch",
+                                       "radial_prestretch", "bending_n_mm"};
   const std::vector<std::string> objects = {"",
                                             "/tissue",
                                             "/annulus",
@@ -82,6 +84,7 @@ TEST(ValveJson, EveryFieldIsRequired) {
   for (const std::string& object : objects) {
     const nlohmann::json members = small_json()[nlohmann::json::json_pointer(object)];
     for (const auto& [name, value] : members.items()) {
+      if (later.contains(name)) continue;
       const std::string missing = name;
       const auto erase = [&](nlohmann::json& d) {
         d[nlohmann::json::json_pointer(object)].erase(missing);

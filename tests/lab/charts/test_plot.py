@@ -11,6 +11,7 @@ import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "lab/charts"))
 
+import matplotlib.text  # noqa: E402
 import plot  # noqa: E402
 
 
@@ -19,7 +20,7 @@ def table(text):
 
 
 def texts(figure):
-    return [text.get_text() for text in figure.findobj(plot.matplotlib.text.Text)]
+    return [text.get_text() for text in figure.findobj(matplotlib.text.Text)]
 
 
 ABLATION = table(

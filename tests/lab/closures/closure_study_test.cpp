@@ -29,9 +29,9 @@ TEST(ClosureStudy, IsTheSameForAnyNumberOfThreadsButForTheTimes) {
   options.count = 6;
   options.threads = 1;
   int calls = 0;
-  const ClosureStudy one = study_closures(valve, options, [&](int) { ++calls; });
+  const ClosureStudy one = study_closures({valve}, options, [&](int) { ++calls; });
   options.threads = 2;
-  const ClosureStudy two = study_closures(valve, options);
+  const ClosureStudy two = study_closures({valve}, options);
   EXPECT_EQ(calls, 6);
   ASSERT_EQ(one.scenes.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -46,7 +46,7 @@ TEST(ClosureStudy, IsTheSameForAnyNumberOfThreadsButForTheTimes) {
 TEST(ClosureStudy, CountsClosuresNearTheirOwnEnd) {
   ClosureStudyOptions options;
   options.count = 8;
-  const ClosureStudy study = study_closures(*make_preset("human-normal"), options);
+  const ClosureStudy study = study_closures({*make_preset("human-normal")}, options);
   for (const SceneOutcome& scene : study.scenes) {
     ASSERT_TRUE(scene.compared);
     EXPECT_GT(scene.from_end.rms_mm, 0.0);
@@ -60,9 +60,9 @@ TEST(ClosureStudy, OfWarmStartsTakesFewerStepsAndSaysHowFarFromAColdOne) {
   ClosureStudyOptions options;
   options.count = 8;
   const Valve valve = *make_preset("human-normal");
-  const ClosureStudy cold = study_closures(valve, options);
+  const ClosureStudy cold = study_closures({valve}, options);
   options.warm = true;
-  const ClosureStudy warm = study_closures(valve, options);
+  const ClosureStudy warm = study_closures({valve}, options);
   EXPECT_EQ(warm.unconverged + warm.crossed, 0);
   EXPECT_LT(warm.median_steps, cold.median_steps);
   for (const SceneOutcome& scene : warm.scenes)

@@ -11,7 +11,7 @@ TEST(StudyJson, HasTheKeysThatScriptsRelyOn) {
   ClosureStudyOptions options;
   options.count = 2;
   options.accuracy = false;
-  const auto json = to_json(options, study_closures(small_valve(), options));
+  const auto json = to_json(options, study_closures({small_valve()}, options));
   for (const char* key : {"method", "membrane", "closures_per_second_per_core", "median_ms",
                           "unconverged", "crossed", "other_equilibria"})
     EXPECT_TRUE(json.contains(key)) << key;

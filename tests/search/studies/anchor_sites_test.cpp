@@ -25,7 +25,7 @@ TEST(AnchorSites, OfTheSmallValveAreWhereItsVerticesAre) {
 }
 
 TEST(AnchorSites, OfAMirrorSymmetricValveAreTheSameForBothMuscles) {
-  const Valve valve = *make_preset("human-normal", 300);
+  const Valve valve = *make_preset("porcine-1", 300);
   for (const AnchorSite& site : thesis_anchors(valve)) {
     EXPECT_NEAR((site.at_mm[0] - site.at_mm[1]).norm(), 0.0, 1e-6) << site.name;
     EXPECT_NEAR((site.at_mm[0] - site.at_mm[2]).norm(), 0.0, 1e-6) << site.name;
