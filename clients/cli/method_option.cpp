@@ -20,8 +20,8 @@ void add_membrane_option(Command command, Membrane& membrane) {
       {to_string(Membrane::Continuum), Membrane::Continuum}};
   command
       .add_choice("--membrane", membrane, membranes,
-                  "What carries the leaflets' tension: springs (default) or continuum, triangles "
-                  "that converge under refinement")
+                  "What carries the leaflets' tension: continuum (default), triangles that converge "
+                  "under refinement, or springs, the thesis's")
       .show_argument("MEMBRANE");
 }
 

@@ -135,6 +135,14 @@ void add_valve_import(Command parent, int& status) {
       .show_default();
   command.add_option("--slack", options.slack, "Chordae lengths over straight distances")
       .show_default();
+  const std::map<std::string, TissueReference> references = {
+      {to_string(TissueReference::Excised), TissueReference::Excised},
+      {to_string(TissueReference::InVivo), TissueReference::InVivo}};
+  command
+      .add_choice("--reference", options.reference, references,
+                  "What the meshes show: excised (default), leaflets free of stress; in_vivo, those of the "
+                  "unpressurised heart, which are stretched already")
+      .show_argument("STATE");
   command.add_option("--name", arguments->name, "Name of the valve").show_default("imported");
   command.add_option("--provenance", arguments->provenance, "Source or licence, kept in the valve");
   command.footer(

@@ -144,15 +144,16 @@ Expected<Valve> make_preset(const std::string& name, int triangles) {
     if (!valve) return valve;
     valve->name = name;
     for (Chorda& chorda : valve->chordae)
-      if (chorda.id.find("-P2-") != std::string::npos) chorda.ruptured = true;
+      if (chorda.kind == ChordaKind::Marginal && chorda.id.find("-P2-") != std::string::npos)
+        chorda.ruptured = true;
     // A flail scallop in an annulus of normal size lies against the anterior leaflet and does not
     // leak; degenerative annuli are dilated.
     Remodelling change;
-    change.ap_dilation_percent = 10.0;
+    change.ap_dilation_percent = 12.0;
     Expected<Valve> remodelled = remodel(*valve, change);
     if (remodelled)
       remodelled->provenance.push_back(
-          "degenerative prolapse: all chordae of P2 ruptured, annulus dilated 10 % in its "
+          "degenerative prolapse: marginal chordae of P2 ruptured, annulus dilated 12 % in its "
           "anteroposterior diameter");
     return remodelled;
   }

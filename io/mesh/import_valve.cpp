@@ -196,13 +196,14 @@ void tell_changes(const FramedSource& source, const Skirt& skirt, Valve& valve) 
            : "38 % of the annulus apart about its front (one skirt does not tell)") +
       ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
       "from the peak to the commissures; segments by thirds of arc, fibres circumferential");
-  told.push_back(
-      source.pressed_annulus_mm.rows() > 0
-          ? "the imaged state is taken as unstressed; annulus and papillary tips under pressure "
-            "came "
-            "with it; tissue of thesis table 2.1"
-          : "the imaged state is taken as unstressed, and its annulus and papillary tips as those "
-            "under pressure; tissue of thesis table 2.1");
+  const std::string state = valve.tissue.reference == TissueReference::InVivo
+                                ? "the imaged state is taken as that of the unpressurised heart"
+                                : "the imaged state is taken as unstressed";
+  told.push_back(state +
+                 (source.pressed_annulus_mm.rows() > 0
+                      ? "; annulus and papillary tips under pressure came with it"
+                      : ", and its annulus and papillary tips as those under pressure") +
+                 "; tissue of thesis table 2.1");
 }
 
 }  // namespace
@@ -218,6 +219,7 @@ Expected<Valve> import_valve(const ImportSource& source, const ImportOptions& op
   Valve valve;
   valve.name = source.name.empty() ? "imported" : source.name;
   valve.provenance = source.provenance;
+  valve.tissue.reference = options.reference;
   add_mesh(*skirt, valve);
   if (framed->pressed_annulus_mm.rows() > 0)
     for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();

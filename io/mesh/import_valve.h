@@ -54,6 +54,7 @@ struct ImportOptions {
   int branches = 3;         ///< insertions per marginal chorda, 1 to 5
   double branch_at = 0.75;  ///< share of the way from tip to insertion, [0.05, 0.95]
   double slack = 1.0;       ///< chordae lengths over straight distances, [0.8, 1.5]
+  TissueReference reference = TissueReference::Excised;  ///< what the sheets are
 };
 
 /// A valve that passes validate(). Every change made is appended to its provenance. Errors point

@@ -243,7 +243,7 @@ AXES = {
     "dilation": "AP dilation, %",
     "tips": "tips displaced, mm",
 }
-SCENES = {"commissures": "human-normal, annulus 20 % narrower: surplus tissue at the commissures"}
+SCENES = {"commissures": "human-normal, annulus 30 % narrower: surplus tissue at the commissures"}
 
 
 def draw_map(axis, cells, methods):

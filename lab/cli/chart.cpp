@@ -145,7 +145,7 @@ void add_stability(Command chart, int& status) {
   command.footer(
       "Methods thesis, unguarded, fast, newton and xpbd make one attempt each; coapt is the\n"
       "closure of coapt itself, with default options, which tries again where an attempt fails.\n"
-      "Scene commissures is human-normal with its annulus 20 % narrower. Takes several minutes on\n"
+      "Scene commissures is human-normal with its annulus 30 % narrower. Takes several minutes on\n"
       "one core.\n\n"
       "Examples:\n"
       "  coapt-lab chart stability -o charts\n"

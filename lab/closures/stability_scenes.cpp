@@ -12,11 +12,13 @@
 namespace coapt {
 namespace {
 
-constexpr double kNarrowed = 0.8;  // of the anteroposterior diameter is left
+constexpr double kNarrowed = 0.7;  // of the anteroposterior diameter is left
 
+/// Without bending, which the comparators do not know.
 Valve base_valve(const std::string& name, int triangles) {
-  if (name != kCommissures) return *make_preset(name, triangles);
-  Valve valve = *make_preset("human-normal", triangles);
+  Valve valve = *make_preset(name == kCommissures ? "human-normal" : name, triangles);
+  valve.tissue.bending_n_mm = 0.0;
+  if (name != kCommissures) return valve;
   valve.annulus_mm.col(1) *= kNarrowed;
   valve.name = name;
   return valve;

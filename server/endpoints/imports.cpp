@@ -50,6 +50,10 @@ std::vector<std::string> read_short_texts(const JsonPlace& place) {
   return read_list(place, read_short_text);
 }
 
+TissueReference read_state(const JsonPlace& place) {
+  return read_name<TissueReference>(place, {TissueReference::Excised, TissueReference::InVivo});
+}
+
 /// Either all of one kind of files or all of the other.
 Errors check_files(const Asked& asked) {
   ProblemList problems;
@@ -114,7 +118,8 @@ Answer ImportValve::operator()(const Request& request) const {
                                 {"triangles", into(options.triangles, whole(100, 100'000)), false},
                                 {"branches", into(options.branches, whole(1, 5)), false},
                                 {"branch_at", into(options.branch_at, number(0.05, 0.95)), false},
-                                {"slack", into(options.slack, number(0.8, 1.5)), false}}))
+                                {"slack", into(options.slack, number(0.8, 1.5)), false},
+                                {"reference", into(options.reference, read_state), false}}))
     return *std::move(refused);
   if (const Errors errors = check_files(asked); !errors.empty()) return problem(422, errors);
   const Compute::Turn turn(compute);

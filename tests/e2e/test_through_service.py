@@ -182,7 +182,7 @@ class OnlyHere(ThroughService):
         ring = self.write("ring.json", RING)
         for arguments, named in [
             (("close", VALVE, "--method", "thesis"), "--method"),
-            (("close", VALVE, "--membrane", "continuum"), "--membrane"),
+            (("close", VALVE, "--membrane", "springs"), "--membrane"),
             (("close", VALVE, "--oblique"), "--oblique"),
             (("close", VALVE, "--accuracy", 1), "--accuracy"),
             (("evaluate", VALVE, ring, "--no-evidence", "--threads", 1), "--threads"),

@@ -116,7 +116,7 @@ class Client:
         :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior sheet, or one skirt
         :param annulus: CSV of x,y,z, or a closed curve of Slicer (.mrk.json)
         :param chordae: CSV or JSON
-        :param options: provenance (sentences), triangles, branches, branch_at, slack
+        :param options: provenance (sentences), triangles, branches, branch_at, slack, reference
         :raises Refused: what is wrong with which file
         """
         return self._imported(files_to_import(leaflets, annulus, chordae), name, options)

@@ -23,6 +23,7 @@ Expected<Valve> imported(const std::vector<NamedFile>& files, int triangles) {
   if (!source) return source.errors();
   ImportOptions options;
   options.triangles = triangles;
+  options.reference = TissueReference::InVivo;  // as the presets
   return import_valve(*source, options);
 }
 
@@ -38,8 +39,8 @@ NamedFile& named(std::vector<NamedFile>& files, const std::string& name) {
 }
 
 /// What both show of a closed valve, compared as two meshes of one valve may be.
-void expect_closes_alike(const std::string& preset) {
-  const Valve valve = *make_preset(preset);
+void expect_closes_alike(const std::string& preset, int triangles) {
+  const Valve valve = *make_preset(preset, triangles);
   const Expected<Valve> again = imported(folder_of(valve), static_cast<int>(valve.faces.rows()));
   ASSERT_TRUE(again) << again.errors()[0].path << ": " << again.errors()[0].message;
   EXPECT_TRUE(validate(*again).empty());
@@ -56,11 +57,12 @@ void expect_closes_alike(const std::string& preset) {
 }
 
 TEST(SlicerHeart, ACompetentValveThatGoesOutAndInClosesAlike) {
-  expect_closes_alike("human-normal");
+  expect_closes_alike("human-normal", 650);
 }
 
 TEST(SlicerHeart, ALeakingValveThatGoesOutAndInClosesAlike) {
-  expect_closes_alike("human-functional-mr");
+  // Chordae end at vertices there: on coarser meshes that moves them by more than a millimetre.
+  expect_closes_alike("human-functional-mr", 1300);
 }
 
 TEST(SlicerHeart, TreesRestLengthsAndHeadsComeBack) {

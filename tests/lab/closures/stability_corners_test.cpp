@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(OfTheMap, StabilityCorner,
 
 TEST(StabilityCommissures, CrossWithVertexFaceContactAloneAndNotInTheEnd) {
   const Valve valve = make_stability_scene(kCommissures, Difficulty::Step, 1.0).valve;
-  const ClosureModel model = make_closure_model(valve);
+  const ClosureModel model = make_closure_model(valve, Membrane::Springs);
   RelaxationSettings settings;
   settings.guards = false;
   const ClosureRun attempt = relax<float>(model, settings);
