@@ -134,7 +134,7 @@ TEST(Comparators, PressAVertexOnATriangleUntilContactBalancesTheSpring) {
 
 /// What the comparators know: springs that bend freely.
 ClosureModel spring_model() {
-  Valve valve = *make_preset("human-functional-mr", 300);
+  Valve valve = *make_preset("porcine-thesis", 300);
   valve.tissue.bending_n_mm = 0.0;
   return make_closure_model(valve, Membrane::Springs);
 }
