@@ -10,7 +10,11 @@
 namespace coapt {
 namespace {
 
-constexpr double kSettled = 1e-12;  // of the surface's size: a round that moves nothing further
+// Of the surface's size: a round that moves no point further. Where the shapes agree, rounds converge quadratically, and
+// the next one would move 1e-14.
+constexpr double kSettled = 1e-7;
+// The same for rounds between which other points pull: they go to and fro without end.
+constexpr double kUnsettled = 1e-4;
 constexpr double kFree =
     1e-9;  // of the stiffest motion: what no face resists, as sliding along a plane
 constexpr double kBetter = 2.0 / 3.0;
@@ -47,9 +51,9 @@ class Rounds {
         next = pairs_at(composed(fit.motion, step));
       }
       const double way = (moved(pairs.from_mm, step) - pairs.from_mm).rowwise().norm().maxCoeff();
-      fit.settled = way <= kSettled * size_mm_;
       // Then other points pull than before.
       if (next.mean_square_mm2 > pairs.mean_square_mm2) ++rises;
+      fit.settled = way <= (rises < kMostRises ? kSettled : kUnsettled) * size_mm_;
       fit.motion = composed(fit.motion, step);
       pairs = std::move(next);
     }

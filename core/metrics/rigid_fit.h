@@ -32,7 +32,7 @@ struct SurfaceFit {
   RigidMotion motion;
   double rms_mm = 0.0;  ///< of the moved points from the surface, all of them
   int rounds = 0;
-  bool settled = false;  ///< the last round moved nothing; else the rounds ran out
+  bool settled = false;  ///< the last rounds moved hardly anything; else they ran out
 };
 
 /// From `start` on. At least one point.

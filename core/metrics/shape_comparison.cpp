@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -144,13 +145,21 @@ LeafletMesh in_pieces(Points vertices_mm, Faces faces) {
 }
 
 bool have_same_nodes(const LeafletMesh& a, const LeafletMesh& b) {
-  constexpr double kSharedEdges = 0.6;  // of quadrangles all split the other way: two thirds
   if (a.vertices_mm.rows() != b.vertices_mm.rows() || a.faces.rows() != b.faces.rows())
     return false;
   const auto of_a = edges_of(a.faces), of_b = edges_of(b.faces);
-  const auto shared = std::count_if(of_a.begin(), of_a.end(),
-                                    [&](const auto& edge) { return of_b.contains(edge); });
-  return static_cast<double>(shared) >= kSharedEdges * static_cast<double>(of_a.size());
+  if (of_a.size() != of_b.size()) return false;
+  // Edges of a alone must be diagonals of quadrangles that b splits the other way.
+  std::map<std::pair<int, int>, std::vector<int>> opposite;
+  for (Eigen::Index f = 0; f < a.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const auto edge = std::minmax({a.faces(f, k), a.faces(f, (k + 1) % 3)});
+      if (!of_b.contains(edge)) opposite[edge].push_back(a.faces(f, (k + 2) % 3));
+    }
+  return std::all_of(opposite.begin(), opposite.end(), [&](const auto& entry) {
+    const std::vector<int>& corners = entry.second;
+    return corners.size() == 2 && of_b.contains(std::minmax({corners[0], corners[1]}));
+  });
 }
 
 std::vector<LeafletArea> leaflet_areas(const LeafletMesh& mesh) {

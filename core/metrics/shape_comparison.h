@@ -26,8 +26,7 @@ LeafletMesh without_loose_vertices(const LeafletMesh& mesh);
 /// One leaflet for each piece that hangs together by shared vertices: "piece 1" is that of the first face.
 LeafletMesh in_pieces(Points vertices_mm, Faces faces);
 
-/// As many nodes and triangles, and at least six of ten edges between the same nodes: quadrangles may be split along either
-/// diagonal.
+/// As many nodes and the same triangles between them, except that quadrangles may be split along either diagonal.
 bool have_same_nodes(const LeafletMesh& a, const LeafletMesh& b);
 
 struct LeafletArea {

@@ -99,6 +99,18 @@ TEST(RigidFit, FindsAMeshThatComesFromAnotherFrame) {
   }
 }
 
+TEST(RigidFit, SettlesBetweenShapesThatDiffer) {
+  const LeafletMesh whole = bowl();
+  LeafletMesh bumpy = bowl({-16.0, 14.0, -11.0, 9.5, 25, 17});
+  for (Eigen::Index i = 0; i < bumpy.vertices_mm.rows(); ++i)
+    bumpy.vertices_mm(i, 2) += 0.4 * std::sin(1.3 * static_cast<double>(i));
+  const LeafletMesh away = moved(bumpy, motion_of(5.0, {0.2, 0.9, 0.4}, {0.8, -0.5, 1.0}));
+  const SurfaceFit fit = fit_to_surface(away.vertices_mm, tree_of(whole));
+  EXPECT_TRUE(fit.settled) << fit.rounds;
+  EXPECT_LT(fit.rms_mm, 0.5);
+  EXPECT_LT(largest_distance_mm(moved(away.vertices_mm, fit.motion), bumpy.vertices_mm), 0.5);
+}
+
 TEST(RigidFit, SlidesNowhereAlongAPlane) {
   const SurfaceTree tree = tree_of(plane({-20.0, 20.0, -20.0, 20.0, 8, 8}, 0.0));
   const Points above = plane({-5.0, 5.0, -5.0, 5.0, 5, 5}, 0.75).vertices_mm;

@@ -33,8 +33,9 @@ TEST(ShapeComparison, TakesQuadranglesSplitTheOtherWayForTheSameNodes) {
   split.flip = true;
   EXPECT_TRUE(have_same_nodes(bowl(), bowl(split)));
   LeafletMesh renumbered = bowl();
+  // By one: nearly all edges of a grid are still edges.
   for (int& vertex : renumbered.faces.reshaped())
-    vertex = vertex * 7 % static_cast<int>(renumbered.vertices_mm.rows());
+    vertex = (vertex + 1) % static_cast<int>(renumbered.vertices_mm.rows());
   EXPECT_FALSE(have_same_nodes(bowl(), renumbered));
   EXPECT_FALSE(have_same_nodes(bowl(), bowl({-15.0, 15.0, -10.0, 10.0, 20, 30})));
 }
