@@ -40,6 +40,7 @@ httplib[.]h     : server clients/cli
 CLI/            : io/command_line
 nlohmann/       : io server clients/cli lab
 sqlite3[.]h     : io/store
+lzma[.]h        : io/mesh
 pagmo/          : lab/rivals
 dlib/           : lab/rivals
 '

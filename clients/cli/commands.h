@@ -14,6 +14,7 @@ void add_valve_check(Command parent, int& status);
 void add_valve_info(Command parent, int& status);
 void add_valve_remodel(Command parent, int& status);
 void add_close(Command parent, int& status);
+void add_compare(Command parent, int& status);
 void add_evaluate(Command parent, int& status);
 void add_export(Command parent, int& status);
 void add_plan(Command parent, int& status);

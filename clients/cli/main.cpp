@@ -15,6 +15,7 @@ void add_commands(Command app, int& status) {
   add_valve_info(valve, status);
   add_valve_remodel(valve, status);
   add_close(app, status);
+  add_compare(app, status);
   add_evaluate(app, status);
   add_export(app, status);
   add_plan(app, status);

@@ -45,6 +45,10 @@ void MeshBuilder::add_vertex(const Vec3& position_mm, int line) {
 }
 
 void MeshBuilder::add_polygon(const std::vector<long long>& corners, int line) {
+  add_polygon(corners, line, polygons_++);
+}
+
+void MeshBuilder::add_polygon(const std::vector<long long>& corners, int line, int polygon) {
   const std::string path = "/faces/" + std::to_string(faces());
   if (corners.size() < 3 || corners.size() > kMaxCorners) {
     add_problem(ErrorCode::OutOfRange, path, line,
@@ -52,7 +56,7 @@ void MeshBuilder::add_polygon(const std::vector<long long>& corners, int line) {
     return;
   }
   for (std::size_t i = 2; i < corners.size(); ++i) {
-    faces_.push_back({{corners[0], corners[i - 1], corners[i]}, line});
+    faces_.push_back({{corners[0], corners[i - 1], corners[i]}, line, polygon});
   }
   if (faces_.size() > kMaxFaces) {
     add_problem(ErrorCode::OutOfRange, "/faces", line,
@@ -84,8 +88,9 @@ Expected<TriangleMesh> MeshBuilder::take() && {
     add_problem(ErrorCode::MissingField, "/faces", 0, "is empty; a leaflet needs triangles");
   }
   if (!problems_.empty()) return std::move(problems_).take();
-  TriangleMesh mesh{as_points(vertices_), Faces(static_cast<Eigen::Index>(usable), 3)};
+  TriangleMesh mesh{as_points(vertices_), Faces(static_cast<Eigen::Index>(usable), 3), {}};
   for (std::size_t i = 0; i < usable; ++i) {
+    mesh.polygons.push_back(faces_[i].polygon);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       mesh.faces(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(corner)) =
           static_cast<int>(faces_[i].corners[corner]);
@@ -108,7 +113,7 @@ Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format
     if (!data) return data.errors();
     if (data->faces.rows() == 0)
       return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};
-    return TriangleMesh{std::move(data->points_mm), std::move(data->faces)};
+    return TriangleMesh{std::move(data->points_mm), std::move(data->faces), {}};
   }
   return Error{
       ErrorCode::Unsupported, "",

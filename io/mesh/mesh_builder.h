@@ -21,6 +21,8 @@ class MeshBuilder {
 
   /// Indices from 0; three or more corners are split into a fan.
   void add_polygon(const std::vector<long long>& corners, int line);
+  /// `polygon`: its number in TriangleMesh::polygons, where that is not the number of those before.
+  void add_polygon(const std::vector<long long>& corners, int line, int polygon);
 
   /// A problem at the file as a whole or one line of it.
   void add_problem(ErrorCode code, const std::string& path, int line, const std::string& message);
@@ -40,10 +42,11 @@ class MeshBuilder {
  private:
   struct Triangle {
     std::array<long long, 3> corners;
-    int line;
+    int line, polygon;
   };
   std::vector<Vec3> vertices_;
   std::vector<Triangle> faces_;
+  int polygons_ = 0;
   ProblemList problems_;
 };
 

@@ -1,17 +1,19 @@
 // Triangle meshes in the formats that segmentation tools write: OBJ, PLY (ASCII and binary), STL
-// (ASCII and binary), legacy VTK (ASCII).
+// (ASCII and binary), legacy VTK (ASCII). Unstructured grids of XML VTK: vtu.h.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/valve/types.h"
 
 namespace coapt {
 
 struct TriangleMesh {
-  Points vertices_mm;  ///< n x 3
-  Faces faces;         ///< m x 3
+  Points vertices_mm;           ///< n x 3
+  Faces faces;                  ///< m x 3
+  std::vector<int> polygons{};  ///< m: which polygon or cell of the file each is of, from 0
 };
 
 /// @param format "obj", "ply", "stl" or "vtk". Polygons are split into fans; STL vertices are welded.

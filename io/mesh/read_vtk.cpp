@@ -192,7 +192,8 @@ class VtkReader {
   void polygons() {
     const Cells cells = this->cells("/faces");
     for (std::size_t i = 0; i < cells.count() && !mesh_.full(); ++i)
-      mesh_.add_polygon(cells.cell(i), words_.line());
+      mesh_.add_polygon(cells.cell(i), words_.line(), static_cast<int>(polygon_cells_ + i));
+    polygon_cells_ += cells.count();
   }
 
   void strips() {
@@ -200,8 +201,10 @@ class VtkReader {
     for (std::size_t i = 0; i < cells.count(); ++i) {
       const auto strip = cells.cell(i);
       for (std::size_t k = 2; k < strip.size() && !mesh_.full(); ++k)
-        mesh_.add_polygon({strip[k - 2], strip[k - 1 + k % 2], strip[k - k % 2]}, words_.line());
+        mesh_.add_polygon({strip[k - 2], strip[k - 1 + k % 2], strip[k - k % 2]}, words_.line(),
+                          static_cast<int>(polygon_cells_ + i));
     }
+    polygon_cells_ += cells.count();
   }
 
   void scalars() {
@@ -303,6 +306,14 @@ class VtkReader {
     if (!mesh) return mesh.errors();
     data_.points_mm = std::move(mesh->vertices_mm);
     data_.faces = std::move(mesh->faces);
+    for (const VtkScalars& cells : cell_data_) {
+      VtkScalars& scalars = data_.face_data.emplace_back();
+      scalars.name = cells.name;
+      for (const int polygon : mesh->polygons) {
+        const std::size_t cell = other_cells_ + static_cast<std::size_t>(polygon);
+        scalars.values.push_back(cell < cells.values.size() ? cells.values[cell] : 0.0);
+      }
+    }
     return std::move(data_);
   }
 
@@ -311,6 +322,8 @@ class VtkReader {
   VtkPolyData data_;
   std::vector<std::size_t> cell_of_line_;
   std::size_t other_cells_ = 0;  ///< before the next section of cells
+  std::size_t polygon_cells_ =
+      0;  ///< polygons and strips; their data stand behind those of the others
   std::vector<VtkScalars> cell_data_;
   Data where_ = Data::None;
   long long tuples_ = 0;

@@ -37,7 +37,7 @@ inline constexpr const char* kVtkTitle =
 std::string write_vtk(const VtkPolyData& data);
 
 /// Versions 2 to 5. Polylines become pieces, polygons and strips triangles; of the data only scalars of
-/// lines are kept. Errors name the line. Unsupported: binary files, other datasets than POLYDATA.
+/// lines and faces are kept. Errors name the line. Unsupported: binary files, other datasets than POLYDATA.
 Expected<VtkPolyData> read_vtk(std::string_view text);
 
 }  // namespace coapt

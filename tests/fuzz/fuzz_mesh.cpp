@@ -5,13 +5,14 @@
 
 #include "io/exchange/markups.h"
 #include "io/mesh/import_valve.h"
+#include "io/mesh/vtu.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace coapt;
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(bytes) + 1, size - 1);
   constexpr std::string_view kMeshes[] = {"obj", "ply", "stl", "vtk"};
-  switch (bytes[0] % 8) {
+  switch (bytes[0] % 9) {
     case 4:
       (void)read_chordae(text, "csv");
       return 0;
@@ -24,10 +25,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     case 7:
       (void)read_markups(text);
       return 0;
+    case 8:
+      (void)read_vtu(text);
+      return 0;
     default:
       break;
   }
-  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 8]);
+  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 9]);
   if (!mesh) return 0;
   const bool indices =
       mesh->faces.minCoeff() >= 0 && mesh->faces.maxCoeff() < mesh->vertices_mm.rows();

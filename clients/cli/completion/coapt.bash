@@ -19,6 +19,7 @@ _coapt_values() {
   case $1 in
     --method) echo fast thesis ;;
     --membrane) echo springs continuum ;;
+    --align) echo auto none rigid ;;
     --protocol) echo lookup-clamped lookup-extended closed optimum ;;
     --displacement-step) echo 1 2 3 6 ;;
     --server) echo http://127.0.0.1:8080 ;;

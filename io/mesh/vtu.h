@@ -1,0 +1,30 @@
+// VTK's XML format of unstructured grids (.vtu), which finite element codes and ParaView write: what of it is a surface.
+// Read here and not by VTK's libraries, which bring 52 shared libraries into a program for one format.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/mesh/mesh_file.h"
+
+namespace coapt {
+
+/// Numbers of each point, or of each cell.
+struct VtuArray {
+  std::string name;
+  int components = 1;
+  std::vector<double> values;  ///< row by row
+};
+
+struct VtuGrid {
+  TriangleMesh mesh;  ///< TriangleMesh::polygons: the cell of each triangle
+  std::vector<VtuArray> point_data, cell_data;
+};
+
+/// One piece; numbers as text, as base64 or raw, apart or in place, plain or compressed by zlib or LZMA. Triangles,
+/// quadrangles, pixels, polygons and strips; points and lines (chordae) are passed over. Unsupported: cells with a volume,
+/// quadratic cells, several pieces, LZ4, big-endian files.
+Expected<VtuGrid> read_vtu(std::string_view bytes);
+
+}  // namespace coapt
