@@ -11,10 +11,11 @@ struct ServiceLimits {
   int evaluations = 100'000;      ///< of a search
   double vertex_steps = 25e6;     ///< steps times vertices, of a closure that a client waits for
   double request_seconds = 10.0;  ///< of computing for a client that waits
-  double seconds = 3600.0;   ///< of a job's running; asked for more, or for no limit, it gets this
-  Retention retention = {};  ///< enforced when a job or a valve comes
-  int kept_plans = 1000;     ///< in all; over it 409
-  int queue = 100;           ///< jobs that wait to be run; over it 429
+  double seconds = 3600.0;  ///< of a job's running; asked for more, or for no limit, it gets this
+  Retention retention =
+      {};  ///< enforced when a job or a valve comes; of closures, when a job has ended
+  int kept_plans = 1000;  ///< in all; over it 409
+  int queue = 100;        ///< jobs that wait to be run; over it 429
   int evaluation_closures =
       500;  ///< of POST /v1/evaluations: plans times region points and evidence, of 650 triangles; fewer of larger valves
   int wait_seconds = 60;  ///< of Prefer: wait

@@ -16,6 +16,7 @@
 #include "io/store/closure_store.h"
 #include "io/store/plan_store.h"
 #include "server/content_id.h"
+#include "server/jobs/closure_retention.h"
 #include "server/jobs/plan_job.h"
 #include "server/jobs/study_job.h"
 #include "server/login_accounts.h"
@@ -116,6 +117,8 @@ int serve(const ServerOptions& options, const Access& access) {
     return fail(kFailure, opened.errors());
   JobBoard board(*store, options.service.queue, options.service.retention);
   if (const Errors errors = board.resume(); !errors.empty()) return fail(kFailure, errors);
+  const ClosureRetention retention{*store, options.service.retention, plans, studies};
+  static_cast<void>(retention(wall_clock_ms()));  // else after the next job
 
   const std::string folder = options.web.empty() ? usual_page_folder() : options.web;
   const Expected<Page> read = folder.empty() ? Page{} : read_page(folder);
@@ -125,11 +128,20 @@ int serve(const ServerOptions& options, const Access& access) {
   Metrics metrics;
   ValveCache known;
   Compute parsing, compute;
+  SearchReports reports;
   const PageTokens tokens;
   HttpServer* running = nullptr;
-  const Service service{
-      options.service, *store,  board, known,  parsing,
-      compute,         metrics, page,  tokens, [&running] { return running->load(); }};
+  const Service service{options.service,
+                        *store,
+                        board,
+                        known,
+                        parsing,
+                        compute,
+                        reports,
+                        metrics,
+                        page,
+                        tokens,
+                        [&running] { return running->load(); }};
   const Routes routes = routes_of(service);
   HttpServer http(options.http, routes, access, [&](const Exchange& exchange) {
     metrics.observe(exchange);
@@ -145,7 +157,9 @@ int serve(const ServerOptions& options, const Access& access) {
     const JobRunner runner(board,
                            {{"plans", PlanJob{board, *store, options.service, plans}},
                             {"study", StudyJob{board, *store, options.service, studies}}},
-                           options.service.running_jobs);
+                           options.service.running_jobs, [&retention](const Job& ended) {
+                             static_cast<void>(retention(ended, wall_clock_ms()));
+                           });
     print_address(options.host, *port, options.token_file.empty() ? access.token : "");
     served = http.run();
     board.stop();
@@ -170,6 +184,8 @@ int run(int argc, char** argv) {
       "http://127.0.0.1:8080/v1/plans");
   line.end_helps_with(std::string(kResearchNotice));
   if (const std::optional<int> ended = line.parse(argc, argv)) return *ended;
+  if (const Errors errors = check_together(options); !errors.empty())
+    return fail(kBadInput, errors);
 
   Access access;
   access.hosts.insert(options.hosts.begin(), options.hosts.end());

@@ -17,6 +17,7 @@ constexpr std::size_t kLeastBytes = 1400;  // less fits into one packet
 constexpr std::size_t kTagLength = 32;     // of the 64 digits of a content's id
 constexpr int kWindowBits = 15,
               kGzip = 16;  // of deflateInit2: the largest window, with the header of gzip
+constexpr std::size_t kSizeBytes = 4;  // at the end of what is compressed (RFC 1952, 2.3)
 
 /// Calls `take` with each member of a list that commas separate, until it returns true; whether it did.
 template <class Take>
@@ -62,6 +63,25 @@ std::string gzip(std::string_view bytes, int level) {
   compressed.resize(stream.total_out);
   deflateEnd(&stream);
   return compressed;
+}
+
+std::optional<std::string> gunzip(std::string_view compressed, std::size_t most) {
+  if (compressed.size() < kSizeBytes) return std::nullopt;
+  std::size_t size = 0;  // the last four bytes, the least significant first
+  for (std::size_t i = 0; i < kSizeBytes; ++i)
+    size |= std::size_t{static_cast<unsigned char>(compressed[compressed.size() - kSizeBytes + i])}
+            << (8 * i);
+  if (size > most) return std::nullopt;
+  std::string bytes(size, '\0');
+  z_stream stream{};
+  if (inflateInit2(&stream, kWindowBits + kGzip) != Z_OK) throw std::bad_alloc();
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.data()));
+  stream.avail_in = static_cast<uInt>(compressed.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  const bool is_whole = inflate(&stream, Z_FINISH) == Z_STREAM_END && stream.total_out == size;
+  inflateEnd(&stream);
+  return is_whole ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
 bool takes_gzip(std::string_view accept_encoding) {

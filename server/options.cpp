@@ -1,5 +1,7 @@
 #include "server/options.h"
 
+#include "server/jobs/job_board.h"
+
 namespace coapt {
 namespace {
 
@@ -41,9 +43,12 @@ void add_service_limits(Command app, ServiceLimits& service) {
   add_limit(app, "--kept-jobs", service.retention.jobs, 1, 1'000'000,
             "Ended jobs that it keeps, at most; the oldest go first");
   add_limit(app, "--kept-days", service.retention.days, 0.0, 36500.0,
-            "Days that it keeps an ended job; 0: no limit");
+            "Days that it keeps an ended job, and closures that no job has used; 0: no limit");
   add_limit(app, "--kept-valves", service.retention.valves, 1, 1'000'000,
             "Valves that it keeps, at most, besides those of jobs and kept plans");
+  add_limit(app, "--kept-closures", service.retention.closures, 1, 1'000'000'000,
+            "Closures that it keeps of searches, at most, and as many of studies; those of a valve "
+            "go together, the one used least recently first");
   add_limit(app, "--queue", service.queue, 1, 100'000, "Jobs that wait, at most");
   add_limit(app, "--evaluation-closures", service.evaluation_closures, 1, 1'000'000,
             "Closures of one POST /v1/evaluations at most (plans times region points, and "
@@ -87,6 +92,25 @@ void add_options(Command app, ServerOptions& options) {
                "A line on standard error for each request: method, route, status, milliseconds");
   add_http_limits(app, options.http);
   add_service_limits(app, options.service);
+}
+
+Errors check_together(const ServerOptions& options) {
+  const HttpLimits& http = options.http;
+  Errors errors;
+  const auto refuse = [&errors](const std::string& message) {
+    errors.push_back({ErrorCode::OutOfRange, "", message});
+  };
+  if (http.streams > http.requests / 2)
+    refuse("--streams is " + std::to_string(http.streams) + ", must be at most " +
+           std::to_string(http.requests / 2) +
+           ", half of --requests: each stream holds a thread that answers requests");
+  if (options.service.wait_seconds > 0 && http.requests / 2 <= JobBoard::kMostWaiting)
+    refuse(
+        "--requests is " + std::to_string(http.requests) + ", must be at least " +
+        std::to_string(2 * JobBoard::kMostWaiting + 2) +
+        " where clients may wait for jobs: half of the threads answer requests with a body, and " +
+        std::to_string(JobBoard::kMostWaiting) + " may wait (or --wait-seconds 0)");
+  return errors;
 }
 
 }  // namespace coapt

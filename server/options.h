@@ -26,4 +26,7 @@ struct ServerOptions {
 
 void add_options(Command app, ServerOptions& options);
 
+/// What speaks against flags that are each in range.
+Errors check_together(const ServerOptions& options);
+
 }  // namespace coapt

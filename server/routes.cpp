@@ -13,7 +13,8 @@
 namespace coapt {
 
 Routes routes_of(const Service& service) {
-  const auto& [limits, store, jobs, known, parsing, compute, metrics, page, tokens, load] = service;
+  const auto& [limits, store, jobs, known, parsing, compute, reports, metrics, page, tokens, load] =
+      service;
   const ValveSource valves{store, limits, known, parsing};
   const Submitting submitting{valves, jobs};
   return {
@@ -52,11 +53,11 @@ Routes routes_of(const Service& service) {
       {"GET", "/v1/jobs/{id}/plans/{rank}", GetPlan{store}},
       {"GET", "/v1/jobs/{id}/plans/{rank}/mesh", GetPlanMesh{store, limits, compute}},
       {"GET", "/v1/jobs/{id}/plans/{rank}/picture", GetPlanPicture{store, limits, compute}},
-      {"GET", "/v1/jobs/{id}/plans/{rank}/report", GetPlanReport{store}},
+      {"GET", "/v1/jobs/{id}/plans/{rank}/report", GetPlanReport{store, reports}},
       {"GET", "/v1/jobs/{id}/evaluations.csv", GetTriedPlans{store}},
-      {"GET", "/v1/jobs/{id}/report", GetReport{store}},
-      {"GET", "/v1/jobs/{id}/files", GetFiles{store}},
-      {"GET", "/v1/jobs/{id}/files/{name}", GetFile{store}},
+      {"GET", "/v1/jobs/{id}/report", GetReport{store, reports}},
+      {"GET", "/v1/jobs/{id}/files", GetFiles{store, limits, reports}},
+      {"GET", "/v1/jobs/{id}/files/{name}", GetFile{store, reports}},
 
       {"GET", "/healthz/live", GetLive{}},
       {"GET", "/healthz/ready", GetReady{store, jobs}},

@@ -6,6 +6,7 @@
 #include "server/compute.h"
 #include "server/http.h"
 #include "server/jobs/job_board.h"
+#include "server/jobs/search_reports.h"
 #include "server/limits.h"
 #include "server/metrics.h"
 #include "server/page.h"
@@ -22,6 +23,7 @@ struct Service {
   ValveCache& known;
   Compute& parsing;  ///< turns for bodies that are read
   Compute& compute;  ///< turns for closures that are waited for
+  SearchReports& reports;
   const Metrics& metrics;
   const Page& page;
   const PageTokens& tokens;

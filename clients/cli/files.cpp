@@ -16,7 +16,8 @@
 namespace coapt {
 namespace {
 
-constexpr std::size_t kMaxInputBytes = std::size_t{256} << 20;
+// As much as a JSON document may have (io/json/json_reader.h); a binary mesh of so many has 1.3 million triangles.
+constexpr std::size_t kMaxInputBytes = std::size_t{64} << 20;
 
 Expected<std::string> read_stream(std::istream& stream) {
   std::string bytes;
@@ -25,7 +26,7 @@ Expected<std::string> read_stream(std::istream& stream) {
          stream.gcount() > 0) {
     bytes.append(block, 0, static_cast<std::size_t>(stream.gcount()));
     if (bytes.size() > kMaxInputBytes) {
-      return Error{ErrorCode::InputOutput, "", "larger than 256 MiB"};
+      return Error{ErrorCode::InputOutput, "", "larger than 64 MiB"};
     }
   }
   if (stream.bad()) return Error{ErrorCode::InputOutput, "", "cannot be read"};

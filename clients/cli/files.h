@@ -17,7 +17,7 @@ inline constexpr const char* kValveHelp =
     "Valve file (coapt.valve/1), - for standard input, or the name of a preset if there is no such "
     "file";
 
-/// The bytes of a file, or of standard input if `path` is "-", which can be read once; at most 256
+/// The bytes of a file, or of standard input if `path` is "-", which can be read once; at most 64
 /// MiB.
 Expected<std::string> read_input(const std::string& path);
 

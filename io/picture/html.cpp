@@ -63,7 +63,7 @@ std::string table_html(const std::vector<std::vector<std::string>>& cells) {
 std::string picture_html(const std::string& png, const std::string& alternative,
                          const std::string& caption) {
   return "<figure><img alt=\"" + escape_html(alternative) + "\" src=\"data:image/png;base64," +
-         base64(png) + "\"><figcaption>" + escape_html(caption) + "</figcaption></figure>\n";
+         png + "\"><figcaption>" + escape_html(caption) + "</figcaption></figure>\n";
 }
 
 std::string chart_html(const std::string& svg, const std::string& caption) {

@@ -21,7 +21,7 @@ std::string list_html(const std::vector<std::string>& words, const std::string& 
 /// The first row is the header. Columns of words stand left, columns of numbers right.
 std::string table_html(const std::vector<std::vector<std::string>>& cells);
 
-/// A picture with words for those who do not see it, and words below.
+/// A picture with words for those who do not see it, and words below. @param png in base64
 std::string picture_html(const std::string& png, const std::string& alternative,
                          const std::string& caption);
 

@@ -37,12 +37,30 @@ std::string title_of(const PlanReport& report) {
 
 std::string without_plans(const PlanReport& report) {
   return "<section><h2>No plan</h2><p>The search ended before any plan was scored.</p>" +
-         picture_html(closure_picture_png(report.before), "The valve before repair",
-                      "Before repair") +
+         picture_html(picture_of(report, {}), "The valve before repair", "Before repair") +
          "</section>\n";
 }
 
 }  // namespace
+
+std::string drawn(const ReportPicture& picture, const ClosedValve& before,
+                  const std::vector<ClosedValve>& after) {
+  switch (picture.view) {
+    case ReportPicture::View::Before:
+      return base64(closure_picture_png(before));
+    case ReportPicture::View::AtrialPair:
+      return base64(atrial_pair_png(before, after.at(picture.plan)));
+    case ReportPicture::View::SectionChange:
+      return base64(section_change_png(before, after.at(picture.plan)));
+    case ReportPicture::View::After:
+      return base64(closure_picture_png(after.at(picture.plan)));
+  }
+  return "";
+}
+
+std::string picture_of(const PlanReport& report, const ReportPicture& picture) {
+  return report.picture ? report.picture(picture) : drawn(picture, report.before, report.after);
+}
 
 std::string plan_report_html(const PlanReport& report) {
   const std::string contents =

@@ -1,6 +1,8 @@
 // The plan report: one HTML file, no scripts, nothing fetched.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,13 +11,26 @@
 
 namespace coapt {
 
+/// A picture of a report.
+struct ReportPicture {
+  enum class View { Before, AtrialPair, SectionChange, After };
+  View view = View::Before;
+  std::size_t plan = 0;  ///< index of the plan, of all but Before
+};
+
 struct PlanReport {
   const ClosedValve& before;
   const std::vector<ClosedValve>& after;  ///< of the ranked plans, best first; may be fewer
   const SearchResult& result;
   const SearchRequest& request;
   int about = 0;  ///< rank of the one plan that it is about; 0: all of them, the first in front
+  /// What stands for a picture, in base64; empty: it is drawn.
+  std::function<std::string(const ReportPicture&)> picture = {};
 };
+
+/// PNG, in base64. @param after as of PlanReport, with the picture's plan
+std::string drawn(const ReportPicture& picture, const ClosedValve& before,
+                  const std::vector<ClosedValve>& after);
 
 /// A first page that fits on one sheet (picture, plan in surgical words, figures that matter, what to watch,
 /// other plans), then the evidence, then the limits and how to get the same again.

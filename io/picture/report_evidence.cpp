@@ -117,9 +117,9 @@ std::string details(const PlanReport& report, std::size_t index) {
           independent_words(plan.region.independent_leak_mm2) +
           before_and_after(before, plan.measure) + gates_table(plan.gates);
   if (index < report.after.size() && index < kPictures)
-    html +=
-        picture_html(closure_picture_png(report.after[index]), "Atrial view and long-axis section",
-                     "Rank " + rank + ", closed under systolic pressure.");
+    html += picture_html(picture_of(report, {ReportPicture::View::After, index}),
+                         "Atrial view and long-axis section",
+                         "Rank " + rank + ", closed under systolic pressure.");
   return html + "</details></div>\n";
 }
 

@@ -105,13 +105,13 @@ std::string pictures(const PlanReport& report, std::size_t index) {
                              with_unit(is.orifice.area_mm2, 1, "mm²") + " after";
   return "<div class=\"atrial\">" +
          picture_html(
-             atrial_pair_png(report.before, after),
+             picture_of(report, {ReportPicture::View::AtrialPair, index}),
              "The closed valve seen from the atrium, anterior up, anterolateral left: " + change +
                  ". Implants are drawn over the leaflets.",
              "Closed under systolic pressure, same scale; anterior up, anterolateral left. "
              "Sutures and neochordae lie behind the leaflets.") +
          "</div>\n<div class=\"cut\">" +
-         picture_html(section_change_png(report.before, after),
+         picture_html(picture_of(report, {ReportPicture::View::SectionChange, index}),
                       "Long-axis section through the middle of both leaflets after the repair, "
                       "leaflets before it in grey",
                       "Long axis; papillary tips and sutures are projected.") +

@@ -23,6 +23,9 @@ std::size_t plan_in_front(const PlanReport& report);
 /// Whether the evidence has a part for that plan.
 bool is_told(const PlanReport& report, const RankedPlan& plan);
 
+/// In base64: drawn, or what stands for it.
+std::string picture_of(const PlanReport& report, const ReportPicture& picture);
+
 /// What a surgeon reads in two minutes, on one sheet. @pre there are plans.
 std::string first_page(const PlanReport& report);
 

@@ -40,21 +40,37 @@ constexpr const char* kSelectClosures =
     "SELECT dilation, height, al_transverse, al_posterior, al_apical, pm_transverse, pm_posterior, "
     "pm_apical, sizes, area_mm2, sd_mm2, trusted FROM closures WHERE subject = ?";
 
+// The names are found one after the other in the key, because DISTINCT would read every row.
+constexpr SubjectTables kClosureTables = {
+    .subjects =
+        "WITH RECURSIVE names (name) AS (SELECT min(subject) FROM closures UNION ALL "
+        "SELECT (SELECT min(subject) FROM closures WHERE subject > name) FROM names "
+        "WHERE name IS NOT NULL) SELECT name FROM names WHERE name IS NOT NULL",
+    .count = "SELECT count(*) FROM closures WHERE subject = ?1",
+    .remove =
+        "DELETE FROM closures WHERE (subject, dilation, height, al_transverse, al_posterior, "
+        "al_apical, pm_transverse, pm_posterior, pm_apical, sizes) IN (SELECT subject, dilation, "
+        "height, al_transverse, al_posterior, al_apical, pm_transverse, pm_posterior, pm_apical, "
+        "sizes FROM closures WHERE subject = ?1 LIMIT 10000)",
+    .forget = "",
+    .tidy = ""};
+
 }  // namespace
 
-ClosureStore::ClosureStore(StoreDatabase database, Statement insert)
-    : database_(std::move(database)), insert_(std::move(insert)) {}
+ClosureStore::ClosureStore(std::unique_ptr<StoreConnection> connection, Statement insert)
+    : connection_(std::move(connection)), insert_(std::move(insert)) {}
 
 Expected<ClosureStore> ClosureStore::open(const std::string& path, int lock_timeout_ms) {
   Expected<StoreDatabase> database = StoreDatabase::open(path, kClosureFormat, lock_timeout_ms);
   if (!database) return database.errors();
+  if (Errors errors = add_uses(*database); !errors.empty()) return errors;
   Statement insert = database->prepare(kInsertClosure);
   if (!insert) return database->failure("cannot be opened");
-  return ClosureStore(*std::move(database), std::move(insert));
+  return ClosureStore(std::make_unique<StoreConnection>(*std::move(database)), std::move(insert));
 }
 
 Expected<KnownOrifices> ClosureStore::read(const std::string& subject) const {
-  const Statement rows = database_.prepare(kSelectClosures);
+  const Statement rows = connection_->database.prepare(kSelectClosures);
   KnownOrifices known;
   int step = SQLITE_ERROR;
   if (rows) {
@@ -69,7 +85,7 @@ Expected<KnownOrifices> ClosureStore::read(const std::string& subject) const {
       sample.trusted = sqlite3_column_int(rows.get(), column) != 0;
     }
   }
-  if (step != SQLITE_DONE) return database_.failure("cannot be read");
+  if (step != SQLITE_DONE) return connection_->database.failure("cannot be read");
   return known;
 }
 
@@ -85,9 +101,18 @@ Errors ClosureStore::keep(const std::string& subject, const ConfigurationKey& ke
 
   Errors errors;
   if (sqlite3_step(insert) != SQLITE_DONE)
-    errors.push_back(database_.failure("a closure cannot be kept"));
+    errors.push_back(connection_->database.failure("a closure cannot be kept"));
   sqlite3_reset(insert);
   return errors;
+}
+
+Errors ClosureStore::note_use(const std::string& subject, std::int64_t now_ms) {
+  return coapt::note_use(*connection_, kClosureTables, subject, now_ms);
+}
+
+Errors ClosureStore::retain(const ClosureLimits& limits, const SubjectsInUse& in_use,
+                            std::int64_t now_ms) {
+  return retain_subjects(*connection_, kClosureTables, limits, in_use, now_ms);
 }
 
 }  // namespace coapt

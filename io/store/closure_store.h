@@ -2,14 +2,15 @@
 // none.
 //
 // A row per closure, a transaction per row: what keep() has accepted outlives the process, kill -9
-// included (database.h). Rows are never changed or removed. Several processes may share a file on a
-// local disk.
+// included (database.h). Rows are never changed; retain() alone removes some. Several processes may
+// share a file on a local disk.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "core/valve/types.h"
-#include "io/store/database.h"
+#include "io/store/subject_uses.h"
 #include "search/studies/orifice_table.h"
 
 namespace coapt {
@@ -30,10 +31,14 @@ class ClosureStore {
   /// 0.1 ms in the mean, median 0.01; some 50 ms when the log goes into the file.
   Errors keep(const std::string& subject, const ConfigurationKey& key, const OrificeSample& sample);
 
- private:
-  ClosureStore(StoreDatabase database, Statement insert);
+  /// The subject was used now: see subject_uses.h, likewise below.
+  Errors note_use(const std::string& subject, std::int64_t now_ms);
+  Errors retain(const ClosureLimits& limits, const SubjectsInUse& in_use, std::int64_t now_ms);
 
-  StoreDatabase database_;
+ private:
+  ClosureStore(std::unique_ptr<StoreConnection> connection, Statement insert);
+
+  std::unique_ptr<StoreConnection> connection_;
   Statement insert_;
 };
 

@@ -65,6 +65,10 @@ CREATE TABLE events (
                                     .tells_causes = true};
 
 // Made in files of an earlier coapt, too; one that does not know them leaves them alone.
+constexpr const char* kMaterials = R"(CREATE TABLE IF NOT EXISTS materials (
+  job INTEGER PRIMARY KEY REFERENCES jobs ON DELETE CASCADE,
+  content BLOB NOT NULL
+) STRICT)";
 constexpr std::array kAddedTables = {
     // What lists say, so that they need not read the documents.
     R"(CREATE TABLE valve_summaries (
@@ -129,13 +133,15 @@ Expected<JobStore> JobStore::open(const std::string& path, int lock_timeout_ms) 
   if (Errors errors = store.add_tables(); !errors.empty()) return errors;
   Transaction tables(*store.reader_, Transaction::Kind::Read, "cannot be opened");
   tables.run(
-      "SELECT 1 FROM valves, jobs, bodies, files, events, valve_summaries, kept_plans LIMIT 0");
+      "SELECT 1 FROM valves, jobs, bodies, files, events, valve_summaries, kept_plans, "
+      "materials LIMIT 0");
   if (Errors errors = tables.end(); !errors.empty()) return errors;
   return store;
 }
 
 Errors JobStore::add_tables() {
   Transaction change = writing("cannot be opened");
+  change.run(kMaterials);
   bool are_there = false;
   change.run("SELECT 1 FROM sqlite_schema WHERE name = 'kept_plans'", {},
              [&are_there](const Statement&) { are_there = true; });

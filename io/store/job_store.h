@@ -70,6 +70,7 @@ struct JobEnd {
   std::string progress = {};              ///< JSON; empty: the last that was stored stays
   std::string summary = {}, result = {};  ///< JSON; result may be large, empty: none
   std::vector<JobFile> files = {};        ///< all of different names
+  std::string material = {};  ///< of files that are made when they are asked for; empty: none
 };
 
 /// What a list says of a stored valve.
@@ -104,8 +105,10 @@ struct JobPage {
 /// What stays of what nobody removes.
 struct Retention {
   int jobs = 1000;      ///< ended ones, the newest
-  double days = 0.0;    ///< since a job ended; 0: without limit
+  double days = 0.0;    ///< since a job ended, or closures were used; 0: without limit
   int valves = 10'000;  ///< at most; those that a job or a kept plan refers to stay all the same
+  /// Of searches, and as many of studies; those of jobs that have not ended stay all the same. Some 100 bytes each.
+  int closures = 5'000'000;
 };
 
 /// From any thread. A failure is Busy if another process has the file locked for too long, NoSpace if
@@ -179,6 +182,7 @@ class JobStore {
   /// In the order in which they were given.
   Expected<std::vector<JobFileName>> files(const std::string& id) const;
   Expected<std::optional<JobFile>> file(const std::string& id, const std::string& name) const;
+  Expected<std::optional<std::string>> material(const std::string& id) const;
 
   /// Whether something can be written now: a page, as it is, forced to the disk.
   Errors check_writable();

@@ -113,4 +113,12 @@ Expected<std::optional<JobFile>> JobStore::file(const std::string& id,
   return reads.end_with(std::move(file));
 }
 
+Expected<std::optional<std::string>> JobStore::material(const std::string& id) const {
+  std::optional<std::string> material;
+  Transaction reads = reading();
+  reads.run("SELECT content FROM materials WHERE job = (SELECT number FROM jobs WHERE id = ?)",
+            {id}, [&material](const Statement& row) { material = bytes_at(row, 0); });
+  return reads.end_with(std::move(material));
+}
+
 }  // namespace coapt

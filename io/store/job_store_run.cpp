@@ -78,6 +78,9 @@ Errors JobStore::finish(const std::string& id, const JobEnd& end, std::int64_t n
   if (!end.result.empty())
     change.run("UPDATE bodies SET result = ?2 WHERE job = (SELECT number FROM jobs WHERE id = ?1)",
                {id, Blob{end.result}});
+  if (!end.material.empty())
+    change.run("INSERT INTO materials (job, content) SELECT number, ?2 FROM jobs WHERE id = ?1",
+               {id, Blob{end.material}});
   for (const JobFile& file : end.files)
     change.run(
         "INSERT INTO files (job, name, type, content) SELECT number, ?2, ?3, ?4 FROM jobs "

@@ -38,20 +38,35 @@ CREATE TABLE closures (
                                      // 16 MB: a third faster than 1,000 where every plan is new
                                      .log_pages = 4000};
 
-// Not INSERT OR IGNORE, which would pass over every constraint and not only over the key's.
+// Not INSERT OR IGNORE, which would pass over every constraint and not only over the key's. No row if subject or
+// plan has no name in the file yet.
 constexpr const char* kInsertOutcome =
-    "INSERT INTO closures VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING";
+    "INSERT INTO closures SELECT subjects.number, plans.number, ?, ?, ?, ?, ?, ?, ?, ? "
+    "FROM subjects CROSS JOIN plans WHERE subjects.name = ? AND plans.name = ? "
+    "ON CONFLICT DO NOTHING";
 constexpr const char* kInsertSubject =
     "INSERT INTO subjects (name) VALUES (?) ON CONFLICT DO NOTHING";
 constexpr const char* kInsertPlan = "INSERT INTO plans (name) VALUES (?) ON CONFLICT DO NOTHING";
-constexpr const char* kSelectSubject = "SELECT number FROM subjects WHERE name = ?";
-constexpr const char* kSelectPlan = "SELECT number FROM plans WHERE name = ?";
 
 // CROSS JOIN: closures outside, plans inside. In the order of the key, so nothing is sorted.
 constexpr const char* kSelectOutcomes =
     "SELECT plan, name, disturbance, status, crossing, orifice_mm2, gap_mm2, coaptation_mm, "
     "distance_max_mm, tension_max_n FROM closures CROSS JOIN plans ON plans.number = plan "
     "WHERE subject = (SELECT number FROM subjects WHERE name = ?) ORDER BY plan, disturbance";
+
+constexpr SubjectTables kPlanTables = {
+    .subjects = "SELECT name FROM subjects",
+    .count =
+        "SELECT count(*) FROM closures WHERE subject = "
+        "(SELECT number FROM subjects WHERE name = ?1)",
+    .remove =
+        "DELETE FROM closures WHERE (subject, plan, disturbance) IN (SELECT subject, plan, "
+        "disturbance FROM closures WHERE subject = "
+        "(SELECT number FROM subjects WHERE name = ?1) LIMIT 10000)",
+    .forget =
+        "DELETE FROM subjects WHERE name = ?1 AND NOT EXISTS "
+        "(SELECT 1 FROM closures WHERE subject = subjects.number)",
+    .tidy = "DELETE FROM plans WHERE number NOT IN (SELECT plan FROM closures)"};
 
 // The columns of floating point, in order.
 constexpr std::array kNumbers = {&PlanClosure::orifice_mm2, &PlanClosure::gap_mm2,
@@ -79,52 +94,37 @@ ClosureStatus status_at(const Statement& row, int column) {
   return ClosureStatus::Diverged;
 }
 
+/// To its end, without a row.
+bool has_run(const Statement& statement) {
+  const bool is_done = sqlite3_step(statement.get()) == SQLITE_DONE;
+  sqlite3_reset(statement.get());
+  return is_done;
+}
+
 }  // namespace
 
-std::optional<std::int64_t> PlanStore::Names::find(const std::string& name) const {
-  std::optional<std::int64_t> number;
-  bind_text(select, 1, name);
-  if (sqlite3_step(select.get()) == SQLITE_ROW) number = sqlite3_column_int64(select.get(), 0);
-  sqlite3_reset(select.get());
-  return number;
-}
-
-std::optional<std::int64_t> PlanStore::Names::number_of(const std::string& name) {
-  if (const auto asked = numbers.find(name); asked != numbers.end()) return asked->second;
-  std::optional<std::int64_t> number = find(name);
-  if (!number) {
-    bind_text(insert, 1, name);
-    const bool is_there = sqlite3_step(insert.get()) == SQLITE_DONE;
-    sqlite3_reset(insert.get());
-    if (is_there) number = find(name);
-  }
-  if (number) numbers.emplace(name, *number);
-  return number;
-}
-
-PlanStore::PlanStore(StoreDatabase database, Names subjects, Names plans, Statement insert)
-    : database_(std::move(database)),
-      subjects_(std::move(subjects)),
-      plans_(std::move(plans)),
-      insert_(std::move(insert)) {}
+PlanStore::PlanStore(std::unique_ptr<StoreConnection> connection, Statements statements)
+    : connection_(std::move(connection)), statements_(std::move(statements)) {}
 
 Expected<PlanStore> PlanStore::open(const std::string& path, int lock_timeout_ms) {
   Expected<StoreDatabase> database = StoreDatabase::open(path, kPlanFormat, lock_timeout_ms);
   if (!database) return database.errors();
-  constexpr std::array sql = {kSelectSubject, kInsertSubject, kSelectPlan, kInsertPlan,
-                              kInsertOutcome};
-  std::array<Statement, sql.size()> statements;
+  if (Errors errors = add_uses(*database); !errors.empty()) return errors;
+  constexpr std::array sql = {kInsertOutcome,    kInsertSubject, kInsertPlan,
+                              "BEGIN IMMEDIATE", "COMMIT",       "ROLLBACK"};
+  std::array<Statement, sql.size()> prepared;
   for (std::size_t i = 0; i < sql.size(); ++i) {
-    statements[i] = database->prepare(sql[i]);
-    if (!statements[i]) return database->failure("cannot be opened");
+    prepared[i] = database->prepare(sql[i]);
+    if (!prepared[i]) return database->failure("cannot be opened");
   }
-  auto& [select_subject, insert_subject, select_plan, insert_plan, insert] = statements;
-  return PlanStore(*std::move(database), {std::move(select_subject), std::move(insert_subject), {}},
-                   {std::move(select_plan), std::move(insert_plan), {}}, std::move(insert));
+  auto& [insert, add_subject, add_plan, begin, commit, rollback] = prepared;
+  return PlanStore(std::make_unique<StoreConnection>(*std::move(database)),
+                   {std::move(insert), std::move(add_subject), std::move(add_plan),
+                    std::move(begin), std::move(commit), std::move(rollback)});
 }
 
 Expected<KnownPlans> PlanStore::read(const std::string& subject) const {
-  const Statement rows = database_.prepare(kSelectOutcomes);
+  const Statement rows = connection_->database.prepare(kSelectOutcomes);
   KnownPlans known;
   int step = SQLITE_ERROR;
   if (rows) {
@@ -142,31 +142,47 @@ Expected<KnownPlans> PlanStore::read(const std::string& subject) const {
       for (const auto number : kNumbers) closure.*number = number_at(rows, column++);
     }
   }
-  if (step != SQLITE_DONE) return database_.failure("cannot be read");
+  if (step != SQLITE_DONE) return connection_->database.failure("cannot be read");
   return known;
 }
 
 Errors PlanStore::keep(const std::string& subject, const std::string& plan_key, int disturbance,
                        const PlanClosure& closure) {
-  const auto refused = [this] { return Errors{database_.failure("a closure cannot be kept")}; };
-  const std::optional<std::int64_t> subject_number = subjects_.number_of(subject);
-  if (!subject_number) return refused();
-  const std::optional<std::int64_t> plan_number = plans_.number_of(plan_key);
-  if (!plan_number) return refused();
-
-  sqlite3_stmt* const insert = insert_.get();
+  sqlite3_stmt* const insert = statements_.insert.get();
   int parameter = 0;
-  sqlite3_bind_int64(insert, ++parameter, *subject_number);
-  sqlite3_bind_int64(insert, ++parameter, *plan_number);
   sqlite3_bind_int(insert, ++parameter, disturbance);
   sqlite3_bind_int(insert, ++parameter, number_of(closure.status));
   sqlite3_bind_int(insert, ++parameter, closure.crossing ? 1 : 0);
   for (const auto number : kNumbers)
     sqlite3_bind_double(insert, ++parameter, closure.*number);  // NaN as NULL
+  bind_text(statements_.insert, ++parameter, subject);
+  bind_text(statements_.insert, ++parameter, plan_key);
+  if (!has_run(statements_.insert))
+    return {connection_->database.failure("a closure cannot be kept")};
+  if (connection_->database.changed() == 1) return {};
+  return keep_with_names(subject, plan_key);
+}
 
-  const bool is_kept = sqlite3_step(insert) == SQLITE_DONE;
-  sqlite3_reset(insert);
-  return is_kept ? Errors{} : refused();
+/// The closure that is bound already. Names and closure in one transaction, so that no name goes before its closure
+/// is there. One that was kept before stays.
+Errors PlanStore::keep_with_names(const std::string& subject, const std::string& plan_key) {
+  bind_text(statements_.add_subject, 1, subject);
+  bind_text(statements_.add_plan, 1, plan_key);
+  if (has_run(statements_.begin) && has_run(statements_.add_subject) &&
+      has_run(statements_.add_plan) && has_run(statements_.insert) && has_run(statements_.commit))
+    return {};
+  Errors errors = {connection_->database.failure("a closure cannot be kept")};
+  if (connection_->database.in_transaction()) has_run(statements_.rollback);
+  return errors;
+}
+
+Errors PlanStore::note_use(const std::string& subject, std::int64_t now_ms) {
+  return coapt::note_use(*connection_, kPlanTables, subject, now_ms);
+}
+
+Errors PlanStore::retain(const ClosureLimits& limits, const SubjectsInUse& in_use,
+                         std::int64_t now_ms) {
+  return retain_subjects(*connection_, kPlanTables, limits, in_use, now_ms);
 }
 
 }  // namespace coapt

@@ -2,17 +2,16 @@
 // run again with other limits, repeats none.
 //
 // A row per closure, a transaction per row: what keep() has accepted outlives the process, kill -9
-// included (database.h). Rows are never changed or removed. Several processes may share a file on a
-// local disk.
+// included (database.h). Rows are never changed; retain() alone removes some. Several processes may
+// share a file on a local disk.
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <string>
-#include <unordered_map>
 
 #include "core/valve/types.h"
-#include "io/store/database.h"
+#include "io/store/subject_uses.h"
 #include "search/plans/plan_evaluations.h"
 
 namespace coapt {
@@ -22,8 +21,7 @@ class PlanStore {
  public:
   /// Makes the file if it is missing or empty. What is not a store of this schema is refused, and
   /// not a byte of it changed; so is a file that cannot be written. This call and those below wait
-  /// up to `lock_timeout_ms` for other processes, keep() so long for each of subject, plan and row
-  /// that is new.
+  /// up to `lock_timeout_ms` for other processes, keep() of a new plan twice so long.
   static Expected<PlanStore> open(const std::string& path, int lock_timeout_ms = 5000);
 
   /// All closures of one subject (subject.h: plan_subject_of()).
@@ -36,22 +34,22 @@ class PlanStore {
   Errors keep(const std::string& subject, const std::string& plan_key, int disturbance,
               const PlanClosure& closure);
 
- private:
-  /// Texts that stand once in the file, with a number of their own that the rows name them by.
-  struct Names {
-    Statement select, insert;
-    std::unordered_map<std::string, std::int64_t> numbers;  ///< asked for so far
+  /// The subject was used now: see subject_uses.h, likewise below.
+  Errors note_use(const std::string& subject, std::int64_t now_ms);
+  Errors retain(const ClosureLimits& limits, const SubjectsInUse& in_use, std::int64_t now_ms);
 
-    /// Adds what is not there yet. None if the database refuses.
-    std::optional<std::int64_t> number_of(const std::string& name);
-    std::optional<std::int64_t> find(const std::string& name) const;
+ private:
+  /// One name in the file for each text: the rows refer to its number. Names may go at any time with the last
+  /// closure that refers to them, so that no number is remembered between statements.
+  struct Statements {
+    Statement insert, add_subject, add_plan, begin, commit, rollback;
   };
 
-  PlanStore(StoreDatabase database, Names subjects, Names plans, Statement insert);
+  PlanStore(std::unique_ptr<StoreConnection> connection, Statements statements);
+  Errors keep_with_names(const std::string& subject, const std::string& plan_key);
 
-  StoreDatabase database_;
-  Names subjects_, plans_;
-  Statement insert_;
+  std::unique_ptr<StoreConnection> connection_;
+  Statements statements_;
 };
 
 }  // namespace coapt

@@ -102,11 +102,10 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   for (const Branch& branch : space->branches()) result.plans_possible += point_count(branch);
   result.plans_tried = static_cast<int>(exploration.trials.size());
 
-  monitor.plan(1 + result.evaluations + ranking_closures(options), "ranking");
   const int share = result.ladder.back().skipped ? kFinalists : kFinalists - 1;
-  result.plans = rank(evaluations,
-                      close_finalists(evaluations, best_plans(exploration, share * options.plans),
-                                      options, result.ladder),
+  const std::vector<PlanRecord*> finalists = best_plans(exploration, share * options.plans);
+  monitor.plan(1 + result.evaluations + ranking_closures(options, finalists), "ranking");
+  result.plans = rank(evaluations, close_finalists(evaluations, finalists, options, result.ladder),
                       options.region_points);
   for (const Trial& trial : exploration.trials)
     result.tried.push_back(tried_plan(evaluations, *trial.record, result.plans));
@@ -137,6 +136,7 @@ Expected<SearchResult> evaluate_plans(const Valve& valve, const std::vector<Name
     if (std::find(records.begin(), records.end(), &record) == records.end())
       records.push_back(&record);
   }
+  monitor.plan(1 + ranking_closures(all, records), "ranking");
   SearchResult result;
   result.before = evaluations.before();
   result.closed_before = closed_valve(valve, evaluations.closed_before());

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 #include "core/repair/apply_plan.h"
 #include "core/repair/approximation.h"
@@ -127,6 +129,20 @@ int ranking_closures(const SearchOptions& options) {
     most += options.plans * (kRemodelling.count + kAnterolateralAlone.count +
                              kPosteromedialAlone.count + kIndependent.count);
   return most;
+}
+
+int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*>& finalists) {
+  const int before = std::min(kBeforeTheRegion, options.region_points);
+  const int staying = std::min(options.plans, static_cast<int>(finalists.size()));
+  int most = staying * (options.region_points - before);
+  std::vector<int> evidence;
+  for (PlanRecord* plan : finalists) {
+    most += std::max(0, before - common_nodes({plan}));
+    evidence.push_back(evidence_closures(plan->plan));
+  }
+  if (!options.evidence) return most;
+  std::sort(evidence.begin(), evidence.end(), std::greater<>());
+  return std::accumulate(evidence.begin(), evidence.begin() + staying, most);
 }
 
 int evidence_closures(const RepairPlan& plan) {

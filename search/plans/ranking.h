@@ -12,8 +12,9 @@ namespace coapt {
 /// Finalists for each reported plan, where 17 nodes rank badly; else one less.
 inline constexpr int kFinalists = 3;
 
-/// Closures that close_finalists() takes at most.
+/// Closures that close_finalists() takes at most: of any finalists, and of these, which have some already.
 int ranking_closures(const SearchOptions& options);
+int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*>& finalists);
 
 /// Closures that the evidence for a plan takes: further remodelling, errors of each suture alone,
 /// and of both by themselves.

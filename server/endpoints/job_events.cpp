@@ -60,9 +60,14 @@ Answer GetJobEvents::operator()(const Request& request) const {
   ProblemList problems;
   check_query(request, {"last_event_id"}, problems);
   Request asked = request;
-  if (const auto header = request.headers.find("last-event-id"); header != request.headers.end())
-    asked.query["last_event_id"] = header->second;
-  const std::int64_t last = integer_in(asked, "last_event_id", {0.0, 1e15}, 0, problems);
+  const auto header = request.headers.find("last-event-id");
+  const bool is_in_header = header != request.headers.end();
+  if (is_in_header) asked.query["last_event_id"] = header->second;
+  ProblemList of_number;
+  const std::int64_t last = integer_in(asked, "last_event_id", {0.0, 1e15}, 0, of_number);
+  for (const Error& error : std::move(of_number).take())
+    problems.add(error.code, is_in_header ? "" : error.path,
+                 (is_in_header ? "Last-Event-ID " : "") + error.message);
   if (!problems.empty()) return problem(422, std::move(problems).take());
 
   const std::string& id = request.parameters.at(0);

@@ -63,6 +63,13 @@ Answer file_answer(const JobStore& store, const std::string& id, const std::stri
   return {200, Content{(*file)->type, (*file)->content}};
 }
 
+/// A file that the job left, or a report that is drawn now.
+Answer file_answer(const JobStore& store, SearchReports& reports, const Job& job,
+                   const std::string& name) {
+  if (std::optional<Answer> report = reports.report(store, job, name)) return *std::move(report);
+  return file_answer(store, job.id, name);
+}
+
 /// The valve of a job, and as the plan leaves it.
 struct Repair {
   Valve before, after;
@@ -151,7 +158,7 @@ Answer GetPlanPicture::operator()(const Request& request) const {
 Answer GetPlanReport::operator()(const Request& request) const {
   const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
-  return file_answer(store, ended.job.id, "plan-" + request.parameters.at(1) + ".html");
+  return file_answer(store, reports, ended.job, "plan-" + request.parameters.at(1) + ".html");
 }
 
 Answer GetTriedPlans::operator()(const Request& request) const {
@@ -163,16 +170,21 @@ Answer GetTriedPlans::operator()(const Request& request) const {
 Answer GetReport::operator()(const Request& request) const {
   const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
-  return file_answer(store, ended.job.id, ended.job.kind == "plans" ? "report.html" : "index.html");
+  return file_answer(store, reports, ended.job,
+                     ended.job.kind == "plans" ? "report.html" : "index.html");
 }
 
 Answer GetFiles::operator()(const Request& request) const {
   const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
-  const Expected<std::vector<JobFileName>> files = store.files(ended.job.id);
-  if (!files) return store_problem(files.errors());
+  const Expected<std::vector<JobFileName>> left = store.files(ended.job.id);
+  if (!left) return store_problem(left.errors());
+  const auto made = reports.list(store, ended.job, limits, request);
+  if (const Answer* const refusal = std::get_if<Answer>(&made)) return *refusal;
+  std::vector<JobFileName> files = std::get<std::vector<JobFileName>>(made);
+  files.insert(files.end(), left->begin(), left->end());
   ordered_json list = ordered_json::array();
-  for (const JobFileName& file : *files)
+  for (const JobFileName& file : files)
     list.push_back({{"name", file.name},
                     {"type", file.type},
                     {"bytes", file.bytes},
@@ -183,7 +195,7 @@ Answer GetFiles::operator()(const Request& request) const {
 Answer GetFile::operator()(const Request& request) const {
   const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
-  return file_answer(store, ended.job.id, request.parameters.at(1));
+  return file_answer(store, reports, ended.job, request.parameters.at(1));
 }
 
 }  // namespace coapt

@@ -3,6 +3,7 @@
 
 #include "io/store/job_store.h"
 #include "server/compute.h"
+#include "server/jobs/search_reports.h"
 #include "server/limits.h"
 #include "server/page_tokens.h"
 #include "server/route.h"
@@ -47,6 +48,7 @@ struct GetPlanPicture {
 /// GET /v1/jobs/{id}/plans/{rank}/report
 struct GetPlanReport {
   const JobStore& store;
+  SearchReports& reports;
   Answer operator()(const Request& request) const;
 };
 
@@ -59,18 +61,22 @@ struct GetTriedPlans {
 /// GET /v1/jobs/{id}/report: of a search or a study.
 struct GetReport {
   const JobStore& store;
+  SearchReports& reports;
   Answer operator()(const Request& request) const;
 };
 
 /// GET /v1/jobs/{id}/files
 struct GetFiles {
   const JobStore& store;
+  const ServiceLimits& limits;
+  SearchReports& reports;
   Answer operator()(const Request& request) const;
 };
 
 /// GET /v1/jobs/{id}/files/{name}
 struct GetFile {
   const JobStore& store;
+  SearchReports& reports;
   Answer operator()(const Request& request) const;
 };
 

@@ -71,8 +71,9 @@ JobEnd failed(const RunningJob& job, const Errors& errors) {
   return end;
 }
 
-JobRunner::JobRunner(JobBoard& board, std::map<std::string, JobWork> work, int threads)
-    : board_(board), work_(std::move(work)) {
+JobRunner::JobRunner(JobBoard& board, std::map<std::string, JobWork> work, int threads,
+                     std::function<void(const Job&)> after)
+    : board_(board), work_(std::move(work)), after_(std::move(after)) {
   for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
 }
 
@@ -83,7 +84,8 @@ JobRunner::~JobRunner() {
 void JobRunner::run() {
   // On Linux of this thread alone, and of those that it starts. Without it jobs are only less polite.
   static_cast<void>(setpriority(PRIO_PROCESS, 0, kNice));
-  while (const std::shared_ptr<RunningJob> job = board_.take()) board_.finish(job, run_one(*job));
+  while (const std::shared_ptr<RunningJob> job = board_.take())
+    if (board_.finish(job, run_one(*job)) && after_ && !board_.stopping()) after_(job->job);
 }
 
 std::optional<JobEnd> JobRunner::run_one(RunningJob& job) const {

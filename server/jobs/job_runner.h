@@ -18,8 +18,9 @@ using JobWork = std::function<std::optional<JobEnd>(RunningJob&)>;
 
 class JobRunner {
  public:
-  /// @param work by kind of job.
-  JobRunner(JobBoard& board, std::map<std::string, JobWork> work, int threads);
+  /// @param work by kind of job. @param after called with each job whose end is kept; must not throw
+  JobRunner(JobBoard& board, std::map<std::string, JobWork> work, int threads,
+            std::function<void(const Job&)> after = {});
   /// @pre board.stop() was called. Waits for the jobs to end.
   ~JobRunner();
 
@@ -30,6 +31,7 @@ class JobRunner {
 
   JobBoard& board_;
   std::map<std::string, JobWork> work_;
+  std::function<void(const Job&)> after_;
   std::vector<std::thread> threads_;
 };
 

@@ -7,12 +7,12 @@
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
 #include "io/json/valve_json.h"
-#include "io/picture/report.h"
 #include "io/picture/search_csv.h"
 #include "io/store/plan_store.h"
 #include "io/store/subject.h"
 #include "server/answer.h"
 #include "server/jobs/closure_keeping.h"
+#include "server/jobs/search_reports.h"
 
 namespace coapt {
 namespace {
@@ -48,22 +48,6 @@ void note_best(RunningJob& job, const RankedPlan& best) {
   last.leading = std::make_shared<const LeadingPlan>(LeadingPlan{
       best.plan, best.description, best.cost, best.region.closures, best.region.leak_mm2.nominal});
   job.note(last);
-}
-
-/// Fewer if it is stopped.
-std::vector<JobFile> reports_of(const SearchResult& result, const SearchRequest& request,
-                                const std::function<bool()>& stopped) {
-  const PlanPictures pictures = pictures_of(result);
-  std::vector<JobFile> files = {
-      {"report.html", kHtmlType,
-       plan_report_html({pictures.before, pictures.after, result, request})}};
-  for (const RankedPlan& plan : result.plans) {
-    if (stopped()) break;
-    files.push_back(
-        {"plan-" + std::to_string(plan.rank) + ".html", kHtmlType,
-         plan_report_html({pictures.before, pictures.after, result, request, plan.rank})});
-  }
-  return files;
 }
 
 }  // namespace
@@ -113,8 +97,7 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
                              {"plans", std::move(plans)}}
                     .dump();
   end.result = json.dump();
-  end.files = reports_of(*result, reproduce, [this] { return board.stopping(); });
-  if (end.files.size() <= result->plans.size()) return std::nullopt;
+  end.material = search_material(*result, reproduce);
   end.files.push_back({kTriedPlansFile, kCsvType, tried_plans_csv(valve, *result)});
   return end;
 }

@@ -12,7 +12,7 @@ namespace coapt {
 inline constexpr const char* kTriedPlansFile = "evaluations.csv";
 
 /// Every closure is kept in `closures` (a PlanStore) as it is made: a job that was killed goes on from them, to the
-/// same plans. Result: coapt.plans/1. Files: report.html, plan-RANK.html of each plan alone, evaluations.csv.
+/// same plans. Result: coapt.plans/1. Files: evaluations.csv. Reports: search_reports.h.
 struct PlanJob {
   JobBoard& board;
   const JobStore& store;

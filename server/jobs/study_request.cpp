@@ -1,6 +1,7 @@
 #include "server/jobs/study_request.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace coapt {
 namespace {
@@ -9,6 +10,7 @@ constexpr std::array kDisplacementSteps_mm = {1.0, 2.0, 3.0, 6.0};  // divisors 
 
 double read_step(const JsonPlace& place) {
   const double step = read_number(place);
+  if (std::isnan(step)) return step;  // is no number, which has been said
   if (std::find(kDisplacementSteps_mm.begin(), kDisplacementSteps_mm.end(), step) ==
       kDisplacementSteps_mm.end())
     add_problem(place, ErrorCode::OutOfRange, "must be 1, 2, 3 or 6 mm");

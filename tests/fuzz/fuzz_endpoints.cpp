@@ -62,11 +62,13 @@ struct Bench {
   JobBoard jobs{store, limits.queue};
   ValveCache known;
   Compute parsing, compute;
+  SearchReports reports;
   Metrics metrics;
   Page page;
   PageTokens tokens;
-  Service service{limits,  store,   jobs, known,  parsing,
-                  compute, metrics, page, tokens, [] { return HttpLoad{}; }};
+  Service service{limits, store, jobs, known, parsing, compute, reports, metrics, page, tokens, [] {
+                    return HttpLoad{};
+                  }};
   Routes routes = routes_of(service);
 
   Bench() {

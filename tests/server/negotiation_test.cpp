@@ -21,7 +21,7 @@ std::string said(const Answer& answer, const std::string& name) {
   return "";
 }
 
-std::string gunzip(const std::string& bytes) {
+std::string inflated(const std::string& bytes) {
   std::string text(1 << 20, '\0');
   z_stream stream{};
   inflateInit2(&stream, 15 + 16);
@@ -38,8 +38,21 @@ std::string gunzip(const std::string& bytes) {
 
 TEST(Gzip, ComesBackAsItWas) {
   for (const std::string& text : {std::string(), std::string("valve"), kLong})
-    for (const int level : {1, 9}) EXPECT_EQ(gunzip(gzip(text, level)), text);
+    for (const int level : {1, 9}) EXPECT_EQ(inflated(gzip(text, level)), text);
   EXPECT_LT(gzip(kLong, 1).size(), 200U);
+}
+
+TEST(Gunzip, GivesWhatWasCompressedAndNothingOfAnythingElse) {
+  for (const std::string& text : {std::string(), std::string("valve"), kLong})
+    EXPECT_EQ(gunzip(gzip(text, 6), kLong.size()), text);
+  const std::string compressed = gzip(kLong, 6);
+  EXPECT_FALSE(gunzip(compressed, kLong.size() - 1));
+  for (std::size_t size = 0; size < compressed.size(); ++size)
+    EXPECT_FALSE(gunzip(compressed.substr(0, size), 1 << 20)) << size;
+  std::string damaged = compressed;
+  char& flipped = damaged[compressed.size() / 2];
+  flipped = static_cast<char>(flipped ^ 1);
+  EXPECT_FALSE(gunzip(damaged, 1 << 20));
 }
 
 TEST(Gzip, IsTakenByThoseWhoSaySo) {
@@ -56,7 +69,7 @@ TEST(Negotiated, LongAnswersAreCompressedForThoseWhoTakeIt) {
   EXPECT_EQ(said(compressed, "Content-Encoding"), "gzip");
   EXPECT_EQ(said(compressed, "Vary"), "Accept-Encoding");
   EXPECT_EQ(content_type(compressed), "text/csv");
-  EXPECT_EQ(gunzip(content_bytes(compressed)), kLong);
+  EXPECT_EQ(inflated(content_bytes(compressed)), kLong);
   const Answer plain = negotiated(answer, with_headers({}));
   EXPECT_EQ(said(plain, "Content-Encoding"), "");
   EXPECT_EQ(content_bytes(plain), kLong);

@@ -91,6 +91,10 @@ TEST(StudyRequest, ListsEveryProblem) {
   study_of(R"({"name": "dance"})", others);
   study_of("[]", others);
   EXPECT_EQ(others.listed().size(), 3u);
+  ProblemList of_step;
+  study_of(R"({"name": "thesis", "displacement_step_mm": "3"})", of_step);
+  ASSERT_EQ(of_step.listed().size(), 1u);
+  EXPECT_EQ(of_step.listed()[0].path, "/displacement_step_mm");
 }
 
 }  // namespace

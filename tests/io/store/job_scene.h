@@ -43,7 +43,8 @@ inline JobEnd numbered_end(int i) {
           .summary = "{\"summary\":" + number + "}",
           .result = "{\"result\":" + number + std::string(9'000, ' ') + "}",
           .files = {{"report.html", "text/html; charset=utf-8", "<p>" + number},
-                    {"a.png", "image/png", all_bytes(static_cast<std::size_t>(i))}}};
+                    {"a.png", "image/png", all_bytes(static_cast<std::size_t>(i))}},
+          .material = i % 2 == 0 ? "" : all_bytes(3)};
 }
 
 inline std::string numbered_event(int event) {
@@ -72,6 +73,9 @@ inline void expect_ended(const JobStore& store, int i) {
   EXPECT_EQ(job.progress, end.progress);
   EXPECT_EQ(job.summary, end.summary);
   EXPECT_EQ(**store.result(job.id), end.result);
+  const auto material = store.material(job.id);
+  ASSERT_TRUE(material);
+  EXPECT_EQ(material->value_or(""), end.material);
   const auto files = store.files(job.id);
   ASSERT_TRUE(files);
   ASSERT_EQ(files->size(), end.files.size());

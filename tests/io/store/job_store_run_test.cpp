@@ -149,6 +149,7 @@ TEST_F(JobStoreRun, AJobGoesWithAllThatBelongsToItAndItsNumberIsNotGivenAgain) {
   EXPECT_FALSE(*store().job(numbered_id(2)));
   EXPECT_FALSE(*store().result(numbered_id(2)));
   EXPECT_FALSE(*store().file(numbered_id(2), "report.html"));
+  EXPECT_FALSE(*store().material(numbered_id(2)));
 
   submit(store(), 2);  // its idempotency key is free, too
   EXPECT_EQ(job(2).number, 3);

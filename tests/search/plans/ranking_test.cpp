@@ -34,11 +34,15 @@ TEST(Ranking, FinalistsClimbToTheRegionAndTheDearestAreDropped) {
   for (const int region : {1, 2, 9, 17, 30, 65, 100}) {
     EvaluationScene scene(needs_suture);
     std::vector<LadderStep> ladder;
+    const std::vector<PlanRecord*> finalists = finalists_of(scene, 6);
+    const int before = scene.evaluations.closures();
+    const int taken = ranking_closures(options_of(3, region), finalists);
     const auto stayed =
-        close_finalists(scene.evaluations, finalists_of(scene, 6), options_of(3, region), ladder);
+        close_finalists(scene.evaluations, finalists, options_of(3, region), ladder);
     ASSERT_EQ(stayed.size(), 3u) << region;
     for (const PlanRecord* plan : stayed) EXPECT_EQ(region_nodes(*plan), region);
-    EXPECT_LE(scene.evaluations.closures() - 1, ranking_closures(options_of(3, region)));
+    EXPECT_EQ(scene.evaluations.closures() - before, taken);
+    EXPECT_LE(taken, ranking_closures(options_of(3, region)));
     EXPECT_EQ(ladder.size(), region <= 17 ? 0u : region <= 65 ? 1u : 2u);
   }
 }
@@ -51,7 +55,9 @@ TEST(Ranking, EvidenceIsClosedForTheMusclesThatAreSutured) {
   const std::vector<PlanRecord*> finalists = {
       &scene.evaluations.record(own_ring(1)), &scene.evaluations.record(al),
       &scene.evaluations.record(pm), &scene.evaluations.record(both(al, pm))};
+  const int taken = ranking_closures(options, finalists);
   close_finalists(scene.evaluations, finalists, options, ladder);
+  EXPECT_EQ(scene.evaluations.closures() - 1, taken);
   EXPECT_EQ(finalists[0]->closures.size(), 2u + 24u);
   EXPECT_EQ(finalists[1]->closures.size(), 2u + 24u + 98u);
   EXPECT_EQ(finalists[2]->closures.size(), 2u + 24u + 98u);

@@ -1,5 +1,7 @@
 #include "server/endpoints/job_results.h"
 
+#include "io/picture/report.h"
+#include "tests/io/plans_scene.h"
 #include "tests/server/endpoints/service_scene.h"
 
 namespace coapt {
@@ -115,6 +117,53 @@ TEST_F(JobResultsTest, FilesAreListedAndGot) {
                                     {"bytes", 3},
                                     {"path", "/v1/jobs/j/files/report.html"}}));
   EXPECT_EQ(bytes_of(get("/v1/jobs/j/files/plan-1.html")), "one");
+  EXPECT_EQ(get("/v1/jobs/j/files/other").status, 404);
+}
+
+/// The scene's words, on closures of the small valve.
+SearchResult search_of_small_valve() {
+  SearchResult result = search_result();
+  result.closed_before = std::make_shared<const ClosedValve>(close_and_measure(small_valve()));
+  for (RankedPlan& plan : result.plans) plan.closed = result.closed_before;
+  return result;
+}
+
+TEST_F(JobResultsTest, ReportsOfASearchAreDrawnWhenTheyAreAskedForToTheSameBytes) {
+  const SearchResult result = search_of_small_valve();
+  const PlanPictures pictures = pictures_of(result);
+  queued_job("j");
+  finish_next({.summary = R"({"plans": []})",
+               .result = result_of(3),
+               .files = {{"evaluations.csv", kCsvType, "number\n"}},
+               .material = search_material(result, search_request())});
+  const auto report = [&](int about) {
+    return plan_report_html({pictures.before, pictures.after, result, search_request(), about});
+  };
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_TRUE(bytes_of(get("/v1/jobs/j/report")) == report(0));
+    EXPECT_TRUE(bytes_of(get("/v1/jobs/j/plans/2/report")) == report(2));
+    EXPECT_TRUE(bytes_of(get("/v1/jobs/j/files/plan-3.html")) == report(3));
+  }
+  EXPECT_EQ(content_type(get("/v1/jobs/j/report")), kHtmlType);
+  for (const char* none :
+       {"plan-4.html", "plan-0.html", "plan-01.html", "plan-.html", "plan-1.htm"})
+    EXPECT_EQ(get("/v1/jobs/j/files/" + std::string(none)).status, 404) << none;
+
+  const ordered_json files = json_of(get("/v1/jobs/j/files"))["files"];
+  ASSERT_EQ(files.size(), 5u);
+  const std::vector<std::string> names = {"report.html", "plan-1.html", "plan-2.html",
+                                          "plan-3.html", "evaluations.csv"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(files[i]["name"], names[i]);
+    EXPECT_EQ(files[i]["bytes"], bytes_of(get(files[i]["path"].get<std::string>())).size());
+  }
+}
+
+TEST_F(JobResultsTest, ReportsThatCannotBeDrawnAnyMoreAreSaidSo) {
+  queued_job("j");
+  finish_next({.result = result_of(1), .material = "no gzip"});
+  for (const char* path : {"/report", "/plans/1/report", "/files"})
+    EXPECT_EQ(get("/v1/jobs/j" + std::string(path)).status, 500) << path;
   EXPECT_EQ(get("/v1/jobs/j/files/other").status, 404);
 }
 

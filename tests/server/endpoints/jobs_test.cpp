@@ -107,6 +107,9 @@ TEST_F(JobsTest, EventsOfNoJobOrAfterNoNumberAreRefused) {
   queued_job("j");
   EXPECT_EQ(refusal(get("/v1/jobs/j/events?last_event_id=x&y=1")),
             (Refused{422, {"?y", "?last_event_id"}}));
+  const Answer answer = get("/v1/jobs/j/events", {{"last-event-id", "x"}});
+  EXPECT_EQ(refusal(answer), (Refused{422, {""}}));
+  EXPECT_TRUE(json_of(answer)["detail"].get<std::string>().starts_with("Last-Event-ID must be"));
 }
 
 TEST_F(JobsTest, AStreamEndsWhenTheServerStops) {

@@ -106,6 +106,7 @@ class ServiceTest : public testing::Test {
   JobBoard board_{store_, kQueue};
   ValveCache known_;
   Compute parsing_{1, std::chrono::milliseconds(0)}, compute_{1, std::chrono::milliseconds(0)};
+  SearchReports reports_{1, std::chrono::milliseconds(0)};
   Metrics metrics_;
   Page page_;
   PageTokens tokens_;
@@ -115,6 +116,7 @@ class ServiceTest : public testing::Test {
                    .known = known_,
                    .parsing = parsing_,
                    .compute = compute_,
+                   .reports = reports_,
                    .metrics = metrics_,
                    .page = page_,
                    .tokens = tokens_,

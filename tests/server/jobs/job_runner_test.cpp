@@ -1,5 +1,6 @@
 #include "server/jobs/job_runner.h"
 
+#include <atomic>
 #include <stdexcept>
 
 #include "tests/server/jobs/board_scene.h"
@@ -41,6 +42,18 @@ TEST_F(Runner, KeepsTheEndOfAJobWithItsResultAndFiles) {
   EXPECT_EQ(**store().result("a"), "{\"answer\": 42}");
   EXPECT_EQ((*store().file("a", "a.txt"))->content, "a");
   EXPECT_EQ(events("a").back(), R"(state {"state": "SUCCEEDED"})");
+}
+
+TEST_F(Runner, TellsOfEachJobWhoseEndIsKept) {
+  std::atomic<int> told = 0;
+  JobRunner runner(board(), {{"work", succeed}}, 1, [&](const Job& job) {
+    EXPECT_EQ(state(job.id), JobState::Succeeded);
+    ++told;
+  });
+  submit("a");
+  submit("b");
+  EXPECT_TRUE(comes_true([&] { return told == 2; }));
+  board().stop();
 }
 
 TEST_F(Runner, AJobThatThrowsHasFailedAndSaysWhy) {

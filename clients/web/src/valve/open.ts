@@ -23,7 +23,7 @@ export function openPanel(workspace: Workspace): HTMLElement {
     accept: '.json,application/json',
     onchange: () => void take([...(file.files ?? [])]),
   })
-  const names = h('span', {})
+  const names = h('div', { class: valveStyle.preset })
   let choice: HTMLSelectElement | null = null
   let told: ValveSource | null = null // the valve that is said to be open
   presets().then(

@@ -1,20 +1,9 @@
 // The address holds what the page shows: reload, link, back and a second tab show the same.
 import assert from 'node:assert/strict'
-import { after, before, test } from 'node:test'
-import { openView, startBrowser, startService } from './page.mjs'
+import { test } from 'node:test'
+import { openBefore, page, service } from './page.mjs'
 
-let service, browser, page, complaints
-before(async () => {
-  service = await startService()
-  browser = await startBrowser()
-  ;({ page, complaints } = await openView(browser, service.url, 'repair'))
-  await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
-})
-after(async () => {
-  await browser.close()
-  await service.stop()
-  assert.deepEqual(complaints, [])
-})
+openBefore('repair', {}, () => page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor())
 
 const valve = (of, name) => of.locator('[data-part=open-valve]', { hasText: name }).waitFor()
 const view = (of, name) => of.locator('nav [aria-current]', { hasText: name }).waitFor()

@@ -1,20 +1,11 @@
 // A repair by grabbing it on the valve: with the pointer, a finger and the keyboard.
 import assert from 'node:assert/strict'
-import { after, before, test } from 'node:test'
-import { accessProblems, openView, startBrowser, startService } from './page.mjs'
+import { test } from 'node:test'
+import { accessProblems, openBefore, page } from './page.mjs'
 
-let service, browser, page, complaints
-before(async () => {
-  service = await startService()
-  browser = await startBrowser()
-  ;({ page, complaints } = await openView(browser, service.url, 'repair', { width: 1440, height: 900 }))
-  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
-})
-after(async () => {
-  await browser.close()
-  await service.stop()
-  assert.deepEqual(complaints, [])
-})
+openBefore('repair', { width: 1440, height: 900 }, () =>
+  page.locator('[data-part=labels] [data-part=orifice]').first().waitFor(),
+)
 
 const handle = (name) => page.locator('[data-part=handles]').getByRole('slider', { name })
 const steps = () => page.locator('[data-part=steps] [data-part=step]').allTextContents()

@@ -2,24 +2,14 @@
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { after, before, test } from 'node:test'
-import { ROOT, openView, startBrowser, startService } from './page.mjs'
+import { test } from 'node:test'
+import { ROOT, openBefore, page } from './page.mjs'
 
 const CONTRACT = JSON.parse(readFileSync(join(ROOT, 'server/openapi.json')))
 const { leaflets, annulus, chordae } = CONTRACT.components.examples.one_skirt.value
 const fileOf = ({ name, text }) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) })
 
-let service, browser, page, complaints
-before(async () => {
-  service = await startService()
-  browser = await startBrowser()
-  ;({ page, complaints } = await openView(browser, service.url, 'valve'))
-})
-after(async () => {
-  await browser.close()
-  await service.stop()
-  assert.deepEqual(complaints, [])
-})
+openBefore('valve')
 
 test('a damaged file is named, the others are not; the whole set becomes a valve that is shown', async () => {
   await page.getByText('Import meshes').click()

@@ -1,7 +1,7 @@
 // Words over the valve: none covers another or the leak, at four sizes.
 import assert from 'node:assert/strict'
-import { after, before, test } from 'node:test'
-import { openView, startBrowser, startService } from './page.mjs'
+import { test } from 'node:test'
+import { openBefore, page, service } from './page.mjs'
 
 const SIZES = [
   [1440, 900],
@@ -11,17 +11,7 @@ const SIZES = [
 ]
 const VIEWS = ['From the atrium', 'Oblique', 'From anterior', 'From lateral']
 
-let service, browser, page, complaints
-before(async () => {
-  service = await startService()
-  browser = await startBrowser()
-  ;({ page, complaints } = await openView(browser, service.url, 'valve'))
-})
-after(async () => {
-  await browser.close()
-  await service.stop()
-  assert.deepEqual(complaints, [])
-})
+openBefore('valve')
 
 /// What stands over the visible canvases: its words, and in which boxes.
 const words = () =>

@@ -1,11 +1,13 @@
 // A service of its own and a browser on its page, for the tests of the page. What the browser says against the page
 // (errors, blocked by policy, requests to elsewhere) is collected in `complaints`.
+import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { createRequire } from 'node:module'
+import { after, before } from 'node:test'
 import { chromium } from 'playwright-core'
 
 export const ROOT = fileURLToPath(new URL('../../../../', import.meta.url))
@@ -76,6 +78,25 @@ export async function openView(browser, url, name, { width = 1280, height = 800,
   await page.goto(`${url}/#${name}`)
   await page.locator('main h1').first().waitFor({ state: 'attached' })
   return { page, complaints }
+}
+
+/// Those of openBefore().
+export let service, browser, page, complaints
+
+/// Before the tests of a file a service, a browser and a page with the view `name`, for which `ready` waits, too; after them
+/// nothing has been said against the page. A file is a process of its own: what it imports is its own.
+export function openBefore(name, options = {}, ready = async () => {}) {
+  before(async () => {
+    service = await startService()
+    browser = await startBrowser()
+    ;({ page, complaints } = await openView(browser, service.url, name, options))
+    await ready()
+  })
+  after(async () => {
+    await browser.close()
+    await service.stop()
+    assert.deepEqual(complaints, [])
+  })
 }
 
 /// Where on the page the point is that a label names; the label may stand beside it.

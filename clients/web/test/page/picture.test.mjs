@@ -2,21 +2,10 @@
 import assert from 'node:assert/strict'
 import { copyFileSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { after, before, test } from 'node:test'
-import { openView, startBrowser, startService } from './page.mjs'
+import { test } from 'node:test'
+import { openBefore, page, service } from './page.mjs'
 
-let service, browser, page, complaints
-before(async () => {
-  service = await startService()
-  browser = await startBrowser()
-  ;({ page, complaints } = await openView(browser, service.url, 'valve'))
-  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
-})
-after(async () => {
-  await browser.close()
-  await service.stop()
-  assert.deepEqual(complaints, [])
-})
+openBefore('valve', {}, () => page.locator('[data-part=labels] [data-part=orifice]').first().waitFor())
 
 async function saved(format) {
   await page.getByLabel('Picture format').selectOption(format)

@@ -1,21 +1,10 @@
 import assert from 'node:assert/strict'
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { after, before, test } from 'node:test'
-import { namedPoint, openView, startBrowser, startService } from './page.mjs'
+import { test } from 'node:test'
+import { namedPoint, openBefore, page, service } from './page.mjs'
 
-let service, browser, page, complaints
-before(async () => {
-  service = await startService()
-  browser = await startBrowser()
-  ;({ page, complaints } = await openView(browser, service.url, 'repair'))
-  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
-})
-after(async () => {
-  await browser.close()
-  await service.stop()
-  assert.deepEqual(complaints, [])
-})
+openBefore('repair', {}, () => page.locator('[data-part=labels] [data-part=orifice]').first().waitFor())
 
 const leak = () => page.locator('[data-part=measures] tr', { hasText: 'Leak' }).locator('td').allTextContents()
 const answered = () => page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()

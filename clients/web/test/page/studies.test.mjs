@@ -1,20 +1,9 @@
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
-import { after, before, test } from 'node:test'
-import { accessProblems, openView, startBrowser, startService } from './page.mjs'
+import { test } from 'node:test'
+import { accessProblems, openBefore, page } from './page.mjs'
 
-let service, browser, page, complaints
-before(async () => {
-  service = await startService()
-  browser = await startBrowser()
-  ;({ page, complaints } = await openView(browser, service.url, 'studies'))
-  await page.locator('[data-part=form] h2', { hasText: 'human-functional-mr' }).waitFor()
-})
-after(async () => {
-  await browser.close()
-  await service.stop()
-  assert.deepEqual(complaints, [])
-})
+openBefore('studies', {}, () => page.locator('[data-part=form] h2', { hasText: 'human-functional-mr' }).waitFor())
 
 const start = () => page.getByRole('button', { name: 'Start the study' }).click()
 

@@ -1,21 +1,13 @@
 // Fingers on the valve.
 import assert from 'node:assert/strict'
-import { after, before, test } from 'node:test'
-import { openView, startBrowser, startService } from './page.mjs'
+import { test } from 'node:test'
+import { openBefore, page } from './page.mjs'
 
-let service, browser, page, complaints, session
-before(async () => {
-  service = await startService()
-  browser = await startBrowser()
-  ;({ page, complaints } = await openView(browser, service.url, 'valve', { width: 820, height: 1180 }))
+let session
+openBefore('valve', { width: 820, height: 1180 }, async () => {
   await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
   session = await page.context().newCDPSession(page)
   await session.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 2 })
-})
-after(async () => {
-  await browser.close()
-  await service.stop()
-  assert.deepEqual(complaints, [])
 })
 
 const touch = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints })

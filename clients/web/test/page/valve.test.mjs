@@ -1,20 +1,10 @@
 import assert from 'node:assert/strict'
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { after, before, test } from 'node:test'
-import { openView, startBrowser, startService } from './page.mjs'
+import { test } from 'node:test'
+import { openBefore, page, service } from './page.mjs'
 
-let service, browser, page, complaints
-before(async () => {
-  service = await startService()
-  browser = await startBrowser()
-  ;({ page, complaints } = await openView(browser, service.url, 'valve'))
-})
-after(async () => {
-  await browser.close()
-  await service.stop()
-  assert.deepEqual(complaints, [])
-})
+openBefore('valve')
 
 const measure = (name) => page.locator('[data-part=measures] tr', { hasText: name }).first().locator('td').last()
 /// How many colours a part of the view has: one where nothing is drawn.
@@ -33,6 +23,18 @@ test('the first valve is closed and measured as the service says, and drawn', as
   assert.ok((await colours()) > 500)
   for (const name of ['A2', 'P2', 'saddle peak', 'PM trigone'])
     assert.ok(await page.locator('[data-part=labels] span', { hasText: name }).first().isVisible(), name)
+})
+
+test('every preset can be read whole in the list', async () => {
+  const ARROW_PX = 20
+  const [needed, given] = await page.getByLabel('Preset').evaluate((list) => {
+    const { font, paddingLeft, paddingRight } = getComputedStyle(list)
+    const paper = document.createElement('canvas').getContext('2d')
+    paper.font = font
+    const widths = [...list.options].map((option) => paper.measureText(option.text).width)
+    return [Math.max(...widths), list.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight)]
+  })
+  assert.ok(needed + ARROW_PX <= given, `${needed} px of words in ${given} px`)
 })
 
 test('the cut tells the coaptation height where it is', async () => {
