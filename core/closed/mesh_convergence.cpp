@@ -113,7 +113,8 @@ MeshConvergence close_until_settled(const Valve& valve, const MeshConvergenceOpt
   }
   std::vector<double> leaks;
   for (const MeshLevel& level : result.levels)
-    if (level.status == ClosureStatus::Converged && !level.crossing) leaks.push_back(level.leak_mm2);
+    if (level.status == ClosureStatus::Converged && !level.crossing)
+      leaks.push_back(level.leak_mm2);
   if (leaks.empty()) leaks.push_back(result.levels.back().leak_mm2);
   result.limit = mesh_limit(leaks);
   return result;

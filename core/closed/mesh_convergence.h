@@ -20,9 +20,9 @@ namespace coapt {
 struct MeshConvergenceOptions {
   ClosureOptions closure{};
   /// The leak stands when it changes by no more than the larger of these.
-  double within_mm2 = 0.5;    ///< [0, inf)
+  double within_mm2 = 0.5;     ///< [0, inf)
   double within_share = 0.05;  ///< of the leak, [0, 1]
-  int most_vertices = 25000;  ///< of a refined mesh; the given one is closed in any case
+  int most_vertices = 10000;   ///< of a refined mesh; the given one is closed in any case
 };
 
 /// Of one mesh.
@@ -47,9 +47,9 @@ const char* to_string(MeshStop stop);
 struct MeshLimit {
   /// The leak changes like the edge's length to this power; NaN where three meshes do not show one.
   double order = std::numeric_limits<double>::quiet_NaN();
-  bool monotonous = true;      ///< changes of one sign, none larger than the one before
-  double leak_mm2 = 0.0;       ///< expected of ever finer meshes; the last one's if no order is seen
-  double error_mm2 = 0.0;      ///< of the last mesh's leak; NaN of a single mesh
+  bool monotonous = true;  ///< changes of one sign, none larger than the one before
+  double leak_mm2 = 0.0;   ///< expected of ever finer meshes; the last one's if no order is seen
+  double error_mm2 = 0.0;  ///< of the last mesh's leak; NaN of a single mesh
 };
 
 /// @param leaks_mm2 of meshes each with half the edges of the one before; at least one.

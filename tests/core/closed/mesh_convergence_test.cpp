@@ -42,7 +42,8 @@ TEST(MeshLimit, BelievesNoOrderAboveTwoOrBelowOneHalf) {
 
 TEST(MeshLimit, ASequenceThatSwingsOrGrowsHasNoOrderAndItsLargerChangeAsError) {
   for (const std::vector<double>& leaks :
-       {std::vector{10.0, 13.0, 12.0}, std::vector{10.0, 9.0, 12.0}, std::vector{9.0, 10.0, 13.0}}) {
+       {std::vector{10.0, 13.0, 12.0}, std::vector{10.0, 9.0, 12.0},
+        std::vector{9.0, 10.0, 13.0}}) {
     const MeshLimit limit = mesh_limit(leaks);
     EXPECT_TRUE(std::isnan(limit.order));
     EXPECT_FALSE(limit.monotonous);
@@ -75,9 +76,9 @@ TEST(MeshConvergence, StopsAsSoonAsTheLeakStands) {
 
 TEST(MeshConvergence, StopsBeforeAMeshThatWouldBeTooFineAndTellsEachLevel) {
   std::vector<int> told;
-  const MeshConvergence end = close_until_settled(
-      leaking(), {.within_mm2 = 0.0, .within_share = 0.0, .most_vertices = 400},
-      [&told](const MeshLevel& level) { told.push_back(level.vertices); });
+  const MeshConvergence end =
+      close_until_settled(leaking(), {.within_mm2 = 0.0, .within_share = 0.0, .most_vertices = 400},
+                          [&told](const MeshLevel& level) { told.push_back(level.vertices); });
   EXPECT_EQ(end.stop, MeshStop::VertexLimit);
   ASSERT_EQ(end.levels.size(), 2U);
   EXPECT_LE(end.levels.back().vertices, 400);

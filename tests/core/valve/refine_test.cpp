@@ -134,8 +134,8 @@ TEST(Refine, InsertionsAreWhereTheyWere) {
         if (!valve.chordae[c].segments[s].inserts) continue;
         const Vec3 before =
             position(valve.chordae[c].segments[s].insertion, valve.faces, valve.rest_mm);
-        const Vec3 after = position(refined->chordae[c].segments[s].insertion, refined->faces,
-                                    refined->rest_mm);
+        const Vec3 after =
+            position(refined->chordae[c].segments[s].insertion, refined->faces, refined->rest_mm);
         EXPECT_NEAR((after - before).norm(), 0.0, 1e-12) << valve.chordae[c].id << " " << s;
       }
 }
