@@ -8,6 +8,7 @@
 
 #include "clients/cli/closure_options.h"
 #include "clients/cli/commands.h"
+#include "clients/cli/converge_option.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/plan_option.h"
@@ -29,6 +30,7 @@ struct CloseArguments {
   ServerOption server;
   ClosureOptions closure;
   std::optional<double> accuracy_mm2;
+  ConvergeOption converge;
   bool json = false, oblique = false;
 };
 
@@ -76,19 +78,22 @@ int run(const CloseArguments& arguments) {
   if (!accuracy) return report_option_errors("close", accuracy.errors());
 
   const auto start = std::chrono::steady_clock::now();
-  const ClosureResult closure = close_valve(*repaired, options);
+  std::optional<TimedConvergence> finer;
+  if (arguments.converge.wanted) finer = converge(*repaired, arguments.converge, options);
+  ClosedValve closed = finer ? finer->convergence.finest : close_and_measure(*repaired, options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const ClosedValve closed =
-      with_repair({*repaired, closure, measure(*repaired, closure)}, *valve, *plan);
+  closed = with_repair(std::move(closed), *valve, *plan);
+  const ClosureResult& closure = closed.closure;
 
   std::optional<ObliqueOrifice> oblique;
   if (arguments.oblique && closure.closed_mm.allFinite())
-    oblique = oblique_orifice(*repaired, closure.closed_mm, 0.5 * repaired->tissue.thickness_mm);
+    oblique = oblique_orifice(closed.valve, closure.closed_mm, 0.5 * repaired->tissue.thickness_mm);
 
   const std::vector<std::string> warnings =
       warnings_of(operation_gates({*plan, *valve, *repaired}));
 
-  auto json = closure_to_json(*repaired, closure, closed.measure, seconds.count());
+  auto json = closure_to_json(closed.valve, closure, closed.measure, seconds.count());
+  if (finer) json["convergence"] = std::move(finer->json);
   if (arguments.oblique)
     json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : nlohmann::ordered_json();
   if (*accuracy) json["accuracy"] = to_json(**accuracy, options.membrane);
@@ -111,6 +116,7 @@ void add_close(Command parent, int& status) {
   add_method_option(command, arguments->closure.method);
   add_membrane_option(command, arguments->closure.membrane);
   add_accuracy_option(command, arguments->accuracy_mm2);
+  add_converge_option(command, arguments->converge);
   command.add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
       .check({refuse_standard_output, "FILE"});
   command.add_flag("--oblique", arguments->oblique,
@@ -124,11 +130,13 @@ void add_close(Command parent, int& status) {
       "  coapt close human-functional-mr --render leaking.png\n"
       "  coapt close human-p2-prolapse --oblique\n"
       "  coapt close valve.json --accuracy 0.05\n"
+      "  coapt close human-functional-mr --membrane continuum --converge\n"
       "  coapt close valve.json --plan examples/plans/ring.json --json\n"
       "  coapt close valve.json --server http://127.0.0.1:8080");
   command.on_run([arguments, command, &status] {
-    const auto service = service_of(command, arguments->server,
-                                    {"--method", "--membrane", "--accuracy", "--oblique"});
+    const auto service =
+        service_of(command, arguments->server,
+                   {"--method", "--membrane", "--accuracy", "--oblique", "--converge"});
     if (!service) {
       status = report_errors("close", service.errors());
     } else {

@@ -104,8 +104,8 @@ void add_plan(Command parent, int& status) {
   SearchOptions& options = arguments->options;
   Command command = parent.add_command("plan", "Search repair plans and rank them");
   command.add_option("valve", arguments->valve, kValveHelp).required();
-  for (const char* name :
-       {"evaluations", "seed", "seconds", "plans", "threads", "region_points", "no_improvement"})
+  for (const char* name : {"evaluations", "seed", "seconds", "plans", "threads", "region_points",
+                           "fine_levels", "no_improvement"})
     add_search_option(command, name, options);
   command
       .add_option("--target", options.target_mm2,
@@ -132,14 +132,18 @@ void add_plan(Command parent, int& status) {
       "region\n"
       "(--region-points) for each of the best --plans; and 24 to 284 of evidence for each of "
       "those: one\n"
-      "suture wrong alone, both independently, further remodelling.\n\n"
+      "suture wrong alone, both independently, further remodelling. Then each of the best, as "
+      "planned,\n"
+      "and the valve as it is once on a finer mesh (--fine-levels), which has a say in whether a "
+      "plan closes.\n\n"
       "A search that was killed resumes when run again with the same --store, and ends with the "
       "same\nranking.\n\n"
       "Ctrl-C stops the search and prints the best so far (exit code 130) when the closures in\n"
       "progress have ended. A second Ctrl-C ends coapt at once (130 in the shell) and prints "
       "nothing.\n\n"
       "Exit code 4 unless the best plan closes the valve robustly: all closures over its region\n"
-      "converge without crossing, and mean + sd of the leak stay below 1 mm2. The ranking "
+      "converge without crossing, mean + sd of the leak stay below 1 mm2, and so does its leak on "
+      "the\nfiner mesh. The ranking "
       "then\nstarts with the least bad.\n\n"
       "Examples:\n"
       "  coapt plan human-functional-mr --seed 1 -o report.html\n"

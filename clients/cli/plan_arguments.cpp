@@ -23,6 +23,8 @@ std::string command_line(const PlanArguments& arguments) {
   for (const std::string& word : arguments.forbidden) line << " --forbid " << word;
   if (options.no_improvement > 0) line << " --no-improvement " << options.no_improvement;
   if (options.target_mm2 >= 0.0) line << " --target " << options.target_mm2;
+  if (options.fine_levels != SearchOptions{}.fine_levels)
+    line << " --fine-levels " << options.fine_levels;
   if (!options.evidence) line << " --no-evidence";
   return line.str();
 }

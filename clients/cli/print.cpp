@@ -1,6 +1,7 @@
 #include "clients/cli/print.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -84,6 +85,47 @@ void print_oblique(std::ostream& out, const ordered_json& widest) {
                              << " (0 posteromedial, 90 anterior)\n";
 }
 
+/// What the last line of the table means.
+void print_limit(std::ostream& out, const ordered_json& convergence) {
+  const std::string error = rounded(convergence["leak_error_mm2"], 1);
+  if (convergence["levels"].size() < 2) return;
+  out << "    ";
+  if (convergence["levels"].size() < 3) {
+    out << "two meshes show no order; if it is 1, the leak is within " << error << " mm2\n";
+  } else if (std::isfinite(number_of(convergence["order"]))) {
+    out << "observed order " << rounded(convergence["order"], 1)
+        << ": ever finer meshes would end at " << rounded(convergence["leak_limit_mm2"], 1)
+        << " mm2; the leak is within " << error << " mm2"
+        << (convergence["monotonous"].get<bool>() ? "\n" : ", if the earlier swings are over\n");
+  } else {
+    out << (number_of(convergence["leak_error_mm2"]) == 0.0
+                ? "the leak does not change any more\n"
+                : "changes swing or grow from mesh to mesh: no order; the last ones reach " +
+                      error + " mm2\n");
+  }
+}
+
+void print_convergence(std::ostream& out, const ordered_json& convergence) {
+  const std::string stop = convergence["stop"];
+  const double share = number_of(convergence["within_share"]);
+  row(out, "finer meshes")
+      << (stop == "settled" ? "the leak stands"
+          : stop == "not_closed"
+              ? "the last closure is not to be trusted; before it the leak did not stand"
+              : "the leak does not stand yet: the next mesh has too many vertices")
+      << " (changes within " << rounded(convergence["within_mm2"], 2) << " mm2"
+      << (share > 0.0 ? " or " + percent(share) : "") << ")\n"
+      << "    triangles   orifice       gap      leak    change   seconds\n";
+  for (const ordered_json& level : convergence["levels"])
+    out << std::setw(13) << grouped(level["triangles"]) << std::setw(10)
+        << rounded(level["orifice_area_mm2"], 1) << std::setw(10)
+        << rounded(level["gap_area_mm2"], 1) << std::setw(10) << rounded(level["leak_mm2"], 1)
+        << std::setw(10)
+        << (std::isfinite(number_of(level["change_mm2"])) ? rounded(level["change_mm2"], 1) : "")
+        << std::setw(10) << rounded(level["seconds"], 2) << '\n';
+  print_limit(out, convergence);
+}
+
 }  // namespace
 
 double number_of(const ordered_json& value) {
@@ -104,6 +146,8 @@ void print_closure(std::ostream& out, const ordered_json& closure) {
   if (const auto oblique = closure.find("orifice_oblique_mm2");
       oblique != closure.end() && !oblique->is_null())
     print_oblique(out, *oblique);
+  if (const auto convergence = closure.find("convergence"); convergence != closure.end())
+    print_convergence(out, *convergence);
   for (const ordered_json& warning : closure["warnings"])
     out << "  ! " << warning.get<std::string>() << '\n';
 }

@@ -66,6 +66,38 @@ void print_row(std::ostream& out, const ordered_json& plan) {
       << (plan["pareto"].get<bool>() ? "  *\n" : "\n");
 }
 
+/// "second" by the fine mesh, say, if that differs from its rank.
+void print_fine(std::ostream& out, const ordered_json& plan) {
+  const ordered_json& fine = plan["fine"];
+  if (fine.is_null()) return;
+  std::string words = "on " + grouped(fine["triangles"]) + " triangles: leak " +
+                      known(fine["leak_mm2"]) + " mm2 (orifice " + known(fine["orifice_area_mm2"]) +
+                      ", gap " + known(fine["gap_area_mm2"]) + ")";
+  if (fine["status"] != "converged" || fine["crossing"].get<bool>())
+    words += ", " + fine["status"].get<std::string>() + ", " + crossing_words(fine);
+  if (fine["rank"] != plan["rank"])
+    words += "; there it would rank " + std::to_string(fine["rank"].get<int>());
+  print_words(out, "      ", words);
+}
+
+/// What the finer mesh was for, and whether it would order the plans otherwise.
+void print_fine_mesh(std::ostream& out, const ordered_json& result) {
+  const auto mesh = result.find("fine_mesh");
+  if (mesh == result.end() || (*mesh)["levels"] == 0) return;
+  const ordered_json& plans = result["plans"];
+  const bool complete = std::none_of(
+      plans.begin(), plans.end(), [](const ordered_json& plan) { return plan["fine"].is_null(); });
+  const bool same = std::all_of(plans.begin(), plans.end(), [](const ordered_json& plan) {
+    return !plan["fine"].is_null() && plan["fine"]["rank"] == plan["rank"];
+  });
+  print_words(out, "Finer mesh: ",
+              grouped((*mesh)["triangles"]) + " triangles, unrepaired leak " +
+                  known((*mesh)["leak_before_mm2"]) + " mm2; " +
+                  (!complete ? "not all plans were closed on it"
+                   : same    ? "it orders these plans alike"
+                             : "it orders these plans otherwise, see there"));
+}
+
 /// What gates say against a plan, then what else is to be warned of.
 void print_warnings(std::ostream& out, const ordered_json& plan) {
   std::vector<std::string> said;
@@ -85,6 +117,7 @@ void print_plan(std::ostream& out, const ordered_json& plan) {
   if (plan.contains("name")) print_words(out, "      ", plan["name"].get<std::string>() + ":");
   for (const std::string step : plan["description"]) print_words(out, "      ", step);
   if (plan["plan"]["steps"].empty()) out << "      no repair\n";
+  print_fine(out, plan);
   if (plan["status"] != "converged" || plan["crossing"].get<bool>())
     out << "      ! " << plan["status"].get<std::string>() << ", " << crossing_words(plan) << '\n';
   print_warnings(out, plan);
@@ -147,6 +180,7 @@ void print_ranked(std::ostream& out, const ordered_json& result) {
         out, "* ",
         "Pareto-optimal among the ranked plans in mean leak, its sd, steps and undersizing");
   out << '\n';
+  print_fine_mesh(out, result);
   print_search(out, result);
   out << result["closures"] << " closures (" << result["closures_not_converged"]
       << " not converged, " << result["closures_crossed"] << " crossed";

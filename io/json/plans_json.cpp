@@ -83,7 +83,26 @@ ordered_json indices_json(const RegionIndices& indices) {
   return {{"first", by_axis(indices.first)}, {"total", by_axis(indices.total)}};
 }
 
-ordered_json ranked_json(const RankedPlan& ranked) {
+/// Null if it was not closed on a refined mesh.
+ordered_json fine_json(const RankedPlan& ranked, const FineMesh& mesh) {
+  if (!ranked.fine) return nullptr;
+  return {{"triangles", mesh.triangles},
+          {"status", to_string(ranked.fine->status)},
+          {"crossing", ranked.fine->crossing},
+          {"orifice_area_mm2", ranked.fine->orifice_mm2},
+          {"gap_area_mm2", ranked.fine->gap_mm2},
+          {"leak_mm2", leak_mm2(*ranked.fine)},
+          {"rank", ranked.fine_rank}};
+}
+
+ordered_json fine_mesh_json(const FineMesh& mesh) {
+  return {{"levels", mesh.levels},
+          {"triangles", mesh.triangles > 0 ? ordered_json(mesh.triangles) : ordered_json()},
+          {"leak_before_mm2", mesh.before ? ordered_json(leak_mm2(*mesh.before)) : ordered_json()},
+          {"closures", mesh.closures}};
+}
+
+ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   const RegionReport& region = ranked.region;
   ordered_json json = {{"rank", ranked.rank}};
   if (!ranked.name.empty()) json["name"] = ranked.name;
@@ -106,6 +125,8 @@ ordered_json ranked_json(const RankedPlan& ranked) {
                {"probability_outranks_next", ranked.probability_outranks_next},
                {"tie_with_next", ties_with_next(ranked)},
                {"subset", {{"nodes", ranked.subset_nodes}, {"cost", ranked.subset_cost}}},
+               {"closes_robustly", closes_robustly(ranked)},
+               {"fine", fine_json(ranked, mesh)},
                {"leak_map", list_of(region.maps, map_json)},
                {"sobol", indices_json(region.indices)},
                {"independent_leak_mm2", statistics_json(region.independent_leak_mm2)},
@@ -148,7 +169,10 @@ ordered_json to_json(const SearchResult& result) {
           {"notice", kResearchNotice},
           {"before", before_json(result.before)},
           {"any_competent", result.any_competent},
-          {"plans", list_of(result.plans, ranked_json)},
+          {"plans",
+           list_of(result.plans,
+                   [&](const RankedPlan& plan) { return ranked_json(plan, result.fine_mesh); })},
+          {"fine_mesh", fine_mesh_json(result.fine_mesh)},
           {"best_cost_history", list_of(result.progress, [](const Progress& p) { return p.cost; })},
           {"progress", list_of(result.progress, progress_json)},
           {"random_progress", list_of(result.random_progress, progress_json)},

@@ -144,6 +144,27 @@ ordered_json to_json(const AccuracyTier& tier, Membrane membrane) {
           {"of", "stopping early on this mesh; not of the mesh"}};
 }
 
+ordered_json to_json(const MeshConvergence& convergence, const MeshConvergenceOptions& options) {
+  ordered_json levels = ordered_json::array();
+  for (const MeshLevel& level : convergence.levels)
+    levels.push_back({{"triangles", level.triangles},
+                      {"vertices", level.vertices},
+                      {"status", to_string(level.status)},
+                      {"crossing", level.crossing},
+                      {"orifice_area_mm2", level.orifice_mm2},
+                      {"gap_area_mm2", level.gap_mm2},
+                      {"leak_mm2", level.leak_mm2},
+                      {"change_mm2", level.change_mm2}});
+  return {{"stop", to_string(convergence.stop)},
+          {"within_mm2", options.within_mm2},
+          {"within_share", options.within_share},
+          {"order", convergence.limit.order},
+          {"monotonous", convergence.limit.monotonous},
+          {"leak_limit_mm2", convergence.limit.leak_mm2},
+          {"leak_error_mm2", convergence.limit.error_mm2},
+          {"levels", std::move(levels)}};
+}
+
 ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                              const ValveMeasure& measure, double seconds) {
   ordered_json attempts = ordered_json::array();

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/closed/mesh_convergence.h"
 #include "core/closure/accuracy.h"
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
@@ -28,6 +29,11 @@ nlohmann::ordered_json to_json(
 /// {"residual_tolerance", "way_tolerance_mm", "orifice_error_p99_mm2", "orifice_error_max_mm2",
 /// "scenes", "of"}: the tolerances of a tier and the errors that were measured for them.
 nlohmann::ordered_json to_json(const AccuracyTier& tier, Membrane membrane);
+
+/// {"stop", "within_mm2", "within_share", "order", "monotonous", "leak_limit_mm2", "leak_error_mm2", "levels": [...]}:
+/// what finer and finer meshes say of a leak. What is not known is null.
+nlohmann::ordered_json to_json(const MeshConvergence& convergence,
+                               const MeshConvergenceOptions& options);
 
 /// Keys that scripts rely on: method, membrane, status, crossing, orifice_area_mm2, orifice_area_raw_mm2, residual,
 /// steps, seconds, triangles; then every measure.

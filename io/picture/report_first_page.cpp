@@ -69,6 +69,11 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
     words =
         "It is not known whether this plan closes the valve robustly: it was not closed under "
         "variations.";
+  else if (!closes_finely(plan) &&
+           plan.region.leak_mm2.mean + plan.region.leak_mm2.sd < kCompetentLeak_mm2)
+    words =
+        "Closes this valve on the mesh of the search, but not on the finer one that verdicts "
+        "need: it is not called robust.";
   else
     words = "Does not close this valve robustly in the simulation.";
   std::string html = robust ? "<p class=\"robust\"><strong>" : "<p class=\"least-bad\"><strong>";

@@ -31,6 +31,11 @@ std::vector<std::string> remarks_on(const RankedPlan& plan) {
   if (plan.status != ClosureStatus::Converged)
     remarks.push_back(std::string("closure: ") + to_string(plan.status));
   if (plan.crossing) remarks.push_back("leaflets pass through each other");
+  if (plan.fine)
+    remarks.push_back("on the finer mesh: leak " + fixed(leak_mm2(*plan.fine), 1) + " mm²" +
+                      (plan.fine_rank == plan.rank
+                           ? ""
+                           : "; there it would rank " + std::to_string(plan.fine_rank)));
   return remarks;
 }
 

@@ -70,6 +70,12 @@ class PlanEvaluations {
   const CostContext& context() const { return context_; }
   const Valve& valve() const { return valve_; }
   int threads() const { return options_.threads; }
+  bool cancelled() const { return monitor_.cancelled(); }
+
+  /// Any valve, closed and measured; neither counted nor kept. From any thread.
+  ClosedPlan evaluate(const Valve& valve, const ClosureResult* neighbour) const {
+    return evaluate_(valve, neighbour);
+  }
 
   /// The plan's record, made if it is new; stays where it is as long as this object. From any
   /// thread.

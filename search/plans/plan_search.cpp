@@ -5,6 +5,7 @@
 
 #include "core/repair/apply_plan.h"
 #include "search/plans/exploration.h"
+#include "search/plans/fine_closures.h"
 #include "search/plans/plan_key.h"
 #include "search/plans/ranking.h"
 #include "search/plans/search_option_table.h"
@@ -32,6 +33,15 @@ void summarise(const PlanEvaluations& evaluations, const SearchMonitor& monitor,
   result.closures_not_converged = evaluations.not_converged();
   result.closures_crossed = evaluations.crossed();
   result.seconds = monitor.seconds();
+}
+
+/// Fills what a result says of the best plans.
+void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
+                    const SearchOptions& options, SearchResult& result) {
+  finalists = close_finalists(evaluations, std::move(finalists), options, result.ladder);
+  const FineClosures fine = close_fine(evaluations, finalists, options.fine_levels);
+  result.plans = rank(evaluations, finalists, options.region_points, fine);
+  result.fine_mesh = fine.mesh;
 }
 
 /// With its rank among `ranked`.
@@ -105,8 +115,7 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   const int share = result.ladder.back().skipped ? kFinalists : kFinalists - 1;
   const std::vector<PlanRecord*> finalists = best_plans(exploration, share * options.plans);
   monitor.plan(1 + result.evaluations + ranking_closures(options, finalists), "ranking");
-  result.plans = rank(evaluations, close_finalists(evaluations, finalists, options, result.ladder),
-                      options.region_points);
+  rank_finalists(evaluations, finalists, options, result);
   for (const Trial& trial : exploration.trials)
     result.tried.push_back(tried_plan(evaluations, *trial.record, result.plans));
   summarise(evaluations, monitor, result);
@@ -140,8 +149,7 @@ Expected<SearchResult> evaluate_plans(const Valve& valve, const std::vector<Name
   SearchResult result;
   result.before = evaluations.before();
   result.closed_before = closed_valve(valve, evaluations.closed_before());
-  result.plans = rank(evaluations, close_finalists(evaluations, records, all, result.ladder),
-                      all.region_points);
+  rank_finalists(evaluations, records, all, result);
   for (RankedPlan& ranked : result.plans)
     for (const NamedPlan& named : plans)
       if (&evaluations.record(named.plan) == &evaluations.record(ranked.plan))

@@ -81,14 +81,40 @@ bool fails_often(const RankedPlan& plan) {
   return plan.region.failures > kOftenFailing * plan.region.closures;
 }
 
-bool is_better(const RankedPlan& a, const RankedPlan& b) {
+/// At costs of the caller's choice.
+bool is_better(const RankedPlan& a, double cost_of_a, const RankedPlan& b, double cost_of_b) {
   if (trusted(a) != trusted(b)) return trusted(a);
   if (fails_often(a) != fails_often(b)) return fails_often(b);
   if (closes_robustly(a) != closes_robustly(b)) return closes_robustly(a);
-  return a.cost < b.cost;
+  return cost_of_a < cost_of_b;
 }
 
-RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int nodes) {
+/// Says where a plan would stand if its closure as planned counted at its fine cost.
+void place_finely(std::vector<RankedPlan>& plans, const std::vector<double>& cost_changes) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < plans.size(); ++i) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return is_better(plans[a], plans[a].cost + cost_changes[a], plans[b],
+                     plans[b].cost + cost_changes[b]);
+  });
+  for (std::size_t place = 0; place < order.size(); ++place)
+    if (plans[order[place]].fine) plans[order[place]].fine_rank = static_cast<int>(place) + 1;
+}
+
+/// What the fine mesh says against a plan whose own mesh does not.
+void warn_of_fine(const FineMesh& mesh, RankedPlan& plan) {
+  if (!plan.fine || closes_finely(plan) || !trusted(plan) ||
+      leak_mm2(plan.measure) >= kCompetentLeak_mm2)
+    return;
+  const std::string there = "on " + std::to_string(mesh.triangles) + " triangles ";
+  plan.warnings.push_back(!trusted(*plan.fine)
+                              ? there + "its closure did not converge uncrossed"
+                              : there + "it leaks " + with_decimals(leak_mm2(*plan.fine), 1) +
+                                    " mm2: not called competent");
+}
+
+RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int nodes,
+                  const FineClosures& fine) {
   RankedPlan plan;
   plan.plan = record.plan;
   plan.description = describe(evaluations.valve(), record.plan);
@@ -117,6 +143,10 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
     plan.warnings.push_back(std::to_string(plan.region.failures) + " of " + std::to_string(nodes) +
                             " closures in the region of interest failed and are left out of its "
                             "figures");
+  plan.fine_levels = fine.mesh.levels;
+  if (const auto closure = fine.plans.find(&record); closure != fine.plans.end())
+    plan.fine = closure->second;
+  warn_of_fine(fine.mesh, plan);
   return plan;
 }
 
@@ -181,17 +211,22 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
 }
 
 std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                             int most_nodes) {
+                             int most_nodes, const FineClosures& fine) {
   const int nodes = std::min(most_nodes, common_nodes(plans));
   if (nodes == 0) return {};
   std::vector<std::pair<RankedPlan, const PlanRecord*>> order;
-  for (const PlanRecord* plan : plans) order.emplace_back(ranked(evaluations, *plan, nodes), plan);
-  std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return is_better(a.first, b.first); });
+  for (const PlanRecord* plan : plans)
+    order.emplace_back(ranked(evaluations, *plan, nodes, fine), plan);
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    return is_better(a.first, a.first.cost, b.first, b.first.cost);
+  });
   std::vector<const PlanRecord*> records;
   for (const auto& [plan, record] : order) records.push_back(record);
   const std::vector<ParetoPlan> front = pareto_front(evaluations, records, nodes);
   std::vector<RankedPlan> result;
+  std::vector<double> cost_changes;
+  for (const PlanRecord* record : records)
+    cost_changes.push_back(fine_cost_change(evaluations, *record, fine));
   for (std::size_t i = 0; i < order.size(); ++i) {
     RankedPlan& plan = order[i].first;
     plan.rank = static_cast<int>(i) + 1;
@@ -203,6 +238,7 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
     });
     result.push_back(std::move(plan));
   }
+  place_finely(result, cost_changes);
   return result;
 }
 

@@ -30,6 +30,12 @@ constexpr OptionRow<SearchOptions> kOptions[] = {
      "Nodes of the region of interest, for each reported plan."},
     {"evidence", &SearchOptions::evidence, kAny, "",
      "Close the reported plans also under errors of single sutures and further remodelling."},
+    {"fine_levels",
+     &SearchOptions::fine_levels,
+     {0.0, 2.0},
+     "",
+     "Times that the mesh is refined, each triangle into four, for the verdict on each reported "
+     "plan; 0: its own mesh."},
     {"seconds",
      &SearchOptions::seconds,
      {0.0, kMost},

@@ -22,6 +22,8 @@ struct SearchOptions {
   int region_points = 1089;
   /// Close the reported plans also under errors of single sutures and further remodelling.
   bool evidence = true;
+  /// Times that the mesh is refined for the verdict on each reported plan; 0: its own mesh.
+  int fine_levels = 1;
   /// Stop earlier when this much time is gone, the last 40 % of it spent on ranking; 0: no limit.
   double seconds = 0.0;
   /// Stop searching after so many closures without a better plan; 0: never.

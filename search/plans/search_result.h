@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "search/plans/fine_closures.h"
 #include "search/plans/gates.h"
 #include "search/plans/ladder.h"
 #include "search/plans/plan_space.h"
@@ -29,6 +31,12 @@ struct RankedPlan {
   std::shared_ptr<const ClosedValve> closed;
   Effort effort;
   RegionReport region;
+  /// Whose verdict counts besides that of its own mesh: see FineMesh::levels.
+  int fine_levels = 0;
+  /// As planned, on the refined mesh; none without levels, or if the search was cancelled before.
+  std::optional<PlanClosure> fine;
+  /// Its place by the fine verdict and the cost with the fine closure as planned; 0 without one.
+  int fine_rank = 0;
   std::vector<Gate> gates;
   std::vector<std::string> warnings;  ///< of gates and region, in words
   /// That it truly comes before the next plan, by robust closing, then by cost: resampling the
@@ -67,6 +75,8 @@ struct SearchResult {
   std::shared_ptr<const ClosedValve> closed_before;
   /// Best first, distinct in surgical terms.
   std::vector<RankedPlan> plans;
+  /// What RankedPlan::fine is of.
+  FineMesh fine_mesh;
   /// Whether a ranked plan closes the valve robustly.
   bool any_competent = false;
   /// Of the search, at one closure a plan.
@@ -93,9 +103,15 @@ struct SearchResult {
 /// Converged, not crossed, its leak a number: as planned.
 bool trusted(const RankedPlan& plan);
 
+/// Whether nothing on the refined mesh speaks against the plan: it converges there without crossing
+/// and leaks less than kCompetentLeak_mm2, or no refinement was asked for.
+bool closes_finely(const RankedPlan& plan);
+
 /// Whether the plan closes the valve also when the surgeon's hand varies: it converges without
 /// crossing, so does every closure over its region of interest, and mean + sd of the leak is below
-/// kCompetentLeak_mm2. False where nothing of the region but the plan itself was closed.
+/// kCompetentLeak_mm2; and the plan as planned converges uncrossed with a leak below it on the
+/// refined mesh, too, where fine_levels asks for that. False where nothing of the region but the
+/// plan itself was closed.
 bool closes_robustly(const RankedPlan& plan);
 
 /// Whether the best-ranked plan does; false without plans.

@@ -37,9 +37,10 @@ def without_machine(value):
 
 
 def is_robust(plan):
-    leak = plan["leak_mm2"]
+    leak, fine = plan["leak_mm2"], plan["fine"]
     return (
-        plan["status"] == "converged"
+        (fine is None or (fine["status"] == "converged" and not fine["crossing"] and fine["leak_mm2"] < 1.0))
+        and plan["status"] == "converged"
         and not plan["crossing"]
         and plan["region_failures"] == 0
         and plan["region_closures"] > 1

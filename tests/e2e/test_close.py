@@ -73,6 +73,28 @@ class Close(ProgramTest):
         words = coapt("close", VALVE, "--accuracy", "0.4")
         self.assertRegex(words.stderr, r"^coapt: accuracy: residual \S+, .*continuum.* mesh is another\n$")
 
+    def test_finer_meshes_are_closed_until_the_leak_stands(self):
+        closure = self.close(VALVE, "--converge", "--within", "100")
+        convergence = closure["convergence"]
+        first, last = convergence["levels"]
+        self.assertEqual(convergence["stop"], "settled")
+        self.assertEqual(last["triangles"], 4 * first["triangles"])
+        self.assertEqual((closure["triangles"], closure["leak_mm2"]), (last["triangles"], last["leak_mm2"]))
+        self.assertIsNone(first["change_mm2"])
+        self.assertAlmostEqual(last["change_mm2"], last["leak_mm2"] - first["leak_mm2"])
+        self.assertAlmostEqual(convergence["leak_error_mm2"], abs(last["change_mm2"]))
+        self.assertAlmostEqual(first["leak_mm2"], self.close(VALVE)["leak_mm2"])
+        self.assertNotIn("convergence", self.close(VALVE))
+        words = coapt("close", VALVE, "--converge", "--within", "0", "--most-vertices", "2000").stdout
+        self.assertIn("the leak does not stand yet: the next mesh has too many vertices", words)
+        self.assertRegex(words, r"\n +2,592 +\d+\.\d +\d+\.\d +\d+\.\d +-?\d+\.\d +\d+\.\d\d\n")
+
+    def test_what_belongs_to_finer_meshes_is_refused_without_them(self):
+        for option in ["--within", "--most-vertices"]:
+            result = coapt("close", VALVE, option, "100")
+            self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+            self.assertIn("--converge", result.stderr)
+
     def test_an_accuracy_that_was_never_measured_is_refused_with_the_range(self):
         result = coapt("close", VALVE, "--accuracy", "0.0001")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))

@@ -77,6 +77,25 @@ class Plan(ProgramTest):
                 for plan in result["plans"]:
                     self.assertGreaterEqual(plan["region_closures"], points)
 
+    def test_reported_plans_are_closed_once_more_on_a_finer_mesh(self):
+        result, _ = self.plan(evaluations=20)
+        mesh = result["fine_mesh"]
+        self.assertEqual((mesh["levels"], mesh["triangles"], mesh["closures"]), (1, 2592, 1 + len(result["plans"])))
+        self.assertGreater(mesh["leak_before_mm2"], 5.0)
+        self.assertEqual(
+            sorted(plan["fine"]["rank"] for plan in result["plans"]), [plan["rank"] for plan in result["plans"]]
+        )
+        for plan in result["plans"]:
+            self.assertEqual(plan["closes_robustly"], is_robust(plan))
+            self.assertAlmostEqual(plan["fine"]["leak_mm2"], plan["leak_mm2"]["nominal"], delta=10.0)
+        own, _ = self.plan(evaluations=20, fine_levels=0)
+        self.assertEqual(own["fine_mesh"]["levels"], 0)
+        self.assertEqual([plan["fine"] for plan in own["plans"]], [None] * len(own["plans"]))
+        self.assertEqual(own["closures"], result["closures"])
+        words = coapt("plan", VALVE, *options(evaluations=3, plans=1)).stdout
+        self.assertRegex(words, r"\n +on 2,592 triangles: leak \d+\.\d mm2 \(orifice")
+        self.assertRegex(words, r"\nFiner mesh: 2,592 triangles, unrepaired leak \d+\.\d mm2; it orders")
+
     def test_no_more_plans_than_asked_for(self):
         for changes in [{"region_points": 2}, {"region_points": 1}]:
             with self.subTest(changes):

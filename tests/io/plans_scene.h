@@ -117,6 +117,9 @@ inline RankedPlan first() {
   plan.gates = gates(11.5);
   plan.warnings = warnings_of(plan.gates);
   plan.warnings.push_back("leaks more than 5 mm2 somewhere in the region of interest");
+  plan.fine_levels = 1;
+  plan.fine = PlanClosure{ClosureStatus::Converged, false, 0.2, 0.4, 6.1, 0.92, 0.63};
+  plan.fine_rank = 2;
   plan.probability_outranks_next = 0.62;
   plan.pareto = true;
   return plan;
@@ -185,6 +188,8 @@ inline SearchResult search_result() {
   SearchResult result;
   result.before.measure = measured({41.0, 52.0, 2.6, 0.48});
   result.plans = {first(), second(), third()};
+  result.fine_mesh = {1, 2592,
+                      PlanClosure{ClosureStatus::Converged, false, 38.5, 47.25, 2.4, 3.1, 0.47}, 4};
   result.any_competent = true;
   result.progress = {{1, 231.0}, {2, 96.0},  {5, 41.0}, {14, 17.5},
                      {60, 9.9},  {212, 7.4}, {980, 6.3}};
@@ -220,6 +225,7 @@ inline SearchRequest search_request() {
   options.plans = 3;
   options.region_points = 729;
   options.evidence = false;
+  options.fine_levels = 2;
   options.seconds = 600.5;
   options.no_improvement = 400;
   options.target_mm2 = 0.25;

@@ -194,10 +194,12 @@ class RankedPlan:
 
     @property
     def closes_robustly(self) -> bool:
-        """All closures of its region converged uncrossed, and mean + sd of the leak are below 1 mm2."""
+        """All closures of its region converged uncrossed, mean + sd of the leak are below 1 mm2, and so is the leak on the
+        refined mesh."""
         mean, sd = self.leak_mm2.mean, self.leak_mm2.sd
         return (
-            self.status == "converged"
+            bool(self.json.get("closes_robustly", True))
+            and self.status == "converged"
             and not self.crossing
             and self.region_failures == 0
             and self.region_closures > 1

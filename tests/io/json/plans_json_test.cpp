@@ -31,6 +31,7 @@ TEST(PlansJson, HasTheKeysThatScriptsRelyOn) {
                                                      "before",
                                                      "any_competent",
                                                      "plans",
+                                                     "fine_mesh",
                                                      "best_cost_history",
                                                      "progress",
                                                      "random_progress",
@@ -83,6 +84,8 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "probability_outranks_next",
                                              "tie_with_next",
                                              "subset",
+                                             "closes_robustly",
+                                             "fine",
                                              "leak_map",
                                              "sobol",
                                              "independent_leak_mm2",
@@ -90,6 +93,22 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "gates",
                                              "warnings"};
   EXPECT_EQ(keys(scene()["plans"][0]), expected);
+}
+
+TEST(PlansJson, APlanStatesItsClosureOnTheFinerMesh) {
+  EXPECT_EQ(scene()["fine_mesh"].dump(),
+            R"({"levels":1,"triangles":2592,"leak_before_mm2":47.25,"closures":4})");
+  const ordered_json& plans = scene()["plans"];
+  EXPECT_EQ(plans[0]["closes_robustly"], true);
+  EXPECT_EQ(plans[1]["closes_robustly"], false);
+  EXPECT_EQ(plans[0]["fine"].dump(),
+            R"({"triangles":2592,"status":"converged","crossing":false,"orifice_area_mm2":0.2,)"
+            R"("gap_area_mm2":0.4,"leak_mm2":0.4,"rank":2})");
+  EXPECT_TRUE(plans[1]["fine"].is_null());
+  SearchResult result = search_result();
+  result.fine_mesh = {};
+  EXPECT_EQ(written(to_json(result))["fine_mesh"].dump(),
+            R"({"levels":0,"triangles":null,"leak_before_mm2":null,"closures":0})");
 }
 
 TEST(PlansJson, APlanStatesItsEffortItsRegionAndItsGates) {

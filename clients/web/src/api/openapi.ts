@@ -351,6 +351,11 @@ export interface components {
              */
             evidence?: boolean;
             /**
+             * @description Times that the mesh is refined, each triangle into four, for the verdict on each reported plan; 0: its own mesh.
+             * @default 1
+             */
+            fine_levels?: number;
+            /**
              * @description Stop earlier when this much time is gone, the last 40 % of it spent on ranking; 0: no limit.
              * @default 0
              */
@@ -1043,6 +1048,10 @@ export interface components {
                 /** @description Cost in mm2 over these nodes. */
                 cost: number | null;
             };
+            /** @description All closures over the region converged uncrossed, mean + sd of the leak are below 1 mm2, and so is the leak on the refined mesh. */
+            closes_robustly: boolean;
+            /** @description The plan as planned, closed on the refined mesh; null: none was asked for or possible, or the search was cancelled before. */
+            fine: components["schemas"]["FineClosure"] | null;
             /** @description Leak against suture length and angle: of both muscles, then of each sutured one alone if that was closed. */
             leak_map: {
                 /**
@@ -1115,6 +1124,26 @@ export interface components {
             /** @description Whether leaflets pass through each other in that closure. */
             crossing: boolean;
         };
+        /** @description A closure on a mesh whose triangles were each cut into four, once or twice. */
+        FineClosure: {
+            /** @description Of the refined mesh. */
+            triangles: number;
+            /**
+             * @description How the closure ended.
+             * @enum {string}
+             */
+            status: "converged" | "step_limit" | "diverged";
+            /** @description Whether leaflets pass through each other. */
+            crossing: boolean;
+            /** @description Orifice on the refined mesh. */
+            orifice_area_mm2: number | null;
+            /** @description Gap on the refined mesh. */
+            gap_area_mm2: number | null;
+            /** @description The larger of both. */
+            leak_mm2: number | null;
+            /** @description Place of the plan if its cost counted this closure as planned; another than its rank: the order changed. */
+            rank: number;
+        };
         /** @description coapt.plans/1, as `coapt plan --json` prints it. */
         Plans: {
             /**
@@ -1130,6 +1159,17 @@ export interface components {
             any_competent: boolean;
             /** @description Ranked plans, best first. */
             plans: components["schemas"]["RankedPlan"][];
+            /** @description The mesh that verdicts on reported plans are of, besides the valve's own. */
+            fine_mesh: {
+                /** @description Times that each triangle was cut into four; fewer than asked for where the mesh would be too fine. */
+                levels: number;
+                /** @description Of that mesh; null without levels. */
+                triangles: number | null;
+                /** @description Of the valve as it is, on that mesh. */
+                leak_before_mm2: number | null;
+                /** @description Number of closures on refined meshes; closures does not count them. */
+                closures: number;
+            };
             /** @description The costs of progress. */
             best_cost_history: (number | null)[];
             /** @description Lowest cost that the search had found, with each plan closed once. */

@@ -169,7 +169,8 @@ const TIP_TO_TRIGONE = 'tip to trigone distance'
 export function isRobust(plan: RankedPlan): boolean {
   const { mean, sd } = plan.leak_mm2
   const isTrusted = plan.status === 'converged' && !plan.crossing && plan.region_failures === 0
-  return isTrusted && mean !== null && sd !== null && mean + sd < 1
+  // Results of coapt 0.1 know no finer mesh.
+  return isTrusted && mean !== null && sd !== null && mean + sd < 1 && plan.closes_robustly !== false
 }
 
 /// "annuloplasty: generic-classic ring, size 30 mm; ..."

@@ -88,6 +88,16 @@ export const OPTIMISER: NumberOption[] = [
     hint: 'Small errors of execution with which each ranked plan is closed, out of 1,089.',
   },
   {
+    pointer: '/fine_levels',
+    label: 'Mesh refined',
+    unit: 'times',
+    least: 0,
+    most: 2,
+    step: INTEGER,
+    fallback: 1,
+    hint: 'For the verdict on each ranked plan: it is closed once more, as planned, on a finer mesh.',
+  },
+  {
     pointer: '/seed',
     label: 'Seed',
     least: 0,

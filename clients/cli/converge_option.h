@@ -1,0 +1,30 @@
+// --converge and what belongs to it: closing on finer and finer meshes.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "core/closed/mesh_convergence.h"
+#include "io/command_line/command_line.h"
+
+namespace coapt {
+
+struct ConvergeOption {
+  bool wanted = false;               ///< else the others are not given
+  std::optional<double> within_mm2;  ///< empty: the default of MeshConvergenceOptions
+  int most_vertices = MeshConvergenceOptions{}.most_vertices;
+};
+
+/// --converge, --within, --most-vertices.
+void add_converge_option(Command command, ConvergeOption& option);
+
+struct TimedConvergence {
+  MeshConvergence convergence;
+  nlohmann::ordered_json json;  ///< see to_json(const MeshConvergence&)
+};
+
+/// Of `valve`, each level timed.
+TimedConvergence converge(const Valve& valve, const ConvergeOption& option,
+                          const ClosureOptions& closure);
+
+}  // namespace coapt

@@ -1,0 +1,86 @@
+#include "search/plans/fine_closures.h"
+
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "core/closure/refined_start.h"
+#include "core/repair/apply_plan.h"
+#include "core/valve/refine.h"
+#include "search/parallel.h"
+
+namespace coapt {
+namespace {
+
+/// The refinements of the unrepaired valve that are not too fine, at most so many.
+int levels_of(const Valve& valve, int levels) {
+  int possible = 0;
+  Index triangles = valve.faces.rows();
+  Valve finer = valve;
+  while (possible < levels && 4 * triangles <= kMostFineTriangles) {
+    Expected<Valve> next = refine(finer);
+    if (!next) break;
+    finer = *std::move(next);
+    triangles = finer.faces.rows();
+    ++possible;
+  }
+  return possible;
+}
+
+/// Each level from the end of the one before; none if the refined valve is refused.
+std::optional<PlanClosure> closed_finely(const PlanEvaluations& evaluations, Valve valve,
+                                         ClosedPlan closed, int levels) {
+  for (int level = 0; level < levels; ++level) {
+    Expected<Valve> finer = refine(valve);
+    if (!finer) return std::nullopt;
+    ClosureResult start;
+    if (closed.closure) start = refined_start(valve, *closed.closure);
+    closed = evaluations.evaluate(*finer, closed.closure ? &start : nullptr);
+    valve = *std::move(finer);
+  }
+  return plan_closure(closed.evaluation);
+}
+
+double nominal_cost(const PlanClosure& closure, const Effort& effort, const CostContext& context) {
+  return plan_cost(std::array{ScoredClosure{closure, 0.0}}, effort, context);
+}
+
+}  // namespace
+
+FineClosures close_fine(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
+                        int levels) {
+  FineClosures fine;
+  fine.mesh.levels = levels_of(evaluations.valve(), levels);
+  if (fine.mesh.levels == 0) return fine;
+  fine.mesh.triangles = static_cast<int>(evaluations.valve().faces.rows())
+                        << (2 * fine.mesh.levels);
+  const int count = static_cast<int>(plans.size());
+  std::vector<std::optional<PlanClosure>> closures(plans.size() + 1);  // the last: no repair
+  for_each_index(count + 1, evaluations.threads(), [&](int i) {
+    if (evaluations.cancelled()) return;
+    closures[i] = i == count
+                      ? closed_finely(evaluations, evaluations.valve(), evaluations.closed_before(),
+                                      fine.mesh.levels)
+                      : closed_finely(evaluations, *apply_plan(evaluations.valve(), plans[i]->plan),
+                                      evaluations.closed(*plans[i]), fine.mesh.levels);
+  });
+  for (int i = 0; i < count; ++i)
+    if (closures[i]) fine.plans.emplace(plans[i], *closures[i]);
+  fine.mesh.before = closures.back();
+  for (const auto& closure : closures) fine.mesh.closures += closure ? fine.mesh.levels : 0;
+  return fine;
+}
+
+double fine_cost_change(const PlanEvaluations& evaluations, const PlanRecord& plan,
+                        const FineClosures& fine) {
+  const auto closure = fine.plans.find(&plan);
+  if (closure == fine.plans.end()) return 0.0;
+  CostContext there = evaluations.context();
+  there.tension_before_n = fine.mesh.before && trusted(*fine.mesh.before)
+                               ? fine.mesh.before->tension_max_n
+                               : std::numeric_limits<double>::infinity();
+  return nominal_cost(closure->second, plan.effort, there) -
+         nominal_cost(plan.closures.at(0), plan.effort, evaluations.context());
+}
+
+}  // namespace coapt
