@@ -34,13 +34,13 @@ const PRESETS: Readonly<Record<string, PresetWords>> = {
   ),
   'porcine-thesis': {
     group: 'Porcine',
-    title: 'Thesis, fitted to its findings',
+    title: 'Thesis, by its findings',
     about: 'A valve that gives the published answers of the thesis on papillary approximation.',
     leak_mm2: 1.1,
   },
   'porcine-thesis-tables': {
     group: 'Porcine',
-    title: 'Thesis, fitted to its tables',
+    title: 'Thesis, by its tables',
     about: 'A valve fitted to the tables of the thesis.',
     leak_mm2: 0.6,
   },
