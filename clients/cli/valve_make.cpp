@@ -12,7 +12,7 @@
 namespace coapt {
 namespace {
 
-constexpr const char* kDimensions = "Dimensions, instead of a preset (leaflets unstressed)";
+constexpr const char* kDimensions = "Dimensions, instead of a preset (leaflets of the unpressurised heart)";
 
 struct ValveMakeArguments {
   std::string preset, annulus, tips;
@@ -74,13 +74,13 @@ void add_valve_make(Command parent, int& status) {
   proportion("--saddle-height-mm", dimensions.saddle_height_mm,
              "Annulus, height of the saddle (6.8 on 39 mm al-pm, in proportion)");
   proportion("--anterior-height-mm", dimensions.anterior_height_mm,
-             "Leaflet at A2 (22 on 29 mm ap, in proportion)");
+             "Leaflet at A2 (23.5 on 29 mm ap, in proportion)");
   proportion("--posterior-height-mm", dimensions.posterior_height_mm,
-             "Leaflet at P2 (13 on 29 mm ap, in proportion)");
+             "Leaflet at P2 (15.25 on 29 mm ap, in proportion)");
   proportion("--lateral-height-mm", dimensions.lateral_height_mm,
-             "Leaflet at P1 and P3 (11 on 39 mm al-pm, in proportion)");
+             "Leaflet at P1 and P3 (14.25 on 39 mm al-pm, in proportion)");
   proportion("--commissure-height-mm", dimensions.commissure_height_mm,
-             "Leaflet at a commissure (8 on 39 mm al-pm, in proportion)");
+             "Leaflet at a commissure (9 on 39 mm al-pm, in proportion)");
   dimension("--cleft-depth-mm", dimensions.cleft_depth_mm, "Between posterior scallops");
   dimension("--anterior-arc", dimensions.anterior_arc, "Anterior share of the annulus");
   dimension("--inclination-deg", dimensions.inclination_deg, "Leaflets from the vertical");

@@ -9,7 +9,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kRadius_mm = 2.0;
+constexpr double kZone_mm = 2.0;
 
 /// 24 x 24 mm in cells of this edge.
 Valve grid_of(double edge_mm) {
@@ -53,7 +53,7 @@ Moments moments(const Valve& valve, const std::vector<NodeShare>& zone) {
 TEST(InsertionZone, HasTheMeanOfItsDiscOnEveryMesh) {
   for (const double edge : {3.0, 2.0, 1.0, 0.5}) {
     const Valve valve = grid_of(edge);
-    const Moments m = moments(valve, insertion_zone(valve, at(valve, 11.3, 12.6), kRadius_mm));
+    const Moments m = moments(valve, insertion_zone(valve, at(valve, 11.3, 12.6), kZone_mm));
     EXPECT_NEAR(m.sum, 1.0, 1e-12);
     EXPECT_LT((m.mean - Vec3(11.3, 12.6, 0.0)).norm(), 0.02) << edge;
   }
@@ -62,16 +62,16 @@ TEST(InsertionZone, HasTheMeanOfItsDiscOnEveryMesh) {
 TEST(InsertionZone, TendsToTheSecondMomentOfItsCone) {
   // Of the cone 1 - d / r: integral of d^3 (1 - d / r) over that of d (1 - d / r) = 0.3 r^2.
   const Valve valve = grid_of(0.25);
-  const Moments m = moments(valve, insertion_zone(valve, at(valve, 12.1, 11.9), kRadius_mm));
-  EXPECT_NEAR(m.second_mm2, 0.3 * kRadius_mm * kRadius_mm, 0.03);
+  const Moments m = moments(valve, insertion_zone(valve, at(valve, 12.1, 11.9), kZone_mm));
+  EXPECT_NEAR(m.second_mm2, 0.3 * kZone_mm * kZone_mm, 0.03);
 }
 
 TEST(InsertionZone, AtTheEdgeHasTheMeanOfHalfADisc) {
   // Distance from the edge: integral of 2 d^2 (1 - d / r) over that of pi d (1 - d / r) = r / pi.
   const Valve valve = grid_of(0.5);
-  const Moments m = moments(valve, insertion_zone(valve, at(valve, 12.1, 0.0), kRadius_mm));
+  const Moments m = moments(valve, insertion_zone(valve, at(valve, 12.1, 0.0), kZone_mm));
   EXPECT_NEAR(m.mean.x(), 12.1, 0.01);
-  EXPECT_NEAR(m.mean.y(), kRadius_mm / M_PI, 0.01);
+  EXPECT_NEAR(m.mean.y(), kZone_mm / M_PI, 0.01);
 }
 
 TEST(InsertionZone, OfNoRadiusIsTheFace) {
@@ -92,7 +92,7 @@ TEST(InsertionZone, LeavesOutALeafletThatLiesOnIt) {
   const Insertion insertion = at(valve, 12.2, 12.2);
   valve.rest_mm = both;
   valve.faces = twice;
-  for (const NodeShare& share : insertion_zone(valve, insertion, kRadius_mm))
+  for (const NodeShare& share : insertion_zone(valve, insertion, kZone_mm))
     EXPECT_LT(share.node, vertices);
 }
 
