@@ -85,24 +85,29 @@ void print_oblique(std::ostream& out, const ordered_json& widest) {
                              << " (0 posteromedial, 90 anterior)\n";
 }
 
-/// What the last line of the table means.
+/// What the meshes say of their limit.
 void print_limit(std::ostream& out, const ordered_json& convergence) {
-  const std::string error = rounded(convergence["leak_error_mm2"], 1);
-  if (convergence["levels"].size() < 2) return;
+  const double error = number_of(convergence["leak_error_mm2"]);
+  const double order = number_of(convergence["order"]);
+  const std::size_t meshes = convergence["levels"].size();
+  if (meshes < 2 || !std::isfinite(error)) return;
+  const std::string off = fixed(error, 1) + " mm2";
   out << "    ";
-  if (convergence["levels"].size() < 3) {
-    out << "two meshes show no order; if it is 1, the leak is within " << error << " mm2\n";
-  } else if (std::isfinite(number_of(convergence["order"]))) {
-    out << "observed order " << rounded(convergence["order"], 1)
-        << ": ever finer meshes would end at " << rounded(convergence["leak_limit_mm2"], 1)
-        << " mm2; the leak is within " << error << " mm2"
-        << (convergence["monotonous"].get<bool>() ? "\n" : ", if the earlier swings are over\n");
+  if (error == 0.0) {
+    out << "the leak does not change any more";
+  } else if (meshes == 2) {
+    out << "two meshes show no order; if it is 1, the leak is within " << off << " of its limit";
+  } else if (order >= 0.5) {
+    out << "observed order " << fixed(order, 1) << ": finer meshes would end at "
+        << rounded(convergence["leak_limit_mm2"], 1) << " mm2; the leak is within " << off
+        << " of that";
+  } else if (std::isfinite(order)) {
+    out << "observed order " << fixed(order, 1) << ", too low to extrapolate: the leak may be "
+        << off << " off";
   } else {
-    out << (number_of(convergence["leak_error_mm2"]) == 0.0
-                ? "the leak does not change any more\n"
-                : "changes swing or grow from mesh to mesh: no order; the last ones reach " +
-                      error + " mm2\n");
+    out << "changes swing or grow from mesh to mesh: no order; the last reach " << off;
   }
+  out << '\n';
 }
 
 void print_convergence(std::ostream& out, const ordered_json& convergence) {

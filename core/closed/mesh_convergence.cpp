@@ -79,7 +79,7 @@ MeshLimit mesh_limit(const std::vector<double>& leaks_mm2) {
   }
   limit.order = std::log2(ratio);
   const double rest = last / (std::exp2(std::clamp(limit.order, kLeastOrder, kMostOrder)) - 1.0);
-  limit.leak_mm2 = std::max(0.0, limit.leak_mm2 + rest);
+  if (limit.order >= kLeastOrder) limit.leak_mm2 = std::max(0.0, limit.leak_mm2 + rest);
   limit.error_mm2 = kSafety * std::abs(rest);
   return limit;
 }

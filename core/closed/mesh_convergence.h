@@ -4,8 +4,8 @@
 // state: the first two refinements of a preset take a half and a third of the time that they take
 // from the open state, and end within 0.5 mm2 of leak (springs or continuum without bending). What
 // is said of the limit is Richardson's extrapolation with Roache's precautions (1998): the observed
-// order of three meshes where their changes shrink with one sign, held within 0.5 and 2, a factor
-// of 1.25 on the remaining error; order 1 of two meshes, which makes the error their change; and
+// order of three meshes where their changes shrink with one sign, 2 at most, a factor of 1.25 on
+// the remaining error; below order 0.5 that of 0.5 for the error, and nothing extrapolated; order 1 of two meshes, which makes the error their change; and
 // no order, the larger of the last two changes, where the sequence swings or grows.
 #pragma once
 
@@ -48,7 +48,7 @@ struct MeshLimit {
   /// The leak changes like the edge's length to this power; NaN where three meshes do not show one.
   double order = std::numeric_limits<double>::quiet_NaN();
   bool monotonous = true;  ///< changes of one sign, none larger than the one before
-  double leak_mm2 = 0.0;   ///< expected of ever finer meshes; the last one's if no order is seen
+  double leak_mm2 = 0.0;  ///< expected of ever finer meshes; the last one's without an order of 0.5
   double error_mm2 = 0.0;  ///< of the last mesh's leak; NaN of a single mesh
 };
 

@@ -37,6 +37,7 @@ TEST(MeshLimit, BelievesNoOrderAboveTwoOrBelowOneHalf) {
   EXPECT_NEAR(mesh_limit({26.0, 10.0, 9.0}).order, 4.0, 1e-12);
   EXPECT_NEAR(mesh_limit({26.0, 10.0, 9.0}).leak_mm2, 9.0 - 1.0 / 3.0, 1e-12);
   const MeshLimit slow = mesh_limit({12.0, 11.0, 10.1});  // 0.9 / (sqrt 2 - 1) remain at most
+  EXPECT_EQ(slow.leak_mm2, 10.1) << "nothing is extrapolated";
   EXPECT_NEAR(slow.error_mm2, 1.25 * 0.9 / (std::sqrt(2.0) - 1.0), 1e-12);
 }
 
