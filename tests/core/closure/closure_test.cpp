@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/closure/insertion_zone.h"
 #include "core/closure/tauten.h"
 #include "core/presets/presets.h"
 #include "core/valve/validate.h"
@@ -85,7 +86,9 @@ TEST(Closure, BranchPointsRestWhereTheirCablesBalance) {
     const Vec3 fork = closed.branch_points_mm[c].row(0);
     Vec3 sum = closed.tension_n[c][0] * (tip - fork).normalized();
     for (std::size_t s = 1; s < chorda.segments.size(); ++s) {
-      const Vec3 end = closed.branch_points_mm[c].row(s);
+      const ChordaSegment& twig = chorda.segments[s];
+      const Vec3 end = mean_position(insertion_zone(valve, twig.insertion, twig.zone_mm),
+                                     closed.closed_mm);
       sum += closed.tension_n[c][s] * (end - fork).normalized();
     }
     EXPECT_NEAR(sum.norm(), 0.0, 2e-3) << chorda.id;

@@ -178,6 +178,7 @@ TEST(OrificeTable, AfterAFailureNothingIsTakenForClosedThatIsNot) {
   bool full = true;
   OrificeTableOptions options;
   options.threads = 1;
+  options.closure.membrane = Membrane::Springs;
   options.keep = [&](const ConfigurationKey&, const OrificeSample&) {
     if (full) throw std::runtime_error("the disk is full");
   };
