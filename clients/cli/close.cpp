@@ -16,8 +16,10 @@
 #include "clients/cli/server_option.h"
 #include "core/metrics/oblique.h"
 #include "core/repair/apply_plan.h"
+#include "io/exchange/import_files.h"
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
+#include "io/mesh/write_mesh.h"
 #include "io/picture/picture.h"
 #include "search/plans/gates.h"
 
@@ -25,7 +27,7 @@ namespace coapt {
 namespace {
 
 struct CloseArguments {
-  std::string valve, picture;
+  std::string valve, picture, closed;
   PlanOption plan;
   ServerOption server;
   ClosureOptions closure;
@@ -64,16 +66,48 @@ int run_by(const Service& service, const CloseArguments& arguments) {
   return failed != exit_code::kOk ? failed : status;
 }
 
+/// Writes the leaflets where --closed says, if it does; returns an exit code.
+int write_closed(const CloseArguments& arguments, const Valve& valve,
+                 const ClosureResult& closure) {
+  if (arguments.closed.empty()) return exit_code::kOk;
+  const Expected<std::string> mesh =
+      write_mesh(leaflet_mesh(valve, closure.closed_mm), format_of(arguments.closed));
+  if (!mesh) return report_errors(arguments.closed, mesh.errors());
+  return write_output(arguments.closed, *mesh);
+}
+
+/// A valve that is not mitral: closed and measured; no plans, no picture.
+int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOptions options) {
+  if (!arguments.plan.file.empty() || !arguments.picture.empty() || arguments.oblique ||
+      arguments.accuracy_mm2)
+    return report_errors(arguments.valve,
+                         {{ErrorCode::Unsupported, "/schema",
+                           "is coapt.valve/2: plans, pictures, --oblique and --accuracy need a "
+                           "mitral valve (coapt.valve/1)"}});
+  if (const int failed = check_output(arguments.closed)) return failed;
+  options.samples = 1;
+  const auto start = std::chrono::steady_clock::now();
+  const ClosureResult closure = close_valve(valve, options);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  auto json = closure_to_json(valve, closure, measure(valve, closure), seconds.count());
+  json["warnings"] = nlohmann::ordered_json::array();
+  const int status = show(arguments, json);
+  const int failed = write_closed(arguments, valve, closure);
+  return failed != exit_code::kOk ? failed : status;
+}
+
 int run(const CloseArguments& arguments) {
   ClosureOptions options = arguments.closure;
   options.samples = kThesisSamples;
-  const Expected<Valve> valve = read_valve_argument(arguments.valve);
+  const Expected<Valve> valve = read_any_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
+  if (!is_mitral(*valve)) return run_leaflets(arguments, *valve, options);
   const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
   if (!plan) return report_errors(arguments.plan.file, plan.errors());
   const Expected<Valve> repaired = apply_plan(*valve, *plan);
   if (!repaired) return report_errors(arguments.plan.file, repaired.errors());
-  if (const int failed = check_output(arguments.picture)) return failed;
+  for (const std::string& output : {arguments.picture, arguments.closed})
+    if (const int failed = check_output(output)) return failed;
   const auto accuracy = apply_accuracy(arguments.accuracy_mm2, options);
   if (!accuracy) return report_option_errors("close", accuracy.errors());
 
@@ -99,6 +133,7 @@ int run(const CloseArguments& arguments) {
   if (*accuracy) json["accuracy"] = to_json(**accuracy, options.membrane);
   json["warnings"] = warnings;
   const int status = show(arguments, json);
+  if (const int failed = write_closed(arguments, *repaired, closure)) return failed;
   if (!arguments.picture.empty()) {
     if (const int failed = write_output(arguments.picture, closure_picture_png(closed)))
       return failed;
@@ -119,6 +154,9 @@ void add_close(Command parent, int& status) {
   add_converge_option(command, arguments->converge);
   command.add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
       .check({refuse_standard_output, "FILE"});
+  command
+      .add_option("--closed", arguments->closed, "Write the closed leaflets (PLY, OBJ, STL or VTK)")
+      .check({refuse_standard_output, "FILE"});
   command.add_flag("--oblique", arguments->oblique,
                    "Also find the direction with the widest straight passage (eccentric jets)");
   command.add_flag("--json", arguments->json, "Print JSON");
@@ -130,13 +168,14 @@ void add_close(Command parent, int& status) {
       "  coapt close human-functional-mr --render leaking.png\n"
       "  coapt close human-p2-prolapse --oblique\n"
       "  coapt close valve.json --accuracy 0.05\n"
-      "  coapt close human-functional-mr --membrane continuum --converge\n"
+      "  coapt close human-functional-mr --converge\n"
+      "  coapt close trivalve.json --closed closed.ply\n"
       "  coapt close valve.json --plan examples/plans/ring.json --json\n"
       "  coapt close valve.json --server http://127.0.0.1:8080");
   command.on_run([arguments, command, &status] {
     const auto service =
         service_of(command, arguments->server,
-                   {"--method", "--membrane", "--accuracy", "--oblique", "--converge"});
+                   {"--method", "--membrane", "--accuracy", "--oblique", "--converge", "--closed"});
     if (!service) {
       status = report_errors("close", service.errors());
     } else {

@@ -65,7 +65,10 @@ Expected<std::string> read_input(const std::string& path) {
   return read_stream(file);
 }
 
-Expected<Valve> read_valve_argument(const std::string& argument) {
+namespace {
+
+Expected<Valve> read_argument(const std::string& argument,
+                              Expected<Valve> (*read)(std::string_view)) {
   std::error_code ignored;
   if (argument != "-" && !std::filesystem::exists(argument, ignored)) {
     if (is_preset(argument)) return make_preset(argument);
@@ -75,7 +78,17 @@ Expected<Valve> read_valve_argument(const std::string& argument) {
   }
   const Expected<std::string> text = read_input(argument);
   if (!text) return text.errors();
-  return read_valve(*text);
+  return read(*text);
+}
+
+}  // namespace
+
+Expected<Valve> read_valve_argument(const std::string& argument) {
+  return read_argument(argument, read_valve);
+}
+
+Expected<Valve> read_any_valve_argument(const std::string& argument) {
+  return read_argument(argument, read_any_valve);
 }
 
 Expected<std::vector<NamedPlan>> read_plans_argument(const std::string& path) {

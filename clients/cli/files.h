@@ -24,6 +24,9 @@ Expected<std::string> read_input(const std::string& path);
 /// A valve file, standard input ("-"), or a preset if no file has that name.
 Expected<Valve> read_valve_argument(const std::string& argument);
 
+/// The same; the file may also hold a valve that is not mitral (coapt.valve/2).
+Expected<Valve> read_any_valve_argument(const std::string& argument);
+
 /// The plans of a file or of standard input ("-"): see io/json/plan_document.h.
 Expected<std::vector<NamedPlan>> read_plans_argument(const std::string& path);
 

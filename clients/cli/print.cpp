@@ -34,7 +34,24 @@ void print_attempts(std::ostream& out, const ordered_json& attempts) {
         << attempt["crossing_pairs"] << " crossings\n";
 }
 
+/// Of a valve that is not mitral.
+void print_leaflets(std::ostream& out, const ordered_json& measure) {
+  row(out, "orifice") << rounded(measure["orifice_area_mm2"], 1) << " mm2 seen from the atrium\n";
+  for (const ordered_json& leaflet : measure["leaflets"])
+    row(out, "leaflet") << printable(leaflet["name"].get<std::string>()) << ": area "
+                        << rounded(leaflet["rest_area_mm2"], 0) << " to "
+                        << rounded(leaflet["closed_area_mm2"], 0) << " mm2, median stretch "
+                        << rounded(leaflet["stretch_median"], 2) << ", in contact with another "
+                        << fixed(100.0 * number_of(leaflet["contact_share"]), 1) << " %\n";
+  row(out, "chordae") << "peak tension " << rounded(measure["tension_max_n"], 2) << " N, sum "
+                      << rounded(measure["tension_sum_n"], 1) << " N\n";
+}
+
 void print_measure(std::ostream& out, const ordered_json& measure) {
+  if (measure.contains("leaflets")) {
+    print_leaflets(out, measure);
+    return;
+  }
   const ordered_json& coaptation = measure["coaptation"];
   const double hidden =
       number_of(coaptation["gap_area_mm2"]) - number_of(measure["orifice_area_mm2"]);

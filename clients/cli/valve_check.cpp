@@ -16,7 +16,7 @@ struct ValveCheckArguments {
 };
 
 int run(const ValveCheckArguments& arguments) {
-  const Expected<Valve> valve = read_valve_argument(arguments.valve);
+  const Expected<Valve> valve = read_any_valve_argument(arguments.valve);
   const Errors problems = valve ? Errors{} : valve.errors();
   if (arguments.json) {
     std::cout << nlohmann::ordered_json{{"problems", to_json(problems)}}.dump(2) << '\n';

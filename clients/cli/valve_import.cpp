@@ -9,6 +9,7 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "io/command_line/command_line.h"
+#include "io/exchange/abaqus_valve.h"
 #include "io/exchange/import_files.h"
 #include "io/exchange/slicerheart.h"
 #include "io/json/valve_json.h"
@@ -18,7 +19,7 @@ namespace {
 
 struct ValveImportArguments {
   std::vector<std::string> leaflets;
-  std::string annulus, chordae, slicerheart;
+  std::string annulus, chordae, slicerheart, abaqus;
   std::string name;
   std::vector<std::string> provenance;
   ImportOptions options;
@@ -84,7 +85,17 @@ int read_slicerheart_folder(const ValveImportArguments& arguments, ImportSource&
   return exit_code::kOk;
 }
 
+int run_abaqus(const ValveImportArguments& arguments) {
+  const Expected<std::string> text = read_input(arguments.abaqus);
+  if (!text) return report_errors(arguments.abaqus, text.errors());
+  const Expected<Valve> valve =
+      read_abaqus_valve(*text, {arguments.name, arguments.provenance});
+  if (!valve) return report_errors(arguments.abaqus, valve.errors());
+  return write_output(arguments.output, write_valve(*valve));
+}
+
 int run(const ValveImportArguments& arguments) {
+  if (!arguments.abaqus.empty()) return run_abaqus(arguments);
   ImportSource source;
   const bool folder = !arguments.slicerheart.empty();
   if (const int failed =
@@ -123,6 +134,13 @@ void add_valve_import(Command parent, int& status) {
       .excludes("--leaflet")
       .excludes("--annulus")
       .excludes("--chordae");
+  command
+      .add_option("--abaqus", arguments->abaqus,
+                  "Input file of Abaqus (.inp, shells and trusses, any number of leaflets), instead")
+      .excludes("--leaflet")
+      .excludes("--annulus")
+      .excludes("--chordae")
+      .excludes("--slicerheart");
   command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
       .required();
   command.add_option("--triangles", options.triangles, "About how many triangles")
@@ -151,7 +169,9 @@ void add_valve_import(Command parent, int& status) {
       "    --chordae chordae.csv --triangles 1400 -o valve.json\n\n"
       "A folder holds the leaflets and the chordae as .vtk (chordae as lines, or as .csv tables),\n"
       "the annulus as a closed curve and the papillary tips, labelled AL and PM, as .mrk.json:\n"
-      "  coapt valve import --slicerheart FEM-model/ -o valve.json");
+      "  coapt valve import --slicerheart FEM-model/ -o valve.json\n\n"
+      "A model of another code becomes a coapt.valve/2, which `coapt close` closes:\n"
+      "  coapt valve import --abaqus Healthy_QuasiStatic.inp -o trivalve.json");
   command.on_run([arguments, &status] { status = run(*arguments); });
 }
 

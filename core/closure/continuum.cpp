@@ -118,7 +118,7 @@ std::vector<Sheet> make_sheets(const Valve& valve) {
     edges << along.dot(ab) / stretch1, along.dot(ac) / stretch1, across.dot(ab) / stretch2,
         across.dot(ac) / stretch2;
     sheet.per_mm = edges.inverse();
-    sheet.volume_mm3 = 0.5 * normal.norm() * valve.tissue.thickness_mm;
+    sheet.volume_mm3 = 0.5 * normal.norm() * thickness_mm(valve, static_cast<int>(f));
   }
   return sheets;
 }

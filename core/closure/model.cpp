@@ -4,9 +4,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <optional>
 
-#include "core/valve/leaflet_of.h"
+#include "core/closure/self_contact.h"
 
 namespace coapt {
 namespace {
@@ -77,7 +76,14 @@ void add_membrane(const Valve& valve, Membrane membrane, ClosureModel& model) {
   const Tissue& tissue = valve.tissue;
   const Edges edges = collect_edges(valve);
   for (const auto& [key, edge] : edges) model.edges.push_back({key.first, key.second});
-  switch (membrane) {
+  // What leaflets with a tissue of their own are made of does not depend on the membrane asked for.
+  if (!is_mitral(valve)) {
+    std::size_t f = 0;
+    for (const Sheet& sheet : make_sheets(valve))
+      model.exponential_sheets.push_back(
+          {sheet, exponential_law(valve.leaflets[valve.face_leaflet[f++]].tissue)});
+  } else {
+    switch (membrane) {
     case Membrane::Springs:
       add_springs(valve, edges, model);
       break;
@@ -85,6 +91,7 @@ void add_membrane(const Valve& valve, Membrane membrane, ClosureModel& model) {
       model.law = sheet_law(tissue);
       model.sheets = make_sheets(valve);
       break;
+    }
   }
   for (int f = 0; f < valve.faces.rows(); ++f) {
     const Vec3 a = vertex(valve.rest_mm, valve.faces(f, 0));
@@ -94,7 +101,7 @@ void add_membrane(const Valve& valve, Membrane membrane, ClosureModel& model) {
     for (int k = 0; k < 3; ++k) {
       const int i = valve.faces(f, k);
       model.area_mm2[i] += third;
-      model.mass_g[i] += tissue.density_g_per_mm3 * tissue.thickness_mm * third;
+      model.mass_g[i] += tissue.density_g_per_mm3 * thickness_mm(valve, f) * third;
     }
   }
 }
@@ -125,8 +132,9 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
       const double section_mm2 =
           0.25 * std::numbers::pi * segment.diameter_mm * segment.diameter_mm;
       cable.rest_mm = segment.rest_length_mm;
-      cable.stiffness_n_per_mm =
-          valve.tissue.chordae_kpa * kMpaPerKpa * section_mm2 / segment.rest_length_mm;
+      const double modulus_kpa =
+          segment.modulus_kpa > 0.0 ? segment.modulus_kpa : valve.tissue.chordae_kpa;
+      cable.stiffness_n_per_mm = modulus_kpa * kMpaPerKpa * section_mm2 / segment.rest_length_mm;
       const double half_mass =
           0.5 * valve.tissue.density_g_per_mm3 * section_mm2 * segment.rest_length_mm;
       model.mass_g[cable.start] += half_mass;
@@ -135,12 +143,6 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
       if (!chorda.ruptured) model.cables.push_back(cable);
     }
   }
-}
-
-/// Anterior, posterior, commissural: one of kLeaflets.
-int leaflet_number(Segment segment) {
-  const std::optional<Leaflet> leaflet = leaflet_of(segment);
-  return leaflet ? static_cast<int>(*leaflet) : 2;
 }
 
 /// omega_max^2 <= max over nodes of row sum / m, 2 k for each spring; the step bound is 2 /
@@ -159,6 +161,10 @@ double stable_step_ms(const ClosureModel& model) {
     const auto sums = row_sums(hinge, model.rest_mm);
     for (std::size_t k = 0; k < 4; ++k) row_sum[hinge.node[k]] += sums[k];
   }
+  for (const ExponentialSheet& exponential : model.exponential_sheets) {
+    const auto sums = stiffest_row_sums(exponential);
+    for (std::size_t k = 0; k < 3; ++k) row_sum[exponential.sheet.node[k]] += sums[k];
+  }
   for (const Cable& c : model.cables) {
     row_sum[c.start] += 2.0 * c.stiffness_n_per_mm;
     for (const NodeShare& share : c.end)
@@ -176,7 +182,9 @@ ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
   ClosureModel model;
   model.vertices = static_cast<int>(valve.rest_mm.rows());
   model.faces = valve.faces;
-  for (const Segment segment : valve.segments) model.leaflet.push_back(leaflet_number(segment));
+  const Index told = is_mitral(valve) ? std::ssize(valve.segments) : std::ssize(valve.face_leaflet);
+  for (int f = 0; f < told; ++f)
+    model.leaflet.push_back(std::min(kLeaflets - 1, leaflet_index(valve, f)));
   model.pressure_mpa = valve.pressure_kpa * kMpaPerKpa;
   int branch_points = 0;
   for (const Chorda& chorda : valve.chordae)
@@ -238,6 +246,7 @@ void add_elastic_forces(const ClosureModel& model, const Points& x, Points& forc
   }
   for (const Sheet& sheet : model.sheets) add_sheet_forces(model.law, sheet, x, force);
   for (const Hinge& hinge : model.hinges) add_hinge_forces(hinge, x, force);
+  for (const ExponentialSheet& sheet : model.exponential_sheets) add_sheet_forces(sheet, x, force);
   for (const Cable& c : model.cables) {
     const Vec3 d = end_position(c, x) - vertex(x, c.start);
     const double length = d.norm();

@@ -11,6 +11,7 @@
 #include "core/closure/continuum.h"
 #include "core/closure/hinges.h"
 #include "core/closure/insertion_zone.h"
+#include "core/closure/exponential.h"
 #include "core/closure/membrane.h"
 #include "core/valve/valve.h"
 
@@ -50,6 +51,7 @@ struct ClosureModel {
   SheetLaw law;
   std::vector<Sheet> sheets;  ///< one per face, or none
   std::vector<Hinge> hinges;
+  std::vector<ExponentialSheet> exponential_sheets;  ///< one per face, or none
   std::vector<Cable> cables;  ///< of chordae that are not ruptured
   double pressure_mpa = 0.0;
   double stable_step_ms = 0.0;  ///< Gershgorin bound of the symplectic Euler step without contact

@@ -193,6 +193,13 @@ void MovingValve<R>::pull_sheets() {
   input.x = x_.data();
   input.force = force_.data();
   kernels_.pull_sheets(input);
+  kernels::ExponentialInput<R> exponential;
+  exponential.blocks = laid_.exponential_sheets.data();
+  exponential.block_count = static_cast<int>(laid_.exponential_sheets.size());
+  exponential.least_area_stretch2 = static_cast<R>(kLeastAreaStretch2);
+  exponential.x = x_.data();
+  exponential.force = force_.data();
+  kernels_.pull_exponential(exponential);
 }
 
 template <class R>

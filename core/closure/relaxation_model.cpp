@@ -1,6 +1,7 @@
 #include "core/closure/relaxation_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "core/closure/clusters.h"
@@ -135,6 +136,25 @@ void lay_springs(const ClosureModel& model, RelaxationModel<R>& laid) {
   }
 }
 
+/// Faces next to each other share blocks.
+std::vector<int> sheet_order(const ClosureModel& model, const std::vector<Sheet>& sheets) {
+  Points centres(sheets.size(), 3);
+  for (std::size_t f = 0; f < sheets.size(); ++f)
+    centres.row(f) = model.rest_mm(sheets[f].node, Eigen::all).colwise().mean();
+  return cluster_order(centres);
+}
+
+/// Block: SheetBlock or ExponentialBlock.
+template <class R, class Block>
+void lay_sheet(const Sheet& sheet, const RelaxationModel<R>& laid, Block& block, std::size_t lane) {
+  for (std::size_t k = 0; k < 3; ++k) block.node[k].at[lane] = laid.node_of[sheet.node[k]];
+  for (int k = 0; k < 2; ++k) {
+    block.along[k].at[lane] = static_cast<R>(sheet.per_mm(k, 0));
+    block.across[k].at[lane] = static_cast<R>(sheet.per_mm(k, 1));
+  }
+  block.volume_mm3.at[lane] = static_cast<R>(sheet.volume_mm3);
+}
+
 template <class R>
 void lay_sheets(const ClosureModel& model, RelaxationModel<R>& laid) {
   const auto real = [](double value) { return static_cast<R>(value); };
@@ -145,21 +165,30 @@ void lay_sheets(const ClosureModel& model, RelaxationModel<R>& laid) {
   laid.sheet_law = {real(law.along_mpa), real(law.across_mpa), real(law.coupling_mpa),
                     real(law.shear_mpa), fibres(law.along),    fibres(law.across),
                     fibres(law.diagonal)};
-  Points centres(model.sheets.size(), 3);
-  for (std::size_t f = 0; f < model.sheets.size(); ++f)
-    centres.row(f) = model.rest_mm(model.sheets[f].node, Eigen::all).colwise().mean();
-  laid.sheets.resize(blocks_for(model.sheets.size()));
+  const std::vector<Sheet>& faces = model.sheets;
+  laid.sheets.resize(blocks_for(faces.size()));
   std::size_t next = 0;
-  for (const int f : cluster_order(centres)) {
-    const Sheet& sheet = model.sheets[f];
-    kernels::SheetBlock<R>& block = laid.sheets[next / kLanes];
+  for (const int f : sheet_order(model, faces)) {
+    lay_sheet(faces[f], laid, laid.sheets[next / kLanes], next % kLanes);
+    ++next;
+  }
+}
+
+template <class R>
+void lay_exponential_sheets(const ClosureModel& model, RelaxationModel<R>& laid) {
+  std::vector<Sheet> faces;
+  for (const ExponentialSheet& sheet : model.exponential_sheets) faces.push_back(sheet.sheet);
+  laid.exponential_sheets.resize(blocks_for(faces.size()));
+  std::size_t next = 0;
+  for (const int f : sheet_order(model, faces)) {
+    kernels::ExponentialBlock<R>& block = laid.exponential_sheets[next / kLanes];
     const std::size_t lane = next++ % kLanes;
-    for (std::size_t k = 0; k < 3; ++k) block.node[k].at[lane] = laid.node_of[sheet.node[k]];
-    for (int k = 0; k < 2; ++k) {
-      block.along[k].at[lane] = real(sheet.per_mm(k, 0));
-      block.across[k].at[lane] = real(sheet.per_mm(k, 1));
-    }
-    block.volume_mm3.at[lane] = real(sheet.volume_mm3);
+    lay_sheet(faces[f], laid, block, lane);
+    const ExponentialLaw& law = model.exponential_sheets[f].law;
+    block.c0_mpa.at[lane] = static_cast<R>(law.c0_mpa);
+    block.c1_mpa.at[lane] = static_cast<R>(law.c1_mpa);
+    block.c2.at[lane] = static_cast<R>(law.c2);
+    block.steepest.at[lane] = static_cast<R>(std::sqrt(kSteepest / law.c2));
   }
 }
 
@@ -211,6 +240,7 @@ RelaxationModel<R> make_relaxation_model(const ClosureModel& model) {
   lay_springs(model, laid);
   lay_sheets(model, laid);
   lay_hinges(model, laid);
+  lay_exponential_sheets(model, laid);
   lay_cables(model, laid);
   return laid;
 }

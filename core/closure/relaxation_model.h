@@ -22,6 +22,7 @@ struct RelaxationModel {
   std::vector<kernels::SheetBlock<R>> sheets;
   kernels::SheetModuli<R> sheet_law;
   std::vector<kernels::HingeBlock<R>> hinges;
+  std::vector<kernels::ExponentialBlock<R>> exponential_sheets;
 };
 
 /// R is float or double.

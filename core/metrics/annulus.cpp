@@ -23,8 +23,10 @@ AnnularPlane annular_plane(const Valve& valve) {
   }
   if (plane.normal.dot(twice_area) < 0.0) plane.normal = -plane.normal;
 
-  const Vec3 across = annulus_position_mm(valve, valve.landmarks.posteromedial_commissure) -
-                      annulus_position_mm(valve, valve.landmarks.anterolateral_commissure);
+  const Vec3 across =
+      is_mitral(valve) ? annulus_position_mm(valve, valve.landmarks.posteromedial_commissure) -
+                             annulus_position_mm(valve, valve.landmarks.anterolateral_commissure)
+                       : Vec3::UnitX();
   plane.x = (across - plane.normal * plane.normal.dot(across)).normalized();
   plane.y = plane.normal.cross(plane.x);
   return plane;
@@ -65,10 +67,15 @@ AnnulusMeasure measure_annulus(const Valve& valve) {
     return along.maxCoeff() - along.minCoeff();
   };
   AnnulusMeasure measure;
-  const Vec2 saddle_peak = project(plane, annulus_position_mm(valve, valve.landmarks.saddle_peak));
-  const Vec2 mid_posterior =
-      project(plane, annulus_position_mm(valve, valve.landmarks.mid_posterior));
-  measure.ap_mm = (saddle_peak - mid_posterior).norm();
+  if (is_mitral(valve)) {
+    const Vec2 saddle_peak =
+        project(plane, annulus_position_mm(valve, valve.landmarks.saddle_peak));
+    const Vec2 mid_posterior =
+        project(plane, annulus_position_mm(valve, valve.landmarks.mid_posterior));
+    measure.ap_mm = (saddle_peak - mid_posterior).norm();
+  } else {
+    measure.ap_mm = extent_mm(plane.y);
+  }
   measure.al_pm_mm = extent_mm(plane.x);
   measure.saddle_height_mm = extent_mm(plane.normal);
   measure.area_mm2 = polygon_area(annulus_polygon(valve, plane));

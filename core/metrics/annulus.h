@@ -12,7 +12,7 @@ using Vec2 = Eigen::Vector2d;
 /// Right-handed axes on the annulus's plane of best fit (principal components of its vertices).
 /// They follow the valve when it is moved or turned: `x` runs from the anterolateral to the
 /// posteromedial commissure, `y` is anterior, `normal` points to the atrium, from where the loop
-/// runs counter-clockwise.
+/// runs counter-clockwise. Of a valve that is not mitral `x` is that of its frame.
 struct AnnularPlane {
   Vec3 origin_mm = Vec3::Zero();  ///< mean of the annulus vertices
   Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), normal = Vec3::UnitZ();
@@ -33,7 +33,9 @@ std::vector<Vec2> annulus_polygon(const Valve& valve, const AnnularPlane& plane)
 double polygon_area(const std::vector<Vec2>& polygon);
 
 struct AnnulusMeasure {
-  double ap_mm = 0.0;     ///< saddle peak to mid-posterior, projected on the annulus's PCA plane
+  /// Saddle peak to mid-posterior, projected on the annulus's PCA plane; of a valve that is not
+  /// mitral its extent along y.
+  double ap_mm = 0.0;
   double al_pm_mm = 0.0;  ///< widest extent along the direction from commissure to commissure
   double circumference_mm = 0.0;
   double area_mm2 = 0.0;          ///< projected on that plane

@@ -46,12 +46,18 @@ ValveMeasure measure(const Valve& valve, const ClosureResult& closure) {
     set_unknown(measure);
     return measure;
   }
-  measure.orifice = measure_orifice(valve, closure);
-  measure.coaptation = measure_coaptation(valve, closure.closed_mm);
-
-  const Tenting tenting = measure_tenting(valve, closure.closed_mm);
-  measure.tenting_height_mm = tenting.height_mm;
-  measure.tenting_area_mm2 = tenting.area_mm2;
+  if (is_mitral(valve)) {
+    measure.orifice = measure_orifice(valve, closure);
+    measure.coaptation = measure_coaptation(valve, closure.closed_mm);
+    const Tenting tenting = measure_tenting(valve, closure.closed_mm);
+    measure.tenting_height_mm = tenting.height_mm;
+    measure.tenting_area_mm2 = tenting.area_mm2;
+  } else {
+    set_unknown(measure);
+    measure.orifice = measure_orifice(valve, closure);
+    measure.orifice.orifices.clear();  // they are named by mitral segments
+    measure.leaflets = measure_leaflets(valve, closure.closed_mm);
+  }
 
   const ChordaeTension tension = chordae_tension(valve, closure.tension_n);
   measure.tension_max_n = tension.max_n;
@@ -68,6 +74,7 @@ ValveMeasure measure(const Valve& valve, const ClosureResult& closure) {
 }
 
 double leak_mm2(const ValveMeasure& measure) {
+  if (!measure.leaflets.empty()) return measure.orifice.area_mm2;
   return leak_mm2(measure.orifice.area_mm2, measure.coaptation.gap_area_mm2);
 }
 

@@ -5,6 +5,7 @@
 #include "core/metrics/annulus.h"
 #include "core/metrics/coaptation.h"
 #include "core/metrics/exact_orifice.h"
+#include "core/metrics/leaflet_measure.h"
 #include "core/valve/valve.h"
 
 namespace coapt {
@@ -18,13 +19,17 @@ struct ValveMeasure {
   double tension_max_n = 0.0;
   double tension_sum_n = 0.0;  ///< over segments that leave a papillary head
   double strain_circumferential_max = 0.0, strain_radial_max = 0.0;  ///< 99th percentile over faces
+  /// Of a valve that is not mitral, in the order of Valve::leaflets; its coaptation, tenting and
+  /// places of orifices are unknown.
+  std::vector<LeafletMeasure> leaflets;
 };
 
 /// Of a closure whose points are not finite only the annulus is known; all else is NaN.
 ValveMeasure measure(const Valve& valve, const ClosureResult& closure);
 
 /// The larger of the orifice in the atrial view and the gap in three dimensions, mm2: what a
-/// competent valve keeps near zero. NaN for a closure that flew apart.
+/// competent valve keeps near zero; the orifice alone where the valve is not mitral. NaN for a
+/// closure that flew apart.
 double leak_mm2(const ValveMeasure& measure);
 double leak_mm2(double orifice_mm2, double gap_mm2);
 

@@ -53,7 +53,7 @@ Segment nearest_segment(const Valve& valve, const Projection& projection, const 
     const double distance = squared_distance_to_triangle(point_mm, projection.faces[f]);
     if (distance < nearest) {
       nearest = distance;
-      segment = valve.segments[f];
+      if (is_mitral(valve)) segment = valve.segments[f];
     }
   }
   return segment;

@@ -20,6 +20,9 @@ constexpr Range kChordaeKpa = {1.0, 1e7};
 constexpr Range kPrestretch = {1.0, 2.0};
 constexpr Range kBendingNmm = {0.0, 10.0};
 constexpr Range kCoordinateMm = {-500.0, 500.0};
+constexpr Range kExponentialKpa = {0.0, 1e4};
+constexpr Range kExponent = {0.01, 1000.0};
+constexpr Index kMaxLeaflets = 10;
 constexpr std::size_t kMaxHeads = 100;
 // Pairs of a vertex and a face within contact of each other; more take minutes and gigabytes.
 constexpr double kMaxContactPairs = 2e7;
@@ -92,6 +95,45 @@ void check_segments(const Valve& valve, ProblemList& problems) {
                "has no face of" + missing + "; each of A1, A2, A3, P1, P2, P3 must have one");
 }
 
+// Each with faces, and each face with a leaflet.
+void check_leaflets(const Valve& valve, ProblemList& problems) {
+  const auto count = std::ssize(valve.leaflets);
+  if (count > kMaxLeaflets)
+    problems.add(ErrorCode::OutOfRange, "/leaflets", "has more than 10 leaflets");
+  std::set<std::string> names;
+  for (Index i = 0; i < count; ++i) {
+    const NamedLeaflet& leaflet = valve.leaflets[i];
+    const std::string here = at("/leaflets", i);
+    if (leaflet.name.empty() || !names.insert(leaflet.name).second)
+      problems.add(ErrorCode::BadReference, here + "/name",
+                   "is empty or repeats that of an earlier leaflet");
+    check_range(problems, here + "/thickness_mm", leaflet.thickness_mm, kThicknessMm, " mm");
+    check_range(problems, here + "/c0_kpa", leaflet.tissue.c0_kpa, kModulusKpa, " kPa");
+    check_range(problems, here + "/c1_kpa", leaflet.tissue.c1_kpa, kExponentialKpa, " kPa");
+    check_range(problems, here + "/c2", leaflet.tissue.c2, kExponent);
+  }
+  if (std::ssize(valve.face_leaflet) != valve.faces.rows()) {
+    problems.add(ErrorCode::OutOfRange, "/face_leaflets",
+                 "has " + std::to_string(valve.face_leaflet.size()) +
+                     " entries, must have one for each of the " +
+                     std::to_string(valve.faces.rows()) + " faces");
+    return;
+  }
+  std::vector<bool> used(valve.leaflets.size(), false);
+  for (Index f = 0; f < std::ssize(valve.face_leaflet); ++f) {
+    const int leaflet = valve.face_leaflet[f];
+    if (leaflet >= 0 && leaflet < count) {
+      used[leaflet] = true;
+      continue;
+    }
+    problems.add(ErrorCode::BadReference, at("/face_leaflets", f),
+                 "is " + std::to_string(leaflet) + ", must be the index of a leaflet, 0 to " +
+                     std::to_string(count - 1));
+  }
+  for (Index i = 0; i < count; ++i)
+    if (!used[i]) problems.add(ErrorCode::BadTopology, at("/leaflets", i), "has no face");
+}
+
 void check_fibre(const Valve& valve, const MeshCheck& mesh, ProblemList& problems) {
   const auto faces = valve.faces.rows();
   const auto one_per_face = [&](const char* path, std::ptrdiff_t rows) {
@@ -102,7 +144,11 @@ void check_fibre(const Valve& valve, const MeshCheck& mesh, ProblemList& problem
     return false;
   };
   if (faces == 0) return;
-  if (one_per_face("/segments", std::ssize(valve.segments))) check_segments(valve, problems);
+  if (!is_mitral(valve)) {
+    check_leaflets(valve, problems);
+  } else if (one_per_face("/segments", std::ssize(valve.segments))) {
+    check_segments(valve, problems);
+  }
   if (!one_per_face("/fibre", valve.fibre.rows())) return;
   for (int face = 0; face < faces; ++face) {
     const Vec3 fibre = valve.fibre.row(face);
@@ -146,7 +192,7 @@ void check_heads(const Valve& valve, ProblemList& problems) {
     check_below_annulus(head.rest_mm, here + "/rest_mm", problems);
     check_below_annulus(head.tip_mm, here + "/tip_mm", problems);
   }
-  if (!anterolateral || !posteromedial) {
+  if (is_mitral(valve) && (!anterolateral || !posteromedial)) {
     problems.add(ErrorCode::OutOfRange, path, "must hold at least one head of each side");
   }
 }

@@ -191,7 +191,7 @@ void check_annulus(const Valve& valve, const MeshCheck& mesh, ProblemList& probl
   }
   check_size(rest, "/vertices_mm", problems);
   if (mesh.surface) check_boundary(valve, mesh, clockwise, problems);
-  if (!clockwise) check_landmarks(valve, problems);
+  if (!clockwise && is_mitral(valve)) check_landmarks(valve, problems);
 }
 
 }  // namespace coapt

@@ -7,10 +7,11 @@ namespace coapt {
 namespace {
 
 constexpr std::size_t kMaxChordae = 2000;
-constexpr std::size_t kMaxSegments = 200;
+constexpr std::size_t kMaxSegments = 2000;
 constexpr Range kRestLengthMm = {0.05, 100.0};
 constexpr Range kDiameterMm = {0.05, 5.0};
 constexpr Range kZoneMm = {0.0, 10.0};
+constexpr Range kChordaKpa = {1.0, 1e7};
 constexpr Range kBranchPointMm = {-500.0, 500.0};
 constexpr double kWeightTolerance = 1e-6;
 
@@ -39,6 +40,8 @@ void check_measures(const ChordaSegment& segment, int faces, const std::string& 
   check_range(problems, path + "/rest_length_mm", segment.rest_length_mm, kRestLengthMm, " mm");
   check_range(problems, path + "/diameter_mm", segment.diameter_mm, kDiameterMm, " mm");
   check_range(problems, path + "/zone_mm", segment.zone_mm, kZoneMm, " mm");
+  if (segment.modulus_kpa != 0.0)
+    check_range(problems, path + "/modulus_kpa", segment.modulus_kpa, kChordaKpa, " kPa");
   if (segment.inserts) {
     check_insertion(segment.insertion, faces, path + "/insertion", problems);
     return;
@@ -139,7 +142,7 @@ void check_chordae(const Valve& valve, ProblemList& problems) {
     if (chorda.segments.empty() || chorda.segments.size() > kMaxSegments) {
       problems.add(
           ErrorCode::OutOfRange, segments,
-          "has " + std::to_string(chorda.segments.size()) + " segments, must have 1 to 200");
+          "has " + std::to_string(chorda.segments.size()) + " segments, must have 1 to 2000");
       continue;
     }
     for (std::size_t s = 0; s < chorda.segments.size(); ++s) {

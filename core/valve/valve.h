@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/valve/leaflets.h"
 #include "core/valve/types.h"
 
 namespace coapt {
@@ -83,6 +84,7 @@ struct ChordaSegment {
   /// parametric valves stand for several: together they hold the share of the leaflet that is
   /// counted in a human valve (docs/researcher/closure.md).
   double zone_mm = 2.0;
+  double modulus_kpa = 0.0;             ///< 0: Tissue::chordae_kpa
   bool inserts = false;                 ///< ends in the leaflet (else in a branch point)
   Insertion insertion;                  ///< where, if it inserts
   Vec3 branch_point_mm = Vec3::Zero();  ///< the branch point in the unpressurised valve, if not
@@ -104,7 +106,11 @@ struct Valve {
   std::vector<std::string> provenance;  ///< sources, licences and every change, in order
   Points rest_mm;                       ///< |V| x 3, unstressed shape
   Faces faces;                          ///< |F| x 3, vertex indices
-  std::vector<Segment> segments;        ///< |F|
+  std::vector<Segment> segments;        ///< |F|; empty if `leaflets` is not
+  /// Of a valve that is not mitral; it has neither segments nor landmarks, and Tissue::thickness_mm
+  /// is the distance of mid-surfaces at which its leaflets touch.
+  std::vector<NamedLeaflet> leaflets;
+  std::vector<int> face_leaflet;  ///< |F| into `leaflets`, or empty
   Points fibre;  ///< |F| x 3, unit circumferential direction in the face's plane
   /// |A| vertices, a boundary loop, counter-clockwise seen from the atrium.
   std::vector<int> annulus;

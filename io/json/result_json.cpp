@@ -80,6 +80,17 @@ ordered_json annulus_json(const AnnulusMeasure& annulus) {
           {"saddle_height_mm", annulus.saddle_height_mm}};
 }
 
+ordered_json leaflets_json(const std::vector<LeafletMeasure>& leaflets) {
+  ordered_json list = ordered_json::array();
+  for (const LeafletMeasure& leaflet : leaflets)
+    list.push_back({{"name", leaflet.name},
+                    {"rest_area_mm2", leaflet.rest_area_mm2},
+                    {"closed_area_mm2", leaflet.closed_area_mm2},
+                    {"contact_share", leaflet.contact_share},
+                    {"stretch_median", leaflet.stretch_median}});
+  return list;
+}
+
 // `json` with the members of `more` after its own.
 ordered_json joined(ordered_json json, const ordered_json& more) {
   for (const auto& [name, value] : more.items()) json[name] = value;
@@ -114,7 +125,7 @@ Errors errors_from_json(const ordered_json& list) {
 
 ordered_json to_json(const ValveMeasure& measure) {
   const OrificeMeasure& orifice = measure.orifice;
-  return {{"orifice_area_mm2", orifice.area_mm2},
+  ordered_json json = {{"orifice_area_mm2", orifice.area_mm2},
           {"orifice_area_raw_mm2", orifice.area_raw_mm2},
           {"orifice_area_mean_mm2", orifice.area_mean_mm2},
           {"leak_mm2", leak_mm2(measure)},
@@ -127,6 +138,8 @@ ordered_json to_json(const ValveMeasure& measure) {
           {"tension_sum_n", measure.tension_sum_n},
           {"strain_circumferential_max", measure.strain_circumferential_max},
           {"strain_radial_max", measure.strain_radial_max}};
+  if (!measure.leaflets.empty()) json["leaflets"] = leaflets_json(measure.leaflets);
+  return json;
 }
 
 ordered_json to_json(const ObliqueOrifice& widest) {

@@ -1,4 +1,5 @@
-// The valve file, schema coapt.valve/1 (io/schema/valve.schema.json).
+// The valve file: schema coapt.valve/1, a mitral valve (io/schema/valve.schema.json), and coapt.valve/2,
+// one with any number of leaflets (io/schema/leaflet_valve.schema.json).
 #pragma once
 
 #include <string>
@@ -14,10 +15,13 @@ namespace coapt {
 /// refused.
 Expected<Valve> read_valve(std::string_view text);
 
-/// The same for a document already parsed (by parse_json); pointers start at `json`.
+/// The same, and coapt.valve/2 too: for what needs neither landmarks nor segments.
+Expected<Valve> read_any_valve(std::string_view text);
+
+/// The same as read_valve() for a document already parsed (by parse_json); pointers start at `json`.
 Expected<Valve> valve_from_json(const nlohmann::json& json);
 
-/// Round trip: read_valve(write_valve(v)) gives the same bits.
+/// Round trip: read_any_valve(write_valve(v)) gives the same bits.
 /// @pre validate(valve) is empty.
 std::string write_valve(const Valve& valve);
 

@@ -45,6 +45,28 @@ Tissue read_tissue(const JsonPlace& place) {
   return tissue;
 }
 
+/// Of coapt.valve/2, where each leaflet has its own.
+Tissue read_shared_tissue(const JsonPlace& place) {
+  Tissue tissue;
+  const auto number = [](double& target) { return into(target, read_number); };
+  read_fields(place, {{"density_g_per_mm3", number(tissue.density_g_per_mm3)},
+                      {"contact_thickness_mm", number(tissue.thickness_mm)},
+                      {"chordae_kpa", number(tissue.chordae_kpa)},
+                      {"bending_n_mm", number(tissue.bending_n_mm)}});
+  return tissue;
+}
+
+NamedLeaflet read_leaflet(const JsonPlace& place) {
+  NamedLeaflet leaflet;
+  const auto number = [](double& target) { return into(target, read_number); };
+  read_fields(place, {{"name", into(leaflet.name, read_string)},
+                      {"thickness_mm", number(leaflet.thickness_mm)},
+                      {"c0_kpa", number(leaflet.tissue.c0_kpa)},
+                      {"c1_kpa", number(leaflet.tissue.c1_kpa)},
+                      {"c2", number(leaflet.tissue.c2)}});
+  return leaflet;
+}
+
 Faces read_faces(const JsonPlace& place) {
   const auto rows = read_list(place, read_indices);
   Faces faces(std::ssize(rows), 3);
@@ -85,12 +107,21 @@ Insertion read_insertion(const JsonPlace& place) {
   return insertion;
 }
 
+PapillaryHead read_plain_head(const JsonPlace& place) {
+  PapillaryHead head;
+  read_fields(place, {{"id", into(head.id, read_string)},
+                      {"rest_mm", into(head.rest_mm, read_vector)},
+                      {"tip_mm", into(head.tip_mm, read_vector)}});
+  return head;
+}
+
 ChordaSegment read_chorda_segment(const JsonPlace& place) {
   ChordaSegment segment;
   bool branches = false;
   read_fields(place, {{"parent", into(segment.parent, read_integer)},
                       {"rest_length_mm", into(segment.rest_length_mm, read_number)},
                       {"diameter_mm", into(segment.diameter_mm, read_number)},
+                      {"modulus_kpa", into(segment.modulus_kpa, read_number), false},
                       {"insertion",
                        [&](const JsonPlace& insertion) {
                          segment.inserts = true;
@@ -152,6 +183,33 @@ Valve read_form(const JsonPlace& root) {
   return valve;
 }
 
+/// coapt.valve/2.
+Valve read_leaflet_form(const JsonPlace& root) {
+  Valve valve;
+  const auto read_annulus = [&](const JsonPlace& place) {
+    read_fields(place, {{"vertices", list_into(valve.annulus, read_integer)},
+                        {"positions_mm", into(valve.annulus_mm, read_points)}});
+  };
+  read_fields(root,
+              {{"schema", [](const JsonPlace& place) { read_schema(place, "coapt.valve/2"); }},
+               {"name", into(valve.name, read_string)},
+               {"provenance", list_into(valve.provenance, read_string)},
+               {"pressure_kpa", into(valve.pressure_kpa, read_number)},
+               {"tissue", into(valve.tissue, read_shared_tissue)},
+               {"leaflets", list_into(valve.leaflets, read_leaflet)},
+               {"vertices_mm", into(valve.rest_mm, read_points)},
+               {"faces", into(valve.faces, read_faces)},
+               {"face_leaflets", list_into(valve.face_leaflet, read_integer)},
+               {"fibre", into(valve.fibre, read_points)},
+               {"annulus", read_annulus},
+               {"papillary_heads", list_into(valve.heads, read_plain_head)},
+               {"chordae", list_into(valve.chordae, read_chorda)}});
+  if (valve.leaflets.empty()) {
+    root.problems.add(ErrorCode::MissingField, "/leaflets", "must have at least one leaflet");
+  }
+  return valve;
+}
+
 bool within(const std::string& path, const std::string& outer) {
   return path.starts_with(outer) && (path.size() == outer.size() || path[outer.size()] == '/');
 }
@@ -162,9 +220,11 @@ Side read_side(const JsonPlace& place) {
   return read_name<Side>(place, {Side::Anterolateral, Side::Posteromedial});
 }
 
-Expected<Valve> valve_from_json(const nlohmann::json& json) {
+namespace {
+
+Expected<Valve> checked(const nlohmann::json& json, Valve (*read_form_of)(const JsonPlace&)) {
   ProblemList problems;
-  const Valve valve = read_form({json, problems});
+  const Valve valve = read_form_of({json, problems});
   const Errors form = problems.listed();
   const ProblemList meaning = problems_in(valve);
   for (const Error& error : meaning.listed()) {
@@ -180,10 +240,22 @@ Expected<Valve> valve_from_json(const nlohmann::json& json) {
   return valve;
 }
 
+}  // namespace
+
+Expected<Valve> valve_from_json(const nlohmann::json& json) { return checked(json, read_form); }
+
 Expected<Valve> read_valve(std::string_view text) {
   const auto json = parse_json(text);
   if (!json) return json.errors();
   return valve_from_json(*json);
+}
+
+Expected<Valve> read_any_valve(std::string_view text) {
+  const auto json = parse_json(text);
+  if (!json) return json.errors();
+  const auto schema = json->is_object() ? json->find("schema") : json->end();
+  const bool leaflets = json->is_object() && schema != json->end() && *schema == "coapt.valve/2";
+  return checked(*json, leaflets ? read_leaflet_form : read_form);
 }
 
 }  // namespace coapt

@@ -49,6 +49,7 @@ ordered_json segment_json(const ChordaSegment& segment) {
   ordered_json json = {{"parent", segment.parent},
                        {"rest_length_mm", segment.rest_length_mm},
                        {"diameter_mm", segment.diameter_mm}};
+  if (segment.modulus_kpa > 0.0) json["modulus_kpa"] = segment.modulus_kpa;
   if (segment.inserts) {
     json["insertion"] = {{"face", segment.insertion.face},
                          {"weights", triple(segment.insertion.weights)}};
@@ -76,6 +77,18 @@ ordered_json head_json(const PapillaryHead& head) {
           {"tip_mm", triple(head.tip_mm)}};
 }
 
+ordered_json plain_head_json(const PapillaryHead& head) {
+  return {{"id", head.id}, {"rest_mm", triple(head.rest_mm)}, {"tip_mm", triple(head.tip_mm)}};
+}
+
+ordered_json leaflet_json(const NamedLeaflet& leaflet) {
+  return {{"name", leaflet.name},
+          {"thickness_mm", leaflet.thickness_mm},
+          {"c0_kpa", leaflet.tissue.c0_kpa},
+          {"c1_kpa", leaflet.tissue.c1_kpa},
+          {"c2", leaflet.tissue.c2}};
+}
+
 template <class T, class ToJson>
 ordered_json list(const std::vector<T>& values, ToJson to_json_of) {
   ordered_json json = ordered_json::array();
@@ -99,27 +112,50 @@ std::string line_per_entry(const ordered_json& json) {
   return text + "\n  ]";
 }
 
+ordered_json mitral_json(const Valve& valve) {
+  return {{"schema", "coapt.valve/1"},
+          {"name", valve.name},
+          {"provenance", valve.provenance},
+          {"pressure_kpa", valve.pressure_kpa},
+          {"tissue", tissue_json(valve.tissue)},
+          {"vertices_mm", rows(valve.rest_mm)},
+          {"faces", rows(valve.faces)},
+          {"segments", list(valve.segments, [](Segment segment) { return to_string(segment); })},
+          {"fibre", rows(valve.fibre)},
+          {"annulus", {{"vertices", valve.annulus}, {"positions_mm", rows(valve.annulus_mm)}}},
+          {"landmarks", landmarks_json(valve.landmarks)},
+          {"papillary_heads", list(valve.heads, head_json)},
+          {"chordae", list(valve.chordae, chorda_json)}};
+}
+
+ordered_json leaflet_valve_json(const Valve& valve) {
+  return {{"schema", "coapt.valve/2"},
+          {"name", valve.name},
+          {"provenance", valve.provenance},
+          {"pressure_kpa", valve.pressure_kpa},
+          {"tissue",
+           {{"density_g_per_mm3", valve.tissue.density_g_per_mm3},
+            {"contact_thickness_mm", valve.tissue.thickness_mm},
+            {"chordae_kpa", valve.tissue.chordae_kpa},
+            {"bending_n_mm", valve.tissue.bending_n_mm}}},
+          {"leaflets", list(valve.leaflets, leaflet_json)},
+          {"vertices_mm", rows(valve.rest_mm)},
+          {"faces", rows(valve.faces)},
+          {"face_leaflets", valve.face_leaflet},
+          {"fibre", rows(valve.fibre)},
+          {"annulus", {{"vertices", valve.annulus}, {"positions_mm", rows(valve.annulus_mm)}}},
+          {"papillary_heads", list(valve.heads, plain_head_json)},
+          {"chordae", list(valve.chordae, chorda_json)}};
+}
+
 }  // namespace
 
 std::string write_valve(const Valve& valve) {
-  const ordered_json json = {
-      {"schema", "coapt.valve/1"},
-      {"name", valve.name},
-      {"provenance", valve.provenance},
-      {"pressure_kpa", valve.pressure_kpa},
-      {"tissue", tissue_json(valve.tissue)},
-      {"vertices_mm", rows(valve.rest_mm)},
-      {"faces", rows(valve.faces)},
-      {"segments", list(valve.segments, [](Segment segment) { return to_string(segment); })},
-      {"fibre", rows(valve.fibre)},
-      {"annulus", {{"vertices", valve.annulus}, {"positions_mm", rows(valve.annulus_mm)}}},
-      {"landmarks", landmarks_json(valve.landmarks)},
-      {"papillary_heads", list(valve.heads, head_json)},
-      {"chordae", list(valve.chordae, chorda_json)}};
+  const ordered_json json = is_mitral(valve) ? mitral_json(valve) : leaflet_valve_json(valve);
   std::string text = "{";
   const char* separator = "\n  ";
   for (const auto& [name, value] : json.items()) {
-    const bool tall = value.is_array() && name != "segments";
+    const bool tall = value.is_array() && name != "segments" && name != "face_leaflets";
     text += separator + one_line(name) + ": " + (tall ? line_per_entry(value) : one_line(value));
     separator = ",\n  ";
   }

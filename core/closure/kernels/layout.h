@@ -82,6 +82,16 @@ struct SheetBlock {
   Lane<R> volume_mm3;           ///< 0 for padding
 };
 
+/// Sixteen faces of exponential tissue (exponential.h has the symbols).
+template <class R>
+struct ExponentialBlock {
+  IndexLane node[3];
+  Lane<R> along[2], across[2];  ///< as in SheetBlock
+  Lane<R> volume_mm3;           ///< 0 for padding
+  Lane<R> c0_mpa, c1_mpa, c2;
+  Lane<R> steepest;  ///< I1 - 3 from where W' goes on along its tangent
+};
+
 template <class R>
 struct SheetFibres {
   R straight = 1;
@@ -179,6 +189,15 @@ struct HingeInput {
 };
 
 template <class R>
+struct ExponentialInput {
+  const ExponentialBlock<R>* blocks = nullptr;
+  int block_count = 0;
+  R least_area_stretch2 = 0;  ///< kLeastAreaStretch2
+  const Quad<R>* x = nullptr;
+  Quad<R>* force = nullptr;  ///< added to
+};
+
+template <class R>
 struct StepInput {
   const Quad<R>* x = nullptr;  ///< where all nodes are
   Quad<R>* next = nullptr;     ///< where the moving ones will be
@@ -220,6 +239,9 @@ struct Kernels {
   /// lie on both sides of the plane of g, likewise. Nearer than the thickness to it is on both
   /// sides.
   int (*straddling_faces)(const PairSearch<R>&, int* first, int* second, int room);
+  void (*pull_exponential)(const ExponentialInput<R>&);
+  /// exp of sixteen numbers from 0 to 40, for tests.
+  void (*exponentials)(const Lane<R>& from, Lane<R>& to);
 };
 
 }  // namespace coapt::kernels
