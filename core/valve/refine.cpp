@@ -27,15 +27,21 @@ void refine_annulus(const Valve& valve, const Subdivision& fine, Valve& refined)
   }
 }
 
+template <class T>
+std::vector<T> four_times(const std::vector<T>& of_faces) {
+  std::vector<T> all;
+  for (const T& one : of_faces) all.insert(all.end(), 4, one);
+  return all;
+}
+
 /// What each face has, four times over.
 void refine_tissue(const Valve& valve, Valve& refined) {
-  refined.segments.clear();
+  refined.segments = four_times(valve.segments);
+  refined.face_leaflet = four_times(valve.face_leaflet);
   refined.fibre.resize(4 * valve.faces.rows(), 3);
-  for (Index face = 0; face < valve.faces.rows(); ++face) {
-    refined.segments.insert(refined.segments.end(), 4, valve.segments[face]);
+  for (Index face = 0; face < valve.faces.rows(); ++face)
     for (Index part = 0; part < 4; ++part)
       refined.fibre.row(4 * face + part) = valve.fibre.row(face);
-  }
 }
 
 std::string in_words(const Valve& valve, const Valve& refined) {
