@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/closure/continuum.h"
+#include "core/closure/exponential.h"
 #include "core/closure/hinges.h"
 #include "core/closure/insertion_zone.h"
-#include "core/closure/exponential.h"
 #include "core/closure/membrane.h"
 #include "core/valve/valve.h"
 
