@@ -40,6 +40,27 @@ export interface components {
                 radial_transition: number;
                 /** @description Modulus of the chordae. */
                 chordae_kpa: number;
+                /**
+                 * @description What vertices_mm and transition strains are counted from: excised, the shape free of stress; in_vivo, the shape in the unpressurised heart, which the prestretches have stretched already.
+                 * @default excised
+                 * @enum {string}
+                 */
+                reference?: "excised" | "in_vivo";
+                /**
+                 * @description Length along the fibres in the unpressurised heart over the excised one. Counts with reference in_vivo.
+                 * @default 1.0761904761904761
+                 */
+                circumferential_prestretch?: number;
+                /**
+                 * @description Length across the fibres in the unpressurised heart over the excised one. Counts with reference in_vivo.
+                 * @default 1.1875
+                 */
+                radial_prestretch?: number;
+                /**
+                 * @description Flexural rigidity of the leaflets; 0: a membrane.
+                 * @default 0.03
+                 */
+                bending_n_mm?: number;
             };
             /** @description The unstressed shape. Edges of faces are 0.02 mm or longer. */
             vertices_mm: components["schemas"]["Valve.point"][];
@@ -140,6 +161,8 @@ export interface components {
             rest_length_mm: number;
             /** @description Diameter of its cross-section. */
             diameter_mm: number;
+            /** @description Modulus of this piece; left out: that of the tissue's chordae. */
+            modulus_kpa?: number;
             /** @description Barycentric weights on the vertices of a face. */
             insertion?: {
                 /** @description Index of the face. */
@@ -151,6 +174,11 @@ export interface components {
                     number
                 ];
             };
+            /**
+             * @description Radius of the disc of the leaflet that an inserting segment pulls at; 0: the face of the insertion alone.
+             * @default 2
+             */
+            zone_mm?: number;
             /** @description Place in the unpressurised valve. */
             branch_point_mm?: components["schemas"]["Valve.point"];
         } & (unknown | unknown);
@@ -580,6 +608,12 @@ export interface components {
              * @default 1
              */
             slack?: number;
+            /**
+             * @description What the meshes show: excised, leaflets free of stress; in_vivo, those of the unpressurised heart, which are stretched already.
+             * @default excised
+             * @enum {string}
+             */
+            reference?: "excised" | "in_vivo";
         };
         /** @description A valve that is stored now. */
         StoredValve: {
