@@ -1,11 +1,13 @@
 #include "core/metrics/coaptation.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 
+#include "core/metrics/gap.h"
+#include "core/metrics/leaflet_sides.h"
 #include "core/metrics/quantile.h"
 #include "core/metrics/surface.h"
-#include "core/valve/leaflet_of.h"
 
 namespace coapt {
 namespace {
@@ -18,27 +20,6 @@ CoaptationOptions with_contact_distance(CoaptationOptions options, const Valve& 
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Surface surface_of(const Valve& valve, const Points& closed_mm, const std::vector<Leaflet>& sides,
-                   Leaflet side) {
-  Surface surface;
-  for (Index f = 0; f < valve.faces.rows(); ++f)
-    if (sides[f] == side)
-      add_triangle(surface, {closed_mm.row(valve.faces(f, 0)), closed_mm.row(valve.faces(f, 1)),
-                             closed_mm.row(valve.faces(f, 2))});
-  return surface;
-}
-
-/// The triangles that may have a point within `reach_mm` of the plane.
-Surface near_plane(const Surface& surface, const SectionPlane& plane, double reach_mm) {
-  Surface near;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    const double height_mm = (surface.centres[i] - plane.point_mm).dot(plane.normal);
-    if (std::abs(height_mm) <= reach_mm + surface.radii[i])
-      add_triangle(near, surface.triangles[i]);
-  }
-  return near;
-}
-
 /// One piece of a cut, in equal parts no longer than `sample_mm`; `visit(middle, length)` for each.
 template <class Visit>
 void sample(const Vec3& from, const Vec3& to, double sample_mm, const Visit& visit) {
@@ -47,35 +28,80 @@ void sample(const Vec3& from, const Vec3& to, double sample_mm, const Visit& vis
   for (int i = 0; i < parts; ++i) visit(from + (i + 0.5) / parts * (to - from), length / parts);
 }
 
-/// Distances of `limit_mm` and more count as that.
-CoaptationSection measure_section(const std::vector<SectionLine>& lines,
-                                  const std::vector<Leaflet>& sides, const Surface& posterior,
-                                  const CoaptationOptions& options, double limit_mm) {
-  CoaptationSection section;
-  section.distance_mm = limit_mm;
-  // Between two points the distance changes by no more than the way from one to the other: near a
-  // point that is far off, nothing needs to be measured.
-  Vec3 measured_at = Vec3::Zero();
-  double measured = 0.0;
+/// `visit(i, line)` for each piece of the cuts that lies on the anterior side.
+template <class Visit>
+void for_anterior_pieces(const std::vector<SectionLine>& lines, const std::vector<Leaflet>& sides,
+                         const Visit& visit) {
   for (const SectionLine& line : lines)
-    for (std::size_t i = 0; i < line.faces.size(); ++i) {
-      if (sides[line.faces[i]] != Leaflet::Anterior) continue;
-      sample(line.points_mm[i], line.points_mm[i + 1], options.sample_mm,
-             [&](const Vec3& point, double length) {
-               const double matters = std::max(section.distance_mm, options.contact_distance_mm);
-               if (measured - (point - measured_at).norm() > matters) return;
-               measured = distance_within(posterior, point, std::min(limit_mm, 2.0 * matters));
-               measured_at = point;
-               if (measured < section.distance_mm) {
-                 section.distance_mm = measured;
-                 section.nearest_mm[0] = point;
-               }
-               if (measured <= options.contact_distance_mm) section.height_mm += length;
-             });
+    for (std::size_t i = 0; i < line.faces.size(); ++i)
+      if (sides[line.faces[i]] == Leaflet::Anterior) visit(line, i);
+}
+
+/// The triangles that may have a point within `reach_mm` of the plane.
+TriangleSet near_plane(const TriangleSet& surface, const SectionPlane& plane, double reach_mm) {
+  std::vector<SurfaceTriangle> near;
+  for (const SurfaceTriangle& triangle : surface.triangles) {
+    std::array<double, 3> heights_mm;
+    for (std::size_t k = 0; k < 3; ++k)
+      heights_mm[k] = (triangle[k] - plane.point_mm).dot(plane.normal);
+    const auto [low, high] = std::minmax({heights_mm[0], heights_mm[1], heights_mm[2]});
+    if (low <= reach_mm && high >= -reach_mm) near.push_back(triangle);
+  }
+  return make_surface(std::move(near));
+}
+
+/// What has been measured at one point says of others that they cannot be nearer than this: the
+/// distance changes by no more than the way from one to the other.
+struct MeasuredPoint {
+  Vec3 at_mm = Vec3::Zero();
+  SurfacePoint nearest;
+  double least_mm(const Vec3& point) const { return nearest.distance_mm - (point - at_mm).norm(); }
+};
+
+/// Where the cuts' corners on the anterior side are nearest: a bound of what matters between them.
+CoaptationSection nearest_corner(const std::vector<SectionLine>& lines,
+                                 const std::vector<Leaflet>& sides, const TriangleSet& posterior) {
+  CoaptationSection section;
+  section.distance_mm = kInfinity;
+  MeasuredPoint last;
+  for_anterior_pieces(lines, sides, [&](const SectionLine& line, std::size_t i) {
+    for (const Vec3& point : {line.points_mm[i], line.points_mm[i + 1]}) {
+      if (last.least_mm(point) >= section.distance_mm) continue;
+      last = {point, nearest_within(posterior, point, kInfinity, last.nearest.triangle)};
+      if (last.nearest.distance_mm >= section.distance_mm) continue;
+      section.distance_mm = last.nearest.distance_mm;
+      section.nearest_mm = {point, last.nearest.point_mm};
     }
+  });
+  return section;
+}
+
+CoaptationSection measure_section(const std::vector<SectionLine>& lines,
+                                  const std::vector<Leaflet>& sides, const TriangleSet& posterior,
+                                  const SectionPlane& plane, const CoaptationOptions& options) {
+  CoaptationSection section = nearest_corner(lines, sides, posterior);
+  const double contact_mm = options.contact_distance_mm;
+  const TriangleSet near = near_plane(posterior, plane, std::max(section.distance_mm, contact_mm));
+  MeasuredPoint last;
+  for_anterior_pieces(lines, sides, [&](const SectionLine& line, std::size_t i) {
+    sample(line.points_mm[i], line.points_mm[i + 1], options.sample_mm,
+           [&](const Vec3& point, double length) {
+             const double least_mm = last.least_mm(point);
+             if (least_mm > std::max(section.distance_mm, contact_mm)) return;
+             // In contact with the triangle that was nearest a little before, a point matters only
+             // if it may be nearer than all others.
+             const bool touches = distance_to(near, point, last.nearest.triangle) <= contact_mm;
+             if (!touches || least_mm < section.distance_mm) {
+               last = {point, nearest_within(near, point, kInfinity, last.nearest.triangle)};
+               if (last.nearest.distance_mm < section.distance_mm) {
+                 section.distance_mm = last.nearest.distance_mm;
+                 section.nearest_mm = {point, last.nearest.point_mm};
+               }
+             }
+             if (touches || last.nearest.distance_mm <= contact_mm) section.height_mm += length;
+           });
+  });
   section.contact = section.height_mm > 0.0;
-  if (section.distance_mm < limit_mm)
-    section.nearest_mm[1] = nearest_point(posterior, section.nearest_mm[0]);
   return section;
 }
 
@@ -113,7 +139,7 @@ struct Flank {
 };
 
 Flank flank(const SectionLine& line, const std::vector<Leaflet>& sides, Leaflet side,
-            const Surface& other, const SectionAxes& axes, const CoaptationOptions& options) {
+            const TriangleSet& other, const SectionAxes& axes, const CoaptationOptions& options) {
   Flank flank;
   std::size_t pieces = line.faces.size();
   Vec3 touching = Vec3::Zero();
@@ -140,40 +166,17 @@ Flank flank(const SectionLine& line, const std::vector<Leaflet>& sides, Leaflet 
 
 }  // namespace
 
-std::vector<Leaflet> leaflet_sides(const Valve& valve) {
-  const Vec3 from = valve.rest_mm.row(valve.landmarks.anterolateral_commissure).transpose();
-  const Vec3 to = valve.rest_mm.row(valve.landmarks.posteromedial_commissure).transpose();
-  const Vec3 anterior = annular_plane(valve).normal.cross(to - from);
-  std::vector<Leaflet> sides;
-  sides.reserve(valve.segments.size());
-  for (std::size_t f = 0; f < valve.segments.size(); ++f) {
-    if (const std::optional<Leaflet> leaflet = leaflet_of(valve.segments[f])) {
-      sides.push_back(*leaflet);
-      continue;
-    }
-    Vec3 centre = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) centre += valve.rest_mm.row(valve.faces(f, k)).transpose() / 3.0;
-    sides.push_back((centre - from).dot(anterior) > 0.0 ? Leaflet::Anterior : Leaflet::Posterior);
-  }
-  return sides;
-}
-
 std::vector<CoaptationSection> coaptation_sections(const Valve& valve, const Points& closed_mm,
                                                    const std::vector<double>& along,
                                                    const CoaptationOptions& asked) {
   const CoaptationOptions options = with_contact_distance(asked, valve);
   const std::vector<Leaflet> sides = leaflet_sides(valve);
-  const Surface posterior = surface_of(valve, closed_mm, sides, Leaflet::Posterior);
+  const TriangleSet posterior = surface_of(valve, closed_mm, sides, Leaflet::Posterior);
   std::vector<CoaptationSection> sections;
   for (const double place : along) {
     const SectionPlane plane = coaptation_plane(valve, place);
     const std::vector<SectionLine> lines = cut(valve.faces, closed_mm, plane);
-    // Most sections touch, and then the triangles beside the plane are enough.
-    const double reach_mm = 2.0 * options.contact_distance_mm;
-    CoaptationSection section =
-        measure_section(lines, sides, near_plane(posterior, plane, reach_mm), options, reach_mm);
-    if (section.distance_mm >= reach_mm)
-      section = measure_section(lines, sides, posterior, options, kInfinity);
+    CoaptationSection section = measure_section(lines, sides, posterior, plane, options);
     section.along = place;
     sections.push_back(section);
   }
@@ -197,18 +200,13 @@ Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
   for (std::size_t i = 0; i < count; ++i) along.push_back(0.1 * static_cast<double>(i + 1));
   const std::vector<CoaptationSection> sections =
       coaptation_sections(valve, closed_mm, along, options);
-  const double spacing_mm =
-      (coaptation_plane(valve, along[1]).point_mm - coaptation_plane(valve, along[0]).point_mm)
-          .norm();
   for (std::size_t i = 0; i < count; ++i) {
     const CoaptationSection& section = coaptation.sections[i] = sections[i];
     heights.push_back(section.height_mm);
     coaptation.height_mean_mm += section.height_mm / static_cast<double>(count);
     coaptation.distance_max_mm = std::max(coaptation.distance_max_mm, section.distance_mm);
-    if (!section.contact)
-      coaptation.gap_area_mm2 +=
-          spacing_mm * std::max(0.0, section.distance_mm - valve.tissue.thickness_mm);
   }
+  coaptation.gap_area_mm2 = measure_gap(valve, closed_mm).area_mm2;
   coaptation.height_min_mm = quantile(heights, 0.0);
   coaptation.height_p10_mm = quantile(heights, 0.1);
   return coaptation;

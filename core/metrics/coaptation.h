@@ -31,10 +31,6 @@ struct CoaptationSection {
   std::array<Vec3, 2> nearest_mm{Vec3::Zero(), Vec3::Zero()};
 };
 
-/// Order of Valve::faces. Faces of the commissures belong to the side of the line between the
-/// commissures on which they lie at rest.
-std::vector<Leaflet> leaflet_sides(const Valve& valve);
-
 /// Of the sections at these places along the line between the commissures (coaptation_plane). One
 /// without anterior tissue has an infinite distance.
 std::vector<CoaptationSection> coaptation_sections(const Valve& valve, const Points& closed_mm,
@@ -49,9 +45,8 @@ struct Coaptation {
   std::array<CoaptationSection, 9> sections;
   double height_min_mm = 0.0, height_mean_mm = 0.0, height_p10_mm = 0.0;
   double distance_max_mm = 0.0;  ///< the widest of the sections' smallest distances: hidden gaps
-  /// Opening between the sides in three dimensions: (smallest distance - leaflet thickness), where
-  /// positive and out of contact, integrated from commissure to commissure. A prolapsing leaflet
-  /// that overlaps the other in the atrial view leaks here and not in the orifice.
+  /// Opening between the sides in three dimensions (gap.h). A prolapsing leaflet that overlaps the
+  /// other in the atrial view leaks here and not in the orifice. Not of the nine sections.
   double gap_area_mm2 = 0.0;
 };
 

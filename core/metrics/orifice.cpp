@@ -55,13 +55,13 @@ void connect(std::vector<PixelRun>& runs) {
 }
 
 /// The annulus drawn white, before any leaflet.
-struct Sheet {
+struct Bitmap {
   OrificeView view;
   Mask mask;
 };
 
-Sheet draw_annulus(const Projection& projection, const ImageSize& size) {
-  Sheet sheet;
+Bitmap draw_annulus(const Projection& projection, const ImageSize& size) {
+  Bitmap sheet;
   OrificeView& view = sheet.view;
   view.width = size.width;
   view.height = size.height;
@@ -84,7 +84,7 @@ Sheet draw_annulus(const Projection& projection, const ImageSize& size) {
 }
 
 /// What the leaflets leave open of the sheet, without its orifices.
-OrificeView draw_leaflets(Sheet&& sheet, const Projection& projection, double half_thickness_mm) {
+OrificeView draw_leaflets(Bitmap&& sheet, const Projection& projection, double half_thickness_mm) {
   OrificeView& view = sheet.view;
   std::vector<Triangle> faces_px = projection.faces;
   for (Triangle& face : faces_px)

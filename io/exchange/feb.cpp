@@ -6,7 +6,7 @@
 
 #include "core/closure/continuum.h"
 #include "core/closure/model.h"
-#include "core/metrics/coaptation.h"
+#include "core/metrics/leaflet_sides.h"
 #include "core/valve/number_text.h"
 #include "io/json/result_json.h"
 #include "io/mesh/mesh_text.h"

@@ -1,7 +1,7 @@
 #include "io/exchange/valve_vtk.h"
 
 #include "core/metrics/annulus.h"
-#include "core/metrics/coaptation.h"
+#include "core/metrics/leaflet_sides.h"
 #include "core/metrics/loads.h"
 
 namespace coapt {

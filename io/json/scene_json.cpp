@@ -5,6 +5,7 @@
 
 #include "core/metrics/coaptation.h"
 #include "core/metrics/exact_orifice.h"
+#include "core/metrics/gap.h"
 #include "core/metrics/loads.h"
 #include "core/valve/leaflet_coordinates.h"
 
@@ -136,6 +137,14 @@ ordered_json sections_json(const Valve& valve, const Points& closed_mm) {
                  });
 }
 
+ordered_json gap_json(const Valve& valve, const Points& closed_mm) {
+  return list_of(measure_gap(valve, closed_mm).places, [](const GapPlace& place) -> ordered_json {
+    return {{"anterior_mm", point(place.anterior_mm)},
+            {"posterior_mm", point(place.posterior_mm)},
+            {"width_mm", mm(place.width_mm)}};
+  });
+}
+
 ordered_json sutures_json(const Valve& valve, const RepairPlan& plan) {
   ordered_json list = ordered_json::array();
   for (const RepairStep& step : plan.steps)
@@ -180,12 +189,14 @@ ordered_json scene_to_json(const Scene& scene) {
       {"sutures", sutures_json(valve, plan)},
       {"strain", nullptr},
       {"orifices", ordered_json::array()},
+      {"gap", ordered_json::array()},
       {"sections", ordered_json::array()},
       {"motion_mm", motion_json(closure.motion_mm, frames)}};
   if (!is_finite) return json;
   json["closed_mm"] = flat(closure.closed_mm);
   json["strain"] = strains_json(valve, closure.closed_mm);
   json["orifices"] = orifices_json(valve, closure.closed_mm);
+  json["gap"] = gap_json(valve, closure.closed_mm);
   json["sections"] = sections_json(valve, closure.closed_mm);
   return json;
 }

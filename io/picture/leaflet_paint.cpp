@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "core/metrics/coaptation.h"
+#include "core/metrics/leaflet_sides.h"
 
 namespace coapt {
 namespace {

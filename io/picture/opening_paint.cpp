@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/metrics/coaptation.h"
+#include "core/metrics/gap.h"
 #include "io/picture/text.h"
 
 namespace coapt {
@@ -43,11 +43,10 @@ void draw_pill(const Canvas& canvas, const Vec2& from, const Vec2& to, const std
 std::vector<GapStrip> hidden_gaps(const ClosedValve& closed, const OrificeView& view) {
   const double half_thickness_mm = 0.5 * closed.valve.tissue.thickness_mm;
   std::vector<GapStrip> strips(1);
-  for (const CoaptationSection& section :
-       fine_coaptation_sections(closed.valve, closed.closure.closed_mm)) {
-    const Vec2 anterior = project(view.plane, section.nearest_mm[0]);
-    const Vec2 posterior = project(view.plane, section.nearest_mm[1]);
-    if (section.contact || !std::isfinite(section.distance_mm) ||
+  for (const GapPlace& place : measure_gap(closed.valve, closed.closure.closed_mm).places) {
+    const Vec2 anterior = project(view.plane, place.anterior_mm);
+    const Vec2 posterior = project(view.plane, place.posterior_mm);
+    if (place.width_mm == 0.0 ||
         is_in_orifice(view, 0.5 * (anterior + posterior), half_thickness_mm)) {
       strips.emplace_back();
     } else {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/metrics/coaptation.h"
+#include "core/metrics/leaflet_sides.h"
 #include "io/picture/repair_paint.h"
 #include "io/picture/section_map.h"
 #include "io/picture/text.h"

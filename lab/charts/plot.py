@@ -4,6 +4,7 @@
 ablation.csv            what each ingredient of a closure buys and costs
 speed-accuracy.csv      distance from a reference, and error of the orifice, against time
 stability.csv           where each method closes a valve and where it fails
+gap.csv                 the gap on growing meshes, of surfaces and of closures
 orifice-resolution.csv  error and time of the orifice's image
 ecdf.csv                share of targets that the search and its rivals reach
 mesh.csv                error of areas and shapes against the number of triangles
@@ -301,6 +302,49 @@ def draw_stability(rows):
     return figure
 
 
+# The gap: surfaces by their error, closures by the area itself.
+
+GAPS = (("gap_mm2", "gap", BLUE, "o"), ("sections_mm2", "nine sections", ORANGE, "s"))
+
+
+def draw_gap_panel(axis, rows, scene):
+    exact = rows[0]["orifice_mm2"] == ""
+    triangles = numbers(rows, "triangles")
+    for column, name, colour, marker in GAPS:
+        values = numbers(rows, column)
+        if exact:
+            values = [
+                max(abs(100 * value / expected - 100), 0.01)
+                for value, expected in zip(values, numbers(rows, "expected_mm2"))
+            ]
+        axis.plot(triangles, values, color=colour, marker=marker, ms=4, label=name)
+    if exact:
+        axis.set(yscale="log", ylabel="error, %")
+    else:
+        axis.plot(triangles, numbers(rows, "orifice_mm2"), color=GREY, ls="--", marker=".", label="orifice")
+        axis.set(ylabel="mm²")
+        axis.set_ylim(bottom=0)
+    axis.set_title(scene, loc="left", fontsize=9.5)
+    axis.set(xscale="log", xticks=[650, 1300, 2600, 5200, 10400] if exact else [650, 1300, 2600, 5200])
+    axis.xaxis.set_major_formatter(PLAIN)
+    axis.xaxis.set_minor_formatter(FuncFormatter(lambda *_: ""))
+    axis.yaxis.set_major_formatter(PLAIN)
+
+
+def draw_gap(rows):
+    scenes = each_once(row["scene"] for row in rows)
+    figure, axes = figure_titled(
+        "The gap on growing meshes: error where it is known, area of closures", 12, 6, nrows=2, ncols=-(-len(scenes) // 2)
+    )
+    for axis, scene in zip(axes.flat, scenes):
+        draw_gap_panel(axis, [row for row in rows if row["scene"] == scene], scene)
+    for axis in axes[-1]:
+        axis.set_xlabel("triangles")
+    handles, names = axes[-1][-1].get_legend_handles_labels()
+    legend_beside(axes[0][-1], handles, names)
+    return figure
+
+
 # The orifice's image.
 
 
@@ -393,6 +437,7 @@ CHARTS = {
     "speed-accuracy": {"speed-accuracy": draw_speed_accuracy, "speed-accuracy-orifice": draw_orifice_accuracy},
     "stability": {"stability": draw_stability},
     "orifice-resolution": {"orifice-error": draw_orifice_error, "orifice-time": draw_orifice_time},
+    "gap": {"gap": draw_gap},
     "mesh": {"mesh": mesh.draw_errors},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},

@@ -166,6 +166,13 @@ inline Valve extruded_leaflets(const std::vector<Eigen::Vector2d>& anterior,
   return valve;
 }
 
+/// Anterior: a wall 20 mm deep at y = d. Posterior: a shelf at z = -12 that ends in a wall at y = 0
+/// from there to z = -20, so that the walls face each other over 8 mm at distance d.
+inline Valve facing_walls(double d) {
+  return extruded_leaflets({{d, 0.0}, {d, -7.0}, {d, -20.0}},
+                           {{-9.0, 0.0}, {-9.0, -12.0}, {0.0, -12.0}, {0.0, -20.0}});
+}
+
 /// The same valve elsewhere.
 inline Valve moved(Valve valve, const Eigen::Isometry3d& motion) {
   const auto move = [&](Points& points) {

@@ -2,22 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
-#include "core/closure/contact.h"
+#include "core/metrics/leaflet_sides.h"
 #include "core/metrics/quantile.h"
-#include "core/metrics/surface.h"
 #include "tests/scenes/sheets.h"
 
 namespace coapt {
 namespace {
-
-/// Anterior: a wall 20 mm deep at y = d. Posterior: a shelf at z = -12 that ends in a wall at y = 0
-/// from there to z = -20, so that the walls face each other over 8 mm at distance d.
-Valve facing_walls(double d) {
-  return extruded_leaflets({{d, 0.0}, {d, -7.0}, {d, -20.0}},
-                           {{-9.0, 0.0}, {-9.0, -12.0}, {0.0, -12.0}, {0.0, -20.0}});
-}
 
 TEST(Coaptation, FacingWallsHaveTheDesignedHeightAndDistance) {
   const Valve valve = facing_walls(1.0);
@@ -47,7 +37,7 @@ TEST(Coaptation, WallsFartherApartThanTheToleranceDoNotTouch) {
     EXPECT_NEAR(posterior_mm.y(), 0.0, 1e-9);
     EXPECT_NEAR(anterior_mm.x(), coaptation_plane(valve, section.along).point_mm.x(), 1e-9);
   }
-  EXPECT_NEAR(coaptation.gap_area_mm2, 9 * 3.0 * (1.5 - 1.0), 1e-9);  // sections 3 mm apart
+  EXPECT_NEAR(coaptation.gap_area_mm2, 30.0 * (1.5 - 1.0), 1e-9);
 }
 
 TEST(Coaptation, AGapAtOneEndShowsInItsSectionsOnly) {
@@ -106,29 +96,6 @@ TEST(Tenting, BillowingAboveTheAnnularLineIsNegative) {
   const Tenting tenting = measure_tenting(valve, valve.rest_mm);
   EXPECT_NEAR(tenting.height_mm, -3.0, 1e-9);
   EXPECT_NEAR(tenting.area_mm2, -(12.0 + 12.0 + 12.0), 1e-9);
-}
-
-TEST(Surface, DistanceIsThatOfTheNearestTriangleUpToTheLimit) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> coordinate(-10.0, 10.0);
-  const auto point = [&] {
-    return Vec3(coordinate(random), coordinate(random), coordinate(random));
-  };
-  Surface surface;
-  for (int i = 0; i < 40; ++i) {
-    const Vec3 corner = point();
-    add_triangle(surface, {corner, corner + 0.3 * point(), corner + 0.3 * point()});
-  }
-  for (int i = 0; i < 500; ++i) {
-    const Vec3 p = point();
-    double nearest = 1e300;
-    for (const auto& [a, b, c] : surface.triangles) {
-      const Vec3 w = closest_point_weights(p, a, b, c);
-      nearest = std::min(nearest, (p - w[0] * a - w[1] * b - w[2] * c).norm());
-    }
-    EXPECT_NEAR(distance_within(surface, p, 1e9), nearest, 1e-12);
-    EXPECT_NEAR(distance_within(surface, p, 2.0), std::min(nearest, 2.0), 1e-12);
-  }
 }
 
 TEST(Quantile, InterpolatesBetweenOrderStatistics) {

@@ -86,6 +86,18 @@ TEST(SceneJson, ItsOrificesAndSectionsAreThoseOfTheMeasures) {
   EXPECT_EQ(same, 9);
 }
 
+TEST(SceneJson, ItsGapIsThatOfTheMeasures) {
+  const auto [valve, plan, closure, scene] = closed("human-p2-prolapse", {}, 0);
+  double area = 0.0;
+  for (std::size_t i = 1; i < scene["gap"].size(); ++i) {
+    const ordered_json &a = scene["gap"][i - 1], &b = scene["gap"][i];
+    area += 0.5 * (a["width_mm"].get<double>() + b["width_mm"].get<double>()) *
+            (vector(a["anterior_mm"]) - vector(b["anterior_mm"])).norm();
+  }
+  const double measured = measure(valve, closure).coaptation.gap_area_mm2;
+  EXPECT_NEAR(area, measured, 0.02 * measured);
+}
+
 TEST(SceneJson, TheMotionBeginsOpenAndEndsClosedWithAsManyFramesAsAskedForAtMost) {
   const auto [valve, plan, closure, scene] = closed("human-normal", {}, 5);
   ASSERT_EQ(scene["motion_mm"].size(), 5u);

@@ -764,7 +764,7 @@ export interface components {
                 height_p10_mm: number | null;
                 /** @description Largest distance_mm of the nine sections; null also if one has no anterior tissue. */
                 distance_max_mm: number | null;
-                /** @description Opening between the leaflets in three dimensions, also where one hides it from the atrium. */
+                /** @description Opening between the leaflets in three dimensions, also where one hides it from the atrium: the smallest membrane from one to the other, along a line from commissure to commissure. */
                 gap_area_mm2: number | null;
                 /** @description Nine sections across the line of coaptation, from along 0.1 to 0.9. */
                 sections: {
@@ -975,6 +975,15 @@ export interface components {
                 /** @description Closed lines, the outer one first. */
                 contours_mm: components["schemas"]["FlatPoints"][];
             }[];
+            /** @description The line along the anterior side, from the anterolateral to the posteromedial commissure, on which the leaflets are nearest to each other. Lines from it across to the posterior side span the gap; its area is the integral of the width. */
+            gap: {
+                /** @description On the line. */
+                anterior_mm: components["schemas"]["Vector"];
+                /** @description The nearest point of the posterior side's mid-surface. */
+                posterior_mm: components["schemas"]["Vector"];
+                /** @description Distance of the two less the leaflets' thickness; 0 where the leaflets touch. */
+                width_mm: number;
+            }[];
             /** @description 37 planes across the line between the commissures. */
             sections: {
                 /** @description 0 at the anterolateral commissure, 1 at the posteromedial one. */
@@ -989,7 +998,7 @@ export interface components {
                 distance_mm: number | null;
                 /** @description Whether the leaflets are in contact here. */
                 contact: boolean;
-                /** @description Where the leaflets' mid-surfaces are nearest to each other: on the anterior side, in the section, and on the posterior side; null without anterior tissue. Lines between them, over neighbouring sections without contact, span the gap. */
+                /** @description Where the leaflets' mid-surfaces are nearest to each other: on the anterior side, in the section, and on the posterior side; null without anterior tissue. */
                 nearest_mm: [
                     components["schemas"]["Vector"],
                     components["schemas"]["Vector"]

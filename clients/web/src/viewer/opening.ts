@@ -74,12 +74,13 @@ function levelled({ plane, thickness_mm }: Scene, points: number[]): number[] {
   })
 }
 
-/// Between the leaflets in neighbouring sections without contact, but where the atrial view shows the orifice itself.
+/// Between the leaflets along the line on which they are nearest, but where they touch and where the atrial view shows
+/// the orifice itself.
 export function hiddenMembranes(scene: Scene): Membrane[] {
   const runs: [Vector, Vector][][] = [[]]
-  for (const { contact, nearest_mm } of scene.sections) {
-    const pair = nearest_mm as [Vector, Vector] | null
-    if (!contact && pair !== null && !isInOrifice(scene, blend(...pair, 0.5))) runs.at(-1)?.push(pair)
+  for (const { anterior_mm, posterior_mm, width_mm } of scene.gap) {
+    const pair: [Vector, Vector] = [anterior_mm as Vector, posterior_mm as Vector]
+    if (width_mm > 0 && !isInOrifice(scene, blend(...pair, 0.5))) runs.at(-1)?.push(pair)
     else runs.push([])
   }
   return runs.filter((pairs) => pairs.length > 1).map(between)

@@ -5,23 +5,11 @@ import { hiddenMembranes, type Membrane, orificeMembranes, skirt } from '../../s
 import { outwards, thickSheet, vertexNormals } from '../../src/viewer/thick_sheet'
 import { pyramid } from './scenes'
 
-type Section = ReturnType<typeof pyramid>['sections'][number]
+type Place = ReturnType<typeof pyramid>['gap'][number]
 
 /// At x, leaflets `width` apart along y, 5 mm below the plane.
-function apart(x: number, width: number): Section {
-  const nearest_mm: Section['nearest_mm'] = [
-    [x, width / 2, -5],
-    [x, -width / 2, -5],
-  ]
-  return {
-    along: 0,
-    point_mm: [x, 0, 0],
-    normal: [1, 0, 0],
-    height_mm: 0,
-    distance_mm: width,
-    contact: false,
-    nearest_mm,
-  }
+function apart(x: number, width: number): Place {
+  return { anterior_mm: [x, width / 2, -5], posterior_mm: [x, -width / 2, -5], width_mm: Math.max(0, width - 1) }
 }
 
 function area({ points, triangles }: Membrane): number {
@@ -37,23 +25,22 @@ function area({ points, triangles }: Membrane): number {
 
 describe('the opening', () => {
   it('spans two parallel edges over their length', () => {
-    const scene = { ...pyramid(), sections: [apart(-2, 3), apart(0, 3), apart(2, 3)] }
+    const scene = { ...pyramid(), gap: [apart(-2, 3), apart(0, 3), apart(2, 3)] }
     const [membrane, ...others] = hiddenMembranes(scene)
     expect(others).toEqual([])
     expect(area(membrane as Membrane)).toBeCloseTo(4 * 3)
   })
 
   it('ends where the leaflets touch', () => {
-    const touching = { ...apart(0, 0.5), contact: true }
-    const scene = { ...pyramid(), sections: [apart(-4, 3), apart(-2, 3), touching, apart(2, 1), apart(4, 1)] }
-    expect(hiddenMembranes(scene).map(area)).toEqual([6, 2])
+    const scene = { ...pyramid(), gap: [apart(-4, 3), apart(-2, 3), apart(0, 0.5), apart(2, 2), apart(4, 2)] }
+    expect(hiddenMembranes(scene).map(area)).toEqual([6, 4])
   })
 
   it('is the orifice itself where the atrial view shows it, as high as its outline', () => {
     const outline = [-5, -20, -3, 5, -20, -3, 5, 20, -33, -5, 20, -33]
     const scene = {
       ...pyramid(),
-      sections: [apart(-2, 3), apart(0, 3), apart(2, 3)],
+      gap: [apart(-2, 3), apart(0, 3), apart(2, 3)],
       orifices: [{ area_mm2: 400, contours_mm: [outline] }],
     }
     expect(hiddenMembranes(scene)).toEqual([])
@@ -70,7 +57,7 @@ describe('the opening', () => {
   })
 
   it('reaches half of the thickness into the tissue beside it', () => {
-    const scene = { ...pyramid(), sections: [apart(-2, 3), apart(0, 3), apart(2, 3)] }
+    const scene = { ...pyramid(), gap: [apart(-2, 3), apart(0, 3), apart(2, 3)] }
     const [membrane] = hiddenMembranes(scene)
     expect(area(skirt(scene, membrane as Membrane))).toBeCloseTo(5 * 4 - 4 * 3)
   })

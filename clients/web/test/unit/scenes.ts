@@ -36,6 +36,7 @@ export function pyramid(): Scene {
     sutures: [],
     strain: { circumferential: [0, 0.1, 0.2, 0.3], radial: [0, 0, 0, 0.4] },
     orifices: [],
+    gap: [],
     sections: [],
     motion_mm: [],
     closure: {} as Scene['closure'],
