@@ -72,7 +72,7 @@ class Rounds {
 
   Pairs pairs_at(const RigidMotion& motion) const {
     const Points at_mm = moved(points_mm_, motion);
-    std::vector<SurfacePoint> nearest;
+    std::vector<TreePoint> nearest;
     std::vector<Eigen::Index> inside;
     double sum = 0.0;
     for (Eigen::Index i = 0; i < at_mm.rows(); ++i) {
@@ -88,7 +88,7 @@ class Rounds {
     Pairs pairs{at_mm(inside, Eigen::all), Points(std::ssize(inside), 3),
                 Points(std::ssize(inside), 3), 0.0, sum / static_cast<double>(at_mm.rows())};
     for (std::size_t i = 0; i < inside.size(); ++i) {
-      const SurfacePoint& at = nearest[static_cast<std::size_t>(inside[i])];
+      const TreePoint& at = nearest[static_cast<std::size_t>(inside[i])];
       pairs.to_mm.row(static_cast<Eigen::Index>(i)) = at.point_mm.transpose();
       pairs.normals.row(static_cast<Eigen::Index>(i)) = normal_of(at.face).transpose();
     }

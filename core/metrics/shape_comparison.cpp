@@ -72,7 +72,7 @@ void measure_surface(const LeafletMesh& closed, const SurfaceTree& reference,
   Index beyond = 0;
   for (Eigen::Index i = 0; i < at_mm.rows(); ++i) {
     const Vec3 point = at_mm.row(i).transpose();
-    const SurfacePoint nearest = reference.nearest(point);
+    const TreePoint nearest = reference.nearest(point);
     Vec3 normal = Vec3::Zero();
     for (int k = 0; k < 3; ++k)
       normal += nearest.weights[k] * normals.row(reference.faces()(nearest.face, k)).transpose();

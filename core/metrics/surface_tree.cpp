@@ -51,9 +51,9 @@ void SurfaceTree::split(int index) {
 }
 
 template <class Counts>
-SurfacePoint SurfaceTree::search(const Vec3& point_mm, double limit_mm,
+TreePoint SurfaceTree::search(const Vec3& point_mm, double limit_mm,
                                  const Counts& counts) const {
-  SurfacePoint nearest;
+  TreePoint nearest;
   nearest.distance_mm = limit_mm;
   std::vector<std::pair<double, int>> open = {{nodes_[0].box.exteriorDistance(point_mm), 0}};
   while (!open.empty()) {
@@ -89,11 +89,11 @@ SurfacePoint SurfaceTree::search(const Vec3& point_mm, double limit_mm,
   return nearest;
 }
 
-SurfacePoint SurfaceTree::nearest(const Vec3& point_mm) const {
+TreePoint SurfaceTree::nearest(const Vec3& point_mm) const {
   return search(point_mm, std::numeric_limits<double>::infinity(), [](int) { return true; });
 }
 
-SurfacePoint SurfaceTree::nearest_within(const Vec3& point_mm, double limit_mm,
+TreePoint SurfaceTree::nearest_within(const Vec3& point_mm, double limit_mm,
                                          const std::function<bool(int)>& counts) const {
   return search(point_mm, limit_mm, counts);
 }
@@ -118,7 +118,7 @@ SurfaceEdge::SurfaceEdge(const Faces& faces)
     }
 }
 
-bool SurfaceEdge::holds(const SurfacePoint& at) const {
+bool SurfaceEdge::holds(const TreePoint& at) const {
   for (int k = 0; k < 3; ++k) {
     if (at.weights[k] <= 0.0 &&
         edges_[static_cast<std::size_t>(at.face)][static_cast<std::size_t>(k)])

@@ -11,7 +11,7 @@
 
 namespace coapt {
 
-struct SurfacePoint {
+struct TreePoint {
   int face = -1;                ///< -1: there is none
   Vec3 weights = Vec3::Zero();  ///< barycentric, on the face's corners
   Vec3 point_mm = Vec3::Zero();
@@ -24,10 +24,10 @@ class SurfaceTree {
   SurfaceTree(Points vertices_mm, Faces faces);
 
   /// Where several faces are as near, the one with the smallest number.
-  SurfacePoint nearest(const Vec3& point_mm) const;
+  TreePoint nearest(const Vec3& point_mm) const;
 
   /// The nearest of the faces that `counts` says yes to, nearer than `limit_mm`.
-  SurfacePoint nearest_within(const Vec3& point_mm, double limit_mm,
+  TreePoint nearest_within(const Vec3& point_mm, double limit_mm,
                               const std::function<bool(int)>& counts) const;
 
   const Points& vertices_mm() const { return vertices_mm_; }
@@ -41,7 +41,7 @@ class SurfaceTree {
   };
   void split(int node);
   template <class Counts>
-  SurfacePoint search(const Vec3& point_mm, double limit_mm, const Counts& counts) const;
+  TreePoint search(const Vec3& point_mm, double limit_mm, const Counts& counts) const;
 
   Points vertices_mm_, centres_mm_;
   Faces faces_;
@@ -53,7 +53,7 @@ class SurfaceTree {
 class SurfaceEdge {
  public:
   explicit SurfaceEdge(const Faces& faces);
-  bool holds(const SurfacePoint& at) const;
+  bool holds(const TreePoint& at) const;
 
  private:
   Faces faces_;

@@ -24,7 +24,7 @@ TEST(SurfaceTree, FindsTheNearestPointThatGoingThroughAllTrianglesFinds) {
   const SurfaceTree tree = tree_of(mesh);
   for (int i = 0; i < 200; ++i) {
     const Vec3 point(20.0 * std::sin(1.7 * i), 15.0 * std::sin(2.9 * i), 12.0 * std::sin(0.7 * i));
-    const SurfacePoint nearest = tree.nearest(point);
+    const TreePoint nearest = tree.nearest(point);
     EXPECT_NEAR(nearest.distance_mm, (nearest_point(all, point) - point).norm(), 1e-12);
     EXPECT_NEAR(nearest.distance_mm, (nearest.point_mm - point).norm(), 1e-12);
   }
