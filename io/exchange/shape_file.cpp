@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/metrics/coaptation.h"
+#include "core/metrics/leaflet_sides.h"
 #include "core/valve/number_text.h"
 #include "io/json/json_reader.h"
 #include "io/mesh/vtk.h"

@@ -56,7 +56,7 @@ Tissue read_shared_tissue(const JsonPlace& place) {
   return tissue;
 }
 
-NamedLeaflet read_leaflet(const JsonPlace& place) {
+NamedLeaflet read_named_leaflet(const JsonPlace& place) {
   NamedLeaflet leaflet;
   const auto number = [](double& target) { return into(target, read_number); };
   read_fields(place, {{"name", into(leaflet.name, read_string)},
@@ -196,7 +196,7 @@ Valve read_leaflet_form(const JsonPlace& root) {
                {"provenance", list_into(valve.provenance, read_string)},
                {"pressure_kpa", into(valve.pressure_kpa, read_number)},
                {"tissue", into(valve.tissue, read_shared_tissue)},
-               {"leaflets", list_into(valve.leaflets, read_leaflet)},
+               {"leaflets", list_into(valve.leaflets, read_named_leaflet)},
                {"vertices_mm", into(valve.rest_mm, read_points)},
                {"faces", into(valve.faces, read_faces)},
                {"face_leaflets", list_into(valve.face_leaflet, read_integer)},
