@@ -19,9 +19,10 @@ void add_membrane_option(Command command, Membrane& membrane) {
       {to_string(Membrane::Springs), Membrane::Springs},
       {to_string(Membrane::Continuum), Membrane::Continuum}};
   command
-      .add_choice("--membrane", membrane, membranes,
-                  "What carries the leaflets' tension: continuum (default), triangles that converge "
-                  "under refinement, or springs, the thesis's")
+      .add_choice(
+          "--membrane", membrane, membranes,
+          "What carries the leaflets' tension: continuum (default), triangles that converge "
+          "under refinement, or springs, the thesis's")
       .show_argument("MEMBRANE");
 }
 

@@ -88,8 +88,7 @@ int read_slicerheart_folder(const ValveImportArguments& arguments, ImportSource&
 int run_abaqus(const ValveImportArguments& arguments) {
   const Expected<std::string> text = read_input(arguments.abaqus);
   if (!text) return report_errors(arguments.abaqus, text.errors());
-  const Expected<Valve> valve =
-      read_abaqus_valve(*text, {arguments.name, arguments.provenance});
+  const Expected<Valve> valve = read_abaqus_valve(*text, {arguments.name, arguments.provenance});
   if (!valve) return report_errors(arguments.abaqus, valve.errors());
   return write_output(arguments.output, write_valve(*valve));
 }
@@ -135,8 +134,9 @@ void add_valve_import(Command parent, int& status) {
       .excludes("--annulus")
       .excludes("--chordae");
   command
-      .add_option("--abaqus", arguments->abaqus,
-                  "Input file of Abaqus (.inp, shells and trusses, any number of leaflets), instead")
+      .add_option(
+          "--abaqus", arguments->abaqus,
+          "Input file of Abaqus (.inp, shells and trusses, any number of leaflets), instead")
       .excludes("--leaflet")
       .excludes("--annulus")
       .excludes("--chordae")
@@ -157,9 +157,10 @@ void add_valve_import(Command parent, int& status) {
       {to_string(TissueReference::Excised), TissueReference::Excised},
       {to_string(TissueReference::InVivo), TissueReference::InVivo}};
   command
-      .add_choice("--reference", options.reference, references,
-                  "What the meshes show: excised (default), leaflets free of stress; in_vivo, those of the "
-                  "unpressurised heart, which are stretched already")
+      .add_choice(
+          "--reference", options.reference, references,
+          "What the meshes show: excised (default), leaflets free of stress; in_vivo, those of the "
+          "unpressurised heart, which are stretched already")
       .show_argument("STATE");
   command.add_option("--name", arguments->name, "Name of the valve").show_default("imported");
   command.add_option("--provenance", arguments->provenance, "Source or licence, kept in the valve");

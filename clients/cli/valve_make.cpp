@@ -12,7 +12,8 @@
 namespace coapt {
 namespace {
 
-constexpr const char* kDimensions = "Dimensions, instead of a preset (leaflets of the unpressurised heart)";
+constexpr const char* kDimensions =
+    "Dimensions, instead of a preset (leaflets of the unpressurised heart)";
 
 struct ValveMakeArguments {
   std::string preset, annulus, tips;

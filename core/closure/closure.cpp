@@ -161,8 +161,9 @@ std::vector<Rung> exponential_ladder(const ClosureModel& model, const ClosureOpt
   RelaxationSettings slow = plain;
   slow.longest_move_mm *= 0.5;
   slow.damping *= 2.0;
-  return {{"double, edge contact", [&model, plain] { return travel_and_settle(model, plain); }},
-          {"double, edge contact, slow", [&model, slow] { return travel_and_settle(model, slow); }}};
+  return {
+      {"double, edge contact", [&model, plain] { return travel_and_settle(model, plain); }},
+      {"double, edge contact, slow", [&model, slow] { return travel_and_settle(model, slow); }}};
 }
 
 /// The neighbour's end as a start for this valve, whose tips are in place at once.

@@ -72,8 +72,7 @@ double hinge_energy(const Hinge& hinge, const Points& x) {
   const auto integral = [](double quarter_angle) {
     return -16.0 * std::log(std::cos(quarter_angle));
   };
-  return hinge.stiffness_n_mm *
-         (integral(now) - integral(rest) - 4.0 * hinge.rest * (now - rest));
+  return hinge.stiffness_n_mm * (integral(now) - integral(rest) - 4.0 * hinge.rest * (now - rest));
 }
 
 void add_hinge_forces(const Hinge& hinge, const Points& x, Points& force) {

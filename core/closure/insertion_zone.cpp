@@ -10,7 +10,8 @@
 namespace coapt {
 namespace {
 
-constexpr double kPartsPerRadius = 8.0;  // of a face's edge: the cone is integrated over small faces
+constexpr double kPartsPerRadius =
+    8.0;  // of a face's edge: the cone is integrated over small faces
 constexpr int kMostParts = 40;
 
 std::array<Vec3, 3> corners_of(const Valve& valve, Index face) {

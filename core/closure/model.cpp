@@ -84,13 +84,13 @@ void add_membrane(const Valve& valve, Membrane membrane, ClosureModel& model) {
           {sheet, exponential_law(valve.leaflets[valve.face_leaflet[f++]].tissue)});
   } else {
     switch (membrane) {
-    case Membrane::Springs:
-      add_springs(valve, edges, model);
-      break;
-    case Membrane::Continuum:
-      model.law = sheet_law(tissue);
-      model.sheets = make_sheets(valve);
-      break;
+      case Membrane::Springs:
+        add_springs(valve, edges, model);
+        break;
+      case Membrane::Continuum:
+        model.law = sheet_law(tissue);
+        model.sheets = make_sheets(valve);
+        break;
     }
   }
   for (int f = 0; f < valve.faces.rows(); ++f) {
@@ -138,8 +138,7 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
       const double half_mass =
           0.5 * valve.tissue.density_g_per_mm3 * section_mm2 * segment.rest_length_mm;
       model.mass_g[cable.start] += half_mass;
-      for (const NodeShare& share : cable.end)
-        model.mass_g[share.node] += share.weight * half_mass;
+      for (const NodeShare& share : cable.end) model.mass_g[share.node] += share.weight * half_mass;
       if (!chorda.ruptured) model.cables.push_back(cable);
     }
   }

@@ -52,7 +52,7 @@ struct ClosureModel {
   std::vector<Sheet> sheets;  ///< one per face, or none
   std::vector<Hinge> hinges;
   std::vector<ExponentialSheet> exponential_sheets;  ///< one per face, or none
-  std::vector<Cable> cables;  ///< of chordae that are not ruptured
+  std::vector<Cable> cables;                         ///< of chordae that are not ruptured
   double pressure_mpa = 0.0;
   double stable_step_ms = 0.0;  ///< Gershgorin bound of the symplectic Euler step without contact
 };

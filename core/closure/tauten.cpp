@@ -14,10 +14,9 @@ Valve tauten(const Valve& valve, const ClosureResult& closed, double slack) {
       const Vec3 start = segment.parent < 0 ? taut.heads[chorda.head].tip_mm
                                             : Vec3(closed.branch_points_mm[c].row(segment.parent));
       const Vec3 end =
-          segment.inserts
-              ? mean_position(insertion_zone(valve, segment.insertion, segment.zone_mm),
-                              closed.closed_mm)
-              : Vec3(closed.branch_points_mm[c].row(s));
+          segment.inserts ? mean_position(insertion_zone(valve, segment.insertion, segment.zone_mm),
+                                          closed.closed_mm)
+                          : Vec3(closed.branch_points_mm[c].row(s));
       segment.rest_length_mm = slack * (end - start).norm();
     }
   }

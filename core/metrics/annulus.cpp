@@ -24,10 +24,9 @@ AnnularPlane annular_plane(const Valve& valve) {
   if (plane.normal.dot(twice_area) < 0.0) plane.normal = -plane.normal;
 
   const Vec3 across =
-      is_mitral(valve)
-          ? Vec3(annulus_position_mm(valve, valve.landmarks.posteromedial_commissure) -
-                 annulus_position_mm(valve, valve.landmarks.anterolateral_commissure))
-          : Vec3(Vec3::UnitX());
+      is_mitral(valve) ? Vec3(annulus_position_mm(valve, valve.landmarks.posteromedial_commissure) -
+                              annulus_position_mm(valve, valve.landmarks.anterolateral_commissure))
+                       : Vec3(Vec3::UnitX());
   plane.x = (across - plane.normal * plane.normal.dot(across)).normalized();
   plane.y = plane.normal.cross(plane.x);
   return plane;

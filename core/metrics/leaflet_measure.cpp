@@ -17,9 +17,7 @@ std::array<Vec3, 3> corners(const Valve& valve, const Points& points, Index face
           points.row(valve.faces(face, 2))};
 }
 
-double area(const std::array<Vec3, 3>& c) {
-  return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm();
-}
+double area(const std::array<Vec3, 3>& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
 
 /// [vertex]: whether a face of a leaflet that has not this vertex lies within `reach_mm` of it.
 std::vector<bool> touching(const Valve& valve, const Points& closed_mm, double reach_mm) {

@@ -51,8 +51,7 @@ void SurfaceTree::split(int index) {
 }
 
 template <class Counts>
-TreePoint SurfaceTree::search(const Vec3& point_mm, double limit_mm,
-                                 const Counts& counts) const {
+TreePoint SurfaceTree::search(const Vec3& point_mm, double limit_mm, const Counts& counts) const {
   TreePoint nearest;
   nearest.distance_mm = limit_mm;
   std::vector<std::pair<double, int>> open = {{nodes_[0].box.exteriorDistance(point_mm), 0}};
@@ -94,7 +93,7 @@ TreePoint SurfaceTree::nearest(const Vec3& point_mm) const {
 }
 
 TreePoint SurfaceTree::nearest_within(const Vec3& point_mm, double limit_mm,
-                                         const std::function<bool(int)>& counts) const {
+                                      const std::function<bool(int)>& counts) const {
   return search(point_mm, limit_mm, counts);
 }
 

@@ -28,7 +28,7 @@ class SurfaceTree {
 
   /// The nearest of the faces that `counts` says yes to, nearer than `limit_mm`.
   TreePoint nearest_within(const Vec3& point_mm, double limit_mm,
-                              const std::function<bool(int)>& counts) const;
+                           const std::function<bool(int)>& counts) const;
 
   const Points& vertices_mm() const { return vertices_mm_; }
   const Faces& faces() const { return faces_; }

@@ -111,7 +111,7 @@ struct Valve {
   /// is the distance of mid-surfaces at which its leaflets touch.
   std::vector<NamedLeaflet> leaflets;
   std::vector<int> face_leaflet;  ///< |F| into `leaflets`, or empty
-  Points fibre;  ///< |F| x 3, unit circumferential direction in the face's plane
+  Points fibre;                   ///< |F| x 3, unit circumferential direction in the face's plane
   /// |A| vertices, a boundary loop, counter-clockwise seen from the atrium.
   std::vector<int> annulus;
   Points annulus_mm;  ///< |A| x 3, where the annulus sits under pressure

@@ -55,16 +55,33 @@ Keyword parse_keyword(const Line& line) {
 
 // What concerns neither shape nor loads nor materials, or is replaced by ours.
 const std::set<std::string>& passed_over() {
-  static const std::set<std::string> names = {
-      "HEADING",        "PREPRINT",           "PART",
-      "END PART",       "ASSEMBLY",           "END ASSEMBLY",
-      "INSTANCE",       "END INSTANCE",       "DISTRIBUTION TABLE",
-      "AMPLITUDE",      "TRANSVERSE SHEAR",   "SURFACE INTERACTION",
-      "FRICTION",       "SURFACE BEHAVIOR",   "DYNAMIC",
-      "BULK VISCOSITY", "CONTACT",            "CONTACT INCLUSIONS",
-      "OUTPUT",         "ELEMENT OUTPUT",     "CONTACT PROPERTY ASSIGNMENT",
-      "NODE OUTPUT",    "CONTACT OUTPUT",     "VARIABLE MASS SCALING",
-      "RESTART",        "FIXED MASS SCALING", "END STEP"};
+  static const std::set<std::string> names = {"HEADING",
+                                              "PREPRINT",
+                                              "PART",
+                                              "END PART",
+                                              "ASSEMBLY",
+                                              "END ASSEMBLY",
+                                              "INSTANCE",
+                                              "END INSTANCE",
+                                              "DISTRIBUTION TABLE",
+                                              "AMPLITUDE",
+                                              "TRANSVERSE SHEAR",
+                                              "SURFACE INTERACTION",
+                                              "FRICTION",
+                                              "SURFACE BEHAVIOR",
+                                              "DYNAMIC",
+                                              "BULK VISCOSITY",
+                                              "CONTACT",
+                                              "CONTACT INCLUSIONS",
+                                              "OUTPUT",
+                                              "ELEMENT OUTPUT",
+                                              "CONTACT PROPERTY ASSIGNMENT",
+                                              "NODE OUTPUT",
+                                              "CONTACT OUTPUT",
+                                              "VARIABLE MASS SCALING",
+                                              "RESTART",
+                                              "FIXED MASS SCALING",
+                                              "END STEP"};
   return names;
 }
 
@@ -88,8 +105,8 @@ class Reader {
   std::optional<int> integer(const Fields& f, std::size_t i) {
     const std::optional<long long> value = i < f.size() ? to_integer(f[i]) : std::nullopt;
     if (value && *value > 0 && *value < 100'000'000) return static_cast<int>(*value);
-    refuse(ErrorCode::WrongType, "needs a whole number from 1 to 99,999,999 as value " +
-                                     std::to_string(i + 1));
+    refuse(ErrorCode::WrongType,
+           "needs a whole number from 1 to 99,999,999 as value " + std::to_string(i + 1));
     return std::nullopt;
   }
   std::optional<Vec3> vector(const Fields& f, std::size_t i) {
@@ -130,8 +147,8 @@ Reader::TakeLine Reader::elements(const Keyword& keyword) {
       {"S4R", 4}, {"S4", 4}, {"S3R", 3}, {"S3", 3}, {"T3D2", 2}};
   const auto type = corners.find(keyword.get("TYPE"));
   if (type == corners.end()) {
-    refuse(ErrorCode::Unsupported,
-           "has elements of type '" + keyword.get("TYPE") + "'; S4R, S4, S3R, S3 and T3D2 are read");
+    refuse(ErrorCode::Unsupported, "has elements of type '" + keyword.get("TYPE") +
+                                       "'; S4R, S4, S3R, S3 and T3D2 are read");
     return {};
   }
   const std::string set = keyword.get("ELSET");
@@ -271,9 +288,9 @@ Reader::TakeLine Reader::open_step(const Keyword& k) {
 }
 
 Reader::TakeLine Reader::open(const Keyword& k) {
-  static const std::set<std::string> of_model = {
-      "NODE",         "ELEMENT",     "NSET",          "ELSET",        "DISTRIBUTION",
-      "ORIENTATION",  "SURFACE",     "SHELL SECTION", "SOLID SECTION"};
+  static const std::set<std::string> of_model = {"NODE",    "ELEMENT",       "NSET",
+                                                 "ELSET",   "DISTRIBUTION",  "ORIENTATION",
+                                                 "SURFACE", "SHELL SECTION", "SOLID SECTION"};
   if (of_model.contains(k.name)) return open_model(k);
   if (k.name == "MATERIAL") {
     material_ = k.get("NAME");

@@ -23,8 +23,9 @@ std::string local(const std::string& name) { return name.substr(name.rfind('.') 
 
 std::string leaflet_called(const std::string& elements) {
   std::string name = elements.substr(0, elements.find("_LEAFLET_ELEMENTS"));
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
   return name;
 }
 
@@ -62,10 +63,10 @@ class Conversion {
   std::map<int, int> vertex_of_;
   std::vector<std::array<int, 3>> faces_;
   std::vector<Vec3> fibres_;
-  std::map<int, Vec3> motion_;                 // prescribed, by node
-  std::map<int, std::vector<int>> trusses_;    // node -> nodes
+  std::map<int, Vec3> motion_;               // prescribed, by node
+  std::map<int, std::vector<int>> trusses_;  // node -> nodes
   std::map<std::pair<int, int>, const AbaqusSection*> truss_section_;
-  std::map<int, int> face_at_;                 // vertex -> one of its faces
+  std::map<int, int> face_at_;  // vertex -> one of its faces
 };
 
 std::optional<Error> Conversion::number_vertices() {
@@ -77,10 +78,12 @@ std::optional<Error> Conversion::number_vertices() {
                    "names an element set or a material that is not there"};
     for (const int e : set->second) {
       const auto element = model_.elements.find(e);
-      const std::size_t corners = element == model_.elements.end() ? 0 : element->second.nodes.size();
+      const std::size_t corners =
+          element == model_.elements.end() ? 0 : element->second.nodes.size();
       if (section.shell ? corners < 3 : corners != 2)
-        return Error{ErrorCode::BadReference, "/lines/" + std::to_string(section.line),
-                     "holds element " + std::to_string(e) + ", which is missing or of another kind"};
+        return Error{
+            ErrorCode::BadReference, "/lines/" + std::to_string(section.line),
+            "holds element " + std::to_string(e) + ", which is missing or of another kind"};
       for (const int n : element->second.nodes) {
         if (!model_.nodes.contains(n))
           return Error{ErrorCode::BadReference, "/lines/" + std::to_string(section.line),
@@ -120,7 +123,8 @@ std::optional<Error> Conversion::add_leaflets() {
                        "; exponential ones are read (VUANISO_ISO*, four constants)"};
     const auto leaflet = static_cast<int>(valve_.leaflets.size());
     const std::vector<double>& c = material.constants;
-    valve_.leaflets.push_back({leaflet_called(section.elements), section.size,
+    valve_.leaflets.push_back({leaflet_called(section.elements),
+                               section.size,
                                {kKpaPerMpa * c[0], kKpaPerMpa * c[2], c[3]}});
     valve_.tissue.density_g_per_mm3 = kGramsPerTonne * material.density_t_per_mm3;
     const auto orientation = model_.orientations.find(section.orientation);
@@ -267,8 +271,7 @@ std::optional<Error> Conversion::add_chordae() {
   for (const auto& [node, ends] : trusses_) {
     if (!motion_.contains(node) || vertex_of_.contains(node)) continue;
     const auto head = static_cast<int>(valve_.heads.size());
-    valve_.heads.push_back(
-        {std::to_string(node), Side::Anterolateral, place(node), moved(node)});
+    valve_.heads.push_back({std::to_string(node), Side::Anterolateral, place(node), moved(node)});
     for (const int first : ends) {
       add_chorda(head, node, first);
       segments += valve_.chordae.back().segments.size();
@@ -308,8 +311,8 @@ void Conversion::touch_as_thinned() {
   for (const auto& [number, element] : model_.elements) {
     const std::vector<int>& n = element.nodes;
     if (n.size() != 4) continue;
-    diagonal = std::min({diagonal, (place(n[0]) - place(n[2])).norm(),
-                         (place(n[1]) - place(n[3])).norm()});
+    diagonal = std::min(
+        {diagonal, (place(n[0]) - place(n[2])).norm(), (place(n[1]) - place(n[3])).norm()});
   }
   valve_.tissue.thickness_mm = ratio > 0.0 ? std::min(thickness, ratio * diagonal) : thickness;
 }
@@ -323,8 +326,8 @@ void Conversion::bend_as_at_rest() {
 }
 
 Expected<Valve> Conversion::run() {
-  for (const auto step : {&Conversion::add_loads, &Conversion::number_vertices,
-                          &Conversion::add_leaflets})
+  for (const auto step :
+       {&Conversion::add_loads, &Conversion::number_vertices, &Conversion::add_leaflets})
     if (const std::optional<Error> error = (this->*step)()) return *error;
   find_motions();
   for (const auto step : {&Conversion::add_annulus, &Conversion::add_chordae})

@@ -126,18 +126,18 @@ Errors errors_from_json(const ordered_json& list) {
 ordered_json to_json(const ValveMeasure& measure) {
   const OrificeMeasure& orifice = measure.orifice;
   ordered_json json = {{"orifice_area_mm2", orifice.area_mm2},
-          {"orifice_area_raw_mm2", orifice.area_raw_mm2},
-          {"orifice_area_mean_mm2", orifice.area_mean_mm2},
-          {"leak_mm2", leak_mm2(measure)},
-          {"orifices", orifices_json(orifice.orifices)},
-          {"coaptation", coaptation_json(measure.coaptation)},
-          {"annulus", annulus_json(measure.annulus)},
-          {"tenting_height_mm", measure.tenting_height_mm},
-          {"tenting_area_mm2", measure.tenting_area_mm2},
-          {"tension_max_n", measure.tension_max_n},
-          {"tension_sum_n", measure.tension_sum_n},
-          {"strain_circumferential_max", measure.strain_circumferential_max},
-          {"strain_radial_max", measure.strain_radial_max}};
+                       {"orifice_area_raw_mm2", orifice.area_raw_mm2},
+                       {"orifice_area_mean_mm2", orifice.area_mean_mm2},
+                       {"leak_mm2", leak_mm2(measure)},
+                       {"orifices", orifices_json(orifice.orifices)},
+                       {"coaptation", coaptation_json(measure.coaptation)},
+                       {"annulus", annulus_json(measure.annulus)},
+                       {"tenting_height_mm", measure.tenting_height_mm},
+                       {"tenting_area_mm2", measure.tenting_area_mm2},
+                       {"tension_max_n", measure.tension_max_n},
+                       {"tension_sum_n", measure.tension_sum_n},
+                       {"strain_circumferential_max", measure.strain_circumferential_max},
+                       {"strain_radial_max", measure.strain_radial_max}};
   if (!measure.leaflets.empty()) json["leaflets"] = leaflets_json(measure.leaflets);
   return json;
 }

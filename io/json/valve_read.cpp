@@ -29,19 +29,20 @@ TissueReference read_reference(const JsonPlace& place) {
 Tissue read_tissue(const JsonPlace& place) {
   Tissue tissue;
   const auto number = [](double& target) { return into(target, read_number); };
-  read_fields(place, {{"density_g_per_mm3", number(tissue.density_g_per_mm3)},
-                      {"thickness_mm", number(tissue.thickness_mm)},
-                      {"circumferential_pre_kpa", number(tissue.circumferential_pre_kpa)},
-                      {"circumferential_post_kpa", number(tissue.circumferential_post_kpa)},
-                      {"circumferential_transition", number(tissue.circumferential_transition)},
-                      {"radial_pre_kpa", number(tissue.radial_pre_kpa)},
-                      {"radial_post_kpa", number(tissue.radial_post_kpa)},
-                      {"radial_transition", number(tissue.radial_transition)},
-                      {"chordae_kpa", number(tissue.chordae_kpa)},
-                      {"reference", into(tissue.reference, read_reference), false},
-                      {"circumferential_prestretch", number(tissue.circumferential_prestretch), false},
-                      {"radial_prestretch", number(tissue.radial_prestretch), false},
-                      {"bending_n_mm", number(tissue.bending_n_mm), false}});
+  read_fields(place,
+              {{"density_g_per_mm3", number(tissue.density_g_per_mm3)},
+               {"thickness_mm", number(tissue.thickness_mm)},
+               {"circumferential_pre_kpa", number(tissue.circumferential_pre_kpa)},
+               {"circumferential_post_kpa", number(tissue.circumferential_post_kpa)},
+               {"circumferential_transition", number(tissue.circumferential_transition)},
+               {"radial_pre_kpa", number(tissue.radial_pre_kpa)},
+               {"radial_post_kpa", number(tissue.radial_post_kpa)},
+               {"radial_transition", number(tissue.radial_transition)},
+               {"chordae_kpa", number(tissue.chordae_kpa)},
+               {"reference", into(tissue.reference, read_reference), false},
+               {"circumferential_prestretch", number(tissue.circumferential_prestretch), false},
+               {"radial_prestretch", number(tissue.radial_prestretch), false},
+               {"bending_n_mm", number(tissue.bending_n_mm), false}});
   return tissue;
 }
 

@@ -24,9 +24,12 @@ def read(path):
             if line.startswith("*"):
                 key = line.upper().replace(" ", "")
                 rows = (
-                    "node" if key.startswith("*NODE,")
-                    else "quad" if key.startswith("*ELEMENT,TYPE=S4R")
-                    else "truss" if key.startswith("*ELEMENT,TYPE=T3D2")
+                    "node"
+                    if key.startswith("*NODE,")
+                    else "quad"
+                    if key.startswith("*ELEMENT,TYPE=S4R")
+                    else "truss"
+                    if key.startswith("*ELEMENT,TYPE=T3D2")
                     else None
                 )
             elif rows and line.strip():
@@ -78,7 +81,11 @@ def main():
     rms = [float(numpy.sqrt((d * d).mean())) for d in distances]
     largest = [float(d.max()) for d in distances]
     print(f"fans of three strands and more: {len(found)}")
-    for name, values in (("strands", [len(fan) for fan in found]), ("rms radius mm", rms), ("largest radius mm", largest)):
+    for name, values in (
+        ("strands", [len(fan) for fan in found]),
+        ("rms radius mm", rms),
+        ("largest radius mm", largest),
+    ):
         low, middle, high = numpy.percentile(values, (10, 50, 90))
         print(f"{name}: median {middle:.2f}, 80 % between {low:.2f} and {high:.2f}")
     print(f"share of the leaflets' area that chordae hold: {areas[held].sum() / areas.sum():.3f}")

@@ -8,7 +8,11 @@ LEAKS_MM2 = 10  # scenes above it have a relative error
 
 
 def quantile(values, share):
-    return statistics.quantiles(values, n=100, method="inclusive")[round(100 * share) - 1] if len(values) > 1 else values[0]
+    return (
+        statistics.quantiles(values, n=100, method="inclusive")[round(100 * share) - 1]
+        if len(values) > 1
+        else values[0]
+    )
 
 
 def difference(row, area):

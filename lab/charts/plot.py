@@ -334,7 +334,11 @@ def draw_gap_panel(axis, rows, scene):
 def draw_gap(rows):
     scenes = each_once(row["scene"] for row in rows)
     figure, axes = figure_titled(
-        "The gap on growing meshes: error where it is known, area of closures", 12, 6, nrows=2, ncols=-(-len(scenes) // 2)
+        "The gap on growing meshes: error where it is known, area of closures",
+        12,
+        6,
+        nrows=2,
+        ncols=-(-len(scenes) // 2),
     )
     for axis, scene in zip(axes.flat, scenes):
         draw_gap_panel(axis, [row for row in rows if row["scene"] == scene], scene)

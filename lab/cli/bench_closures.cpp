@@ -41,8 +41,7 @@ void print(std::ostream& out, const ClosureStudy& study, bool accuracy) {
   out << "Distance from their own end state (residual 1e-6): rms median " << quantile(rms, 0.5)
       << ", 90 % below " << quantile(rms, 0.9) << " mm; orifice 90 % below "
       << quantile(orifice, 0.9) << " mm2\n"
-      << study.other_equilibria
-      << " of " << study.compared
+      << study.other_equilibria << " of " << study.compared
       << " settle elsewhere (0.05 mm rms or more) when closed differently; their leaks differ by "
       << study.leak_difference_p90_mm2 << " (90 % below), at most by "
       << study.leak_difference_max_mm2 << " mm2\n";

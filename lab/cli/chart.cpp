@@ -181,8 +181,7 @@ void add_stability(Command chart, int& status) {
 
 void add_mesh(Command chart, int& status) {
   const auto options = std::make_shared<MeshStudyOptions>();
-  Command command =
-      chart.add_command("mesh", "Close varied scenes on meshes of growing fineness");
+  Command command = chart.add_command("mesh", "Close varied scenes on meshes of growing fineness");
   const auto directory = add_output(command);
   command.add_option("--scenes", options->scenes, "Varied scenes of each preset")
       .check(number_from(1, 10000))

@@ -67,9 +67,9 @@ ClosureStudy study_closures(const std::vector<Valve>& valves, const ClosureStudy
   std::mutex mutex;
   int done = 0;
   for_each_index(options.count, options.threads, [&](int i) {
-    study.scenes[static_cast<std::size_t>(i)] =
-        close_scene(varied_scene(valves[static_cast<std::size_t>(i) % valves.size()], options.seed, i),
-                    options, i);
+    study.scenes[static_cast<std::size_t>(i)] = close_scene(
+        varied_scene(valves[static_cast<std::size_t>(i) % valves.size()], options.seed, i), options,
+        i);
     const std::lock_guard<std::mutex> lock(mutex);
     if (progress) progress(++done);
   });

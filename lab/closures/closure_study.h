@@ -25,7 +25,7 @@ struct ClosureStudyOptions {
 /// Distances over the leaflet vertices.
 struct ClosureError {
   double rms_mm = 0.0, max_mm = 0.0;
-  double orifice_mm2 = 0.0;           ///< of the leaflets with their half thickness
+  double orifice_mm2 = 0.0;  ///< of the leaflets with their half thickness
   double leak_mm2 = 0.0;
   double coaptation_height_mm = 0.0;  ///< of the mean
 };

@@ -96,8 +96,8 @@ std::string mesh_csv(const std::vector<MeshPoint>& points) {
   std::ostringstream csv;
   csv << kColumns;
   for (const MeshPoint& p : points) {
-    csv << p.preset << ',' << p.scene << ',' << p.triangles << ','
-        << (p.trusted ? "true" : "false") << ',' << p.seconds;
+    csv << p.preset << ',' << p.scene << ',' << p.triangles << ',' << (p.trusted ? "true" : "false")
+        << ',' << p.seconds;
     for (const double number :
          {p.rms_mm, p.orifice_mm2, p.gap_mm2, p.leak_mm2, p.reference_orifice_mm2,
           p.reference_gap_mm2, p.reference_leak_mm2}) {

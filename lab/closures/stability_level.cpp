@@ -27,7 +27,9 @@ double seconds_since(Clock::time_point start) {
 }  // namespace
 
 StabilityLevel::StabilityLevel(const StabilityScene& scene)
-    : scene_(scene), model_(make_closure_model(scene.valve, Membrane::Springs)), attempt_{scene.step, {}} {
+    : scene_(scene),
+      model_(make_closure_model(scene.valve, Membrane::Springs)),
+      attempt_{scene.step, {}} {
   options_.membrane = Membrane::Springs;
   options_.contact_pressure_mpa *= scene.contact_stiffness;
   const double thickness = scene.valve.tissue.thickness_mm;

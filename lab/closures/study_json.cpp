@@ -54,7 +54,8 @@ ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& stu
   ordered_json accuracy = nullptr, others = nullptr, equilibria = nullptr;
   if (options.accuracy) {
     equilibria = study.other_equilibria;
-    json["elsewhere_share"] = static_cast<double>(study.other_equilibria) / std::max(1, study.compared);
+    json["elsewhere_share"] =
+        static_cast<double>(study.other_equilibria) / std::max(1, study.compared);
     json["leak_difference_p90_mm2"] = study.leak_difference_p90_mm2;
     json["leak_difference_max_mm2"] = study.leak_difference_max_mm2;
     accuracy = errors(from_end);

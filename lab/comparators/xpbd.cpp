@@ -149,8 +149,7 @@ class Xpbd {
     if (w == 0.0) return;
     const Vec3 push = (multiplier(pull, w) / length) * d;
     x_.row(c.start) += inverse_mass_[at(c.start)] * push;
-    for (const NodeShare& s : c.end)
-      x_.row(s.node) -= s.weight * inverse_mass_[at(s.node)] * push;
+    for (const NodeShare& s : c.end) x_.row(s.node) -= s.weight * inverse_mass_[at(s.node)] * push;
   }
 
   /// lambda = h^2 k (gap - w lambda)^2, the smaller root.

@@ -30,8 +30,8 @@ void turn_hinges(const HingeInput<R>& in) {
                    g3 = (zero - length * per_area2 * per_area2) * n2;
     const Vec<R> per_e2 = per_length * per_length;
     const Vec<R> s2 = dot(to2, e) * per_e2, s3 = dot(to3, e) * per_e2;
-    const Vec3x<R> gradient[4] = {(s2 - one) * g2 + (s3 - one) * g3,
-                                  (zero - s2) * g2 - s3 * g3, g2, g3};
+    const Vec3x<R> gradient[4] = {(s2 - one) * g2 + (s3 - one) * g3, (zero - s2) * g2 - s3 * g3, g2,
+                                  g3};
     Vec<R> size[4], sum = zero;
     for (int k = 0; k < 4; ++k) {
       const Vec<R> size2 = dot(gradient[k], gradient[k]) + tiny;

@@ -13,7 +13,7 @@
 #include "core/closure/kernels/crossing.inl"
 
 template <class R>
-constexpr Kernels<R> kTable = {advance<R>,    pull_cables<R>,  pull_sheets<R>, turn_hinges<R>,
-                               push_faces<R>, push_edges<R>,   box<R>,
-                               list_pairs<R>, number_pairs<R>, straddling_faces<R>,
-                               pull_exponential<R>, exponentials<R>};
+constexpr Kernels<R> kTable = {
+    advance<R>,          pull_cables<R>, pull_sheets<R>, turn_hinges<R>,  push_faces<R>,
+    push_edges<R>,       box<R>,         list_pairs<R>,  number_pairs<R>, straddling_faces<R>,
+    pull_exponential<R>, exponentials<R>};

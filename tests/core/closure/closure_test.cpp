@@ -87,8 +87,8 @@ TEST(Closure, BranchPointsRestWhereTheirCablesBalance) {
     Vec3 sum = closed.tension_n[c][0] * (tip - fork).normalized();
     for (std::size_t s = 1; s < chorda.segments.size(); ++s) {
       const ChordaSegment& twig = chorda.segments[s];
-      const Vec3 end = mean_position(insertion_zone(valve, twig.insertion, twig.zone_mm),
-                                     closed.closed_mm);
+      const Vec3 end =
+          mean_position(insertion_zone(valve, twig.insertion, twig.zone_mm), closed.closed_mm);
       sum += closed.tension_n[c][s] * (end - fork).normalized();
     }
     EXPECT_NEAR(sum.norm(), 0.0, 2e-3) << chorda.id;

@@ -53,8 +53,8 @@ std::array<double, 2> nominal_stress(double l1, double l2) {
 
 /// W' by the formula.
 double first_slope(double over) {
-  return 1e-3 * (0.5 * kAnterior.c0_kpa + kAnterior.c1_kpa * kAnterior.c2 * over *
-                                              std::exp(kAnterior.c2 * over * over));
+  return 1e-3 * (0.5 * kAnterior.c0_kpa +
+                 kAnterior.c1_kpa * kAnterior.c2 * over * std::exp(kAnterior.c2 * over * over));
 }
 
 Points stretched_and_sheared(const Points& rest, double stretch) {

@@ -26,8 +26,7 @@ Insertion at(const Valve& valve, double x, double y) {
     Eigen::Matrix2d edges;
     edges << (b - a).head<2>(), (c - a).head<2>();
     const Eigen::Vector2d w = edges.inverse() * (Eigen::Vector2d(x, y) - a.head<2>());
-    if (w.minCoeff() >= -1e-12 && w.sum() <= 1.0 + 1e-12)
-      return {f, {1.0 - w.sum(), w[0], w[1]}};
+    if (w.minCoeff() >= -1e-12 && w.sum() <= 1.0 + 1e-12) return {f, {1.0 - w.sum(), w[0], w[1]}};
   }
   return {};
 }

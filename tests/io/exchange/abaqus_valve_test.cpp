@@ -84,10 +84,10 @@ TEST(AbaqusValve, HasLeafletsAnnulusAndChordaeOfTheInput) {
   EXPECT_NEAR(0.25 * std::numbers::pi * segments[0].diameter_mm * segments[0].diameter_mm, 0.3,
               1e-12);
   EXPECT_TRUE(segments[1].inserts && segments[2].inserts);
-  EXPECT_NEAR((position(segments[2].insertion, valve->faces, valve->rest_mm) -
-               Vec3(valve->rest_mm.row(16)))
-                  .norm(),
-              0.0, 1e-12);
+  EXPECT_NEAR(
+      (position(segments[2].insertion, valve->faces, valve->rest_mm) - Vec3(valve->rest_mm.row(16)))
+          .norm(),
+      0.0, 1e-12);
 }
 
 TEST(AbaqusValve, TouchesAtTheRatioOfTheShortestDiagonal) {
