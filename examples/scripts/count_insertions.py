@@ -82,13 +82,17 @@ def main(path):
     graph = csr_matrix((lengths, pairs.T), (len(points),) * 2)
     from_edge = dijkstra(graph, directed=False, indices=sorted(free_edge), min_only=True)
     held = sorted({node for _, _, node in found})
-    print(f"{len(found)} insertions on {len(held)} of {len(shell_nodes)} nodes: {len(held) / len(shell_nodes):.1%} of the "
-          f"nodes, {area[held].sum() / area.sum():.1%} of the area; {Counter(Counter(n for *_, n in found).values())}")
+    print(
+        f"{len(found)} insertions on {len(held)} of {len(shell_nodes)} nodes: {len(held) / len(shell_nodes):.1%} of the "
+        f"nodes, {area[held].sum() / area.sum():.1%} of the area; {Counter(Counter(n for *_, n in found).values())}"
+    )
     distances = [from_edge[node] for *_, node in found]
     print("distance from the free edge, mm:", dict(zip(PERCENTILES, np.percentile(distances, PERCENTILES).round(2))))
     for low, high in ((0, 1), (1, 2), (2, 4), (4, 6), (6, 20)):
         band = [n for n in shell_nodes if low <= from_edge[n] < high]
-        print(f"  {low} to {high} mm: {area[list(set(band) & set(held))].sum() / area[band].sum():.0%} of the area held")
+        print(
+            f"  {low} to {high} mm: {area[list(set(band) & set(held))].sum() / area[band].sum():.0%} of the area held"
+        )
     fans, trees = defaultdict(list), defaultdict(set)
     for head, branch, node in found:
         fans[branch].append(node)
@@ -98,8 +102,11 @@ def main(path):
     for name, chosen in (("trees of one fan", single), ("large trees", set(fans) - single)):
         places = [points[fans[branch]] for branch in sorted(chosen)]
         radii = [np.linalg.norm(place - place.mean(0), axis=1) for place in places]
-        for what, values in (("strands", [len(r) for r in radii]), ("rms radius, mm", [np.sqrt((r**2).mean()) for r in radii]),
-                             ("largest radius, mm", [r.max() for r in radii])):
+        for what, values in (
+            ("strands", [len(r) for r in radii]),
+            ("rms radius, mm", [np.sqrt((r**2).mean()) for r in radii]),
+            ("largest radius, mm", [r.max() for r in radii]),
+        ):
             print(f"  {name}, {what}:", dict(zip(PERCENTILES, np.percentile(values, PERCENTILES).round(2))))
 
 

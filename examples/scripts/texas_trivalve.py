@@ -17,7 +17,11 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
-LEAFLETS = {2: ("anterior", (0.86, 0.47, 0.42)), 3: ("septal", (0.47, 0.62, 0.86)), 1: ("posterior", (0.56, 0.76, 0.52))}
+LEAFLETS = {
+    2: ("anterior", (0.86, 0.47, 0.42)),
+    3: ("septal", (0.47, 0.62, 0.86)),
+    1: ("posterior", (0.56, 0.76, 0.52)),
+}
 CONTACT_MM = 0.25  # mid-surfaces rest 0.16 mm apart
 FAR_AT_REST_MM = 1.2  # neighbours in the mesh are no contact
 LARGEST_SHOWN_MM = 1.5
@@ -121,7 +125,11 @@ def draw(triangles, points, colours, view, size=480, scale_mm=17.5):
         x, y = np.meshgrid(np.arange(low[0], high[0] + 1), np.arange(low[1], high[1] + 1))
         v = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area
         w = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area
-        z = p[triangle[0], 2] + v * (p[triangle[1], 2] - p[triangle[0], 2]) + w * (p[triangle[2], 2] - p[triangle[0], 2])
+        z = (
+            p[triangle[0], 2]
+            + v * (p[triangle[1], 2] - p[triangle[0], 2])
+            + w * (p[triangle[2], 2] - p[triangle[0], 2])
+        )
         inside = (v >= -1e-6) & (w >= -1e-6) & (v + w <= 1 + 1e-6) & (z > depth[y, x])
         normal = np.cross(p[triangle[1]] - p[triangle[0]], p[triangle[2]] - p[triangle[0]])
         light = 0.35 + 0.65 * abs(normal[2]) / np.linalg.norm(normal)
@@ -139,7 +147,9 @@ def write_png(path, image):
 
     header = struct.pack(">IIBBBBB", rows.shape[1], rows.shape[0], 8, 2, 0, 0, 0)
     with open(path, "wb") as file:
-        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(raw, 9)) + chunk(b"IEND", b""))
+        file.write(
+            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(raw, 9)) + chunk(b"IEND", b"")
+        )
 
 
 def main(rest_path, frame_path, closed_path, picture_path=None):
@@ -155,13 +165,17 @@ def main(rest_path, frame_path, closed_path, picture_path=None):
 
     say("node to node", distance)
     say("node to surface", distance_to_surface(triangles, theirs, ours))
-    print(f"nodes in contact: {contact_share(triangles, rest, ours):.3f}, reference {contact_share(triangles, rest, theirs):.3f}")
+    print(
+        f"nodes in contact: {contact_share(triangles, rest, ours):.3f}, reference {contact_share(triangles, rest, theirs):.3f}"
+    )
     strains = [np.log(stretches(quads, rest, x)[:, 1]) for x in (ours, theirs)]
     for key, (name, _) in list(LEAFLETS.items()) + [(None, ("all", None))]:
         chosen = leaflet == key if key else leaflet > 0
         nodes = np.unique(quads[chosen])
-        print(f"{name}: rms {np.sqrt((distance[nodes] ** 2).mean()):.3f} mm; largest log strain, median "
-              f"{np.median(strains[0][chosen]):.3f}, reference {np.median(strains[1][chosen]):.3f}")
+        print(
+            f"{name}: rms {np.sqrt((distance[nodes] ** 2).mean()):.3f} mm; largest log strain, median "
+            f"{np.median(strains[0][chosen]):.3f}, reference {np.median(strains[1][chosen]):.3f}"
+        )
     if not picture_path:
         return
     plain = np.array([LEAFLETS[k][1] for k in np.concatenate([leaflet, leaflet])])

@@ -11,7 +11,6 @@ except ImportError:
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402 (after the backend is chosen)
-from matplotlib.patches import Patch, Rectangle  # noqa: E402
 from matplotlib.ticker import FuncFormatter  # noqa: E402
 
 # Okabe and Ito's colours, told apart by every kind of sight.

@@ -142,7 +142,15 @@ class Make(ProgramTest):
             with self.subTest(ring):
                 path = self.folder / f"{ring}.json"
                 self.run_ok(
-                    "valve", "make", "--annulus", kaiser / f"{ring}.csv", "--tips", kaiser / f"{tips}.csv", *more, "-o", path
+                    "valve",
+                    "make",
+                    "--annulus",
+                    kaiser / f"{ring}.csv",
+                    "--tips",
+                    kaiser / f"{tips}.csv",
+                    *more,
+                    "-o",
+                    path,
                 )
                 closed = json.loads(self.run_ok("close", path, "--json").stdout)
                 self.assertEqual(closed["status"], "converged")
