@@ -346,13 +346,19 @@ def draw_gap_panel(axis, rows, scene):
     axis.set(xscale="log", xticks=[650, 1300, 2600, 5200, 10400] if exact else [650, 1300, 2600, 5200])
     axis.xaxis.set_major_formatter(PLAIN)
     axis.xaxis.set_minor_formatter(FuncFormatter(lambda *_: ""))
-    axis.yaxis.set_major_formatter(PLAIN)
+    if exact:
+        axis.yaxis.set_major_formatter(PLAIN)
+        axis.yaxis.set_minor_formatter(PLAIN)
 
 
 def draw_gap(rows):
     scenes = each_once(row["scene"] for row in rows)
     figure, axes = figure_titled(
-        "The gap on growing meshes: error where it is known, area of closures", 12, 6, nrows=2, ncols=-(-len(scenes) // 2)
+        "The gap on growing meshes: error where it is known, area of closures",
+        12,
+        6,
+        nrows=2,
+        ncols=-(-len(scenes) // 2),
     )
     for axis, scene in zip(axes.flat, scenes):
         draw_gap_panel(axis, [row for row in rows if row["scene"] == scene], scene)
