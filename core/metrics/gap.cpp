@@ -114,6 +114,7 @@ class LineSearch {
   }
 
   void push(int from, int to, bool exactly) {
+    if (node(to).area_mm2 <= node(from).area_mm2) return;
     const double length_mm = (place(to) - place(from)).norm();
     // A way through contact costs nothing, wherever it ends; most that begin there are never needed.
     if (exactly || width(from) > 0.0) look_across(to, from);

@@ -328,7 +328,9 @@ def draw_gap_panel(axis, rows, scene):
     axis.set(xscale="log", xticks=[650, 1300, 2600, 5200, 10400] if exact else [650, 1300, 2600, 5200])
     axis.xaxis.set_major_formatter(PLAIN)
     axis.xaxis.set_minor_formatter(FuncFormatter(lambda *_: ""))
-    axis.yaxis.set_major_formatter(PLAIN)
+    if exact:
+        axis.yaxis.set_major_formatter(PLAIN)
+        axis.yaxis.set_minor_formatter(PLAIN)
 
 
 def draw_gap(rows):
