@@ -17,10 +17,10 @@ const PRESETS: Readonly<Record<string, PresetWords>> = {
   'human-p2-prolapse': {
     group: 'Human',
     title: 'P2 prolapse',
-    about: 'Chordae of P2 are ruptured: its free edge is pushed into the atrium.',
-    leak_mm2: 29.7,
+    about: 'Chordae of P2 are ruptured and the annulus is dilated: its free edge is pushed into the atrium.',
+    leak_mm2: 32.0,
   },
-  'human-normal': { group: 'Human', title: 'Normal', about: 'A valve that closes.', leak_mm2: 0.2 },
+  'human-normal': { group: 'Human', title: 'Normal', about: 'A valve that closes.', leak_mm2: 0.1 },
   ...Object.fromEntries(
     [1, 2, 3, 4, 5].map((heart): [string, PresetWords] => [
       `porcine-${heart}`,
@@ -28,7 +28,7 @@ const PRESETS: Readonly<Record<string, PresetWords>> = {
         group: 'Porcine',
         title: `Pig heart ${heart}`,
         about: 'A valve of the dimensions measured on a pig heart; it closes.',
-        leak_mm2: [0, 0.1, 0.1, 0, 0][heart - 1] ?? 0,
+        leak_mm2: 0,
       },
     ]),
   ),
