@@ -83,7 +83,8 @@ TEST(FineClosures, ACancelledSearchMakesNoneAndCallsNothingCompetent) {
 TEST(FineClosures, SayWhereTheOrderOfPlansChanges) {
   // On its own mesh the ring leaks 2 mm2 and the suture 4; on the finer one 8 and 1.
   const auto evaluate = [](const Valve& valve, const ClosureResult*) -> ClosedPlan {
-    const bool ring = annulus_position_mm(valve, 2).y()<13.9, fine = valve.faces.rows()> 32;
+    const bool ring = valve.annulus_mm.col(0).maxCoeff() < 17.5;
+    const bool fine = valve.faces.rows() > 32;
     return {leaking(ring ? (fine ? 8.0 : 2.0) : (fine ? 1.0 : 4.0)), nullptr};
   };
   EvaluationScene scene(evaluate);
