@@ -96,7 +96,7 @@ TEST(MeshConvergence, StopsWhereAClosureDoesNotConverge) {
 }
 
 TEST(RefinedStart, IsTheSamePolyhedronAndLeadsToTheSameEndSooner) {
-  const Valve valve = leaking(), fine = *refine(valve);
+  const Valve valve = *make_preset("human-functional-mr", 400), fine = *refine(valve);
   const ClosureResult coarse = close_valve(valve);
   const ClosureResult start = refined_start(valve, coarse);
   EXPECT_EQ(start.closed_mm.rows(), fine.rest_mm.rows());

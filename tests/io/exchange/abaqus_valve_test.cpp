@@ -95,7 +95,7 @@ TEST(AbaqusValve, TouchesAtTheRatioOfTheShortestDiagonal) {
   const Expected<Valve> valve = read_abaqus_valve(cone(), {});
   ASSERT_TRUE(valve);
   const Vec3 a = valve->rest_mm.row(8), b = valve->rest_mm.row(17);
-  EXPECT_NEAR(valve->tissue.thickness_mm, 0.05 * (a - b).norm(), 1e-9);
+  EXPECT_NEAR(valve->tissue.thickness_mm, 0.05 * (a - b).norm(), 1e-7);  // decimals of the file
 }
 
 TEST(AbaqusValve, ReadsBackFromItsFileBitForBit) {
