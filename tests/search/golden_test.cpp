@@ -118,7 +118,7 @@ std::vector<Scene> scenes() {
       {"normal", preset("human-normal"), springs, Method::Thesis, {0x730def73681bae8b}},
       {"functional", preset("human-functional-mr"), springs, fast, {0xf415814381323f02}},
       {"prolapse", preset("human-p2-prolapse"), springs, fast, {0x209f0c596f89232c}},
-      {"porcine", preset("porcine-thesis"), continuum, fast, {0x13197f23073a09f8}},
+      {"porcine", preset("porcine-thesis"), continuum, fast, {0x6dc5fdaff24b0056}},
       {"displaced", displaced(), springs, fast, {0x80383385c366bc46}},
       {"displaced", displaced(), continuum, fast, {0x626741cde430ada}},
       {"own ring",
