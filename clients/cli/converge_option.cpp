@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "io/json/result_json.h"

@@ -1,7 +1,7 @@
 // --converge and what belongs to it: closing on finer and finer meshes.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/closed/mesh_convergence.h"
