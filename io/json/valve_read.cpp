@@ -223,6 +223,12 @@ Side read_side(const JsonPlace& place) {
 
 namespace {
 
+bool has_leaflets(const nlohmann::json& json) {
+  if (!json.is_object()) return false;
+  const auto schema = json.find("schema");
+  return schema != json.end() && *schema == "coapt.valve/2";
+}
+
 Expected<Valve> checked(const nlohmann::json& json, Valve (*read_form_of)(const JsonPlace&)) {
   ProblemList problems;
   const Valve valve = read_form_of({json, problems});
@@ -243,7 +249,13 @@ Expected<Valve> checked(const nlohmann::json& json, Valve (*read_form_of)(const 
 
 }  // namespace
 
-Expected<Valve> valve_from_json(const nlohmann::json& json) { return checked(json, read_form); }
+Expected<Valve> valve_from_json(const nlohmann::json& json) {
+  if (has_leaflets(json))
+    return Error{ErrorCode::Unsupported, "/schema",
+                 "is \"coapt.valve/2\", which can be closed and checked; here it must be "
+                 "\"coapt.valve/1\", a mitral valve"};
+  return checked(json, read_form);
+}
 
 Expected<Valve> read_valve(std::string_view text) {
   const auto json = parse_json(text);
@@ -254,9 +266,7 @@ Expected<Valve> read_valve(std::string_view text) {
 Expected<Valve> read_any_valve(std::string_view text) {
   const auto json = parse_json(text);
   if (!json) return json.errors();
-  const auto schema = json->is_object() ? json->find("schema") : json->end();
-  const bool leaflets = json->is_object() && schema != json->end() && *schema == "coapt.valve/2";
-  return checked(*json, leaflets ? read_leaflet_form : read_form);
+  return checked(*json, has_leaflets(*json) ? read_leaflet_form : read_form);
 }
 
 }  // namespace coapt
