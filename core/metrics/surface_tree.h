@@ -1,5 +1,5 @@
-// Nearest points of a triangle mesh through a tree of boxes: for meshes of thousands of triangles, where surface.h, which
-// goes through all of them, takes too long.
+// Nearest points of a triangle mesh through a tree of boxes. Unlike surface.h it tells the face and its barycentric weights
+// by the mesh's own numbers, can leave faces out, and names the face of the smallest number where several are as near.
 #pragma once
 
 #include <array>

@@ -12,7 +12,7 @@ namespace {
 constexpr double kShortestTrunk_mm = 1.0;
 constexpr double kNeochordaDiameter_mm = 1.0;
 // A suture's bite holds as much of the leaflet as one fan of a natural chorda: a disc of 1.0 mm,
-// counted in a human valve (docs/researcher/closure.md), as a cone of the same rms radius.
+// counted in a human valve (docs/researcher/model.md), as a cone of the same rms radius.
 constexpr double kBite_mm = 1.3;
 
 template <class Items>

@@ -82,7 +82,7 @@ struct ChordaSegment {
   double diameter_mm = 1.0;
   /// Of the disc of the leaflet that it pulls at, if it inserts (insertion_zone.h). Chordae of
   /// parametric valves stand for several: together they hold the share of the leaflet that is
-  /// counted in a human valve (docs/researcher/closure.md).
+  /// counted in a human valve (docs/researcher/model.md).
   double zone_mm = 2.0;
   double modulus_kpa = 0.0;             ///< 0: Tissue::chordae_kpa
   bool inserts = false;                 ///< ends in the leaflet (else in a branch point)
