@@ -82,6 +82,7 @@ chart: lab  ## accuracy against time, where methods fail, what the model's ingre
 figures: programs lab  ## the tables behind the documents, into docs/figures; wants a quiet machine
 	lab/closures/closures_table.py
 	lab/closures/membranes_table.py
+	lab/closures/model_table.py
 	$(BIN)/coapt-lab chart gap -o docs/figures
 	lab/closures/speed_table.py
 

@@ -142,6 +142,7 @@ int run(EvaluateArguments arguments) {
   if (const int failed = check_output(arguments.report)) return failed;
   arguments.options.evidence = !arguments.no_evidence;
   arguments.options.fine_levels = 0;  // as the service scores
+  arguments.options.model_draws = 0;
   SearchContext context{.cancelled = &interrupted};
   const auto store = use_store(arguments.store, *valve, arguments.options.closure, context);
   if (!store) return report_store_errors("evaluate", store.errors());

@@ -105,7 +105,7 @@ void add_plan(Command parent, int& status) {
   Command command = parent.add_command("plan", "Search repair plans and rank them");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   for (const char* name : {"evaluations", "seed", "seconds", "plans", "threads", "region_points",
-                           "fine_levels", "no_improvement"})
+                           "fine_levels", "model_draws", "no_improvement"})
     add_search_option(command, name, options);
   command
       .add_option("--target", options.target_mm2,
@@ -135,7 +135,9 @@ void add_plan(Command parent, int& status) {
       "suture wrong alone, both independently, further remodelling. Then each of the best, as "
       "planned,\n"
       "and the valve as it is once on a finer mesh (--fine-levels), which has a say in whether a "
-      "plan closes.\n\n"
+      "plan closes,\n"
+      "and under common draws of tissue and chordae (--model-draws): a rank that does not hold in "
+      "them is a tie.\n\n"
       "A search that was killed resumes when run again with the same --store, and ends with the "
       "same\nranking.\n\n"
       "Ctrl-C stops the search and prints the best so far (exit code 130) when the closures in\n"

@@ -25,6 +25,8 @@ std::string command_line(const PlanArguments& arguments) {
   if (options.target_mm2 >= 0.0) line << " --target " << options.target_mm2;
   if (options.fine_levels != SearchOptions{}.fine_levels)
     line << " --fine-levels " << options.fine_levels;
+  if (options.model_draws != SearchOptions{}.model_draws)
+    line << " --model-draws " << options.model_draws;
   if (!options.evidence) line << " --no-evidence";
   return line.str();
 }

@@ -80,6 +80,17 @@ void print_fine(std::ostream& out, const ordered_json& plan) {
   print_words(out, "      ", words);
 }
 
+void print_model_draws(std::ostream& out, const ordered_json& result) {
+  const auto model = result.find("model_draws");
+  if (model == result.end() || (*model)["before"].is_null()) return;
+  const ordered_json& leak = (*model)["before"]["leak_mm2"];
+  print_words(out, "Model: ",
+              counted((*model)["draws"].get<long>(), "draw") +
+                  " of tissue and chordae, the same for all plans; unrepaired leak " +
+                  known(leak["mean"]) + " ± " + known(leak["sd"]) +
+                  " mm2. A rank that does not hold in them is called a tie");
+}
+
 /// What the finer mesh was for, and whether it would order the plans otherwise.
 void print_fine_mesh(std::ostream& out, const ordered_json& result) {
   const auto mesh = result.find("fine_mesh");
@@ -96,6 +107,29 @@ void print_fine_mesh(std::ostream& out, const ordered_json& result) {
                   (!complete ? "not all plans were closed on it"
                    : same    ? "it orders these plans alike"
                              : "it orders these plans otherwise, see there"));
+}
+
+/// What the model's own error makes of the leak as planned.
+void print_draws(std::ostream& out, const ordered_json& plan) {
+  const auto drawn = plan.find("under_draws");
+  if (drawn == plan.end() || drawn->is_null()) return;
+  const ordered_json& leak = (*drawn)["leak_mm2"];
+  std::string words = "leak " + known(plan["leak_mm2"]["nominal"]) + " mm2 as planned: model ± " +
+                      known(leak["sd"]) + " (mean " + known(leak["mean"]) + ", worst " +
+                      known(leak["worst"]);
+  if (const int failures = (*drawn)["failures"]; failures > 0)
+    words += "; " + counted(failures, "draw") + " failed";
+  print_words(out, "      ", words + ")");
+}
+
+/// Why the order of a plan and the next is open.
+std::string tie_words(const ordered_json& plan) {
+  const double likely = number_of(plan["probability_outranks_next"]);
+  const double ahead = number_of(plan.value("share_of_draws_ahead", ordered_json()));
+  std::string words = std::isfinite(likely) ? percent(likely) + " likely ahead" : "";
+  if (std::isfinite(ahead))
+    words += (words.empty() ? "" : ", ") + ("ahead in " + percent(ahead)) + " of the model's draws";
+  return words;
 }
 
 /// What gates say against a plan, then what else is to be warned of.
@@ -118,12 +152,12 @@ void print_plan(std::ostream& out, const ordered_json& plan) {
   for (const std::string step : plan["description"]) print_words(out, "      ", step);
   if (plan["plan"]["steps"].empty()) out << "      no repair\n";
   print_fine(out, plan);
+  print_draws(out, plan);
   if (plan["status"] != "converged" || plan["crossing"].get<bool>())
     out << "      ! " << plan["status"].get<std::string>() << ", " << crossing_words(plan) << '\n';
   print_warnings(out, plan);
   if (plan["tie_with_next"].get<bool>())
-    out << "      ties with the next: " << percent(number_of(plan["probability_outranks_next"]))
-        << " likely ahead\n";
+    out << "      ties with the next: " << tie_words(plan) << '\n';
 }
 
 std::string ladder_words(const ordered_json& ladder) {
@@ -181,6 +215,7 @@ void print_ranked(std::ostream& out, const ordered_json& result) {
         "Pareto-optimal among the ranked plans in mean leak, its sd, steps and undersizing");
   out << '\n';
   print_fine_mesh(out, result);
+  print_model_draws(out, result);
   print_search(out, result);
   out << result["closures"] << " closures (" << result["closures_not_converged"]
       << " not converged, " << result["closures_crossed"] << " crossed";

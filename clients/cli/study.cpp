@@ -226,6 +226,7 @@ void add_study(Command parent, int& status) {
   add_calibrate(study, status);
   add_anchor_question(study, status);
   add_generality(study, status);
+  add_study_model(study, status);
 }
 
 }  // namespace coapt

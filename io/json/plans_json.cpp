@@ -10,7 +10,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kCertain = 0.95;
 constexpr double kRegionLengthStep_mm = 0.25, kRegionAngleStep_deg = 1.0;  // region_of_interest()
 
 const char* name_of(SearchStop stop) {
@@ -102,6 +101,20 @@ ordered_json fine_mesh_json(const FineMesh& mesh) {
           {"closures", mesh.closures}};
 }
 
+/// Null without draws.
+ordered_json spread_json(const std::optional<ModelSpread>& spread) {
+  if (!spread) return nullptr;
+  return {{"failures", spread->failures},
+          {"leak_mm2",
+           {{"mean", spread->mean_mm2}, {"sd", spread->sd_mm2}, {"worst", spread->worst_mm2}}}};
+}
+
+ordered_json model_json(const SearchResult& result) {
+  return {{"draws", result.model_draws},
+          {"before", spread_json(result.before_under_draws)},
+          {"closures", result.model_closures}};
+}
+
 ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   const RegionReport& region = ranked.region;
   ordered_json json = {{"rank", ranked.rank}};
@@ -123,10 +136,12 @@ ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"margin_to_leak", margin_json(region.margin_to_leak)},
                {"pareto", ranked.pareto},
                {"probability_outranks_next", ranked.probability_outranks_next},
+               {"share_of_draws_ahead", ranked.share_of_draws_ahead},
                {"tie_with_next", ties_with_next(ranked)},
                {"subset", {{"nodes", ranked.subset_nodes}, {"cost", ranked.subset_cost}}},
                {"closes_robustly", closes_robustly(ranked)},
                {"fine", fine_json(ranked, mesh)},
+               {"under_draws", spread_json(ranked.model)},
                {"leak_map", list_of(region.maps, map_json)},
                {"sobol", indices_json(region.indices)},
                {"independent_leak_mm2", statistics_json(region.independent_leak_mm2)},
@@ -173,6 +188,7 @@ ordered_json to_json(const SearchResult& result) {
            list_of(result.plans,
                    [&](const RankedPlan& plan) { return ranked_json(plan, result.fine_mesh); })},
           {"fine_mesh", fine_mesh_json(result.fine_mesh)},
+          {"model_draws", model_json(result)},
           {"best_cost_history", list_of(result.progress, [](const Progress& p) { return p.cost; })},
           {"progress", list_of(result.progress, progress_json)},
           {"random_progress", list_of(result.random_progress, progress_json)},
@@ -204,11 +220,6 @@ ordered_json to_json(const SearchResult& result, const SearchRequest& request) {
                        {"command", request.command},
                        {"search", to_json(request.options)}};
   return json;
-}
-
-bool ties_with_next(const RankedPlan& plan) {
-  const double ahead = plan.probability_outranks_next;
-  return ahead >= 1.0 - kCertain && ahead <= kCertain;
 }
 
 const std::vector<std::string>& not_modelled() {

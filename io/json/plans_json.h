@@ -24,9 +24,6 @@ nlohmann::ordered_json to_json(const SearchResult& result);
 /// as search_options_from_json() reads it.
 nlohmann::ordered_json to_json(const SearchResult& result, const SearchRequest& request);
 
-/// Whether it is open which of a plan and the next is better: probability_outranks_next from 0.05 to 0.95.
-bool ties_with_next(const RankedPlan& plan);
-
 /// What coapt leaves out, a sentence each.
 const std::vector<std::string>& not_modelled();
 

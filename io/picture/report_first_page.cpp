@@ -35,9 +35,11 @@ std::string tie_words(const std::vector<RankedPlan>& plans, std::size_t index) {
     return "Plans " + ranks + " tie: the simulation cannot tell which is better.";
   if (first < last) return "Plans " + ranks + " tie, each with the next: their order means little.";
   const double ahead = plans[index].probability_outranks_next;
+  const double drawn = plans[index].share_of_draws_ahead;
   if (index + 1 == plans.size() || !std::isfinite(ahead)) return "";
   return "Ahead of plan " + std::to_string(plans[index + 1].rank) + " with a probability of " +
-         (ahead > kCounted ? "more than 99 %" : percent(ahead)) + ".";
+         (ahead > kCounted ? "more than 99 %" : percent(ahead)) +
+         (std::isfinite(drawn) ? ", and in " + percent(drawn) + " of the model's draws." : ".");
 }
 
 std::string stop_words(SearchStop stop) {
@@ -130,6 +132,13 @@ std::string undersizing(const RankedPlan& plan) {
   return ring ? fixed(plan.effort.sizes_below, 1) + " sizes" : "no ring";
 }
 
+/// "; model ± 1.2 (sd over 8 draws)", empty if that is not known.
+std::string model_error(const RankedPlan& plan) {
+  if (!plan.model || !std::isfinite(plan.model->sd_mm2)) return "";
+  return "; model ± " + fixed(plan.model->sd_mm2, 1) + " (sd over " +
+         counted(plan.model->draws - plan.model->failures, "draw") + ")";
+}
+
 std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
   const OrificeStatistics& leak = plan.region.leak_mm2;
   const LeakMargin& margin = plan.region.margin_to_leak;
@@ -140,7 +149,8 @@ std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
                             fixed(plan.effort.posteromedial_movement_mm, 1) + " mm";
   return "<dl>\n" +
          key_figure("Leak as planned", with_unit(leak_mm2(after), 1, "mm²"),
-                    "before " + fixed(leak_mm2(before), 1) + "; one closure ± 0.5 mm²") +
+                    "before " + fixed(leak_mm2(before), 1) + "; one closure ± 0.5 mm²" +
+                        model_error(plan)) +
          key_figure("Leak when the repair varies",
                     varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
                     "± sd; 95 % below " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +
@@ -178,8 +188,12 @@ std::string how_sure(const RankedPlan& plan) {
     words =
         "This plan was not closed under variations: how it tolerates small errors is not known. ";
   }
-  return "<p class=\"small\">" + escape_html(words) +
-         "Other errors (imaging, tissue, ring placement) are not included; see <a "
+  if (plan.model)
+    words +=
+        "Model: tissue and chordae vary within what their sources allow, the same for all plans. ";
+  return "<p class=\"small\">" + escape_html(words) + "Other errors (imaging, " +
+         (plan.model ? "" : "tissue, ") +
+         "ring placement) are not included; see <a "
          "href=\"#limits\">limits</a>.</p>\n";
 }
 

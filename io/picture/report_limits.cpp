@@ -21,7 +21,9 @@ const std::vector<std::string>& how_far() {
       "regurgitant "
       "orifice area (EROA), and does not grade regurgitation.",
       "The spread covers errors of suture length (1 mm) and papillary position (5 degrees) only. "
-      "Errors of imaging, ring placement, tissue and pressure are not included.",
+      "Errors of imaging, ring placement and pressure are not included. What tissue and chordae "
+      "are "
+      "not known by is stated apart (model ±), for the plan as planned.",
       "Nothing here has been validated on patients."};
   return kSentences;
 }

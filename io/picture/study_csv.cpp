@@ -1,6 +1,7 @@
 #include "io/picture/study_csv.h"
 
 #include "io/picture/csv_lines.h"
+#include "search/model_draw.h"
 
 namespace coapt {
 namespace {
@@ -149,6 +150,20 @@ std::string finding_shares_csv(const std::vector<FindingShare>& shares) {
   for (const FindingShare& share : shares) {
     csv << share.finding << (share.kind.empty() ? "all" : share.kind) << share.valves
         << share.agree;
+    csv.end_line();
+  }
+  return csv.text();
+}
+
+std::string model_draws_csv(const ModelStudy& study) {
+  std::string header;
+  for (const ModelParameter& parameter : model_parameters())
+    header += std::string(parameter.name) + ',';
+  CsvLines csv(header + "trusted,orifice_mm2,leak_mm2");
+  for (const ModelStudyDraw& draw : study.draws) {
+    for (std::size_t i = 0; i < draw.shares.size(); ++i)
+      csv << model_factor(model_parameters()[i], draw.shares[i]);
+    csv << draw.trusted << draw.orifice_mm2 << draw.leak_mm2;
     csv.end_line();
   }
   return csv.text();

@@ -6,6 +6,7 @@
 
 #include "search/studies/anchor_question.h"
 #include "search/studies/generality.h"
+#include "search/studies/model_study.h"
 
 namespace coapt {
 
@@ -22,5 +23,6 @@ std::string anchor_scan_csv(const std::vector<ScannedAnatomy>& scan);
 std::string anchor_answers_csv(const std::vector<AnchorAnswer>& answers);
 std::string generality_csv(const std::vector<ValveFindings>& studied);
 std::string finding_shares_csv(const std::vector<FindingShare>& shares);
+std::string model_draws_csv(const ModelStudy& study);  ///< a row per draw, with its factors
 
 }  // namespace coapt

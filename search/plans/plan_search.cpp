@@ -6,6 +6,7 @@
 #include "core/repair/apply_plan.h"
 #include "search/plans/exploration.h"
 #include "search/plans/fine_closures.h"
+#include "search/plans/model_closures.h"
 #include "search/plans/plan_key.h"
 #include "search/plans/ranking.h"
 #include "search/plans/search_option_table.h"
@@ -40,8 +41,12 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
                     const SearchOptions& options, SearchResult& result) {
   finalists = close_finalists(evaluations, std::move(finalists), options, result.ladder);
   const FineClosures fine = close_fine(evaluations, finalists, options.fine_levels);
-  result.plans = rank(evaluations, finalists, options.region_points, fine);
+  const ModelClosures model = close_under_draws(evaluations, finalists, options.model_draws);
+  result.plans = rank(evaluations, finalists, options.region_points, fine, model);
   result.fine_mesh = fine.mesh;
+  result.model_draws = model.draws;
+  result.model_closures = model.closures;
+  if (!model.before.empty()) result.before_under_draws = model_spread(model.before);
 }
 
 /// With its rank among `ranked`.

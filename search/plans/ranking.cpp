@@ -81,12 +81,22 @@ bool fails_often(const RankedPlan& plan) {
   return plan.region.failures > kOftenFailing * plan.region.closures;
 }
 
-/// At costs of the caller's choice.
-bool is_better(const RankedPlan& a, double cost_of_a, const RankedPlan& b, double cost_of_b) {
-  if (trusted(a) != trusted(b)) return trusted(a);
-  if (fails_often(a) != fails_often(b)) return fails_often(b);
-  if (closes_robustly(a) != closes_robustly(b)) return closes_robustly(a);
-  return cost_of_a < cost_of_b;
+/// What decides between two plans.
+struct Standing {
+  bool trusted = true, fails_often = false, robust = false;
+  double cost = 0.0;
+};
+
+/// `leak_mm2` and `cost`: more than on its own mesh and material.
+Standing standing(const RankedPlan& plan, double leak_mm2, double cost) {
+  return {trusted(plan), fails_often(plan), closes_robustly(plan, leak_mm2), plan.cost + cost};
+}
+
+bool is_better(const Standing& a, const Standing& b) {
+  if (a.trusted != b.trusted) return a.trusted;
+  if (a.fails_often != b.fails_often) return b.fails_often;
+  if (a.robust != b.robust) return a.robust;
+  return a.cost < b.cost;
 }
 
 /// Says where a plan would stand if its closure as planned counted at its fine cost.
@@ -94,11 +104,30 @@ void place_finely(std::vector<RankedPlan>& plans, const std::vector<double>& cos
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < plans.size(); ++i) order.push_back(i);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return is_better(plans[a], plans[a].cost + cost_changes[a], plans[b],
-                     plans[b].cost + cost_changes[b]);
+    return is_better(standing(plans[a], 0.0, cost_changes[a]),
+                     standing(plans[b], 0.0, cost_changes[b]));
   });
   for (std::size_t place = 0; place < order.size(); ++place)
     if (plans[order[place]].fine) plans[order[place]].fine_rank = static_cast<int>(place) + 1;
+}
+
+/// The share of draws in which the plan is ahead of the next; equals count half. NaN where no draw
+/// has both closed and trusted.
+double share_ahead(const PlanEvaluations& evaluations, const ModelClosures& model,
+                   const std::pair<RankedPlan, const PlanRecord*>& a,
+                   const std::pair<RankedPlan, const PlanRecord*>& b) {
+  double ahead = 0.0;
+  int compared = 0;
+  for (int draw = 0; draw < std::ssize(model.before); ++draw) {
+    const DrawnChange of_a = change_in_draw(evaluations, *a.second, model, draw);
+    const DrawnChange of_b = change_in_draw(evaluations, *b.second, model, draw);
+    if (!of_a.trusted || !of_b.trusted) continue;
+    ++compared;
+    const Standing there_a = standing(a.first, of_a.leak_mm2, of_a.cost);
+    const Standing there_b = standing(b.first, of_b.leak_mm2, of_b.cost);
+    ahead += is_better(there_a, there_b) ? 1.0 : is_better(there_b, there_a) ? 0.0 : 0.5;
+  }
+  return compared > 0 ? ahead / compared : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// What the fine mesh says against a plan whose own mesh does not.
@@ -211,14 +240,14 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
 }
 
 std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                             int most_nodes, const FineClosures& fine) {
+                             int most_nodes, const FineClosures& fine, const ModelClosures& model) {
   const int nodes = std::min(most_nodes, common_nodes(plans));
   if (nodes == 0) return {};
   std::vector<std::pair<RankedPlan, const PlanRecord*>> order;
   for (const PlanRecord* plan : plans)
     order.emplace_back(ranked(evaluations, *plan, nodes, fine), plan);
   std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
-    return is_better(a.first, a.first.cost, b.first, b.first.cost);
+    return is_better(standing(a.first, 0.0, 0.0), standing(b.first, 0.0, 0.0));
   });
   std::vector<const PlanRecord*> records;
   for (const auto& [plan, record] : order) records.push_back(record);
@@ -229,6 +258,10 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
     cost_changes.push_back(fine_cost_change(evaluations, *record, fine));
   for (std::size_t i = 0; i < order.size(); ++i) {
     RankedPlan& plan = order[i].first;
+    if (const auto drawn = model.plans.find(records[i]); drawn != model.plans.end())
+      plan.model = model_spread(drawn->second);
+    if (i + 1 < order.size())
+      plan.share_of_draws_ahead = share_ahead(evaluations, model, order[i], order[i + 1]);
     plan.rank = static_cast<int>(i) + 1;
     plan.probability_outranks_next =
         i + 1 < order.size() ? probability_ahead(evaluations, *records[i], *records[i + 1], nodes)
@@ -236,8 +269,8 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
     plan.pareto = std::any_of(front.begin(), front.end(), [&](const ParetoPlan& best) {
       return plan_key(best.plan) == plan_key(plan.plan);
     });
-    result.push_back(std::move(plan));
   }
+  for (auto& [plan, record] : order) result.push_back(std::move(plan));
   place_finely(result, cost_changes);
   return result;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "search/plans/fine_closures.h"
+#include "search/plans/model_closures.h"
 #include "search/plans/plan_evaluations.h"
 #include "search/plans/search_options.h"
 #include "search/plans/search_result.h"
@@ -33,9 +34,11 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
 /// Plans in order: those whose own closure failed come last, before them those with more than a
 /// twentieth of the region's closures failed; robustly closing ones first; then by cost, which
 /// counts failures, too. Over the nodes that all of them have closed, at most so many. Whether a
-/// plan closes robustly is asked of the fine closures, too; the cost is of its own mesh.
+/// plan closes robustly is asked of the fine closures, too; the cost is of its own mesh. Draws of
+/// the model change no rank: they say whether it holds.
 std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                             int most_nodes, const FineClosures& fine = {});
+                             int most_nodes, const FineClosures& fine = {},
+                             const ModelClosures& model = {});
 
 /// Of plans that may be compared (equally many nodes): no other is as good in mean, sd, steps and
 /// undersizing, and better in one.

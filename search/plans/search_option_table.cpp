@@ -36,6 +36,12 @@ constexpr OptionRow<SearchOptions> kOptions[] = {
      "",
      "Times that the mesh is refined, each triangle into four, for the verdict on each reported "
      "plan; 0: its own mesh."},
+    {"model_draws",
+     &SearchOptions::model_draws,
+     {0.0, 200.0},
+     "",
+     "Draws of the model's own values (tissue, chordae), under which each reported plan is closed "
+     "as planned: a rank that does not survive them is called a tie; 0: none."},
     {"seconds",
      &SearchOptions::seconds,
      {0.0, kMost},

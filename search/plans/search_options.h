@@ -24,6 +24,9 @@ struct SearchOptions {
   bool evidence = true;
   /// Times that the mesh is refined for the verdict on each reported plan; 0: its own mesh.
   int fine_levels = 1;
+  /// Draws of the model's own values (model_draw.h) under which each reported plan is closed as
+  /// planned; 0: none.
+  int model_draws = 8;
   /// Stop earlier when this much time is gone, the last 40 % of it spent on ranking; 0: no limit.
   double seconds = 0.0;
   /// Stop searching after so many closures without a better plan; 0: never.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "search/plans/fine_closures.h"
 #include "search/plans/gates.h"
 #include "search/plans/ladder.h"
+#include "search/plans/model_closures.h"
 #include "search/plans/plan_space.h"
 #include "search/plans/region_report.h"
 #include "search/plans/search_progress.h"
@@ -37,6 +39,11 @@ struct RankedPlan {
   std::optional<PlanClosure> fine;
   /// Its place by the fine verdict and the cost with the fine closure as planned; 0 without one.
   int fine_rank = 0;
+  /// As planned, under draws of the model; none without draws, or if the search was cancelled before.
+  std::optional<ModelSpread> model;
+  /// Share of the draws in which it comes before the next plan, too (model_closures.h). NaN for the
+  /// last and without draws.
+  double share_of_draws_ahead = std::numeric_limits<double>::quiet_NaN();
   std::vector<Gate> gates;
   std::vector<std::string> warnings;  ///< of gates and region, in words
   /// That it truly comes before the next plan, by robust closing, then by cost: resampling the
@@ -77,6 +84,10 @@ struct SearchResult {
   std::vector<RankedPlan> plans;
   /// What RankedPlan::fine is of.
   FineMesh fine_mesh;
+  /// Draws of the model that RankedPlan::model is of, and the valve as it is under them.
+  int model_draws = 0;
+  std::optional<ModelSpread> before_under_draws;
+  int model_closures = 0;  ///< made for these draws; `closures` does not count them
   /// Whether a ranked plan closes the valve robustly.
   bool any_competent = false;
   /// Of the search, at one closure a plan.
@@ -111,10 +122,18 @@ bool closes_finely(const RankedPlan& plan);
 /// crossing, so does every closure over its region of interest, and mean + sd of the leak is below
 /// kCompetentLeak_mm2; and the plan as planned converges uncrossed with a leak below it on the
 /// refined mesh, too, where fine_levels asks for that. False where nothing of the region but the
-/// plan itself was closed.
-bool closes_robustly(const RankedPlan& plan);
+/// plan itself was closed. `more_mm2`: leaks of the whole region are taken to be larger by this.
+bool closes_robustly(const RankedPlan& plan, double more_mm2 = 0.0);
 
 /// Whether the best-ranked plan does; false without plans.
 bool closes_robustly(const SearchResult& result);
+
+/// Whether draws of the model leave the plan's place before the next one: it stays ahead in more
+/// than 0.95 of them. True where nothing is known of draws.
+bool survives_draws(const RankedPlan& plan);
+
+/// Whether it is open which of a plan and the next is better: probability_outranks_next is from 0.05
+/// to 0.95, or the order does not survive draws of the model.
+bool ties_with_next(const RankedPlan& plan);
 
 }  // namespace coapt

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/presets/presets.h"
+#include "search/latin_hypercube.h"
 #include "search/plans/objective.h"
 
 namespace coapt {

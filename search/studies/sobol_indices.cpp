@@ -5,10 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <random>
-
-#include "search/random_share.h"
 
 namespace coapt {
 namespace {
@@ -102,20 +98,6 @@ SobolIndices sobol_indices(const std::vector<std::vector<double>>& shares,
     if (term.degree == 1) indices.effect[term.first] = weight * (linear(1.0) - linear(0.0));
   }
   return indices;
-}
-
-std::vector<std::vector<double>> latin_hypercube(int count, int factors, std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  const auto die = [&] { return random_share(engine); };
-  std::vector<std::vector<double>> samples(count, std::vector<double>(factors));
-  std::vector<int> order(count);
-  for (int f = 0; f < factors; ++f) {
-    std::iota(order.begin(), order.end(), 0);
-    for (int i = count; i > 1; --i)  // std::shuffle differs between standard libraries
-      std::swap(order[i - 1], order[static_cast<int>(die() * i)]);
-    for (int i = 0; i < count; ++i) samples[i][f] = (order[i] + die()) / count;
-  }
-  return samples;
 }
 
 }  // namespace coapt

@@ -5,7 +5,6 @@
 // samples left out.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 namespace coapt {
@@ -22,8 +21,5 @@ struct SobolIndices {
 /// values are constant or samples are not more than the terms of the smallest set.
 SobolIndices sobol_indices(const std::vector<std::vector<double>>& shares,
                            const std::vector<double>& values);
-
-/// A Latin hypercube (McKay 1979): `count` samples of `factors` shares in [0, 1].
-std::vector<std::vector<double>> latin_hypercube(int count, int factors, std::uint64_t seed);
 
 }  // namespace coapt

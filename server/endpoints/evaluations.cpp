@@ -68,6 +68,7 @@ std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Req
   asked.options.evidence = false;
   asked.options.region_points = 1;
   asked.options.fine_levels = 0;
+  asked.options.model_draws = 0;
   asked.options.seconds = valves.limits.request_seconds;
   const auto points = [](const JsonPlace& place) { return read_integer_in(place, 1, 1089); };
   if (auto refused = read_body(valves, request.body,

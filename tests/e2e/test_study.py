@@ -87,7 +87,7 @@ class Annulus(ProgramTest):
         self.assertEqual(json.loads((folder / "study.json").read_text()), ring)
 
     def test_the_directory_is_named_after_the_study_if_none_is_given(self):
-        for name in ["annulus", "thesis", "calibrate", "anchors", "generality"]:
+        for name in ["annulus", "thesis", "calibrate", "anchors", "generality", "model"]:
             self.assertIn(f"study-{name}", self.run_ok("study", name, "--help").stdout)
 
     def test_threads_do_not_change_a_byte(self):
@@ -115,6 +115,62 @@ class Annulus(ProgramTest):
         self.assertEqual((rest["closures"], rest["closures_known"]), (CONFIGURATIONS, kept))
         _, undisturbed = self.study("undisturbed")
         self.assertEqual(contents(folder), contents(undisturbed))
+
+
+PARAMETERS = [
+    "bending rigidity",
+    "insertion zone",
+    "leaflet thickness",
+    "moduli below the transition",
+    "moduli above the transition",
+    "circumferential transition",
+    "radial transition",
+    "chordal modulus",
+    "chordal length",
+]
+
+
+class Model(ProgramTest):
+    def study(self, name, *arguments):
+        folder = self.folder / name
+        result = self.run_ok("study", "model", "human-functional-mr", "-o", folder, "--json", *arguments)
+        return json.loads(result.stdout), folder
+
+    def test_areas_parameters_and_draws_have_what_scripts_rely_on(self):
+        study, folder = self.study("model", "--draws", "24", "--threads", "2")
+        self.assertEqual((study["schema"], study["valve"]), ("coapt.model_study/1", "human-functional-mr"))
+        self.assertEqual((study["draws"], study["untrusted"]), (24, 0))
+        self.assertEqual(json.loads((folder / "model.json").read_text()), study)
+        self.assertEqual([area["name"] for area in study["areas"]], ["leak", "orifice"])
+        for area in study["areas"]:
+            self.assertLess(area["p5_mm2"], area["mean_mm2"])
+            self.assertLess(area["mean_mm2"], area["p95_mm2"])
+            self.assertGreater(area["sd_mm2"], 1.0)
+            self.assertEqual([parameter["name"] for parameter in area["parameters"]], PARAMETERS)
+            for parameter in area["parameters"]:
+                self.assertLess(parameter["lower"], 1.0)
+                self.assertGreater(parameter["upper"], 1.0)
+                self.assertLessEqual(parameter["first"], parameter["total"] + 1e-9)
+        with open(folder / "draws.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 24)
+        self.assertEqual(list(rows[0])[:9], PARAMETERS)
+        self.assertIn("Areas over the draws", (folder / "index.html").read_text())
+        one, _ = self.study("one", "--draws", "24", "--threads", "1")
+        self.assertEqual(one, study)
+
+    def test_a_plan_is_applied_first_and_the_table_says_the_models_error(self):
+        plan = self.write("ring.json", '{"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "own", "sizes_below": 3}]}')
+        bare, _ = self.study("bare", "--draws", "3")
+        ringed, _ = self.study("ringed", "--draws", "3", "--plan", plan)
+        self.assertLess(ringed["areas"][0]["as_it_is_mm2"], bare["areas"][0]["as_it_is_mm2"])
+        words = self.run_ok("study", "model", VALVE, "--draws", "3", "-o", self.folder / "words").stdout
+        self.assertRegex(words, r"\nmm2 +as it is +mean +model ± +5 % +95 %\nleak +\d")
+
+    def test_too_few_draws_are_refused(self):
+        result = coapt("study", "model", VALVE, "--draws", "0")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("--draws", result.stderr)
 
 
 class Refused(ProgramTest):

@@ -120,6 +120,8 @@ inline RankedPlan first() {
   plan.fine_levels = 1;
   plan.fine = PlanClosure{ClosureStatus::Converged, false, 0.2, 0.4, 6.1, 0.92, 0.63};
   plan.fine_rank = 2;
+  plan.model = ModelSpread{8, 1, 0.9, 1.2, 3.5};
+  plan.share_of_draws_ahead = 1.0;
   plan.probability_outranks_next = 0.62;
   plan.pareto = true;
   return plan;
@@ -190,6 +192,9 @@ inline SearchResult search_result() {
   result.plans = {first(), second(), third()};
   result.fine_mesh = {1, 2592,
                       PlanClosure{ClosureStatus::Converged, false, 38.5, 47.25, 2.4, 3.1, 0.47}, 4};
+  result.model_draws = 8;
+  result.before_under_draws = ModelSpread{8, 0, 50.0, 12.5, 71.0};
+  result.model_closures = 32;
   result.any_competent = true;
   result.progress = {{1, 231.0}, {2, 96.0},  {5, 41.0}, {14, 17.5},
                      {60, 9.9},  {212, 7.4}, {980, 6.3}};
@@ -226,6 +231,7 @@ inline SearchRequest search_request() {
   options.region_points = 729;
   options.evidence = false;
   options.fine_levels = 2;
+  options.model_draws = 16;
   options.seconds = 600.5;
   options.no_improvement = 400;
   options.target_mm2 = 0.25;

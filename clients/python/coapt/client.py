@@ -270,6 +270,7 @@ class Client:
         region_points: int | None = None,
         evidence: bool | None = None,
         fine_levels: int | None = None,
+        model_draws: int | None = None,
         seconds: float | None = None,
         no_improvement: int | None = None,
         target_mm2: float | None = None,
@@ -288,6 +289,7 @@ class Client:
         :param region_points: 1 to 1,089 nodes of each reported plan's region of interest (1,089)
         :param evidence: close the reported plans also under errors of single sutures and further remodelling (True)
         :param fine_levels: times that the mesh is refined for the verdict on each reported plan, 0 to 2 (1)
+        :param model_draws: draws of tissue and chordae under which each reported plan is closed as planned, 0 to 200 (8)
         :param seconds: stop after this time, the last 40 % spent on ranking; 0: no limit (0)
         :param no_improvement: stop after so many closures without a better plan; 0: never (0)
         :param target_mm2: stop when mean + sd of a plan's leak over 17 nodes is not above this; -1: never (-1)
@@ -310,6 +312,7 @@ class Client:
             region_points=region_points,
             evidence=evidence,
             fine_levels=fine_levels,
+            model_draws=model_draws,
             seconds=seconds,
             no_improvement=no_improvement,
             target_mm2=target_mm2,

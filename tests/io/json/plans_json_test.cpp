@@ -32,6 +32,7 @@ TEST(PlansJson, HasTheKeysThatScriptsRelyOn) {
                                                      "any_competent",
                                                      "plans",
                                                      "fine_mesh",
+                                                     "model_draws",
                                                      "best_cost_history",
                                                      "progress",
                                                      "random_progress",
@@ -82,10 +83,12 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "margin_to_leak",
                                              "pareto",
                                              "probability_outranks_next",
+                                             "share_of_draws_ahead",
                                              "tie_with_next",
                                              "subset",
                                              "closes_robustly",
                                              "fine",
+                                             "under_draws",
                                              "leak_map",
                                              "sobol",
                                              "independent_leak_mm2",
@@ -109,6 +112,37 @@ TEST(PlansJson, APlanStatesItsClosureOnTheFinerMesh) {
   result.fine_mesh = {};
   EXPECT_EQ(written(to_json(result))["fine_mesh"].dump(),
             R"({"levels":0,"triangles":null,"leak_before_mm2":null,"closures":0})");
+}
+
+TEST(PlansJson, APlanStatesItsLeakUnderDrawsOfTheModel) {
+  EXPECT_EQ(scene()["model_draws"].dump(),
+            R"({"draws":8,"before":{"failures":0,"leak_mm2":{"mean":50.0,"sd":12.5,"worst":71.0}},)"
+            R"("closures":32})");
+  const ordered_json& plans = scene()["plans"];
+  EXPECT_EQ(plans[0]["under_draws"].dump(),
+            R"({"failures":1,"leak_mm2":{"mean":0.9,"sd":1.2,"worst":3.5}})");
+  EXPECT_EQ(plans[0]["share_of_draws_ahead"], 1.0);
+  EXPECT_TRUE(plans[1]["under_draws"].is_null());
+  EXPECT_TRUE(plans[1]["share_of_draws_ahead"].is_null());
+  SearchResult result = search_result();
+  result.model_draws = result.model_closures = 0;
+  result.before_under_draws.reset();
+  EXPECT_EQ(written(to_json(result))["model_draws"].dump(),
+            R"({"draws":0,"before":null,"closures":0})");
+}
+
+TEST(PlansJson, ARankThatDrawsOfTheModelDoNotLeaveIsATie) {
+  RankedPlan plan;
+  plan.probability_outranks_next = 0.99;
+  for (const auto& [share, tie] : {std::pair{1.0, false},
+                                   {0.96, false},
+                                   {0.95, true},
+                                   {0.5, true},
+                                   {0.0, true},
+                                   {plans_scene::kUnknown, false}}) {
+    plan.share_of_draws_ahead = share;
+    EXPECT_EQ(ties_with_next(plan), tie) << share;
+  }
 }
 
 TEST(PlansJson, APlanStatesItsEffortItsRegionAndItsGates) {

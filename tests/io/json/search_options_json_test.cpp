@@ -59,7 +59,7 @@ TEST(SearchOptionsJson, FixedStepsNeedNotSayTheirSchema) {
 
 TEST(SearchOptionsJson, ProblemsAreListed) {
   EXPECT_EQ(problems_of(read(R"({"evaluations": 0, "seed": -1, "threads": 1.5, "plans": 51,
-      "region_points": 1090, "evidence": 1, "fine_levels": 3, "seconds": -1, "no_improvement": -1,
+      "region_points": 1090, "evidence": 1, "fine_levels": 3, "model_draws": 201, "seconds": -1, "no_improvement": -1,
       "target_mm2": -2, "speed": 3, "closure": {"max_steps": 10000000, "samples": 100}})")),
             (Found{{OutOfRange, "/evaluations"},
                    {OutOfRange, "/seed"},
@@ -68,6 +68,7 @@ TEST(SearchOptionsJson, ProblemsAreListed) {
                    {OutOfRange, "/region_points"},
                    {WrongType, "/evidence"},
                    {OutOfRange, "/fine_levels"},
+                   {OutOfRange, "/model_draws"},
                    {OutOfRange, "/seconds"},
                    {OutOfRange, "/no_improvement"},
                    {OutOfRange, "/target_mm2"},

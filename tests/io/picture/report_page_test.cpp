@@ -57,8 +57,22 @@ TEST(FirstPage, NamesAllPlansThatTieInARow) {
   result.plans[1].probability_outranks_next = 0.5;
   EXPECT_TRUE(contains(first_sheet(page_of(result)), "Plans 1 to 3 tie"));
   result.plans[0].probability_outranks_next = 0.97;
+  EXPECT_TRUE(contains(first_sheet(page_of(result)),
+                       "Ahead of plan 2 with a probability of 97.0 %, and in 100 % of the model"));
+  result.plans[0].share_of_draws_ahead = 0.5;
+  EXPECT_TRUE(contains(first_sheet(page_of(result)), "Plans 1 to 3 tie"));
+  result.plans[0].share_of_draws_ahead = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(
       contains(first_sheet(page_of(result)), "Ahead of plan 2 with a probability of 97.0 %."));
+}
+
+TEST(FirstPage, StatesTheErrorOfTheModelWhereItIsKnown) {
+  SearchResult result = search_result();
+  EXPECT_TRUE(contains(first_sheet(page_of(result)), "model ± 1.2 (sd over 7 draws)"));
+  EXPECT_FALSE(contains(first_sheet(page_of(result)), "tissue, ring placement"));
+  result.plans[0].model.reset();
+  EXPECT_FALSE(contains(first_sheet(page_of(result)), "model ±"));
+  EXPECT_TRUE(contains(first_sheet(page_of(result)), "Other errors (imaging, tissue, ring"));
 }
 
 TEST(FirstPage, SaysWhenTheSearchWasStoppedEarly) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <sstream>
 
+#include "search/model_draw.h"
+
 namespace coapt {
 namespace {
 
@@ -161,6 +163,18 @@ TEST(StudyCsv, GeneralityAndSharesHaveTheirCounts) {
             "finding,kind,valves,agree\n"
             "table-4.1,all,5,3\n"
             "table-4.1,human,2,1\n");
+}
+
+TEST(StudyCsv, DrawsOfTheModelHaveTheirFactors) {
+  ModelStudy study;
+  study.draws = {{std::vector<double>(kModelParameters, 0.5), true, 1.5, 2.5},
+                 {std::vector<double>(kModelParameters, 0.0), false, 3.0, 4.0}};
+  EXPECT_EQ(model_draws_csv(study),
+            "bending rigidity,insertion zone,leaflet thickness,moduli below the transition,moduli "
+            "above the transition,circumferential transition,radial transition,chordal "
+            "modulus,chordal length,trusted,orifice_mm2,leak_mm2\n"
+            "1,1,1,1,1,1,1,1,1,true,1.5,2.5\n"
+            "0.2,0.65,0.65,0.5,0.5,0.65,0.65,0.5,0.95,false,3,4\n");
 }
 
 }  // namespace

@@ -98,6 +98,7 @@ inline SearchOptions small_search() {
   options.region_points = 9;
   options.evidence = false;
   options.fine_levels = 0;
+  options.model_draws = 0;
   // Of the catalogue the classic ring alone: fewer branches.
   options.rules.forbidden = {"annuloplasty:generic-etlogix-like",
                              "annuloplasty:generic-geoform-like"};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "search/latin_hypercube.h"
 #include "tests/search/studies/study_scene.h"
 
 namespace coapt {

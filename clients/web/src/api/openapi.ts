@@ -384,6 +384,11 @@ export interface components {
              */
             fine_levels?: number;
             /**
+             * @description Draws of the model's own values (tissue, chordae), under which each reported plan is closed as planned: a rank that does not survive them is called a tie; 0: none.
+             * @default 8
+             */
+            model_draws?: number;
+            /**
              * @description Stop earlier when this much time is gone, the last 40 % of it spent on ranking; 0: no limit.
              * @default 0
              */
@@ -1082,7 +1087,9 @@ export interface components {
             pareto: boolean;
             /** @description Probability that it is truly better than the next plan; null for the last one or without a region. */
             probability_outranks_next: number | null;
-            /** @description Whether that probability is between 0.05 and 0.95. */
+            /** @description Share of the draws of the model in which it is better than the next plan, too, as planned; null for the last one, without draws, or if no draw has both closed. */
+            share_of_draws_ahead: number | null;
+            /** @description Whether that probability is between 0.05 and 0.95, or that share is known and at most 0.95: the rank does not survive draws of the model. */
             tie_with_next: boolean;
             /** @description Nodes by which the plan was chosen for ranking. */
             subset: {
@@ -1095,6 +1102,8 @@ export interface components {
             closes_robustly: boolean;
             /** @description The plan as planned, closed on the refined mesh; null: none was asked for or possible, or the search was cancelled before. */
             fine: components["schemas"]["FineClosure"] | null;
+            /** @description The plan as planned, closed under draws of the model's own values, the same for all plans; null: none were asked for, or the search was cancelled before. */
+            under_draws: components["schemas"]["UnderDraws"] | null;
             /** @description Leak against suture length and angle: of both muscles, then of each sutured one alone if that was closed. */
             leak_map: {
                 /**
@@ -1187,6 +1196,20 @@ export interface components {
             /** @description Place of the plan if its cost counted this closure as planned; another than its rank: the order changed. */
             rank: number;
         };
+        /** @description A leak when tissue and chordae vary within what their sources allow. */
+        UnderDraws: {
+            /** @description How many of the closures did not converge or crossed; they are left out. */
+            failures: number;
+            /** @description Over the draws; null where none is left. */
+            leak_mm2: {
+                /** @description Mean over the draws. */
+                mean: number | null;
+                /** @description Standard deviation: the model's own error of the leak. */
+                sd: number | null;
+                /** @description Largest of the draws. */
+                worst: number | null;
+            };
+        };
         /** @description coapt.plans/1, as `coapt plan --json` prints it. */
         Plans: {
             /**
@@ -1211,6 +1234,15 @@ export interface components {
                 /** @description Of the valve as it is, on that mesh. */
                 leak_before_mm2: number | null;
                 /** @description Number of closures on refined meshes; closures does not count them. */
+                closures: number;
+            };
+            /** @description Draws of the model's own values under which reported plans are closed, as planned. */
+            model_draws: {
+                /** @description How many; 0: none. */
+                draws: number;
+                /** @description The valve as it is under them; null without. */
+                before: components["schemas"]["UnderDraws"] | null;
+                /** @description Number of closures under draws; closures does not count them. */
                 closures: number;
             };
             /** @description The costs of progress. */

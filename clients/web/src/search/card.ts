@@ -129,6 +129,9 @@ function figures(plan: RankedPlan): HTMLElement {
       'Orifice, gap as planned',
       `${withUnit(measure.orifice_area_mm2, 'mm²')}, ${withUnit(measure.coaptation.gap_area_mm2, 'mm²')}`,
     ],
+    ...(plan.under_draws
+      ? [['Leak as planned, model ±', meanAndSd(plan.under_draws.leak_mm2)] satisfies [Child, string]]
+      : []),
     ...(plan.fine ? [['Leak on the finer mesh', withUnit(plan.fine.leak_mm2, 'mm²')] satisfies [Child, string]] : []),
     [term('margin', 'Margin to leak'), marginWords(plan)],
     [

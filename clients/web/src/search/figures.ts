@@ -197,7 +197,10 @@ export function tieWords(a: RankedPlan, b: RankedPlan, all: RankedPlan[]): strin
   if (between.length > 1)
     return ties ? `Plans ${a.rank} to ${b.rank} tie, each with the next: their order means little.` : null
   const ahead = a.probability_outranks_next
-  const likely = ahead === null ? '' : `; plan ${a.rank} is ahead with a probability of ${number(100 * ahead, 0)} %`
+  const drawn = a.share_of_draws_ahead ?? null // unknown to results of coapt 0.1
+  const inDraws = drawn === null ? '' : `, in ${number(100 * drawn, 0)} % of the model's draws`
+  const likely =
+    ahead === null ? '' : `; plan ${a.rank} is ahead with a probability of ${number(100 * ahead, 0)} %${inDraws}`
   return ties
     ? `Plans ${a.rank} and ${b.rank} tie${likely}.`
     : `Plan ${a.rank} is ahead of plan ${b.rank}${likely.replace(`; plan ${a.rank} is ahead`, '')}.`

@@ -98,6 +98,15 @@ export const OPTIMISER: NumberOption[] = [
     hint: 'For the verdict on each ranked plan: it is closed once more, as planned, on a finer mesh.',
   },
   {
+    pointer: '/model_draws',
+    label: 'Draws of the model',
+    least: 0,
+    most: 200,
+    step: INTEGER,
+    fallback: 8,
+    hint: 'Tissue and chordae vary within what their sources allow: a rank that does not survive is called a tie.',
+  },
+  {
     pointer: '/seed',
     label: 'Seed',
     least: 0,

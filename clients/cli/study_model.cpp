@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "clients/cli/interrupt.h"
+#include "clients/cli/plan_option.h"
+#include "clients/cli/progress_bar.h"
+#include "core/repair/apply_plan.h"
+#include "core/valve/number_text.h"
+#include "io/command_line/command_line.h"
+#include "io/json/model_study_json.h"
+#include "io/picture/histogram_chart.h"
+#include "io/picture/study_csv.h"
+#include "io/picture/study_page.h"
+#include "io/picture/text.h"
+#include "search/model_draw.h"
+#include "search/studies/model_study.h"
+
+namespace coapt {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+struct StudyModelArguments {
+  std::string valve, directory = "study-model";
+  PlanOption plan;
+  ModelStudyOptions study;
+  bool json = false;
+};
+
+Rows areas_table(const ModelStudy& study) {
+  Rows rows = {{"mm2", "as it is", "mean", "model ±", "5 %", "95 %"}};
+  for (const ModelUncertainty* area : {&study.leak, &study.orifice})
+    rows.push_back({area->name, fixed(area->as_it_is_mm2, 1), fixed(area->mean_mm2, 1),
+                    fixed(area->sd_mm2, 1), fixed(area->p5_mm2, 1), fixed(area->p95_mm2, 1)});
+  return rows;
+}
+
+Rows parameters_table(const ModelStudy& study) {
+  Rows rows = {{"parameter", "from", "to", "leak: first", "total", "effect", "orifice: first",
+                "total", "effect"}};
+  for (int i = 0; i < kModelParameters; ++i) {
+    const ModelParameter& parameter = model_parameters()[i];
+    rows.push_back({parameter.name, shown(parameter.lower), shown(parameter.upper)});
+    for (const ModelUncertainty* area : {&study.leak, &study.orifice}) {
+      const SobolIndices& by = area->decided_by;
+      for (const auto& [values, decimals] :
+           {std::pair{by.first, 2}, std::pair{by.total, 2}, std::pair{by.effect, 1}})
+        rows.back().push_back(values.empty() ? "n/a" : fixed(values[i], decimals));
+    }
+  }
+  return rows;
+}
+
+/// Columns aligned: the first to the left, the others to the right. "±" is one column wide.
+void print_table(const Rows& rows) {
+  const auto width_of = [](const std::string& cell) {
+    return static_cast<int>(
+        std::count_if(cell.begin(), cell.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  };
+  std::vector<int> widths(rows.front().size(), 0);
+  for (const std::vector<std::string>& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width_of(row[c]));
+  for (const std::vector<std::string>& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string fill(static_cast<std::size_t>(widths[c] - width_of(row[c])), ' ');
+      std::cout << (c == 0 ? row[c] + fill : "  " + fill + row[c]);
+    }
+    std::cout << '\n';
+  }
+}
+
+std::string lead_of(const ModelStudy& study) {
+  return counted(static_cast<long>(study.draws.size()), "draw") + " of the model's own values, " +
+         std::to_string(study.untrusted) + " not trusted and left out.";
+}
+
+std::string decides_words(const ModelStudy& study) {
+  return "What decides, of the parameters as factors of the valve's own values: Sobol's first and "
+         "total share of the variance, and how the area changes from a parameter's low end to its "
+         "high end, mm2. Share of the variance predicted for draws left out (Q2; below 0.5 the "
+         "shares say little): leak " +
+         fixed(study.leak.decided_by.predicted_share, 2) + ", orifice " +
+         fixed(study.orifice.decided_by.predicted_share, 2) + ".";
+}
+
+std::string page_of(const ModelStudy& study, const std::string& valve) {
+  HistogramChart chart{"", "", {}, 2};
+  for (const auto& [name, area] : {std::pair{"leak", &ModelStudyDraw::leak_mm2},
+                                   std::pair{"orifice", &ModelStudyDraw::orifice_mm2}}) {
+    Sample sample{std::string(name) + " over the draws", {}};
+    for (const ModelStudyDraw& draw : study.draws)
+      if (draw.trusted) sample.values.push_back(draw.*area);
+    chart.panels.push_back(
+        {{name, std::string(name) + ", mm²", "draws"}, "mm²", {std::move(sample)}});
+  }
+  return study_page("How much of the answer is the model's: " + valve, lead_of(study),
+                    {{"Areas over the draws", "", histogram_chart_svg(chart), areas_table(study)},
+                     {"What decides", decides_words(study), "", parameters_table(study)}});
+}
+
+int write_all(const StudyModelArguments& arguments, const ModelStudy& study,
+              const std::string& json, const std::string& valve) {
+  for (const auto& [name, content] : {std::pair<std::string, std::string>{"model.json", json},
+                                      {"areas.csv", table_csv(areas_table(study))},
+                                      {"parameters.csv", table_csv(parameters_table(study))},
+                                      {"draws.csv", model_draws_csv(study)},
+                                      {"index.html", page_of(study, valve)}})
+    if (const int failed = write_output(arguments.directory + "/" + name, content)) return failed;
+  return exit_code::kOk;
+}
+
+int exit_code_of(const ModelStudy& study, bool interrupted) {
+  if (interrupted) return exit_code::kInterrupted;
+  return trusted(study.as_it_is) ? exit_code::kOk : exit_code::kNotClosed;
+}
+
+int run(StudyModelArguments arguments) {
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  const Expected<Valve> valve = read_valve_argument(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
+  if (!plan) return report_errors(arguments.plan.file, plan.errors());
+  const Expected<Valve> repaired = apply_plan(*valve, *plan);
+  if (!repaired) return report_errors(arguments.plan.file, repaired.errors());
+  if (const Errors errors = make_directory(arguments.directory); !errors.empty()) {
+    report_errors("study model", errors);
+    return exit_code::kFailure;
+  }
+  arguments.study.cancelled = &interrupted;
+  const auto study_it = [&] {
+    const ProgressBar bar;
+    arguments.study.progress = [&](int done, int planned) {
+      if (done % 8 == 0 || done == planned) bar.show(done, planned, "closures");
+    };
+    return study_model(*repaired, arguments.study);
+  };
+  const ModelStudy study = study_it();
+  const std::string json = to_json(study, valve->name).dump(2) + "\n";
+  if (const int failed = write_all(arguments, study, json, valve->name)) return failed;
+  if (arguments.json) {
+    std::cout << json;
+    return exit_code_of(study, interrupted);
+  }
+  std::cout << valve->name << ": " << lead_of(study) << "\n\n";
+  print_table(areas_table(study));
+  std::cout << "\n" << decides_words(study) << "\n\n";
+  print_table(parameters_table(study));
+  std::cout << "\nWritten to " << arguments.directory << "/index.html\n";
+  return exit_code_of(study, interrupted);
+}
+
+}  // namespace
+
+void add_study_model(Command parent, int& status) {
+  const auto arguments = std::make_shared<StudyModelArguments>();
+  Command command = parent.add_command(
+      "model", "How leak and orifice move with what the model does not know: tissue, chordae");
+  command.add_option("valve", arguments->valve, kValveHelp).required();
+  add_plan_option(command, arguments->plan);
+  command.add_option("--draws", arguments->study.draws, "Closures, each with values of its own")
+      .check(number_from(1, 100000))
+      .show_default();
+  command.add_option("--seed", arguments->study.seed, "Seed of the Latin hypercube")
+      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
+      .show_default();
+  command.add_option("-o,--output", arguments->directory, "Directory for JSON, CSV and index.html")
+      .show_default();
+  command
+      .add_option("--threads", arguments->study.threads, "0: all cores; does not change the answer")
+      .check(number_from(0, 1024))
+      .show_default();
+  command.add_flag("--json", arguments->json, "Print JSON");
+  command.footer(
+      "Bending rigidity, insertion zones, thickness, moduli, transition strains and chordae move\n"
+      "within what their sources allow, as factors of the valve's own values; half of the draws "
+      "lie\non each side of it. Neochordae keep their length.\n\n"
+      "Examples:\n"
+      "  coapt study model human-functional-mr -o model\n"
+      "  coapt study model valve.json --plan plans.json --rank 2 --draws 128 --json");
+  command.on_run([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace coapt

@@ -1,0 +1,96 @@
+#include "search/plans/model_closures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/repair/apply_plan.h"
+#include "search/model_draw.h"
+#include "search/parallel.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;  // not the search's: another search, the same draws
+
+PlanClosure refused() {
+  PlanClosure closure;
+  closure.status = ClosureStatus::Diverged;
+  return closure;
+}
+
+}  // namespace
+
+ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
+                                int draws) {
+  ModelClosures model;
+  if (draws == 0) return model;
+  model.draws = draws;
+  const std::vector<std::vector<double>> shares = model_draws(draws, kSeed);
+  const int count = static_cast<int>(plans.size()) + 1;  // the last: no repair
+  std::vector<Valve> valves;
+  std::vector<ClosedPlan> starts;
+  for (const PlanRecord* plan : plans) {
+    valves.push_back(*apply_plan(evaluations.valve(), plan->plan));
+    starts.push_back(evaluations.closed(*plan));
+  }
+  valves.push_back(evaluations.valve());
+  starts.push_back(evaluations.closed_before());
+  std::vector<double> thickness_mm(draws);
+  std::vector<std::optional<PlanClosure>> closures(static_cast<std::size_t>(count) * draws);
+  for_each_index(count * draws, evaluations.threads(), [&](int i) {
+    if (evaluations.cancelled()) return;
+    const Expected<Valve> drawn = with_model(valves[i / draws], shares[i % draws]);
+    if (drawn && i / draws == count - 1) thickness_mm[i % draws] = drawn->tissue.thickness_mm;
+    closures[i] =
+        drawn
+            ? plan_closure(evaluations.evaluate(*drawn, starts[i / draws].closure.get()).evaluation)
+            : refused();
+  });
+  for (const auto& closure : closures) model.closures += closure.has_value();
+  if (model.closures < std::ssize(closures)) return model;
+  for (int i = 0; i < count; ++i) {
+    std::vector<PlanClosure>& by_draw = i + 1 == count ? model.before : model.plans[plans[i]];
+    for (int draw = 0; draw < draws; ++draw) by_draw.push_back(*closures[i * draws + draw]);
+  }
+  for (int draw = 0; draw < draws; ++draw) {
+    CostContext& there = model.contexts.emplace_back(evaluations.context());
+    const PlanClosure& before = model.before[draw];
+    there.thickness_mm = thickness_mm[draw];
+    there.tension_before_n =
+        trusted(before) ? before.tension_max_n : std::numeric_limits<double>::infinity();
+  }
+  return model;
+}
+
+ModelSpread model_spread(const std::vector<PlanClosure>& by_draw) {
+  ModelSpread spread;
+  spread.draws = static_cast<int>(by_draw.size());
+  std::vector<double> leaks;
+  for (const PlanClosure& closure : by_draw)
+    if (trusted(closure)) leaks.push_back(leak_mm2(closure));
+  spread.failures = spread.draws - static_cast<int>(leaks.size());
+  if (leaks.empty()) return spread;
+  const auto count = static_cast<double>(leaks.size());
+  double sum = 0.0, squares = 0.0;
+  for (const double leak : leaks) sum += leak;
+  spread.mean_mm2 = sum / count;
+  for (const double leak : leaks) squares += std::pow(leak - spread.mean_mm2, 2);
+  if (leaks.size() > 1) spread.sd_mm2 = std::sqrt(squares / (count - 1.0));
+  spread.worst_mm2 = *std::max_element(leaks.begin(), leaks.end());
+  return spread;
+}
+
+DrawnChange change_in_draw(const PlanEvaluations& evaluations, const PlanRecord& plan,
+                           const ModelClosures& model, int draw) {
+  const PlanClosure& own = plan.closures.at(0);
+  const PlanClosure& drawn = model.plans.at(&plan)[draw];
+  if (!trusted(own) || !trusted(drawn)) return {false, 0.0, 0.0};
+  const auto cost = [&](const PlanClosure& closure, const CostContext& context) {
+    return plan_cost(std::array{ScoredClosure{closure, 0.0}}, plan.effort, context);
+  };
+  return {true, leak_mm2(drawn) - leak_mm2(own),
+          cost(drawn, model.contexts[draw]) - cost(own, evaluations.context())};
+}
+
+}  // namespace coapt

@@ -1,0 +1,50 @@
+// What the model's own error makes of the order of plans: reported plans closed again, as planned,
+// under common draws of the material (model_draw.h).
+//
+// A plan is judged in a draw as on its own material, by what its closure as planned changes: the
+// region's mean leak and the cost move by as much. A rank holds if the plan stays ahead of the next
+// one in nearly every draw; the same draws for both, so what moves both alike does not count.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "search/plans/plan_evaluations.h"
+
+namespace coapt {
+
+/// A leak over draws of the model; trusted closures alone.
+struct ModelSpread {
+  int draws = 0;     ///< closures made
+  int failures = 0;  ///< of them: not trusted, left out
+  double mean_mm2 = std::numeric_limits<double>::quiet_NaN();
+  double sd_mm2 = std::numeric_limits<double>::quiet_NaN();
+  double worst_mm2 = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct ModelClosures {
+  int draws = 0;  ///< asked for
+  /// By draw; empty without draws, or if the search was cancelled before.
+  std::vector<PlanClosure> before;
+  std::vector<CostContext> contexts;  ///< of costs there: as thick, as tense unrepaired
+  std::map<const PlanRecord*, std::vector<PlanClosure>> plans;
+  int closures = 0;  ///< made; SearchResult::closures does not count them
+};
+
+/// On all threads; a search that is cancelled makes no more, one out of time makes all.
+ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
+                                int draws);
+
+ModelSpread model_spread(const std::vector<PlanClosure>& by_draw);
+
+/// A plan in one draw, beside itself on its own material.
+struct DrawnChange {
+  bool trusted = true;
+  double leak_mm2 = 0.0, cost = 0.0;  ///< more than on its own material
+};
+DrawnChange change_in_draw(const PlanEvaluations& evaluations, const PlanRecord& plan,
+                           const ModelClosures& model, int draw);
+
+}  // namespace coapt

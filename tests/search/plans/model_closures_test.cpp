@@ -1,0 +1,167 @@
+#include "search/plans/model_closures.h"
+
+#include <cmath>
+
+#include "core/presets/presets.h"
+#include "search/plans/ranking.h"
+#include "search/plans/search_result.h"
+#include "tests/search/plans/search_scene.h"
+
+namespace coapt::scene {
+namespace {
+
+constexpr int kDraws = 8;
+
+/// How much stiffer than the small valve's chordae those of this draw are.
+double stiffness(const Valve& valve) {
+  static const Valve own = small_valve();
+  return valve.tissue.chordae_kpa / own.tissue.chordae_kpa;
+}
+
+/// leak(whether there is a ring, stiffness of the draw).
+template <class Leak>
+Evaluator ring_or_suture(Leak leak) {
+  return [leak](const Valve& valve, const ClosureResult*) -> ClosedPlan {
+    return {leaking(leak(has_ring(valve), stiffness(valve))), nullptr};
+  };
+}
+
+/// The ring and the suture over nine nodes.
+struct TwoPlans {
+  explicit TwoPlans(const Evaluator& evaluate)
+      : scene(evaluate),
+        ring(&scene.closed(own_ring(1), 9)),
+        tied(&scene.closed(suture(Side::Posteromedial, 27.0), 9)) {}
+  std::vector<RankedPlan> ranked(int draws) {
+    const std::vector<PlanRecord*> plans = {ring, tied};
+    return rank(scene.evaluations, plans, 9, {},
+                close_under_draws(scene.evaluations, plans, draws));
+  }
+  EvaluationScene scene;
+  PlanRecord *ring, *tied;
+};
+
+TEST(ModelClosures, ClosePlansAndTheValveAsItIsUnderTheSameDraws) {
+  EvaluationScene scene(leak_of([](const Valve& valve) { return stiffness(valve); }));
+  PlanRecord& plan = scene.closed(suture(Side::Posteromedial, 20.0), 1);
+  const int before = scene.evaluations.closures();
+  const ModelClosures model = close_under_draws(scene.evaluations, {&plan}, kDraws);
+  EXPECT_EQ(model.closures, 2 * kDraws);
+  ASSERT_EQ(model.before.size(), static_cast<std::size_t>(kDraws));
+  for (int draw = 0; draw < kDraws; ++draw)
+    EXPECT_EQ(leak_mm2(model.plans.at(&plan)[draw]), leak_mm2(model.before[draw]));
+  EXPECT_EQ(scene.evaluations.closures(), before) << "they are counted apart";
+  const ModelSpread spread = model_spread(model.plans.at(&plan));
+  EXPECT_EQ(spread.draws, kDraws);
+  EXPECT_EQ(spread.failures, 0);
+  EXPECT_GT(spread.sd_mm2, 0.0);
+  EXPECT_GT(spread.worst_mm2, spread.mean_mm2);
+}
+
+TEST(ModelClosures, SpreadIsOfTrustedClosuresAlone) {
+  PlanClosure failed = closure_leaking(100.0);
+  failed.crossing = true;
+  const ModelSpread spread = model_spread({closure_leaking(1.0), failed, closure_leaking(3.0)});
+  EXPECT_EQ(spread.failures, 1);
+  EXPECT_EQ(spread.mean_mm2, 2.0);
+  EXPECT_DOUBLE_EQ(spread.sd_mm2, std::sqrt(2.0));
+  EXPECT_EQ(spread.worst_mm2, 3.0);
+  EXPECT_TRUE(std::isnan(model_spread({failed}).mean_mm2));
+}
+
+TEST(ModelClosures, WithoutDrawsNothingIsSaid) {
+  TwoPlans two(ring_or_suture([](bool ring, double) { return ring ? 10.0 : 30.0; }));
+  for (const RankedPlan& plan : two.ranked(0)) {
+    EXPECT_FALSE(plan.model);
+    EXPECT_TRUE(std::isnan(plan.share_of_draws_ahead));
+    EXPECT_FALSE(ties_with_next(plan));
+  }
+}
+
+TEST(ModelClosures, WhatMovesBothPlansAlikeLeavesTheOrder) {
+  TwoPlans two(ring_or_suture(
+      [](bool ring, double stiff) { return (ring ? 10.0 : 30.0) + 20.0 * (stiff - 1.0); }));
+  const std::vector<RankedPlan> plans = two.ranked(kDraws);
+  EXPECT_GT(plans[0].model->sd_mm2, 5.0);
+  EXPECT_EQ(plans[0].share_of_draws_ahead, 1.0);
+  EXPECT_FALSE(ties_with_next(plans[0]));
+  EXPECT_TRUE(std::isnan(plans[1].share_of_draws_ahead)) << "the last";
+}
+
+TEST(ModelClosures, AnAdvantageThatVanishesUnderTheDrawsIsATie) {
+  // The ring leaks less on its own material, more where chordae are stiffer: in half of the draws.
+  TwoPlans two(ring_or_suture([](bool ring, double stiff) { return ring ? 10.0 * stiff : 15.0; }));
+  const std::vector<RankedPlan> plans = two.ranked(kDraws);
+  EXPECT_EQ(plans[0].plan.steps.size(), 1u);
+  EXPECT_EQ(leak_mm2(plans[0].measure), 10.0);
+  EXPECT_GT(plans[0].probability_outranks_next, 0.95) << "no tie by the region alone";
+  EXPECT_GT(plans[0].share_of_draws_ahead, 0.4);
+  EXPECT_LT(plans[0].share_of_draws_ahead, 0.9);
+  EXPECT_TRUE(ties_with_next(plans[0]));
+}
+
+TEST(ModelClosures, AnOrderThatTheDrawsContradictIsATie) {
+  TwoPlans two(ring_or_suture([](bool ring, double stiff) {
+    return ring && stiff != 1.0 ? 40.0 : ring ? 10.0 : 30.0;
+  }));
+  const std::vector<RankedPlan> plans = two.ranked(kDraws);
+  EXPECT_EQ(leak_mm2(plans[0].measure), 10.0) << "draws change no rank";
+  EXPECT_EQ(plans[0].share_of_draws_ahead, 0.0);
+  EXPECT_TRUE(ties_with_next(plans[0]));
+}
+
+TEST(ModelClosures, ARobustPlanThatLeaksUnderTheDrawsLosesItsPlace) {
+  // Both close; the suture, the lesser operation, no longer does on any other material.
+  TwoPlans two(
+      ring_or_suture([](bool ring, double stiff) { return !ring && stiff != 1.0 ? 1.2 : 0.0; }));
+  const std::vector<RankedPlan> plans = two.ranked(kDraws);
+  ASSERT_TRUE(std::holds_alternative<PapillaryApproximation>(plans[0].plan.steps[0]));
+  EXPECT_TRUE(closes_robustly(plans[0]));
+  EXPECT_FALSE(closes_robustly(plans[0], 1.2));
+  EXPECT_EQ(plans[0].share_of_draws_ahead, 0.0);
+  EXPECT_TRUE(ties_with_next(plans[0]));
+}
+
+TEST(ModelClosures, DrawsInWhichAClosureFailsAreLeftOut) {
+  TwoPlans two([](const Valve& valve, const ClosureResult*) -> ClosedPlan {
+    Evaluation evaluation = leaking(has_ring(valve) ? 10.0 : 30.0);
+    evaluation.crossing = has_ring(valve) && stiffness(valve) > 1.0;
+    return {evaluation, nullptr};
+  });
+  const std::vector<RankedPlan> plans = two.ranked(kDraws);
+  EXPECT_GT(plans[0].model->failures, 0);
+  EXPECT_LT(plans[0].model->failures, kDraws);
+  EXPECT_EQ(plans[0].share_of_draws_ahead, 1.0);
+}
+
+TEST(ModelClosures, ACancelledSearchMakesNone) {
+  std::atomic<bool> cancelled = false;
+  EvaluationScene scene(leak_of([](const Valve&) { return 2.0; }), on_threads(1), &cancelled);
+  PlanRecord& plan = scene.closed(suture(Side::Posteromedial, 20.0), 9);
+  cancelled = true;
+  const ModelClosures model = close_under_draws(scene.evaluations, {&plan}, kDraws);
+  EXPECT_EQ(model.closures, 0);
+  EXPECT_TRUE(model.plans.empty());
+  EXPECT_FALSE(rank(scene.evaluations, {&plan}, 9, {}, model)[0].model);
+}
+
+TEST(ModelClosures, AreTheSameForAnyNumberOfThreads) {
+  const Valve valve = *make_preset("human-functional-mr", 150);
+  const Evaluator evaluate = closing_evaluator({});
+  std::vector<std::uint64_t> leaks[2];
+  for (const int threads : {1, 2}) {
+    SearchMonitor monitor(0.0, nullptr);
+    PlanEvaluations evaluations(evaluate, valve, on_threads(threads), monitor);
+    std::vector<PlanRecord*> plans;
+    for (const int sizes : {1, 2}) plans.push_back(&evaluations.record(own_ring(sizes)));
+    for (PlanRecord* plan : plans) evaluations.close_here(*plan, 1);
+    const ModelClosures model = close_under_draws(evaluations, plans, 4);
+    for (PlanRecord* plan : plans)
+      for (const PlanClosure& closure : model.plans.at(plan))
+        leaks[threads - 1].push_back(bits(leak_mm2(closure)));
+  }
+  EXPECT_EQ(leaks[0], leaks[1]);
+}
+
+}  // namespace
+}  // namespace coapt::scene

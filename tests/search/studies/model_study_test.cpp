@@ -1,0 +1,93 @@
+#include "search/studies/model_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/presets/presets.h"
+#include "search/model_draw.h"
+#include "tests/search/plans/search_scene.h"
+
+namespace coapt::scene {
+namespace {
+
+constexpr int kChordalModulus = 7;
+
+/// Leaks 20 mm2 per e-fold of the chordal modulus, 40 on its own.
+double leak_by_modulus(const Valve& valve) {
+  static const Valve own = small_valve();
+  return 40.0 + 20.0 * std::log(valve.tissue.chordae_kpa / own.tissue.chordae_kpa);
+}
+
+ModelStudyOptions with(Evaluator evaluate, int draws = 128, int threads = 1) {
+  ModelStudyOptions options;
+  options.evaluate = std::move(evaluate);
+  options.draws = draws;
+  options.threads = threads;
+  return options;
+}
+
+TEST(ModelStudy, FindsThePropertyThatDecides) {
+  const ModelStudy study = study_model(small_valve(), with(leak_of(leak_by_modulus)));
+  EXPECT_EQ(study.leak.as_it_is_mm2, 40.0);
+  EXPECT_EQ(study.untrusted, 0);
+  ASSERT_EQ(study.draws.size(), 128u);
+  // Piecewise linear in the share: from 40 + 20 ln 0.5 over 40 to 40 + 20 ln 4.6.
+  const double low = 20.0 * std::log(0.5), high = 20.0 * std::log(4.6);
+  EXPECT_NEAR(study.leak.mean_mm2, 40.0 + 0.25 * (low + high), 0.2);
+  EXPECT_NEAR(study.leak.p5_mm2, 40.0 + 0.9 * low, 0.5);
+  EXPECT_NEAR(study.leak.p95_mm2, 40.0 + 0.9 * high, 0.5);
+  EXPECT_GT(study.leak.decided_by.first[kChordalModulus], 0.98);
+  EXPECT_GT(study.leak.decided_by.total[kChordalModulus], 0.98);
+  EXPECT_NEAR(study.leak.decided_by.effect[kChordalModulus], high - low, 3.0);
+  EXPECT_NEAR(study.orifice.sd_mm2, study.leak.sd_mm2, 1e-12);
+}
+
+TEST(ModelStudy, LeavesOutWhatIsNotTrustedAndCountsIt) {
+  const ModelStudy study =
+      study_model(small_valve(), with([](const Valve& valve, const ClosureResult*) -> ClosedPlan {
+                    Evaluation evaluation = leaking(leak_by_modulus(valve));
+                    if (evaluation.measure.orifice.area_mm2 > 40.0)
+                      evaluation.status = ClosureStatus::StepLimit;
+                    return {evaluation, nullptr};
+                  }));
+  EXPECT_EQ(study.untrusted, 64) << "a half of a Latin hypercube";
+  EXPECT_LE(study.leak.p95_mm2, 40.0);
+}
+
+TEST(ModelStudy, AClosedValveThatStaysClosedHasNoDecidingProperty) {
+  const ModelStudy study =
+      study_model(small_valve(), with(leak_of([](const Valve&) { return 0.0; })));
+  EXPECT_EQ(study.leak.sd_mm2, 0.0);
+  EXPECT_TRUE(std::isnan(study.leak.decided_by.total[0]));
+}
+
+TEST(ModelStudy, CancelledItReportsWhatIsClosed) {
+  std::atomic<bool> cancelled = false;
+  std::atomic<int> calls = 0;
+  ModelStudyOptions options = with(cancelling(leak_of(leak_by_modulus), calls, 1 + 10, cancelled));
+  options.cancelled = &cancelled;
+  int told = 0;
+  options.progress = [&](int done, int planned) {
+    EXPECT_EQ(done, ++told);
+    EXPECT_EQ(planned, 128);
+  };
+  EXPECT_EQ(study_model(small_valve(), options).draws.size(), 10u);
+  EXPECT_EQ(told, 10);
+}
+
+TEST(ModelStudy, IsTheSameForAnyNumberOfThreadsAndDependsOnItsSeed) {
+  const Valve valve = *make_preset("human-functional-mr", 150);
+  const ModelStudy one = study_model(valve, with({}, 12, 1));
+  ModelStudyOptions options = with({}, 12, 2);
+  const ModelStudy two = study_model(valve, options);
+  EXPECT_EQ(bits(one.leak.mean_mm2), bits(two.leak.mean_mm2));
+  EXPECT_EQ(bits(one.leak.sd_mm2), bits(two.leak.sd_mm2));
+  for (std::size_t i = 0; i < one.draws.size(); ++i)
+    EXPECT_EQ(bits(one.draws[i].orifice_mm2), bits(two.draws[i].orifice_mm2));
+  options.seed = 2;
+  EXPECT_NE(study_model(valve, options).draws[0].shares, one.draws[0].shares);
+}
+
+}  // namespace
+}  // namespace coapt::scene
