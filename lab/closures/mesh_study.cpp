@@ -18,7 +18,7 @@ namespace coapt {
 namespace {
 
 constexpr const char* kColumns =
-    "valve,scene,triangles,trusted,seconds,rms_mm,orifice_mm2,gap_mm2,leak_mm2,"
+    "valve,scene,triangles,reference_triangles,trusted,seconds,rms_mm,orifice_mm2,gap_mm2,leak_mm2,"
     "reference_orifice_mm2,reference_gap_mm2,reference_leak_mm2\n";
 
 struct ClosedScene {
@@ -112,8 +112,7 @@ std::vector<MeshPoint> study_meshes(const MeshStudyOptions& options,
     const Scene& scene = scenes[i];
     ClosedScene reference =
         close_scene(scene_on(scene, options, options.reference_triangles), options);
-    if (reference.trusted)
-      reference.mesh.coordinates = leaflet_coordinates(reference.mesh.valve);
+    if (reference.trusted) reference.mesh.coordinates = leaflet_coordinates(reference.mesh.valve);
     for (std::size_t r = 0; r < resolutions; ++r) {
       const int triangles = options.triangles[r];
       MeshPoint point =
@@ -121,6 +120,7 @@ std::vector<MeshPoint> study_meshes(const MeshStudyOptions& options,
       point.valve = scene.valve;
       point.scene = scene.number;
       point.triangles = triangles;
+      point.reference_triangles = options.reference_triangles;
       points[static_cast<std::size_t>(i) * resolutions + r] = point;
     }
     const std::lock_guard<std::mutex> lock(mutex);
@@ -133,8 +133,8 @@ std::string mesh_csv(const std::vector<MeshPoint>& points) {
   std::ostringstream csv;
   csv << kColumns;
   for (const MeshPoint& p : points) {
-    csv << p.valve << ',' << p.scene << ',' << p.triangles << ',' << (p.trusted ? "true" : "false")
-        << ',' << p.seconds;
+    csv << p.valve << ',' << p.scene << ',' << p.triangles << ',' << p.reference_triangles << ','
+        << (p.trusted ? "true" : "false") << ',' << p.seconds;
     for (const double number :
          {p.rms_mm, p.orifice_mm2, p.gap_mm2, p.leak_mm2, p.reference_orifice_mm2,
           p.reference_gap_mm2, p.reference_leak_mm2}) {

@@ -30,7 +30,7 @@ struct MeshStudyOptions {
 struct MeshPoint {
   std::string valve;
   int scene = 0;
-  int triangles = 0;  ///< asked for
+  int triangles = 0, reference_triangles = 0;  ///< asked for
   bool trusted = false;
   double seconds = 0.0;
   double rms_mm = 0.0;  ///< from the reference at the same leaflet coordinates
@@ -43,7 +43,7 @@ struct MeshPoint {
 std::vector<MeshPoint> study_meshes(const MeshStudyOptions& options,
                                     const std::function<void(int, int)>& progress = {});
 
-/// Columns: valve, scene, triangles, trusted, seconds, rms_mm, orifice_mm2, gap_mm2, leak_mm2,
+/// Columns: valve, scene, triangles, reference_triangles, trusted, seconds, rms_mm, orifice_mm2, gap_mm2, leak_mm2,
 /// reference_orifice_mm2, reference_gap_mm2, reference_leak_mm2. Empty where there is no number.
 std::string mesh_csv(const std::vector<MeshPoint>& points);
 
