@@ -1,5 +1,6 @@
 #include <chrono>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "clients/cli/plan_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/server_option.h"
+#include "core/closed/accurate_closure.h"
 #include "core/metrics/oblique.h"
 #include "core/repair/apply_plan.h"
 #include "io/exchange/import_files.h"
@@ -108,13 +110,23 @@ int run(const CloseArguments& arguments) {
   if (!repaired) return report_errors(arguments.plan.file, repaired.errors());
   for (const std::string& output : {arguments.picture, arguments.closed})
     if (const int failed = check_output(output)) return failed;
-  const auto accuracy = apply_accuracy(arguments.accuracy_mm2, options);
-  if (!accuracy) return report_option_errors("close", accuracy.errors());
+  if (arguments.accuracy_mm2 && options.method != Method::Fast)
+    return report_option_errors("close",
+                                {{ErrorCode::Unsupported, "/accuracy",
+                                  "is known for method fast only; leave out --method thesis"}});
 
   const auto start = std::chrono::steady_clock::now();
   std::optional<TimedConvergence> finer;
+  std::optional<AccurateClosure> accurate;
   if (arguments.converge.wanted) finer = converge(*repaired, arguments.converge, options);
-  ClosedValve closed = finer ? finer->convergence.finest : close_and_measure(*repaired, options);
+  if (arguments.accuracy_mm2) {
+    Expected<AccurateClosure> within = close_within(*repaired, *arguments.accuracy_mm2, options);
+    if (!within) return report_option_errors("close", within.errors());
+    accurate = *std::move(within);
+  }
+  ClosedValve closed = finer      ? finer->convergence.finest
+                       : accurate ? accurate->closed
+                                  : close_and_measure(*repaired, options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   closed = with_repair(std::move(closed), *valve, *plan);
   const ClosureResult& closure = closed.closure;
@@ -130,7 +142,7 @@ int run(const CloseArguments& arguments) {
   if (finer) json["convergence"] = std::move(finer->json);
   if (arguments.oblique)
     json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : nlohmann::ordered_json();
-  if (*accuracy) json["accuracy"] = to_json(**accuracy, options.membrane);
+  if (accurate) json["accuracy"] = to_json(*accurate, *arguments.accuracy_mm2);
   json["warnings"] = warnings;
   const int status = show(arguments, json);
   if (const int failed = write_closed(arguments, *repaired, closure)) return failed;
@@ -150,8 +162,14 @@ void add_close(Command parent, int& status) {
   add_plan_option(command, arguments->plan);
   add_method_option(command, arguments->closure.method);
   add_membrane_option(command, arguments->closure.membrane);
-  add_accuracy_option(command, arguments->accuracy_mm2);
   add_converge_option(command, arguments->converge);
+  command
+      .add_option("--accuracy", arguments->accuracy_mm2,
+                  "Largest error of the leak, mm2: refines the mesh and chooses the tolerances "
+                  "(method fast)")
+      .check(number_from(0.0, std::numeric_limits<double>::max()))
+      .show_argument("MM2")
+      .excludes("--converge");
   command.add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
       .check({refuse_standard_output, "FILE"});
   command
@@ -167,7 +185,7 @@ void add_close(Command parent, int& status) {
       "Examples:\n"
       "  coapt close human-functional-mr --render leaking.png\n"
       "  coapt close human-p2-prolapse --oblique\n"
-      "  coapt close valve.json --accuracy 0.05\n"
+      "  coapt close valve.json --accuracy 1\n"
       "  coapt close human-functional-mr --converge\n"
       "  coapt close trivalve.json --closed closed.ply\n"
       "  coapt close valve.json --plan examples/plans/ring.json --json\n"

@@ -26,6 +26,11 @@ std::string rounded(const ordered_json& value, int decimals) {
   return fixed(number_of(value), decimals);
 }
 
+/// "45.7 ± 2.1 mm2".
+std::string area(const ordered_json& value, const ordered_json& error) {
+  return with_error(number_of(value), number_of(error), "mm2");
+}
+
 void print_attempts(std::ostream& out, const ordered_json& attempts) {
   if (attempts.size() < 2) return;
   for (const ordered_json& attempt : attempts)
@@ -55,21 +60,24 @@ void print_measure(std::ostream& out, const ordered_json& measure) {
   const ordered_json& coaptation = measure["coaptation"];
   const double hidden =
       number_of(coaptation["gap_area_mm2"]) - number_of(measure["orifice_area_mm2"]);
-  row(out, "leak") << rounded(measure["leak_mm2"], 1) << " mm2, the larger of orifice and gap";
+  row(out, "leak") << area(measure["leak_mm2"], measure["leak_mm2_error"])
+                   << ", the larger of orifice and gap";
   if (hidden > kCompetentLeak_mm2) {
     out << "; the view from the atrium hides " << fixed(hidden, 1) << " mm2 of it";
   }
   out << '\n';
-  row(out, "orifice") << rounded(measure["orifice_area_mm2"], 1) << " mm2 (raw "
-                      << rounded(measure["orifice_area_raw_mm2"], 1) << ", mean of end states "
-                      << rounded(measure["orifice_area_mean_mm2"], 1) << ")\n";
+  row(out, "orifice") << area(measure["orifice_area_mm2"], measure["orifice_area_mm2_error"])
+                      << " (raw " << rounded(measure["orifice_area_raw_mm2"], 1)
+                      << ", mean of end states " << rounded(measure["orifice_area_mean_mm2"], 1)
+                      << ")\n";
   for (const ordered_json& opening : measure["orifices"]) {
     if (number_of(opening["area_mm2"]) < kSmallestListed_mm2) continue;
-    row(out, "") << rounded(opening["area_mm2"], 1) << " mm2 at "
-                 << opening["segment"].get<std::string>() << '\n';
+    row(out, "") << known_digits(number_of(opening["area_mm2"]),
+                                 number_of(measure["orifice_area_mm2_error"]))
+                 << " mm2 at " << opening["segment"].get<std::string>() << '\n';
   }
-  row(out, "gap") << rounded(coaptation["gap_area_mm2"], 1) << " mm2 between the leaflets, up to "
-                  << rounded(coaptation["distance_max_mm"], 2)
+  row(out, "gap") << area(coaptation["gap_area_mm2"], coaptation["gap_area_mm2_error"])
+                  << " between the leaflets, up to " << rounded(coaptation["distance_max_mm"], 2)
                   << " mm from mid-surface to mid-surface\n";
   const ordered_json& sections = coaptation["sections"];
   const auto touching =
@@ -168,6 +176,13 @@ void print_closure(std::ostream& out, const ordered_json& closure) {
   if (const auto oblique = closure.find("orifice_oblique_mm2");
       oblique != closure.end() && !oblique->is_null())
     print_oblique(out, *oblique);
+  if (const auto accuracy = closure.find("accuracy"); accuracy != closure.end())
+    row(out, "accuracy") << "at most " << significant(number_of((*accuracy)["error_mm2"]), 3)
+                         << " mm2 asked for: "
+                         << counted((*accuracy)["refinements"].get<int>(), "refinement")
+                         << ", residual " << (*accuracy)["residual_tolerance"].get<double>()
+                         << ", predicted way " << (*accuracy)["way_tolerance_mm"].get<double>()
+                         << " mm\n";
   if (const auto convergence = closure.find("convergence"); convergence != closure.end())
     print_convergence(out, *convergence);
   for (const ordered_json& warning : closure["warnings"])

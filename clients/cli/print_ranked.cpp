@@ -70,9 +70,10 @@ void print_row(std::ostream& out, const ordered_json& plan) {
 void print_fine(std::ostream& out, const ordered_json& plan) {
   const ordered_json& fine = plan["fine"];
   if (fine.is_null()) return;
-  std::string words = "on " + grouped(fine["triangles"]) + " triangles: leak " +
-                      known(fine["leak_mm2"]) + " mm2 (orifice " + known(fine["orifice_area_mm2"]) +
-                      ", gap " + known(fine["gap_area_mm2"]) + ")";
+  std::string words =
+      "on " + grouped(fine["triangles"]) + " triangles: leak " +
+      with_error(number_of(fine["leak_mm2"]), number_of(fine["leak_mm2_error"]), "mm2") +
+      " (orifice " + known(fine["orifice_area_mm2"]) + ", gap " + known(fine["gap_area_mm2"]) + ")";
   if (fine["status"] != "converged" || fine["crossing"].get<bool>())
     words += ", " + fine["status"].get<std::string>() + ", " + crossing_words(fine);
   if (fine["rank"] != plan["rank"])
@@ -194,10 +195,13 @@ void print_ranked(std::ostream& out, const ordered_json& result) {
   const ordered_json &before = result["before"], &coaptation = before["coaptation"];
   const ordered_json& plans = result["plans"];
   print_words(out, "Before: ",
-              "orifice " + fixed(number_of(before["orifice_area_mm2"]), 1) +
-                  " mm2, gap between the leaflets " +
-                  fixed(number_of(coaptation["gap_area_mm2"]), 1) + " mm2, coaptation " +
-                  fixed(number_of(coaptation["height_mean_mm"]), 1) + " mm, " +
+              "orifice " +
+                  with_error(number_of(before["orifice_area_mm2"]),
+                             number_of(before["orifice_area_mm2_error"]), "mm2") +
+                  ", gap between the leaflets " +
+                  with_error(number_of(coaptation["gap_area_mm2"]),
+                             number_of(coaptation["gap_area_mm2_error"]), "mm2") +
+                  ", coaptation " + fixed(number_of(coaptation["height_mean_mm"]), 1) + " mm, " +
                   before["status"].get<std::string>() + ", " + crossing_words(before));
   out << '\n';
   if (plans.empty()) {

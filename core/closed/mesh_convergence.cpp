@@ -5,8 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/closure/refined_start.h"
-#include "core/valve/refine.h"
+#include "core/closed/close_refined.h"
 
 namespace coapt {
 namespace {
@@ -34,12 +33,6 @@ bool is_closed(const ClosureResult& closure) {
 bool settled(const MeshLevel& level, const MeshConvergenceOptions& options) {
   return std::abs(level.change_mm2) <=
          std::max(options.within_mm2, options.within_share * level.leak_mm2);
-}
-
-std::optional<Valve> refined(const Valve& valve, int most_vertices) {
-  Expected<Valve> finer = refine(valve);
-  if (!finer || finer->rest_mm.rows() > most_vertices) return std::nullopt;
-  return *std::move(finer);
 }
 
 }  // namespace
@@ -101,15 +94,13 @@ MeshConvergence close_until_settled(const Valve& valve, const MeshConvergenceOpt
       result.stop = MeshStop::Settled;
       break;
     }
-    std::optional<Valve> finer = refined(result.finest.valve, options.most_vertices);
+    std::optional<ClosedValve> finer =
+        close_refined(result.finest, options.closure, options.most_vertices);
     if (!finer) {
       result.stop = MeshStop::VertexLimit;
       break;
     }
-    const ClosureResult start = refined_start(result.finest.valve, result.finest.closure);
-    ClosureResult closure = close_valve(*finer, options.closure, &start);
-    ValveMeasure measured = measure(*finer, closure);
-    result.finest = {*std::move(finer), std::move(closure), std::move(measured)};
+    result.finest = *std::move(finer);
   }
   std::vector<double> leaks;
   for (const MeshLevel& level : result.levels)

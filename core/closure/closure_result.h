@@ -26,6 +26,7 @@ struct ClosureAttempt {
 struct ClosureResult {
   Method method = Method::Fast;
   Membrane membrane = Membrane::Springs;
+  double residual_tolerance = 0.0, way_tolerance_mm = 0.0;  ///< that were asked for
   ClosureStatus status = ClosureStatus::StepLimit;
   Points closed_mm;                ///< |V| x 3, order of Valve::rest_mm
   std::vector<Points> samples_mm;  ///< end states, the first equals closed_mm; at least one

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/metrics/area_error.h"
 #include "core/metrics/loads.h"
 #include "core/metrics/quantile.h"
 
@@ -35,6 +36,18 @@ bool is_finite(const ClosureResult& closure) {
   bool finite = closure.closed_mm.allFinite();
   for (const Points& sample_mm : closure.samples_mm) finite = finite && sample_mm.allFinite();
   return finite;
+}
+
+AreaErrors errors_of(const Valve& valve, const ClosureResult& closure,
+                     const ValveMeasure& measure) {
+  AreaErrors errors;
+  if (!is_mitral(valve) || closure.status != ClosureStatus::Converged || closure.crossing)
+    return errors;
+  const AreaPrecision precision = precision_of(valve, closure);
+  errors.orifice_mm2 = area_error_mm2(measure.orifice.area_mm2, precision);
+  errors.gap_mm2 = area_error_mm2(measure.coaptation.gap_area_mm2, precision);
+  errors.leak_mm2 = area_error_mm2(leak_mm2(measure), precision);
+  return errors;
 }
 
 }  // namespace
@@ -70,6 +83,7 @@ ValveMeasure measure(const Valve& valve, const ClosureResult& closure) {
   }
   measure.strain_circumferential_max = quantile(std::move(circumferential), kStrainQuantile);
   measure.strain_radial_max = quantile(std::move(radial), kStrainQuantile);
+  measure.error = errors_of(valve, closure, measure);
   return measure;
 }
 

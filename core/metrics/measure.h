@@ -1,6 +1,8 @@
 // Everything coapt says about a closed valve, in one value.
 #pragma once
 
+#include <limits>
+
 #include "core/closure/closure_result.h"
 #include "core/metrics/annulus.h"
 #include "core/metrics/coaptation.h"
@@ -10,9 +12,17 @@
 
 namespace coapt {
 
+/// Of one closure (area_error.h).
+struct AreaErrors {
+  double orifice_mm2 = std::numeric_limits<double>::quiet_NaN();
+  double gap_mm2 = std::numeric_limits<double>::quiet_NaN();
+  double leak_mm2 = std::numeric_limits<double>::quiet_NaN();
+};
+
 struct ValveMeasure {
   OrificeMeasure orifice;
   Coaptation coaptation;
+  AreaErrors error;  ///< NaN of a closure that is not converged uncrossed, or not mitral
   AnnulusMeasure annulus;
   double tenting_height_mm = 0.0;  ///< annular line to coaptation point, mid-valve section
   double tenting_area_mm2 = 0.0;   ///< annular line to leaflets there; both < 0 where they billow

@@ -91,6 +91,7 @@ ordered_json fine_json(const RankedPlan& ranked, const FineMesh& mesh) {
           {"orifice_area_mm2", ranked.fine->orifice_mm2},
           {"gap_area_mm2", ranked.fine->gap_mm2},
           {"leak_mm2", leak_mm2(*ranked.fine)},
+          {"leak_mm2_error", ranked.fine_leak_error_mm2},
           {"rank", ranked.fine_rank}};
 }
 

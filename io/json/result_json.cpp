@@ -58,7 +58,8 @@ ordered_json orifices_json(const std::vector<Orifice>& orifices) {
   return list;
 }
 
-ordered_json coaptation_json(const Coaptation& coaptation) {
+ordered_json coaptation_json(const ValveMeasure& measure) {
+  const Coaptation& coaptation = measure.coaptation;
   ordered_json sections = ordered_json::array();
   for (const CoaptationSection& section : coaptation.sections) {
     sections.push_back({{"along", section.along},
@@ -66,10 +67,13 @@ ordered_json coaptation_json(const Coaptation& coaptation) {
                         {"distance_mm", section.distance_mm},
                         {"contact", section.contact}});
   }
-  return {
-      {"height_min_mm", coaptation.height_min_mm}, {"height_mean_mm", coaptation.height_mean_mm},
-      {"height_p10_mm", coaptation.height_p10_mm}, {"distance_max_mm", coaptation.distance_max_mm},
-      {"gap_area_mm2", coaptation.gap_area_mm2},   {"sections", std::move(sections)}};
+  return {{"height_min_mm", coaptation.height_min_mm},
+          {"height_mean_mm", coaptation.height_mean_mm},
+          {"height_p10_mm", coaptation.height_p10_mm},
+          {"distance_max_mm", coaptation.distance_max_mm},
+          {"gap_area_mm2", coaptation.gap_area_mm2},
+          {"gap_area_mm2_error", measure.error.gap_mm2},
+          {"sections", std::move(sections)}};
 }
 
 ordered_json annulus_json(const AnnulusMeasure& annulus) {
@@ -126,11 +130,13 @@ Errors errors_from_json(const ordered_json& list) {
 ordered_json to_json(const ValveMeasure& measure) {
   const OrificeMeasure& orifice = measure.orifice;
   ordered_json json = {{"orifice_area_mm2", orifice.area_mm2},
+                       {"orifice_area_mm2_error", measure.error.orifice_mm2},
                        {"orifice_area_raw_mm2", orifice.area_raw_mm2},
                        {"orifice_area_mean_mm2", orifice.area_mean_mm2},
                        {"leak_mm2", leak_mm2(measure)},
+                       {"leak_mm2_error", measure.error.leak_mm2},
                        {"orifices", orifices_json(orifice.orifices)},
-                       {"coaptation", coaptation_json(measure.coaptation)},
+                       {"coaptation", coaptation_json(measure)},
                        {"annulus", annulus_json(measure.annulus)},
                        {"tenting_height_mm", measure.tenting_height_mm},
                        {"tenting_area_mm2", measure.tenting_area_mm2},
@@ -147,14 +153,11 @@ ordered_json to_json(const ObliqueOrifice& widest) {
       {"max", widest.area_mm2}, {"tilt_deg", widest.tilt_deg}, {"azimuth_deg", widest.azimuth_deg}};
 }
 
-ordered_json to_json(const AccuracyTier& tier, Membrane membrane) {
-  const TierError& error = error_of(tier, membrane);
-  return {{"residual_tolerance", tier.residual_tolerance},
-          {"way_tolerance_mm", tier.way_tolerance_mm},
-          {"orifice_error_p99_mm2", error.p99_mm2},
-          {"orifice_error_max_mm2", error.max_mm2},
-          {"scenes", kAccuracyScenes},
-          {"of", "stopping early on this mesh; not of the mesh"}};
+ordered_json to_json(const AccurateClosure& closure, double error_mm2) {
+  return {{"error_mm2", error_mm2},
+          {"refinements", closure.refinements},
+          {"residual_tolerance", closure.tier.residual_tolerance},
+          {"way_tolerance_mm", closure.tier.way_tolerance_mm}};
 }
 
 ordered_json to_json(const MeshConvergence& convergence, const MeshConvergenceOptions& options) {

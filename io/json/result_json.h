@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/closed/accurate_closure.h"
 #include "core/closed/mesh_convergence.h"
-#include "core/closure/accuracy.h"
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
 #include "core/metrics/oblique.h"
@@ -26,9 +26,9 @@ nlohmann::ordered_json to_json(const ValveMeasure& measure);
 nlohmann::ordered_json to_json(
     const ObliqueOrifice& widest);  ///< {"max", "tilt_deg", "azimuth_deg"}
 
-/// {"residual_tolerance", "way_tolerance_mm", "orifice_error_p99_mm2", "orifice_error_max_mm2",
-/// "scenes", "of"}: the tolerances of a tier and the errors that were measured for them.
-nlohmann::ordered_json to_json(const AccuracyTier& tier, Membrane membrane);
+/// {"error_mm2", "refinements", "residual_tolerance", "way_tolerance_mm"}: what was asked for, and
+/// how it was kept.
+nlohmann::ordered_json to_json(const AccurateClosure& closure, double error_mm2);
 
 /// {"stop", "within_mm2", "within_share", "order", "monotonous", "leak_limit_mm2", "leak_error_mm2", "levels": [...]}:
 /// what finer and finer meshes say of a leak. What is not known is null.

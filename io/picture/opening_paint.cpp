@@ -93,6 +93,7 @@ void label_openings(const Canvas& canvas, const ClosedValve& closed, const Orifi
                     const std::vector<GapStrip>& gaps, const Mapping& map) {
   constexpr std::size_t kMost = 6;
   const Vec2 out(0.0, 5.5 * map.pixels_per_mm);
+  const AreaErrors& error = closed.measure.error;
   std::vector<Orifice> labelled;
   for (const Orifice& orifice : closed.measure.orifice.orifices)
     if (orifice.area_mm2 >= kLabelled_mm2 && labelled.size() < kMost) labelled.push_back(orifice);
@@ -101,7 +102,8 @@ void label_openings(const Canvas& canvas, const ClosedValve& closed, const Orifi
   });
   for (std::size_t i = 0; i < labelled.size(); ++i) {
     const Vec2 from = map(project(view.plane, labelled[i].centroid_mm));
-    draw_pill(canvas, from, from + (i % 2 ? out : -out), fixed(labelled[i].area_mm2, 1) + " mm²");
+    draw_pill(canvas, from, from + (i % 2 ? out : -out),
+              known_digits(labelled[i].area_mm2, error.orifice_mm2) + " mm²");
   }
   const double gap_mm2 = closed.measure.coaptation.gap_area_mm2;
   if (gap_mm2 < kLabelled_mm2 || gap_mm2 <= closed.measure.orifice.area_mm2 || gaps.empty()) return;
@@ -110,7 +112,7 @@ void label_openings(const Canvas& canvas, const ClosedValve& closed, const Orifi
       [](const GapStrip& a, const GapStrip& b) { return a.anterior.size() < b.anterior.size(); });
   const std::size_t middle = longest.anterior.size() / 2;
   const Vec2 from = map(0.5 * (longest.anterior[middle] + longest.posterior[middle]));
-  draw_pill(canvas, from, from - out, "gap " + fixed(gap_mm2, 1) + " mm²");
+  draw_pill(canvas, from, from - out, "gap " + known_digits(gap_mm2, error.gap_mm2) + " mm²");
 }
 
 }  // namespace coapt

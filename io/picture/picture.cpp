@@ -27,8 +27,11 @@ std::vector<Line> caption(const ClosedValve& closed) {
   const bool gap = coaptation.gap_area_mm2 > kCompetent_mm2;
   const bool hidden = gap && measure.orifice.area_mm2 < kCompetent_mm2;
   std::vector<Line> lines;
-  lines.push_back({"Orifice " + fixed(measure.orifice.area_mm2, 1) + " mm²" +
-                       (gap ? ", gap " + fixed(coaptation.gap_area_mm2, 1) + " mm²" : ""),
+  const std::string gap_words =
+      ", gap " + with_error(coaptation.gap_area_mm2, measure.error.gap_mm2, "mm²");
+  lines.push_back({"Orifice " +
+                       with_error(measure.orifice.area_mm2, measure.error.orifice_mm2, "mm²") +
+                       (gap ? gap_words : ""),
                    {24.0, hidden ? palette::kWarning : palette::kInk, Align::Left, true}});
   lines.push_back({"leaflets with their half thickness; bare mid-surfaces " +
                        fixed(measure.orifice.area_raw_mm2, 1) + " mm²",

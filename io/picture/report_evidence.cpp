@@ -48,8 +48,8 @@ std::string gates_table(const std::vector<Gate>& gates) {
 
 std::vector<std::string> measures_row(const std::string& name, const ValveMeasure& measure) {
   return {name,
-          fixed(measure.orifice.area_mm2, 1),
-          fixed(measure.coaptation.gap_area_mm2, 1),
+          with_error(measure.orifice.area_mm2, measure.error.orifice_mm2),
+          with_error(measure.coaptation.gap_area_mm2, measure.error.gap_mm2),
           fixed(measure.coaptation.height_mean_mm, 1),
           fixed(measure.coaptation.height_min_mm, 1),
           fixed(measure.tenting_height_mm, 1),

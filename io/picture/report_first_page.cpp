@@ -148,9 +148,9 @@ std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
   const std::string moved = fixed(plan.effort.anterolateral_movement_mm, 1) + " / " +
                             fixed(plan.effort.posteromedial_movement_mm, 1) + " mm";
   return "<dl>\n" +
-         key_figure("Leak as planned", with_unit(leak_mm2(after), 1, "mm²"),
-                    "before " + fixed(leak_mm2(before), 1) + "; one closure ± 0.5 mm²" +
-                        model_error(plan)) +
+         key_figure("Leak as planned", with_error(leak_mm2(after), after.error.leak_mm2, "mm²"),
+                    "before " + with_error(leak_mm2(before), before.error.leak_mm2) +
+                        "; errors are numerical" + model_error(plan)) +
          key_figure("Leak when the repair varies",
                     varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
                     "± sd; 95 % below " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +

@@ -37,7 +37,8 @@ std::vector<std::string> remarks_on(const RankedPlan& plan) {
     remarks.push_back(std::string("closure: ") + to_string(plan.status));
   if (plan.crossing) remarks.push_back("leaflets pass through each other");
   if (plan.fine)
-    remarks.push_back("on the finer mesh: leak " + fixed(leak_mm2(*plan.fine), 1) + " mm²" +
+    remarks.push_back("on the finer mesh: leak " +
+                      with_error(leak_mm2(*plan.fine), plan.fine_leak_error_mm2, "mm²") +
                       (plan.fine_rank == plan.rank
                            ? ""
                            : "; there it would rank " + std::to_string(plan.fine_rank)));
@@ -66,7 +67,8 @@ std::string rows_of(const RankedPlan& plan) {
   if (!plan.name.empty()) html += "<strong>" + escape_html(plan.name) + "</strong><br>";
   html += escape_html(short_words(plan)) + "</td>";
   for (const std::string& figure :
-       {fixed(plan.measure.orifice.area_mm2, 1), fixed(plan.measure.coaptation.gap_area_mm2, 1),
+       {with_error(plan.measure.orifice.area_mm2, plan.measure.error.orifice_mm2),
+        with_error(plan.measure.coaptation.gap_area_mm2, plan.measure.error.gap_mm2),
         mean_and_sd(leak), fixed(leak.p95, 1), fixed(leak.worst, 1), percent(leak.below_5),
         suture_margin(to_leak), angle_margin(to_leak),
         fixed(plan.measure.coaptation.height_mean_mm, 1), fixed(plan.measure.tension_max_n, 2),

@@ -226,15 +226,16 @@ std::string valve_words(const ClosedValve& before) {
   for (const Chorda& chorda : before.valve.chordae)
     if (chorda.ruptured) ruptured.push_back(chorda.id);
   std::string told = "Before repair it leaks through " +
-                     with_unit(measure.orifice.area_mm2, 1, "mm²") + " seen from the atrium";
+                     with_error(measure.orifice.area_mm2, measure.error.orifice_mm2, "mm²") +
+                     " seen from the atrium";
   for (std::size_t i = 0; i < openings.size() && i < kOpeningsTold; ++i)
-    told += (i == 0 ? " (" : ", ") + with_unit(openings[i].area_mm2, 1, "mm²") + " at " +
-            to_string(openings[i].segment);
+    told += (i == 0 ? " (" : ", ") + known_digits(openings[i].area_mm2, measure.error.orifice_mm2) +
+            " mm² at " + to_string(openings[i].segment);
   if (openings.size() > kOpeningsTold)
     told += ", " + std::to_string(openings.size() - kOpeningsTold) + " smaller";
   told += std::string(openings.empty() ? "" : ")") +
           "; gap between the leaflets in three dimensions " +
-          with_unit(measure.coaptation.gap_area_mm2, 1, "mm²") + ". Annulus " +
+          with_error(measure.coaptation.gap_area_mm2, measure.error.gap_mm2, "mm²") + ". Annulus " +
           fixed(measure.annulus.al_pm_mm, 1) + " mm across, " + fixed(measure.annulus.ap_mm, 1) +
           " mm front to back; tenting height " + mm(measure.tenting_height_mm) + ".";
   for (std::size_t i = 0; i < ruptured.size() && i < kNamesTold; ++i)

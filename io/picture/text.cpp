@@ -1,5 +1,6 @@
 #include "io/picture/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -29,6 +30,19 @@ std::size_t sequence_length(std::string_view text) {
   return 0;
 }
 
+bool is_error(double error) { return std::isfinite(error) && error >= 0.0; }
+
+int decimals_of(double error) {
+  constexpr double kTwoDigitsBelow = 3.55, kNextDecadeFrom = 9.5;
+  constexpr int kMostDecimals = 3;
+  if (error == 0.0) return 1;
+  const int exponent = static_cast<int>(std::floor(std::log10(error)));
+  const double leading = error / std::pow(10.0, exponent);
+  const bool next_decade = leading >= kNextDecadeFrom;
+  const bool two_digits = leading < kTwoDigitsBelow || next_decade;
+  return std::clamp((two_digits ? 1 : 0) - exponent - (next_decade ? 1 : 0), 0, kMostDecimals);
+}
+
 }  // namespace
 
 std::string fixed(double value, int decimals) {
@@ -36,6 +50,17 @@ std::string fixed(double value, int decimals) {
   std::string text = with_decimals(value, decimals);
   if (text.find_first_not_of("-0.") == std::string::npos && text[0] == '-') text.erase(0, 1);
   return text;
+}
+
+std::string with_error(double value, double error, std::string_view unit) {
+  std::string text = known_digits(value, error);
+  if (!std::isfinite(value)) return text;
+  if (is_error(error)) text += " ± " + fixed(error, decimals_of(error));
+  return unit.empty() ? text : text + " " + std::string(unit);
+}
+
+std::string known_digits(double value, double error) {
+  return fixed(value, is_error(error) ? decimals_of(error) : 1);
 }
 
 std::string grouped(std::int64_t count) {

@@ -10,6 +10,14 @@ namespace coapt {
 /// With `decimals` places, a point in every locale; "n/a" if not finite; never "-0.0".
 std::string fixed(double value, int decimals);
 
+/// "45.7 ± 2.1 mm²", "46 ± 5": the error to two digits where they are 10 to 35, else to one, the value
+/// to as many places (Particle Data Group 2022, 5.3). Without a finite error one place and no error;
+/// "n/a" if the value is not finite.
+std::string with_error(double value, double error, std::string_view unit = "");
+
+/// The value alone, to those places: "45.7", "46".
+std::string known_digits(double value, double error);
+
 /// "45,678,901".
 std::string grouped(std::int64_t count);
 

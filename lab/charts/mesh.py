@@ -32,8 +32,9 @@ def draw_errors(rows):
     rows = [row for row in rows if row["trusted"] == "true"]
     triangles = sorted(each_once(int(row["triangles"]) for row in rows))
     at = {n: [row for row in rows if int(row["triangles"]) == n] for n in triangles}
+    finest = int(rows[0]["reference_triangles"])
     figure, (areas, small, shape) = figure_titled(
-        "The same scenes on growing meshes, against 10,400 triangles", 11, 3.6, ncols=3
+        f"The same scenes on growing meshes, against {finest:,} triangles", 11, 3.6, ncols=3
     )
     for area, colour in (("orifice", BLUE), ("gap", ORANGE), ("leak", VERMILION)):
         parts = [[abs(error) for error in relative(at[n], area)] or [0] for n in triangles]

@@ -47,6 +47,26 @@ void print(std::ostream& out, const ClosureStudy& study, bool accuracy) {
       << study.leak_difference_max_mm2 << " mm2\n";
 }
 
+/// Puts the tolerances for --accuracy, if it was given, into `closure` and says on standard error
+/// which they are. Errors point to "/accuracy".
+Expected<std::optional<AccuracyTier>> apply_accuracy(std::optional<double> accuracy_mm2,
+                                                     ClosureOptions& closure) {
+  if (!accuracy_mm2) return std::optional<AccuracyTier>();
+  if (closure.method != Method::Fast)
+    return Error{ErrorCode::Unsupported, "/accuracy",
+                 "is known for method fast only; leave out --method thesis"};
+  const Expected<AccuracyTier> tier = choose_tier(*accuracy_mm2, closure.membrane);
+  if (!tier) return tier.errors();
+  closure = at_tier(closure, *tier);
+  const TierError& error = error_of(*tier, closure.membrane);
+  std::cerr << "coapt-lab: accuracy: residual " << tier->residual_tolerance << ", predicted way "
+            << tier->way_tolerance_mm << " mm, membrane " << to_string(closure.membrane)
+            << ": orifice within " << error.p99_mm2 << " mm2 of this mesh's own end in 99 of 100 "
+            << "measured scenes, " << error.max_mm2 << " in all, at " << error.relative_time
+            << " times the default's time; the error of the mesh is another\n";
+  return std::optional<AccuracyTier>(*tier);
+}
+
 /// The one that is named, or anatomies that no preset resembles, one for each scene.
 Expected<std::vector<Valve>> read_valves(const BenchArguments& arguments) {
   if (arguments.valve == kAnatomies)
@@ -106,7 +126,12 @@ void add_bench_closures(Command parent, int& status) {
       .show_default();
   add_method_option(command, study.closure.method);
   add_membrane_option(command, study.closure.membrane);
-  add_accuracy_option(command, arguments->accuracy_mm2);
+  command
+      .add_option("--accuracy", arguments->accuracy_mm2,
+                  "Largest error of the orifice from stopping early, mm2, in 99 of 100 scenes: "
+                  "uses the fastest tolerances measured to keep it (method fast)")
+      .check(number_from(0.0, std::numeric_limits<double>::max()))
+      .show_argument("MM2");
   command.add_flag("--no-accuracy", arguments->no_accuracy,
                    "Skip the two further closures of each variation that errors are measured from");
   command.add_flag("--warm", study.warm,

@@ -7,16 +7,18 @@
 
 #include "core/metrics/measure.h"
 #include "core/presets/presets.h"
+#include "core/valve/refine.h"
 #include "lab/closures/matching_points.h"
 #include "lab/closures/varied_scenes.h"
 #include "search/evaluator.h"
 #include "search/parallel.h"
+#include "search/studies/generality.h"
 
 namespace coapt {
 namespace {
 
 constexpr const char* kColumns =
-    "preset,scene,triangles,trusted,seconds,rms_mm,orifice_mm2,gap_mm2,leak_mm2,"
+    "valve,scene,triangles,reference_triangles,trusted,seconds,rms_mm,orifice_mm2,gap_mm2,leak_mm2,"
     "reference_orifice_mm2,reference_gap_mm2,reference_leak_mm2\n";
 
 struct ClosedScene {
@@ -26,18 +28,56 @@ struct ClosedScene {
   double seconds = 0.0;
 };
 
-ClosedScene close_scene_of(const Valve& preset, const MeshStudyOptions& options, int scene) {
+struct Scene {
+  std::string valve;
+  int number = 0;
+  std::function<Expected<Valve>(int)> with_triangles;
+};
+
+/// On a mesh of `triangles`; refused where that mesh is no valid valve.
+Expected<Valve> scene_on(const Scene& scene, const MeshStudyOptions& options, int triangles) {
+  if (!options.refined) return scene.with_triangles(triangles);
+  int made = options.triangles.front();
+  Expected<Valve> valve = scene.with_triangles(made);
+  for (; valve && made < triangles; made *= 4) valve = refine(*valve);
+  return valve;
+}
+
+std::vector<Scene> scenes_of(const MeshStudyOptions& options) {
+  std::vector<Scene> scenes;
+  const std::uint64_t seed = options.seed;
+  const auto varied = [seed](const Expected<Valve>& valve, int number) {
+    return valve ? Expected<Valve>(varied_scene(*valve, seed, number)) : valve;
+  };
+  for (const std::string& preset : options.presets)
+    for (int i = 0; i < options.scenes; ++i)
+      scenes.push_back({preset, i, [varied, preset, i](int triangles) {
+                          return varied(make_preset(preset, triangles), i);
+                        }});
+  for (const ParametricValve& drawn :
+       random_anatomies(options.anatomies, seed, options.threads).dimensions) {
+    const int i = static_cast<int>(scenes.size());
+    scenes.push_back({drawn.name, i, [varied, drawn, i](int triangles) {
+                        ParametricValve dimensions = drawn;
+                        dimensions.triangles = triangles;
+                        return varied(make_taut_valve(dimensions), i);
+                      }});
+  }
+  return scenes;
+}
+
+ClosedScene close_scene(const Expected<Valve>& valve, const MeshStudyOptions& options) {
   using Clock = std::chrono::steady_clock;
   ClosedScene closed;
-  closed.mesh.valve = varied_scene(preset, options.seed, scene);
+  if (!valve) return closed;
   ClosureOptions closure;
   closure.membrane = options.membrane;
   const auto start = Clock::now();
-  const ClosureResult result = close_valve(closed.mesh.valve, closure);
+  const ClosureResult result = close_valve(*valve, closure);
   closed.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   closed.trusted = coapt::trusted(result);
-  closed.mesh.closed_mm = result.closed_mm;
-  closed.measure = measure(closed.mesh.valve, result);
+  closed.mesh = {*valve, {}, result.closed_mm};
+  closed.measure = measure(*valve, result);
   return closed;
 }
 
@@ -62,28 +102,25 @@ MeshPoint compared(const ClosedScene& closed, const ClosedScene& reference) {
 
 std::vector<MeshPoint> study_meshes(const MeshStudyOptions& options,
                                     const std::function<void(int, int)>& progress) {
+  const std::vector<Scene> scenes = scenes_of(options);
+  const int planned = static_cast<int>(scenes.size());
   const auto resolutions = options.triangles.size();
-  const auto presets = options.presets.size();
-  std::vector<std::vector<Valve>> valves(presets);  // [preset][resolution, the reference last]
-  for (std::size_t p = 0; p < presets; ++p) {
-    for (const int triangles : options.triangles)
-      valves[p].push_back(*make_preset(options.presets[p], triangles));
-    valves[p].push_back(*make_preset(options.presets[p], options.reference_triangles));
-  }
-  const int planned = static_cast<int>(presets) * options.scenes;
-  std::vector<MeshPoint> points(static_cast<std::size_t>(planned) * resolutions);
+  std::vector<MeshPoint> points(scenes.size() * resolutions);
   std::mutex mutex;
   int done = 0;
   for_each_index(planned, options.threads, [&](int i) {
-    const auto p = static_cast<std::size_t>(i / options.scenes);
-    const int scene = i % options.scenes;
-    ClosedScene reference = close_scene_of(valves[p].back(), options, scene);
-    reference.mesh.coordinates = leaflet_coordinates(reference.mesh.valve);
+    const Scene& scene = scenes[i];
+    ClosedScene reference =
+        close_scene(scene_on(scene, options, options.reference_triangles), options);
+    if (reference.trusted) reference.mesh.coordinates = leaflet_coordinates(reference.mesh.valve);
     for (std::size_t r = 0; r < resolutions; ++r) {
-      MeshPoint point = compared(close_scene_of(valves[p][r], options, scene), reference);
-      point.preset = options.presets[p];
-      point.scene = scene;
-      point.triangles = options.triangles[r];
+      const int triangles = options.triangles[r];
+      MeshPoint point =
+          compared(close_scene(scene_on(scene, options, triangles), options), reference);
+      point.valve = scene.valve;
+      point.scene = scene.number;
+      point.triangles = triangles;
+      point.reference_triangles = options.reference_triangles;
       points[static_cast<std::size_t>(i) * resolutions + r] = point;
     }
     const std::lock_guard<std::mutex> lock(mutex);
@@ -96,8 +133,8 @@ std::string mesh_csv(const std::vector<MeshPoint>& points) {
   std::ostringstream csv;
   csv << kColumns;
   for (const MeshPoint& p : points) {
-    csv << p.preset << ',' << p.scene << ',' << p.triangles << ',' << (p.trusted ? "true" : "false")
-        << ',' << p.seconds;
+    csv << p.valve << ',' << p.scene << ',' << p.triangles << ',' << p.reference_triangles << ','
+        << (p.trusted ? "true" : "false") << ',' << p.seconds;
     for (const double number :
          {p.rms_mm, p.orifice_mm2, p.gap_mm2, p.leak_mm2, p.reference_orifice_mm2,
           p.reference_gap_mm2, p.reference_leak_mm2}) {

@@ -67,4 +67,14 @@ ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& stu
   return json;
 }
 
+nlohmann::ordered_json to_json(const AccuracyTier& tier, Membrane membrane) {
+  const TierError& error = error_of(tier, membrane);
+  return {{"residual_tolerance", tier.residual_tolerance},
+          {"way_tolerance_mm", tier.way_tolerance_mm},
+          {"orifice_error_p99_mm2", error.p99_mm2},
+          {"orifice_error_max_mm2", error.max_mm2},
+          {"scenes", kAccuracyScenes},
+          {"of", "stopping early on this mesh; not of the mesh"}};
+}
+
 }  // namespace coapt

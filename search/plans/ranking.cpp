@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/metrics/area_error.h"
 #include "core/repair/apply_plan.h"
 #include "core/repair/approximation.h"
 #include "core/repair/describe.h"
@@ -175,6 +176,9 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   plan.fine_levels = fine.mesh.levels;
   if (const auto closure = fine.plans.find(&record); closure != fine.plans.end())
     plan.fine = closure->second;
+  if (plan.fine && trusted(*plan.fine))
+    plan.fine_leak_error_mm2 =
+        area_error_mm2(leak_mm2(*plan.fine), {.triangles = fine.mesh.triangles});
   warn_of_fine(fine.mesh, plan);
   return plan;
 }

@@ -37,6 +37,7 @@ struct RankedPlan {
   int fine_levels = 0;
   /// As planned, on the refined mesh; none without levels, or if the search was cancelled before.
   std::optional<PlanClosure> fine;
+  double fine_leak_error_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< see area_error.h
   /// Its place by the fine verdict and the cost with the fine closure as planned; 0 without one.
   int fine_rank = 0;
   /// As planned, under draws of the model; none without draws, or if the search was cancelled before.

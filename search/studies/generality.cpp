@@ -30,20 +30,23 @@ RandomAnatomies random_anatomies(int count, std::uint64_t seed, int threads) {
   while (static_cast<int>(random.valves.size()) < count &&
          random.drawn < kMostDrawnFactor * count) {
     std::vector<std::optional<Valve>> valves(kDrawnAtOnce);
-    std::vector<Anatomy> anatomies;
+    std::vector<ParametricValve> dimensions;
     for (int i = 0; i < kDrawnAtOnce; ++i) {
       std::vector<double> shares(kAnatomyParameters);
       for (double& share : shares) share = random_share(engine);
-      anatomies.push_back(anatomy_at(shares));
+      dimensions.push_back(
+          parametric_valve(anatomy_at(shares), "random-" + std::to_string(random.drawn + i)));
     }
     for_each_index(kDrawnAtOnce, threads, [&](int i) {
-      Expected<Valve> valve = make_taut_valve(
-          parametric_valve(anatomies[i], "random-" + std::to_string(random.drawn + i)));
+      Expected<Valve> valve = make_taut_valve(dimensions[i]);
       if (valve && competent(*valve)) valves[i] = *valve;
     });
     random.drawn += kDrawnAtOnce;
-    for (const std::optional<Valve>& valve : valves)
-      if (valve && static_cast<int>(random.valves.size()) < count) random.valves.push_back(*valve);
+    for (int i = 0; i < kDrawnAtOnce && static_cast<int>(random.valves.size()) < count; ++i) {
+      if (!valves[i]) continue;
+      random.valves.push_back(*valves[i]);
+      random.dimensions.push_back(dimensions[i]);
+    }
   }
   return random;
 }

@@ -21,6 +21,7 @@ struct StudiedValve {
 /// competent valve: it closes uncrossed with at most 5 mm2. Others are drawn again, and counted.
 struct RandomAnatomies {
   std::vector<Valve> valves;
+  std::vector<ParametricValve> dimensions;  ///< of each valve
   int drawn = 0;
 };
 RandomAnatomies random_anatomies(int count, std::uint64_t seed, int threads);

@@ -62,16 +62,20 @@ class Close(ProgramTest):
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         self.assertIn("--membrane", result.stderr)
 
-    def test_an_accuracy_chooses_tolerances_and_says_which(self):
-        loose, tight = (self.close(VALVE, "--accuracy", mm2)["accuracy"] for mm2 in ["100", "0.01"])
-        self.assertGreater(loose["residual_tolerance"], tight["residual_tolerance"])
-        self.assertLessEqual(tight["orifice_error_p99_mm2"], 0.01)
-        self.assertNotIn("accuracy", self.close(VALVE))
-        end = self.close(VALVE, "--accuracy", "0.0055")["orifice_area_mm2"]
-        near = self.close(VALVE, "--accuracy", "0.4")
-        self.assertAlmostEqual(near["orifice_area_mm2"], end, delta=near["accuracy"]["orifice_error_max_mm2"])
-        words = coapt("close", VALVE, "--accuracy", "0.4")
-        self.assertRegex(words.stderr, r"^coapt: accuracy: residual \S+, .*continuum.* mesh is another\n$")
+    def test_an_accuracy_chooses_mesh_and_tolerances_and_keeps_it(self):
+        plain, near = self.close(VALVE), self.close(VALVE, "--accuracy", "1.5")
+        self.assertGreater(plain["leak_mm2_error"], 1.5)
+        self.assertLessEqual(near["leak_mm2_error"], 1.5)
+        self.assertEqual(near["triangles"], plain["triangles"] * 4 ** near["accuracy"]["refinements"])
+        self.assertGreater(near["triangles"], plain["triangles"])
+        self.assertLess(abs(plain["leak_mm2"] - near["leak_mm2"]), plain["leak_mm2_error"] + near["leak_mm2_error"])
+        loose = self.close(VALVE, "--accuracy", "100")["accuracy"]
+        self.assertEqual(loose["refinements"], 0)
+        self.assertGreater(loose["residual_tolerance"], near["accuracy"]["residual_tolerance"])
+        self.assertNotIn("accuracy", plain)
+        words = coapt("close", VALVE, "--accuracy", "100").stdout
+        self.assertRegex(words, r"\n  leak +46 ± \d+ mm2,")
+        self.assertRegex(words, r"\n  accuracy +at most 100 mm2 asked for: 0 refinements, residual 0.1,")
 
     def test_finer_meshes_are_closed_until_the_leak_stands(self):
         closure = self.close(VALVE, "--converge", "--within", "100")
@@ -95,10 +99,12 @@ class Close(ProgramTest):
             self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
             self.assertIn("--converge", result.stderr)
 
-    def test_an_accuracy_that_was_never_measured_is_refused_with_the_range(self):
-        result = coapt("close", VALVE, "--accuracy", "0.0001")
-        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
-        self.assertIn("--accuracy: is 0.0001, must be at least 0.0055 mm2", result.stderr)
+    def test_an_accuracy_that_no_mesh_keeps_is_refused_with_the_range(self):
+        for wanted in ["0.0001", "0.1"]:
+            result = coapt("close", VALVE, "--accuracy", wanted)
+            self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+            self.assertRegex(result.stderr, rf"--accuracy: is {wanted}, must be at least \S+ mm2, what the ")
+        self.assertEqual(coapt("close", VALVE, "--accuracy", "1", "--converge").returncode, BAD_INPUT)
         result = coapt("close", VALVE, "--accuracy", "1", "--method", "thesis")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         self.assertIn("method fast only", result.stderr)

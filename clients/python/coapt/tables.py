@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import html
+import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,20 @@ def number(value: float | None, decimals: int = 1) -> str:
     return f"{round(value, decimals) + 0.0:.{decimals}f}"
 
 
+def with_error(value: float | None, error: float | None) -> str:
+    """45.7 ± 2.1, 46 ± 5: the error to two digits where they are 10 to 35, else to one (Particle Data Group 2022, 5.3)."""
+    if value is None or error is None:
+        return number(value)
+    decimals = 1
+    if error > 0.0:
+        exponent = math.floor(math.log10(error))
+        leading = error / 10.0**exponent
+        next_decade = leading >= 9.5
+        two_digits = leading < 3.55 or next_decade
+        decimals = min(3, max(0, int(two_digits) - exponent - int(next_decade)))
+    return f"{number(value, decimals)} ± {number(error, decimals)}"
+
+
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """Cells are HTML."""
     top = "".join(f"<th>{cell}</th>" for cell in head)
@@ -39,9 +54,9 @@ def _list(lines: Iterable[str], mark: str = "") -> str:
 
 def _figures(measure: Measure) -> list[tuple[str, str]]:
     return [
-        ("leak", f"<b>{number(measure.leak_mm2)} mm²</b>, the larger of orifice and gap"),
-        ("orifice seen from the atrium", f"{number(measure.orifice_area_mm2)} mm²"),
-        ("gap between the leaflets", f"{number(measure.gap_area_mm2)} mm²"),
+        ("leak", f"<b>{with_error(measure.leak_mm2, measure.leak_mm2_error)} mm²</b>, the larger of orifice and gap"),
+        ("orifice seen from the atrium", f"{with_error(measure.orifice_area_mm2, measure.orifice_area_mm2_error)} mm²"),
+        ("gap between the leaflets", f"{with_error(measure.gap_area_mm2, measure.gap_area_mm2_error)} mm²"),
         (
             "coaptation height",
             f"mean {number(measure.coaptation_height_mean_mm)}, min " f"{number(measure.coaptation_height_min_mm)} mm",

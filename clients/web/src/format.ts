@@ -14,6 +14,34 @@ export function withUnit(value: number | null | undefined, unit: string, digits 
   return text === UNKNOWN ? text : `${text} ${unit}`
 }
 
+/// "45.7 ± 2.1 mm²", "46 ± 5 mm²": the error to two digits where they are 10 to 35, else to one, the value to as many
+/// places (Particle Data Group 2022, 5.3), as the command line prints it. Without an error one place.
+export function withError(value: number | null | undefined, error: number | null | undefined, unit: string): string {
+  const text = knownDigits(value, error)
+  if (text === UNKNOWN) return text
+  return `${text}${isError(error) ? ` ± ${knownDigits(error, error)}` : ''} ${unit}`
+}
+
+/// The value alone, to those places: "45.7", "46".
+export function knownDigits(value: number | null | undefined, error: number | null | undefined): string {
+  return number(value, isError(error) ? decimalsOf(error) : 1)
+}
+
+const isError = (error: number | null | undefined): error is number => Number.isFinite(error) && (error ?? -1) >= 0
+
+const TWO_DIGITS_BELOW = 3.55
+const NEXT_DECADE_FROM = 9.5
+const MOST_DECIMALS = 3
+
+function decimalsOf(error: number): number {
+  if (error === 0) return 1
+  const exponent = Math.floor(Math.log10(error))
+  const leading = error / 10 ** exponent
+  const nextDecade = leading >= NEXT_DECADE_FROM
+  const twoDigits = leading < TWO_DIGITS_BELOW || nextDecade
+  return Math.min(MOST_DECIMALS, Math.max(0, (twoDigits ? 1 : 0) - exponent - (nextDecade ? 1 : 0)))
+}
+
 export function percent(share: number | null | undefined): string {
   return withUnit(share === null || share === undefined ? share : 100 * share, '%', 0)
 }

@@ -46,7 +46,7 @@ TEST(AccuracyTiers, WhatNoTierKeepsIsAnErrorThatNamesTheRange) {
     ASSERT_FALSE(chosen) << wanted;
     EXPECT_EQ(chosen.errors().front().code, ErrorCode::OutOfRange);
     EXPECT_EQ(chosen.errors().front().path, "/accuracy");
-    EXPECT_NE(chosen.errors().front().message.find("must be at least 0.0087 mm2"),
+    EXPECT_NE(chosen.errors().front().message.find("must be at least 0.0043 mm2"),
               std::string::npos)
         << chosen.errors().front().message;
   }
@@ -68,7 +68,7 @@ TEST(AccuracyTiers, KeepWhatTheyPromiseOnPresets) {
     const double end =
         orifice_mm2({.residual_tolerance = 1e-6, .way_tolerance_mm = 1e-4, .max_steps = 100000});
     for (const AccuracyTier& tier : accuracy_tiers())
-      EXPECT_NEAR(orifice_mm2(at_tier({}, tier)), end, tier.springs.max_mm2) << name;
+      EXPECT_NEAR(orifice_mm2(at_tier({}, tier)), end, tier.continuum.max_mm2) << name;
   }
 }
 

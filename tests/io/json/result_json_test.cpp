@@ -57,12 +57,23 @@ TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
   EXPECT_EQ(result["coaptation"]["sections"].size(), 9u);
 }
 
-TEST(ResultJson, ATierOfAccuracyHasItsTolerancesAndTheErrorsOfTheMembrane) {
-  const AccuracyTier tier{0.1, 0.4, {2.0, 3.0, 1.0}, {4.0, 5.0, 1.0}};
-  EXPECT_EQ(to_json(tier, Membrane::Continuum).dump(),
-            R"({"residual_tolerance":0.1,"way_tolerance_mm":0.4,"orifice_error_p99_mm2":4.0,)"
-            R"("orifice_error_max_mm2":5.0,"scenes":500,)"
-            R"("of":"stopping early on this mesh; not of the mesh"})");
+TEST(ResultJson, AnAreaHasItsErrorBesideIt) {
+  ValveMeasure measure;
+  measure.error = {2.5, 3.5, 4.5};
+  const auto json = to_json(measure);
+  EXPECT_EQ(json["orifice_area_mm2_error"], 2.5);
+  EXPECT_EQ(json["coaptation"]["gap_area_mm2_error"], 3.5);
+  EXPECT_EQ(json["leak_mm2_error"], 4.5);
+  EXPECT_EQ(to_json(ValveMeasure{})["leak_mm2_error"].dump(), "null") << "it is not known";
+}
+
+TEST(ResultJson, AnAccuracyIsWhatWasAskedAndHowItWasKept) {
+  AccurateClosure closure;
+  closure.refinements = 1;
+  closure.tier.residual_tolerance = 0.1;
+  closure.tier.way_tolerance_mm = 0.4;
+  EXPECT_EQ(to_json(closure, 0.5).dump(),
+            R"({"error_mm2":0.5,"refinements":1,"residual_tolerance":0.1,"way_tolerance_mm":0.4})");
 }
 
 }  // namespace

@@ -139,10 +139,12 @@ TEST(ValveWords, SayWhereItLeaksAndWhatIsRuptured) {
                                      {10.0, Vec3::Zero(), Segment::P2},
                                      {4.0, Vec3::Zero(), Segment::A1},
                                      {1.0, Vec3::Zero(), Segment::A3}};
+  before.measure.error = {0.4, 2.0, 2.0};
   const std::string words = valve_words(before);
   EXPECT_NE(
-      words.find("leaks through 30.0 mm² seen from the atrium (15.0 mm² at P3, 10.0 mm² at P2, 4.0 "
-                 "mm² at A1, 1 smaller)"),
+      words.find(
+          "leaks through 30.0 ± 0.4 mm² seen from the atrium (15.0 mm² at P3, 10.0 mm² at P2, 4.0 "
+          "mm² at A1, 1 smaller)"),
       std::string::npos)
       << words;
   EXPECT_NE(words.find("Annulus 36.0 mm across, 28.0 mm front to back"), std::string::npos);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace coapt {
@@ -63,6 +64,21 @@ TEST(Text, SharesAreFinerNearNothingAndAll) {
   EXPECT_EQ(percent(0.992), "99.2 %");
   EXPECT_EQ(percent(1.0), "100 %");
   EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "n/a");
+}
+
+TEST(Text, AnErrorSaysHowManyDigitsAreKnown) {
+  EXPECT_EQ(with_error(45.678, 2.13), "45.7 ± 2.1");
+  EXPECT_EQ(with_error(45.678, 5.2), "46 ± 5");
+  EXPECT_EQ(with_error(45.678, 0.97), "45.7 ± 1.0");
+  EXPECT_EQ(with_error(45.678, 0.354), "45.68 ± 0.35");
+  EXPECT_EQ(with_error(45.678, 0.36), "45.7 ± 0.4");
+  EXPECT_EQ(with_error(45.678, 12.4), "46 ± 12");
+  EXPECT_EQ(with_error(-0.01, 0.5), "0.0 ± 0.5");
+  EXPECT_EQ(with_error(1.25, 0.0), "1.2 ± 0.0");
+  EXPECT_EQ(with_error(45.678, 2.13, "mm²"), "45.7 ± 2.1 mm²");
+  EXPECT_EQ(with_error(45.678, std::nan("")), "45.7");
+  EXPECT_EQ(known_digits(45.678, 5.2), "46");
+  EXPECT_EQ(with_error(std::nan(""), 1.0, "mm²"), "n/a");
 }
 
 }  // namespace

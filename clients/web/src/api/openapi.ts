@@ -737,12 +737,16 @@ export interface components {
         Measure: {
             /** @description Area of the regurgitant orifice in the view from the atrium, leaflets with their half thickness. */
             orifice_area_mm2: number | null;
+            /** @description Numerical error of orifice_area_mm2 (mesh, stopping early, other equilibria), which nine of ten measured scenes keep. Null: the closure is not converged uncrossed. */
+            orifice_area_mm2_error: number | null;
             /** @description The same area with the leaflets as bare mid-surfaces. */
             orifice_area_raw_mm2: number | null;
             /** @description Mean of orifice_area_mm2 over closely spaced end states. */
             orifice_area_mean_mm2: number | null;
             /** @description The larger of orifice_area_mm2 and gap_area_mm2: what a competent valve keeps near zero. */
             leak_mm2: number | null;
+            /** @description Numerical error of leak_mm2, as orifice_area_mm2_error. */
+            leak_mm2_error: number | null;
             /** @description Connected openings in the view from the atrium, largest first. */
             orifices: {
                 /** @description Area of this opening. */
@@ -771,6 +775,8 @@ export interface components {
                 distance_max_mm: number | null;
                 /** @description Opening between the leaflets in three dimensions, also where one hides it from the atrium: the smallest membrane from one to the other, along a line from commissure to commissure. */
                 gap_area_mm2: number | null;
+                /** @description Numerical error of gap_area_mm2, as orifice_area_mm2_error. */
+                gap_area_mm2_error: number | null;
                 /** @description Nine sections across the line of coaptation, from along 0.1 to 0.9. */
                 sections: {
                     /** @description 0 at the anterolateral, 1 at the posteromedial commissure. */
@@ -1193,6 +1199,8 @@ export interface components {
             gap_area_mm2: number | null;
             /** @description The larger of both. */
             leak_mm2: number | null;
+            /** @description Numerical error of this leak; null: the closure is not converged uncrossed. */
+            leak_mm2_error: number | null;
             /** @description Place of the plan if its cost counted this closure as planned; another than its rank: the order changed. */
             rank: number;
         };

@@ -1,11 +1,11 @@
 // The button that saves what is shown as a picture for a paper.
 import type { Plan, Scene } from '../api/types'
 import { download, h, select } from '../dom'
-import { number, percent, withUnit } from '../format'
+import { withError, withUnit } from '../format'
 import { iconButton } from '../icons'
-import { MESH_SPREAD } from '../mesh_error'
 import { problemList } from '../problems'
 import { describe } from '../repair/steps'
+import { leakWords } from '../valve/headline'
 import { gradeOf } from '../valve/presets'
 import { problemsOf } from '../workspace'
 import { figureSvg, WIDTH_MM, type Figure } from './figure'
@@ -43,13 +43,12 @@ export function pictureSaver(figure: (width_px: number) => Figure, told: HTMLEle
 
 /// What a picture says of a closure, and of the repair that led to it.
 export function figureLines(before: Scene, after: Scene | null, plan: Plan): string[] {
-  const leaks = [before, ...(after ? [after] : [])].map(({ closure }) => number(closure.leak_mm2))
   const { closure } = after ?? before
   const grade = closure.leak_mm2 === null ? '' : ` (${gradeOf(closure.leak_mm2)})`
-  const { gap_area_mm2, height_mean_mm } = closure.coaptation
+  const { gap_area_mm2, gap_area_mm2_error, height_mean_mm } = closure.coaptation
   return [
-    `Leak ${leaks.join(' → ')} mm²${grade}, about ±${percent(MESH_SPREAD)} by the mesh`,
-    `Orifice ${withUnit(closure.orifice_area_mm2, 'mm²')}, gap ${withUnit(gap_area_mm2, 'mm²')}, coaptation height ${withUnit(height_mean_mm, 'mm')} on average`,
+    `Leak ${leakWords(before, after)}${grade}`,
+    `Orifice ${withError(closure.orifice_area_mm2, closure.orifice_area_mm2_error, 'mm²')}, gap ${withError(gap_area_mm2, gap_area_mm2_error, 'mm²')}, coaptation height ${withUnit(height_mean_mm, 'mm')} on average`,
     ...(after ? plan.steps.map((step, i) => `${i + 1}. ${describe(step)}`) : []),
   ]
 }

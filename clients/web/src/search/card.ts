@@ -1,7 +1,7 @@
 // One ranked plan: what is done, what it leaves, how sure that is.
 import type { Job, RankedPlan } from '../api/types'
 import { button, h, type Child } from '../dom'
-import { typeset, withUnit } from '../format'
+import { typeset, withError, withUnit } from '../format'
 import { term } from '../help/term'
 import { openValveOf, valveOf } from '../jobs/valves'
 import { problemList } from '../problems'
@@ -127,12 +127,19 @@ function figures(plan: RankedPlan): HTMLElement {
     ['Orifice over the region', meanAndSd(plan.orifice_area_mm2)],
     [
       'Orifice, gap as planned',
-      `${withUnit(measure.orifice_area_mm2, 'mm²')}, ${withUnit(measure.coaptation.gap_area_mm2, 'mm²')}`,
+      `${withError(measure.orifice_area_mm2, measure.orifice_area_mm2_error, 'mm²')}, ${withError(measure.coaptation.gap_area_mm2, measure.coaptation.gap_area_mm2_error, 'mm²')}`,
     ],
     ...(plan.under_draws
       ? [['Leak as planned, model ±', meanAndSd(plan.under_draws.leak_mm2)] satisfies [Child, string]]
       : []),
-    ...(plan.fine ? [['Leak on the finer mesh', withUnit(plan.fine.leak_mm2, 'mm²')] satisfies [Child, string]] : []),
+    ...(plan.fine
+      ? [
+          ['Leak on the finer mesh', withError(plan.fine.leak_mm2, plan.fine.leak_mm2_error, 'mm²')] satisfies [
+            Child,
+            string,
+          ],
+        ]
+      : []),
     [term('margin', 'Margin to leak'), marginWords(plan)],
     [
       term('coaptation', 'Coaptation, mean (minimum)'),

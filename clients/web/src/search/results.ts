@@ -2,7 +2,7 @@
 import type { SearchResult } from '../api/types'
 import { dataTable, figure } from '../charts/data_table'
 import { h } from '../dom'
-import { number, seconds, withUnit } from '../format'
+import { number, seconds, withError, withUnit } from '../format'
 import { grouped } from '../jobs/progress_panel'
 import { cardId, planCard, type CardContext } from './card'
 import { comparison } from './compare'
@@ -45,8 +45,8 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
     ...(leak === undefined || leak === null
       ? []
       : [['Leak before, with plan 1', `${number(before.leak_mm2)} → ${withUnit(leak, 'mm²')}`] as [string, string]]),
-    ['orifice before', withUnit(before.orifice_area_mm2, 'mm²')],
-    ['gap before', withUnit(before.coaptation.gap_area_mm2, 'mm²')],
+    ['orifice before', withError(before.orifice_area_mm2, before.orifice_area_mm2_error, 'mm²')],
+    ['gap before', withError(before.coaptation.gap_area_mm2, before.coaptation.gap_area_mm2_error, 'mm²')],
     ['coaptation before, mean', withUnit(before.coaptation.height_mean_mm, 'mm')],
     ['plans tried', `${grouped(result.plans_tried)} of ${grouped(result.plans_possible)}`],
     ['closures', grouped(result.closures)],

@@ -1,18 +1,22 @@
 // What is measured of a closure, beside what it was before if there is a repair.
 import type { Closure, Scene } from '../api/types'
 import { h } from '../dom'
-import { percent, withUnit } from '../format'
+import { percent, withError, withUnit } from '../format'
 import type { Term } from '../help/glossary'
 import { term } from '../help/term'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
 type Row = readonly [name: string, unit: string, digits: number, value: (c: Closure) => number | null, of?: Term]
+type Area = readonly [name: string, value: (c: Closure) => [mm2: number | null, error_mm2: number | null], of: Term]
+
+const AREAS: readonly Area[] = [
+  ['Leak', (c) => [c.leak_mm2, c.leak_mm2_error], 'leak'],
+  ['Orifice (atrial view)', (c) => [c.orifice_area_mm2, c.orifice_area_mm2_error], 'orifice'],
+  ['Gap between the leaflets', ({ coaptation }) => [coaptation.gap_area_mm2, coaptation.gap_area_mm2_error], 'gap'],
+]
 
 const ROWS: readonly Row[] = [
-  ['Leak', 'mm²', 1, (c) => c.leak_mm2, 'leak'],
-  ['Orifice (atrial view)', 'mm²', 1, (c) => c.orifice_area_mm2, 'orifice'],
-  ['Gap between the leaflets', 'mm²', 1, (c) => c.coaptation.gap_area_mm2, 'gap'],
   ['Coaptation height, mean', 'mm', 1, (c) => c.coaptation.height_mean_mm, 'coaptation'],
   ['Coaptation height, minimum', 'mm', 1, (c) => c.coaptation.height_min_mm, 'coaptation'],
   ['Tenting height', 'mm', 1, (c) => c.tenting_height_mm, 'tenting_height'],
@@ -31,6 +35,14 @@ export function measures(before: Scene, after: Scene | null): HTMLElement {
   if (after) head.append(h('th', { scope: 'col', class: parts.number }, 'Repaired'))
   const table = h('table', { class: valveStyle.measures, 'data-part': 'measures' }, head)
   const scenes = after ? [before, after] : [before]
+  for (const [name, value, of] of AREAS)
+    table.append(
+      row(
+        name,
+        scenes.map(({ closure }) => withError(...value(closure), 'mm²')),
+        of,
+      ),
+    )
   for (const [name, unit, digits, value, of] of ROWS)
     table.append(
       row(

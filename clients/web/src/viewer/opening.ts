@@ -1,6 +1,7 @@
 // Where the closed valve is open, in three dimensions: a membrane across each orifice of the atrial view, and one between
 // the leaflets where that view hides that they are apart. Solid where nothing is before it, seen through tissue with its
 // outline drawn over everything.
+import { knownDigits } from '../format'
 import {
   BufferAttribute,
   BufferGeometry,
@@ -47,7 +48,10 @@ export function orificeMembranes(scene: Scene): Membrane[] {
       return points.map((point) => new Vector2(...seen(scene, point)))
     })
     if (outer === undefined || outer.length < 3) return []
-    const label = { point_mm: middle(contours_mm[0] as number[]), text: `${area_mm2.toFixed(1)} mm²` }
+    const label = {
+      point_mm: middle(contours_mm[0] as number[]),
+      text: `${knownDigits(area_mm2, scene.closure.orifice_area_mm2_error)} mm²`,
+    }
     return {
       points: levelled(scene, contours_mm.flat()),
       triangles: ShapeUtils.triangulateShape(outer, islands).flat(),
@@ -152,7 +156,10 @@ export class Opening {
     const gap_mm2 = scene.closure.coaptation?.gap_area_mm2 ?? 0
     const widest = hidden.sort((a, b) => b.points.length - a.points.length)[0]
     if (widest && gap_mm2 >= LEAST_NAMED_MM2)
-      this.labels.push({ point_mm: middleOfPairs(widest), text: `gap ${gap_mm2.toFixed(1)} mm²` })
+      this.labels.push({
+        point_mm: middleOfPairs(widest),
+        text: `gap ${knownDigits(gap_mm2, scene.closure.coaptation?.gap_area_mm2_error)} mm²`,
+      })
     this.membranes_mm = membranes.map(({ points }) => vectors(points))
     for (const membrane of membranes) this.add(membrane, [materials.seen, materials.throughTissue])
     for (const membrane of shown) this.add(skirt(scene, membrane), [materials.seen])
