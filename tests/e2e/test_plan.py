@@ -93,7 +93,7 @@ class Plan(ProgramTest):
         self.assertEqual([plan["fine"] for plan in own["plans"]], [None] * len(own["plans"]))
         self.assertEqual(own["closures"], result["closures"])
         words = coapt("plan", VALVE, *options(evaluations=3, plans=1)).stdout
-        self.assertRegex(words, r"\n +on 2,592 triangles: leak \d+\.\d mm2 \(orifice")
+        self.assertRegex(words, r"\n +on 2,592 triangles: leak \d+\.\d+ ± \d+\.\d+ mm2 \(orifice")
         self.assertRegex(words, r"\nFiner mesh: 2,592 triangles, unrepaired leak \d+\.\d mm2; it orders")
 
     def test_reported_plans_are_closed_under_draws_of_the_model(self):
