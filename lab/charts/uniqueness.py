@@ -51,7 +51,7 @@ def draw_uniqueness(rows):
         attempts.plot(places, [100 * s["second_attempts"] / s["scenes"] for s in at], "o-", **look)
         steps.plot(places, [s["median_steps"] for s in at], "o-", **look)
     share.set_title("ends elsewhere, % of the scenes", loc="left")
-    leak.set_title("the two leaks apart, mm²: 90 % below, largest", loc="left")
+    leak.set_title("leaks apart, mm² (90 %, largest)", loc="left")
     attempts.set_title("second attempts, % of the scenes", loc="left")
     steps.set_title("steps, median", loc="left")
     for axis in (share, leak, attempts, steps):

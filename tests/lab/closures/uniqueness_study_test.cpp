@@ -12,7 +12,7 @@ TEST(UniquenessStudy, HasEverySceneAtEveryRigidityAndTheSameOnes) {
   options.presets = {"human-normal"};
   options.scenes = 2;
   options.anatomies = 1;
-  options.bending_n_mm = {0.0, 0.1};
+  options.bending_n_mm = {0.03, 0.1};
   int last = 0;
   const std::vector<UniquenessPoint> points = study_uniqueness(options, [&](int done, int planned) {
     EXPECT_EQ(planned, 10);
