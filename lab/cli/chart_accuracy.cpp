@@ -160,10 +160,9 @@ void add_verdicts(Command chart, int& status) {
   command.footer(
       "Prints how many verdicts (competent: less than 1 mm2) and how far the orders agree. Three "
       "of\n"
-      "the six valves are held out. Takes half an hour of one core; with --nodes 1 some "
-      "minutes.\n\n"
+      "the six valves are held out. Takes five minutes of one core, with --nodes 17 an hour.\n\n"
       "Example:\n"
-      "  coapt-lab chart verdicts --plans 10 --nodes 5 -o charts");
+      "  coapt-lab chart verdicts --plans 10 -o charts");
   command.on_run([directory, options, &status] { status = run_verdicts(*directory, *options); });
 }
 
