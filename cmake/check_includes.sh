@@ -28,6 +28,7 @@ lab/comparators  : core
 lab/rivals       : core
 lab/closures     : core search io
 lab/lattices     : core search io lab/rivals
+lab/verdicts     : core search
 lab/charts       : core search io lab/closures
 lab/cli          : core search io clients/cli lab
 '

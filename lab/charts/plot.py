@@ -8,6 +8,8 @@ gap.csv                 the gap on growing meshes, of surfaces and of closures
 orifice-resolution.csv  error and time of the orifice's image
 ecdf.csv                share of targets that the search and its rivals reach
 mesh.csv                error of areas and shapes against the number of triangles
+uniqueness.csv          how unique the closed state is, over the leaflets' rigidity
+verdicts.csv            leak and verdict of the same plans on three meshes
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
 """
 
@@ -17,6 +19,8 @@ import pathlib
 import statistics
 
 import mesh
+import uniqueness
+import verdicts
 from matplotlib.patches import Patch, Rectangle
 from matplotlib.ticker import FuncFormatter
 from style import (
@@ -445,6 +449,8 @@ CHARTS = {
     "orifice-resolution": {"orifice-error": draw_orifice_error, "orifice-time": draw_orifice_time},
     "gap": {"gap": draw_gap},
     "mesh": {"mesh": mesh.draw_errors},
+    "uniqueness": {"uniqueness": uniqueness.draw_uniqueness},
+    "verdicts": {"verdicts": verdicts.draw_verdicts},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},
 }

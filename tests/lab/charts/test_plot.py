@@ -13,6 +13,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "lab/charts
 
 import matplotlib.text  # noqa: E402
 import plot  # noqa: E402
+import uniqueness  # noqa: E402
+import verdicts  # noqa: E402
 
 
 def table(text):
@@ -52,6 +54,26 @@ t,pressure,16,true,m,settles,1
 )
 
 
+UNIQUENESS = table(
+    """\
+kind,valve,seed,scene,bending_n_mm,status,crossing,attempts,steps,compared,rms_mm,leak_difference_mm2
+known,v,5,0,0,converged,false,1,300,true,0.2,-3
+known,v,5,1,0,converged,false,2,500,true,0.01,0
+known,v,5,2,0,converged,true,2,900,false,,
+known,v,5,0,0.03,converged,false,1,300,true,0.01,0.5
+"""
+)
+VERDICTS = table(
+    """\
+valve,held_out,plan,own_trusted,own_leak_mm2,fine_trusted,fine_leak_mm2,reference_trusted,reference_leak_mm2
+a,false,0,true,0.5,true,2,true,1.5
+a,false,1,true,0,true,0,true,0
+b,true,0,true,3,true,0.9,true,0.8
+b,true,1,true,0.2,true,0.4,false,
+"""
+)
+
+
 class Ablation(unittest.TestCase):
     def test_medians_and_largest_are_of_what_compares_and_the_rest_is_counted(self):
         said = texts(plot.draw_ablation(ABLATION))
@@ -79,6 +101,27 @@ class Stability(unittest.TestCase):
         self.assertEqual([said.count(cell) for cell in ("O", "X", "S", "S3")], [1, 1, 1, 1])
         self.assertEqual(said.count("pressure, kPa"), 2, "a panel for each scene and axis")
         self.assertIn("ladder", said)
+
+
+class Uniqueness(unittest.TestCase):
+    def test_scenes_that_do_not_compare_count_among_attempts_alone(self):
+        s = uniqueness.summary(UNIQUENESS[:3])
+        self.assertEqual((s["scenes"], s["compared"], s["elsewhere"], s["second_attempts"]), (3, 2, 1, 2))
+        self.assertEqual((s["leak_max_mm2"], s["median_steps"]), (3, 500))
+        self.assertAlmostEqual(s["leak_p90_mm2"], 2.7)
+
+    def test_there_is_a_point_for_each_rigidity(self):
+        share = uniqueness.draw_uniqueness(UNIQUENESS).axes[0]
+        self.assertEqual(list(share.lines[0].get_ydata()), [50, 0])
+
+
+class Verdicts(unittest.TestCase):
+    def test_what_is_not_trusted_is_not_competent_and_not_drawn(self):
+        self.assertEqual(verdicts.agreement(VERDICTS, "own"), (1, 2, 1))
+        self.assertEqual(verdicts.agreement(VERDICTS, "fine"), (3, 1, 0))
+        figure = verdicts.draw_verdicts(VERDICTS)
+        self.assertEqual(sum(len(points.get_offsets()) for points in figure.axes[0].collections), 3)
+        self.assertIn("b (held out)", texts(figure))
 
 
 class Program(unittest.TestCase):

@@ -52,5 +52,32 @@ class Stability(ProgramTest):
         self.assertEqual(coapt_lab("chart", "stability", "-o", "/proc/nowhere").returncode, FAILURE)
 
 
+class Uniqueness(ProgramTest):
+    def test_there_is_a_line_for_every_scene_and_rigidity_and_a_chart(self):
+        arguments = ("--preset", "human-normal", "--scenes", "1", "--anatomies", "0", "--bending", "0.03", "0.1")
+        result = coapt_lab("chart", "uniqueness", *arguments, "-o", self.folder)
+        self.assertEqual((result.returncode, result.stdout), (OK, ""), result.stderr)
+        with open(self.folder / "uniqueness.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(
+            [(row["kind"], row["bending_n_mm"]) for row in rows],
+            [("known", "0.03"), ("new", "0.03"), ("known", "0.1"), ("new", "0.1")],
+        )
+        self.assertEqual(xml.etree.ElementTree.parse(self.folder / "uniqueness.svg").getroot().tag, SVG)
+
+
+class Verdicts(ProgramTest):
+    def test_every_valve_has_its_plans_and_the_agreement_is_printed(self):
+        arguments = ("--plans", "2", "--nodes", "1", "--reference", "650")
+        result = coapt_lab("chart", "verdicts", *arguments, "-o", self.folder)
+        self.assertEqual(result.returncode, OK, result.stderr)
+        self.assertIn("own mesh, all valves: ", result.stdout)
+        self.assertIn(" of 12 verdicts agree", result.stdout)
+        with open(self.folder / "verdicts.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["held_out"] for row in rows], ["false"] * 6 + ["true"] * 6)
+        self.assertEqual(xml.etree.ElementTree.parse(self.folder / "verdicts.svg").getroot().tag, SVG)
+
+
 if __name__ == "__main__":
     unittest.main()
