@@ -18,9 +18,7 @@ PRESETS = ["human-normal", "human-functional-mr", "human-p2-prolapse", "porcine-
 
 def study(coapt, preset):
     with tempfile.TemporaryDirectory() as folder:
-        run = subprocess.run(
-            [coapt, "study", "model", preset, "-o", folder, "--json"], capture_output=True, text=True
-        )
+        run = subprocess.run([coapt, "study", "model", preset, "-o", folder, "--json"], capture_output=True, text=True)
     if run.returncode != 0:
         sys.exit(run.stderr)
     return json.loads(run.stdout)

@@ -160,7 +160,10 @@ class Model(ProgramTest):
         self.assertEqual(one, study)
 
     def test_a_plan_is_applied_first_and_the_table_says_the_models_error(self):
-        plan = self.write("ring.json", '{"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "own", "sizes_below": 3}]}')
+        plan = self.write(
+            "ring.json",
+            '{"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "own", "sizes_below": 3}]}',
+        )
         bare, _ = self.study("bare", "--draws", "3")
         ringed, _ = self.study("ringed", "--draws", "3", "--plan", plan)
         self.assertLess(ringed["areas"][0]["as_it_is_mm2"], bare["areas"][0]["as_it_is_mm2"])
