@@ -66,7 +66,13 @@ void print_row(std::ostream& out, const ordered_json& plan) {
       << (plan["pareto"].get<bool>() ? "  *\n" : "\n");
 }
 
-/// "second" by the fine mesh, say, if that differs from its rank.
+/// Whether the finer mesh gave it another place.
+bool changed_place(const ordered_json& plan) {
+  const ordered_json& fine = plan["fine"];
+  return !fine.is_null() && !fine["own_mesh_rank"].is_null() &&
+         fine["own_mesh_rank"] != plan["rank"];
+}
+
 void print_fine(std::ostream& out, const ordered_json& plan) {
   const ordered_json& fine = plan["fine"];
   if (fine.is_null()) return;
@@ -76,8 +82,8 @@ void print_fine(std::ostream& out, const ordered_json& plan) {
       " (orifice " + known(fine["orifice_area_mm2"]) + ", gap " + known(fine["gap_area_mm2"]) + ")";
   if (fine["status"] != "converged" || fine["crossing"].get<bool>())
     words += ", " + fine["status"].get<std::string>() + ", " + crossing_words(fine);
-  if (fine["rank"] != plan["rank"])
-    words += "; there it would rank " + std::to_string(fine["rank"].get<int>());
+  if (changed_place(plan))
+    words += "; by its own mesh it would rank " + std::to_string(fine["own_mesh_rank"].get<int>());
   print_words(out, "      ", words);
 }
 
@@ -99,15 +105,13 @@ void print_fine_mesh(std::ostream& out, const ordered_json& result) {
   const ordered_json& plans = result["plans"];
   const bool complete = std::none_of(
       plans.begin(), plans.end(), [](const ordered_json& plan) { return plan["fine"].is_null(); });
-  const bool same = std::all_of(plans.begin(), plans.end(), [](const ordered_json& plan) {
-    return !plan["fine"].is_null() && plan["fine"]["rank"] == plan["rank"];
-  });
+  const bool changed = std::any_of(plans.begin(), plans.end(), changed_place);
   print_words(out, "Finer mesh: ",
               grouped((*mesh)["triangles"]) + " triangles, unrepaired leak " +
                   known((*mesh)["leak_before_mm2"]) + " mm2; " +
-                  (!complete ? "not all plans were closed on it"
-                   : same    ? "it orders these plans alike"
-                             : "it orders these plans otherwise, see there"));
+                  (!complete ? "not all plans were closed on it, so it does not order them"
+                   : changed ? "it changes the order of these plans, see there"
+                             : "it leaves the order of these plans as it is"));
 }
 
 /// What the model's own error makes of the leak as planned.

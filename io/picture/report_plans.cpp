@@ -39,9 +39,10 @@ std::vector<std::string> remarks_on(const RankedPlan& plan) {
   if (plan.fine)
     remarks.push_back("on the finer mesh: leak " +
                       with_error(leak_mm2(*plan.fine), plan.fine_leak_error_mm2, "mm²") +
-                      (plan.fine_rank == plan.rank
+                      (plan.own_mesh_rank == plan.rank || plan.own_mesh_rank == 0
                            ? ""
-                           : "; there it would rank " + std::to_string(plan.fine_rank)));
+                           : "; by its own mesh it would rank " +
+                                 std::to_string(plan.own_mesh_rank)));
   if (plan.model)
     remarks.push_back("under " + counted(plan.model->draws, "draw") + " of the model: leak " +
                       fixed(plan.model->mean_mm2, 1) + " ± " + fixed(plan.model->sd_mm2, 1) +

@@ -84,8 +84,8 @@ JudgedPlan described(const RankedPlan& ranked) {
   }
   judged.own = own_verdict(ranked);
   if (ranked.fine) judged.fine = {trusted(*ranked.fine), leak_mm2(*ranked.fine)};
-  judged.rank = ranked.rank;
-  judged.fine_rank = ranked.fine_rank;
+  judged.rank = ranked.own_mesh_rank > 0 ? ranked.own_mesh_rank : ranked.rank;
+  judged.fine_rank = ranked.own_mesh_rank > 0 ? ranked.rank : 0;
   judged.cost = ranked.cost;
   return judged;
 }

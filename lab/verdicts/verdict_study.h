@@ -36,7 +36,8 @@ struct JudgedPlan {
   std::string ring;  ///< shape; empty: none
   int sutures = 0, neochordae = 0;
   MeshVerdict own, fine, reference;
-  int rank = 0, fine_rank = 0;  ///< see RankedPlan
+  /// By the valve's own mesh alone, and with its finer closure as planned (0 without).
+  int rank = 0, fine_rank = 0;
   int reference_rank = 0;       ///< as `coapt plan` would put them on the reference mesh
   double cost = 0.0, reference_cost = 0.0;
 };

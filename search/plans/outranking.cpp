@@ -19,10 +19,10 @@ constexpr double kScatter_mm2 = 0.05, kFlailScatter_mm2 = 0.19;
 /// One resample of the region's nodes, the same for both plans.
 class Resampling {
  public:
-  Resampling(const PlanEvaluations& evaluations, const PlanRecord& plan, int nodes)
-      : evaluations_(evaluations), plan_(plan) {
+  Resampling(const PlanEvaluations& evaluations, const JudgedRecord& judged, int nodes)
+      : evaluations_(evaluations), judged_(judged) {
     for (int d = 0; d < nodes; ++d)
-      closures_.push_back({plan.closures.at(d), region_share(disturbances()[d])});
+      closures_.push_back({judged.plan->closures.at(d), region_share(disturbances()[d])});
   }
   /// What decides between two plans, less being better: not closing robustly, then the cost.
   std::pair<bool, double> outcome(const std::vector<std::size_t>& nodes, double error_mm2) const {
@@ -39,15 +39,16 @@ class Resampling {
     }
     const double centre = mean - error_mm2;
     const double sd = std::sqrt(std::max(0.0, squares - centre * centre));
-    robust = robust && mean + sd < kCompetentLeak_mm2;
+    robust = robust && judged_.closes_finely && mean + sd < kCompetentLeak_mm2;
     const CostWeights& weights = evaluations_.context().weights;
     const double price = weights.leak + (robust ? 0.0 : weights.incompetence);
-    return {!robust, plan_cost(drawn, plan_.effort, evaluations_.context()) + price * error_mm2};
+    return {!robust, plan_cost(drawn, judged_.plan->effort, evaluations_.context()) +
+                         judged_.fine_cost_change + price * error_mm2};
   }
 
  private:
   const PlanEvaluations& evaluations_;
-  const PlanRecord& plan_;
+  JudgedRecord judged_;
   std::vector<ScoredClosure> closures_;
 };
 
@@ -58,8 +59,8 @@ double normal(std::mt19937_64& engine) {  // Box and Muller (1958)
 
 }  // namespace
 
-double probability_ahead(const PlanEvaluations& evaluations, const PlanRecord& a,
-                         const PlanRecord& b, int nodes) {
+double probability_ahead(const PlanEvaluations& evaluations, const JudgedRecord& a,
+                         const JudgedRecord& b, int nodes) {
   if (nodes < 2) return std::numeric_limits<double>::quiet_NaN();
   const Resampling first(evaluations, a, nodes), second(evaluations, b, nodes);
   const bool flail =

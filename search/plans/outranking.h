@@ -5,11 +5,18 @@
 
 namespace coapt {
 
+/// What a plan is closed as, and what a finer mesh says of it.
+struct JudgedRecord {
+  const PlanRecord* plan = nullptr;
+  bool closes_finely = true;
+  double fine_cost_change = 0.0;
+};
+
 /// That `a` comes before `b`, by robust closing, then by cost: the share of resamples of the
 /// region's nodes (the same for both, bootstrap, Efron 1979), each with an error of the mean leak
 /// as large as that between closures of one plan from different starts. Not the error of the model.
 /// NaN below two nodes. @pre both are closed at `nodes` nodes.
-double probability_ahead(const PlanEvaluations& evaluations, const PlanRecord& a,
-                         const PlanRecord& b, int nodes);
+double probability_ahead(const PlanEvaluations& evaluations, const JudgedRecord& a,
+                         const JudgedRecord& b, int nodes);
 
 }  // namespace coapt

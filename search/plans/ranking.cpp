@@ -88,9 +88,10 @@ struct Standing {
   double cost = 0.0;
 };
 
-/// `leak_mm2` and `cost`: more than on its own mesh and material.
+/// `leak_mm2` and `cost`: more than on its own material.
 Standing standing(const RankedPlan& plan, double leak_mm2, double cost) {
-  return {trusted(plan), fails_often(plan), closes_robustly(plan, leak_mm2), plan.cost + cost};
+  return {trusted(plan), fails_often(plan), closes_robustly(plan, leak_mm2),
+          plan.cost + plan.fine_cost_change + cost};
 }
 
 bool is_better(const Standing& a, const Standing& b) {
@@ -100,23 +101,33 @@ bool is_better(const Standing& a, const Standing& b) {
   return a.cost < b.cost;
 }
 
-/// Says where a plan would stand if its closure as planned counted at its fine cost.
-void place_finely(std::vector<RankedPlan>& plans, const std::vector<double>& cost_changes) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < plans.size(); ++i) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return is_better(standing(plans[a], 0.0, cost_changes[a]),
-                     standing(plans[b], 0.0, cost_changes[b]));
-  });
-  for (std::size_t place = 0; place < order.size(); ++place)
-    if (plans[order[place]].fine) plans[order[place]].fine_rank = static_cast<int>(place) + 1;
+using Ranked = std::pair<RankedPlan, const PlanRecord*>;
+
+/// By their own mesh, then by the finer one if all are closed there; keeps both places.
+void sort_plans(const PlanEvaluations& evaluations, const FineClosures& fine,
+                std::vector<Ranked>& order) {
+  const auto sort = [&] {
+    std::stable_sort(order.begin(), order.end(), [](const Ranked& a, const Ranked& b) {
+      return is_better(standing(a.first, 0.0, 0.0), standing(b.first, 0.0, 0.0));
+    });
+  };
+  sort();
+  if (fine.plans.size() == order.size()) {
+    int place = 0;
+    for (auto& [plan, record] : order) {
+      plan.own_mesh_rank = ++place;
+      plan.fine_cost_change = fine_cost_change(evaluations, *record, fine);
+    }
+    sort();
+  }
+  int place = 0;
+  for (auto& [plan, record] : order) plan.rank = ++place;
 }
 
 /// The share of draws in which the plan is ahead of the next; equals count half. NaN where no draw
 /// has both closed and trusted.
-double share_ahead(const PlanEvaluations& evaluations, const ModelClosures& model,
-                   const std::pair<RankedPlan, const PlanRecord*>& a,
-                   const std::pair<RankedPlan, const PlanRecord*>& b) {
+double share_ahead(const PlanEvaluations& evaluations, const ModelClosures& model, const Ranked& a,
+                   const Ranked& b) {
   double ahead = 0.0;
   int compared = 0;
   for (int draw = 0; draw < std::ssize(model.before); ++draw) {
@@ -129,6 +140,10 @@ double share_ahead(const PlanEvaluations& evaluations, const ModelClosures& mode
     ahead += is_better(there_a, there_b) ? 1.0 : is_better(there_b, there_a) ? 0.0 : 0.5;
   }
   return compared > 0 ? ahead / compared : std::numeric_limits<double>::quiet_NaN();
+}
+
+JudgedRecord judged(const Ranked& ranked) {
+  return {ranked.second, closes_finely(ranked.first), ranked.first.fine_cost_change};
 }
 
 /// What the fine mesh says against a plan whose own mesh does not.
@@ -247,35 +262,28 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
                              int most_nodes, const FineClosures& fine, const ModelClosures& model) {
   const int nodes = std::min(most_nodes, common_nodes(plans));
   if (nodes == 0) return {};
-  std::vector<std::pair<RankedPlan, const PlanRecord*>> order;
+  std::vector<Ranked> order;
   for (const PlanRecord* plan : plans)
     order.emplace_back(ranked(evaluations, *plan, nodes, fine), plan);
-  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
-    return is_better(standing(a.first, 0.0, 0.0), standing(b.first, 0.0, 0.0));
-  });
+  sort_plans(evaluations, fine, order);
   std::vector<const PlanRecord*> records;
   for (const auto& [plan, record] : order) records.push_back(record);
   const std::vector<ParetoPlan> front = pareto_front(evaluations, records, nodes);
   std::vector<RankedPlan> result;
-  std::vector<double> cost_changes;
-  for (const PlanRecord* record : records)
-    cost_changes.push_back(fine_cost_change(evaluations, *record, fine));
   for (std::size_t i = 0; i < order.size(); ++i) {
     RankedPlan& plan = order[i].first;
     if (const auto drawn = model.plans.find(records[i]); drawn != model.plans.end())
       plan.model = model_spread(drawn->second);
     if (i + 1 < order.size())
       plan.share_of_draws_ahead = share_ahead(evaluations, model, order[i], order[i + 1]);
-    plan.rank = static_cast<int>(i) + 1;
     plan.probability_outranks_next =
-        i + 1 < order.size() ? probability_ahead(evaluations, *records[i], *records[i + 1], nodes)
+        i + 1 < order.size() ? probability_ahead(evaluations, judged(order[i]), judged(order[i + 1]), nodes)
                              : std::numeric_limits<double>::quiet_NaN();
     plan.pareto = std::any_of(front.begin(), front.end(), [&](const ParetoPlan& best) {
       return plan_key(best.plan) == plan_key(plan.plan);
     });
   }
   for (auto& [plan, record] : order) result.push_back(std::move(plan));
-  place_finely(result, cost_changes);
   return result;
 }
 

@@ -38,8 +38,9 @@ struct RankedPlan {
   /// As planned, on the refined mesh; none without levels, or if the search was cancelled before.
   std::optional<PlanClosure> fine;
   double fine_leak_error_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< see area_error.h
-  /// Its place by the fine verdict and the cost with the fine closure as planned; 0 without one.
-  int fine_rank = 0;
+  double fine_cost_change = 0.0;  ///< of its cost, by which it is ranked (fine_closures.h)
+  /// Its place by its own mesh alone; 0 where the finer one does not count.
+  int own_mesh_rank = 0;
   /// As planned, under draws of the model; none without draws, or if the search was cancelled before.
   std::optional<ModelSpread> model;
   /// Share of the draws in which it comes before the next plan, too (model_closures.h). NaN for the

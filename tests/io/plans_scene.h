@@ -119,7 +119,8 @@ inline RankedPlan first() {
   plan.warnings.push_back("leaks more than 5 mm2 somewhere in the region of interest");
   plan.fine_levels = 1;
   plan.fine = PlanClosure{ClosureStatus::Converged, false, 0.2, 0.4, 6.1, 0.92, 0.63};
-  plan.fine_rank = 2;
+  plan.fine_cost_change = 1.5;
+  plan.own_mesh_rank = 2;
   plan.model = ModelSpread{8, 1, 0.9, 1.2, 3.5};
   plan.share_of_draws_ahead = 1.0;
   plan.probability_outranks_next = 0.62;

@@ -76,11 +76,11 @@ TEST(FineClosures, ACancelledSearchMakesNoneAndCallsNothingCompetent) {
   const FineClosures fine = close_fine(scene.evaluations, {&plan}, 1);
   EXPECT_TRUE(fine.plans.empty());
   const RankedPlan ranked = rank(scene.evaluations, {&plan}, 9, fine)[0];
-  EXPECT_EQ(ranked.fine_rank, 0);
+  EXPECT_EQ(ranked.own_mesh_rank, 0);
   EXPECT_FALSE(closes_robustly(ranked));
 }
 
-TEST(FineClosures, SayWhereTheOrderOfPlansChanges) {
+TEST(FineClosures, OrderThePlansAndSayWhereTheyStoodBefore) {
   // On its own mesh the ring leaks 2 mm2 and the suture 4; on the finer one 8 and 1.
   const auto evaluate = [](const Valve& valve, const ClosureResult*) -> ClosedPlan {
     const bool ring = valve.annulus_mm.col(0).maxCoeff() < 17.5;
@@ -92,9 +92,11 @@ TEST(FineClosures, SayWhereTheOrderOfPlansChanges) {
   PlanRecord& tied = scene.closed(suture(Side::Posteromedial, 27.0), 9);
   const FineClosures fine = close_fine(scene.evaluations, {&ring, &tied}, 1);
   const std::vector<RankedPlan> plans = rank(scene.evaluations, {&ring, &tied}, 9, fine);
-  EXPECT_EQ(leak_mm2(plans[0].measure), 2.0);
-  EXPECT_EQ(plans[0].fine_rank, 2);
-  EXPECT_EQ(plans[1].fine_rank, 1);
+  EXPECT_EQ(leak_mm2(plans[0].measure), 4.0);
+  EXPECT_EQ(plans[0].own_mesh_rank, 2);
+  EXPECT_EQ(plans[1].own_mesh_rank, 1);
+  EXPECT_EQ(plans[0].rank, 1);
+  EXPECT_GT(plans[0].probability_outranks_next, 0.95) << "the finer mesh decides";
   // 2 more mm2 above 1 cost six each, without steps: 6 x (8 - 2).
   EXPECT_NEAR(fine_cost_change(scene.evaluations, ring, fine), 6.0 * 6.0, 1e-9);
 }
