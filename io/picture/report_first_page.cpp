@@ -150,7 +150,7 @@ std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
   return "<dl>\n" +
          key_figure("Leak as planned", with_error(leak_mm2(after), after.error.leak_mm2, "mm²"),
                     "before " + with_error(leak_mm2(before), before.error.leak_mm2) +
-                        "; errors are numerical" + model_error(plan)) +
+                        " (numerical errors)" + model_error(plan)) +
          key_figure("Leak when the repair varies",
                     varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
                     "± sd; 95 % below " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +
