@@ -91,11 +91,12 @@ void print_model_draws(std::ostream& out, const ordered_json& result) {
   const auto model = result.find("model_draws");
   if (model == result.end() || (*model)["before"].is_null()) return;
   const ordered_json& leak = (*model)["before"]["leak_mm2"];
-  print_words(out, "Model: ",
-              counted((*model)["draws"].get<long>(), "draw") +
-                  " of tissue and chordae, the same for all plans; unrepaired leak " +
-                  known(leak["mean"]) + " ± " + known(leak["sd"]) +
-                  " mm2. A rank that does not hold in them is called a tie");
+  print_words(
+      out, "Model: ",
+      counted((*model)["draws"].get<long>(), "draw") +
+          " of tissue and chordae, the same for all plans; unrepaired leak " + known(leak["mean"]) +
+          " ± " + known(leak["sd"]) + " mm2" +
+          (result["plans"].empty() ? "" : ". A rank that does not hold in them is called a tie"));
 }
 
 /// What the finer mesh was for, and whether it would order the plans otherwise.

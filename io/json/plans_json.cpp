@@ -93,7 +93,8 @@ ordered_json fine_json(const RankedPlan& ranked, const FineMesh& mesh) {
           {"leak_mm2", leak_mm2(*ranked.fine)},
           {"leak_mm2_error", ranked.fine_leak_error_mm2},
           {"cost", ranked.cost + ranked.fine_cost_change},
-          {"own_mesh_rank", ranked.own_mesh_rank > 0 ? ordered_json(ranked.own_mesh_rank) : ordered_json()}};
+          {"own_mesh_rank",
+           ranked.own_mesh_rank > 0 ? ordered_json(ranked.own_mesh_rank) : ordered_json()}};
 }
 
 ordered_json fine_mesh_json(const FineMesh& mesh) {

@@ -12,7 +12,7 @@
 namespace coapt {
 namespace {
 
-constexpr std::int32_t kVersion = 1;
+constexpr std::int32_t kVersion = 2;
 
 // In a page no other text can begin with it: names and words that users give are escaped.
 constexpr std::string_view kPlace = "<picture ";
@@ -96,6 +96,9 @@ std::string closed_bytes(const ClosedValve& closed) {
   const ClosureResult& closure = closed.closure;
   MaterialWriter writer;
   writer.add(std::string_view(to_json(closed.plan).dump()));
+  writer.add(static_cast<std::int32_t>(closure.membrane));
+  writer.add(closure.residual_tolerance);
+  writer.add(closure.way_tolerance_mm);
   writer.add(static_cast<std::int32_t>(closure.status));
   writer.add(closure.residual);
   writer.add(static_cast<std::int32_t>(closure.crossing ? 1 : 0));
@@ -118,6 +121,9 @@ Expected<ClosedValve> closed_of(std::string_view bytes, const Valve& before) {
   const Expected<Valve> valve = is_repaired ? apply_plan(before, *plan) : before;
   if (!valve) return no_material();
   ClosureResult closure;
+  closure.membrane = static_cast<Membrane>(reader.number<std::int32_t>());
+  closure.residual_tolerance = reader.number<double>();
+  closure.way_tolerance_mm = reader.number<double>();
   closure.status = static_cast<ClosureStatus>(reader.number<std::int32_t>());
   closure.residual = reader.number<double>();
   closure.crossing = reader.number<std::int32_t>() != 0;

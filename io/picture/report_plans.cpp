@@ -37,12 +37,12 @@ std::vector<std::string> remarks_on(const RankedPlan& plan) {
     remarks.push_back(std::string("closure: ") + to_string(plan.status));
   if (plan.crossing) remarks.push_back("leaflets pass through each other");
   if (plan.fine)
-    remarks.push_back("on the finer mesh: leak " +
-                      with_error(leak_mm2(*plan.fine), plan.fine_leak_error_mm2, "mm²") +
-                      (plan.own_mesh_rank == plan.rank || plan.own_mesh_rank == 0
-                           ? ""
-                           : "; by its own mesh it would rank " +
-                                 std::to_string(plan.own_mesh_rank)));
+    remarks.push_back(
+        "on the finer mesh: leak " +
+        with_error(leak_mm2(*plan.fine), plan.fine_leak_error_mm2, "mm²") +
+        (plan.own_mesh_rank == plan.rank || plan.own_mesh_rank == 0
+             ? ""
+             : "; by its own mesh it would rank " + std::to_string(plan.own_mesh_rank)));
   if (plan.model)
     remarks.push_back("under " + counted(plan.model->draws, "draw") + " of the model: leak " +
                       fixed(plan.model->mean_mm2, 1) + " ± " + fixed(plan.model->sd_mm2, 1) +

@@ -38,7 +38,7 @@ struct JudgedPlan {
   MeshVerdict own, fine, reference;
   /// By the valve's own mesh alone, and with its finer closure as planned (0 without).
   int rank = 0, fine_rank = 0;
-  int reference_rank = 0;       ///< as `coapt plan` would put them on the reference mesh
+  int reference_rank = 0;  ///< as `coapt plan` would put them on the reference mesh
   double cost = 0.0, reference_cost = 0.0;
 };
 

@@ -277,8 +277,9 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
     if (i + 1 < order.size())
       plan.share_of_draws_ahead = share_ahead(evaluations, model, order[i], order[i + 1]);
     plan.probability_outranks_next =
-        i + 1 < order.size() ? probability_ahead(evaluations, judged(order[i]), judged(order[i + 1]), nodes)
-                             : std::numeric_limits<double>::quiet_NaN();
+        i + 1 < order.size()
+            ? probability_ahead(evaluations, judged(order[i]), judged(order[i + 1]), nodes)
+            : std::numeric_limits<double>::quiet_NaN();
     plan.pareto = std::any_of(front.begin(), front.end(), [&](const ParetoPlan& best) {
       return plan_key(best.plan) == plan_key(plan.plan);
     });

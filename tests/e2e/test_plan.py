@@ -83,7 +83,8 @@ class Plan(ProgramTest):
         self.assertEqual((mesh["levels"], mesh["triangles"], mesh["closures"]), (1, 2592, 1 + len(result["plans"])))
         self.assertGreater(mesh["leak_before_mm2"], 5.0)
         self.assertEqual(
-            sorted(plan["fine"]["own_mesh_rank"] for plan in result["plans"]), [plan["rank"] for plan in result["plans"]]
+            sorted(plan["fine"]["own_mesh_rank"] for plan in result["plans"]),
+            [plan["rank"] for plan in result["plans"]],
         )
         for plan in result["plans"]:
             self.assertEqual(plan["closes_robustly"], is_robust(plan))

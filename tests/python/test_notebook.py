@@ -50,7 +50,9 @@ class Shown(ClientTest):
     def test_a_closure_shows_its_figures_and_where_leaflets_meet(self):
         closure = self.client.close(VALVE)
         self.assertLessEqual({"table", "svg", "rect"}, self.shown(closure))
-        self.assertIn(f"<b>{closure.measure.leak_mm2:.1f} mm²</b>", closure._repr_html_())
+        self.assertIn(
+            f"<b>{closure.measure.leak_mm2:.0f} ± {closure.measure.leak_mm2_error:.0f} mm²</b>", closure._repr_html_()
+        )
 
     def test_a_valves_name_is_text_and_no_html(self):
         valve = self.client.get_valve(VALVE) | {"name": "<script>alert(1)</script>"}
