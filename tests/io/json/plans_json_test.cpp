@@ -104,9 +104,10 @@ TEST(PlansJson, APlanStatesItsClosureOnTheFinerMesh) {
   const ordered_json& plans = scene()["plans"];
   EXPECT_EQ(plans[0]["closes_robustly"], true);
   EXPECT_EQ(plans[1]["closes_robustly"], false);
-  EXPECT_EQ(plans[0]["fine"].dump(),
-            R"({"triangles":2592,"status":"converged","crossing":false,"orifice_area_mm2":0.2,)"
-            R"("gap_area_mm2":0.4,"leak_mm2":0.4,"leak_mm2_error":null,"rank":2})");
+  EXPECT_EQ(
+      plans[0]["fine"].dump(),
+      R"({"triangles":2592,"status":"converged","crossing":false,"orifice_area_mm2":0.2,)"
+      R"("gap_area_mm2":0.4,"leak_mm2":0.4,"leak_mm2_error":null,"cost":7.92,"own_mesh_rank":2})");
   EXPECT_TRUE(plans[1]["fine"].is_null());
   SearchResult result = search_result();
   result.fine_mesh = {};
