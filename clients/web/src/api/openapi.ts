@@ -1201,8 +1201,10 @@ export interface components {
             leak_mm2: number | null;
             /** @description Numerical error of this leak; null: the closure is not converged uncrossed. */
             leak_mm2_error: number | null;
-            /** @description Place of the plan if its cost counted this closure as planned; another than its rank: the order changed. */
-            rank: number;
+            /** @description Cost of the plan with this closure as planned in place of its own: what plans are ranked by. */
+            cost: number;
+            /** @description Place of the plan by the valve's own mesh alone; another than its rank: the finer mesh changed the order. Null: not all plans were closed on the refined mesh, which then does not order them. */
+            own_mesh_rank: number | null;
         };
         /** @description A leak when tissue and chordae vary within what their sources allow. */
         UnderDraws: {
