@@ -29,6 +29,11 @@ void make_isotropic(Tissue& tissue) {
   average(tissue.circumferential_post_kpa, tissue.radial_post_kpa);
 }
 
+void pull_at_points(Valve& valve) {
+  for (Chorda& chorda : valve.chordae)
+    for (ChordaSegment& segment : chorda.segments) segment.zone_mm = 0.0;
+}
+
 void cut(Valve& valve, ChordaKind kind) {
   for (Chorda& chorda : valve.chordae)
     if (chorda.kind == kind) chorda.ruptured = true;
@@ -138,8 +143,10 @@ const std::vector<Ablation>& ablations() {
               m.valve.tissue.circumferential_pre_kpa *= kSlackShare;
               m.valve.tissue.radial_pre_kpa *= kSlackShare;
             }),
-      tweak("membrane and mesh", "continuum",
-            [](AblatedModel& m) { m.closure.membrane = Membrane::Continuum; }),
+      tweak("membrane and mesh", "springs",
+            [](AblatedModel& m) { m.closure.membrane = Membrane::Springs; }),
+      tweak("membrane and mesh", "no bending",
+            [](AblatedModel& m) { m.valve.tissue.bending_n_mm = 0.0; }),
       resolution(300),
       resolution(1300),
       resolution(2600),
@@ -154,6 +161,7 @@ const std::vector<Ablation>& ablations() {
             }),
       tweak("chordae", "straight instead of branched",
             [](AblatedModel& m) { m.valve = with_straight_chordae(m.valve); }),
+      tweak("chordae", "pull at points", [](AblatedModel& m) { pull_at_points(m.valve); }),
       tweak("chordae", "ten times as stiff",
             [](AblatedModel& m) { m.valve.tissue.chordae_kpa *= 10.0; }),
       tweak("contact", "none of anterior with itself",
