@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "clients/cli/closure_options.h"
 #include "clients/cli/progress_bar.h"
@@ -78,6 +79,15 @@ void add_gap(Command chart, int& status) {
   command.on_run([directory, &status] { status = run_gap(*directory); });
 }
 
+/// --preset and --anatomies.
+void add_valves(Command command, std::vector<std::string>& presets, int& anatomies) {
+  command.add_option("--preset", presets, "Only these presets").show_default();
+  command
+      .add_option("--anatomies", anatomies, "Random anatomies besides, one varied scene of each")
+      .check(number_from(0, 10000))
+      .show_default();
+}
+
 void add_mesh(Command chart, int& status) {
   const auto options = std::make_shared<MeshStudyOptions>();
   Command command = chart.add_command("mesh", "Close varied scenes on meshes of growing fineness");
@@ -85,12 +95,7 @@ void add_mesh(Command chart, int& status) {
   command.add_option("--scenes", options->scenes, "Varied scenes of each preset")
       .check(number_from(1, 10000))
       .show_default();
-  command.add_option("--preset", options->presets, "Only these presets").show_default();
-  command
-      .add_option("--anatomies", options->anatomies,
-                  "Random anatomies besides, one varied scene of each")
-      .check(number_from(0, 10000))
-      .show_default();
+  add_valves(command, options->presets, options->anatomies);
   command
       .add_option("--reference", options->reference_triangles,
                   "Triangles of the mesh that the others are compared with; half as many take a "
@@ -125,12 +130,7 @@ void add_uniqueness(Command chart, int& status) {
                   "Varied scenes of each preset at the seed, and as many at the next")
       .check(number_from(1, 10000))
       .show_default();
-  command.add_option("--preset", options->presets, "Only these presets").show_default();
-  command
-      .add_option("--anatomies", options->anatomies,
-                  "Random anatomies besides, one varied scene of each")
-      .check(number_from(0, 10000))
-      .show_default();
+  add_valves(command, options->presets, options->anatomies);
   command.add_option("--bending", options->bending_n_mm, "Flexural rigidities, N mm")
       .check(number_from(0.0, 10.0))
       .show_default();

@@ -11,6 +11,8 @@ import pathlib
 import subprocess
 import sys
 
+from table_file import write_table
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PRESETS = [f"porcine-{i}" for i in range(1, 6)] + ["human-normal", "human-functional-mr", "human-p2-prolapse"]
 FILES = ["bodyparts3d", "bodyparts3d-1400", "bodyparts3d-2600", "bodyparts3d-leaking"]
@@ -48,10 +50,7 @@ def main():
     valves = [(name, name) for name in PRESETS]
     valves += [(name, str(ROOT / f"examples/valves/{name}.json")) for name in FILES]
     rows = [row(name, method, close(coapt, valve, method)) for name, valve in valves for method in METHODS]
-    with open(output, "w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    write_table(output, rows)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,8 @@ import subprocess
 import sys
 import tempfile
 
+from table_file import write_table
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PRESET = "human-functional-mr"
 TRIANGLES = [650, 1300, 2600, 5200, 10400]
@@ -40,10 +42,7 @@ def main():
     coapt = sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/bin/coapt"
     output = sys.argv[2] if len(sys.argv) > 2 else ROOT / "docs/figures/membranes.csv"
     rows = [close(coapt, triangles, membrane) for membrane in MEMBRANES for triangles in TRIANGLES]
-    with open(output, "w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    write_table(output, rows)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 
+from table_file import write_table
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PRESETS = ["human-normal", "human-functional-mr", "human-p2-prolapse", "porcine-1", "porcine-4"]
 
@@ -47,10 +49,7 @@ def main():
     coapt = sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/bin/coapt"
     output = sys.argv[2] if len(sys.argv) > 2 else ROOT / "docs/figures/model.csv"
     rows = [row for preset in PRESETS for row in rows_of(study(coapt, preset))]
-    with open(output, "w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    write_table(output, rows)
 
 
 if __name__ == "__main__":

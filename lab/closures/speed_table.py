@@ -9,6 +9,8 @@ import pathlib
 import subprocess
 import sys
 
+from table_file import write_table
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PRESETS = ["human-normal", "human-functional-mr", "human-p2-prolapse"] + [f"porcine-{i}" for i in range(1, 6)]
 COUNT = 250
@@ -61,10 +63,7 @@ def main():
     output = sys.argv[2] if len(sys.argv) > 2 else ROOT / "docs/figures/speed.csv"
     rows = [bench(program, preset, *start) for preset in PRESETS for start in ((), ("--warm",))]
     rows.append(bench(program, "human-normal", "--method", "thesis"))
-    with open(output, "w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    write_table(output, rows)
 
 
 if __name__ == "__main__":

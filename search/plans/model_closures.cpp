@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 
+#include "core/metrics/mean_and_sd.h"
 #include "core/repair/apply_plan.h"
 #include "search/model_draw.h"
 #include "search/parallel.h"
@@ -71,12 +72,9 @@ ModelSpread model_spread(const std::vector<PlanClosure>& by_draw) {
     if (trusted(closure)) leaks.push_back(leak_mm2(closure));
   spread.failures = spread.draws - static_cast<int>(leaks.size());
   if (leaks.empty()) return spread;
-  const auto count = static_cast<double>(leaks.size());
-  double sum = 0.0, squares = 0.0;
-  for (const double leak : leaks) sum += leak;
-  spread.mean_mm2 = sum / count;
-  for (const double leak : leaks) squares += std::pow(leak - spread.mean_mm2, 2);
-  if (leaks.size() > 1) spread.sd_mm2 = std::sqrt(squares / (count - 1.0));
+  const auto [mean, sd] = mean_and_sd(leaks);
+  spread.mean_mm2 = mean;
+  spread.sd_mm2 = sd;
   spread.worst_mm2 = *std::max_element(leaks.begin(), leaks.end());
   return spread;
 }

@@ -1,12 +1,12 @@
 #include "search/studies/model_study.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <mutex>
 #include <optional>
 #include <utility>
 
+#include "core/metrics/mean_and_sd.h"
 #include "core/metrics/quantile.h"
 #include "search/model_draw.h"
 #include "search/parallel.h"
@@ -27,12 +27,9 @@ ModelUncertainty uncertainty(std::string name, double as_it_is_mm2,
     areas.push_back(draw.*area);
   }
   if (areas.empty()) return found;
-  const auto count = static_cast<double>(areas.size());
-  double sum = 0.0, squares = 0.0;
-  for (const double value : areas) sum += value;
-  found.mean_mm2 = sum / count;
-  for (const double value : areas) squares += std::pow(value - found.mean_mm2, 2);
-  if (areas.size() > 1) found.sd_mm2 = std::sqrt(squares / (count - 1.0));
+  const auto [mean, sd] = mean_and_sd(areas);
+  found.mean_mm2 = mean;
+  found.sd_mm2 = sd;
   found.decided_by = sobol_indices(shares, areas);
   found.p5_mm2 = quantile(areas, 0.05);
   found.p95_mm2 = quantile(areas, 0.95);
