@@ -53,11 +53,13 @@ Clusters<R> make_clusters(const Points& rest_mm, const std::vector<FeatureNodes>
   result.clusters.resize(blocks_for(features.size()));
   result.boxes.resize(blocks_for(result.clusters.size()));
   result.index.assign(result.clusters.size() * kLanes, -1);
+  result.each.resize(result.index.size());
   for (Index at = 0; at < std::ssize(result.index); ++at) {
     kernels::Cluster<R>& cluster = result.clusters[at / kLanes];
     const int feature = order[std::min(at, std::ssize(order) - 1)];
     for (std::size_t k = 0; k < 3; ++k)
-      cluster.node[k].at[at % kLanes] = node_of[features[feature][k]];
+      cluster.node[k].at[at % kLanes] = result.each[at].node[k] =
+          kernels::offset_of<R>(node_of[features[feature][k]]);
     if (at >= std::ssize(order)) continue;
     ++cluster.count;
     result.index[at] = order[at];

@@ -16,10 +16,11 @@ template <class R>
 struct Clusters {
   std::vector<kernels::Cluster<R>> clusters;
   std::vector<kernels::ClusterBoxes<R>> boxes;
-  std::vector<int> index;  ///< [16 x cluster + lane]: of the feature, -1 for padding
+  std::vector<kernels::Feature<R>> each;  ///< [16 x cluster + lane]: their areas are the caller's
+  std::vector<int> index;                 ///< [16 x cluster + lane]: of the feature, -1 for padding
 
   kernels::Features<R> features() {
-    return {clusters.data(), boxes.data(), static_cast<int>(clusters.size())};
+    return {clusters.data(), boxes.data(), each.data(), static_cast<int>(clusters.size())};
   }
 };
 

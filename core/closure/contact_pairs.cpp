@@ -4,6 +4,7 @@
 
 namespace coapt {
 
+using kernels::blocks_for;
 using kernels::kLanes;
 
 namespace {
@@ -51,7 +52,7 @@ ContactPairs<R>::ContactPairs(const ClosureModel& model, const std::vector<int>&
     if (first_.index[at] < 0) continue;
     const FeatureNodes& n = first[first_.index[at]];
     const auto area = [&](int node) { return model.area_mm2[node]; };
-    first_.clusters[at / kLanes].area_mm2.at[at % kLanes] = static_cast<R>(
+    first_.each[at].area_mm2 = static_cast<R>(
         kind == PairKind::VertexFace ? area(n[0]) : 0.25 * (area(n[0]) + area(n[1])));
   }
   near_clusters_.resize(this->second().clusters.size());
@@ -111,19 +112,44 @@ kernels::PairSearch<R> ContactPairs<R>::search(const std::vector<kernels::Quad<R
   search.stiffness_n_per_mm4 = static_cast<R>(law_.stiffness_n_per_mm4);
   search.listed = listed.data();
   search.near_clusters = near_clusters_.data();
-  kernels_.box(search.first, false, listed.data());
-  if (kind_ == PairKind::VertexFace) kernels_.box(search.second, true, listed.data());
+  const bool planes = kind_ == PairKind::VertexFace;
+  kernels_.box(search.first, false, search.thickness_mm, listed.data());
+  if (planes) kernels_.box(search.second, true, search.thickness_mm, listed.data());
   return search;
 }
 
 template <class R>
+void ContactPairs<R>::make_room(int pairs) {
+  const std::size_t room = kLanes * blocks_for(pairs + pairs / 4);
+  buffered_.resize((2 + kernels::kPairBins) * room);
+  buffered_mm_.resize(2 * room);
+}
+
+template <class R>
+kernels::PairBuffer<R> ContactPairs<R>::buffer() {
+  const std::size_t room = buffered_mm_.size() / 2;
+  kernels::PairBuffer<R> buffer;
+  buffer.first = buffered_.data(), buffer.second = buffer.first + room;
+  buffer.thickness_mm = buffered_mm_.data(), buffer.margin_mm = buffer.thickness_mm + room;
+  for (std::size_t b = 0; b < kernels::kPairBins; ++b)
+    buffer.binned[b] = buffered_.data() + (2 + b) * room;
+  buffer.room = static_cast<int>(room);
+  return buffer;
+}
+
+template <class R>
 void ContactPairs<R>::list(const std::vector<kernels::Quad<R>>& listed) {
-  const kernels::PairSearch<R> near = search(listed);
+  kernels::PairSearch<R> near = search(listed);
   for (;;) {
     const auto room = static_cast<int>(blocks_.size());
+    near.buffer = buffer();
     block_count_ = kernels_.list_pairs(near, blocks_.data(), room);
-    if (block_count_ <= room) return;
-    blocks_.resize(block_count_ + block_count_ / 4);
+    if (block_count_ < 0)
+      make_room(-block_count_);
+    else if (block_count_ <= room)
+      return;
+    else
+      blocks_.resize(block_count_ + block_count_ / 4);
   }
 }
 
@@ -142,7 +168,7 @@ std::vector<std::pair<int, int>> ContactPairs<R>::straddling(
   faces.listed = x.data();
   faces.thickness_mm = static_cast<R>(kRounding_mm);
   faces.near_clusters = near_clusters_.data();
-  kernels_.box(faces.second, true, x.data());
+  kernels_.box(faces.second, true, faces.thickness_mm, x.data());
   auto pairs = all_pairs(
       [&](int* f, int* g, int room) { return kernels_.straddling_faces(faces, f, g, room); });
   for (auto& [f, g] : pairs) {

@@ -32,8 +32,8 @@ class ContactPairs {
   void push(const std::vector<kernels::Quad<R>>& x, double used,
             std::vector<kernels::Quad<R>>& force);
 
-  /// Ordered pairs (f, g) of faces of which f may pierce g (crossing.h); every pair that does is
-  /// among them. @pre The kind is VertexFace.
+  /// Pairs (f, g) of faces of which one may pierce the other (crossing.h); every pair that does is
+  /// among them, once. @pre The kind is VertexFace.
   std::vector<std::pair<int, int>> straddling(const std::vector<kernels::Quad<R>>& x);
 
  private:
@@ -42,6 +42,8 @@ class ContactPairs {
                          const std::vector<FeatureNodes>& second);
   Clusters<R>& second() { return kind_ == PairKind::VertexFace ? second_ : first_; }
   kernels::PairSearch<R> search(const std::vector<kernels::Quad<R>>& listed);
+  void make_room(int pairs);
+  kernels::PairBuffer<R> buffer();
 
   ContactLaw law_;
   PairKind kind_;
@@ -50,6 +52,8 @@ class ContactPairs {
   std::vector<int> near_begin_;
   std::vector<kernels::NearAtRest<R>> near_;
   std::vector<int> near_clusters_;
+  std::vector<int> buffered_;  // of kernels::PairBuffer
+  std::vector<R> buffered_mm_;
   std::vector<kernels::PairBlock<R>> blocks_;
   int block_count_ = 0;
 };

@@ -18,6 +18,12 @@ double quarter(const HingeTurn& now) { return 0.25 * now.t; }
 
 }  // namespace
 
+double least_mm4(const Points& rest_mm, const Faces& faces, Index face) {
+  const Vec3 a = corner(rest_mm, faces(face, 0));
+  const Vec3 ab = corner(rest_mm, faces(face, 1)) - a, ac = corner(rest_mm, faces(face, 2)) - a;
+  return std::pow(kLeastArea * ab.cross(ac).norm(), 2);
+}
+
 std::vector<Hinge> make_hinges(const Valve& valve) {
   std::vector<Hinge> hinges;
   if (valve.tissue.bending_n_mm == 0.0) return hinges;
@@ -33,10 +39,12 @@ std::vector<Hinge> make_hinges(const Valve& valve) {
     hinge.node = {edge.first, edge.second, third, other->second};
     const Vec3 x0 = corner(valve.rest_mm, hinge.node[0]);
     const Vec3 e = corner(valve.rest_mm, hinge.node[1]) - x0;
-    const double areas = 0.5 * (e.cross(corner(valve.rest_mm, hinge.node[2]) - x0).norm() +
-                                e.cross(corner(valve.rest_mm, hinge.node[3]) - x0).norm());
+    const std::array<double, 2> twice_area = {
+        e.cross(corner(valve.rest_mm, hinge.node[2]) - x0).norm(),
+        e.cross(corner(valve.rest_mm, hinge.node[3]) - x0).norm()};
+    const double areas = 0.5 * (twice_area[0] + twice_area[1]);
     hinge.stiffness_n_mm = valve.tissue.bending_n_mm * e.squaredNorm() / areas;
-    hinge.least_mm4 = kLeastArea * kLeastArea * areas * areas;
+    for (std::size_t k = 0; k < 2; ++k) hinge.least_mm4[k] = std::pow(kLeastArea * twice_area[k], 2);
     hinge.rest = turn(hinge, valve.rest_mm).t;
     hinges.push_back(hinge);
   }
@@ -49,8 +57,8 @@ HingeTurn turn(const Hinge& hinge, const Points& x) {
              to3 = corner(x, hinge.node[3]) - x0;
   const Vec3 n1 = e.cross(to2), n2 = to3.cross(e);
   const double e2 = e.squaredNorm(), length = std::sqrt(e2);
-  const double q1 = std::max(n1.squaredNorm(), hinge.least_mm4);
-  const double q2 = std::max(n2.squaredNorm(), hinge.least_mm4);
+  const double q1 = std::max(n1.squaredNorm(), hinge.least_mm4[0]);
+  const double q2 = std::max(n2.squaredNorm(), hinge.least_mm4[1]);
   const double per_areas = 1.0 / std::sqrt(q1 * q2);
   const double cosine = std::clamp(n1.dot(n2) * per_areas, -1.0, 1.0);
   const double sine = n1.cross(n2).dot(e) * per_areas / length;

@@ -25,8 +25,11 @@ struct Hinge {
   std::array<int, 4> node = {0, 0, 0, 0};  ///< of the edge two, then what it joins: see gradients()
   double stiffness_n_mm = 0.0;             ///< k
   double rest = 0.0;                       ///< t(a0)
-  double least_mm4 = 0.0;                  ///< of a face's squared cross product
+  std::array<double, 2> least_mm4 = {0.0, 0.0};  ///< least_mm4() of both faces
 };
+
+/// Least squared cross product of two sides of a face that counts, from its rest shape.
+double least_mm4(const Points& rest_mm, const Faces& faces, Index face);
 
 /// Of all inner edges, in ascending order of their vertices; none if D is 0.
 std::vector<Hinge> make_hinges(const Valve& valve);

@@ -66,19 +66,24 @@ std::vector<NodeShare> insertion_zone(const Valve& valve, const Insertion& inser
           static_cast<int>(std::ceil(kPartsPerRadius * longest_edge_mm({a, b, c}) / radius_mm)), 1,
           kMostParts);
       const double area = (b - a).cross(c - a).norm();
+      const Vec3 from = a - centre;
       // Small faces in rows; every second one of a row is upside down.
+      std::array<double, 3> shares = {0.0, 0.0, 0.0};
       for (int i = 0; i < parts; ++i)
         for (int j = 0; j < 2 * (parts - i) - 1; ++j) {
           const double third = (j % 2 == 0 ? 1.0 : 2.0) / 3.0;
           const double u = (i + third) / parts, v = (j / 2 + third) / parts;
-          const double away = ((1.0 - u - v) * a + u * b + v * c - centre).norm();
+          const double away = (from + u * (b - a) + v * (c - a)).norm();
           const double cone = area / (parts * parts) * (1.0 - away / radius_mm);
           if (cone <= 0.0) continue;
-          weights[valve.faces(f, 0)] += cone * (1.0 - u - v);
-          weights[valve.faces(f, 1)] += cone * u;
-          weights[valve.faces(f, 2)] += cone * v;
-          sum += cone;
+          shares[0] += cone * (1.0 - u - v);
+          shares[1] += cone * u;
+          shares[2] += cone * v;
         }
+      for (int k = 0; k < 3; ++k) {
+        weights[valve.faces(f, k)] += shares[k];
+        sum += shares[k];
+      }
     }
   if (sum <= 0.0)
     for (int k = 0; k < 3; ++k) {

@@ -42,6 +42,8 @@ MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings&
       x_(laid_.nodes),
       next_(x_.size()),
       force_(x_.size()),
+      corners_(3 * kLanes * laid_.faces.size() + 1),
+      hinge_pulls_(laid_.hinges.size() + 1),
       faces_(model, laid_.node_of, settings.contact, PairKind::VertexFace, kernels_),
       longest_move_mm_(settings.longest_move_mm) {
   if (settings.contact.self != SelfContact::All)
@@ -63,14 +65,13 @@ void MovingValve<R>::place_fixed(double travelled) {
 }
 
 template <class R>
-kernels::StepSums MovingValve<R>::step(double fixed_move_mm) {
+void MovingValve<R>::step(double fixed_move_mm) {
   fixed_move_mm_ = fixed_move_mm;
   fixed_share_ += fixed_move_mm / fixed_margin_mm_;
   used_share_ += fixed_move_mm / fixed_margin_mm_;  // they have moved already
   if (std::max(listed_share_, fixed_share_) >= 1.0) list();
   pull_chordae();
-  pull_sheets();
-  turn_hinges();
+  pull_faces();
   if (parted_.empty()) faces_.push(x_, used_share_, force_);
   for (ContactPairs<R>& pairs : parted_) pairs.push(x_, used_share_, force_);
   if (edges_) edges_->push(x_, used_share_, force_);
@@ -80,7 +81,9 @@ kernels::StepSums MovingValve<R>::step(double fixed_move_mm) {
   input.force = force_.data();
   input.listed = listed_.data();
   input.blocks = laid_.blocks.data();
-  input.slots = laid_.slots.data();
+  input.corners = corners_.data();
+  input.corner_slots = laid_.corner_slots.data();
+  input.spring_slots = laid_.spring_slots.data();
   input.block_count = static_cast<int>(laid_.blocks.size());
   input.keep = static_cast<R>(share_kept(model_, settings_.damping));
   input.longest_move_mm = static_cast<R>(settings_.longest_move_mm);
@@ -90,8 +93,8 @@ kernels::StepSums MovingValve<R>::step(double fixed_move_mm) {
   longest_move_mm_ = std::sqrt(sums.longest_move2_mm2);
   listed_share_ = std::sqrt(sums.listed_share2);
   used_share_ += std::sqrt(sums.step_share2);
+  force2_n2_ = sums.force2_n2;
   x_.swap(next_);
-  return sums;
 }
 
 template <class R>
@@ -130,9 +133,14 @@ Points MovingValve<R>::positions() const {
 }
 
 template <class R>
-double MovingValve<R>::residual(const kernels::StepSums& sums) const {
-  const double force = std::sqrt(sums.force2_n2 / std::max(1, laid_.moving_nodes));
-  const double load = std::sqrt(sums.pressure2_n2 / std::max(1, laid_.moving_vertices));
+double MovingValve<R>::residual() const {
+  Points pressure = Points::Zero(model_.rest_mm.rows(), 3);
+  add_pressure_forces(model_, positions(), pressure);
+  double pressure2 = 0.0;
+  for (int v = 0; v < model_.vertices; ++v)
+    if (!model_.fixed[v]) pressure2 += pressure.row(v).squaredNorm();
+  const double force = std::sqrt(force2_n2_ / std::max(1, laid_.moving_nodes));
+  const double load = std::sqrt(pressure2 / std::max(1, laid_.moving_vertices));
   return load > 0.0 ? force / load : force;
 }
 
@@ -141,7 +149,8 @@ std::vector<std::pair<int, int>> MovingValve<R>::crossings() {
   const Points x = positions();
   std::vector<std::pair<int, int>> pairs;
   for (const auto& [f, g] : faces_.straddling(x_))
-    if (edge_pierces(model_.faces, x, f, g)) pairs.push_back(std::minmax(f, g));
+    if (edge_pierces(model_.faces, x, f, g) || edge_pierces(model_.faces, x, g, f))
+      pairs.push_back(std::minmax(f, g));
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
@@ -174,32 +183,25 @@ void MovingValve<R>::pull_chordae() {
 }
 
 template <class R>
-void MovingValve<R>::turn_hinges() {
-  kernels::HingeInput<R> input;
-  input.blocks = laid_.hinges.data();
-  input.block_count = static_cast<int>(laid_.hinges.size());
-  input.x = x_.data();
-  input.force = force_.data();
-  kernels_.turn_hinges(input);
-}
-
-template <class R>
-void MovingValve<R>::pull_sheets() {
-  kernels::SheetInput<R> input;
-  input.blocks = laid_.sheets.data();
-  input.block_count = static_cast<int>(laid_.sheets.size());
-  input.law = laid_.sheet_law;
-  input.lookahead_mm = static_cast<R>(longest_move_mm_);
-  input.x = x_.data();
-  input.force = force_.data();
-  kernels_.pull_sheets(input);
-  kernels::ExponentialInput<R> exponential;
-  exponential.blocks = laid_.exponential_sheets.data();
-  exponential.block_count = static_cast<int>(laid_.exponential_sheets.size());
-  exponential.least_area_stretch2 = static_cast<R>(kLeastAreaStretch2);
-  exponential.x = x_.data();
-  exponential.force = force_.data();
-  kernels_.pull_exponential(exponential);
+void MovingValve<R>::pull_faces() {
+  kernels::HingeInput<R> hinges;
+  hinges.blocks = laid_.hinges.data();
+  hinges.block_count = static_cast<int>(laid_.hinges.size());
+  hinges.x = x_.data();
+  hinges.pulls = hinge_pulls_.data();
+  kernels_.turn_hinges(hinges);
+  kernels::FaceInput<R> faces;
+  faces.blocks = laid_.faces.data();
+  faces.block_count = static_cast<int>(laid_.faces.size());
+  faces.law = laid_.face_law;
+  faces.continuum = laid_.continuum;
+  faces.lookahead_mm = static_cast<R>(longest_move_mm_);
+  faces.exponential = laid_.exponential.data();
+  faces.least_area_stretch2 = static_cast<R>(kLeastAreaStretch2);
+  faces.hinges = hinge_pulls_.data();
+  faces.x = x_.data();
+  faces.corners = corners_.data();
+  kernels_.pull_faces(faces);
 }
 
 template <class R>

@@ -29,7 +29,7 @@ class MovingValve {
   void place_fixed(double travelled);
 
   /// `fixed_move_mm`: how far fixed nodes have moved since the last step.
-  kernels::StepSums step(double fixed_move_mm);
+  void step(double fixed_move_mm);
 
   /// Lists the pairs that are near; each block of nodes has a margin that goes with its speed.
   void list();
@@ -37,7 +37,8 @@ class MovingValve {
   /// |N| x 3, mm; fixed nodes to the last bit where the model has them.
   Points positions() const;
 
-  double residual(const kernels::StepSums& sums) const;
+  /// Rms free force of the last step over rms pressure force.
+  double residual() const;
 
   /// Faces that pass through each other.
   std::vector<std::pair<int, int>> crossings();
@@ -50,8 +51,7 @@ class MovingValve {
 
  private:
   void pull_chordae();
-  void pull_sheets();
-  void turn_hinges();
+  void pull_faces();
   void place(Index i, const Vec3& p);
 
   const ClosureModel& model_;
@@ -60,6 +60,8 @@ class MovingValve {
   const Points start_mm_;
   RelaxationModel<R> laid_;
   std::vector<kernels::Quad<R>> x_, next_, force_;
+  std::vector<kernels::Quad<R>> corners_;           // of faces, and one at rest
+  std::vector<kernels::HingePulls<R>> hinge_pulls_;  // likewise
   std::vector<kernels::Quad<R>> listed_;  // where nodes were when pairs were listed, and margins
   ContactPairs<R> faces_;                 // with vertices
   std::vector<ContactPairs<R>> parted_;   // the same, where some leaflets do not touch themselves
@@ -71,6 +73,7 @@ class MovingValve {
   double listed_share_ = 1.0, used_share_ = 0.0, fixed_share_ = 1.0;
   double fixed_margin_mm_ = 1.0, fixed_move_mm_ = 0.0;
   double longest_move_mm_ = 0.0;  // in the last step
+  double force2_n2_ = 0.0;        // on moving nodes, likewise
 };
 
 }  // namespace coapt

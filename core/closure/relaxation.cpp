@@ -134,7 +134,7 @@ void take_step(Relaxation<R>& r, bool fresh_list) {
   const bool travelling = r.now.step <= r.travel_steps;
   if (travelling) r.valve.place_fixed(static_cast<double>(r.now.step) / r.travel_steps);
   if (fresh_list) r.valve.list();
-  r.run.residual = r.valve.residual(r.valve.step(travelling ? r.fixed_move_mm : 0.0));
+  r.valve.step(travelling ? r.fixed_move_mm : 0.0);
 }
 
 /// Back to the last moment that was not returned to too often, with guards on the faces that cross;
@@ -225,9 +225,12 @@ ClosureRun relax(const ClosureModel& model, const RelaxationSettings& settings,
          !r.gave_up) {
     const bool was_settled = std::exchange(r.settled, false);
     take_step(r, was_settled);
+    const bool window_ends = r.now.step % kWindow_steps == 0;
+    if (was_settled || window_ends || r.run.steps == settings.max_steps)
+      r.run.residual = r.valve.residual();
     if (was_settled && r.run.residual <= settings.residual_tolerance) {
       if (is_uncrossed(r)) r.run.status = ClosureStatus::Converged;
-    } else if (r.now.step % kWindow_steps == 0) {
+    } else if (window_ends) {
       end_window(r);
     }
   }

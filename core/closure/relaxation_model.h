@@ -1,5 +1,6 @@
-// The closure model laid out for the kernels: moving nodes in blocks of sixteen that lie together
-// on the leaflets, springs as fans around their nodes, sheets, cables.
+// The closure model laid out for the kernels: moving nodes, faces, hinges and cables in blocks of
+// sixteen that lie together on the leaflets; each node knows the corners of the faces around it and
+// its springs.
 #pragma once
 
 #include <vector>
@@ -16,13 +17,15 @@ struct RelaxationModel {
   std::vector<int> fixed;  ///< indices in ClosureModel of the nodes that do not move by themselves
   int moving_nodes = 0, moving_vertices = 0;
   std::vector<kernels::NodeBlock<R>> blocks;
-  std::vector<kernels::FanSlot<R>> slots;
+  std::vector<kernels::IndexLane> corner_slots;
+  std::vector<kernels::SpringSlot<R>> spring_slots;
   std::vector<kernels::CableBlock<R>> cables;
   std::vector<kernels::EndShare<R>> cable_ends;
-  std::vector<kernels::SheetBlock<R>> sheets;
-  kernels::SheetModuli<R> sheet_law;
+  std::vector<kernels::FaceBlock<R>> faces;
+  kernels::FaceLaw face_law = kernels::FaceLaw::None;
+  kernels::SheetModuli<R> continuum;
+  std::vector<kernels::ExponentialLane<R>> exponential;  ///< [block of faces], or none
   std::vector<kernels::HingeBlock<R>> hinges;
-  std::vector<kernels::ExponentialBlock<R>> exponential_sheets;
 };
 
 /// R is float or double.

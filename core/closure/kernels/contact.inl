@@ -26,6 +26,23 @@ COAPT_INLINE Push<R> push(PairBlock<R>& pairs, R used, const Vec3x<R>& d) {
   return {active, per_mm * d, largest(all(R(2)) * law * gap, per_mm)};
 }
 
+template <class R>
+struct FourQuads {
+  Vec3x<R> point[4];
+};
+/// The nodes of sixteen pairs and, where asked for, the largest fourth of each pair.
+template <class R>
+COAPT_INLINE FourQuads<R> four_quads(const IndexLane* node, const Quad<R>* x,
+                                     Vec<R>* largest_fourth) {
+  FourQuads<R> found;
+  for (int k = 0; k < 4; ++k) {
+    const Vec4x<R> quad = gather(x, node[k]);
+    found.point[k] = xyz(quad);
+    if (largest_fourth) *largest_fourth = k == 0 ? quad.w : largest(*largest_fourth, quad.w);
+  }
+  return found;
+}
+
 /// How the features of sixteen pairs lie: from the nearest point of the second to that of the
 /// first, and the weights of those points on their nodes.
 template <class R>
@@ -34,10 +51,12 @@ struct FaceApart {
   Vec<R> wb, wc;  ///< on the face's second and third node
 };
 template <class R>
-COAPT_INLINE FaceApart<R> face_apart(const IndexLane* node, const Quad<R>* x) {
+COAPT_INLINE FaceApart<R> face_apart(const IndexLane* node, const Quad<R>* x,
+                                     Vec<R>* largest_fourth = nullptr) {
   const Vec<R> zero = all(R(0)), one = all(R(1));
-  const Vec3x<R> p = xyz(gather(x, node[0])), a = xyz(gather(x, node[1]));
-  const Vec3x<R> ab = xyz(gather(x, node[2])) - a, ac = xyz(gather(x, node[3])) - a;
+  const FourQuads<R> at = four_quads(node, x, largest_fourth);
+  const Vec3x<R>&p = at.point[0], &a = at.point[1];
+  const Vec3x<R> ab = at.point[2] - a, ac = at.point[3] - a;
   const Vec3x<R> ap = p - a;
   // Ericson 2005, 5.1.5, all regions at once: weights of b and c as fractions of one denominator.
   const Vec<R> ab2 = dot(ab, ab), ac2 = dot(ac, ac), bc = dot(ab, ac);
@@ -70,11 +89,13 @@ struct EdgesApart {
   Vec<R> s, t;  ///< share of the way along the first and the second edge
 };
 template <class R>
-COAPT_INLINE EdgesApart<R> edges_apart(const IndexLane* node, const Quad<R>* x) {
+COAPT_INLINE EdgesApart<R> edges_apart(const IndexLane* node, const Quad<R>* x,
+                                       Vec<R>* largest_fourth = nullptr) {
   const Vec<R> zero = all(R(0)), one = all(R(1));
   const auto clamp = [&](const Vec<R>& v) { return largest(zero, least(one, v)); };
-  const Vec3x<R> a = xyz(gather(x, node[0])), c = xyz(gather(x, node[2]));
-  const Vec3x<R> ab = xyz(gather(x, node[1])) - a, cd = xyz(gather(x, node[3])) - c;
+  const FourQuads<R> at = four_quads(node, x, largest_fourth);
+  const Vec3x<R>&a = at.point[0], &c = at.point[2];
+  const Vec3x<R> ab = at.point[1] - a, cd = at.point[3] - c;
   const Vec3x<R> ca = a - c;
   // Ericson 2005, 5.1.9.
   const Vec<R> ab2 = largest(dot(ab, ab), all(kTiny_mm2<R>)),
@@ -87,8 +108,8 @@ COAPT_INLINE EdgesApart<R> edges_apart(const IndexLane* node, const Quad<R>* x) 
   const Vec<R> free_t = (mixed * s + along_cd) / cd2;
   const Vec<R> t = clamp(free_t);
   const Vec<R> beside = clamp((mixed * t - along_ab) / ab2);
-  const Vec<R> at = select(free_t < zero, beside, select(one < free_t, beside, s));
-  return {ca + at * ab - t * cd, at, t};
+  const Vec<R> place = select(free_t < zero, beside, select(one < free_t, beside, s));
+  return {ca + place * ab - t * cd, place, t};
 }
 
 template <class R>

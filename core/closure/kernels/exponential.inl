@@ -1,5 +1,5 @@
-// Faces of exponential tissue, sixteen at a time: core/closure/exponential.cpp, written for lanes.
-// Included by kernels.inl, after sheets.inl, whose scatter it uses.
+// Exponential tissue in sixteen faces: core/closure/exponential.cpp, written for lanes. Included by
+// kernels.inl, after sheets.inl, before faces.inl.
 
 /// 2^k for whole k from the bits of k + 1.5 x 2^(bits of the mantissa): what is left of a sum whose
 /// fraction has been rounded away.
@@ -45,7 +45,7 @@ struct Slope {
   Vec<R> first, second;
 };
 template <class R>
-COAPT_INLINE Slope<R> slope(const ExponentialBlock<R>& block, const Vec<R>& over) {
+COAPT_INLINE Slope<R> slope(const ExponentialLane<R>& block, const Vec<R>& over) {
   const Vec<R> at = least(over, load(block.steepest)), c2 = load(block.c2);
   // A face cannot have less than 0; rounding can.
   const Vec<R> power = largest(c2 * at * at, all(R(0)));
@@ -55,54 +55,35 @@ COAPT_INLINE Slope<R> slope(const ExponentialBlock<R>& block, const Vec<R>& over
 }
 
 template <class R>
-void pull_exponential(const ExponentialInput<R>& in) {
-  const Vec<R> one = all(R(1)), zero = all(R(0)), half = all(R(0.5)), two = all(R(2));
-  for (int i = 0; i < in.block_count; ++i) {
-    const ExponentialBlock<R>& block = in.blocks[i];
-    const Vec3x<R> a = xyz(gather(in.x, block.node[0]));
-    const Vec3x<R> ab = xyz(gather(in.x, block.node[1])) - a,
-                   ac = xyz(gather(in.x, block.node[2])) - a;
-    const Vec<R> b1 = load(block.along[0]), c1 = load(block.along[1]), a1 = zero - b1 - c1;
-    const Vec<R> b2 = load(block.across[0]), c2 = load(block.across[1]), a2 = zero - b2 - c2;
-    const Vec3x<R> f1 = b1 * ab + c1 * ac, f2 = b2 * ab + c2 * ac;
-    const Vec<R> c11 = dot(f1, f1), c22 = dot(f2, f2), c12 = dot(f1, f2);
-    const Vec<R> area2 = largest(c11 * c22 - c12 * c12, all(in.least_area_stretch2));
-    const Vec<R> per_area2 = one / area2, per_area4 = per_area2 * per_area2;
-    const Vec3x<R> q1 = f1 - per_area4 * (c22 * f1 - c12 * f2),
-                   q2 = f2 - per_area4 * (c11 * f2 - c12 * f1);
-    const Vec<R> over = c11 + c22 + per_area2 - all(R(3));
-    const Slope<R> now = slope(block, over);
-    const Vec<R> volume = load(block.volume_mm3);
-    const Vec<R> pull = two * volume * now.first;
-    const Vec3x<R> p1 = pull * q1, p2 = pull * q2;
+COAPT_INLINE Stretched<R> stretch_exponential(const FaceInput<R>& in, int b,
+                                              const Images<R>& image) {
+  const Vec<R> one = all(R(1)), half = all(R(0.5)), two = all(R(2));
+  const Vec3x<R>&f1 = image.f1, &f2 = image.f2;
+  const Vec<R> c11 = dot(f1, f1), c22 = dot(f2, f2), c12 = dot(f1, f2);
+  const Vec<R> area2 = largest(c11 * c22 - c12 * c12, all(in.least_area_stretch2));
+  const Vec<R> per_area2 = one / area2, per_area4 = per_area2 * per_area2;
+  const Vec3x<R> q1 = f1 - per_area4 * (c22 * f1 - c12 * f2),
+                 q2 = f2 - per_area4 * (c11 * f2 - c12 * f1);
+  const Vec<R> over = c11 + c22 + per_area2 - all(R(3));
+  const Slope<R> tissue = slope(in.exponential[b], over);
+  const Vec<R> volume = load(in.blocks[b].volume_mm3);
+  const Vec<R> pull = two * volume * tissue.first;
+  Stretched<R> now;
+  now.p1 = pull * q1, now.p2 = pull * q2;
 
-    // Bound of the second derivative: see exponential.cpp.
-    const auto length = [&](const Vec<R>& length2) {
-      const Vec<R> more = length2 + all(kTiny_mm2<R>);
-      return more * inverse_sqrt(more);
-    };
-    const Vec<R> q1_length = length(dot(q1, q1)), q2_length = length(dot(q2, q2));
-    const Vec<R> l1 = length(c11), l2 = length(c22), lengths = l1 + l2;
-    const Vec<R> per_area3 = per_area2 * inverse_sqrt(area2);
-    const Vec<R> both = two * now.first * (one + per_area3);
-    const Vec<R> steep = all(R(6)) * now.first * per_area4 * lengths;
-    const Vec<R> gradient = all(R(4)) * now.second * (q1_length + q2_length);
-    // Half a row sum, as for springs: theirs is twice the stiffness.
-    const Vec<R> h1 = half * volume * (gradient * q1_length + both + steep * l2);
-    const Vec<R> h2 = half * volume * (gradient * q2_length + both + steep * l1);
-    const Vec<R> with_ab = magnitude(h1 * a1 * b1 + h2 * a2 * b2),
-                 with_bc = magnitude(h1 * b1 * c1 + h2 * b2 * c2),
-                 with_ca = magnitude(h1 * c1 * a1 + h2 * c2 * a2);
-    const unsigned active = bits(zero < volume);
-    const auto pull_corner = [&](int corner, const Vec<R>& g1, const Vec<R>& g2,
-                                 const Vec<R>& others) {
-      const Vec3x<R> f = g1 * p1 + g2 * p2;
-      const Vec<R> stiffness = h1 * g1 * g1 + h2 * g2 * g2 + others;
-      add_to_nodes(block.node[corner], active,
-                   Vec4x<R>{zero - f.x, zero - f.y, zero - f.z, stiffness}, in.force);
-    };
-    pull_corner(0, a1, a2, with_ab + with_ca);
-    pull_corner(1, b1, b2, with_ab + with_bc);
-    pull_corner(2, c1, c2, with_bc + with_ca);
-  }
+  // Bound of the second derivative: see exponential.cpp.
+  const auto length = [&](const Vec<R>& length2) {
+    const Vec<R> more = length2 + all(kTiny_mm2<R>);
+    return more * inverse_sqrt(more);
+  };
+  const Vec<R> q1_length = length(dot(q1, q1)), q2_length = length(dot(q2, q2));
+  const Vec<R> l1 = length(c11), l2 = length(c22), lengths = l1 + l2;
+  const Vec<R> per_area3 = per_area2 * inverse_sqrt(area2);
+  const Vec<R> both = two * tissue.first * (one + per_area3);
+  const Vec<R> steep = all(R(6)) * tissue.first * per_area4 * lengths;
+  const Vec<R> gradient = all(R(4)) * tissue.second * (q1_length + q2_length);
+  // Half a row sum, as for springs: theirs is twice the stiffness.
+  now.h1 = half * volume * (gradient * q1_length + both + steep * l2);
+  now.h2 = half * volume * (gradient * q2_length + both + steep * l1);
+  return now;
 }

@@ -1,9 +1,9 @@
-// Hinges between faces, sixteen at a time: core/closure/hinges.cpp, written for lanes. Included by
-// kernels.inl, after sheets.inl.
+// Hinges between faces, sixteen at a time: core/closure/hinges.cpp, written for lanes. What a hinge
+// does goes along the normals of its two faces, so that pull_faces() hands it on.
 
 template <class R>
 void turn_hinges(const HingeInput<R>& in) {
-  const Vec<R> zero = all(R(0)), half = all(R(0.5)), one = all(R(1)), four = all(R(4));
+  const Vec<R> zero = all(R(0)), half = all(R(0.5)), one = all(R(1));
   const Vec<R> least_cosine = all(R(1e-3)), tiny = all(kTiny_mm2<R>);
   for (int b = 0; b < in.block_count; ++b) {
     const HingeBlock<R>& hinge = in.blocks[b];
@@ -13,38 +13,23 @@ void turn_hinges(const HingeInput<R>& in) {
                    to3 = xyz(gather(in.x, hinge.node[3])) - x0;
     const Vec3x<R> n1 = cross(e, to2), n2 = cross(to3, e);
     const Vec<R> e2 = dot(e, e) + tiny, per_length = inverse_sqrt(e2);
-    const Vec<R> least_mm4 = load(hinge.least_mm4);
-    const Vec<R> per_area1 = inverse_sqrt(largest(dot(n1, n1), least_mm4)),
-                 per_area2 = inverse_sqrt(largest(dot(n2, n2), least_mm4));
+    const Vec<R> per_area1 = inverse_sqrt(largest(dot(n1, n1), load(hinge.least_mm4[0]))),
+                 per_area2 = inverse_sqrt(largest(dot(n2, n2), load(hinge.least_mm4[1])));
     const Vec<R> per_areas = per_area1 * per_area2;
     const Vec<R> cosine = largest(zero - one, least(one, dot(n1, n2) * per_areas));
     const Vec<R> sine = dot(cross(n1, n2), e) * per_areas * per_length;
     const Vec<R> half_cosine2 = largest(half * (one + cosine), tiny);
     const Vec<R> half_cosine = half_cosine2 * inverse_sqrt(half_cosine2);
-    const Vec<R> half_sine = half * sine / largest(half_cosine, least_cosine);
-    const Vec<R> turned = four * half_sine / (one + half_cosine) - load(hinge.rest);
+    // 4 tan(a / 4) = 4 sin(a / 2) / (1 + cos(a / 2)), sin(a / 2) = sin a / (2 cos(a / 2)).
+    const Vec<R> turned =
+        (sine + sine) / (largest(half_cosine, least_cosine) * (one + half_cosine)) -
+        load(hinge.rest);
+    // Sizes of the gradients at nodes 2 and 3, with their shares of the edge's two.
+    const Vec<R> s2 = dot(to2, e), s3 = dot(to3, e);
+    const Vec<R> sizes = per_length * (per_area1 * (e2 + magnitude(s2) + magnitude(s2 - e2)) +
+                                       per_area2 * (e2 + magnitude(s3) + magnitude(s3 - e2)));
     const Vec<R> stiffness = load(hinge.stiffness_n_mm);
-    const Vec<R> moment = stiffness * turned, length = e2 * per_length;
-    // Gradients of the angle at nodes 2 and 3, and their shares of the two on the edge.
-    const Vec3x<R> g2 = (zero - length * per_area1 * per_area1) * n1,
-                   g3 = (zero - length * per_area2 * per_area2) * n2;
-    const Vec<R> per_e2 = per_length * per_length;
-    const Vec<R> s2 = dot(to2, e) * per_e2, s3 = dot(to3, e) * per_e2;
-    const Vec3x<R> gradient[4] = {(s2 - one) * g2 + (s3 - one) * g3, (zero - s2) * g2 - s3 * g3, g2,
-                                  g3};
-    Vec<R> size[4], sum = zero;
-    for (int k = 0; k < 4; ++k) {
-      const Vec<R> size2 = dot(gradient[k], gradient[k]) + tiny;
-      size[k] = size2 * inverse_sqrt(size2);
-      sum = sum + size[k];
-    }
-    // Half a row sum, as for sheets.
-    const Vec<R> row = half * stiffness * (one + magnitude(turned)) * sum;
-    const unsigned active = bits(zero < stiffness);
-    for (int k = 0; k < 4; ++k) {
-      const Vec3x<R> f = moment * gradient[k];
-      add_to_nodes(hinge.node[k], active,
-                   Vec4x<R>{zero - f.x, zero - f.y, zero - f.z, row * size[k]}, in.force);
-    }
+    store(stiffness * turned, in.pulls[b].moment_n_mm);
+    store(half * stiffness * (one + magnitude(turned)) * sizes, in.pulls[b].stiffness_n);
   }
 }

@@ -16,6 +16,8 @@
 #endif
 #endif
 
+#include <type_traits>
+
 #include "core/closure/kernels/layout.h"
 
 #define COAPT_INLINE inline __attribute__((always_inline))
@@ -219,15 +221,19 @@ COAPT_INLINE unsigned bits(const Mask<R>& mask) {
 }
 #endif
 
-/// Stores the lanes that have a bit next to each other; may write sixteen in all.
-COAPT_INLINE void compress(const IndexLane& lanes, unsigned chosen, int* out) {
+/// Stores the numbers from `start` on whose lanes have a bit next to each other; may write sixteen in
+/// all.
+COAPT_INLINE void compress_numbers(int start, unsigned chosen, int* out) {
 #if defined(COAPT_AVX512)
-  _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen),
-                                                       _mm512_load_si512(lanes.at)));
+  const __m512i numbers =
+      _mm512_add_epi32(_mm512_set1_epi32(start),
+                       _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0));
+  _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), numbers));
 #else
-  for (; chosen != 0; chosen &= chosen - 1) *out++ = lanes.at[__builtin_ctz(chosen)];
+  for (; chosen != 0; chosen &= chosen - 1) *out++ = start + __builtin_ctz(chosen);
 #endif
 }
+/// The same of the lanes themselves.
 template <class R>
 COAPT_INLINE void compress(const Vec<R>& v, unsigned chosen, R* out) {
 #if defined(COAPT_AVX512)
@@ -309,13 +315,46 @@ struct Vec4x {
   Vec<R> x, y, z, w;
 };
 
-/// The quads at sixteen indices.
+/// What is at an offset.
+template <class Thing>
+COAPT_INLINE Thing& at_offset(Thing* things, int offset) {
+  using Byte = std::conditional_t<std::is_const_v<Thing>, const char, char>;
+  return *reinterpret_cast<Thing*>(reinterpret_cast<Byte*>(things) + static_cast<unsigned>(offset));
+}
+
+/// The numbers at sixteen offsets.
+COAPT_INLINE Vec<float> gather(const float* numbers, const IndexLane& offset) {
+#if defined(COAPT_AVX512)
+  return {{(Registers<float>::Real)_mm512_i32gather_ps(_mm512_load_si512(offset.at), numbers, 1)}};
+#elif defined(COAPT_AVX2)
+  return each<float>([&](int i) {
+    const auto at = _mm256_load_si256(reinterpret_cast<const __m256i*>(offset.at) + i);
+    return (Registers<float>::Real)_mm256_i32gather_ps(numbers, at, 1);
+  });
+#else
+  return each<float>([&](int i) {
+    const int* at = offset.at + i * kWidth<float>;
+    return Registers<float>::Real{at_offset(numbers, at[0]), at_offset(numbers, at[1]),
+                                  at_offset(numbers, at[2]), at_offset(numbers, at[3])};
+  });
+#endif
+}
+COAPT_INLINE Vec<double> gather(const double* numbers, const IndexLane& offset) {
+  return each<double>([&](int i) {
+    Registers<double>::Real part;
+    for (int k = 0; k < kWidth<double>; ++k)
+      part[k] = at_offset(numbers, offset.at[i * kWidth<double> + k]);
+    return part;
+  });
+}
+
+/// The quads at sixteen offsets.
 COAPT_INLINE Vec4x<float> gather(const Quad<float>* quads, const IndexLane& index) {
   Vec4x<float> v;
   for (int i = 0; i < kParts<float>; ++i) {
     const int* at = index.at + i * kWidth<float>;
     const auto row = [&](int k) {
-      return every_fourth([&](int lane) { return quads[at[k + lane]].at; });
+      return every_fourth([&](int lane) { return at_offset(quads, at[k + lane]).at; });
     };
     v.x.part[i] = row(0), v.y.part[i] = row(1), v.z.part[i] = row(2), v.w.part[i] = row(3);
     transpose(v.x.part[i], v.y.part[i], v.z.part[i], v.w.part[i]);
@@ -348,7 +387,7 @@ COAPT_INLINE void store_quads(Vec4x<float> v, Quad<float>* quads) {
 COAPT_INLINE Vec4x<double> gather(const Quad<double>* quads, const IndexLane& index) {
   Lane<double> column[4];
   for (int lane = 0; lane < kLanes; ++lane)
-    for (int k = 0; k < 4; ++k) column[k].at[lane] = quads[index.at[lane]].at[k];
+    for (int k = 0; k < 4; ++k) column[k].at[lane] = at_offset(quads, index.at[lane]).at[k];
   return {load(column[0]), load(column[1]), load(column[2]), load(column[3])};
 }
 COAPT_INLINE Vec4x<double> load_quads(const Quad<double>* quads) {

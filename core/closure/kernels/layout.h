@@ -19,25 +19,30 @@ template <class R>
 struct alignas(64) Lane {
   R at[kLanes] = {};
 };
+/// Where sixteen things lie in their array: offsets in bytes.
 struct alignas(64) IndexLane {
   int at[kLanes] = {};
 };
-/// x, y, z in mm and, where forces are summed, the stiffness that goes with them in N/mm.
+/// x, y, z in mm; of forces N and the stiffness that goes with them in N/mm.
 template <class R>
 struct alignas(4 * sizeof(R)) Quad {
   R at[4] = {};
 };
 
-/// One neighbour of each node of a block: the spring to it, and the face between it and the
-/// neighbour before it.
+/// Of a node's quad.
 template <class R>
-struct FanSlot {
+constexpr int offset_of(int node) {
+  return node * static_cast<int>(sizeof(Quad<R>));
+}
+
+/// One spring of each node of a block.
+template <class R>
+struct SpringSlot {
   IndexLane neighbour;     ///< the node itself where there is none
   Lane<R> rest_mm;         ///< rest length of the spring
   Lane<R> knee_mm;         ///< length where its stiffness changes
   Lane<R> pre_n_per_mm;    ///< stiffness below the knee
   Lane<R> extra_n_per_mm;  ///< what is added above
-  Lane<R> load_mpa;        ///< a sixth of the pressure if that face exists, else 0
 };
 
 /// Sixteen nodes that move.
@@ -46,13 +51,14 @@ struct NodeBlock {
   Lane<R> free;  ///< 1, or 0 for padding
   Lane<R> velocity[3];
   Lane<R> stiffness;  ///< of the last step, N/mm
-  int first_slot = 0, slots = 0;
+  int first_corner = 0, corners = 0;  ///< of the faces around: IndexLanes of their quads
+  int first_spring = 0, springs = 0;
 };
 
 /// A node's part of the end of a cable.
 template <class R>
 struct EndShare {
-  int node = 0;
+  int node = 0;  ///< offset
   R weight = 0;
 };
 
@@ -71,23 +77,37 @@ struct HingeBlock {
   IndexLane node[4];
   Lane<R> stiffness_n_mm;  ///< 0 for padding
   Lane<R> rest;            ///< t(a0)
-  Lane<R> least_mm4;
+  Lane<R> least_mm4[2];    ///< of both faces
 };
 
-/// Sixteen faces of the continuum membrane (continuum.h has the symbols).
+/// What sixteen hinges do to their faces.
 template <class R>
-struct SheetBlock {
+struct HingePulls {
+  Lane<R> moment_n_mm;
+  Lane<R> stiffness_n;  ///< times the size of a node's gradient: half a row sum
+};
+/// Of a hinge's moment.
+template <class R>
+constexpr int pull_offset_of(int hinge) {
+  return hinge / kLanes * static_cast<int>(sizeof(HingePulls<R>)) +
+         hinge % kLanes * static_cast<int>(sizeof(R));
+}
+
+/// Sixteen faces.
+template <class R>
+struct FaceBlock {
   IndexLane node[3];
-  Lane<R> along[2], across[2];  ///< f1 and f2 = first x (x1 - x0) + second x (x2 - x0)
-  Lane<R> volume_mm3;           ///< 0 for padding
+  IndexLane hinge[3];  ///< at the edges 01, 12 and 20: pull_offset_of(); of one at rest where there is none
+  Lane<R> least_mm4;   ///< of the squared cross product of two sides, for bending
+  Lane<R> load_mpa;    ///< a sixth of the pressure; 0 for padding
+  // Of a membrane of triangles: f1 and f2 = first x (x1 - x0) + second x (x2 - x0).
+  Lane<R> along[2], across[2];
+  Lane<R> volume_mm3;  ///< 0 for padding
 };
 
-/// Sixteen faces of exponential tissue (exponential.h has the symbols).
+/// Exponential tissue of sixteen faces (exponential.h has the symbols).
 template <class R>
-struct ExponentialBlock {
-  IndexLane node[3];
-  Lane<R> along[2], across[2];  ///< as in SheetBlock
-  Lane<R> volume_mm3;           ///< 0 for padding
+struct ExponentialLane {
   Lane<R> c0_mpa, c1_mpa, c2;
   Lane<R> steepest;  ///< I1 - 3 from where W' goes on along its tangent
 };
@@ -119,11 +139,20 @@ struct PairBlock {
 template <class R>
 struct Cluster {
   IndexLane node[3];  ///< vertices repeat their node, edges their second; padding repeats the last
-  Lane<R> area_mm2;   ///< rest area that its contact pressure acts on
-  Lane<R> low[3], high[3];  ///< boxes, mm
-  Lane<R> margin_mm;        ///< of its nodes, at most
-  Lane<R> plane[4];         ///< faces: unit normal and offset
-  int count = 0;            ///< features that are not padding
+  Lane<R> low[3], high[3];             ///< boxes, mm
+  Lane<R> margin_mm;                   ///< of its nodes, at most
+  Lane<R> reach_low[3], reach_high[3], reach_mm;  ///< boxes with thickness and margin, and these
+  Lane<R> corner[3][3];                ///< faces: [node][x, y, z], mm
+  Lane<R> plane[4];                    ///< faces: unit normal and offset
+  R least_margin_mm = 0;
+  int count = 0;  ///< features that are not padding
+};
+
+/// One feature as the lanes of its cluster have it.
+template <class R>
+struct alignas(16) Feature {
+  int node[3] = {};
+  R area_mm2 = 0;  ///< rest area that its contact pressure acts on
 };
 
 /// Boxes of sixteen clusters.
@@ -131,6 +160,9 @@ template <class R>
 struct ClusterBoxes {
   Lane<R> low[3], high[3], margin_mm;
 };
+
+/// Pairs are packed into blocks by their room to move, so that whole blocks touch or sleep.
+constexpr int kPairBins = 4;
 
 /// A feature and the features of a cluster that are near it already at rest.
 template <class R>
@@ -145,7 +177,17 @@ template <class R>
 struct Features {
   Cluster<R>* clusters = nullptr;
   ClusterBoxes<R>* boxes = nullptr;  ///< one per sixteen clusters
+  const Feature<R>* each = nullptr;  ///< by number
   int count = 0;                     ///< clusters
+};
+
+/// Where pairs are kept until they are packed into blocks: `room` of each, a multiple of sixteen.
+template <class R>
+struct PairBuffer {
+  int *first = nullptr, *second = nullptr;  ///< numbers of the features
+  R *thickness_mm = nullptr, *margin_mm = nullptr;
+  int* binned[kPairBins] = {};  ///< which pairs, by their room to move
+  int room = 0;
 };
 
 /// Which pairs of features are looked for: those nearer than their thickness and margin, which is
@@ -159,16 +201,7 @@ struct PairSearch {
   R thickness_mm = 0, stiffness_n_per_mm4 = 0;
   const Quad<R>* listed = nullptr;  ///< positions and, as fourth, margin of all nodes
   int* near_clusters = nullptr;     ///< scratch, one per second cluster
-};
-
-template <class R>
-struct SheetInput {
-  const SheetBlock<R>* blocks = nullptr;
-  int block_count = 0;
-  SheetModuli<R> law;
-  R lookahead_mm = 0;  ///< fibres that nodes could straighten by moving so far count as straight
-  const Quad<R>* x = nullptr;
-  Quad<R>* force = nullptr;  ///< added to
+  PairBuffer<R> buffer;             ///< of list_pairs
 };
 
 template <class R>
@@ -185,26 +218,37 @@ struct HingeInput {
   const HingeBlock<R>* blocks = nullptr;
   int block_count = 0;
   const Quad<R>* x = nullptr;
-  Quad<R>* force = nullptr;  ///< added to
+  HingePulls<R>* pulls = nullptr;  ///< [block]
 };
 
+/// What holds a face against stretching, besides springs.
+enum class FaceLaw { None, Continuum, Exponential };
+
 template <class R>
-struct ExponentialInput {
-  const ExponentialBlock<R>* blocks = nullptr;
+struct FaceInput {
+  const FaceBlock<R>* blocks = nullptr;
   int block_count = 0;
-  R least_area_stretch2 = 0;  ///< kLeastAreaStretch2
+  FaceLaw law = FaceLaw::None;
+  SheetModuli<R> continuum;
+  R lookahead_mm = 0;  ///< fibres that nodes could straighten by moving so far count as straight
+  const ExponentialLane<R>* exponential = nullptr;
+  R least_area_stretch2 = 0;  ///< kLeastAreaStretch2 of exponential.h
+  const HingePulls<R>* hinges = nullptr;
   const Quad<R>* x = nullptr;
-  Quad<R>* force = nullptr;  ///< added to
+  /// Force on each corner: [block][corner][lane], and one that stays 0 behind them.
+  Quad<R>* corners = nullptr;
 };
 
 template <class R>
 struct StepInput {
   const Quad<R>* x = nullptr;  ///< where all nodes are
   Quad<R>* next = nullptr;     ///< where the moving ones will be
-  Quad<R>* force = nullptr;    ///< of contact, cables and sheets, N, with their stiffness; set to 0
+  Quad<R>* force = nullptr;    ///< of contact and cables, N, with their stiffness; set to 0
+  const Quad<R>* corners = nullptr;  ///< of faces, see FaceInput
   const Quad<R>* listed = nullptr;  ///< where nodes were when pairs were listed, and their margins
   NodeBlock<R>* blocks = nullptr;
-  const FanSlot<R>* slots = nullptr;
+  const IndexLane* corner_slots = nullptr;
+  const SpringSlot<R>* spring_slots = nullptr;
   int block_count = 0;
   R keep = 0;             ///< share of the velocity that is kept
   R longest_move_mm = 0;  ///< of any node
@@ -214,7 +258,6 @@ struct StepInput {
 
 struct StepSums {
   double force2_n2 = 0.0;  ///< sum over moving nodes
-  double pressure2_n2 = 0.0;
   double longest_move2_mm2 = 0.0;
   // Largest squares of shares of a node's margin: of this step, of all since the pairs were listed.
   double step_share2 = 0.0, listed_share2 = 0.0;
@@ -225,21 +268,22 @@ template <class R>
 struct Kernels {
   StepSums (*advance)(const StepInput<R>&);
   void (*pull_cables)(const CableInput<R>&);
-  void (*pull_sheets)(const SheetInput<R>&);
   void (*turn_hinges)(const HingeInput<R>&);
+  void (*pull_faces)(const FaceInput<R>&);
   /// `used`: share of the margins that nodes may have used up since the pairs were listed.
   void (*push_faces)(PairBlock<R>*, int blocks, R used, const Quad<R>* x, Quad<R>* force);
   void (*push_edges)(PairBlock<R>*, int blocks, R used, const Quad<R>* x, Quad<R>* force);
-  void (*box)(const Features<R>&, bool planes, const Quad<R>* listed);
-  /// Fills blocks as long as there is room; the number of blocks that are needed.
+  /// `thickness`: of the pairs that are looked for, mm.
+  void (*box)(const Features<R>&, bool planes, R thickness, const Quad<R>* listed);
+  /// Fills blocks as long as there is room; the number of blocks that are needed, or -1 - the room that the
+  /// buffer needs if it is too small.
   int (*list_pairs)(const PairSearch<R>&, PairBlock<R>* blocks, int room);
   /// Numbers of the features of each pair, likewise.
   int (*number_pairs)(const PairSearch<R>&, int* first, int* second, int room);
-  /// Pairs (f, g) of in.second, whose boxes meet and of which nodes of f that are not nodes of g
-  /// lie on both sides of the plane of g, likewise. Nearer than the thickness to it is on both
-  /// sides.
+  /// Pairs (f, g) of in.second, each once, whose boxes meet and of which nodes of either that are
+  /// not nodes of the other lie on both sides of the other's plane, likewise. Nearer than the
+  /// thickness to it is on both sides.
   int (*straddling_faces)(const PairSearch<R>&, int* first, int* second, int room);
-  void (*pull_exponential)(const ExponentialInput<R>&);
   /// exp of sixteen numbers from 0 to 40, for tests.
   void (*exponentials)(const Lane<R>& from, Lane<R>& to);
 };

@@ -1,4 +1,4 @@
-// Part of kernels.inl: cables, springs, pressure, and the step of all nodes.
+// Part of kernels.inl: cables, springs, and the step of all nodes.
 
 /// Added to a squared length, or its least value, mm2: points in one place give no infinity.
 template <class R>
@@ -35,7 +35,7 @@ COAPT_INLINE void scatter(const IndexLane* node, unsigned active, const Vec3x<R>
     Quad4<R> q = load_quad(quads[lane]);
     for (int k = 0; k < 4; ++k) {
       if (k == plus) q *= against;
-      add_quad(q * share[k].at[lane], force[node[k].at[lane]]);
+      add_quad(q * share[k].at[lane], at_offset(force, node[k].at[lane]));
     }
   }
 }
@@ -48,7 +48,7 @@ void pull_cables(const CableInput<R>& in) {
     for (int lane = 0; lane < kLanes; ++lane) {
       Quad4<R> end = {};
       for (int s = c.first_share[lane]; s < c.first_share[lane + 1]; ++s)
-        end += load_quad(in.x[in.shares[s].node]) * in.shares[s].weight;
+        end += load_quad(at_offset(in.x, in.shares[s].node)) * in.shares[s].weight;
       __builtin_memcpy(&ends[lane].at, &end, sizeof end);
     }
     const Vec3x<R> d = xyz(load_quads(ends)) - xyz(gather(in.x, c.start));
@@ -64,9 +64,9 @@ void pull_cables(const CableInput<R>& in) {
     for (unsigned active = bits(all(R(0)) < stiffness); active != 0; active &= active - 1) {
       const int lane = __builtin_ctz(active);
       const Quad4<R> pull = load_quad(pulls[lane]), back = pull * against;
-      add_quad(pull, in.force[c.start.at[lane]]);
+      add_quad(pull, at_offset(in.force, c.start.at[lane]));
       for (int s = c.first_share[lane]; s < c.first_share[lane + 1]; ++s)
-        add_quad(back * in.shares[s].weight, in.force[in.shares[s].node]);
+        add_quad(back * in.shares[s].weight, at_offset(in.force, in.shares[s].node));
     }
   }
 }
@@ -77,34 +77,36 @@ StepSums advance(const StepInput<R>& in) {
   const Vec<R> least_stiffness = all(static_cast<R>(kLeastStiffness_n_per_mm));
   const Vec<R> per_mass = all(R(1) / in.mass_share);
   const Vec<R> longest2 = all(in.longest_move_mm * in.longest_move_mm);
-  Vec<R> force2 = zero, pressure2 = zero, move2 = zero, step_share2 = zero, listed_share2 = zero;
+  Vec<R> force2 = zero, move2 = zero, step_share2 = zero, listed_share2 = zero;
   for (int b = 0; b < in.block_count; ++b) {
     NodeBlock<R>& block = in.blocks[b];
     const Vec3x<R> x = xyz(load_quads(in.x + kLanes * b));
     const Vec4x<R> pushed = load_quads(in.force + kLanes * b);
     store_quads(Vec4x<R>{zero, zero, zero, zero}, in.force + kLanes * b);
-    Vec3x<R> elastic = {zero, zero, zero}, pressure = elastic, before = elastic;
+    Vec3x<R> force = xyz(pushed);
     Vec<R> stiffness = pushed.w;
-    for (int s = 0; s < block.slots; ++s) {
-      const FanSlot<R>& slot = in.slots[block.first_slot + s];
+    for (int s = 0; s < block.corners; ++s) {
+      const Vec4x<R> pulled = gather(in.corners, in.corner_slots[block.first_corner + s]);
+      force = force + xyz(pulled);
+      stiffness = stiffness + pulled.w;
+    }
+    for (int s = 0; s < block.springs; ++s) {
+      const SpringSlot<R>& slot = in.spring_slots[block.first_spring + s];
       const Vec3x<R> d = xyz(gather(in.x, slot.neighbour)) - x;
       const Vec<R> length2 = dot(d, d) + all(kTiny_mm2<R>);
       const Vec<R> inverse = inverse_sqrt(length2);
       const Vec<R> length = length2 * inverse;
       const Vec<R> knee = load(slot.knee_mm), pre = load(slot.pre_n_per_mm),
-                   extra = load(slot.extra_n_per_mm), load_mpa = load(slot.load_mpa);
+                   extra = load(slot.extra_n_per_mm);
       const Vec<R> pull =
           (pre * (length - load(slot.rest_mm)) + extra * largest(length - knee, zero)) * inverse;
-      elastic = elastic + pull * d;
-      pressure = pressure + load_mpa * cross(before, d);
-      before = d;
+      force = force + pull * d;
       const Vec<R> tangent = pre + select(knee < length + all(in.lookahead_mm), extra, zero);
-      stiffness = stiffness + largest(tangent, magnitude(pull)) + (load_mpa + load_mpa) * length;
+      stiffness = stiffness + largest(tangent, magnitude(pull));
     }
     const Vec<R> free = load(block.free);
-    const Vec3x<R> force = free * (elastic + pressure + xyz(pushed));
+    force = free * force;
     force2 = force2 + dot(force, force);
-    pressure2 = pressure2 + free * dot(pressure, pressure);
     // Mass goes with stiffness. A node that becomes heavier keeps its momentum, not its speed: else
     // the knee of the springs would feed it energy.
     const Vec<R> held = largest(stiffness, least_stiffness);
@@ -128,7 +130,7 @@ StepSums advance(const StepInput<R>& in) {
     step_share2 = largest(per_margin2 * dot(v, v), step_share2);
     listed_share2 = largest(per_margin2 * dot(moved, moved), listed_share2);
   }
-  return {sum(force2), sum(pressure2), static_cast<double>(largest_of(move2)),
+  return {sum(force2), static_cast<double>(largest_of(move2)),
           static_cast<double>(largest_of(step_share2)),
           static_cast<double>(largest_of(listed_share2))};
 }

@@ -1,7 +1,7 @@
 // Part of kernels.inl: finding the pairs that may touch soon.
 
 template <class R>
-void box(const Features<R>& features, bool planes, const Quad<R>* listed) {
+void box(const Features<R>& features, bool planes, R thickness, const Quad<R>* listed) {
   for (int i = 0; i < features.count; ++i) {
     Cluster<R>& cluster = features.clusters[i];
     const Vec4x<R> qa = gather(listed, cluster.node[0]), qb = gather(listed, cluster.node[1]),
@@ -14,14 +14,23 @@ void box(const Features<R>& features, bool planes, const Quad<R>* listed) {
     const Vec<R> margin = largest(qa.w, largest(qb.w, qc.w));
     ClusterBoxes<R>& boxes = features.boxes[i / kLanes];
     const Vec<R> lows[3] = {low.x, low.y, low.z}, highs[3] = {high.x, high.y, high.z};
+    const Vec<R> reach = all(thickness) + margin;
+    store(reach, cluster.reach_mm);
     for (int k = 0; k < 3; ++k) {
       store(lows[k], cluster.low[k]), store(highs[k], cluster.high[k]);
+      store(lows[k] - reach, cluster.reach_low[k]), store(highs[k] + reach, cluster.reach_high[k]);
       boxes.low[k].at[i % kLanes] = least_of(lows[k]);
       boxes.high[k].at[i % kLanes] = largest_of(highs[k]);
     }
     store(margin, cluster.margin_mm);
     boxes.margin_mm.at[i % kLanes] = largest_of(margin);
+    cluster.least_margin_mm = least_of(margin);
     if (!planes) continue;
+    const Vec3x<R> corners[3] = {a, b, c};
+    for (int k = 0; k < 3; ++k) {
+      store(corners[k].x, cluster.corner[k][0]), store(corners[k].y, cluster.corner[k][1]);
+      store(corners[k].z, cluster.corner[k][2]);
+    }
     const Vec3x<R> normal = cross(b - a, c - a);
     const Vec3x<R> unit = inverse_sqrt(dot(normal, normal) + all(kTiny_mm2<R>)) * normal;
     store(unit.x, cluster.plane[0]), store(unit.y, cluster.plane[1]);
@@ -78,8 +87,9 @@ COAPT_INLINE int near_clusters(const PairSearch<R>& in, int c, int from) {
   return count;
 }
 
-/// Calls take(cluster, lane, other cluster, lanes, thickness, margin) for all pairs whose boxes
-/// (and, for faces, planes) are near enough, in order of the clusters.
+/// Calls take(feature, other cluster, lanes, thickness) for all pairs whose boxes (and, for faces,
+/// planes) are near enough, in order of the clusters; some further apart are among them. Thickness:
+/// null where it is the law's.
 template <class R, class Take>
 COAPT_INLINE void find_pairs(const PairSearch<R>& in, Take take) {
   const Vec<R> zero = all(R(0)), full = all(in.thickness_mm);
@@ -97,150 +107,141 @@ COAPT_INLINE void find_pairs(const PairSearch<R>& in, Take take) {
           bits(meet(one, around, full + margin_of(one, around))) & first_lanes(one.count);
       for (; met != 0; met &= met - 1) {
         const int i = __builtin_ctz(met);
-        const Box<R> own = box_of<R>(one, i);
+        // The margin of a pair is the larger one: so much more than that of the others, at most.
+        const R further = one.margin_mm.at[i] - other.least_margin_mm;
+        const Vec<R> more = all(further > R(0) ? further : R(0));
+        const auto along = [&](int k) {
+          return (load(other.reach_low[k]) <= all(one.high[k].at[i]) + more) &
+                 (all(one.low[k].at[i]) - more <= load(other.reach_high[k]));
+        };
+        unsigned hits = bits(along(0) & along(1) & along(2)) & first_lanes(other.count);
+        if (!in.faces && o == c) hits &= ~((2u << i) - 1u);
+        if (hits == 0) continue;
+        if (in.faces) {
+          const Vec<R> height = load(other.plane[0]) * all(one.low[0].at[i]) +
+                                load(other.plane[1]) * all(one.low[1].at[i]) +
+                                load(other.plane[2]) * all(one.low[2].at[i]) - load(other.plane[3]);
+          hits &= bits(magnitude(height) <= load(other.reach_mm) + more);
+        }
         while (near != near_end && near->cluster == o && near->lane < i) ++near;
         const bool special = near != near_end && near->cluster == o && near->lane == i;
-        const Vec<R> thickness = special ? load(near->thickness_mm) : full;
-        const Vec<R> margin = margin_of(other, own), reach = thickness + margin;
-        Mask<R> mask = meet(other, own, reach) & (zero < thickness);
-        if (in.faces) {
-          const Vec<R> height = load(other.plane[0]) * all(own.low[0]) +
-                                load(other.plane[1]) * all(own.low[1]) +
-                                load(other.plane[2]) * all(own.low[2]) - load(other.plane[3]);
-          mask = mask & (magnitude(height) <= reach);
-        }
-        unsigned hits = bits(mask) & first_lanes(other.count);
-        if (!in.faces && o == c) hits &= ~((2u << i) - 1u);
-        if (hits != 0) take(c, i, o, hits, thickness, margin);
+        if (special) hits &= bits(zero < load(near->thickness_mm));
+        if (hits != 0) take(kLanes * c + i, o, hits, special ? &near->thickness_mm : nullptr);
       }
     }
   }
 }
 
-/// Pairs that wait until there are sixteen.
 template <class R>
-struct Waiting {
-  int node[4][2 * kLanes];
-  R thickness_mm[2 * kLanes], area_mm2[2 * kLanes], margin_mm[2 * kLanes];
-  int count = 0;
-
-  COAPT_INLINE void add_node(int k, const IndexLane& lanes, unsigned chosen) {
-    compress(lanes, chosen, node[k] + count);
-  }
-  COAPT_INLINE void add_node(int k, int everywhere) {
-    for (int i = 0; i < kLanes; ++i) node[k][count + i] = everywhere;
-  }
-  /// After its nodes.
-  COAPT_INLINE void add(const Vec<R>& thickness, const Vec<R>& area, const Vec<R>& margin,
-                        unsigned chosen) {
-    compress(thickness, chosen, thickness_mm + count);
-    compress(area, chosen, area_mm2 + count);
-    compress(margin, chosen, margin_mm + count);
-    count += __builtin_popcount(chosen);
-  }
-  /// Drops the first sixteen.
-  COAPT_INLINE void drop() {
-    for (int k = 0; k < 4; ++k) __builtin_memcpy(node[k], node[k] + kLanes, sizeof(int) * kLanes);
-    __builtin_memcpy(thickness_mm, thickness_mm + kLanes, sizeof(R) * kLanes);
-    __builtin_memcpy(area_mm2, area_mm2 + kLanes, sizeof(R) * kLanes);
-    __builtin_memcpy(margin_mm, margin_mm + kLanes, sizeof(R) * kLanes);
-    count -= kLanes;
-  }
-  /// The nodes of the first sixteen; where there are fewer, the first is repeated.
-  COAPT_INLINE void first_nodes(IndexLane* nodes) {
-    for (int k = 0; k < 4; ++k) {
-      for (int i = count; i < kLanes; ++i) node[k][i] = node[k][0];
-      __builtin_memcpy(nodes[k].at, node[k], sizeof nodes[k].at);
-    }
-  }
-};
-template <class R>
-COAPT_INLINE Vec<R> load_first(const R* at) {
+COAPT_INLINE Vec<R> load_sixteen(const R* at) {
   Vec<R> result;
   __builtin_memcpy(&result, at, sizeof result);
   return result;
 }
-
-/// Packs pairs into blocks, those of like room to move together, so that whole blocks touch or
-/// sleep.
 template <class R>
-struct Packer {
-  static constexpr int kBins = 4;
-  /// Where a bin ends: room before touching as a share of the margin.
-  static constexpr R kEnds[kBins] = {R(0.1), R(0.3), R(0.6), R(1)};
+COAPT_INLINE void store_sixteen(const Vec<R>& v, R* at) {
+  __builtin_memcpy(at, &v, sizeof v);
+}
 
-  const PairSearch<R>& in;
-  PairBlock<R>* blocks;
-  int room, used = 0;
-  Waiting<R> found, bins[kBins];
+template <class R>
+COAPT_INLINE void nodes_of_pair(const PairSearch<R>& in, int first, int second, int lane,
+                                IndexLane* node) {
+  const Feature<R>&a = in.first.each[first], &b = in.second.each[second];
+  const int of_first = in.faces ? 1 : 2;
+  for (int k = 0; k < of_first; ++k) node[k].at[lane] = a.node[k];
+  for (int k = of_first; k < 4; ++k) node[k].at[lane] = b.node[k - of_first];
+}
 
-  COAPT_INLINE void sort_found() {
+/// Puts what find_pairs() finds into the buffer, padded to whole blocks by pairs that are never
+/// near; the number of pairs. More than the buffer's room: that it needs.
+template <class R>
+COAPT_INLINE int buffer_pairs(const PairSearch<R>& in) {
+  const PairBuffer<R>& buffer = in.buffer;
+  const Vec<R> full = all(in.thickness_mm);
+  int count = 0;
+  find_pairs(in, [&](int feature, int o, unsigned hits, const Lane<R>* thickness) {
+    const int here = count;
+    count += __builtin_popcount(hits);
+    if (here + kLanes > buffer.room) return;
+    for (int k = 0; k < kLanes; ++k) buffer.first[here + k] = feature;
+    compress_numbers(kLanes * o, hits, buffer.second + here);
+    if (thickness)
+      compress(load(*thickness), hits, buffer.thickness_mm + here);
+    else
+      store_sixteen(full, buffer.thickness_mm + here);
+  });
+  if (count + kLanes > buffer.room) return count + kLanes;
+  for (int k = count; k < kLanes * blocks_for(static_cast<unsigned long>(count)); ++k) {
+    buffer.first[k] = buffer.first[0], buffer.second[k] = buffer.second[0];
+    buffer.thickness_mm[k] = R(-1e6);
+  }
+  return count;
+}
+
+/// Where a bin ends: room before touching as a share of the margin.
+template <class R>
+constexpr R kBinEnds[kPairBins] = {R(0.1), R(0.3), R(0.6), R(1)};
+
+/// Fills the buffer's bins and margins; how many pairs each bin has. Those with more room than their
+/// margin are in none.
+template <class R>
+COAPT_INLINE void bin_pairs(const PairSearch<R>& in, int count, int (&binned)[kPairBins]) {
+  const PairBuffer<R>& buffer = in.buffer;
+  for (int start = 0; start < count; start += kLanes) {
     IndexLane node[4];
-    const int count = found.count < kLanes ? found.count : kLanes;
-    found.first_nodes(node);
-    const Vec3x<R> d = in.faces ? face_apart(node, in.listed).d : edges_apart(node, in.listed).d;
+    for (int i = 0; i < kLanes; ++i)
+      nodes_of_pair(in, buffer.first[start + i], buffer.second[start + i], i, node);
+    Vec<R> margin;
+    const Vec3x<R> d = in.faces ? face_apart(node, in.listed, &margin).d
+                                : edges_apart(node, in.listed, &margin).d;
     const Vec<R> distance2 = largest(dot(d, d), all(kTiny_mm2<R>));
-    const Vec<R> thickness = load_first(found.thickness_mm), margin = load_first(found.margin_mm);
-    const Vec<R> space = distance2 * inverse_sqrt(distance2) - thickness;
-    unsigned left = first_lanes(count);
-    for (int b = 0; b < kBins && left != 0; ++b) {
-      const unsigned chosen = bits(space <= all(kEnds[b]) * margin) & left;
+    const Vec<R> space =
+        distance2 * inverse_sqrt(distance2) - load_sixteen(buffer.thickness_mm + start);
+    store_sixteen(margin, buffer.margin_mm + start);
+    unsigned left = first_lanes(count - start);
+    for (int b = 0; b < kPairBins; ++b) {
+      const unsigned chosen = bits(space <= all(kBinEnds<R>[b]) * margin) & left;
       left &= ~chosen;
-      if (chosen == 0) continue;
-      for (int k = 0; k < 4; ++k) bins[b].add_node(k, node[k], chosen);
-      bins[b].add(thickness, load_first(found.area_mm2), margin, chosen);
-      if (bins[b].count >= kLanes) pack(b);
+      compress_numbers(start, chosen, buffer.binned[b] + binned[b]);
+      binned[b] += __builtin_popcount(chosen);
     }
-    if (found.count > kLanes)
-      found.drop();
-    else
-      found.count = 0;
   }
-  COAPT_INLINE void pack(int b) {
-    Waiting<R>& bin = bins[b];
-    if (used++ < room) {
-      PairBlock<R>& block = blocks[used - 1];
-      bin.first_nodes(block.node);
-      block.asleep_until = b == 0 ? R(0) : kEnds[b - 1];
-      for (int i = bin.count; i < kLanes; ++i) {
-        bin.thickness_mm[i] = R(-1e6);  // padding: never near
-        bin.area_mm2[i] = R(0);
-        bin.margin_mm[i] = R(1);
-      }
-      const Vec<R> thickness = load_first(bin.thickness_mm);
-      store(thickness, block.thickness_mm);
-      store(all(in.stiffness_n_per_mm4 * in.thickness_mm) * load_first(bin.area_mm2) / thickness,
-            block.force_n_per_mm2);
-      store(all(R(1)) / load_first(bin.margin_mm), block.per_margin_mm);
-    }
-    if (bin.count > kLanes)
-      bin.drop();
-    else
-      bin.count = 0;
+}
+
+/// Up to sixteen pairs of a bin; padding is never near.
+template <class R>
+COAPT_INLINE void pack(const PairSearch<R>& in, const int* pairs, int count, PairBlock<R>& block) {
+  Lane<R> thickness, area, margin;
+  for (int i = 0; i < kLanes; ++i) {
+    const bool real = i < count;
+    const int pair = pairs[real ? i : 0];
+    const int first = in.buffer.first[pair], second = in.buffer.second[pair];
+    nodes_of_pair(in, first, second, i, block.node);
+    thickness.at[i] = real ? in.buffer.thickness_mm[pair] : R(-1e6);
+    area.at[i] = real ? in.first.each[first].area_mm2 + in.second.each[second].area_mm2 : R(0);
+    margin.at[i] = real ? in.buffer.margin_mm[pair] : R(1);
   }
-};
+  store(load(thickness), block.thickness_mm);
+  store(all(in.stiffness_n_per_mm4 * in.thickness_mm) * load(area) / load(thickness),
+        block.force_n_per_mm2);
+  store(all(R(1)) / load(margin), block.per_margin_mm);
+}
 
 template <class R>
 int list_pairs(const PairSearch<R>& in, PairBlock<R>* blocks, int room) {
-  Packer<R> packer{in, blocks, room, 0, {}, {}};
-  find_pairs(
-      in, [&](int c, int i, int o, unsigned hits, const Vec<R>& thickness, const Vec<R>& margin) {
-        const Cluster<R>&one = in.first.clusters[c], &other = in.second.clusters[o];
-        Waiting<R>& found = packer.found;
-        found.add_node(0, one.node[0].at[i]);
-        if (in.faces) {
-          for (int k = 0; k < 3; ++k) found.add_node(k + 1, other.node[k], hits);
-        } else {
-          found.add_node(1, one.node[1].at[i]);
-          for (int k = 0; k < 2; ++k) found.add_node(k + 2, other.node[k], hits);
-        }
-        found.add(thickness, all(one.area_mm2.at[i]) + load(other.area_mm2), margin, hits);
-        if (found.count >= kLanes) packer.sort_found();
-      });
-  if (packer.found.count > 0) packer.sort_found();
-  for (int b = 0; b < Packer<R>::kBins; ++b)
-    if (packer.bins[b].count > 0) packer.pack(b);
-  return packer.used;
+  const int count = buffer_pairs(in);
+  if (count > in.buffer.room || in.buffer.room == 0) return -1 - count;
+  int binned[kPairBins] = {}, used = 0;
+  bin_pairs(in, count, binned);
+  for (int b = 0; b < kPairBins; ++b) {
+    for (int start = 0; start < binned[b]; start += kLanes) {
+      if (used++ >= room) continue;
+      PairBlock<R>& block = blocks[used - 1];
+      pack(in, in.buffer.binned[b] + start, binned[b] - start, block);
+      block.asleep_until = b == 0 ? R(0) : kBinEnds<R>[b - 1];
+    }
+  }
+  return used;
 }
 
 constexpr int kMostPairs = 1 << 30;  // counted; a valid valve has far fewer
@@ -248,13 +249,13 @@ constexpr int kMostPairs = 1 << 30;  // counted; a valid valve has far fewer
 template <class R>
 int number_pairs(const PairSearch<R>& in, int* first, int* second, int room) {
   int count = 0;
-  find_pairs(in, [&](int c, int i, int o, unsigned hits, const Vec<R>&, const Vec<R>&) {
+  find_pairs(in, [&](int feature, int o, unsigned hits, const Lane<R>*) {
     for (; hits != 0; hits &= hits - 1) {
       if (count >= room) {
         if (count < kMostPairs) ++count;
         continue;
       }
-      first[count] = kLanes * c + i;
+      first[count] = feature;
       second[count++] = kLanes * o + __builtin_ctz(hits);
     }
   });
