@@ -4,52 +4,19 @@
 // Only operations that IEEE 754 fixes to the bit, and no fused ones, so that all instruction sets
 // agree. The portable set has no intrinsics: vectors of the compiler (GCC and clang), for any
 // processor.
+//
+// Registers are loaded and stored one by one: g++ 12 copies a whole Vec in pieces of 16 bytes, and a
+// processor that then loads 32 of them waits until they are in the cache (1.7 times the time of a
+// closure by AVX2).
 #pragma once
-
-#if defined(__x86_64__) && !defined(COAPT_PORTABLE_LANES)
-#include <immintrin.h>
-#define COAPT_X86_LANES
-#if defined(__AVX512F__)
-#define COAPT_AVX512
-#elif defined(__AVX2__)
-#define COAPT_AVX2
-#endif
-#endif
 
 #include <type_traits>
 
-#include "core/closure/kernels/layout.h"
-
-#define COAPT_INLINE inline __attribute__((always_inline))
+#include "core/closure/kernels/registers.h"
 
 namespace coapt::kernels {
 namespace {
 
-#if defined(COAPT_AVX512)
-constexpr int kRegisterBytes = 64;
-#elif defined(COAPT_AVX2)
-constexpr int kRegisterBytes = 32;
-#else
-constexpr int kRegisterBytes = 16;
-#endif
-
-template <class R>
-struct Registers;
-template <>
-struct Registers<float> {
-  typedef float Real __attribute__((vector_size(kRegisterBytes)));
-  using Bits = decltype(Real{} < Real{});
-  typedef float Quad4 __attribute__((vector_size(16)));
-};
-template <>
-struct Registers<double> {
-  typedef double Real __attribute__((vector_size(kRegisterBytes)));
-  using Bits = decltype(Real{} < Real{});
-  typedef double Quad4 __attribute__((vector_size(32)));
-};
-
-template <class R>
-constexpr int kWidth = kRegisterBytes / static_cast<int>(sizeof(R));
 template <class R>
 constexpr int kParts = kLanes / kWidth<R>;
 
@@ -59,84 +26,112 @@ struct Vec {
 };
 template <class R>
 struct Mask {
-  typename Registers<R>::Bits part[kParts<R>];
+  typename Registers<R>::Chosen part[kParts<R>];
 };
 
+/// The numbers of the parts, as a list: g++ takes an array apart only if no index is a variable.
+template <int... numbers>
+struct Numbers {};
+template <int count, int... numbers>
+struct NumbersTo : NumbersTo<count - 1, count - 1, numbers...> {};
+template <int... numbers>
+struct NumbersTo<0, numbers...> {
+  using List = Numbers<numbers...>;
+};
+template <class Parts, class Operation, int... i>
+COAPT_INLINE Parts each_of(Operation operation, Numbers<i...>) {
+  return {{operation(i)...}};
+}
 template <class R, class Operation>
 COAPT_INLINE Vec<R> each(Operation operation) {
-  Vec<R> result;
-  for (int i = 0; i < kParts<R>; ++i) result.part[i] = operation(i);
-  return result;
+  return each_of<Vec<R>>(operation, typename NumbersTo<kParts<R>>::List{});
 }
 template <class R, class Operation>
 COAPT_INLINE Mask<R> each_bits(Operation operation) {
-  Mask<R> result;
-  for (int i = 0; i < kParts<R>; ++i) result.part[i] = operation(i);
-  return result;
+  return each_of<Mask<R>>(operation, typename NumbersTo<kParts<R>>::List{});
 }
 
 template <class R>
 COAPT_INLINE Vec<R> all(R value) {
-  return each<R>([&](int) { return typename Registers<R>::Real{} + value; });
+  return each<R>([&](int) COAPT_INLINE_LAMBDA { return typename Registers<R>::Real{} + value; });
+}
+template <class R>
+COAPT_INLINE Vec<R> load(const R* first) {
+  return each<R>([&](int i) COAPT_INLINE_LAMBDA {
+    typename Registers<R>::Real part;
+    __builtin_memcpy(&part, first + i * kWidth<R>, sizeof part);
+    return part;
+  });
 }
 template <class R>
 COAPT_INLINE Vec<R> load(const Lane<R>& lane) {
-  Vec<R> result;
-  __builtin_memcpy(&result, &lane.at, sizeof result);
-  return result;
+  return load(static_cast<const R*>(__builtin_assume_aligned(lane.at, alignof(Lane<R>))));
+}
+template <class R>
+COAPT_INLINE void store(const Vec<R>& v, R* first) {
+  for (int i = 0; i < kParts<R>; ++i)
+    __builtin_memcpy(first + i * kWidth<R>, &v.part[i], sizeof v.part[i]);
 }
 template <class R>
 COAPT_INLINE void store(const Vec<R>& v, Lane<R>& lane) {
-  __builtin_memcpy(&lane.at, &v, sizeof v);
+  store(v, static_cast<R*>(__builtin_assume_aligned(lane.at, alignof(Lane<R>))));
 }
 
 template <class R>
 COAPT_INLINE Vec<R> operator+(const Vec<R>& a, const Vec<R>& b) {
-  return each<R>([&](int i) { return a.part[i] + b.part[i]; });
+  return each<R>([&](int i) COAPT_INLINE_LAMBDA { return a.part[i] + b.part[i]; });
 }
 template <class R>
 COAPT_INLINE Vec<R> operator-(const Vec<R>& a, const Vec<R>& b) {
-  return each<R>([&](int i) { return a.part[i] - b.part[i]; });
+  return each<R>([&](int i) COAPT_INLINE_LAMBDA { return a.part[i] - b.part[i]; });
 }
 template <class R>
 COAPT_INLINE Vec<R> operator*(const Vec<R>& a, const Vec<R>& b) {
-  return each<R>([&](int i) { return a.part[i] * b.part[i]; });
+  return each<R>([&](int i) COAPT_INLINE_LAMBDA { return a.part[i] * b.part[i]; });
 }
 template <class R>
 COAPT_INLINE Vec<R> operator/(const Vec<R>& a, const Vec<R>& b) {
-  return each<R>([&](int i) { return a.part[i] / b.part[i]; });
+  return each<R>([&](int i) COAPT_INLINE_LAMBDA { return a.part[i] / b.part[i]; });
 }
 template <class R>
 COAPT_INLINE Mask<R> operator<(const Vec<R>& a, const Vec<R>& b) {
-  return each_bits<R>([&](int i) { return a.part[i] < b.part[i]; });
+  return each_bits<R>([&](int i) COAPT_INLINE_LAMBDA { return less(a.part[i], b.part[i]); });
 }
 template <class R>
 COAPT_INLINE Mask<R> operator<=(const Vec<R>& a, const Vec<R>& b) {
-  return each_bits<R>([&](int i) { return a.part[i] <= b.part[i]; });
+  return each_bits<R>([&](int i) COAPT_INLINE_LAMBDA { return at_most(a.part[i], b.part[i]); });
 }
 template <class R>
 COAPT_INLINE Mask<R> operator&(const Mask<R>& a, const Mask<R>& b) {
-  return each_bits<R>([&](int i) { return a.part[i] & b.part[i]; });
+  return each_bits<R>([&](int i) COAPT_INLINE_LAMBDA {
+    return static_cast<typename Registers<R>::Chosen>(a.part[i] & b.part[i]);
+  });
 }
 template <class R>
 COAPT_INLINE Mask<R> operator|(const Mask<R>& a, const Mask<R>& b) {
-  return each_bits<R>([&](int i) { return a.part[i] | b.part[i]; });
+  return each_bits<R>([&](int i) COAPT_INLINE_LAMBDA {
+    return static_cast<typename Registers<R>::Chosen>(a.part[i] | b.part[i]);
+  });
 }
 template <class R>
 COAPT_INLINE Vec<R> select(const Mask<R>& mask, const Vec<R>& yes, const Vec<R>& no) {
-  return each<R>([&](int i) { return mask.part[i] ? yes.part[i] : no.part[i]; });
+  return each<R>([&](int i)
+                     COAPT_INLINE_LAMBDA { return choose(mask.part[i], yes.part[i], no.part[i]); });
 }
 template <class R>
 COAPT_INLINE Vec<R> least(const Vec<R>& a, const Vec<R>& b) {
-  return select(a < b, a, b);
+  return each<R>([&](int i) COAPT_INLINE_LAMBDA { return lesser(a.part[i], b.part[i]); });
 }
 template <class R>
 COAPT_INLINE Vec<R> largest(const Vec<R>& a, const Vec<R>& b) {
-  return select(b < a, a, b);
+  return each<R>([&](int i) COAPT_INLINE_LAMBDA { return greater(a.part[i], b.part[i]); });
 }
 template <class R>
 COAPT_INLINE Vec<R> magnitude(const Vec<R>& a) {
-  return largest(a, all(R(0)) - a);
+  using Register = Registers<R>;
+  return each<R>([&](int i) COAPT_INLINE_LAMBDA {
+    return (typename Register::Real)((typename Register::Bits)a.part[i] & Register::kAllButSign);
+  });
 }
 
 /// 1 / sqrt(a) for a > 0. Doubles: correctly rounded root and quotient. Floats: first guess from
@@ -145,7 +140,7 @@ COAPT_INLINE Vec<R> magnitude(const Vec<R>& a) {
 COAPT_INLINE Vec<float> inverse_sqrt(const Vec<float>& a) {
   using Bits = Registers<float>::Bits;
   using Real = Registers<float>::Real;
-  return each<float>([&](int i) {
+  return each<float>([&](int i) COAPT_INLINE_LAMBDA {
     const Real x = a.part[i];
     Real y = (Real)(0x5F1FFFF9 - (((Bits)x) >> 1));
     y = y * 0.703952253f * (2.38924456f - x * y * y);
@@ -153,157 +148,57 @@ COAPT_INLINE Vec<float> inverse_sqrt(const Vec<float>& a) {
   });
 }
 COAPT_INLINE Vec<double> inverse_sqrt(const Vec<double>& a) {
-  return each<double>([&](int i) {
-#if defined(COAPT_AVX512)
-    const auto root = (Registers<double>::Real)_mm512_sqrt_pd((__m512d)a.part[i]);
-#elif defined(COAPT_AVX2)
-    const auto root = (Registers<double>::Real)_mm256_sqrt_pd((__m256d)a.part[i]);
-#elif defined(COAPT_X86_LANES)
-    const auto root = (Registers<double>::Real)_mm_sqrt_pd((__m128d)a.part[i]);
-#else
-    Registers<double>::Real root = a.part[i];
-    for (int k = 0; k < kWidth<double>; ++k) root[k] = __builtin_sqrt(root[k]);
-#endif
-    return 1.0 / root;
-  });
+  return each<double>([&](int i) COAPT_INLINE_LAMBDA { return 1.0 / root(a.part[i]); });
 }
 
 /// Where the lanes have that value.
 template <class R>
 COAPT_INLINE Mask<R> lanes_with(const IndexLane& lanes, int value) {
   using Bits = typename Registers<R>::Bits;
-  return each_bits<R>([&](int i) {
-    Bits part = {};
-    if constexpr (sizeof(R) == sizeof(int)) {
-      __builtin_memcpy(&part, lanes.at + i * kWidth<R>, sizeof part);
-    } else {
-      for (int k = 0; k < kWidth<R>; ++k) part[k] = lanes.at[i * kWidth<R> + k];
-    }
-    return part == value;
+  typedef int Indices __attribute__((vector_size(kWidth<R> * sizeof(int))));
+  return each_bits<R>([&](int i) COAPT_INLINE_LAMBDA {
+    Indices part;
+    __builtin_memcpy(&part, lanes.at + i * kWidth<R>, sizeof part);
+    return equal(__builtin_convertvector(part, Bits), Bits{} + value);
   });
 }
 
 /// One bit per lane.
-#if defined(COAPT_X86_LANES)
-COAPT_INLINE unsigned bits(const Mask<float>& mask) {
-#if defined(COAPT_AVX512)
-  return _mm512_movepi32_mask((__m512i)mask.part[0]);
-#elif defined(COAPT_AVX2)
-  return static_cast<unsigned>(_mm256_movemask_ps((__m256)mask.part[0])) |
-         static_cast<unsigned>(_mm256_movemask_ps((__m256)mask.part[1])) << 8;
-#else
-  unsigned result = 0;
-  for (int i = 0; i < kParts<float>; ++i)
-    result |= static_cast<unsigned>(_mm_movemask_ps((__m128)mask.part[i])) << (4 * i);
-  return result;
-#endif
-}
-COAPT_INLINE unsigned bits(const Mask<double>& mask) {
-  unsigned result = 0;
-  for (int i = 0; i < kParts<double>; ++i) {
-#if defined(COAPT_AVX512)
-    result |= static_cast<unsigned>(_mm512_movepi64_mask((__m512i)mask.part[i])) << (8 * i);
-#elif defined(COAPT_AVX2)
-    result |= static_cast<unsigned>(_mm256_movemask_pd((__m256d)mask.part[i])) << (4 * i);
-#else
-    result |= static_cast<unsigned>(_mm_movemask_pd((__m128d)mask.part[i])) << (2 * i);
-#endif
-  }
-  return result;
-}
-#else
 template <class R>
 COAPT_INLINE unsigned bits(const Mask<R>& mask) {
   unsigned result = 0;
-  for (int i = 0; i < kLanes; ++i)
-    result |= (mask.part[i / kWidth<R>][i % kWidth<R>] != 0 ? 1u : 0u) << i;
+  for (int i = 0; i < kParts<R>; ++i) result |= lane_bits(mask.part[i]) << (kWidth<R> * i);
   return result;
 }
-#endif
 
-/// Stores the numbers from `start` on whose lanes have a bit next to each other; may write sixteen in
-/// all.
-COAPT_INLINE void compress_numbers(int start, unsigned chosen, int* out) {
+/// Stores the lanes that have a bit next to each other; may write sixteen in all.
+template <class Lanes, class Word>  // Lane<Word> or IndexLane
+COAPT_INLINE void compress(const Lanes& lanes, unsigned chosen, Word* out) {
 #if defined(COAPT_AVX512)
-  const __m512i numbers =
-      _mm512_add_epi32(_mm512_set1_epi32(start),
-                       _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0));
-  _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), numbers));
-#else
-  for (; chosen != 0; chosen &= chosen - 1) *out++ = start + __builtin_ctz(chosen);
-#endif
-}
-/// The same of the lanes themselves.
-template <class R>
-COAPT_INLINE void compress(const Vec<R>& v, unsigned chosen, R* out) {
-#if defined(COAPT_AVX512)
-  if constexpr (sizeof(R) == sizeof(float)) {
-    _mm512_storeu_ps(out,
-                     _mm512_maskz_compress_ps(static_cast<__mmask16>(chosen), (__m512)v.part[0]));
+  if constexpr (sizeof(Word) == 4) {
+    _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen),
+                                                         _mm512_load_si512(lanes.at)));
+    return;
+  }
+#elif defined(COAPT_AVX2)
+  if constexpr (sizeof(Word) == 4) {
+    pack_eight(lanes.at + 8, chosen >> 8, pack_eight(lanes.at, chosen & 0xFF, out));
     return;
   }
 #endif
-  Lane<R> lanes;
-  store(v, lanes);
   for (; chosen != 0; chosen &= chosen - 1) *out++ = lanes.at[__builtin_ctz(chosen)];
 }
-
-/// Four by four, in each 128-bit quarter of a float register: rows become columns and back.
-using FloatRegister = Registers<float>::Real;
-COAPT_INLINE void transpose(FloatRegister& a, FloatRegister& b, FloatRegister& c,
-                            FloatRegister& d) {
-#if defined(COAPT_X86_LANES)
-#if defined(COAPT_AVX512)
-#define COAPT_PS(name) _mm512_##name##_ps
-#elif defined(COAPT_AVX2)
-#define COAPT_PS(name) _mm256_##name##_ps
-#else
-#define COAPT_PS(name) _mm_##name##_ps
-#endif
-  const auto ab_low = COAPT_PS(unpacklo)(a, b), ab_high = COAPT_PS(unpackhi)(a, b);
-  const auto cd_low = COAPT_PS(unpacklo)(c, d), cd_high = COAPT_PS(unpackhi)(c, d);
-  a = COAPT_PS(shuffle)(ab_low, cd_low, 0x44);
-  b = COAPT_PS(shuffle)(ab_low, cd_low, 0xEE);
-  c = COAPT_PS(shuffle)(ab_high, cd_high, 0x44);
-  d = COAPT_PS(shuffle)(ab_high, cd_high, 0xEE);
-#undef COAPT_PS
-#else
-  const FloatRegister rows[4] = {a, b, c, d};
-  for (int k = 0; k < 4; ++k)
-    a[k] = rows[k][0], b[k] = rows[k][1], c[k] = rows[k][2], d[k] = rows[k][3];
-#endif
+template <class R>
+COAPT_INLINE void compress(const Vec<R>& v, unsigned chosen, R* out) {
+  Lane<R> lanes;
+  store(v, lanes);
+  compress(lanes, chosen, out);
 }
-
-/// Quads next to each other in a register: quad(0), quad(4), quad(8), quad(12) of its part.
-template <class QuadAt>
-COAPT_INLINE FloatRegister every_fourth(QuadAt quad) {
-#if defined(COAPT_AVX512)
-  __m512 r = _mm512_castps128_ps512(_mm_load_ps(quad(0)));
-  r = _mm512_insertf32x4(r, _mm_load_ps(quad(4)), 1);
-  r = _mm512_insertf32x4(r, _mm_load_ps(quad(8)), 2);
-  return _mm512_insertf32x4(r, _mm_load_ps(quad(12)), 3);
-#elif defined(COAPT_AVX2)
-  return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(quad(0))), _mm_load_ps(quad(4)),
-                              1);
-#else
-  FloatRegister r;
-  __builtin_memcpy(&r, quad(0), sizeof r);
-  return r;
-#endif
-}
-template <class QuadAt>
-COAPT_INLINE void put_every_fourth(FloatRegister r, QuadAt quad) {
-#if defined(COAPT_AVX512)
-  _mm_store_ps(quad(0), _mm512_castps512_ps128(r));
-  _mm_store_ps(quad(4), _mm512_extractf32x4_ps(r, 1));
-  _mm_store_ps(quad(8), _mm512_extractf32x4_ps(r, 2));
-  _mm_store_ps(quad(12), _mm512_extractf32x4_ps(r, 3));
-#elif defined(COAPT_AVX2)
-  _mm_store_ps(quad(0), _mm256_castps256_ps128(r));
-  _mm_store_ps(quad(4), _mm256_extractf128_ps(r, 1));
-#else
-  __builtin_memcpy(quad(0), &r, sizeof r);
-#endif
+/// Of the numbers from `start` on.
+COAPT_INLINE void compress_numbers(int start, unsigned chosen, int* out) {
+  IndexLane numbers;
+  for (int i = 0; i < kLanes; ++i) numbers.at[i] = start + i;
+  compress(numbers, chosen, out);
 }
 
 template <class R>
@@ -327,12 +222,12 @@ COAPT_INLINE Vec<float> gather(const float* numbers, const IndexLane& offset) {
 #if defined(COAPT_AVX512)
   return {{(Registers<float>::Real)_mm512_i32gather_ps(_mm512_load_si512(offset.at), numbers, 1)}};
 #elif defined(COAPT_AVX2)
-  return each<float>([&](int i) {
+  return each<float>([&](int i) COAPT_INLINE_LAMBDA {
     const auto at = _mm256_load_si256(reinterpret_cast<const __m256i*>(offset.at) + i);
     return (Registers<float>::Real)_mm256_i32gather_ps(numbers, at, 1);
   });
 #else
-  return each<float>([&](int i) {
+  return each<float>([&](int i) COAPT_INLINE_LAMBDA {
     const int* at = offset.at + i * kWidth<float>;
     return Registers<float>::Real{at_offset(numbers, at[0]), at_offset(numbers, at[1]),
                                   at_offset(numbers, at[2]), at_offset(numbers, at[3])};
@@ -340,7 +235,7 @@ COAPT_INLINE Vec<float> gather(const float* numbers, const IndexLane& offset) {
 #endif
 }
 COAPT_INLINE Vec<double> gather(const double* numbers, const IndexLane& offset) {
-  return each<double>([&](int i) {
+  return each<double>([&](int i) COAPT_INLINE_LAMBDA {
     Registers<double>::Real part;
     for (int k = 0; k < kWidth<double>; ++k)
       part[k] = at_offset(numbers, offset.at[i * kWidth<double> + k]);

@@ -133,17 +133,6 @@ COAPT_INLINE void find_pairs(const PairSearch<R>& in, Take take) {
 }
 
 template <class R>
-COAPT_INLINE Vec<R> load_sixteen(const R* at) {
-  Vec<R> result;
-  __builtin_memcpy(&result, at, sizeof result);
-  return result;
-}
-template <class R>
-COAPT_INLINE void store_sixteen(const Vec<R>& v, R* at) {
-  __builtin_memcpy(at, &v, sizeof v);
-}
-
-template <class R>
 COAPT_INLINE void nodes_of_pair(const PairSearch<R>& in, int first, int second, int lane,
                                 IndexLane* node) {
   const Feature<R>&a = in.first.each[first], &b = in.second.each[second];
@@ -168,7 +157,7 @@ COAPT_INLINE int buffer_pairs(const PairSearch<R>& in) {
     if (thickness)
       compress(load(*thickness), hits, buffer.thickness_mm + here);
     else
-      store_sixteen(full, buffer.thickness_mm + here);
+      store(full, buffer.thickness_mm + here);
   });
   if (count + kLanes > buffer.room) return count + kLanes;
   for (int k = count; k < kLanes * blocks_for(static_cast<unsigned long>(count)); ++k) {
@@ -196,8 +185,8 @@ COAPT_INLINE void bin_pairs(const PairSearch<R>& in, int count, int (&binned)[kP
                                 : edges_apart(node, in.listed, &margin).d;
     const Vec<R> distance2 = largest(dot(d, d), all(kTiny_mm2<R>));
     const Vec<R> space =
-        distance2 * inverse_sqrt(distance2) - load_sixteen(buffer.thickness_mm + start);
-    store_sixteen(margin, buffer.margin_mm + start);
+        distance2 * inverse_sqrt(distance2) - load<R>(buffer.thickness_mm + start);
+    store(margin, buffer.margin_mm + start);
     unsigned left = first_lanes(count - start);
     for (int b = 0; b < kPairBins; ++b) {
       const unsigned chosen = bits(space <= all(kBinEnds<R>[b]) * margin) & left;
