@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "core/closure/contact.h"
+
 namespace coapt {
 namespace {
 
@@ -24,14 +26,17 @@ double longest_edge_mm(const std::array<Vec3, 3>& c) {
       {(c[0] - c[1]).squaredNorm(), (c[1] - c[2]).squaredNorm(), (c[2] - c[0]).squaredNorm()}));
 }
 
-/// Faces that may have a point within the radius and are joined to the first by such faces.
+/// Faces that have a point within the radius and are joined to the first by such faces.
 std::vector<Index> faces_around(const Valve& valve, int first, const Vec3& centre,
                                 double radius_mm) {
   std::vector<Index> near;
   for (Index f = 0; f < valve.faces.rows(); ++f) {
     const auto c = corners_of(valve, f);
     const double reach = radius_mm + longest_edge_mm(c);
-    if (f == first || (c[0] - centre).squaredNorm() < reach * reach) near.push_back(f);
+    if ((c[0] - centre).squaredNorm() >= reach * reach) continue;
+    const Vec3 w = closest_point_weights(centre, c[0], c[1], c[2]);
+    if (f == first || (w[0] * c[0] + w[1] * c[1] + w[2] * c[2] - centre).norm() < radius_mm)
+      near.push_back(f);
   }
   std::set<int> reached = {valve.faces(first, 0), valve.faces(first, 1), valve.faces(first, 2)};
   std::vector<Index> joined;
@@ -73,9 +78,9 @@ std::vector<NodeShare> insertion_zone(const Valve& valve, const Insertion& inser
         for (int j = 0; j < 2 * (parts - i) - 1; ++j) {
           const double third = (j % 2 == 0 ? 1.0 : 2.0) / 3.0;
           const double u = (i + third) / parts, v = (j / 2 + third) / parts;
-          const double away = (from + u * (b - a) + v * (c - a)).norm();
-          const double cone = area / (parts * parts) * (1.0 - away / radius_mm);
-          if (cone <= 0.0) continue;
+          const double away2 = (from + u * (b - a) + v * (c - a)).squaredNorm();
+          if (away2 >= radius_mm * radius_mm) continue;
+          const double cone = area / (parts * parts) * (1.0 - std::sqrt(away2) / radius_mm);
           shares[0] += cone * (1.0 - u - v);
           shares[1] += cone * u;
           shares[2] += cone * v;
