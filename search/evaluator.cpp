@@ -2,11 +2,15 @@
 
 #include <cmath>
 
+#include "core/closure/prepared_valve.h"
+
 namespace coapt {
 
 Evaluator closing_evaluator(const ClosureOptions& options) {
-  return [options](const Valve& valve, const ClosureResult* neighbour) {
-    auto closure = std::make_shared<const ClosureResult>(close_valve(valve, options, neighbour));
+  return [options, prepared = std::make_shared<PreparedValves>()](const Valve& valve,
+                                                                  const ClosureResult* neighbour) {
+    auto closure = std::make_shared<const ClosureResult>(
+        close_valve(*prepared->of(valve, options), valve, options, neighbour));
     const Evaluation evaluation{closure->status, closure->crossing, measure(valve, *closure)};
     return ClosedPlan{evaluation, std::move(closure)};
   };

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "core/closure/model.h"
+#include "core/closure/prepared_valve.h"
 #include "core/closure/relaxation.h"
 #include "core/closure/thesis.h"
 
@@ -39,14 +40,14 @@ struct Rung {
 };
 
 std::vector<Rung> thesis_ladder(const ClosureModel& model, const ClosureOptions& options,
-                                const ContactLaw& contact, Allowance& allowance) {
+                                const PreparedValve& prepared, Allowance& allowance) {
   ThesisSettings plain;
   plain.allowance = &allowance;
   plain.residual_tolerance = options.residual_tolerance;
   plain.max_steps = options.max_steps > 0 ? options.max_steps : kThesisSteps;
   plain.damping_per_ms = options.damping_per_ms;
   plain.speed = options.speed;
-  plain.contact = contact;
+  plain.contact = prepared.contact();
   plain.samples = options.samples;
   ThesisSettings edges = plain;
   edges.contact.edges = true;
@@ -99,7 +100,7 @@ int fast_steps(const ClosureModel& model) {
 }
 
 std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& options,
-                              const ContactLaw& contact, Allowance& allowance,
+                              const PreparedValve& prepared, Allowance& allowance,
                               const ClosureRun* start) {
   RelaxationSettings plain;
   plain.allowance = &allowance;
@@ -107,7 +108,8 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
   plain.way_tolerance_mm = options.way_tolerance_mm;
   plain.max_steps = options.max_steps > 0 ? options.max_steps : fast_steps(model);
   plain.longest_move_mm *= options.speed;
-  plain.contact = contact;
+  plain.contact = prepared.contact();
+  plain.layout = &prepared.layout();
   plain.samples = options.samples;
   plain.motion = options.motion;
   RelaxationSettings edges = plain;
@@ -156,7 +158,7 @@ ClosureRun travel_and_settle(const ClosureModel& model, const RelaxationSettings
 }
 
 std::vector<Rung> exponential_ladder(const ClosureModel& model, const ClosureOptions& options,
-                                     const ContactLaw& contact, Allowance& allowance) {
+                                     const PreparedValve& prepared, Allowance& allowance) {
   RelaxationSettings plain;
   plain.allowance = &allowance;
   plain.residual_tolerance = options.residual_tolerance;
@@ -164,8 +166,9 @@ std::vector<Rung> exponential_ladder(const ClosureModel& model, const ClosureOpt
   plain.max_steps = options.max_steps > 0 ? options.max_steps : kPatientSteps;
   plain.damping = kTravelDamping;
   plain.longest_move_mm =
-      options.speed * std::min(plain.longest_move_mm, kTravelMoveShare * contact.thickness_mm);
-  plain.contact = contact;
+      options.speed * std::min(plain.longest_move_mm, kTravelMoveShare * prepared.contact().thickness_mm);
+  plain.contact = prepared.contact();
+  plain.layout = &prepared.layout();
   plain.contact.edges = true;
   plain.samples = options.samples;
   plain.motion = options.motion;
@@ -233,10 +236,12 @@ void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x
 
 ClosureResult close_valve(const Valve& valve, const ClosureOptions& options,
                           const ClosureResult* neighbour) {
-  const ClosureModel model = make_closure_model(valve, options.membrane);
-  const double thickness = valve.tissue.thickness_mm;
-  const ContactLaw contact{thickness, options.contact_pressure_mpa / (thickness * thickness), false,
-                           options.self_contact};
+  return close_valve(PreparedValve(valve, options), valve, options, neighbour);
+}
+
+ClosureResult close_valve(const PreparedValve& prepared, const Valve& valve,
+                          const ClosureOptions& options, const ClosureResult* neighbour) {
+  const ClosureModel model = prepared.model(valve);
   const std::optional<ClosureRun> start =
       neighbour && !options.edge_contact ? start_from(valve, model, *neighbour) : std::nullopt;
   ClosureResult result;
@@ -248,10 +253,10 @@ ClosureResult close_valve(const Valve& valve, const ClosureOptions& options,
   std::size_t best_attempt = 0;
   Allowance allowance(options.budget, model.vertices);
   std::vector<Rung> ladder =
-      options.method == Method::Thesis ? thesis_ladder(model, options, contact, allowance)
+      options.method == Method::Thesis ? thesis_ladder(model, options, prepared, allowance)
       : is_mitral(valve)
-          ? fast_ladder(model, options, contact, allowance, start ? &*start : nullptr)
-          : exponential_ladder(model, options, contact, allowance);
+          ? fast_ladder(model, options, prepared, allowance, start ? &*start : nullptr)
+          : exponential_ladder(model, options, prepared, allowance);
   if (options.edge_contact && ladder.size() > 2) ladder.erase(ladder.begin());
   for (const Rung& rung : ladder) {
     ClosureRun run = rung.run();

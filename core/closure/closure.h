@@ -7,6 +7,8 @@
 
 namespace coapt {
 
+class PreparedValve;
+
 /// Deterministic: the same valve and options give the same bits, on any instruction set. Never
 /// throws on a valid valve. `neighbour`: a closure of a valve with the same mesh, for a warm start
 /// of method fast: from there, its annulus travelling to this valve's. What comes of it may be
@@ -15,5 +17,10 @@ namespace coapt {
 /// @pre validate(valve) is empty; the neighbour's valve has the same faces.
 ClosureResult close_valve(const Valve& valve, const ClosureOptions& options = {},
                           const ClosureResult* neighbour = nullptr);
+
+/// The same bits, without the work that a prepared valve has done. @pre It serves the valve under
+/// these options (prepared_valve.h).
+ClosureResult close_valve(const PreparedValve& prepared, const Valve& valve,
+                          const ClosureOptions& options, const ClosureResult* neighbour = nullptr);
 
 }  // namespace coapt

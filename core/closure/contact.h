@@ -24,6 +24,8 @@ struct ContactLaw {
   double stiffness_n_per_mm4 = 0.74;
   bool edges = false;
   SelfContact self = SelfContact::All;
+
+  bool operator==(const ContactLaw&) const = default;
 };
 
 /// The vertices of those leaflets (each of the first that has it) and the faces, in ascending

@@ -111,7 +111,6 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
   int next_branch = model.vertices;
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
     const Chorda& chorda = valve.chordae[c];
-    const PapillaryHead& head = valve.heads[chorda.head];
     std::vector<int> branch_node(chorda.segments.size(), -1);
     for (std::size_t s = 0; s < chorda.segments.size(); ++s) {
       const ChordaSegment& segment = chorda.segments[s];
@@ -125,7 +124,6 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
         cable.end = {{next_branch, 1.0}};
         branch_node[s] = next_branch;
         model.rest_mm.row(next_branch) = segment.branch_point_mm;
-        model.target_mm.row(next_branch) = segment.branch_point_mm + head.tip_mm - head.rest_mm;
         if (chorda.ruptured) model.fixed[next_branch] = true;
         ++next_branch;
       }
@@ -191,27 +189,36 @@ ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
   const int first_head = model.vertices + branch_points;
   const int nodes = first_head + static_cast<int>(valve.heads.size());
   model.rest_mm.setZero(nodes, 3);
-  model.target_mm.setZero(nodes, 3);
   model.fixed.assign(nodes, false);
   model.mass_g.assign(nodes, 0.0);
   model.area_mm2.assign(model.vertices, 0.0);
   model.rest_mm.topRows(model.vertices) = valve.rest_mm;
-  model.target_mm.topRows(model.vertices) = valve.rest_mm;
-  for (std::size_t i = 0; i < valve.annulus.size(); ++i) {
-    model.fixed[valve.annulus[i]] = true;
-    model.target_mm.row(valve.annulus[i]) = valve.annulus_mm.row(i);
-  }
+  for (const int vertex : valve.annulus) model.fixed[vertex] = true;
   for (std::size_t h = 0; h < valve.heads.size(); ++h) {
     const int node = first_head + static_cast<int>(h);
     model.fixed[node] = true;
     model.rest_mm.row(node) = valve.heads[h].rest_mm;
-    model.target_mm.row(node) = valve.heads[h].tip_mm;
   }
   add_membrane(valve, membrane, model);
   model.hinges = make_hinges(valve);
   add_chordae(valve, model);
+  set_targets(valve, model);
   model.stable_step_ms = stable_step_ms(model);
   return model;
+}
+
+void set_targets(const Valve& valve, ClosureModel& model) {
+  model.target_mm = model.rest_mm;
+  for (std::size_t i = 0; i < valve.annulus.size(); ++i)
+    model.target_mm.row(valve.annulus[i]) = valve.annulus_mm.row(i);
+  int node = model.vertices;
+  for (const Chorda& chorda : valve.chordae)
+    for (const ChordaSegment& segment : chorda.segments) {
+      if (segment.inserts) continue;
+      const PapillaryHead& head = valve.heads[chorda.head];
+      model.target_mm.row(node++) = segment.branch_point_mm + head.tip_mm - head.rest_mm;
+    }
+  for (const PapillaryHead& head : valve.heads) model.target_mm.row(node++) = head.tip_mm;
 }
 
 std::vector<std::array<int, 2>> edges_of(const Faces& faces, const std::vector<int>& chosen) {

@@ -60,6 +60,10 @@ struct ClosureModel {
 /// @pre validate(valve) is empty.
 ClosureModel make_closure_model(const Valve& valve, Membrane membrane = Membrane::Continuum);
 
+/// Moves its targets to where annulus and papillary tips of that valve are under pressure; of a valve
+/// that differs in nothing else from the model's own.
+void set_targets(const Valve& valve, ClosureModel& model);
+
 /// Edges of the chosen faces, each once, in ascending order.
 std::vector<std::array<int, 2>> edges_of(const Faces& faces, const std::vector<int>& chosen);
 

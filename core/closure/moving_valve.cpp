@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "core/closure/crossing.h"
 
@@ -29,6 +30,13 @@ double margin_mm(double move_mm) {
   return std::clamp(kListSteps * move_mm, kLeastMargin_mm, kLargestMargin_mm);
 }
 
+template <class R>
+RelaxationLayout<R> layout_for(const ClosureModel& model, const RelaxationSettings& settings) {
+  if constexpr (std::is_same_v<R, float>)
+    if (settings.layout != nullptr) return *settings.layout;
+  return lay_out<R>(model, settings.contact, settings.instructions);
+}
+
 }  // namespace
 
 template <class R>
@@ -38,18 +46,13 @@ MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings&
       settings_(settings),
       kernels_(kernels::kernels<R>(settings.instructions)),
       start_mm_(start),
-      laid_(make_relaxation_model<R>(model)),
-      x_(laid_.nodes),
+      layout_(layout_for<R>(model, settings)),
+      x_(layout_.laid.nodes),
       next_(x_.size()),
       force_(x_.size()),
-      corners_(3 * kLanes * laid_.faces.size() + 1),
-      hinge_pulls_(laid_.hinges.size() + 1),
-      faces_(model, laid_.node_of, settings.contact, PairKind::VertexFace, kernels_),
+      corners_(3 * kLanes * layout_.laid.faces.size() + 1),
+      hinge_pulls_(layout_.laid.hinges.size() + 1),
       longest_move_mm_(settings.longest_move_mm) {
-  if (settings.contact.self != SelfContact::All)
-    for (const ContactSides& sides : contact_sides(settings.contact.self))
-      parted_.emplace_back(model, laid_.node_of, settings.contact, PairKind::VertexFace, kernels_,
-                           std::vector<std::array<int, 2>>(), sides);
   if (settings.contact.edges) guard(model.edges);
   for (Index i = 0; i < start.rows(); ++i) place(i, start.row(i));
 }
@@ -57,7 +60,7 @@ MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings&
 template <class R>
 void MovingValve<R>::place_fixed(double travelled) {
   travelled_ = travelled;
-  for (const int i : laid_.fixed) {
+  for (const int i : layout_.laid.fixed) {
     const Vec3 way = model_.target_mm.row(i) - start_mm_.row(i);
     const Vec3 at = start_mm_.row(i).transpose() + travelled * way;
     place(i, at);
@@ -72,19 +75,19 @@ void MovingValve<R>::step(double fixed_move_mm) {
   if (std::max(listed_share_, fixed_share_) >= 1.0) list();
   pull_chordae();
   pull_faces();
-  if (parted_.empty()) faces_.push(x_, used_share_, force_);
-  for (ContactPairs<R>& pairs : parted_) pairs.push(x_, used_share_, force_);
+  if (layout_.parted.empty()) layout_.faces.push(x_, used_share_, force_);
+  for (ContactPairs<R>& pairs : layout_.parted) pairs.push(x_, used_share_, force_);
   if (edges_) edges_->push(x_, used_share_, force_);
   kernels::StepInput<R> input;
   input.x = x_.data();
   input.next = next_.data();
   input.force = force_.data();
   input.listed = listed_.data();
-  input.blocks = laid_.blocks.data();
+  input.blocks = layout_.laid.blocks.data();
   input.corners = corners_.data();
-  input.corner_slots = laid_.corner_slots.data();
-  input.spring_slots = laid_.spring_slots.data();
-  input.block_count = static_cast<int>(laid_.blocks.size());
+  input.corner_slots = layout_.laid.corner_slots.data();
+  input.spring_slots = layout_.laid.spring_slots.data();
+  input.block_count = static_cast<int>(layout_.laid.blocks.size());
   input.keep = static_cast<R>(share_kept(model_, settings_.damping));
   input.longest_move_mm = static_cast<R>(settings_.longest_move_mm);
   input.mass_share = static_cast<R>(settings_.mass_share);
@@ -100,8 +103,8 @@ void MovingValve<R>::step(double fixed_move_mm) {
 template <class R>
 void MovingValve<R>::list() {
   listed_ = x_;
-  for (std::size_t b = 0; b < laid_.blocks.size(); ++b) {
-    const kernels::NodeBlock<R>& block = laid_.blocks[b];
+  for (std::size_t b = 0; b < layout_.laid.blocks.size(); ++b) {
+    const kernels::NodeBlock<R>& block = layout_.laid.blocks[b];
     double move2 = 0.0;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       double v2 = 0.0;
@@ -113,12 +116,12 @@ void MovingValve<R>::list() {
       listed_[b * kLanes + lane].at[3] = static_cast<R>(margin);
   }
   fixed_margin_mm_ = margin_mm(started_ ? fixed_move_mm_ : longest_move_mm_);
-  for (std::size_t i = laid_.blocks.size() * kLanes; i < listed_.size(); ++i)
+  for (std::size_t i = layout_.laid.blocks.size() * kLanes; i < listed_.size(); ++i)
     listed_[i].at[3] = static_cast<R>(fixed_margin_mm_);
   started_ = true;
   listed_share_ = fixed_share_ = used_share_ = 0.0;
-  if (parted_.empty()) faces_.list(listed_);
-  for (ContactPairs<R>& pairs : parted_) pairs.list(listed_);
+  if (layout_.parted.empty()) layout_.faces.list(listed_);
+  for (ContactPairs<R>& pairs : layout_.parted) pairs.list(listed_);
   if (edges_) edges_->list(listed_);
 }
 
@@ -126,9 +129,9 @@ template <class R>
 Points MovingValve<R>::positions() const {
   Points x(model_.rest_mm.rows(), 3);
   for (Index i = 0; i < x.rows(); ++i)
-    for (int k = 0; k < 3; ++k) x(i, k) = static_cast<double>(x_[laid_.node_of[i]].at[k]);
+    for (int k = 0; k < 3; ++k) x(i, k) = static_cast<double>(x_[layout_.laid.node_of[i]].at[k]);
   if (travelled_ == 1.0)
-    for (const int i : laid_.fixed) x.row(i) = model_.target_mm.row(i);
+    for (const int i : layout_.laid.fixed) x.row(i) = model_.target_mm.row(i);
   return x;
 }
 
@@ -139,8 +142,8 @@ double MovingValve<R>::residual() const {
   double pressure2 = 0.0;
   for (int v = 0; v < model_.vertices; ++v)
     if (!model_.fixed[v]) pressure2 += pressure.row(v).squaredNorm();
-  const double force = std::sqrt(force2_n2_ / std::max(1, laid_.moving_nodes));
-  const double load = std::sqrt(pressure2 / std::max(1, laid_.moving_vertices));
+  const double force = std::sqrt(force2_n2_ / std::max(1, layout_.laid.moving_nodes));
+  const double load = std::sqrt(pressure2 / std::max(1, layout_.laid.moving_vertices));
   return load > 0.0 ? force / load : force;
 }
 
@@ -148,7 +151,7 @@ template <class R>
 std::vector<std::pair<int, int>> MovingValve<R>::crossings() {
   const Points x = positions();
   std::vector<std::pair<int, int>> pairs;
-  for (const auto& [f, g] : faces_.straddling(x_))
+  for (const auto& [f, g] : layout_.faces.straddling(x_))
     if (edge_pierces(model_.faces, x, f, g) || edge_pierces(model_.faces, x, g, f))
       pairs.push_back(std::minmax(f, g));
   std::sort(pairs.begin(), pairs.end());
@@ -158,14 +161,14 @@ std::vector<std::pair<int, int>> MovingValve<R>::crossings() {
 
 template <class R>
 void MovingValve<R>::guard(const std::vector<std::array<int, 2>>& edges) {
-  edges_.emplace(model_, laid_.node_of, settings_.contact, PairKind::EdgeEdge, kernels_, edges);
+  edges_.emplace(model_, layout_.laid.node_of, settings_.contact, PairKind::EdgeEdge, kernels_, edges);
   listed_share_ = 1.0;
 }
 
 template <class R>
 void MovingValve<R>::return_to(const Moment& moment) {
   x_ = next_ = moment.x;
-  laid_.blocks = moment.blocks;
+  layout_.laid.blocks = moment.blocks;
   longest_move_mm_ = moment.longest_move_mm;
   travelled_ = moment.travelled;
   listed_share_ = 1.0;
@@ -174,9 +177,9 @@ void MovingValve<R>::return_to(const Moment& moment) {
 template <class R>
 void MovingValve<R>::pull_chordae() {
   kernels::CableInput<R> input;
-  input.blocks = laid_.cables.data();
-  input.block_count = static_cast<int>(laid_.cables.size());
-  input.shares = laid_.cable_ends.data();
+  input.blocks = layout_.laid.cables.data();
+  input.block_count = static_cast<int>(layout_.laid.cables.size());
+  input.shares = layout_.laid.cable_ends.data();
   input.x = x_.data();
   input.force = force_.data();
   kernels_.pull_cables(input);
@@ -185,18 +188,18 @@ void MovingValve<R>::pull_chordae() {
 template <class R>
 void MovingValve<R>::pull_faces() {
   kernels::HingeInput<R> hinges;
-  hinges.blocks = laid_.hinges.data();
-  hinges.block_count = static_cast<int>(laid_.hinges.size());
+  hinges.blocks = layout_.laid.hinges.data();
+  hinges.block_count = static_cast<int>(layout_.laid.hinges.size());
   hinges.x = x_.data();
   hinges.pulls = hinge_pulls_.data();
   kernels_.turn_hinges(hinges);
   kernels::FaceInput<R> faces;
-  faces.blocks = laid_.faces.data();
-  faces.block_count = static_cast<int>(laid_.faces.size());
-  faces.law = laid_.face_law;
-  faces.continuum = laid_.continuum;
+  faces.blocks = layout_.laid.faces.data();
+  faces.block_count = static_cast<int>(layout_.laid.faces.size());
+  faces.law = layout_.laid.face_law;
+  faces.continuum = layout_.laid.continuum;
   faces.lookahead_mm = static_cast<R>(longest_move_mm_);
-  faces.exponential = laid_.exponential.data();
+  faces.exponential = layout_.laid.exponential.data();
   faces.least_area_stretch2 = static_cast<R>(kLeastAreaStretch2);
   faces.hinges = hinge_pulls_.data();
   faces.x = x_.data();
@@ -206,7 +209,7 @@ void MovingValve<R>::pull_faces() {
 
 template <class R>
 void MovingValve<R>::place(Index i, const Vec3& p) {
-  const int node = laid_.node_of[i];
+  const int node = layout_.laid.node_of[i];
   for (int k = 0; k < 3; ++k) x_[node].at[k] = next_[node].at[k] = static_cast<R>(p[k]);
 }
 

@@ -5,8 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/closure/contact_pairs.h"
-#include "core/closure/relaxation_model.h"
+#include "core/closure/relaxation_layout.h"
 #include "core/closure/relaxation_settings.h"
 
 namespace coapt {
@@ -46,7 +45,7 @@ class MovingValve {
   /// From now on these edges, and no others, have contact.
   void guard(const std::vector<std::array<int, 2>>& edges);
 
-  Moment moment() const { return {x_, laid_.blocks, longest_move_mm_, travelled_}; }
+  Moment moment() const { return {x_, layout_.laid.blocks, longest_move_mm_, travelled_}; }
   void return_to(const Moment& moment);
 
  private:
@@ -58,13 +57,11 @@ class MovingValve {
   const RelaxationSettings& settings_;
   const kernels::Kernels<R>& kernels_;
   const Points start_mm_;
-  RelaxationModel<R> laid_;
+  RelaxationLayout<R> layout_;
   std::vector<kernels::Quad<R>> x_, next_, force_;
   std::vector<kernels::Quad<R>> corners_;           // of faces, and one at rest
   std::vector<kernels::HingePulls<R>> hinge_pulls_;  // likewise
   std::vector<kernels::Quad<R>> listed_;  // where nodes were when pairs were listed, and margins
-  ContactPairs<R> faces_;                 // with vertices
-  std::vector<ContactPairs<R>> parted_;   // the same, where some leaflets do not touch themselves
   std::optional<ContactPairs<R>> edges_;  // with edges
   double travelled_ = 0.0;
   bool started_ = false;

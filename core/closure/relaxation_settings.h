@@ -4,6 +4,7 @@
 #include "core/closure/allowance.h"
 #include "core/closure/contact.h"
 #include "core/closure/kernels/kernels.h"
+#include "core/closure/relaxation_layout.h"
 
 namespace coapt {
 
@@ -22,6 +23,9 @@ struct RelaxationSettings {
   bool motion = false;             ///< record states on the way, 15 steps apart
   Allowance* allowance = nullptr;  ///< may be null; must outlive the relaxation
   kernels::InstructionSet instructions = kernels::best_instruction_set();
+  /// For relaxations in single precision: of their model, contact (but for edges) and instructions. Null:
+  /// they make their own.
+  const RelaxationLayout<float>* layout = nullptr;
 };
 
 }  // namespace coapt

@@ -16,6 +16,8 @@ struct ExponentialTissue {
   double c0_kpa = 1.0;  ///< three times this is the modulus at small strain
   double c1_kpa = 0.1;
   double c2 = 10.0;
+
+  bool operator==(const ExponentialTissue&) const = default;
 };
 
 /// A leaflet of a valve with any number of them.
@@ -23,6 +25,8 @@ struct NamedLeaflet {
   std::string name;  ///< unique, for instance "septal"
   double thickness_mm = 0.65;
   ExponentialTissue tissue;
+
+  bool operator==(const NamedLeaflet&) const = default;
 };
 
 /// Name of the leaflet of a face: of Valve::leaflets, or anterior, posterior and commissures.

@@ -48,6 +48,8 @@ struct Tissue {
   /// depend on the mesh.
   double bending_n_mm = 0.03;
   double chordae_kpa = 40000.0;
+
+  bool operator==(const Tissue&) const = default;
 };
 
 /// Vertex indices, all of them on the annulus loop.
@@ -72,6 +74,8 @@ struct PapillaryHead {
 struct Insertion {
   int face = 0;
   std::array<double, 3> weights = {1.0, 0.0, 0.0};
+
+  bool operator==(const Insertion&) const = default;
 };
 
 /// One straight piece of a chorda. It starts at the papillary head (parent -1) or at the branch
@@ -88,6 +92,8 @@ struct ChordaSegment {
   bool inserts = false;                 ///< ends in the leaflet (else in a branch point)
   Insertion insertion;                  ///< where, if it inserts
   Vec3 branch_point_mm = Vec3::Zero();  ///< the branch point in the unpressurised valve, if not
+
+  bool operator==(const ChordaSegment&) const = default;
 };
 
 /// A tree of segments from one papillary head to one or more insertions. Carries tension only.
@@ -97,6 +103,8 @@ struct Chorda {
   int head = 0;           ///< index into Valve::heads
   bool ruptured = false;  ///< carries nothing
   std::vector<ChordaSegment> segments;
+
+  bool operator==(const Chorda&) const = default;
 };
 
 /// Face normals (counter-clockwise winding) point to the atrial surface of the leaflets, and each

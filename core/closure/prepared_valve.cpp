@@ -1,0 +1,73 @@
+#include "core/closure/prepared_valve.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kKept = 8;  // a million bytes each at 650 triangles
+
+ContactLaw contact_law(const Valve& valve, const ClosureOptions& options) {
+  const double thickness = valve.tissue.thickness_mm;
+  return {thickness, options.contact_pressure_mpa / (thickness * thickness), false,
+          options.self_contact};
+}
+
+template <class Matrix>
+bool same_numbers(const Matrix& a, const Matrix& b) {
+  return a.rows() == b.rows() && a == b;
+}
+
+bool same_heads(const std::vector<PapillaryHead>& a, const std::vector<PapillaryHead>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const PapillaryHead& p, const PapillaryHead& q) {
+                      return p.rest_mm == q.rest_mm && p.side == q.side;
+                    });
+}
+
+}  // namespace
+
+PreparedValve::PreparedValve(const Valve& valve, const ClosureOptions& options)
+    : valve_(valve),
+      membrane_(options.membrane),
+      contact_(contact_law(valve, options)),
+      model_(make_closure_model(valve, options.membrane)),
+      layout_(lay_out<float>(model_, contact_, kernels::best_instruction_set())) {}
+
+bool PreparedValve::serves(const Valve& valve, const ClosureOptions& options) const {
+  return membrane_ == options.membrane && contact_ == contact_law(valve, options) &&
+         same_numbers(valve_.rest_mm, valve.rest_mm) && same_numbers(valve_.faces, valve.faces) &&
+         same_numbers(valve_.fibre, valve.fibre) && valve_.segments == valve.segments &&
+         valve_.leaflets == valve.leaflets && valve_.face_leaflet == valve.face_leaflet &&
+         valve_.annulus == valve.annulus && same_heads(valve_.heads, valve.heads) &&
+         valve_.chordae == valve.chordae && valve_.tissue == valve.tissue &&
+         valve_.pressure_kpa == valve.pressure_kpa;
+}
+
+ClosureModel PreparedValve::model(const Valve& valve) const {
+  ClosureModel model = model_;
+  set_targets(valve, model);
+  return model;
+}
+
+std::shared_ptr<const PreparedValve> PreparedValves::of(const Valve& valve,
+                                                        const ClosureOptions& options) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = std::find_if(newest_.begin(), newest_.end(), [&](const auto& prepared) {
+      return prepared->serves(valve, options);
+    });
+    if (found != newest_.end()) {
+      std::rotate(found, found + 1, newest_.end());
+      return newest_.back();
+    }
+  }
+  auto prepared = std::make_shared<const PreparedValve>(valve, options);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (newest_.size() == kKept) newest_.erase(newest_.begin());
+  newest_.push_back(prepared);
+  return prepared;
+}
+
+}  // namespace coapt

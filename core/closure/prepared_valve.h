@@ -1,0 +1,48 @@
+// What all closures of one unstressed valve have in common, made once: its model, laid out for the
+// kernels. Searches and studies move annulus and papillary tips thousands of times; a closure from
+// a start near its end spends a quarter of its time on this otherwise.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/closure/closure_options.h"
+#include "core/closure/relaxation_layout.h"
+
+namespace coapt {
+
+class PreparedValve {
+ public:
+  /// @pre validate(valve) is empty.
+  PreparedValve(const Valve& valve, const ClosureOptions& options);
+
+  /// Whether that valve differs from the prepared one at most in where its annulus and its papillary
+  /// tips are under pressure, and the options in nothing that its model depends on.
+  bool serves(const Valve& valve, const ClosureOptions& options) const;
+
+  /// Of a valve that it serves.
+  ClosureModel model(const Valve& valve) const;
+
+  const ContactLaw& contact() const { return contact_; }
+  const RelaxationLayout<float>& layout() const { return layout_; }
+
+ private:
+  Valve valve_;
+  Membrane membrane_;
+  ContactLaw contact_;
+  ClosureModel model_;
+  RelaxationLayout<float> layout_;
+};
+
+/// The valves that were prepared last. From any thread.
+class PreparedValves {
+ public:
+  std::shared_ptr<const PreparedValve> of(const Valve& valve, const ClosureOptions& options);
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::shared_ptr<const PreparedValve>> newest_;  // last
+};
+
+}  // namespace coapt
