@@ -70,24 +70,25 @@ std::vector<NodeShare> insertion_zone(const Valve& valve, const Insertion& inser
       const int parts = std::clamp(
           static_cast<int>(std::ceil(kPartsPerRadius * longest_edge_mm({a, b, c}) / radius_mm)), 1,
           kMostParts);
-      const double area = (b - a).cross(c - a).norm();
-      const Vec3 from = a - centre;
+      const double part = 1.0 / parts;
+      const Vec3 from = a - centre, ab = part * (b - a), ac = part * (c - a);
       // Small faces in rows; every second one of a row is upside down.
       std::array<double, 3> shares = {0.0, 0.0, 0.0};
       for (int i = 0; i < parts; ++i)
         for (int j = 0; j < 2 * (parts - i) - 1; ++j) {
           const double third = (j % 2 == 0 ? 1.0 : 2.0) / 3.0;
-          const double u = (i + third) / parts, v = (j / 2 + third) / parts;
-          const double away2 = (from + u * (b - a) + v * (c - a)).squaredNorm();
+          const double u = i + third, v = j / 2 + third;
+          const double away2 = (from + u * ab + v * ac).squaredNorm();
           if (away2 >= radius_mm * radius_mm) continue;
-          const double cone = area / (parts * parts) * (1.0 - std::sqrt(away2) / radius_mm);
-          shares[0] += cone * (1.0 - u - v);
+          const double cone = radius_mm - std::sqrt(away2);
+          shares[0] += cone * (parts - u - v);
           shares[1] += cone * u;
           shares[2] += cone * v;
         }
+      const double each = ab.cross(ac).norm();  // twice the area of a small face
       for (int k = 0; k < 3; ++k) {
-        weights[valve.faces(f, k)] += shares[k];
-        sum += shares[k];
+        weights[valve.faces(f, k)] += each * part * shares[k];
+        sum += each * part * shares[k];
       }
     }
   if (sum <= 0.0)
