@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace coapt {
 namespace {
@@ -71,6 +72,10 @@ HingeTurn turn(const Hinge& hinge, const Points& x) {
   const double s1 = to2.dot(e) / e2, s2 = to3.dot(e) / e2;
   now.gradient[0] = (s1 - 1.0) * now.gradient[2] + (s2 - 1.0) * now.gradient[3];
   now.gradient[1] = -s1 * now.gradient[2] - s2 * now.gradient[3];
+  now.size[2] = length / std::sqrt(q1);
+  now.size[3] = length / std::sqrt(q2);
+  now.size[0] = std::abs(s1 - 1.0) * now.size[2] + std::abs(s2 - 1.0) * now.size[3];
+  now.size[1] = std::abs(s1) * now.size[2] + std::abs(s2) * now.size[3];
   return now;
 }
 
@@ -91,12 +96,11 @@ void add_hinge_forces(const Hinge& hinge, const Points& x, Points& force) {
 
 std::array<double, 4> row_sums(const Hinge& hinge, const Points& x) {
   const HingeTurn now = turn(hinge, x);
-  std::array<double, 4> sizes;
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 4; ++k) sum += sizes[k] = now.gradient[k].norm();
-  const double stiffness = hinge.stiffness_n_mm * (1.0 + std::abs(now.t - hinge.rest));
-  for (double& size : sizes) size *= stiffness * sum;
-  return sizes;
+  std::array<double, 4> sums = now.size;
+  const double stiffness = hinge.stiffness_n_mm * (1.0 + std::abs(now.t - hinge.rest)) *
+                           std::accumulate(sums.begin(), sums.end(), 0.0);
+  for (double& sum : sums) sum *= stiffness;
+  return sums;
 }
 
 }  // namespace coapt

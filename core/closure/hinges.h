@@ -39,6 +39,8 @@ std::vector<Hinge> make_hinges(const Valve& valve);
 struct HingeTurn {
   double t = 0.0;
   std::array<Vec3, 4> gradient;
+  /// At least the norms of the gradients: those of both faces added up, as if they lay flat.
+  std::array<double, 4> size;
 };
 HingeTurn turn(const Hinge& hinge, const Points& x);
 

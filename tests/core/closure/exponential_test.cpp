@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "core/closure/closure.h"
-#include "core/closure/kernels/kernels.h"
-#include "core/closure/relaxation_model.h"
+#include "tests/core/closure/kernel_pulls.h"
 #include "tests/scenes/leaflet_valves.h"
 #include "tests/scenes/sheets.h"
 
@@ -142,29 +141,19 @@ TEST(Exponential, RowSumsBoundTheStiffness) {
   }
 }
 
-template <class R>
-std::vector<kernels::Quad<R>> pulled(const ClosureModel& model, const Points& x,
-                                     kernels::InstructionSet set, RelaxationModel<R>& laid) {
-  laid = make_relaxation_model<R>(model);
-  std::vector<kernels::Quad<R>> at(laid.nodes), force(laid.nodes);
-  for (std::size_t i = 0; i < laid.node_of.size(); ++i)
-    for (int k = 0; k < 3; ++k) at[laid.node_of[i]].at[k] = static_cast<R>(x(i, k));
-  kernels::ExponentialInput<R> input;
-  input.blocks = laid.exponential_sheets.data();
-  input.block_count = static_cast<int>(laid.exponential_sheets.size());
-  input.least_area_stretch2 = static_cast<R>(kLeastAreaStretch2);
-  input.x = at.data();
-  input.force = force.data();
-  kernels::kernels<R>(set).pull_exponential(input);
-  return force;
+/// Without bending and pressure.
+ClosureModel tissue_alone() {
+  ClosureModel model = make_closure_model(three_leaflets());
+  model.hinges.clear();
+  model.pressure_mpa = 0.0;
+  return model;
 }
 
 TEST(PullExponential, PullsLikeThePlainSheetsWithHalfTheirRowSums) {
-  const ClosureModel model = make_closure_model(three_leaflets());
+  const ClosureModel model = tissue_alone();
   for (const double stretch : {0.8, 1.2, 1.6}) {
     const Points x = stretched_and_sheared(model.rest_mm, stretch);
-    RelaxationModel<double> laid;
-    const auto force = pulled<double>(model, x, kernels::best_instruction_set(), laid);
+    const auto force = pulls_of_faces<double>(model, x, kernels::best_instruction_set());
     const Points plain = forces(model, x);
     std::vector<double> rows(x.rows(), 0.0);
     for (const ExponentialSheet& sheet : model.exponential_sheets) {
@@ -172,8 +161,8 @@ TEST(PullExponential, PullsLikeThePlainSheetsWithHalfTheirRowSums) {
       for (std::size_t k = 0; k < 3; ++k) rows[sheet.sheet.node[k]] += sums[k];
     }
     const double most = plain.rowwise().norm().maxCoeff();
-    for (std::size_t i = 0; i < laid.node_of.size(); ++i) {
-      const kernels::Quad<double>& quad = force[laid.node_of[i]];
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      const kernels::Quad<double>& quad = force[i];
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(quad.at[k], plain(i, k), 1e-11 * most) << i;
       EXPECT_NEAR(quad.at[3], 0.5 * rows[i], 1e-9 * rows[i]) << i;
     }
@@ -182,15 +171,14 @@ TEST(PullExponential, PullsLikeThePlainSheetsWithHalfTheirRowSums) {
 
 template <class R>
 void expect_same_bits_on_all_sets() {
-  const ClosureModel model = make_closure_model(three_leaflets());
+  const ClosureModel model = tissue_alone();
   const Points x = stretched_and_sheared(model.rest_mm, 1.2);
-  RelaxationModel<R> laid;
   using kernels::InstructionSet;
-  const auto expected = pulled<R>(model, x, InstructionSet::Portable, laid);
+  const auto expected = pulls_of_faces<R>(model, x, InstructionSet::Portable);
   for (const InstructionSet set :
        {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
     if (set > kernels::best_instruction_set()) continue;
-    const auto force = pulled<R>(model, x, set, laid);
+    const auto force = pulls_of_faces<R>(model, x, set);
     for (std::size_t i = 0; i < force.size(); ++i)
       for (int k = 0; k < 4; ++k) EXPECT_EQ(force[i].at[k], expected[i].at[k]) << to_string(set);
   }

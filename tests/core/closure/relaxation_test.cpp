@@ -8,6 +8,7 @@
 #include "core/closure/contact_pairs.h"
 #include "core/closure/relaxation_model.h"
 #include "core/presets/presets.h"
+#include "tests/core/closure/kernel_pulls.h"
 
 namespace coapt {
 namespace {
@@ -115,33 +116,62 @@ TEST(Relaxation, ThatIsAtRestHasForcesInBalance) {
   }
 }
 
-TEST(PullSheets, PullsLikeThePlainSheetsWithHalfTheirRowSums) {
-  const ClosureModel model =
-      make_closure_model(*make_preset("human-normal", 300), Membrane::Continuum);
-  const Points x = half_closed(model);
-  const RelaxationModel<double> laid = make_relaxation_model<double>(model);
-  const std::vector<Quad<double>> at = kernel_points(laid, x);
-  std::vector<Quad<double>> force(at.size());
-  kernels::SheetInput<double> input;
-  input.blocks = laid.sheets.data();
-  input.block_count = static_cast<int>(laid.sheets.size());
-  input.law = laid.sheet_law;
-  input.x = at.data();
-  input.force = force.data();
-  kernels::kernels<double>(kernels::best_instruction_set()).pull_sheets(input);
+/// Forces to 1e-11 N, stiffness half the row sums.
+void expect_pulls(const ClosureModel& model, const Points& x, const std::vector<double>& rows) {
   Points plain = Points::Zero(x.rows(), 3);
+  add_elastic_forces(model, x, plain);
+  ASSERT_GT(plain.rowwise().norm().maxCoeff(), 0.001);
+  const auto pulls = pulls_of_faces<double>(model, x, kernels::best_instruction_set());
+  for (std::size_t i = 0; i < pulls.size(); ++i) {
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(pulls[i].at[k], plain(i, k), 1e-11) << i;
+    EXPECT_NEAR(pulls[i].at[3], 0.5 * rows[i], 1e-10 * rows[i]) << i;
+  }
+}
+
+/// Half closed, without chordae and pressure.
+ClosureModel leaflets_alone(Points& x) {
+  ClosureModel model = make_closure_model(*make_preset("human-normal", 300), Membrane::Continuum);
+  x = half_closed(model);
+  model.cables.clear();
+  model.pressure_mpa = 0.0;
+  return model;
+}
+
+TEST(PullFaces, PullLikeThePlainSheetsWithHalfTheirRowSums) {
+  Points x;
+  ClosureModel model = leaflets_alone(x);
+  model.hinges.clear();
   std::vector<double> rows(x.rows(), 0.0);
   for (const Sheet& sheet : model.sheets) {
-    add_sheet_forces(model.law, sheet, x, plain);
     const auto sums = row_sums(model.law, sheet, x);
     for (std::size_t k = 0; k < 3; ++k) rows[sheet.node[k]] += sums[k];
   }
-  ASSERT_GT(plain.rowwise().norm().maxCoeff(), 0.01);
-  for (std::size_t i = 0; i < laid.node_of.size(); ++i) {
-    const Quad<double>& quad = force[laid.node_of[i]];
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(quad.at[k], plain(i, k), 1e-11) << i;
-    EXPECT_NEAR(quad.at[3], 0.5 * rows[i], 1e-11 * rows[i]) << i;
+  expect_pulls(model, x, rows);
+}
+
+TEST(PullFaces, BendLikeThePlainHingesWithHalfTheirRowSums) {
+  Points x;
+  ClosureModel model = leaflets_alone(x);
+  model.sheets.clear();
+  std::vector<double> rows(x.rows(), 0.0);
+  for (const Hinge& hinge : model.hinges) {
+    const auto sums = row_sums(hinge, x);
+    for (std::size_t k = 0; k < 4; ++k) rows[hinge.node[k]] += sums[k];
   }
+  expect_pulls(model, x, rows);
+}
+
+TEST(PullFaces, PressLikeThePlainPressure) {
+  Points x;
+  ClosureModel model = leaflets_alone(x);
+  model.sheets.clear();
+  model.hinges.clear();
+  model.pressure_mpa = 0.016;
+  Points plain = Points::Zero(x.rows(), 3);
+  add_pressure_forces(model, x, plain);
+  const auto pulls = pulls_of_faces<double>(model, x, kernels::best_instruction_set());
+  for (std::size_t i = 0; i < pulls.size(); ++i)
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(pulls[i].at[k], plain(i, k), 1e-12) << i;
 }
 
 TEST(ContactPairs, PushLikeThePlainContact) {
