@@ -16,7 +16,7 @@ namespace {
 constexpr int kClosureRevision = 2;
 // Likewise of what else decides a PlanClosure: plan_key(), apply_plan(), kRingShapes, the
 // disturbance of an index, the neighbour that its closure starts from, what is measured of it.
-constexpr int kPlanRevision = 1;
+constexpr int kPlanRevision = 2;
 constexpr std::uint64_t kPrime = 0x13b;  // of FNV: the prime is 2^88 + 0x13b
 constexpr std::uint64_t kHalf = 0xffffffff;
 
