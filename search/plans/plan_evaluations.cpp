@@ -121,6 +121,10 @@ std::shared_ptr<PlanEvaluations::State> PlanEvaluations::state_of(const PlanReco
 
 ClosedPlan PlanEvaluations::closed(const PlanRecord& plan) { return state_of(plan)->closed; }
 
+ClosedPlan PlanEvaluations::closed(const PlanRecord& plan, int disturbance) {
+  return close_disturbed(plan, *state_of(plan), disturbance);
+}
+
 void PlanEvaluations::add(PlanRecord& plan, int disturbance, const PlanClosure& closure,
                           bool was_known) {
   plan.closures.emplace(disturbance, closure);
@@ -156,7 +160,7 @@ bool PlanEvaluations::has_frame(const State& state) {
 }
 
 std::shared_ptr<const ClosureResult> PlanEvaluations::closure_of(const PlanRecord& plan,
-                                                                State& state, int disturbance) {
+                                                                 State& state, int disturbance) {
   if (disturbance == 0) return state.closed.closure;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -176,9 +180,8 @@ ClosedPlan PlanEvaluations::close_disturbed(const PlanRecord& plan, State& state
       shares.push_back({closures.back().get(), part.share});
     }
   const std::optional<ClosureResult> predicted = predicted_start(state.repaired.faces, shares);
-  ClosedPlan closed =
-      evaluate_(disturb(state.repaired, plan.plan, disturbances()[disturbance]),
-                predicted ? &*predicted : state.closed.closure.get());
+  ClosedPlan closed = evaluate_(disturb(state.repaired, plan.plan, disturbances()[disturbance]),
+                                predicted ? &*predicted : state.closed.closure.get());
   if (in_frame(disturbance)) {
     const std::lock_guard<std::mutex> lock(mutex_);
     state.frame.emplace(disturbance, closed.closure);

@@ -102,6 +102,8 @@ class PlanEvaluations {
 
   /// The plan as planned, closed again if need be (not counted).
   ClosedPlan closed(const PlanRecord& plan);
+  /// The same, disturbed; from any thread.
+  ClosedPlan closed(const PlanRecord& plan, int disturbance);
 
   /// Asked for: closed now, or known; of the valve as it is, too.
   int closures() const { return closures_; }
