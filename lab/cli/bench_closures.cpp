@@ -38,7 +38,8 @@ void print(std::ostream& out, const ClosureStudy& study, const ClosureStudyOptio
       << study.unconverged << " not converged, " << study.crossed << " crossed, " << study.retried
       << " needed more than one attempt\n";
   if (options.predicted)
-    out << study.not_predicted << " could not be predicted; besides, the seven closures around each: "
+    out << study.not_predicted
+        << " could not be predicted; besides, the seven closures around each: "
         << study.frames_per_second_per_core << " scenes a second and core\n";
   if (!options.accuracy) return;
   out << "Distance from their own end state (residual 1e-6): rms median " << quantile(rms, 0.5)
@@ -92,10 +93,9 @@ int run(const BenchArguments& arguments) {
         "bench closures",
         {{ErrorCode::Unsupported, "/warm", "is for method fast only; leave out --method thesis"}});
   if (options.predicted && options.closure.method != Method::Fast)
-    return report_option_errors(
-        "bench closures",
-        {{ErrorCode::Unsupported, "/predicted",
-          "is for method fast only; leave out --method thesis"}});
+    return report_option_errors("bench closures",
+                                {{ErrorCode::Unsupported, "/predicted",
+                                  "is for method fast only; leave out --method thesis"}});
   if (options.predicted && options.warm)
     return report_option_errors("bench closures",
                                 {{ErrorCode::Unsupported, "/predicted",
@@ -157,7 +157,8 @@ void add_bench_closures(Command parent, int& status) {
       "Variations: AP dilation 0 to 30 %, annular height 80 to 120 %, tips displaced by up to 6 "
       "mm,\n"
       "rings and papillary sutures on 40 % each. Times are of whole closures from the open state\n"
-      "(with --warm and --predicted: from neighbours), including further attempts and crossing tests. Exit code "
+      "(with --warm and --predicted: from neighbours), including further attempts and crossing "
+      "tests. Exit code "
       "3\n"
       "if a closure did not converge or leaflets cross.\n\n"
       "Examples:\n"

@@ -26,7 +26,7 @@ std::vector<ClosureResult> close_frame(const SceneFrame& frame, const ClosureOpt
 }
 
 std::optional<ClosureResult> start_within(const Valve& scene, const SceneFrame& frame,
-                                      const std::vector<ClosureResult>& closures) {
+                                          const std::vector<ClosureResult>& closures) {
   const std::vector<double> shares = linear_shares(frame.moved_mm, frame.scene_mm);
   std::vector<ClosureShare> parts;
   for (std::size_t j = 0; j < shares.size(); ++j) parts.push_back({&closures[j], shares[j]});

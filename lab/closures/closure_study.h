@@ -35,10 +35,10 @@ struct SceneOutcome {
   ClosureStatus status = ClosureStatus::StepLimit;
   bool crossing = false;
   int steps = 0, attempts = 0;
-  double seconds = 0.0;     ///< of the closure, reruns and crossing tests included
+  double seconds = 0.0;  ///< of the closure, reruns and crossing tests included
   /// Predicted: of the closures that it was predicted from, one from the open state, six from that.
   double frame_seconds = 0.0;
-  bool predicted = false;  ///< else from the frame's middle: the frame or the prediction failed
+  bool predicted = false;   ///< else from the frame's middle: the frame or the prediction failed
   bool compared = false;    ///< the closures compared with have converged uncrossed, too
   ClosureError from_end;    ///< from the same closure carried on to residual 1e-6 in double
   ClosureError from_other;  ///< of that end from the end of a closure at half the speed; warm and
@@ -55,7 +55,7 @@ struct ClosureStudy {
   /// Of the two ends of each scene, absolute.
   double leak_difference_p90_mm2 = 0.0, leak_difference_max_mm2 = 0.0;
   double median_steps = 0.0;
-  int not_predicted = 0;  ///< of all scenes; 0 where none was to be
+  int not_predicted = 0;                    ///< of all scenes; 0 where none was to be
   double frames_per_second_per_core = 0.0;  ///< 0 without
 };
 

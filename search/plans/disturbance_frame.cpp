@@ -10,8 +10,8 @@ namespace {
 
 // Pairs of opposite nodes of the region: three span its axes, eight its quadratic forms, too.
 constexpr int kSpanning = 6, kLinear = 8, kQuadratic = 16;
-constexpr double kDegree_mm = 0.5;     // of a tip's swing, 28 mm from its anchor
-constexpr double kSpanned = 1e-6;      // error of parameters, mm or mm2
+constexpr double kDegree_mm = 0.5;       // of a tip's swing, 28 mm from its anchor
+constexpr double kSpanned = 1e-6;        // error of parameters, mm or mm2
 constexpr double kSmallestShare = 1e-9;  // less is rounding
 
 /// Of one muscle's error: how far its tip goes, mm.
