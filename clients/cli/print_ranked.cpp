@@ -128,6 +128,18 @@ void print_draws(std::ostream& out, const ordered_json& plan) {
   print_words(out, "      ", words + ")");
 }
 
+/// How many of a sample end elsewhere from a cold start.
+void print_cold_starts(std::ostream& out, const ordered_json& plan) {
+  const auto starts = plan.find("cold_starts");
+  if (starts == plan.end() || starts->is_null() || (*starts)["closures"] == 0) return;
+  const int closures = (*starts)["closures"], elsewhere = (*starts)["elsewhere"];
+  print_words(out, "      ",
+              "closed from the open state, " + std::to_string(elsewhere) + " of " +
+                  std::to_string(closures) +
+                  " closures of the region end elsewhere; leaks differ by " +
+                  known((*starts)["leak_difference_max_mm2"], 2) + " mm2 at most");
+}
+
 /// Why the order of a plan and the next is open.
 std::string tie_words(const ordered_json& plan) {
   const double likely = number_of(plan["probability_outranks_next"]);
@@ -159,6 +171,7 @@ void print_plan(std::ostream& out, const ordered_json& plan) {
   if (plan["plan"]["steps"].empty()) out << "      no repair\n";
   print_fine(out, plan);
   print_draws(out, plan);
+  print_cold_starts(out, plan);
   if (plan["status"] != "converged" || plan["crossing"].get<bool>())
     out << "      ! " << plan["status"].get<std::string>() << ", " << crossing_words(plan) << '\n';
   print_warnings(out, plan);

@@ -20,6 +20,8 @@ namespace {
 constexpr int kFastSteps = 6000, kPatientSteps = 20000, kThesisSteps = 40000;
 constexpr double kFastStepsFaces = 2600.0;                 // up to so many kFastSteps are enough
 constexpr double kPartResidual = 0.05, kPartWay_mm = 0.2;  // of a part of the load
+// From a predicted start the slow modes are nearly done, so that more damping ends the rest sooner.
+constexpr double kPredictedDamping = 0.09;
 // What single precision reaches: rounding of positions is 1e-4 of the pressure force.
 constexpr double kFloatResidual = 1e-3, kFloatWay_mm = 0.01;
 
@@ -99,9 +101,15 @@ int fast_steps(const ClosureModel& model) {
   return static_cast<int>(kFastSteps * std::sqrt(std::max(1.0, faces / kFastStepsFaces)));
 }
 
+/// Of a first attempt that is not from the open state; none without a run.
+struct FastStart {
+  const ClosureRun* run = nullptr;
+  bool predicted = false;
+};
+
 std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& options,
                               const PreparedValve& prepared, Allowance& allowance,
-                              const ClosureRun* start) {
+                              const FastStart& from) {
   RelaxationSettings plain;
   plain.allowance = &allowance;
   plain.residual_tolerance = options.residual_tolerance;
@@ -125,9 +133,12 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
   light.damping = 0.03;
   if (options.max_steps == 0) light.max_steps = kPatientSteps;
   std::vector<Rung> ladder;
-  if (start)
-    ladder.push_back({"float, from a neighbour",
-                      [&model, plain, start] { return relax_to(model, plain, start); }});
+  if (from.run) {
+    RelaxationSettings near = plain;
+    if (from.predicted) near.damping = kPredictedDamping;
+    ladder.push_back({from.predicted ? "float, from a prediction" : "float, from a neighbour",
+                      [&model, near, from] { return relax_to(model, near, from.run); }});
+  }
   const std::vector<Rung> cold = {
       {"float", [&model, plain] { return relax_to(model, plain); }},
       {"float, edge contact", [&model, edges] { return relax_to(model, edges); }},
@@ -244,6 +255,8 @@ ClosureResult close_valve(const PreparedValve& prepared, const Valve& valve,
   const ClosureModel model = prepared.model(valve);
   const std::optional<ClosureRun> start =
       neighbour && !options.edge_contact ? start_from(valve, model, *neighbour) : std::nullopt;
+  FastStart from;
+  if (start) from = {&*start, neighbour->predicted};
   ClosureResult result;
   result.method = options.method;
   result.membrane = options.membrane;
@@ -254,9 +267,8 @@ ClosureResult close_valve(const PreparedValve& prepared, const Valve& valve,
   Allowance allowance(options.budget, model.vertices);
   std::vector<Rung> ladder =
       options.method == Method::Thesis ? thesis_ladder(model, options, prepared, allowance)
-      : is_mitral(valve)
-          ? fast_ladder(model, options, prepared, allowance, start ? &*start : nullptr)
-          : exponential_ladder(model, options, prepared, allowance);
+      : is_mitral(valve)               ? fast_ladder(model, options, prepared, allowance, from)
+                                       : exponential_ladder(model, options, prepared, allowance);
   if (options.edge_contact && ladder.size() > 2) ladder.erase(ladder.begin());
   for (const Rung& rung : ladder) {
     ClosureRun run = rung.run();

@@ -42,6 +42,7 @@ struct ClosureResult {
   int crossing_pairs = 0;
   std::vector<int> guarded_faces;        ///< Fast: whose edges have contact, too (relaxation.h)
   std::vector<ClosureAttempt> attempts;  ///< in the order tried; the result is the best of them
+  bool predicted = false;   ///< no closure, but where one is expected to end (predicted_start.h)
   bool unfinished = false;  ///< the budget was spent or the closure cancelled: not all was tried
 };
 

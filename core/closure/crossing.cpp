@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace coapt {
 namespace {
@@ -14,6 +13,18 @@ double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 bool has_vertex(const Faces& faces, int f, int v) {
   return faces(f, 0) == v || faces(f, 1) == v || faces(f, 2) == v;
 }
+
+/// All their edges have a vertex in the other one: none pierces it.
+bool share_edge(const Faces& faces, int f, int g) {
+  int shared = 0;
+  for (int k = 0; k < 3; ++k) shared += has_vertex(faces, g, faces(f, k));
+  return shared >= 2;
+}
+
+struct Box {
+  Vec3 low, high;
+  int face = 0;
+};
 
 }  // namespace
 
@@ -36,24 +47,22 @@ bool edge_pierces(const Faces& faces, const Points& x, int f, int g) {
 }
 
 std::vector<std::pair<int, int>> crossing_pairs(const Faces& faces, const Points& x) {
-  Points low(faces.rows(), 3), high(faces.rows(), 3);
-  for (Index f = 0; f < faces.rows(); ++f) {
-    const auto a = x.row(faces(f, 0)), b = x.row(faces(f, 1)), c = x.row(faces(f, 2));
-    low.row(f) = a.cwiseMin(b).cwiseMin(c);
-    high.row(f) = a.cwiseMax(b).cwiseMax(c);
+  std::vector<Box> boxes;
+  for (int f = 0; f < faces.rows(); ++f) {
+    const Vec3 a = x.row(faces(f, 0)), b = x.row(faces(f, 1)), c = x.row(faces(f, 2));
+    boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), f});
   }
-  std::vector<int> order(faces.rows());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int f, int g) {
-    return low(f, 0) < low(g, 0) || (low(f, 0) == low(g, 0) && f < g);
+  std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) {
+    return a.low.x() < b.low.x() || (a.low.x() == b.low.x() && a.face < b.face);
   });
   std::vector<std::pair<int, int>> crossings;
-  for (std::size_t m = 0; m < order.size(); ++m) {
-    const int f = order[m];
-    for (std::size_t n = m + 1; n < order.size() && low(order[n], 0) <= high(f, 0); ++n) {
-      const int g = order[n];
-      if (low(g, 1) > high(f, 1) || high(g, 1) < low(f, 1) || low(g, 2) > high(f, 2) ||
-          high(g, 2) < low(f, 2))
+  for (auto box = boxes.begin(); box != boxes.end(); ++box) {
+    const int f = box->face;
+    for (auto other = box + 1; other != boxes.end() && other->low.x() <= box->high.x(); ++other) {
+      const int g = other->face;
+      if (other->low.y() > box->high.y() || other->high.y() < box->low.y() ||
+          other->low.z() > box->high.z() || other->high.z() < box->low.z() ||
+          share_edge(faces, f, g))
         continue;
       if (edge_pierces(faces, x, f, g) || edge_pierces(faces, x, g, f))
         crossings.push_back(std::minmax(f, g));

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/closure/predicted_start.h"
 #include "core/metrics/measure.h"
 #include "core/metrics/quantile.h"
 #include "lab/closures/varied_scenes.h"
@@ -16,16 +17,48 @@ namespace {
 
 constexpr double kOtherSpeed = 0.5;
 
+/// The middle first, from which the others start.
+std::vector<ClosureResult> close_frame(const SceneFrame& frame, const ClosureOptions& options) {
+  std::vector<ClosureResult> closures;
+  for (const Valve& valve : frame.valves)
+    closures.push_back(close_valve(valve, options, closures.empty() ? nullptr : &closures[0]));
+  return closures;
+}
+
+std::optional<ClosureResult> start_within(const Valve& scene, const SceneFrame& frame,
+                                          const std::vector<ClosureResult>& closures) {
+  const std::vector<double> shares = linear_shares(frame.moved_mm, frame.scene_mm);
+  std::vector<ClosureShare> parts;
+  for (std::size_t j = 0; j < shares.size(); ++j) parts.push_back({&closures[j], shares[j]});
+  return predicted_start(scene.faces, parts);
+}
+
 SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options, int index) {
   using Clock = std::chrono::steady_clock;
+  const auto seconds_since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
   SceneOutcome outcome;
   std::optional<ClosureResult> neighbour;
+  SceneFrame frame;
+  std::vector<ClosureResult> around;
   if (options.warm)
     neighbour = close_valve(neighbour_of(scene, options.seed, index), options.closure);
-  const ClosureResult* from = neighbour ? &*neighbour : nullptr;
+  if (options.predicted) {
+    frame = frame_of(scene, options.seed, index);
+    const auto before = Clock::now();
+    around = close_frame(frame, options.closure);
+    outcome.frame_seconds = seconds_since(before);
+  }
   const auto start = Clock::now();
+  if (options.predicted) {
+    neighbour = start_within(scene, frame, around);
+    outcome.predicted = neighbour.has_value();
+    if (!neighbour) neighbour = around[0];
+  }
+  const ClosureResult* from = neighbour ? &*neighbour : nullptr;
   const ClosureResult closed = close_valve(scene, options.closure, from);
-  outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  outcome.seconds = seconds_since(start);
   outcome.status = closed.status;
   outcome.crossing = closed.crossing;
   outcome.steps = closed.steps;
@@ -33,7 +66,7 @@ SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options,
   if (!options.accuracy || !trusted(closed)) return outcome;
   ClosureOptions to_end = to_the_end(options.closure);
   const ClosureResult end = close_valve(scene, to_end, from);
-  if (!options.warm) to_end.speed *= kOtherSpeed;
+  if (!options.warm && !options.predicted) to_end.speed *= kOtherSpeed;
   const ClosureResult other = close_valve(scene, to_end);
   outcome.compared = trusted(end) && trusted(other);
   if (!outcome.compared) return outcome;
@@ -74,11 +107,13 @@ ClosureStudy study_closures(const std::vector<Valve>& valves, const ClosureStudy
     if (progress) progress(++done);
   });
   std::vector<double> ms, steps, leak_differences = {0.0};
-  double seconds = 0.0;
+  double seconds = 0.0, frame_seconds = 0.0;
   for (const SceneOutcome& scene : study.scenes) {
     ms.push_back(1e3 * scene.seconds);
     steps.push_back(scene.steps);
     seconds += scene.seconds;
+    frame_seconds += scene.frame_seconds;
+    study.not_predicted += options.predicted && !scene.predicted;
     study.unconverged += scene.status != ClosureStatus::Converged;
     study.crossed += scene.crossing;
     study.retried += scene.attempts > 1;
@@ -88,6 +123,7 @@ ClosureStudy study_closures(const std::vector<Valve>& valves, const ClosureStudy
     leak_differences.push_back(std::abs(scene.from_other.leak_mm2));
   }
   study.closures_per_second_per_core = seconds > 0.0 ? options.count / seconds : 0.0;
+  study.frames_per_second_per_core = frame_seconds > 0.0 ? options.count / frame_seconds : 0.0;
   study.median_ms = quantile(ms, 0.5);
   study.p90_ms = quantile(ms, 0.9);
   study.median_steps = quantile(steps, 0.5);

@@ -20,6 +20,7 @@ struct ClosureStudyOptions {
   int threads = 0;         ///< 0: all cores
   bool accuracy = true;    ///< also close each scene to the end, and once more on another way
   bool warm = false;       ///< close each scene from the closure of a neighbour (neighbour_of)
+  bool predicted = false;  ///< or from what those around it let expect (frame_of)
 };
 
 /// Distances over the leaflet vertices.
@@ -34,11 +35,14 @@ struct SceneOutcome {
   ClosureStatus status = ClosureStatus::StepLimit;
   bool crossing = false;
   int steps = 0, attempts = 0;
-  double seconds = 0.0;     ///< of the closure, reruns and crossing tests included
+  double seconds = 0.0;  ///< of the closure, reruns and crossing tests included
+  /// Predicted: of the closures that it was predicted from, one from the open state, six from that.
+  double frame_seconds = 0.0;
+  bool predicted = false;   ///< else from the frame's middle: the frame or the prediction failed
   bool compared = false;    ///< the closures compared with have converged uncrossed, too
   ClosureError from_end;    ///< from the same closure carried on to residual 1e-6 in double
-  ClosureError from_other;  ///< of that end from the end of a closure at half the speed; warm: from
-                            ///< the end of a cold start
+  ClosureError from_other;  ///< of that end from the end of a closure at half the speed; warm and
+                            ///< predicted: from the end of a cold start
   bool other_equilibrium = false;  ///< the two ends are more than 0.05 mm rms apart
 };
 
@@ -51,6 +55,8 @@ struct ClosureStudy {
   /// Of the two ends of each scene, absolute.
   double leak_difference_p90_mm2 = 0.0, leak_difference_max_mm2 = 0.0;
   double median_steps = 0.0;
+  int not_predicted = 0;                    ///< of all scenes; 0 where none was to be
+  double frames_per_second_per_core = 0.0;  ///< 0 without
 };
 
 /// The end of such a closure: to residual 1e-6 and 1e-4 mm of predicted way.

@@ -44,6 +44,7 @@ ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& stu
                        {"count", options.count},
                        {"seed", options.seed},
                        {"warm", options.warm},
+                       {"predicted", options.predicted},
                        {"closures_per_second_per_core", study.closures_per_second_per_core},
                        {"median_ms", study.median_ms},
                        {"p90_ms", study.p90_ms},
@@ -51,6 +52,10 @@ ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& stu
                        {"second_attempts", study.retried},
                        {"unconverged", study.unconverged},
                        {"crossed", study.crossed}};
+  if (options.predicted) {
+    json["not_predicted"] = study.not_predicted;
+    json["frames_per_second_per_core"] = study.frames_per_second_per_core;
+  }
   ordered_json accuracy = nullptr, others = nullptr, equilibria = nullptr;
   if (options.accuracy) {
     equilibria = study.other_equilibria;

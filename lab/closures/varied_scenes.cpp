@@ -73,6 +73,21 @@ RepairPlan repair(const Valve& valve, SceneRings rings, Dice& dice) {
   return plan;
 }
 
+Vec3 step_of(Dice& dice) {
+  const double length = kNeighbour_mm * dice();
+  Vec3 direction;
+  for (int k = 0; k < 3; ++k) direction[k] = 2.0 * dice() - 1.0;
+  return length / std::max(1e-3, direction.norm()) * direction;
+}
+
+Valve with_tips_moved(const Valve& scene, const Vec3& anterolateral, const Vec3& posteromedial) {
+  Remodelling change;
+  change.anterolateral_mm = anterolateral;
+  change.posteromedial_mm = posteromedial;
+  const Expected<Valve> moved = remodel(scene, change);
+  return moved ? *moved : scene;
+}
+
 }  // namespace
 
 Valve varied_scene(const Valve& valve, std::uint64_t seed, int index, SceneRings rings) {
@@ -88,15 +103,24 @@ Valve varied_scene(const Valve& valve, std::uint64_t seed, int index, SceneRings
 
 Valve neighbour_of(const Valve& scene, std::uint64_t seed, int index) {
   Dice dice(~seed, index);
-  Remodelling change;
-  for (Vec3* tip : {&change.anterolateral_mm, &change.posteromedial_mm}) {
-    const double length = kNeighbour_mm * dice();
-    Vec3 direction;
-    for (int k = 0; k < 3; ++k) direction[k] = 2.0 * dice() - 1.0;
-    *tip = length / std::max(1e-3, direction.norm()) * direction;
+  const Vec3 anterolateral = step_of(dice), posteromedial = step_of(dice);
+  return with_tips_moved(scene, anterolateral, posteromedial);
+}
+
+SceneFrame frame_of(const Valve& scene, std::uint64_t seed, int index) {
+  Dice dice(~seed, index);
+  const Vec3 middle = step_of(dice);
+  std::vector<Vec3> places = {middle};
+  for (int k = 0; k < 3; ++k)
+    for (const double sign : {1.0, -1.0})
+      places.emplace_back(middle + sign * kNeighbour_mm * Vec3::Unit(k));
+  SceneFrame frame;
+  for (const Vec3& place : places) {
+    frame.valves.push_back(with_tips_moved(scene, place, place));
+    frame.moved_mm.emplace_back(place - middle);
   }
-  const Expected<Valve> moved = remodel(scene, change);
-  return moved ? *moved : scene;
+  frame.scene_mm = -middle;
+  return frame;
 }
 
 }  // namespace coapt

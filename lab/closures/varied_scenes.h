@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/valve/valve.h"
 
@@ -20,5 +21,17 @@ Valve varied_scene(const Valve& valve, std::uint64_t seed, int index,
 
 /// A neighbour of that scene: its tips moved once more, by up to 1 mm each, in any direction.
 Valve neighbour_of(const Valve& scene, std::uint64_t seed, int index);
+
+/// Neighbours of a scene that it can be predicted from (core/closure/predicted_start.h).
+struct SceneFrame {
+  /// The middle, up to 1 mm from the scene, then three pairs of opposite ones, 1 mm from the middle.
+  std::vector<Valve> valves;
+  /// |valves|: how far both tips are from the middle's: outwards, backwards, apically, mm.
+  std::vector<Eigen::VectorXd> moved_mm;
+  Eigen::VectorXd scene_mm;  ///< likewise, of the scene itself
+};
+
+/// Both tips move alike, as in the region of interest.
+SceneFrame frame_of(const Valve& scene, std::uint64_t seed, int index);
 
 }  // namespace coapt

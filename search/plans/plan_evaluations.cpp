@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
+#include "core/closure/predicted_start.h"
 #include "core/repair/apply_plan.h"
 #include "core/valve/annulus_frame.h"
 #include "search/parallel.h"
+#include "search/plans/disturbance_frame.h"
 #include "search/plans/gates.h"
 #include "search/plans/plan_key.h"
 
@@ -96,7 +99,7 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
   return *records_.try_emplace(key, std::move(made)).first->second;
 }
 
-std::shared_ptr<const PlanEvaluations::State> PlanEvaluations::state_of(const PlanRecord& plan) {
+std::shared_ptr<PlanEvaluations::State> PlanEvaluations::state_of(const PlanRecord& plan) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (const auto found = states_.find(&plan); found != states_.end()) return found->second;
@@ -117,6 +120,10 @@ std::shared_ptr<const PlanEvaluations::State> PlanEvaluations::state_of(const Pl
 }
 
 ClosedPlan PlanEvaluations::closed(const PlanRecord& plan) { return state_of(plan)->closed; }
+
+ClosedPlan PlanEvaluations::closed(const PlanRecord& plan, int disturbance) {
+  return close_disturbed(plan, *state_of(plan), disturbance);
+}
 
 void PlanEvaluations::add(PlanRecord& plan, int disturbance, const PlanClosure& closure,
                           bool was_known) {
@@ -148,15 +155,74 @@ bool PlanEvaluations::take_known(PlanRecord& plan, int disturbance) {
   return true;
 }
 
+bool PlanEvaluations::has_frame(const State& state) {
+  return state.closed.closure != nullptr && trusted(*state.closed.closure);
+}
+
+std::shared_ptr<const ClosureResult> PlanEvaluations::closure_of(const PlanRecord& plan,
+                                                                 State& state, int disturbance) {
+  if (disturbance == 0) return state.closed.closure;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const auto found = state.frame.find(disturbance); found != state.frame.end())
+      return found->second;
+  }
+  return close_disturbed(plan, state, disturbance).closure;
+}
+
+ClosedPlan PlanEvaluations::close_disturbed(const PlanRecord& plan, State& state, int disturbance) {
+  if (disturbance == 0) return state.closed;
+  std::vector<std::shared_ptr<const ClosureResult>> closures;
+  std::vector<ClosureShare> shares;
+  if (has_frame(state))
+    for (const FrameShare& part : predicted_from(disturbance)) {
+      closures.push_back(closure_of(plan, state, part.disturbance));
+      shares.push_back({closures.back().get(), part.share});
+    }
+  const std::optional<ClosureResult> predicted = predicted_start(state.repaired.faces, shares);
+  ClosedPlan closed = evaluate_(disturb(state.repaired, plan.plan, disturbances()[disturbance]),
+                                predicted ? &*predicted : state.closed.closure.get());
+  if (in_frame(disturbance)) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    state.frame.emplace(disturbance, closed.closure);
+  }
+  return closed;
+}
+
 void PlanEvaluations::close_one(PlanRecord& plan, int disturbance) {
-  const std::shared_ptr<const State> state = state_of(plan);
-  const PlanClosure closure = plan_closure(
-      disturbance == 0 ? state->closed.evaluation
-                       : evaluate_(disturb(state->repaired, plan.plan, disturbances()[disturbance]),
-                                   state->closed.closure.get())
-                             .evaluation);
+  const std::shared_ptr<State> state = state_of(plan);
+  const PlanClosure closure = plan_closure(close_disturbed(plan, *state, disturbance).evaluation);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!plan.closures.contains(disturbance)) add(plan, disturbance, closure, false);
+}
+
+/// With what of the plans' frames they are predicted from and is not at hand, level by level.
+/// @pre the plans' own closures are at hand.
+std::vector<PlanEvaluations::Task> PlanEvaluations::with_frames(std::span<const Wanted> missing) {
+  std::vector<Task> tasks;
+  std::set<std::pair<const PlanRecord*, int>> seen;
+  for (const Wanted& one : missing) {
+    tasks.push_back({one.plan, one.disturbance, true});
+    seen.emplace(one.plan, one.disturbance);
+  }
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const auto [plan, disturbance, wanted, level] = tasks[i];
+    const std::shared_ptr<const State> state = state_of(*plan);
+    if (!has_frame(*state)) {
+      tasks[i].level = std::min(1, disturbance);
+      continue;
+    }
+    tasks[i].level = frame_level(disturbance);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const FrameShare& part : predicted_from(disturbance)) {
+      const int d = part.disturbance;
+      if (d > 0 && !state->frame.contains(d) && seen.emplace(plan, d).second)
+        tasks.push_back({plan, d, false});
+    }
+  }
+  std::stable_sort(tasks.begin(), tasks.end(),
+                   [](const Task& a, const Task& b) { return a.level < b.level; });
+  return tasks;
 }
 
 bool PlanEvaluations::close(std::span<const Wanted> wanted, Phase phase) {
@@ -181,10 +247,21 @@ bool PlanEvaluations::close(std::span<const Wanted> wanted, Phase phase) {
     for_each_index(static_cast<int>(plans.size()), options_.threads, [&](int i) {
       if (!stopped()) state_of(*plans[i]);
     });
-    for_each_index(static_cast<int>(last - first), options_.threads, [&](int i) {
-      const Wanted& one = missing[first + i];
-      if (!stopped()) close_one(*one.plan, one.disturbance);
-    });
+    if (stopped()) break;
+    const std::vector<Task> tasks = with_frames(std::span(missing).subspan(first, last - first));
+    for (auto level = tasks.begin(); level != tasks.end();) {
+      const auto next = std::find_if(level, tasks.end(),
+                                     [&](const Task& task) { return task.level > level->level; });
+      for_each_index(static_cast<int>(next - level), options_.threads, [&](int i) {
+        if (stopped()) return;
+        const Task& task = level[i];
+        if (task.wanted)
+          close_one(*task.plan, task.disturbance);
+        else
+          closure_of(*task.plan, *state_of(*task.plan), task.disturbance);
+      });
+      level = next;
+    }
     first = last;
   }
   return std::all_of(missing.begin(), missing.end(), [](const Wanted& one) {

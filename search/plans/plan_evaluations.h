@@ -1,10 +1,12 @@
 // Plans, closed and priced: each under each disturbance once, on all threads, known again the next
 // time.
 //
-// A disturbed closure starts from that of the plan as planned (a warm start: half the time; over 64
-// nodes of nine repairs the means differ by 0.00 to 0.06 mm2, of a flail leaflet by 0.19). What is
-// kept of a closure is its PlanClosure; the closures themselves stay with the last few hundred
-// plans, and are made again from the plan, to the same bits, where they are needed later.
+// A disturbed closure starts from where those of the plan's frame (disturbance_frame.h) let it be
+// expected, or, where they do not, from that of the plan as planned (a warm start: half the time;
+// over 64 nodes of nine repairs the means differ by 0.00 to 0.06 mm2, of a flail leaflet by 0.19).
+// What is kept of a closure is its PlanClosure; those of the frame and the plan as planned stay with
+// the last few hundred plans, and are made again from the plan, to the same bits, where they are
+// needed later.
 #pragma once
 
 #include <atomic>
@@ -100,6 +102,8 @@ class PlanEvaluations {
 
   /// The plan as planned, closed again if need be (not counted).
   ClosedPlan closed(const PlanRecord& plan);
+  /// The same, disturbed; from any thread.
+  ClosedPlan closed(const PlanRecord& plan, int disturbance);
 
   /// Asked for: closed now, or known; of the valve as it is, too.
   int closures() const { return closures_; }
@@ -111,8 +115,22 @@ class PlanEvaluations {
   struct State {
     Valve repaired;
     ClosedPlan closed;
+    /// Of its frame, by index of disturbance; null if the evaluator keeps none.
+    std::map<int, std::shared_ptr<const ClosureResult>> frame{};
   };
-  std::shared_ptr<const State> state_of(const PlanRecord& plan);
+  /// A closure to make: asked for, or for others to start from.
+  struct Task {
+    PlanRecord* plan = nullptr;
+    int disturbance = 0;
+    bool wanted = true;
+    int level = 0;  ///< frame_level(); where the plan makes no frame, all but itself start from it
+  };
+  std::shared_ptr<State> state_of(const PlanRecord& plan);
+  static bool has_frame(const State& state);
+  std::vector<Task> with_frames(std::span<const Wanted> missing);
+  std::shared_ptr<const ClosureResult> closure_of(const PlanRecord& plan, State& state,
+                                                  int disturbance);
+  ClosedPlan close_disturbed(const PlanRecord& plan, State& state, int disturbance);
   bool take_known(PlanRecord& plan, int disturbance);
   void close_one(PlanRecord& plan, int disturbance);
   void add(PlanRecord& plan, int disturbance, const PlanClosure& closure, bool was_known);
@@ -128,7 +146,7 @@ class PlanEvaluations {
   std::mutex mutex_;
   std::atomic<bool> failed_ = false;  // a closure could not be kept: make no more
   std::unordered_map<std::string, std::unique_ptr<PlanRecord>> records_;
-  std::unordered_map<const PlanRecord*, std::shared_ptr<const State>> states_;
+  std::unordered_map<const PlanRecord*, std::shared_ptr<State>> states_;
   std::deque<const PlanRecord*> newest_states_;
   int closures_ = 0, known_ = 0, not_converged_ = 0, crossed_ = 0;
 };

@@ -43,6 +43,9 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   const FineClosures fine = close_fine(evaluations, finalists, options.fine_levels);
   const ModelClosures model = close_under_draws(evaluations, finalists, options.model_draws);
   result.plans = rank(evaluations, finalists, options.region_points, fine, model);
+  if (options.evidence)
+    for (RankedPlan& plan : result.plans)
+      plan.starts = check_starts(evaluations, evaluations.record(plan.plan), plan.region.closures);
   result.fine_mesh = fine.mesh;
   result.model_draws = model.draws;
   result.model_closures = model.closures;

@@ -15,6 +15,7 @@
 #include "search/plans/plan_space.h"
 #include "search/plans/region_report.h"
 #include "search/plans/search_progress.h"
+#include "search/plans/start_check.h"
 
 namespace coapt {
 
@@ -46,6 +47,8 @@ struct RankedPlan {
   /// Share of the draws in which it comes before the next plan, too (model_closures.h). NaN for the
   /// last and without draws.
   double share_of_draws_ahead = std::numeric_limits<double>::quiet_NaN();
+  /// With the evidence; else none.
+  std::optional<StartCheck> starts{};
   std::vector<Gate> gates;
   std::vector<std::string> warnings;  ///< of gates and region, in words
   /// That it truly comes before the next plan, by robust closing, then by cost: resampling the

@@ -89,6 +89,7 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "closes_robustly",
                                              "fine",
                                              "under_draws",
+                                             "cold_starts",
                                              "leak_map",
                                              "sobol",
                                              "independent_leak_mm2",
@@ -113,6 +114,15 @@ TEST(PlansJson, APlanStatesItsClosureOnTheFinerMesh) {
   result.fine_mesh = {};
   EXPECT_EQ(written(to_json(result))["fine_mesh"].dump(),
             R"({"levels":0,"triangles":null,"leak_before_mm2":null,"closures":0})");
+}
+
+TEST(PlansJson, APlanStatesHowManyOfASampleEndElsewhereFromAColdStart) {
+  SearchResult result = search_result();
+  result.plans[0].starts = StartCheck{8, 1, 0.25};
+  const ordered_json plans = written(to_json(result))["plans"];
+  EXPECT_EQ(plans[0]["cold_starts"].dump(),
+            R"({"closures":8,"elsewhere":1,"leak_difference_max_mm2":0.25})");
+  EXPECT_TRUE(plans[1]["cold_starts"].is_null());
 }
 
 TEST(PlansJson, APlanStatesItsLeakUnderDrawsOfTheModel) {

@@ -94,6 +94,92 @@ TEST(PlanEvaluations, ADisturbedClosureStartsFromThatOfThePlan) {
     EXPECT_NEAR(leak_mm2(record.closures.at(d)), kTipToTrigone_mm - 22.0, 1e-3);
 }
 
+/// Closes where the posteromedial tip says, but for a thousandth of the way from where it started: the leak
+/// is how far that is, and its bits tell where the closure started.
+ClosedPlan following(const Valve& valve, const ClosureResult* from) {
+  auto closure = std::make_shared<ClosureResult>();
+  closure->status = ClosureStatus::Converged;
+  const Vec3 tip = papillary_tip_mm(valve, Side::Posteromedial);
+  closure->closed_mm = valve.rest_mm.rowwise() + tip.transpose();
+  if (from) closure->closed_mm += 1e-3 * (from->closed_mm - closure->closed_mm);
+  return {leaking((closure->closed_mm.row(0) - valve.rest_mm.row(0)).norm()), closure};
+}
+
+TEST(PlanEvaluations, ADisturbedClosureStartsWhereTheFrameLetsItBeExpected) {
+  std::mutex mutex;
+  std::map<double, int> predictions;  // by how far from where they end
+  const Evaluator evaluate = [&](const Valve& valve, const ClosureResult* from) {
+    ClosedPlan closed = following(valve, from);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (from && from->predicted)
+      ++predictions[(from->closed_mm - closed.closure->closed_mm).row(0).norm()];
+    return closed;
+  };
+  EvaluationScene scene(evaluate);
+  scene.closed(kSuture, 100);
+  int count = 0;
+  for (const auto& [far, n] : predictions) count += n;
+  EXPECT_EQ(count, 99 - 3);
+  EXPECT_LT(predictions.rbegin()->first, 0.3) << "of tips that go up to 2.9 mm";
+}
+
+TEST(PlanEvaluations, PredictedClosuresHaveTheSameBitsInWhateverOrderByHoweverManyThreads) {
+  const auto leaks = [](const std::vector<int>& order, PlanEvaluationOptions options) {
+    EvaluationScene scene(following, std::move(options));
+    PlanRecord& record = scene.evaluations.record(kSuture);
+    for (const int d : order) {
+      std::vector<PlanEvaluations::Wanted> wanted = {{&record, d}};
+      if (d % 5 == 0) wanted.push_back({&record, d / 2});
+      EXPECT_TRUE(scene.evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
+    }
+    std::vector<PlanEvaluations::Wanted> all;
+    for (int d = 0; d < kDisturbances; ++d) all.push_back({&record, d});
+    EXPECT_TRUE(scene.evaluations.close(all, PlanEvaluations::Phase::Ranking));
+    EXPECT_EQ(scene.evaluations.closures(), 1 + kDisturbances);
+    return record.closures;
+  };
+  const PlanClosures once = leaks({}, on_threads(1));
+  const auto expect_once = [&once](const PlanClosures& closures) {
+    ASSERT_EQ(closures.size(), once.size());
+    for (const auto& [d, closure] : closures)
+      EXPECT_EQ(bits(leak_mm2(closure)), bits(leak_mm2(once.at(d)))) << d;
+  };
+  expect_once(leaks({}, on_threads(3)));
+  expect_once(leaks({1372, 40, 1300, 7, 16, 1100, 2, 900}, on_threads(2)));
+  PlanEvaluationOptions knowing = on_threads(2);
+  for (const auto& [d, closure] : once)
+    if (d % 3 != 1) knowing.known[plan_key(kSuture)][d] = closure;
+  expect_once(leaks({}, knowing));
+}
+
+TEST(PlanEvaluations, FewNodesMakeNoFrame) {
+  std::atomic<int> calls = 0;
+  EvaluationScene scene(counted(following, calls));
+  scene.closed(kSuture, 5);
+  EXPECT_EQ(calls, 1 + 5);
+  PlanRecord& record = scene.closed(kSuture, 17);
+  EXPECT_EQ(calls, 1 + 17);
+  EXPECT_TRUE(scene.evaluations.close_here(record, 20));
+  EXPECT_EQ(calls, 1 + 20);
+}
+
+TEST(PlanEvaluations, AFrameThatCannotBeTrustedLeavesThePlanItselfToStartFrom) {
+  std::atomic<int> predicted = 0;
+  for (const bool planned : {true, false}) {  // whether that is what fails, or its frame
+    predicted = 0;
+    const Evaluator evaluate = [&](const Valve& valve, const ClosureResult* from) {
+      predicted += from && from->predicted;
+      ClosedPlan closed = following(valve, from);
+      ClosureResult failed = *closed.closure;
+      if (planned == (from == nullptr)) failed.crossing = true;
+      return ClosedPlan{closed.evaluation, std::make_shared<ClosureResult>(failed)};
+    };
+    EvaluationScene scene(evaluate);
+    scene.closed(kSuture, 30);
+    EXPECT_EQ(predicted, 0);
+  }
+}
+
 TEST(PlanEvaluations, WhatIsKnownIsNotClosedAndNotKept) {
   std::atomic<int> calls = 0, kept = 0;
   PlanEvaluationOptions options = on_threads(1);

@@ -1110,6 +1110,8 @@ export interface components {
             fine: components["schemas"]["FineClosure"] | null;
             /** @description The plan as planned, closed under draws of the model's own values, the same for all plans; null: none were asked for, or the search was cancelled before. */
             under_draws: components["schemas"]["UnderDraws"] | null;
+            /** @description A sample of the region's nodes, closed again from the open state; null: no evidence was asked for, or the search was cancelled before. */
+            cold_starts: components["schemas"]["ColdStarts"] | null;
             /** @description Leak against suture length and angle: of both muscles, then of each sutured one alone if that was closed. */
             leak_map: {
                 /**
@@ -1219,6 +1221,15 @@ export interface components {
                 /** @description Largest of the draws. */
                 worst: number | null;
             };
+        };
+        /** @description Whether closures over the region end where they do because of what they start from: the plan's other closures. */
+        ColdStarts: {
+            /** @description How many nodes were closed both ways, converged and uncrossed. */
+            closures: number;
+            /** @description How many of these end more than 0.1 mm (rms) elsewhere from the open state. */
+            elsewhere: number;
+            /** @description Largest difference of their leaks. */
+            leak_difference_max_mm2: number;
         };
         /** @description coapt.plans/1, as `coapt plan --json` prints it. */
         Plans: {
