@@ -25,7 +25,7 @@ struct ClosureShare {
 
 /// A neighbour for close_valve(), marked as predicted: the shares' mean of closed shapes and branch
 /// points, with the guards of all. None if a closure is missing, did not converge uncrossed or is of
-/// another mesh, or if the leaflets of the mean cross. Cost: a test for crossings, 1 % of a closure.
+/// another mesh, or if the leaflets of the mean cross. Cost: 0.3 ms at 650 triangles, a test for crossings.
 std::optional<ClosureResult> predicted_start(const Faces& faces,
                                              std::span<const ClosureShare> shares);
 

@@ -10,9 +10,11 @@ namespace {
 
 // Pairs of opposite nodes of the region: three span its axes, eight its quadratic forms, too.
 constexpr int kSpanning = 6, kLinear = 8, kQuadratic = 16;
-constexpr double kDegree_mm = 0.5;       // of a tip's swing, 28 mm from its anchor
-constexpr double kSpanned = 1e-6;        // error of parameters, mm or mm2
-constexpr double kSmallestShare = 1e-9;  // less is rounding
+constexpr double kDegree_mm = 0.5;  // of a tip's swing, 28 mm from its anchor
+constexpr double kSpanned = 1e-6;   // error of parameters, mm or mm2
+// Shares are multiples of it, which add up to 1 exactly and are the same whatever the last bits of the
+// fit are.
+constexpr double kShareStep = 0x1p-20;
 
 /// Of one muscle's error: how far its tip goes, mm.
 Vec3 parameters_of(const Perturbation& node) {
@@ -50,10 +52,15 @@ std::vector<FrameShare> shares_of(int disturbance, const std::vector<int>& frame
   const std::vector<double> shares = linear_shares(places, wanted);
   Eigen::VectorXd reached = Eigen::VectorXd::Zero(wanted.size());
   std::vector<FrameShare> result;
+  double first = 1.0;
   for (std::size_t j = 0; j < frame.size(); ++j) {
     reached += shares[j] * places[j];
-    if (std::abs(shares[j]) > kSmallestShare) result.push_back({frame[j], shares[j]});
+    const double share = std::round(shares[j] / kShareStep) * kShareStep;
+    if (j == 0 || share == 0.0) continue;
+    result.push_back({frame[j], share});
+    first -= share;
   }
+  if (first != 0.0) result.insert(result.begin(), {frame[0], first});
   if ((reached - wanted).lpNorm<Eigen::Infinity>() > kSpanned) return {};
   return result;
 }

@@ -184,7 +184,7 @@ TEST(Golden, ASearchHasItsBits) {
   options.evidence = false;
   const auto result = search_plans(*make_preset("human-functional-mr", 300), options, {});
   ASSERT_TRUE(result);
-  EXPECT_EQ(bits_of(*result), Bits{0x24d0fe0e34c9aa3b});
+  EXPECT_EQ(bits_of(*result), Bits{0xafd275451c32eeda});
 }
 
 }  // namespace
