@@ -104,6 +104,7 @@ struct Relaxation {
   int returns = 0;
   bool gave_up = false;
   bool settled = false;  // at the end of the last window; the next step is taken with a fresh list
+  bool uncrossed = false;  // looked, and nothing has moved since
   ClosureRun run{};
 };
 
@@ -131,6 +132,7 @@ Relaxation<R> start_relaxation(const ClosureModel& model, const RelaxationSettin
 template <class R>
 void take_step(Relaxation<R>& r, bool fresh_list) {
   ++r.run.steps, ++r.now.step;
+  r.uncrossed = false;
   const bool travelling = r.now.step <= r.travel_steps;
   if (travelling) r.valve.place_fixed(static_cast<double>(r.now.step) / r.travel_steps);
   if (fresh_list) r.valve.list();
@@ -162,6 +164,7 @@ bool is_uncrossed(Relaxation<R>& r) {
     go_back(r, crossings);
     return false;
   }
+  r.uncrossed = true;
   r.moments.push_back({r.valve.moment(), r.now});
   if (r.moments.size() > kMoments) r.moments.erase(r.moments.begin());
   return true;
@@ -204,7 +207,7 @@ ClosureRun finish(Relaxation<R>& r) {
   if (r.settings.motion) run.motion_mm.push_back(run.x_mm);
   run.guarded_faces = r.guards.faces();
   if (has_diverged(run.x_mm) || std::isnan(run.residual)) run.status = ClosureStatus::Diverged;
-  if (run.status != ClosureStatus::Diverged)
+  if (run.status != ClosureStatus::Diverged && !r.uncrossed)
     run.crossing_pairs = static_cast<int>(r.valve.crossings().size());
   if (run.status != ClosureStatus::Converged) return run;
   run.samples_mm.push_back(run.x_mm.topRows(r.model.vertices));
