@@ -97,9 +97,16 @@ void add_hinge_forces(const Hinge& hinge, const Points& x, Points& force) {
 std::array<double, 4> row_sums(const Hinge& hinge, const Points& x) {
   const HingeTurn now = turn(hinge, x);
   std::array<double, 4> sums = now.size;
-  const double stiffness = hinge.stiffness_n_mm * (1.0 + std::abs(now.t - hinge.rest)) *
+  const double turned = std::abs(now.t - hinge.rest);
+  const double stiffness = hinge.stiffness_n_mm * (1.0 + quarter(now) * quarter(now) + turned) *
                            std::accumulate(sums.begin(), sums.end(), 0.0);
   for (double& sum : sums) sum *= stiffness;
+  // As the hinge turns, its gradients turn and grow: what the first term does not cover.
+  const double per_mm = 1.0 / (corner(x, hinge.node[1]) - corner(x, hinge.node[0])).norm();
+  const double moment_n = hinge.stiffness_n_mm * turned * per_mm;
+  for (std::size_t k = 0; k < 2; ++k)
+    sums[k] += moment_n * (3.0 * (now.size[2] + now.size[3]) + 4.0 * per_mm);
+  for (std::size_t k = 2; k < 4; ++k) sums[k] += 2.0 * moment_n * now.size[k];
   return sums;
 }
 

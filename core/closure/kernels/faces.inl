@@ -46,7 +46,7 @@ COAPT_INLINE void add_along_normal(const FaceInput<R>& in, const FaceBlock<R>& b
                                    const Vec3x<R>& ab, const Vec3x<R>& ac,
                                    Vec4x<R> (&corner)[3]) {
   const Vec3x<R> normal = cross(ab, ac);
-  const Vec<R> tiny = all(kTiny_mm2<R>);
+  const Vec<R> tiny = all(kTiny_mm2<R>), half = all(R(0.5));
   const Vec<R> ab2 = dot(ab, ab), ac2 = dot(ac, ac), mixed = dot(ab, ac);
   const Vec<R> bc2 = ab2 + ac2 - (mixed + mixed);
   const Vec<R> per_area = inverse_sqrt(largest(dot(normal, normal), load(block.least_mm4)));
@@ -65,12 +65,15 @@ COAPT_INLINE void add_along_normal(const FaceInput<R>& in, const FaceBlock<R>& b
     const Vec<R> per_edge = moment * per_area2 * per_length,
                  stiff = turned * per_area * per_length;
     const Vec<R> rest = e2 - foot[k];
+    const Vec<R> turning = half * magnitude(moment);
+    const Vec<R> on_edge =
+        turning * (all(R(3)) * per_area + (per_length + per_length) * per_length);
     push[across] = push[across] + per_edge * e2;
     push[second] = push[second] - per_edge * foot[k];
     push[first] = push[first] - per_edge * rest;
-    stiffness[across] = stiffness[across] + stiff * e2;
-    stiffness[second] = stiffness[second] + stiff * magnitude(foot[k]);
-    stiffness[first] = stiffness[first] + stiff * magnitude(rest);
+    stiffness[across] = stiffness[across] + stiff * e2 + (turning + turning) * per_area;
+    stiffness[second] = stiffness[second] + stiff * magnitude(foot[k]) + on_edge;
+    stiffness[first] = stiffness[first] + stiff * magnitude(rest) + on_edge;
   }
   for (int k = 0; k < 3; ++k)
     add(corner[k], push[k] * normal,

@@ -29,7 +29,9 @@ void turn_hinges(const HingeInput<R>& in) {
     const Vec<R> sizes = per_length * (per_area1 * (e2 + magnitude(s2) + magnitude(s2 - e2)) +
                                        per_area2 * (e2 + magnitude(s3) + magnitude(s3 - e2)));
     const Vec<R> stiffness = load(hinge.stiffness_n_mm);
+    const Vec<R> quarter = all(R(0.25)) * (turned + load(hinge.rest));
     store(stiffness * turned, in.pulls[b].moment_n_mm);
-    store(half * stiffness * (one + magnitude(turned)) * sizes, in.pulls[b].stiffness_n);
+    store(half * stiffness * (one + quarter * quarter + magnitude(turned)) * sizes,
+          in.pulls[b].stiffness_n);
   }
 }
