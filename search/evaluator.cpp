@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/closure/prepared_valve.h"
+#include "search/prepared_valves.h"
 
 namespace coapt {
 

@@ -1,12 +1,9 @@
 #include "core/closure/prepared_valve.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace coapt {
 namespace {
-
-constexpr std::size_t kKept = 8;  // a million bytes each at 650 triangles
 
 ContactLaw contact_law(const Valve& valve, const ClosureOptions& options) {
   const double thickness = valve.tissue.thickness_mm;
@@ -49,25 +46,6 @@ ClosureModel PreparedValve::model(const Valve& valve) const {
   ClosureModel model = model_;
   set_targets(valve, model);
   return model;
-}
-
-std::shared_ptr<const PreparedValve> PreparedValves::of(const Valve& valve,
-                                                        const ClosureOptions& options) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = std::find_if(newest_.begin(), newest_.end(), [&](const auto& prepared) {
-      return prepared->serves(valve, options);
-    });
-    if (found != newest_.end()) {
-      std::rotate(found, found + 1, newest_.end());
-      return newest_.back();
-    }
-  }
-  auto prepared = std::make_shared<const PreparedValve>(valve, options);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (newest_.size() == kKept) newest_.erase(newest_.begin());
-  newest_.push_back(prepared);
-  return prepared;
 }
 
 }  // namespace coapt

@@ -3,10 +3,6 @@
 // a start near its end spends a quarter of its time on this otherwise.
 #pragma once
 
-#include <memory>
-#include <mutex>
-#include <vector>
-
 #include "core/closure/closure_options.h"
 #include "core/closure/relaxation_layout.h"
 
@@ -33,16 +29,6 @@ class PreparedValve {
   ContactLaw contact_;
   ClosureModel model_;
   RelaxationLayout<float> layout_;
-};
-
-/// The valves that were prepared last. From any thread.
-class PreparedValves {
- public:
-  std::shared_ptr<const PreparedValve> of(const Valve& valve, const ClosureOptions& options);
-
- private:
-  std::mutex mutex_;
-  std::vector<std::shared_ptr<const PreparedValve>> newest_;  // last
 };
 
 }  // namespace coapt

@@ -62,18 +62,5 @@ TEST(PreparedValve, ServesNoOtherValve) {
   EXPECT_TRUE(prepared.serves(valve, {.residual_tolerance = 0.1}));
 }
 
-TEST(PreparedValves, KeepTheLastFew) {
-  PreparedValves valves;
-  const Valve valve = small_valve();
-  const auto first = valves.of(valve, {});
-  EXPECT_EQ(valves.of(with_tips_moved(valve, 1.0), {}), first);
-  for (int i = 1; i <= 8; ++i) {
-    Valve other = valve;
-    other.pressure_kpa += i;
-    EXPECT_NE(valves.of(other, {}), first);
-  }
-  EXPECT_NE(valves.of(valve, {}), first);
-}
-
 }  // namespace
 }  // namespace coapt

@@ -1,0 +1,26 @@
+#include "search/prepared_valves.h"
+
+#include <gtest/gtest.h>
+
+#include "core/presets/presets.h"
+
+namespace coapt {
+namespace {
+
+TEST(PreparedValves, KeepTheLastFew) {
+  PreparedValves valves;
+  const Valve valve = *make_preset("human-functional-mr", 300);
+  const auto first = valves.of(valve, {});
+  Valve moved = valve;
+  for (PapillaryHead& head : moved.heads) head.tip_mm.z() -= 1.0;
+  EXPECT_EQ(valves.of(moved, {}), first);
+  for (int i = 1; i <= 8; ++i) {
+    Valve other = valve;
+    other.pressure_kpa += i;
+    EXPECT_NE(valves.of(other, {}), first);
+  }
+  EXPECT_NE(valves.of(valve, {}), first);
+}
+
+}  // namespace
+}  // namespace coapt
