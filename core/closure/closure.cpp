@@ -177,7 +177,8 @@ std::vector<Rung> exponential_ladder(const ClosureModel& model, const ClosureOpt
   plain.max_steps = options.max_steps > 0 ? options.max_steps : kPatientSteps;
   plain.damping = kTravelDamping;
   plain.longest_move_mm =
-      options.speed * std::min(plain.longest_move_mm, kTravelMoveShare * prepared.contact().thickness_mm);
+      options.speed *
+      std::min(plain.longest_move_mm, kTravelMoveShare * prepared.contact().thickness_mm);
   plain.contact = prepared.contact();
   plain.layout = &prepared.layout();
   plain.contact.edges = true;

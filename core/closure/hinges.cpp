@@ -45,7 +45,8 @@ std::vector<Hinge> make_hinges(const Valve& valve) {
         e.cross(corner(valve.rest_mm, hinge.node[3]) - x0).norm()};
     const double areas = 0.5 * (twice_area[0] + twice_area[1]);
     hinge.stiffness_n_mm = valve.tissue.bending_n_mm * e.squaredNorm() / areas;
-    for (std::size_t k = 0; k < 2; ++k) hinge.least_mm4[k] = std::pow(kLeastArea * twice_area[k], 2);
+    for (std::size_t k = 0; k < 2; ++k)
+      hinge.least_mm4[k] = std::pow(kLeastArea * twice_area[k], 2);
     hinge.rest = turn(hinge, valve.rest_mm).t;
     hinges.push_back(hinge);
   }

@@ -161,7 +161,8 @@ std::vector<std::pair<int, int>> MovingValve<R>::crossings() {
 
 template <class R>
 void MovingValve<R>::guard(const std::vector<std::array<int, 2>>& edges) {
-  edges_.emplace(model_, layout_.laid.node_of, settings_.contact, PairKind::EdgeEdge, kernels_, edges);
+  edges_.emplace(model_, layout_.laid.node_of, settings_.contact, PairKind::EdgeEdge, kernels_,
+                 edges);
   listed_share_ = 1.0;
 }
 

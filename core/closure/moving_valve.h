@@ -59,7 +59,7 @@ class MovingValve {
   const Points start_mm_;
   RelaxationLayout<R> layout_;
   std::vector<kernels::Quad<R>> x_, next_, force_;
-  std::vector<kernels::Quad<R>> corners_;           // of faces, and one at rest
+  std::vector<kernels::Quad<R>> corners_;            // of faces, and one at rest
   std::vector<kernels::HingePulls<R>> hinge_pulls_;  // likewise
   std::vector<kernels::Quad<R>> listed_;  // where nodes were when pairs were listed, and margins
   std::optional<ContactPairs<R>> edges_;  // with edges

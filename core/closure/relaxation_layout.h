@@ -12,7 +12,7 @@ namespace coapt {
 template <class R>
 struct RelaxationLayout {
   RelaxationModel<R> laid;
-  ContactPairs<R> faces;                 ///< with vertices
+  ContactPairs<R> faces;                  ///< with vertices
   std::vector<ContactPairs<R>> parted{};  ///< the same, where some leaflets do not touch themselves
 };
 

@@ -82,8 +82,7 @@ void add_gap(Command chart, int& status) {
 /// --preset and --anatomies.
 void add_valves(Command command, std::vector<std::string>& presets, int& anatomies) {
   command.add_option("--preset", presets, "Only these presets").show_default();
-  command
-      .add_option("--anatomies", anatomies, "Random anatomies besides, one varied scene of each")
+  command.add_option("--anatomies", anatomies, "Random anatomies besides, one varied scene of each")
       .check(number_from(0, 10000))
       .show_default();
 }

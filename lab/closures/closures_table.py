@@ -5,7 +5,6 @@ Usage: lab/closures/closures_table.py [build/release/bin/coapt] [docs/figures/cl
 
 The same bits on any machine; times are measured by coapt-lab bench closures.
 """
-import csv
 import json
 import pathlib
 import subprocess

@@ -3,7 +3,6 @@
 
 Usage: lab/closures/membranes_table.py [build/release/bin/coapt] [docs/figures/membranes.csv]
 """
-import csv
 import json
 import pathlib
 import subprocess

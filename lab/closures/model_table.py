@@ -5,7 +5,6 @@ Usage: lab/closures/model_table.py [build/release/bin/coapt] [docs/figures/model
 
 A row for each preset, area and parameter. The same bits on any machine.
 """
-import csv
 import json
 import pathlib
 import subprocess

@@ -3,7 +3,6 @@
 
 Usage: lab/closures/speed_table.py [build/release/bin/coapt-lab] [docs/figures/speed.csv]
 """
-import csv
 import json
 import pathlib
 import subprocess

@@ -34,8 +34,7 @@ int straddling_faces(const PairSearch<R>& in, int* first, int* second, int room)
         if (hits == 0) continue;
         Mask<R> same[3][3];  // [node of this face][node of the others]
         for (int k = 0; k < 3; ++k)
-          for (int m = 0; m < 3; ++m)
-            same[k][m] = lanes_with<R>(other.node[m], one.node[k].at[i]);
+          for (int m = 0; m < 3; ++m) same[k][m] = lanes_with<R>(other.node[m], one.node[k].at[i]);
         Heights<R> over_others, over_this;
         for (int k = 0; k < 3; ++k) {
           over_others.add(load(other.plane[0]) * all(one.corner[k][0].at[i]) +

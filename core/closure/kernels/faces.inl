@@ -30,7 +30,8 @@ COAPT_INLINE void add_membrane(const FaceInput<R>& in, int b, const Vec3x<R>& ab
                  with_ca = magnitude(h1 * image.c1 * image.a1 + h2 * image.c2 * image.a2);
     const auto pull = [&](int k, const Vec<R>& g1, const Vec<R>& g2, const Vec<R>& others) {
       const Vec3x<R> f = g1 * now.p1 + g2 * now.p2;
-      add(corner[k], Vec3x<R>{zero - f.x, zero - f.y, zero - f.z}, h1 * g1 * g1 + h2 * g2 * g2 + others);
+      add(corner[k], Vec3x<R>{zero - f.x, zero - f.y, zero - f.z},
+          h1 * g1 * g1 + h2 * g2 * g2 + others);
     };
     pull(0, image.a1, image.a2, with_ab + with_ca);
     pull(1, image.b1, image.b2, with_ab + with_bc);
@@ -43,8 +44,7 @@ COAPT_INLINE void add_membrane(const FaceInput<R>& in, int b, const Vec3x<R>& ab
 /// own two by that divided at the foot of the face's height (hinges.cpp has the gradients).
 template <class R>
 COAPT_INLINE void add_along_normal(const FaceInput<R>& in, const FaceBlock<R>& block,
-                                   const Vec3x<R>& ab, const Vec3x<R>& ac,
-                                   Vec4x<R> (&corner)[3]) {
+                                   const Vec3x<R>& ab, const Vec3x<R>& ac, Vec4x<R> (&corner)[3]) {
   const Vec3x<R> normal = cross(ab, ac);
   const Vec<R> tiny = all(kTiny_mm2<R>), half = all(R(0.5));
   const Vec<R> ab2 = dot(ab, ab), ac2 = dot(ac, ac), mixed = dot(ab, ac);
@@ -62,8 +62,7 @@ COAPT_INLINE void add_along_normal(const FaceInput<R>& in, const FaceBlock<R>& b
     length[k] = e2 * per_length;
     const Vec<R> moment = gather(in.hinges->moment_n_mm.at, block.hinge[k]),
                  turned = gather(in.hinges->stiffness_n.at, block.hinge[k]);
-    const Vec<R> per_edge = moment * per_area2 * per_length,
-                 stiff = turned * per_area * per_length;
+    const Vec<R> per_edge = moment * per_area2 * per_length, stiff = turned * per_area * per_length;
     const Vec<R> rest = e2 - foot[k];
     const Vec<R> turning = half * magnitude(moment);
     const Vec<R> on_edge =
@@ -76,8 +75,7 @@ COAPT_INLINE void add_along_normal(const FaceInput<R>& in, const FaceBlock<R>& b
     stiffness[first] = stiffness[first] + stiff * magnitude(rest) + on_edge;
   }
   for (int k = 0; k < 3; ++k)
-    add(corner[k], push[k] * normal,
-        stiffness[k] + load_mpa * (length[k] + length[(k + 2) % 3]));
+    add(corner[k], push[k] * normal, stiffness[k] + load_mpa * (length[k] + length[(k + 2) % 3]));
 }
 
 template <class R, FaceLaw kLaw>

@@ -50,7 +50,7 @@ template <class R>
 struct NodeBlock {
   Lane<R> free;  ///< 1, or 0 for padding
   Lane<R> velocity[3];
-  Lane<R> stiffness;  ///< of the last step, N/mm
+  Lane<R> stiffness;                  ///< of the last step, N/mm
   int first_corner = 0, corners = 0;  ///< of the faces around: IndexLanes of their quads
   int first_spring = 0, springs = 0;
 };
@@ -97,9 +97,10 @@ constexpr int pull_offset_of(int hinge) {
 template <class R>
 struct FaceBlock {
   IndexLane node[3];
-  IndexLane hinge[3];  ///< at the edges 01, 12 and 20: pull_offset_of(); of one at rest where there is none
-  Lane<R> least_mm4;   ///< of the squared cross product of two sides, for bending
-  Lane<R> load_mpa;    ///< a sixth of the pressure; 0 for padding
+  IndexLane hinge
+      [3];  ///< at the edges 01, 12 and 20: pull_offset_of(); of one at rest where there is none
+  Lane<R> least_mm4;  ///< of the squared cross product of two sides, for bending
+  Lane<R> load_mpa;   ///< a sixth of the pressure; 0 for padding
   // Of a membrane of triangles: f1 and f2 = first x (x1 - x0) + second x (x2 - x0).
   Lane<R> along[2], across[2];
   Lane<R> volume_mm3;  ///< 0 for padding
@@ -139,11 +140,11 @@ struct PairBlock {
 template <class R>
 struct Cluster {
   IndexLane node[3];  ///< vertices repeat their node, edges their second; padding repeats the last
-  Lane<R> low[3], high[3];             ///< boxes, mm
-  Lane<R> margin_mm;                   ///< of its nodes, at most
+  Lane<R> low[3], high[3];                        ///< boxes, mm
+  Lane<R> margin_mm;                              ///< of its nodes, at most
   Lane<R> reach_low[3], reach_high[3], reach_mm;  ///< boxes with thickness and margin, and these
-  Lane<R> corner[3][3];                ///< faces: [node][x, y, z], mm
-  Lane<R> plane[4];                    ///< faces: unit normal and offset
+  Lane<R> corner[3][3];                           ///< faces: [node][x, y, z], mm
+  Lane<R> plane[4];                               ///< faces: unit normal and offset
   R least_margin_mm = 0;
   int count = 0;  ///< features that are not padding
 };
@@ -241,11 +242,11 @@ struct FaceInput {
 
 template <class R>
 struct StepInput {
-  const Quad<R>* x = nullptr;  ///< where all nodes are
-  Quad<R>* next = nullptr;     ///< where the moving ones will be
-  Quad<R>* force = nullptr;    ///< of contact and cables, N, with their stiffness; set to 0
+  const Quad<R>* x = nullptr;        ///< where all nodes are
+  Quad<R>* next = nullptr;           ///< where the moving ones will be
+  Quad<R>* force = nullptr;          ///< of contact and cables, N, with their stiffness; set to 0
   const Quad<R>* corners = nullptr;  ///< of faces, see FaceInput
-  const Quad<R>* listed = nullptr;  ///< where nodes were when pairs were listed, and their margins
+  const Quad<R>* listed = nullptr;   ///< where nodes were when pairs were listed, and their margins
   NodeBlock<R>* blocks = nullptr;
   const IndexLane* corner_slots = nullptr;
   const SpringSlot<R>* spring_slots = nullptr;

@@ -181,11 +181,10 @@ COAPT_INLINE void bin_pairs(const PairSearch<R>& in, int count, int (&binned)[kP
     for (int i = 0; i < kLanes; ++i)
       nodes_of_pair(in, buffer.first[start + i], buffer.second[start + i], i, node);
     Vec<R> margin;
-    const Vec3x<R> d = in.faces ? face_apart(node, in.listed, &margin).d
-                                : edges_apart(node, in.listed, &margin).d;
+    const Vec3x<R> d =
+        in.faces ? face_apart(node, in.listed, &margin).d : edges_apart(node, in.listed, &margin).d;
     const Vec<R> distance2 = largest(dot(d, d), all(kTiny_mm2<R>));
-    const Vec<R> space =
-        distance2 * inverse_sqrt(distance2) - load<R>(buffer.thickness_mm + start);
+    const Vec<R> space = distance2 * inverse_sqrt(distance2) - load<R>(buffer.thickness_mm + start);
     store(margin, buffer.margin_mm + start);
     unsigned left = first_lanes(count - start);
     for (int b = 0; b < kPairBins; ++b) {

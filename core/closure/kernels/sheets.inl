@@ -53,10 +53,8 @@ COAPT_INLINE Stretched<R> stretch_continuum(const FaceInput<R>& in, const FaceBl
   const Vec3x<R> f_plus = all(half_root) * (f1 + f2), f_minus = all(half_root) * (f1 - f2);
   // A node's move changes a length by this much at most.
   const Vec<R> move = all(R(0.5) * in.lookahead_mm);
-  const Vec<R> ahead1 =
-      move * (magnitude(image.a1) + magnitude(image.b1) + magnitude(image.c1));
-  const Vec<R> ahead2 =
-      move * (magnitude(image.a2) + magnitude(image.b2) + magnitude(image.c2));
+  const Vec<R> ahead1 = move * (magnitude(image.a1) + magnitude(image.b1) + magnitude(image.c1));
+  const Vec<R> ahead2 = move * (magnitude(image.a2) + magnitude(image.b2) + magnitude(image.c2));
   const Vec<R> ahead = all(half_root) * (ahead1 + ahead2);
   const Direction<R> along = direction(f1, law.along, ahead1),
                      across = direction(f2, law.across, ahead2),
