@@ -19,9 +19,7 @@ FIRST_SEED = 101  # of none of the other tables
 
 def bench(program, preset, seed, count, options):
     command = [program, "bench", "closures", preset, "--count", str(count), "--seed", str(seed), "--threads", "1"]
-    run = subprocess.run(
-        command + ["--no-accuracy", "--json", *options], capture_output=True, text=True, check=True
-    )
+    run = subprocess.run(command + ["--no-accuracy", "--json", *options], capture_output=True, text=True, check=True)
     return json.loads(run.stdout)
 
 
@@ -33,9 +31,7 @@ def compared(preset, arguments):
         for program, measured in rounds.items():
             measured.append(bench(program, preset, FIRST_SEED + i, arguments.count, options))
     old, new = rounds.values()
-    ratios = sorted(
-        a["closures_per_second_per_core"] / b["closures_per_second_per_core"] for a, b in zip(old, new)
-    )
+    ratios = sorted(a["closures_per_second_per_core"] / b["closures_per_second_per_core"] for a, b in zip(old, new))
 
     def median(field, of):
         return round(statistics.median(measured[field] for measured in of), 2)
