@@ -14,6 +14,9 @@ constexpr double kLeastHalfCosine = 1e-3;
 
 Vec3 corner(const Points& x, int node) { return x.row(node); }
 
+/// Of the squared cross product of two sides, from what it is at rest.
+double least_of(double twice_area_mm2) { return std::pow(kLeastArea * twice_area_mm2, 2); }
+
 /// Angle / 4 has this tangent.
 double quarter(const HingeTurn& now) { return 0.25 * now.t; }
 
@@ -22,7 +25,7 @@ double quarter(const HingeTurn& now) { return 0.25 * now.t; }
 double least_mm4(const Points& rest_mm, const Faces& faces, Index face) {
   const Vec3 a = corner(rest_mm, faces(face, 0));
   const Vec3 ab = corner(rest_mm, faces(face, 1)) - a, ac = corner(rest_mm, faces(face, 2)) - a;
-  return std::pow(kLeastArea * ab.cross(ac).norm(), 2);
+  return least_of(ab.cross(ac).norm());
 }
 
 std::vector<Hinge> make_hinges(const Valve& valve) {
@@ -45,8 +48,7 @@ std::vector<Hinge> make_hinges(const Valve& valve) {
         e.cross(corner(valve.rest_mm, hinge.node[3]) - x0).norm()};
     const double areas = 0.5 * (twice_area[0] + twice_area[1]);
     hinge.stiffness_n_mm = valve.tissue.bending_n_mm * e.squaredNorm() / areas;
-    for (std::size_t k = 0; k < 2; ++k)
-      hinge.least_mm4[k] = std::pow(kLeastArea * twice_area[k], 2);
+    hinge.least_mm4 = {least_of(twice_area[0]), least_of(twice_area[1])};
     hinge.rest = turn(hinge, valve.rest_mm).t;
     hinges.push_back(hinge);
   }

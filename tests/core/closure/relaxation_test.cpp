@@ -128,6 +128,18 @@ void expect_pulls(const ClosureModel& model, const Points& x, const std::vector<
   }
 }
 
+/// By node: the row sums of the elements around it, added up.
+template <class Element, class RowSums>
+std::vector<double> added_rows(const std::vector<Element>& elements, const Points& x,
+                               const RowSums& row_sums_of) {
+  std::vector<double> rows(x.rows(), 0.0);
+  for (const Element& element : elements) {
+    const auto sums = row_sums_of(element);
+    for (std::size_t k = 0; k < sums.size(); ++k) rows[element.node[k]] += sums[k];
+  }
+  return rows;
+}
+
 /// Half closed, without chordae and pressure.
 ClosureModel leaflets_alone(Points& x) {
   ClosureModel model = make_closure_model(*make_preset("human-normal", 300), Membrane::Continuum);
@@ -141,24 +153,17 @@ TEST(PullFaces, PullLikeThePlainSheetsWithHalfTheirRowSums) {
   Points x;
   ClosureModel model = leaflets_alone(x);
   model.hinges.clear();
-  std::vector<double> rows(x.rows(), 0.0);
-  for (const Sheet& sheet : model.sheets) {
-    const auto sums = row_sums(model.law, sheet, x);
-    for (std::size_t k = 0; k < 3; ++k) rows[sheet.node[k]] += sums[k];
-  }
-  expect_pulls(model, x, rows);
+  expect_pulls(model, x, added_rows(model.sheets, x, [&](const Sheet& sheet) {
+                 return row_sums(model.law, sheet, x);
+               }));
 }
 
 TEST(PullFaces, BendLikeThePlainHingesWithHalfTheirRowSums) {
   Points x;
   ClosureModel model = leaflets_alone(x);
   model.sheets.clear();
-  std::vector<double> rows(x.rows(), 0.0);
-  for (const Hinge& hinge : model.hinges) {
-    const auto sums = row_sums(hinge, x);
-    for (std::size_t k = 0; k < 4; ++k) rows[hinge.node[k]] += sums[k];
-  }
-  expect_pulls(model, x, rows);
+  expect_pulls(model, x,
+               added_rows(model.hinges, x, [&](const Hinge& hinge) { return row_sums(hinge, x); }));
 }
 
 TEST(PullFaces, PressLikeThePlainPressure) {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/presets/presets.h"
 #include "search/plans/plan_evaluations.h"
 #include "search/plans/plan_key.h"
 #include "search/plans/plan_search.h"
@@ -162,6 +163,20 @@ struct EvaluationScene {
 
 /// NaN equals itself.
 inline std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+/// Of real closures: leaks_of(evaluations) gives the same bits with one thread and with two.
+template <class LeaksOf>
+void expect_same_on_any_threads(const LeaksOf& leaks_of) {
+  const Valve valve = *make_preset("human-functional-mr", 150);
+  const Evaluator evaluate = closing_evaluator({});
+  std::vector<std::uint64_t> leaks[2];
+  for (const int threads : {1, 2}) {
+    SearchMonitor monitor(0.0, nullptr);
+    PlanEvaluations evaluations(evaluate, valve, on_threads(threads), monitor);
+    for (const double leak : leaks_of(evaluations)) leaks[threads - 1].push_back(bits(leak));
+  }
+  EXPECT_EQ(leaks[0], leaks[1]);
+}
 
 inline void expect_same(const std::vector<Progress>& a, const std::vector<Progress>& b) {
   ASSERT_EQ(a.size(), b.size());
