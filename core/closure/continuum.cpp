@@ -12,6 +12,7 @@ const double kSqrt2 = std::sqrt(2.0);
 struct Stretch {
   Vec3 f1, f2;       // images of the unit vectors along and across the fibre
   Vec3 plus, minus;  // of those along the diagonals
+  double area;       // per unstressed area
 };
 
 Stretch stretch(const Sheet& sheet, const Points& x) {
@@ -19,7 +20,8 @@ Stretch stretch(const Sheet& sheet, const Points& x) {
   const Vec3 ab = x.row(sheet.node[1]).transpose() - a, ac = x.row(sheet.node[2]).transpose() - a;
   const Vec3 f1 = sheet.per_mm(0, 0) * ab + sheet.per_mm(1, 0) * ac;
   const Vec3 f2 = sheet.per_mm(0, 1) * ab + sheet.per_mm(1, 1) * ac;
-  return {f1, f2, (f1 + f2) / kSqrt2, (f1 - f2) / kSqrt2};
+  return {f1, f2, (f1 + f2) / kSqrt2, (f1 - f2) / kSqrt2,
+          std::max(kLeastAreaStretch, f1.cross(f2).norm())};
 }
 
 /// Of fibres at stretch `length`.
@@ -32,6 +34,11 @@ double stress(const Fibres& fibres, double length) {
 }
 double stiffness(const Fibres& fibres, double length) {
   return length > fibres.straight ? std::max(0.0, fibres.mpa) : 0.0;
+}
+
+/// What opens a squeezed face: minus the energy's slope by its area.
+double squeezed(const SheetLaw& law, double area) {
+  return law.squeezed_mpa * std::max(0.0, law.squeezed_area - area);
 }
 
 /// Engineering stress along f1 and f2, shear apart.
@@ -57,16 +64,19 @@ StiffnessBound stiffness_bound(const SheetLaw& law, const Stretch& now) {
   const double l1 = now.f1.norm(), l2 = now.f2.norm(), shear = now.f1.dot(now.f2);
   const double cosine = std::abs(shear) / (l1 * l2);
   const auto axial = axial_stress(law, l1, l2);
+  // The area's slopes by f1 and f2 are at most |f2| and |f1|, its second derivative |df1| |df2|.
+  const double opening = squeezed(law, now.area);
+  const double barrier = opening > 0.0 ? law.squeezed_mpa : 0.0;
   const double mixed = std::max(law.coupling_mpa, law.shear_mpa * l1 * l2) * (1.0 + cosine) +
-                       law.shear_mpa * std::abs(shear);
+                       law.shear_mpa * std::abs(shear) + barrier * l1 * l2 + opening;
   double diagonal = 0.0;
   for (const double length : {now.plus.norm(), now.minus.norm()})
     diagonal = std::max(
         {diagonal, stiffness(law.diagonal, length), stress(law.diagonal, length) / length});
-  return {block_bound(law.along_mpa + stiffness(law.along, l1), axial[0] / l1,
+  return {block_bound(law.along_mpa + stiffness(law.along, l1) + barrier * l2 * l2, axial[0] / l1,
                       law.shear_mpa * l2 * l2, cosine) +
               mixed + diagonal,
-          block_bound(law.across_mpa + stiffness(law.across, l2), axial[1] / l2,
+          block_bound(law.across_mpa + stiffness(law.across, l2) + barrier * l1 * l1, axial[1] / l2,
                       law.shear_mpa * l1 * l1, cosine) +
               mixed + diagonal};
 }
@@ -130,21 +140,24 @@ double sheet_energy(const SheetLaw& law, const Sheet& sheet, const Points& x) {
   const double matrix =
       0.5 * (law.along_mpa * e1 * e1 + law.across_mpa * e2 * e2 + law.shear_mpa * shear * shear) +
       law.coupling_mpa * e1 * e2;
+  const double missing = std::max(0.0, law.squeezed_area - now.area);
   return sheet.volume_mm3 *
-         (matrix + energy(law.along, l1) + energy(law.across, l2) +
-          energy(law.diagonal, now.plus.norm()) + energy(law.diagonal, now.minus.norm()));
+         (matrix + 0.5 * law.squeezed_mpa * missing * missing + energy(law.along, l1) +
+          energy(law.across, l2) + energy(law.diagonal, now.plus.norm()) +
+          energy(law.diagonal, now.minus.norm()));
 }
 
 void add_sheet_forces(const SheetLaw& law, const Sheet& sheet, const Points& x, Points& force) {
   const Stretch now = stretch(sheet, x);
   const double l1 = now.f1.norm(), l2 = now.f2.norm();
-  const double shear = law.shear_mpa * now.f1.dot(now.f2);
+  const double mixed = now.f1.dot(now.f2), opening = squeezed(law, now.area) / now.area;
+  const double shear = law.shear_mpa * mixed + opening * mixed;
   const auto axial = axial_stress(law, l1, l2);
   const Vec3 plus = (stress(law.diagonal, now.plus.norm()) / kSqrt2) * now.plus.normalized();
   const Vec3 minus = (stress(law.diagonal, now.minus.norm()) / kSqrt2) * now.minus.normalized();
   // Gradients of the energy by f1 and f2.
-  const Vec3 p1 = (axial[0] / l1) * now.f1 + shear * now.f2 + plus + minus;
-  const Vec3 p2 = (axial[1] / l2) * now.f2 + shear * now.f1 + plus - minus;
+  const Vec3 p1 = (axial[0] / l1 - opening * l2 * l2) * now.f1 + shear * now.f2 + plus + minus;
+  const Vec3 p2 = (axial[1] / l2 - opening * l1 * l1) * now.f2 + shear * now.f1 + plus - minus;
   const Vec3 b = sheet.volume_mm3 * (sheet.per_mm(0, 0) * p1 + sheet.per_mm(0, 1) * p2);
   const Vec3 c = sheet.volume_mm3 * (sheet.per_mm(1, 0) * p1 + sheet.per_mm(1, 1) * p2);
   force.row(sheet.node[0]) += b + c;

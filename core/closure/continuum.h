@@ -5,13 +5,16 @@
 // Strains: e1 = |f1| - 1, e2 = |f2| - 1, shear g = f1 . f2, e+ = |f1 + f2| / sqrt 2 - 1 and
 // e- = |f1 - f2| / sqrt 2 - 1 along the diagonals. Energy per unstressed volume:
 //   (E1 e1^2 + 2 nu sqrt(E1 E2) e1 e2 + E2 e2^2) / (2 (1 - nu^2)) + G g^2 / 2
-//   + sum over k = 1, 2, +, - of D_k max(0, e_k - t_k)^2 / 2
+//   + sum over k = 1, 2, +, - of D_k max(0, e_k - t_k)^2 / 2 + B max(0, J0 - J)^2 / 2
 // First line, a matrix: plane stress with the moduli before transition (table 2.1 of the thesis),
 // nu = 1/3 and G = sqrt(E1 E2) / (2 (1 + nu)) (Huber 1923), as van Gelder's springs have on
 // equilateral triangles. It takes compression, like the springs. Second line, fibres that are slack
 // until their transition: along the axes D = E_post - E_pre; along the diagonals half of that, with
 // moduli and transition of 45 degrees by equation 2.3. These weights, 1, 1, 1/2, 1/2, are those of
-// van Gelder's springs on squares with alternating diagonals.
+// van Gelder's springs on squares with alternating diagonals. Last term: what a face does that is
+// squeezed below J0 of its unstressed area, J = |f1 x f2|. Tissue keeps its volume (May-Newman and
+// Yin 1998), so it would be 1 / J times as thick; the matrix knows no area and lets a pull of 0.01
+// MPa make a face a line, at which hinges have no direction and nothing comes to rest.
 //
 // So a strip along or across the fibre follows equation 2.4 to the letter until its diagonals are
 // straight too (above strains of 0.5 with table 2.1), and equal moduli before and after transition
@@ -33,6 +36,8 @@ namespace coapt {
 
 inline constexpr double kMpaPerKpa = 1e-3;
 inline constexpr double kMatrixPoisson = 1.0 / 3.0;
+/// J of faces that have less.
+inline constexpr double kLeastAreaStretch = 0.01;
 
 /// Parallel fibres: slack up to the stretch `straight`, linear in engineering strain above.
 struct Fibres {
@@ -46,6 +51,8 @@ struct SheetLaw {
   double coupling_mpa = 0.0;                 ///< nu sqrt(E1 E2) / (1 - nu^2)
   double shear_mpa = 0.0;
   Fibres along, across, diagonal;
+  double squeezed_mpa = 3.0;   ///< B
+  double squeezed_area = 0.4;  ///< J0: ordinary closures have hardly a face below
 };
 
 /// One face. (f1 f2) = (x1 - x0, x2 - x0) per_mm.

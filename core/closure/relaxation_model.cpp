@@ -153,9 +153,11 @@ void lay_law(const ClosureModel& model, RelaxationModel<R>& laid) {
     return kernels::SheetFibres<R>{real(f.straight), real(f.mpa)};
   };
   const SheetLaw& law = model.law;
-  laid.continuum = {real(law.along_mpa), real(law.across_mpa), real(law.coupling_mpa),
-                    real(law.shear_mpa), fibres(law.along),    fibres(law.across),
-                    fibres(law.diagonal)};
+  laid.continuum = {real(law.along_mpa),     real(law.across_mpa),
+                    real(law.coupling_mpa),  real(law.shear_mpa),
+                    fibres(law.along),       fibres(law.across),
+                    fibres(law.diagonal),    real(law.squeezed_mpa),
+                    real(law.squeezed_area), real(kLeastAreaStretch * kLeastAreaStretch)};
   laid.face_law = !model.sheets.empty()               ? kernels::FaceLaw::Continuum
                   : !model.exponential_sheets.empty() ? kernels::FaceLaw::Exponential
                                                       : kernels::FaceLaw::None;

@@ -124,6 +124,7 @@ template <class R>
 struct SheetModuli {
   R along_mpa = 0, across_mpa = 0, coupling_mpa = 0, shear_mpa = 0;
   SheetFibres<R> along, across, diagonal;
+  R squeezed_mpa = 0, squeezed_area = 0, least_area2 = 0;
 };
 
 /// Sixteen pairs that may touch: vertex and face, or edge and edge.

@@ -61,33 +61,44 @@ COAPT_INLINE Stretched<R> stretch_continuum(const FaceInput<R>& in, const FaceBl
                      plus = direction(f_plus, law.diagonal, ahead),
                      minus = direction(f_minus, law.diagonal, ahead);
 
+  // What opens squeezed faces, per area that is left.
+  const Vec<R> zero = all(R(0)), barrier_mpa = all(law.squeezed_mpa);
+  const Vec<R> l1_2 = along.length * along.length, l2_2 = across.length * across.length,
+               l12 = along.length * across.length, shear = dot(f1, f2);
+  const Vec<R> area2 = largest(l1_2 * l2_2 - shear * shear, all(law.least_area2));
+  const Vec<R> per_area = inverse_sqrt(area2);
+  const Vec<R> missing = all(law.squeezed_area) - area2 * per_area;
+  const Vec<R> missing_ahead = missing + ahead1 * across.length + ahead2 * along.length;
+  const Vec<R> opening = barrier_mpa * largest(missing, zero) * per_area;
+  const Vec<R> barrier = select(zero < missing_ahead, barrier_mpa, zero);
+
   const Vec<R> e1 = along.length - one, e2 = across.length - one;
   const Vec<R> stiff1 = all(law.along_mpa), stiff2 = all(law.across_mpa);
   const Vec<R> tension1 = (stiff1 * e1 + coupling * e2 + along.stress) * along.inverse;
   const Vec<R> tension2 = (coupling * e1 + stiff2 * e2 + across.stress) * across.inverse;
-  const Vec<R> shear = dot(f1, f2), tension12 = shear_mpa * shear;
+  const Vec<R> tension12 = shear_mpa * shear, squeezed12 = tension12 + opening * shear;
   const Vec<R> tension_plus = plus.stress * plus.inverse,
                tension_minus = minus.stress * minus.inverse;
   const Vec3x<R> pull_plus = all(half_root) * (tension_plus * f_plus),
                  pull_minus = all(half_root) * (tension_minus * f_minus);
   const Vec<R> volume = load(block.volume_mm3);
   Stretched<R> now;
-  now.p1 = volume * (tension1 * f1 + tension12 * f2 + pull_plus + pull_minus);
-  now.p2 = volume * (tension2 * f2 + tension12 * f1 + pull_plus - pull_minus);
+  now.p1 = volume * ((tension1 - opening * l2_2) * f1 + squeezed12 * f2 + pull_plus + pull_minus);
+  now.p2 = volume * ((tension2 - opening * l1_2) * f2 + squeezed12 * f1 + pull_plus - pull_minus);
 
   const Vec<R> cosine = magnitude(shear) * along.inverse * across.inverse;
-  const Vec<R> crossed = shear_mpa * along.length * across.length;
   const Vec<R> rest =
-      largest(coupling, crossed) * (one + cosine) + magnitude(tension12) +
+      largest(coupling, shear_mpa * l12) * (one + cosine) + magnitude(tension12) + barrier * l12 +
+      barrier_mpa * largest(missing_ahead, zero) +
       largest(largest(plus.stiffness, minus.stiffness), largest(tension_plus, tension_minus));
   // Half a row sum, as for springs: theirs is twice the stiffness.
-  now.h1 = half * volume *
-           (block_bound(stiff1 + along.stiffness, tension1,
-                        shear_mpa * across.length * across.length, cosine) +
-            rest);
-  now.h2 = half * volume *
-           (block_bound(stiff2 + across.stiffness, tension2,
-                        shear_mpa * along.length * along.length, cosine) +
-            rest);
+  now.h1 =
+      half * volume *
+      (block_bound(stiff1 + along.stiffness + barrier * l2_2, tension1, shear_mpa * l2_2, cosine) +
+       rest);
+  now.h2 =
+      half * volume *
+      (block_bound(stiff2 + across.stiffness + barrier * l1_2, tension2, shear_mpa * l1_2, cosine) +
+       rest);
   return now;
 }
