@@ -87,7 +87,6 @@ int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOpt
                            "is coapt.valve/2: plans, pictures, --oblique and --accuracy need a "
                            "mitral valve (coapt.valve/1)"}});
   if (const int failed = check_output(arguments.closed)) return failed;
-  options.samples = 1;
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(valve, options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -100,10 +99,10 @@ int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOpt
 
 int run(const CloseArguments& arguments) {
   ClosureOptions options = arguments.closure;
-  options.samples = kThesisSamples;
+  if (options.method == Method::Thesis) options.samples = kThesisSamples;
   const Expected<Valve> valve = read_any_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
-  if (!is_mitral(*valve)) return run_leaflets(arguments, *valve, options);
+  if (!is_mitral(*valve)) return run_leaflets(arguments, *valve, arguments.closure);
   const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
   if (!plan) return report_errors(arguments.plan.file, plan.errors());
   const Expected<Valve> repaired = apply_plan(*valve, *plan);

@@ -67,9 +67,10 @@ void print_measure(std::ostream& out, const ordered_json& measure) {
   }
   out << '\n';
   row(out, "orifice") << area(measure["orifice_area_mm2"], measure["orifice_area_mm2_error"])
-                      << " (raw " << rounded(measure["orifice_area_raw_mm2"], 1)
-                      << ", mean of end states " << rounded(measure["orifice_area_mean_mm2"], 1)
-                      << ")\n";
+                      << " (raw " << rounded(measure["orifice_area_raw_mm2"], 1);
+  if (measure["orifice_area_mean_mm2"] != measure["orifice_area_mm2"])
+    out << ", mean of end states " << rounded(measure["orifice_area_mean_mm2"], 1);
+  out << ")\n";
   for (const ordered_json& opening : measure["orifices"]) {
     if (number_of(opening["area_mm2"]) < kSmallestListed_mm2) continue;
     row(out, "") << known_digits(number_of(opening["area_mm2"]),

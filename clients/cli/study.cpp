@@ -45,8 +45,8 @@ int show(const StudyArguments& arguments, const nlohmann::ordered_json& study,
   return exit_code::kOk;
 }
 
-int finish(const StudyArguments& arguments, const StudyDirectory& directory,
-           const OrificeTable& table, StudyReport report) {
+int finish(const StudyArguments& arguments, const StudyDirectory& directory, OrificeTable& table,
+           StudyReport report) {
   const nlohmann::ordered_json answer =
       complete(report, arguments.kind, table, directory.seconds());
   for (const auto& [name, content] : report.files)

@@ -19,7 +19,7 @@ class StudyDirectory {
 
   /// A table of this valve's orifices that knows what was closed before. Throws what a store says
   /// that cannot be read or written (std::runtime_error): for main().
-  OrificeTable table(const Valve& valve, const ClosureOptions& closure = thesis_closure());
+  OrificeTable table(const Valve& valve, const ClosureOptions& closure = ClosureOptions{});
   /// What the progress bar says from here on.
   void begin(const std::string& stage) { stage_ = stage; }
   void show(int done, int planned, const std::string& what) const {

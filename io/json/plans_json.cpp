@@ -112,14 +112,6 @@ ordered_json spread_json(const std::optional<ModelSpread>& spread) {
            {{"mean", spread->mean_mm2}, {"sd", spread->sd_mm2}, {"worst", spread->worst_mm2}}}};
 }
 
-/// Null without evidence.
-ordered_json starts_json(const std::optional<StartCheck>& starts) {
-  if (!starts) return nullptr;
-  return {{"closures", starts->closures},
-          {"elsewhere", starts->elsewhere},
-          {"leak_difference_max_mm2", starts->leak_difference_max_mm2}};
-}
-
 ordered_json model_json(const SearchResult& result) {
   return {{"draws", result.model_draws},
           {"before", spread_json(result.before_under_draws)},
@@ -153,7 +145,7 @@ ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"closes_robustly", closes_robustly(ranked)},
                {"fine", fine_json(ranked, mesh)},
                {"under_draws", spread_json(ranked.model)},
-               {"cold_starts", starts_json(ranked.starts)},
+               {"cold_starts", ranked.starts ? to_json(*ranked.starts) : ordered_json()},
                {"leak_map", list_of(region.maps, map_json)},
                {"sobol", indices_json(region.indices)},
                {"independent_leak_mm2", statistics_json(region.independent_leak_mm2)},
@@ -189,6 +181,12 @@ ordered_json before_json(const Evaluation& before) {
 }
 
 }  // namespace
+
+ordered_json to_json(const StartCheck& starts) {
+  return {{"closures", starts.closures},
+          {"elsewhere", starts.elsewhere},
+          {"leak_difference_max_mm2", starts.leak_difference_max_mm2}};
+}
 
 ordered_json to_json(const SearchResult& result) {
   return {{"schema", "coapt.plans/1"},

@@ -24,6 +24,8 @@ nlohmann::ordered_json to_json(const SearchResult& result);
 /// as search_options_from_json() reads it.
 nlohmann::ordered_json to_json(const SearchResult& result, const SearchRequest& request);
 
+nlohmann::ordered_json to_json(const StartCheck& starts);
+
 /// What coapt leaves out, a sentence each.
 const std::vector<std::string>& not_modelled();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/json/findings_json.h"
+#include "io/json/plans_json.h"
 #include "io/json/result_json.h"
 #include "io/picture/study_charts.h"
 #include "io/picture/study_csv.h"
@@ -168,6 +169,15 @@ StudyReport study_all(OrificeTable& table, const ThesisStudyOptions& options) {
   return report;
 }
 
+/// Empty if none was closed again.
+std::string start_words(const nlohmann::ordered_json& starts) {
+  if (starts["closures"] == 0) return "";
+  return " Closed again from the open state, " + std::to_string(starts["elsewhere"].get<int>()) +
+         " of " + std::to_string(starts["closures"].get<int>()) +
+         " end elsewhere; orifices differ by " +
+         fixed(starts["leak_difference_max_mm2"].get<double>(), 2) + " mm2 at most.";
+}
+
 }  // namespace
 
 const char* to_string(StudyKind kind) {
@@ -209,17 +219,16 @@ StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOpti
 }
 
 std::string study_timing(const nlohmann::ordered_json& study) {
-  return std::to_string(study["configurations"].get<int>()) +
-         " configurations, five end states each; " +
+  return std::to_string(study["configurations"].get<int>()) + " configurations; " +
          std::to_string(study["closures"].get<int>() - study["closures_known"].get<int>()) +
          " closed now, in " + fixed(study["seconds"].get<double>(), 1) + " s; " +
          std::to_string(study["untrusted"].get<int>()) +
-         " not trusted (not converged, or crossed). The thesis: " +
-         std::to_string(thesis::kConfigurations) + " in about " + fixed(thesis::kHours, 0) +
-         " hours.";
+         " not trusted (not converged, or crossed)." + start_words(study["cold_starts"]) +
+         " The thesis: " + std::to_string(thesis::kConfigurations) + " in about " +
+         fixed(thesis::kHours, 0) + " hours.";
 }
 
-nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, const OrificeTable& table,
+nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, OrificeTable& table,
                                 double seconds) {
   const auto agree = std::count_if(report.findings.begin(), report.findings.end(),
                                    [](const Finding& finding) { return finding.agrees; });
@@ -228,8 +237,9 @@ nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, const Orifi
                                    {"version", version()},
                                    {"configurations", table.configurations()},
                                    {"closures", table.configurations()},
-                                   {"closures_known", table.configurations() - table.closures()},
+                                   {"closures_known", table.known()},
                                    {"untrusted", table.untrusted()},
+                                   {"cold_starts", to_json(table.check_starts())},
                                    {"seconds", seconds},
                                    {"findings", report.findings.size()},
                                    {"agree", agree},

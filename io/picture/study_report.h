@@ -35,7 +35,7 @@ StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOpti
 std::string study_timing(const nlohmann::ordered_json& study);
 
 /// Adds study.json, findings.json and index.html. Returns what study.json holds.
-nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, const OrificeTable& table,
+nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, OrificeTable& table,
                                 double seconds);
 
 }  // namespace coapt

@@ -5,16 +5,18 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <unordered_set>
 #include <utility>
 
+#include "core/closure/predicted_start.h"
 #include "core/metrics/exact_orifice.h"
 #include "search/evaluator.h"
 #include "search/parallel.h"
+#include "search/studies/configuration_frame.h"
 
 namespace coapt {
 namespace {
 
+constexpr int kStartSample = 24;
 constexpr double kRounding = 1e-6;  // mm or percent
 
 std::int64_t rounded(double value) { return std::llround(value / kRounding); }
@@ -30,17 +32,12 @@ Configuration configuration_of(const ConfigurationKey& key) {
   return c;
 }
 
-OrificeSample close_one(const Valve& valve, const Configuration& configuration,
-                        const ClosureOptions& options) {
+OrificeSample sample_of(const Valve& closed_valve, const ClosureResult& closure) {
   OrificeSample sample;
-  sample.area_mm2 = std::numeric_limits<double>::quiet_NaN();
-  const Expected<Valve> changed = configure(valve, configuration);
-  if (!changed) return sample;
-  const ClosureResult closure = close_valve(*changed, options);
-  if (closure.status == ClosureStatus::Diverged) return sample;
   double sum = 0.0, squares = 0.0;
   for (const Points& end : closure.samples_mm) {
-    const double area = exact_orifice(*changed, end, 0.5 * changed->tissue.thickness_mm).area_mm2;
+    const double half_thickness_mm = 0.5 * closed_valve.tissue.thickness_mm;
+    const double area = exact_orifice(closed_valve, end, half_thickness_mm).area_mm2;
     sum += area;
     squares += area * area;
   }
@@ -73,49 +70,106 @@ std::size_t ConfigurationKeyHash::operator()(const ConfigurationKey& key) const 
   return static_cast<std::size_t>(hash ^ (hash >> 32));
 }
 
-ClosureOptions thesis_closure() {
-  ClosureOptions options;
-  options.samples = kThesisSamples;
-  return options;
-}
-
 OrificeTable::OrificeTable(const Valve& valve, OrificeTableOptions options)
     : valve_(valve), options_(std::move(options)) {
-  for (const auto& [key, sample] : options_.known) known_[key].sample = sample;
+  for (const auto& [key, sample] : options_.known) known_[key] = {sample, true};
   options_.known.clear();
 }
 
-std::vector<OrificeSample> OrificeTable::at(std::span<const Configuration> configurations) {
-  std::vector<ConfigurationKey> keys, missing;
-  std::unordered_set<ConfigurationKey, ConfigurationKeyHash> asked;
-  for (const Configuration& configuration : configurations) {
-    keys.push_back(key_of(configuration));
-    if (!known_.contains(keys.back()) && asked.insert(keys.back()).second)
-      missing.push_back(keys.back());
+OrificeTable::Closed OrificeTable::close_one(const ConfigurationKey& key, Start start) const {
+  Closed closed;
+  closed.sample.area_mm2 = std::numeric_limits<double>::quiet_NaN();
+  const Configuration configuration = configuration_of(key);
+  const Expected<Valve> changed = configure(valve_, configuration);
+  if (!changed) return closed;
+  std::optional<ClosureResult> neighbour;
+  if (start == Start::Predicted) {
+    std::vector<ClosureShare> shares;
+    for (const ConfigurationShare& part : predicted_from(configuration))
+      shares.push_back({frame_.at(key_of(part.configuration)).get(), part.share});
+    neighbour = predicted_start(changed->faces, shares);
   }
-  const int count = static_cast<int>(missing.size());
-  std::vector<OrificeSample> closed(missing.size());
+  const auto prepared = prepared_->of(*changed, options_.closure);
+  closed.closure = std::make_shared<const ClosureResult>(
+      close_valve(*prepared, *changed, options_.closure, neighbour ? &*neighbour : nullptr));
+  if (closed.closure->status != ClosureStatus::Diverged)
+    closed.sample = sample_of(*changed, *closed.closure);
+  return closed;
+}
+
+std::vector<ConfigurationKey> OrificeTable::frame_of(const ConfigurationKey& key) const {
+  std::vector<ConfigurationKey> frame;
+  if (options_.closure.method != Method::Fast) return frame;
+  for (const ConfigurationShare& part : predicted_from(configuration_of(key)))
+    frame.push_back(key_of(part.configuration));
+  return frame;
+}
+
+std::vector<OrificeSample> OrificeTable::at(std::span<const Configuration> configurations) {
+  std::vector<ConfigurationKey> keys, around, within;
+  std::unordered_set<ConfigurationKey, ConfigurationKeyHash> asked, needed;
+  for (const Configuration& configuration : configurations) {
+    const ConfigurationKey& key = keys.emplace_back(key_of(configuration));
+    if (known_.contains(key) || !asked.insert(key).second) continue;
+    const std::vector<ConfigurationKey> frame = frame_of(key);
+    if (!frame.empty()) within.push_back(key);
+    for (const ConfigurationKey& part : frame.empty() ? std::vector{key} : frame)
+      if (!frame_.contains(part) && needed.insert(part).second) around.push_back(part);
+  }
+  const int planned = static_cast<int>(around.size() + within.size());
+  close(around, Start::Open, {0, planned});
+  close(within, Start::Predicted, {static_cast<int>(around.size()), planned});
+  std::vector<OrificeSample> samples;
+  for (const ConfigurationKey& key : keys) samples.push_back(ask(known_.at(key)));
+  return samples;
+}
+
+void OrificeTable::close(const std::vector<ConfigurationKey>& keys, Start start, Share of_batch) {
+  std::vector<Closed> closed(keys.size());
   std::mutex mutex;
-  int done = 0;
+  auto [done, planned] = of_batch;
   // A closure that cannot be kept ends the batch, by its exception.
   std::atomic<bool> failed = false;
-  for_each_index(count, options_.threads, [&](int i) {
+  for_each_index(static_cast<int>(keys.size()), options_.threads, [&](int i) {
     if (failed) return;
-    closed[i] = close_one(valve_, configuration_of(missing[i]), options_.closure);
+    closed[i] = close_one(keys[i], start);
     const std::lock_guard<std::mutex> lock(mutex);
     try {
-      if (options_.keep) options_.keep(missing[i], closed[i]);
+      if (options_.keep && !known_.contains(keys[i])) options_.keep(keys[i], closed[i].sample);
     } catch (...) {
       failed = true;
       throw;
     }
-    if (options_.progress) options_.progress(++done, count);
+    if (options_.progress) options_.progress(++done, planned);
   });
-  for (std::size_t i = 0; i < missing.size(); ++i) known_[missing[i]].sample = closed[i];
-  closures_ += count;
-  std::vector<OrificeSample> samples;
-  for (const ConfigurationKey& key : keys) samples.push_back(ask(known_.at(key)));
-  return samples;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    known_.try_emplace(keys[i], Entry{closed[i].sample});
+    if (start == Start::Open) frame_[keys[i]] = std::move(closed[i].closure);
+  }
+  closures_ += static_cast<int>(keys.size());
+}
+
+StartCheck OrificeTable::check_starts() {
+  std::vector<ConfigurationKey> predicted;
+  for (const auto& [key, entry] : known_)
+    if (entry.asked && !frame_of(key).empty()) predicted.push_back(key);
+  std::sort(predicted.begin(), predicted.end());
+  const int count = std::min<int>(kStartSample, static_cast<int>(predicted.size()));
+  std::vector<Configuration> sample;
+  for (int i = 0; i < count; ++i)
+    sample.push_back(configuration_of(predicted[(i + 1) * predicted.size() / count - 1]));
+  std::vector<ConfigurationKey> around;
+  for (const Configuration& configuration : sample)
+    for (const ConfigurationKey& part : frame_of(key_of(configuration)))
+      if (!frame_.contains(part)) frame_[part] = close_one(part, Start::Open).closure;
+  std::vector<StartCheck> checks(sample.size());
+  for_each_index(count, options_.threads, [&](int i) {
+    const ConfigurationKey key = key_of(sample[i]);
+    const Closed a = close_one(key, Start::Predicted), b = close_one(key, Start::Open);
+    if (a.sample.trusted && b.sample.trusted)
+      checks[i] = compare_ends(*a.closure, *b.closure, a.sample.area_mm2 - b.sample.area_mm2);
+  });
+  return united(checks);
 }
 
 const OrificeSample* OrificeTable::find(const Configuration& configuration) {
@@ -127,6 +181,7 @@ const OrificeSample& OrificeTable::ask(Entry& entry) {
   if (!entry.asked) {
     entry.asked = true;
     ++configurations_;
+    known_before_ += entry.before;
     if (!entry.sample.trusted) ++untrusted_;
   }
   return entry.sample;

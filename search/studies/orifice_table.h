@@ -2,15 +2,21 @@
 //
 // A configuration is known by its numbers rounded to 1e-6 mm (or percent); what is closed is the
 // rounded one, so that the answer does not depend on who asked first. Cost of looking up: O(1).
+// Method fast: a configuration starts from what closures around it let expect
+// (configuration_frame.h), which are closed where nobody has asked for them, too.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "core/closure/closure.h"
+#include "search/prepared_valves.h"
+#include "search/start_comparison.h"
 #include "search/studies/configuration.h"
 
 namespace coapt {
@@ -18,7 +24,7 @@ namespace coapt {
 /// The regurgitant orifice of one configuration (thesis 4.2.1).
 struct OrificeSample {
   double area_mm2 = 0.0;  ///< mean over the end states; NaN if the configuration cannot be made
-  double sd_mm2 = 0.0;    ///< over the end states
+  double sd_mm2 = 0.0;    ///< over the end states, 0 of one
   bool trusted = false;   ///< converged, without leaflets through each other
 };
 
@@ -41,9 +47,6 @@ struct OrificeTableOptions {
   std::function<void(int, int)> progress;
 };
 
-/// The thesis's way to close a configuration: five end states (4.2.1), default tolerances.
-ClosureOptions thesis_closure();
-
 class OrificeTable {
  public:
   OrificeTable(const Valve& valve, OrificeTableOptions options);
@@ -54,21 +57,46 @@ class OrificeTable {
   /// Null if it is not known.
   const OrificeSample* find(const Configuration& configuration);
 
+  /// A sample of what was asked for, closed again from where it started and from the open state; on
+  /// all threads. These closures are not counted, nor kept.
+  StartCheck check_starts();
+
   int closures() const { return closures_; }              ///< made by this table
   int configurations() const { return configurations_; }  ///< asked for: closed now, or known
-  int untrusted() const { return untrusted_; }            ///< of those
+  int known() const { return known_before_; }             ///< of those, from an earlier run
+  int untrusted() const { return untrusted_; }            ///< of those asked for
 
  private:
-  Valve valve_;
-  OrificeTableOptions options_;
+  enum class Start { Open, Predicted };
+  using Closure = std::shared_ptr<const ClosureResult>;  ///< null: it cannot be made
+  struct Closed {
+    OrificeSample sample;
+    Closure closure;
+  };
+  /// Of a batch.
+  struct Share {
+    int done = 0, planned = 0;
+  };
   struct Entry {
     OrificeSample sample;
+    bool before = false;  ///< from an earlier run
     bool asked = false;
   };
   const OrificeSample& ask(Entry& entry);
+  /// What its closure is predicted from; none: it starts from the open state.
+  std::vector<ConfigurationKey> frame_of(const ConfigurationKey& key) const;
+  /// Predicted: all of its frame is at hand.
+  Closed close_one(const ConfigurationKey& key, Start start) const;
+  void close(const std::vector<ConfigurationKey>& keys, Start start, Share of_batch);
+
+  Valve valve_;
+  OrificeTableOptions options_;
+  std::shared_ptr<PreparedValves> prepared_ = std::make_shared<PreparedValves>();
 
   std::unordered_map<ConfigurationKey, Entry, ConfigurationKeyHash> known_;
-  int closures_ = 0, configurations_ = 0, untrusted_ = 0;
+  /// Of configurations on the lattice.
+  std::unordered_map<ConfigurationKey, Closure, ConfigurationKeyHash> frame_;
+  int closures_ = 0, configurations_ = 0, known_before_ = 0, untrusted_ = 0;
 };
 
 }  // namespace coapt

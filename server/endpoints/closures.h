@@ -7,8 +7,8 @@
 
 namespace coapt {
 
-/// POST /v1/closures {"valve", "plan" (optional), "end_states" (optional, 5)}: closes the valve, repaired if there is a
-/// plan. Answers what `coapt close --json` prints; fewer end states are measured faster.
+/// POST /v1/closures {"valve", "plan" (optional), "end_states" (optional, 1)}: closes the valve, repaired if there is a
+/// plan. Answers what `coapt close --json` prints; more end states take longer to measure.
 struct PostClosures {
   ValveSource valves;
   Compute& compute;

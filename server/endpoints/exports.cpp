@@ -40,8 +40,7 @@ Answer PostPictures::operator()(const Request& request) const {
   return answer_repair(
       valves, compute, request, {}, [](const RepairRequest& asked, RequestClosures& closures) {
         const ClosedValve closed =
-            with_repair(closures.close_and_measure(asked.repaired, {.samples = kThesisSamples}),
-                        asked.valve, asked.plan);
+            with_repair(closures.close_and_measure(asked.repaired), asked.valve, asked.plan);
         return Answer{200,
                       Content{"image/png", closure_picture_png(closed)},
                       {closure_header(closed.closure)}};

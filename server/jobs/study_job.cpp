@@ -24,8 +24,7 @@ std::string type_of(const std::string& name) {
   return "application/json";
 }
 
-JobEnd end_of(const RunningJob& job, StudyKind kind, StudyReport report,
-              const OrificeTable& table) {
+JobEnd end_of(const RunningJob& job, StudyKind kind, StudyReport report, OrificeTable& table) {
   nlohmann::ordered_json result = complete(report, kind, table, job.seconds());
   JobEnd end = ended(job, JobState::Succeeded);
   end.summary =
@@ -49,7 +48,6 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
   if (!problems.empty()) return failed(job, std::move(problems).take());
 
   OrificeTableOptions options;
-  options.closure = thesis_closure();
   options.closure.budget.cancelled = [this] { return board.stopping(); };
   options.threads = limits.threads;
   auto kept = retried<ClosureStore>(board, job, [&] { return ClosureStore::open(closures); });

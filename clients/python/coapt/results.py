@@ -340,7 +340,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class StudyResult:
-    """A study's findings. configurations of five end states each; untrusted: not converged, or crossed."""
+    """A study's findings. untrusted: not converged, or crossed."""
 
     study: str
     valve: str

@@ -31,7 +31,7 @@ class ClosureRetentionTest : public ServiceTest {
   }
 
   const std::string searched_ = plan_subject_of(small_valve(), SearchOptions{}.closure);
-  const std::string studied_ = subject_of(small_valve(), thesis_closure());
+  const std::string studied_ = subject_of(small_valve(), ClosureOptions{});
 
  private:
   const TemporaryFolder folder_{memory_folder()};

@@ -1446,7 +1446,7 @@ export interface components {
             valve: string;
             /** @description Version of coapt that ran the study. */
             version: string;
-            /** @description Number of geometries, five end states each. */
+            /** @description Number of geometries. */
             configurations: number;
             /** @description Number of closures, those of earlier runs included. */
             closures: number;
@@ -1454,6 +1454,8 @@ export interface components {
             closures_known: number;
             /** @description How many configurations did not converge or crossed. */
             untrusted: number;
+            /** @description A sample of the configurations, closed again from the open state; its leaks are orifices. */
+            cold_starts: components["schemas"]["ColdStarts"];
             /** @description Time that the study ran. */
             seconds: number;
             /** @description Findings of the thesis beside those on this valve. */
