@@ -157,7 +157,7 @@ void add_bench_closures(Command parent, int& status) {
       "Variations: AP dilation 0 to 30 %, annular height 80 to 120 %, tips displaced by up to 6 "
       "mm,\n"
       "rings and papillary sutures on 40 % each. Times are of whole closures from the open state\n"
-      "(with --warm and --predicted: from neighbours), including further attempts and crossing "
+      "(with --warm and --predicted: from neighbours, of a prepared valve), including further attempts and crossing "
       "tests. Exit code "
       "3\n"
       "if a closure did not converge or leaflets cross.\n\n"

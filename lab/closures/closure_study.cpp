@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/closure/predicted_start.h"
+#include "core/closure/prepared_valve.h"
 #include "core/metrics/measure.h"
 #include "core/metrics/quantile.h"
 #include "lab/closures/varied_scenes.h"
@@ -18,10 +19,12 @@ namespace {
 constexpr double kOtherSpeed = 0.5;
 
 /// The middle first, from which the others start.
-std::vector<ClosureResult> close_frame(const SceneFrame& frame, const ClosureOptions& options) {
+std::vector<ClosureResult> close_frame(const PreparedValve& prepared, const SceneFrame& frame,
+                                       const ClosureOptions& options) {
   std::vector<ClosureResult> closures;
   for (const Valve& valve : frame.valves)
-    closures.push_back(close_valve(valve, options, closures.empty() ? nullptr : &closures[0]));
+    closures.push_back(
+        close_valve(prepared, valve, options, closures.empty() ? nullptr : &closures[0]));
   return closures;
 }
 
@@ -39,15 +42,18 @@ SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options,
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   SceneOutcome outcome;
+  // Who closes neighbours has prepared their valve (searches, studies); cold closures prepare it.
+  std::optional<PreparedValve> prepared;
+  if (options.warm || options.predicted) prepared.emplace(scene, options.closure);
   std::optional<ClosureResult> neighbour;
   SceneFrame frame;
   std::vector<ClosureResult> around;
   if (options.warm)
-    neighbour = close_valve(neighbour_of(scene, options.seed, index), options.closure);
+    neighbour = close_valve(*prepared, neighbour_of(scene, options.seed, index), options.closure);
   if (options.predicted) {
     frame = frame_of(scene, options.seed, index);
     const auto before = Clock::now();
-    around = close_frame(frame, options.closure);
+    around = close_frame(*prepared, frame, options.closure);
     outcome.frame_seconds = seconds_since(before);
   }
   const auto start = Clock::now();
@@ -57,7 +63,8 @@ SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options,
     if (!neighbour) neighbour = around[0];
   }
   const ClosureResult* from = neighbour ? &*neighbour : nullptr;
-  const ClosureResult closed = close_valve(scene, options.closure, from);
+  const ClosureResult closed = prepared ? close_valve(*prepared, scene, options.closure, from)
+                                        : close_valve(scene, options.closure);
   outcome.seconds = seconds_since(start);
   outcome.status = closed.status;
   outcome.crossing = closed.crossing;
