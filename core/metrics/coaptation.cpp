@@ -37,19 +37,6 @@ void for_anterior_pieces(const std::vector<SectionLine>& lines, const std::vecto
       if (sides[line.faces[i]] == Leaflet::Anterior) visit(line, i);
 }
 
-/// The triangles that may have a point within `reach_mm` of the plane.
-TriangleSet near_plane(const TriangleSet& surface, const SectionPlane& plane, double reach_mm) {
-  std::vector<SurfaceTriangle> near;
-  for (const SurfaceTriangle& triangle : surface.triangles) {
-    std::array<double, 3> heights_mm;
-    for (std::size_t k = 0; k < 3; ++k)
-      heights_mm[k] = (triangle[k] - plane.point_mm).dot(plane.normal);
-    const auto [low, high] = std::minmax({heights_mm[0], heights_mm[1], heights_mm[2]});
-    if (low <= reach_mm && high >= -reach_mm) near.push_back(triangle);
-  }
-  return make_surface(std::move(near));
-}
-
 /// What has been measured at one point says of others that they cannot be nearer than this: the
 /// distance changes by no more than the way from one to the other.
 struct MeasuredPoint {
@@ -78,10 +65,9 @@ CoaptationSection nearest_corner(const std::vector<SectionLine>& lines,
 
 CoaptationSection measure_section(const std::vector<SectionLine>& lines,
                                   const std::vector<Leaflet>& sides, const TriangleSet& posterior,
-                                  const SectionPlane& plane, const CoaptationOptions& options) {
+                                  const CoaptationOptions& options) {
   CoaptationSection section = nearest_corner(lines, sides, posterior);
   const double contact_mm = options.contact_distance_mm;
-  const TriangleSet near = near_plane(posterior, plane, std::max(section.distance_mm, contact_mm));
   MeasuredPoint last;
   for_anterior_pieces(lines, sides, [&](const SectionLine& line, std::size_t i) {
     sample(line.points_mm[i], line.points_mm[i + 1], options.sample_mm,
@@ -90,9 +76,10 @@ CoaptationSection measure_section(const std::vector<SectionLine>& lines,
              if (least_mm > std::max(section.distance_mm, contact_mm)) return;
              // In contact with the triangle that was nearest a little before, a point matters only
              // if it may be nearer than all others.
-             const bool touches = distance_to(near, point, last.nearest.triangle) <= contact_mm;
+             const bool touches =
+                 distance_to(posterior, point, last.nearest.triangle) <= contact_mm;
              if (!touches || least_mm < section.distance_mm) {
-               last = {point, nearest_within(near, point, kInfinity, last.nearest.triangle)};
+               last = {point, nearest_within(posterior, point, kInfinity, last.nearest.triangle)};
                if (last.nearest.distance_mm < section.distance_mm) {
                  section.distance_mm = last.nearest.distance_mm;
                  section.nearest_mm = {point, last.nearest.point_mm};
@@ -176,7 +163,7 @@ std::vector<CoaptationSection> coaptation_sections(const Valve& valve, const Poi
   for (const double place : along) {
     const SectionPlane plane = coaptation_plane(valve, place);
     const std::vector<SectionLine> lines = cut(valve.faces, closed_mm, plane);
-    CoaptationSection section = measure_section(lines, sides, posterior, plane, options);
+    CoaptationSection section = measure_section(lines, sides, posterior, options);
     section.along = place;
     sections.push_back(section);
   }
