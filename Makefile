@@ -79,12 +79,11 @@ chart: lab  ## accuracy against time, where methods fail, what the model's ingre
 	$(BIN)/orifice_resolution docs/images
 	lab/charts/plot.py docs/images/orifice-resolution.csv
 
-figures: programs lab  ## the tables behind the documents, into docs/figures; wants a quiet machine
+figures: programs lab  ## the tables behind the documents, into docs/figures
 	lab/closures/closures_table.py
 	lab/closures/membranes_table.py
 	lab/closures/model_table.py
 	$(BIN)/coapt-lab chart gap -o docs/figures
-	lab/closures/speed_table.py
 
 bench: lab  ## time of the parts of a closure, and of whole ones against method thesis
 	$(BIN)/closure_benchmark

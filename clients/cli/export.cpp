@@ -116,13 +116,20 @@ void add_export(Command parent, int& status) {
       .required()
       .check({refuse_unknown_format, "FILE"});
   command.add_flag("--open", arguments->options.open, "The unstressed shape, not the closed one");
+  const std::map<std::string, ExportFrame> frames = {{"patient", ExportFrame::Patient},
+                                                     {"valve", ExportFrame::Valve}};
+  command
+      .add_choice("--frame", arguments->options.frame, frames,
+                  "Axes of the numbers: patient (default), those of the images that the valve was "
+                  "made from, its own where these are not known; or valve, its own")
+      .show_argument("FRAME");
   std::string formats = "Formats:\n";
   for (const FileFormat& format : file_formats())
     formats += "  ." + std::string(format.name) +
                std::string(10 - std::string_view(format.name).size(), ' ') + format.what + '\n';
   command.footer(
       formats +
-      "All but .glb (metres) in millimetres and in the valve's axes, which are not the patient's.\n"
+      "All but .glb (metres) in millimetres.\n"
       "Exit code 3 if the closure did not converge or leaflets cross; the files are written "
       "anyway.\n\n"
       "Examples:\n"

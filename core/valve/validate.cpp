@@ -20,6 +20,7 @@ constexpr Range kChordaeKpa = {1.0, 1e7};
 constexpr Range kPrestretch = {1.0, 2.0};
 constexpr Range kBendingNmm = {0.0, 10.0};
 constexpr Range kCoordinateMm = {-500.0, 500.0};
+constexpr Range kPatientMm = {-10000.0, 10000.0};  // of images, from the scanner's own origin
 constexpr Range kExponentialKpa = {0.0, 1e4};
 constexpr Range kExponent = {0.01, 1000.0};
 constexpr Index kMaxLeaflets = 10;
@@ -197,6 +198,21 @@ void check_heads(const Valve& valve, ProblemList& problems) {
   }
 }
 
+/// A rotation, and an origin where images have their coordinates.
+void check_patient(const Valve& valve, ProblemList& problems) {
+  if (!valve.patient) return;
+  constexpr double kRotation = 1e-6;
+  const Eigen::Matrix3d& axes = valve.patient->axes;
+  const double off = (axes * axes.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!(off <= kRotation) || !(axes.determinant() > 0.0))
+    problems.add(ErrorCode::BadGeometry, "/patient_frame",
+                 "must turn without mirroring or scaling: the upper left 3 x 3 numbers a rotation "
+                 "within 1e-6");
+  for (int axis = 0; axis < 3; ++axis)
+    check_range(problems, at(at("/patient_frame", axis), 3), valve.patient->origin_mm[axis],
+                kPatientMm, " mm");
+}
+
 }  // namespace
 
 bool check_points(const Points& points, const std::string& path, ProblemList& problems) {
@@ -222,6 +238,7 @@ ProblemList problems_in(const Valve& valve) {
   check_annulus(valve, mesh, problems);
   check_heads(valve, problems);
   check_chordae(valve, problems);
+  check_patient(valve, problems);
   return problems;
 }
 

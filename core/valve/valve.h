@@ -107,6 +107,14 @@ struct Chorda {
   bool operator==(const Chorda&) const = default;
 };
 
+/// Where a valve's own frame lies in the images of the patient (LPS, mm): a point is at axes x + origin.
+struct PatientFrame {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< a rotation
+  Vec3 origin_mm = Vec3::Zero();
+
+  bool operator==(const PatientFrame&) const = default;
+};
+
 /// Face normals (counter-clockwise winding) point to the atrial surface of the leaflets, and each
 /// annulus edge appears in its face in the direction of the annulus loop.
 struct Valve {
@@ -127,7 +135,8 @@ struct Valve {
   std::vector<PapillaryHead> heads;
   std::vector<Chorda> chordae;
   Tissue tissue;
-  double pressure_kpa = 16.0;  ///< transvalvular, peak systolic (120 mmHg)
+  double pressure_kpa = 16.0;           ///< transvalvular, peak systolic (120 mmHg)
+  std::optional<PatientFrame> patient;  ///< none: it was not made from images, or nobody knows
 };
 
 /// Along and across the fibres, of Valve::rest_mm over its shape free of stress; 1 if that is given.

@@ -4,8 +4,10 @@
 #include <array>
 #include <cctype>
 
+#include "core/valve/patient_frame.h"
 #include "io/exchange/feb.h"
 #include "io/exchange/measurements_csv.h"
+#include "io/exchange/placed_valve.h"
 #include "io/exchange/valve_glb.h"
 #include "io/exchange/valve_markups.h"
 #include "io/exchange/valve_vtk.h"
@@ -21,6 +23,10 @@ struct Format {
   FileFormat file;
   Writer write;
 };
+
+MarkupAxes axes_of(const Valve& valve) {
+  return lies_in_patient_frame(valve) ? MarkupAxes::Patient : MarkupAxes::Valve;
+}
 
 template <const char* Name>
 Expected<std::string> mesh(const ClosedValve& exported, const ValveShape& shape,
@@ -40,7 +46,7 @@ Expected<std::string> glb(const ClosedValve& exported, const ValveShape&,
 
 Expected<std::string> markups(const ClosedValve& exported, const ValveShape& shape,
                               const ExportOptions&) {
-  return write_markups(valve_markups(exported, shape));
+  return write_markups(valve_markups(exported, shape), axes_of(exported.valve));
 }
 
 Expected<std::string> measurements(const ClosedValve& exported, const ValveShape&,
@@ -72,6 +78,10 @@ constexpr std::array<Format, 8> kFormats = {
 Errors check_finite(const ClosedValve& exported, const ExportOptions& options) {
   if (options.open || exported.closure.closed_mm.allFinite()) return {};
   return {{ErrorCode::BadGeometry, "", "the closure diverged: there is no closed shape to write"}};
+}
+
+ClosedValve placed(const ClosedValve& closed, const ExportOptions& options) {
+  return options.frame == ExportFrame::Patient ? in_patient_frame(closed) : closed;
 }
 
 ValveShape shape_of(const ClosedValve& exported, const ExportOptions& options) {
@@ -114,32 +124,35 @@ std::string format_names() {
   return names;
 }
 
-Expected<std::string> write_valve_file(const ClosedValve& exported, const FileFormat& format,
+Expected<std::string> write_valve_file(const ClosedValve& closed, const FileFormat& format,
                                        const ExportOptions& options) {
-  if (Errors errors = check_finite(exported, options); !errors.empty()) return errors;
+  if (Errors errors = check_finite(closed, options); !errors.empty()) return errors;
+  const ClosedValve exported = placed(closed, options);
   const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) {
     return std::string_view(f.file.name) == format.name;
   });
   return found->write(exported, shape_of(exported, options), options);
 }
 
-Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& exported,
+Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& closed,
                                                    const ExportOptions& options) {
-  if (Errors errors = check_finite(exported, options); !errors.empty()) return errors;
+  if (Errors errors = check_finite(closed, options); !errors.empty()) return errors;
+  const ClosedValve exported = placed(closed, options);
   const Valve& valve = exported.valve;
   const ValveShape shape = shape_of(exported, options);
+  const MarkupAxes axes = axes_of(valve);
   std::vector<NamedFile> files = {
       {"leaflets.vtk", write_vtk(leaflets_vtk(exported, shape))},
       {"anterior_leaflet.vtk", write_vtk(leaflet_vtk(exported, shape, Leaflet::Anterior))},
       {"posterior_leaflet.vtk", write_vtk(leaflet_vtk(exported, shape, Leaflet::Posterior))},
       {"Chords_mesh.vtk", write_vtk(chordae_vtk(exported, shape))},
-      {"annulus.mrk.json", write_markups({annulus_markup(valve, shape)})},
-      {"papillary_muscle_tips.mrk.json", write_markups({papillary_markup(valve, shape)})},
-      {"landmarks.mrk.json", write_markups({landmark_markup(valve, shape)})}};
+      {"annulus.mrk.json", write_markups({annulus_markup(valve, shape)}, axes)},
+      {"papillary_muscle_tips.mrk.json", write_markups({papillary_markup(valve, shape)}, axes)},
+      {"landmarks.mrk.json", write_markups({landmark_markup(valve, shape)}, axes)}};
   if (const auto repair = repair_markups(exported, shape); !repair.empty())
-    files.push_back({kOptionalFiles[0], write_markups(repair)});
+    files.push_back({kOptionalFiles[0], write_markups(repair, axes)});
   if (const auto pressed = pressed_markups(valve); options.open && !pressed.empty())
-    files.push_back({kOptionalFiles[1], write_markups(pressed)});
+    files.push_back({kOptionalFiles[1], write_markups(pressed, axes)});
   if (!options.open) files.push_back({kOptionalFiles[2], write_measurements_csv(exported)});
   return files;
 }

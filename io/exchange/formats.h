@@ -25,12 +25,17 @@ const FileFormat* format_of_path(std::string_view path);
 /// "glb, vtk, ...", for messages.
 std::string format_names();
 
+/// Whose axes the numbers are in. Patient: those of the images that the valve was made from; its own
+/// where these are not known.
+enum class ExportFrame { Patient, Valve };
+
 struct ExportOptions {
   bool open = false;  ///< the unstressed shape instead of the closed one; .feb is always unstressed
+  ExportFrame frame = ExportFrame::Patient;
 };
 
 /// Errors: a closure that flew apart has no closed shape.
-Expected<std::string> write_valve_file(const ClosedValve& exported, const FileFormat& format,
+Expected<std::string> write_valve_file(const ClosedValve& closed, const FileFormat& format,
                                        const ExportOptions& options = {});
 
 struct NamedFile {
@@ -44,7 +49,7 @@ inline constexpr std::array<const char*, 3> kOptionalFiles = {
 
 /// What SlicerHeart's ValveFemExport leaves in a folder, and its markups and measurements: both leaflets together and
 /// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Measurements only of the closed shape; of the open one where annulus and tips go.
-Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& exported,
+Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& closed,
                                                    const ExportOptions& options = {});
 
 }  // namespace coapt

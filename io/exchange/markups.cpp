@@ -60,9 +60,16 @@ void read_control_points(const JsonPlace& place, double sign, Markup& markup) {
     markup.points_mm.row(static_cast<Eigen::Index>(i)) = points[i];
 }
 
+const char* words_of(MarkupAxes axes) {
+  return axes == MarkupAxes::Patient
+             ? "of the patient's images"
+             : "of the valve, not the patient's: origin annulus centroid, x to the posteromedial "
+               "commissure, y anterior, z to the atrium";
+}
+
 }  // namespace
 
-std::string write_markups(const std::vector<Markup>& markups) {
+std::string write_markups(const std::vector<Markup>& markups, MarkupAxes axes) {
   ordered_json list = ordered_json::array();
   for (const Markup& markup : markups)
     list.push_back(
@@ -77,12 +84,7 @@ std::string write_markups(const std::vector<Markup>& markups) {
          {"display",
           {{"visibility", true}, {"pointLabelsVisibility", markup.type == MarkupType::Fiducial}}}});
   const ordered_json document = {{"@schema", kSchema},
-                                 {"coapt",
-                                  {{"notice", kResearchNotice},
-                                   {"axes",
-                                    "of the valve, not the patient's: origin annulus "
-                                    "centroid, x to the posteromedial commissure, y "
-                                    "anterior, z to the atrium"}}},
+                                 {"coapt", {{"notice", kResearchNotice}, {"axes", words_of(axes)}}},
                                  {"markups", std::move(list)}};
   return document.dump(1) + '\n';
 }

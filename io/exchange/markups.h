@@ -18,8 +18,10 @@ struct Markup {
   Points points_mm;                 ///< n x 3, LPS
 };
 
-/// In coordinate system LPS, all points "defined". The axes stay the valve's own, as kVtkTitle says.
-std::string write_markups(const std::vector<Markup>& markups);
+enum class MarkupAxes { Valve, Patient };
+
+/// In coordinate system LPS, all points "defined". The document says whose axes these are.
+std::string write_markups(const std::vector<Markup>& markups, MarkupAxes axes = MarkupAxes::Valve);
 
 /// Markups of these types with the points that are defined, in LPS; others are passed over. Errors are JSON
 /// pointers: no markups, unknown coordinate system, units other than millimetres, numbers beyond 1e5.

@@ -3,6 +3,7 @@
 #include "core/metrics/annulus.h"
 #include "core/metrics/leaflet_sides.h"
 #include "core/metrics/loads.h"
+#include "core/valve/patient_frame.h"
 
 namespace coapt {
 namespace {
@@ -20,6 +21,10 @@ std::vector<VtkScalars> face_data(const ClosedValve& exported, const ValveShape&
   return {leaflet, segment, circumferential, radial};
 }
 
+const char* title_of(const Valve& valve) {
+  return lies_in_patient_frame(valve) ? kPatientVtkTitle : kVtkTitle;
+}
+
 VtkScalars heights(const Valve& valve, const Points& points_mm) {
   const AnnularPlane plane = annular_plane(valve);
   const Eigen::VectorXd height = (points_mm.rowwise() - plane.origin_mm.transpose()) * plane.normal;
@@ -29,7 +34,8 @@ VtkScalars heights(const Valve& valve, const Points& points_mm) {
 }  // namespace
 
 VtkPolyData leaflets_vtk(const ClosedValve& exported, const ValveShape& shape) {
-  VtkPolyData data{kVtkTitle, shape.vertices_mm, {}, exported.valve.faces, {}, {}, {}};
+  VtkPolyData data{
+      title_of(exported.valve), shape.vertices_mm, {}, exported.valve.faces, {}, {}, {}};
   data.point_data = {heights(exported.valve, shape.vertices_mm)};
   data.face_data = face_data(exported, shape);
   return data;
@@ -60,7 +66,7 @@ VtkPolyData leaflet_vtk(const ClosedValve& exported, const ValveShape& shape, Le
     return some;
   };
   VtkPolyData one{
-      kVtkTitle, both.points_mm(vertices, Eigen::all), {}, both.faces(faces, Eigen::all), {}, {},
+      both.title, both.points_mm(vertices, Eigen::all), {}, both.faces(faces, Eigen::all), {}, {},
       {}};
   for (int& vertex : one.faces.reshaped()) vertex = index_of[static_cast<std::size_t>(vertex)];
   one.point_data = chosen(both.point_data, vertices);
@@ -74,7 +80,7 @@ VtkPolyData chordae_vtk(const ClosedValve& exported, const ValveShape& shape) {
   VtkScalars chordae{"chorda", {}, true}, kind{"kind", {}, true}, rest{"rest_length_mm", {}},
       diameter{"diameter_mm", {}}, tension{"tension_n", {}};
   std::vector<Vec3> points;
-  VtkPolyData data{kVtkTitle, {}, {}, Faces(0, 3), {}, {}, {}};
+  VtkPolyData data{title_of(valve), {}, {}, Faces(0, 3), {}, {}, {}};
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
     const Chorda& chorda = valve.chordae[c];
     if (chorda.ruptured) continue;

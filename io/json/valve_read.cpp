@@ -155,6 +155,25 @@ Chorda read_chorda(const JsonPlace& place) {
   return chorda;
 }
 
+/// Four rows of four numbers, the last 0, 0, 0, 1.
+PatientFrame read_patient_frame(const JsonPlace& place) {
+  PatientFrame frame;
+  const auto rows =
+      read_list(place, [](const JsonPlace& row) { return read_list(row, read_number); });
+  const bool square = rows.size() == 4 && std::all_of(rows.begin(), rows.end(),
+                                                      [](const auto& r) { return r.size() == 4; });
+  if (!square || rows[3] != std::vector<double>{0.0, 0.0, 0.0, 1.0}) {
+    add_problem(place, ErrorCode::BadGeometry,
+                "must be four rows of four numbers, the last of them 0, 0, 0, 1");
+    return frame;
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) frame.axes(i, j) = rows[i][j];
+    frame.origin_mm[i] = rows[i][3];
+  }
+  return frame;
+}
+
 // Reads a list of what `read` returns into `target`.
 template <class T, class Read>
 std::function<void(const JsonPlace&)> list_into(std::vector<T>& target, Read read) {
@@ -180,7 +199,8 @@ Valve read_form(const JsonPlace& root) {
                {"annulus", read_annulus},
                {"landmarks", into(valve.landmarks, read_landmarks)},
                {"papillary_heads", list_into(valve.heads, read_head)},
-               {"chordae", list_into(valve.chordae, read_chorda)}});
+               {"chordae", list_into(valve.chordae, read_chorda)},
+               {"patient_frame", into(valve.patient, read_patient_frame), false}});
   return valve;
 }
 
@@ -204,7 +224,8 @@ Valve read_leaflet_form(const JsonPlace& root) {
                {"fibre", into(valve.fibre, read_points)},
                {"annulus", read_annulus},
                {"papillary_heads", list_into(valve.heads, read_plain_head)},
-               {"chordae", list_into(valve.chordae, read_chorda)}});
+               {"chordae", list_into(valve.chordae, read_chorda)},
+               {"patient_frame", into(valve.patient, read_patient_frame), false}});
   if (valve.leaflets.empty()) {
     root.problems.add(ErrorCode::MissingField, "/leaflets", "must have at least one leaflet");
   }

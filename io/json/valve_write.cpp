@@ -112,6 +112,14 @@ std::string line_per_entry(const ordered_json& json) {
   return text + "\n  ]";
 }
 
+ordered_json patient_frame_json(const PatientFrame& frame) {
+  ordered_json rows = ordered_json::array();
+  for (int i = 0; i < 3; ++i)
+    rows.push_back({frame.axes(i, 0), frame.axes(i, 1), frame.axes(i, 2), frame.origin_mm[i]});
+  rows.push_back({0, 0, 0, 1});
+  return rows;
+}
+
 ordered_json mitral_json(const Valve& valve) {
   return {{"schema", "coapt.valve/1"},
           {"name", valve.name},
@@ -151,7 +159,8 @@ ordered_json leaflet_valve_json(const Valve& valve) {
 }  // namespace
 
 std::string write_valve(const Valve& valve) {
-  const ordered_json json = is_mitral(valve) ? mitral_json(valve) : leaflet_valve_json(valve);
+  ordered_json json = is_mitral(valve) ? mitral_json(valve) : leaflet_valve_json(valve);
+  if (valve.patient) json["patient_frame"] = patient_frame_json(*valve.patient);
   std::string text = "{";
   const char* separator = "\n  ";
   for (const auto& [name, value] : json.items()) {

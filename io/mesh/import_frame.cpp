@@ -262,6 +262,7 @@ Expected<FramedSource> into_import_frame(const ImportSource& source) {
   check_framed(framed, problems);
   if (!problems.empty()) return std::move(problems).take();
   const double turned = Eigen::AngleAxisd(frame->axes).angle() * 180.0 / std::numbers::pi;
+  framed.patient = {frame->axes, frame->origin_mm};
   framed.change = "re-framed: moved by " + significant(frame->origin_mm.norm(), 3) +
                   " mm and turned by " + significant(turned, 3) +
                   " degrees; origin annulus centroid, x from the anterolateral to the "

@@ -14,7 +14,8 @@ struct FramedSource {
       annulus_mm;  ///< counter-clockwise seen from the atrium, no point twice, star-shaped about z
   Points pressed_annulus_mm;  ///< point by point as annulus_mm, or empty
   std::vector<ImportedChorda> chordae;
-  std::string change;  ///< in words
+  PatientFrame patient;  ///< from here back to the source's coordinates
+  std::string change;    ///< in words
 };
 
 /// Errors: what ImportSource lacks or has too much of, units that are not millimetres, an annulus

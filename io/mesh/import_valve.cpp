@@ -219,6 +219,7 @@ Expected<Valve> import_valve(const ImportSource& source, const ImportOptions& op
   Valve valve;
   valve.name = source.name.empty() ? "imported" : source.name;
   valve.provenance = source.provenance;
+  valve.patient = framed->patient;
   valve.tissue.reference = options.reference;
   add_mesh(*skirt, valve);
   if (framed->pressed_annulus_mm.rows() > 0)

@@ -26,11 +26,13 @@ struct VtkPolyData {
   std::vector<VtkScalars> point_data, line_data, face_data;
 };
 
-/// The title of every file that coapt writes: what it is not, units and SPACE=LPS, by which SlicerHeart
-/// takes the numbers as they are. The axes stay the valve's own (core/valve/valve.h), which are not the patient's:
-/// shape, handedness and millimetres are right, and the letters L, P and S that a viewer shows mean nothing.
+/// The title of a file that coapt writes: what it is not, units and SPACE=LPS, by which SlicerHeart
+/// takes the numbers as they are. In the valve's own axes (core/valve/valve.h) shape, handedness and millimetres are
+/// right, and the letters L, P and S that a viewer shows mean nothing.
 inline constexpr const char* kVtkTitle =
     "coapt: research software, not a medical device; millimetres, axes of the valve; SPACE=LPS";
+inline constexpr const char* kPatientVtkTitle =
+    "coapt: research software, not a medical device; millimetres, axes of the patient; SPACE=LPS";
 
 /// Version 4.2, nine digits. Lines come before faces; data that only one of them has is 0 for the other,
 /// because ASCII readers take no NaN. @pre indices are in range, data have their length.

@@ -15,6 +15,11 @@ const FileFormat* read_format(const JsonPlace& place) {
   return choice ? &file_formats()[*choice] : nullptr;
 }
 
+ExportFrame read_frame(const JsonPlace& place) {
+  return read_choice(place, {"patient", "valve"}).value_or(0) == 0 ? ExportFrame::Patient
+                                                                   : ExportFrame::Valve;
+}
+
 /// The header that says whether what is shown of a closed valve counts.
 std::pair<std::string, std::string> closure_header(const ClosureResult& closure) {
   return {"Coapt-Closure", closure.crossing ? "crossing" : to_string(closure.status)};
@@ -25,15 +30,16 @@ std::pair<std::string, std::string> closure_header(const ClosureResult& closure)
 Answer PostExports::operator()(const Request& request) const {
   const FileFormat* format = nullptr;
   ExportOptions options;
-  return answer_repair(
-      valves, compute, request,
-      {{"format", into(format, read_format)}, {"open", into(options.open, read_boolean), false}},
-      [&](const RepairRequest& asked, RequestClosures& closures) {
-        return valve_file_answer(
-            with_repair(closures.close_and_measure(asked.repaired, {.motion = true}), asked.valve,
-                        asked.plan),
-            *format, options);
-      });
+  return answer_repair(valves, compute, request,
+                       {{"format", into(format, read_format)},
+                        {"open", into(options.open, read_boolean), false},
+                        {"frame", into(options.frame, read_frame), false}},
+                       [&](const RepairRequest& asked, RequestClosures& closures) {
+                         return valve_file_answer(with_repair(closures.close_and_measure(
+                                                                  asked.repaired, {.motion = true}),
+                                                              asked.valve, asked.plan),
+                                                  *format, options);
+                       });
 }
 
 Answer PostPictures::operator()(const Request& request) const {

@@ -8,7 +8,7 @@
 
 namespace coapt {
 
-/// POST /v1/exports {"valve", "plan" (optional), "format", "open" (optional)}
+/// POST /v1/exports {"valve", "plan" (optional), "format", "open" (optional), "frame" (optional)}
 struct PostExports {
   ValveSource valves;
   Compute& compute;

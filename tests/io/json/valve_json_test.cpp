@@ -59,6 +59,33 @@ TEST(ValveJson, RoundTripGivesTheSameBits) {
   EXPECT_EQ(write_valve(*read), write_valve(valve));
 }
 
+TEST(ValveJson, ThePatientsFrameIsReadAsItIsWritten) {
+  Valve valve = small_valve();
+  EXPECT_EQ(write_valve(valve).find("patient_frame"), std::string::npos);
+  PatientFrame frame;
+  frame.axes << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  frame.origin_mm = Vec3(12.5, -80.25, 1030.125);
+  valve.patient = frame;
+  const auto read = read_valve(write_valve(valve));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->patient, frame);
+}
+
+TEST(ValveJson, AFrameThatIsNoneIsNamed) {
+  using enum ErrorCode;
+  const auto found_as = [](const char* rows) {
+    return found_with("/patient_frame", nlohmann::json::parse(rows));
+  };
+  const Found shape{{BadGeometry, "/patient_frame"}};
+  EXPECT_EQ(found_as("[]"), shape);
+  EXPECT_EQ(found_as("[[1,0,0,0],[0,1,0,0],[0,0,1],[0,0,0,1]]"), shape);
+  EXPECT_EQ(found_as("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,2]]"), shape);
+  EXPECT_EQ(found_as("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), shape) << "mirrored";
+  EXPECT_EQ(found_as("[[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]]"), shape) << "scaled";
+  EXPECT_EQ(found_as("[[1,0,0,0],[0,1,0,1e9],[0,0,1,0],[0,0,0,1]]"),
+            (Found{{OutOfRange, "/patient_frame/1/3"}}));
+}
+
 TEST(ValveJson, APointTakesOneLine) {
   EXPECT_NE(write_valve(small_valve()).find("\n    [18.0,0.0,0.0],\n"), std::string::npos);
 }

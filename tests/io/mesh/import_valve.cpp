@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
 #include "cone_scene.h"
+#include "core/valve/patient_frame.h"
 #include "core/valve/validate.h"
 
 namespace coapt {
@@ -65,6 +67,29 @@ TEST(ImportValve, AConeIsGivenBack) {
   EXPECT_EQ(valve.faces.rows(), 720);
   expect_cone(valve);
   EXPECT_TRUE(validate(valve).empty());
+}
+
+TEST(ImportValve, KnowsTheWayBackToItsImages) {
+  ImportSource moved = cone_source();
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(1.9, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+  const Vec3 scanner(-31.0, 84.0, 1200.0);
+  const auto place = [&](const Vec3& point) { return Vec3(turn * point + scanner); };
+  for (TriangleMesh& sheet : moved.leaflets)
+    for (Eigen::Index v = 0; v < sheet.vertices_mm.rows(); ++v)
+      sheet.vertices_mm.row(v) = place(sheet.vertices_mm.row(v));
+  for (Eigen::Index i = 0; i < moved.annulus_mm.rows(); ++i)
+    moved.annulus_mm.row(i) = place(moved.annulus_mm.row(i));
+  for (ImportedChorda& chorda : moved.chordae) {
+    chorda.insertion_mm = place(chorda.insertion_mm);
+    chorda.tip_mm = place(chorda.tip_mm);
+  }
+  const Valve valve = imported(moved), own = imported(cone_source());
+  ASSERT_TRUE(valve.patient);
+  EXPECT_TRUE(validate(valve).empty());
+  const Points back = to_patient(*valve.patient, valve.rest_mm);
+  for (Eigen::Index v = 0; v < back.rows(); ++v)
+    EXPECT_LT((Vec3(back.row(v)) - place(own.rest_mm.row(v))).norm(), 1e-6) << v;
 }
 
 TEST(ImportValve, GapsAtTheCommissuresAreClosed) {

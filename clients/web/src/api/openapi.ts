@@ -120,6 +120,33 @@ export interface components {
             papillary_heads: components["schemas"]["Valve.head"][];
             /** @description Chordae, each a tree from one papillary head to one or more insertions. */
             chordae: components["schemas"]["Valve.chorda"][];
+            /** @description From the valve's frame to that of the images it was made from (LPS, mm): four rows, the upper left 3 x 3 numbers a rotation, the last row 0, 0, 0, 1. Left out: not known. */
+            patient_frame?: [
+                [
+                    number,
+                    number,
+                    number,
+                    number
+                ][],
+                [
+                    number,
+                    number,
+                    number,
+                    number
+                ][],
+                [
+                    number,
+                    number,
+                    number,
+                    number
+                ][],
+                [
+                    number,
+                    number,
+                    number,
+                    number
+                ][]
+            ];
         };
         "Valve.point": [
             number,
