@@ -86,7 +86,11 @@ void print_measure(std::ostream& out, const ordered_json& measure) {
                     [](const ordered_json& section) { return section["contact"].get<bool>(); });
   row(out, "coaptation") << "height min " << rounded(coaptation["height_min_mm"], 1) << ", mean "
                          << rounded(coaptation["height_mean_mm"], 1) << " mm; contact at "
-                         << touching << " of " << sections.size() << " sections\n";
+                         << touching << " of " << sections.size() << " sections";
+  if (measure.contains("coaptation_area_index"))
+    out << "; " << fixed(100.0 * number_of(measure["coaptation_area_index"]), 0)
+        << " % of the leaflets' area";
+  out << '\n';
   const ordered_json& annulus = measure["annulus"];
   row(out, "annulus") << "AP " << rounded(annulus["ap_mm"], 1) << ", AL-PM "
                       << rounded(annulus["al_pm_mm"], 1) << ", circumference "

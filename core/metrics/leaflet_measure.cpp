@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "core/closure/contact.h"
+#include "core/metrics/leaflet_sides.h"
 #include "core/metrics/quantile.h"
 
 namespace coapt {
@@ -20,10 +22,12 @@ std::array<Vec3, 3> corners(const Valve& valve, const Points& points, Index face
 double area(const std::array<Vec3, 3>& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
 
 /// [vertex]: whether a face of a leaflet that has not this vertex lies within `reach_mm` of it.
-std::vector<bool> touching(const Valve& valve, const Points& closed_mm, double reach_mm) {
+/// @param leaflet_of of each face
+std::vector<bool> touching(const Valve& valve, const Points& closed_mm, double reach_mm,
+                           const std::vector<int>& leaflet_of) {
   std::vector<std::set<int>> leaflets(valve.rest_mm.rows());
-  for (int f = 0; f < valve.faces.rows(); ++f)
-    for (int k = 0; k < 3; ++k) leaflets[valve.faces(f, k)].insert(leaflet_index(valve, f));
+  for (Index f = 0; f < valve.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) leaflets[valve.faces(f, k)].insert(leaflet_of[f]);
   Boxes vertices{closed_mm.array() - reach_mm, closed_mm.array() + reach_mm};
   Boxes faces{Points(valve.faces.rows(), 3), Points(valve.faces.rows(), 3)};
   for (Index f = 0; f < valve.faces.rows(); ++f) {
@@ -33,7 +37,7 @@ std::vector<bool> touching(const Valve& valve, const Points& closed_mm, double r
   }
   std::vector<bool> found(valve.rest_mm.rows(), false);
   for (const auto& [v, f] : overlapping(vertices, faces)) {
-    if (found[v] || leaflets[v].contains(leaflet_index(valve, f))) continue;
+    if (found[v] || leaflets[v].contains(leaflet_of[f])) continue;
     const auto [a, b, c] = corners(valve, closed_mm, f);
     const Vec3 p = closed_mm.row(v);
     const Vec3 w = closest_point_weights(p, a, b, c);
@@ -63,11 +67,13 @@ std::vector<LeafletMeasure> measure_leaflets(const Valve& valve, const Points& c
                                              double contact_distance_mm) {
   const double reach_mm =
       contact_distance_mm > 0.0 ? contact_distance_mm : kContactReach * valve.tissue.thickness_mm;
-  const std::vector<bool> touches = touching(valve, closed_mm, reach_mm);
+  std::vector<int> leaflet_of;
+  for (int f = 0; f < valve.faces.rows(); ++f) leaflet_of.push_back(leaflet_index(valve, f));
+  const std::vector<bool> touches = touching(valve, closed_mm, reach_mm, leaflet_of);
   std::vector<LeafletMeasure> leaflets(leaflet_count(valve));
   std::vector<std::vector<double>> stretches(leaflets.size());
   for (int f = 0; f < valve.faces.rows(); ++f) {
-    const int index = leaflet_index(valve, f);
+    const int index = leaflet_of[f];
     LeafletMeasure& leaflet = leaflets[index];
     leaflet.name = leaflet_name(valve, f);
     const auto rest = corners(valve, valve.rest_mm, f), closed = corners(valve, closed_mm, f);
@@ -82,6 +88,21 @@ std::vector<LeafletMeasure> measure_leaflets(const Valve& valve, const Points& c
     if (!stretches[i].empty()) leaflets[i].stretch_median = quantile(std::move(stretches[i]), 0.5);
   }
   return leaflets;
+}
+
+double coaptation_area_index(const Valve& valve, const Points& closed_mm) {
+  if (!closed_mm.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+  std::vector<int> side_of;
+  for (const Leaflet side : leaflet_sides(valve)) side_of.push_back(static_cast<int>(side));
+  const std::vector<bool> touches =
+      touching(valve, closed_mm, kContactReach * valve.tissue.thickness_mm, side_of);
+  double contact_mm2 = 0.0, all_mm2 = 0.0;
+  for (Index f = 0; f < valve.faces.rows(); ++f) {
+    const double area_mm2 = area(corners(valve, closed_mm, f));
+    all_mm2 += area_mm2;
+    for (int k = 0; k < 3; ++k) contact_mm2 += touches[valve.faces(f, k)] ? area_mm2 / 3.0 : 0.0;
+  }
+  return contact_mm2 / all_mm2;
 }
 
 }  // namespace coapt

@@ -10,6 +10,7 @@ ecdf.csv                share of targets that the search and its rivals reach
 mesh.csv                error of areas and shapes against the number of triangles
 uniqueness.csv          how unique the closed state is, over the leaflets' rigidity
 verdicts.csv            leak and verdict of the same plans on three meshes
+growth.csv              time of the parts of a closure against the number of triangles
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
 """
 
@@ -18,6 +19,7 @@ import csv
 import pathlib
 import statistics
 
+import growth
 import mesh
 import uniqueness
 import verdicts
@@ -449,6 +451,7 @@ CHARTS = {
     "orifice-resolution": {"orifice-error": draw_orifice_error, "orifice-time": draw_orifice_time},
     "gap": {"gap": draw_gap},
     "mesh": {"mesh": mesh.draw_errors},
+    "growth": {"growth": growth.draw_growth},
     "uniqueness": {"uniqueness": uniqueness.draw_uniqueness},
     "verdicts": {"verdicts": verdicts.draw_verdicts},
     "ecdf": {"ecdf": draw_ecdf},

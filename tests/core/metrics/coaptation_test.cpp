@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
+#include "core/metrics/leaflet_measure.h"
 #include "core/metrics/leaflet_sides.h"
 #include "core/metrics/quantile.h"
 #include "tests/scenes/sheets.h"
@@ -23,6 +27,17 @@ TEST(Coaptation, FacingWallsHaveTheDesignedHeightAndDistance) {
   EXPECT_NEAR(coaptation.height_p10_mm, 8.75, 0.1);
   EXPECT_NEAR(coaptation.distance_max_mm, 1.0, 1e-12);
   EXPECT_EQ(coaptation.gap_area_mm2, 0.0);
+}
+
+TEST(Coaptation, TheAreaIndexCountsWhatLiesOnTheOtherSide) {
+  // Per mm of width: half of the 13 mm down to the anterior edge, half of the shelf of 9 mm, all of the
+  // posterior wall of 8 mm; of 20 and 29 mm.
+  const Valve near = facing_walls(1.0), far = facing_walls(1.5);
+  EXPECT_NEAR(coaptation_area_index(near, near.rest_mm), (6.5 + 4.5 + 8.0) / 49.0, 1e-12);
+  EXPECT_EQ(coaptation_area_index(far, far.rest_mm), 0.0);
+  Points flown = near.rest_mm;
+  flown(3, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(coaptation_area_index(near, flown)));
 }
 
 TEST(Coaptation, WallsFartherApartThanTheToleranceDoNotTouch) {

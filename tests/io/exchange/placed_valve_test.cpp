@@ -75,7 +75,8 @@ TEST(PlacedValve, EveryFormatIsTheSameValveElsewhere) {
   const std::vector<Markup> markups =
       *read_markups(*write_valve_file(closed, *format_named("mrk.json")));
   EXPECT_EQ(Vec3(markups[0].points_mm.row(0)), in_images(closed.valve.annulus_mm.row(0)));
-  for (const NamedFile& file : *write_slicerheart(closed))
+  const std::vector<NamedFile> folder = *write_slicerheart(closed);
+  for (const NamedFile& file : folder)
     if (file.name == "annulus.mrk.json") {
       EXPECT_NE(file.bytes.find("of the patient's images"), std::string::npos);
     }

@@ -31,6 +31,7 @@ TEST(ResultJson, EveryErrorCodeHasItsOwnName) {
 
 TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
   ClosureResult closure;
+  closure.closed_mm = small_valve().rest_mm;
   closure.method = Method::Thesis;
   closure.membrane = Membrane::Continuum;
   closure.status = ClosureStatus::StepLimit;
@@ -50,6 +51,7 @@ TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
   EXPECT_EQ(result["steps"], 40000);
   EXPECT_EQ(result["seconds"], 1.5);
   EXPECT_EQ(result["triangles"], 32);
+  EXPECT_TRUE(result["coaptation_area_index"].is_number());
   EXPECT_EQ(result["notice"], kResearchNotice);
   EXPECT_EQ(result["version"], version());
   EXPECT_EQ(result["orifices"][0].dump(),

@@ -34,6 +34,15 @@ tissue,a,u,converged,true,1,false,8,99,0,0.5,0.01,2
 to compare,b,s,converged,false,1,true,8,0.25,0,0.1,0.01,1
 """
 )
+GROWTH = table(
+    """\
+part,triangles,steps_before,microseconds
+step,100,250,10
+step,1000,250,1000
+set-up,100,0,5
+set-up,1000,0,50
+"""
+)
 ACCURACY = table(
     """\
 scene,method,membrane,triangles,tolerance,status,crossing,seconds,rms_mm,max_mm,orifice_error_mm2
@@ -140,6 +149,13 @@ class Program(unittest.TestCase):
         with self.assertRaises(SystemExit) as refused, unittest.mock.patch("sys.stderr", io.StringIO()):
             plot.main(["weather.csv"])
         self.assertEqual(refused.exception.code, 2)
+
+
+class Growth(unittest.TestCase):
+    def test_the_legend_says_how_each_part_grows(self):
+        words = texts(plot.growth.draw_growth(GROWTH))
+        self.assertIn("step, after 250 steps: N^2.00", words)
+        self.assertIn("set-up: N^1.00", words)
 
 
 if __name__ == "__main__":

@@ -844,6 +844,8 @@ export interface components {
         };
         /** @description coapt.closure/1, as `coapt close --json` prints it. */
         Closure: components["schemas"]["Measure"] & {
+            /** @description Share of the closed leaflets' area that lies on the other side, nearer than 1.25 thicknesses; of mitral valves. */
+            coaptation_area_index?: number | null;
             /**
              * @description Format and version of this document.
              * @constant
