@@ -20,6 +20,7 @@ namespace {
 struct ValveImportArguments {
   std::vector<std::string> leaflets;
   std::string annulus, chordae, slicerheart, abaqus;
+  LengthUnit units = LengthUnit::Millimetre;  // if given
   std::string name;
   std::vector<std::string> provenance;
   ImportOptions options;
@@ -120,9 +121,8 @@ void add_valve_import(Command parent, int& status) {
   Command command =
       parent.add_command("import", "Make a valve from leaflet meshes, annulus and chordae");
   command
-      .add_option(
-          "--leaflet", arguments->leaflets,
-          "Leaflet mesh (OBJ, PLY, STL or VTK, millimetres): anterior and posterior, or one skirt")
+      .add_option("--leaflet", arguments->leaflets,
+                  "Leaflet mesh (OBJ, PLY, STL or VTK): anterior and posterior, or one skirt")
       .count(1, 2);
   command.add_option("--annulus", arguments->annulus,
                      "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json)");
@@ -162,6 +162,17 @@ void add_valve_import(Command parent, int& status) {
           "What the meshes show: excised (default), leaflets free of stress; in_vivo, those of the "
           "unpressurised heart, which are stretched already")
       .show_argument("STATE");
+  const std::map<std::string, LengthUnit> units = {
+      {to_string(LengthUnit::Millimetre), LengthUnit::Millimetre},
+      {to_string(LengthUnit::Centimetre), LengthUnit::Centimetre},
+      {to_string(LengthUnit::Metre), LengthUnit::Metre}};
+  command
+      .add_choice(
+          "--units", arguments->units, units,
+          "Of the files' lengths: mm, cm or m (default: guessed from the circumference of the "
+          "annulus, 30 to 400 mm)")
+      .show_argument("UNIT")
+      .excludes("--abaqus");
   command.add_option("--name", arguments->name, "Name of the valve").show_default("imported");
   command.add_option("--provenance", arguments->provenance, "Source or licence, kept in the valve");
   command.footer(
@@ -173,7 +184,10 @@ void add_valve_import(Command parent, int& status) {
       "  coapt valve import --slicerheart FEM-model/ -o valve.json\n\n"
       "A model of another code becomes a coapt.valve/2, which `coapt close` closes:\n"
       "  coapt valve import --abaqus Healthy_QuasiStatic.inp -o trivalve.json");
-  command.on_run([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, command, &status] {
+    if (command.has("--units")) arguments->options.units = arguments->units;
+    status = run(*arguments);
+  });
 }
 
 }  // namespace coapt

@@ -21,7 +21,8 @@ struct CsvTable {
 };
 
 /// The names are those of the last line before the first row, comment or not, that has one of
-/// `columns` as a field. At most 100,000 rows.
+/// `columns` as a field. At most 100,000 rows;
+/// fields between semicolons, as spreadsheets in some languages write them, are one error.
 Expected<CsvTable> read_csv(std::string_view text, std::initializer_list<std::string_view> columns);
 
 }  // namespace coapt

@@ -10,6 +10,7 @@
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
+#include "io/mesh/source_units.h"
 
 namespace coapt {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 constexpr Eigen::Index kMostFaces = 1'000'000;
 constexpr Eigen::Index kMinAnnulus = 12;
 constexpr std::size_t kMaxChordae = 2000;
-constexpr Range kCircumferenceMm = {30.0, 400.0};
 constexpr Range kTipDepthMm = {3.0, 100.0};
 constexpr double kSamePoint_mm = 1e-6;
 
@@ -232,6 +232,7 @@ Expected<FramedSource> into_import_frame(const ImportSource& source) {
   check_pressed(source, problems);
   check_chordae(source.chordae, problems);
   if (!problems.empty()) return std::move(problems).take();
+  if (Errors mixed = mixed_units(source); !mixed.empty()) return mixed;
   const std::vector<Eigen::Index> kept = without_repeats(source.annulus_mm);
   const Points loop = source.annulus_mm(kept, Eigen::all);
   const Expected<Frame> frame = find_frame(loop, source.chordae);

@@ -11,6 +11,7 @@
 #include "io/mesh/import_chordae.h"
 #include "io/mesh/import_frame.h"
 #include "io/mesh/skirt.h"
+#include "io/mesh/source_units.h"
 
 namespace coapt {
 namespace {
@@ -165,13 +166,15 @@ double area_mm2(const TriangleMesh& mesh) {
   return sum;
 }
 
-void tell_changes(const FramedSource& source, const Skirt& skirt, Valve& valve) {
+void tell_changes(const std::string& units, const FramedSource& source, const Skirt& skirt,
+                  Valve& valve) {
   const auto bare = std::count(skirt.interpolated.begin(), skirt.interpolated.end(), true);
   const Deviation off = deviation(source.leaflets, skirt);
   double input_area = 0.0;
   for (const TriangleMesh& sheet : source.leaflets) input_area += area_mm2(sheet);
   const auto counted = [](auto number) { return std::to_string(number); };
   std::vector<std::string>& told = valve.provenance;
+  told.push_back(units);
   told.push_back(source.change);
   told.push_back(
       "resampled: cut by half-planes through the annulus axis to " + counted(skirt.stations) +
@@ -208,10 +211,13 @@ void tell_changes(const FramedSource& source, const Skirt& skirt, Valve& valve) 
 
 }  // namespace
 
-Expected<Valve> import_valve(const ImportSource& source, const ImportOptions& options) {
+Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) {
   ProblemList problems;
   check_options(options, problems);
   if (!problems.empty()) return std::move(problems).take();
+  const LengthUnit unit =
+      options.units.value_or(guessed_unit(source.annulus_mm).value_or(LengthUnit::Millimetre));
+  scale(source, in_mm(unit));
   const Expected<FramedSource> framed = into_import_frame(source);
   if (!framed) return framed.errors();
   const Expected<Skirt> skirt = resample_skirt(*framed, options.triangles);
@@ -225,7 +231,9 @@ Expected<Valve> import_valve(const ImportSource& source, const ImportOptions& op
   if (framed->pressed_annulus_mm.rows() > 0)
     for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();
   valve.landmarks = find_landmarks(*skirt);
-  tell_changes(*framed, *skirt, valve);
+  const std::string units = std::string("units: ") + to_string(unit) +
+                            (options.units ? ", as given" : ", by the annulus's circumference");
+  tell_changes(units, *framed, *skirt, valve);
   if (Errors errors = add_imported_chordae(*framed, *skirt, options, valve); !errors.empty())
     return errors;
   Errors invalid = validate(valve);

@@ -2,7 +2,7 @@
 // the annulus axis, which resamples them to a structured skirt and closes the commissures.
 //
 // Assumed: sheets and annulus are star-shaped about that axis, sheets are open surfaces that begin
-// within 3 mm of the annulus, coordinates are right-handed millimetres; any frame. The papillary
+// within 3 mm of the annulus, coordinates are right-handed, in one unit of length; any frame. The papillary
 // tips orient the valve (import_frame.h). The imaged state is taken as unstressed, and its annulus
 // and tips as those under pressure, unless those are given, too.
 #pragma once
@@ -40,6 +40,10 @@ struct ImportedChorda {
   std::vector<ImportedSegment> segments = {};
 };
 
+/// What the numbers of a source are.
+enum class LengthUnit { Millimetre, Centimetre, Metre };
+const char* to_string(LengthUnit unit);  ///< mm, cm, m
+
 struct ImportSource {
   std::string name;
   std::vector<std::string> provenance;
@@ -55,11 +59,14 @@ struct ImportOptions {
   double branch_at = 0.75;  ///< share of the way from tip to insertion, [0.05, 0.95]
   double slack = 1.0;       ///< chordae lengths over straight distances, [0.8, 1.5]
   TissueReference reference = TissueReference::Excised;  ///< what the sheets are
+  std::optional<LengthUnit>
+      units;  ///< of the source; none: guessed from the annulus's circumference
 };
 
 /// A valve that passes validate(). Every change made is appended to its provenance. Errors point
-/// into ImportSource ("/leaflets/0/faces") or ImportOptions ("/triangles").
-Expected<Valve> import_valve(const ImportSource& source, const ImportOptions& options);
+/// into ImportSource ("/leaflets/0/faces") or ImportOptions ("/triangles"). Its members are named after
+/// millimetres, which they become once the units are known.
+Expected<Valve> import_valve(ImportSource source, const ImportOptions& options);
 
 /// Lines x,y,z in millimetres; '#' comments; a first line x,y,z or x_mm,y_mm,z_mm is passed over.
 Expected<Points> read_points_csv(std::string_view text);

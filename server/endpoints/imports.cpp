@@ -54,6 +54,11 @@ TissueReference read_state(const JsonPlace& place) {
   return read_name<TissueReference>(place, {TissueReference::Excised, TissueReference::InVivo});
 }
 
+LengthUnit read_unit(const JsonPlace& place) {
+  return read_name<LengthUnit>(place,
+                               {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre});
+}
+
 /// Either all of one kind of files or all of the other.
 Errors check_files(const Asked& asked) {
   ProblemList problems;
@@ -119,7 +124,8 @@ Answer ImportValve::operator()(const Request& request) const {
                                 {"branches", into(options.branches, whole(1, 5)), false},
                                 {"branch_at", into(options.branch_at, number(0.05, 0.95)), false},
                                 {"slack", into(options.slack, number(0.8, 1.5)), false},
-                                {"reference", into(options.reference, read_state), false}}))
+                                {"reference", into(options.reference, read_state), false},
+                                {"units", into(options.units, read_unit), false}}))
     return *std::move(refused);
   if (const Errors errors = check_files(asked); !errors.empty()) return problem(422, errors);
   const Compute::Turn turn(compute);

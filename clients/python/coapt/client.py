@@ -111,12 +111,13 @@ class Client:
         name: str = "imported",
         **options: Any,
     ) -> StoredValve:
-        """Makes a valve of the files of a segmentation tool, in millimetres, and stores it.
+        """Makes a valve of the files of a segmentation tool, in one unit, and stores it.
 
         :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior sheet, or one skirt
         :param annulus: CSV of x,y,z, or a closed curve of Slicer (.mrk.json)
         :param chordae: CSV or JSON
-        :param options: provenance (sentences), triangles, branches, branch_at, slack, reference
+        :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
+            "cm" or "m"; left out, they are guessed from the annulus)
         :raises Refused: what is wrong with which file
         """
         return self._imported(files_to_import(leaflets, annulus, chordae), name, options)

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "cone_scene.h"
+#include "io/mesh/source_units.h"
 
 namespace coapt {
 namespace {
@@ -14,13 +15,29 @@ Error problem(const ImportSource& source, const ImportOptions& options = {}) {
   return valve ? Error{} : valve.errors().front();
 }
 
-TEST(ImportErrors, MetresAreCalledMetres) {
+TEST(ImportErrors, MetresThatAreSaidToBeMillimetresAreCalledMetres) {
   ImportSource source = cone_source();
-  source.annulus_mm *= 0.001;
-  const Error error = problem(source);
+  scale(source, 0.001);
+  const Error error = problem(source, {.units = LengthUnit::Millimetre});
   EXPECT_EQ(error.code, ErrorCode::BadGeometry);
   EXPECT_EQ(error.path, "/annulus_mm");
   EXPECT_NE(error.message.find("looks like metres"), std::string::npos) << error.message;
+}
+
+TEST(ImportErrors, UnitsMayNotBeMixed) {
+  ImportSource annulus = cone_source(), leaflets = cone_source();
+  annulus.annulus_mm *= 0.001;
+  for (TriangleMesh& mesh : leaflets.leaflets) mesh.vertices_mm *= 0.1;
+  EXPECT_EQ(problem(annulus).path, "/leaflets/0/vertices_mm");
+  const Error error = problem(leaflets);
+  EXPECT_EQ(error.path, "/leaflets/0/vertices_mm");
+  EXPECT_NE(error.message.find("units mixed"), std::string::npos) << error.message;
+  ImportSource chordae = cone_source();
+  for (ImportedChorda& chorda : chordae.chordae) {
+    chorda.tip_mm *= 0.001;
+    chorda.insertion_mm *= 0.001;
+  }
+  EXPECT_EQ(problem(chordae).path, "/chordae");
 }
 
 TEST(ImportErrors, AnAnnulusOfOnePointIsNotCalledMetres) {

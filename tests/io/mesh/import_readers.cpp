@@ -89,6 +89,16 @@ TEST(ImportReaders, PointsAreReadWithCommentsAndWithoutTheirNames) {
   EXPECT_EQ(points->row(1), Eigen::RowVector3d(4.0, 5.0, 6.5));
 }
 
+TEST(ImportReaders, SemicolonsAreOneError) {
+  for (const char* table : {"1;2;3\n4;5;6\n", "x;y;z\n1;2;3\n", "# loop\n1,5;2,5;3,5\n"}) {
+    const Expected<Points> points = read_points_csv(table);
+    ASSERT_FALSE(points) << table;
+    ASSERT_EQ(points.errors().size(), 1U) << table;
+    EXPECT_NE(points.errors()[0].message.find("semicolons"), std::string::npos)
+        << points.errors()[0].message;
+  }
+}
+
 TEST(ImportReaders, APointThatIsNoneNamesItsLine) {
   const auto points = read_points_csv("1,2,3\n1,2\n1,,3\n");
   ASSERT_FALSE(points);

@@ -600,7 +600,7 @@ export interface components {
             /** @description Its bytes (RFC 4648); then without text. */
             base64?: string;
         };
-        /** @description Either leaflets, annulus and chordae, in one coordinate system in millimetres, or slicerheart. */
+        /** @description Either leaflets, annulus and chordae, in one coordinate system and one unit, or slicerheart. */
         FilesToImport: {
             /** @description Open surfaces (OBJ, PLY, STL, VTK): the anterior, then the posterior sheet, or one skirt. */
             leaflets?: [
@@ -646,6 +646,11 @@ export interface components {
              * @enum {string}
              */
             reference?: "excised" | "in_vivo";
+            /**
+             * @description Of the files' lengths; left out, they are guessed from the circumference of the annulus (30 to 400 mm).
+             * @enum {string}
+             */
+            units?: "mm" | "cm" | "m";
         };
         /** @description A valve that is stored now. */
         StoredValve: {
