@@ -51,6 +51,7 @@ KINDS = {
     ("fast", "continuum"): ("fast, continuum", VERMILION, "s"),
     ("thesis", "springs"): ("thesis", GREEN, "^"),
 }
+MEMBRANE, MEMBRANES_BEFORE = "continuum", {"0.1": "springs"}  # defaults
 # Table 2.2 of the thesis: distance from imaging; chapter 4: time of a configuration.
 THESIS_MS, THESIS_MM = 1e4, (0.56, 0.82)
 
@@ -66,6 +67,8 @@ def front(points):
 
 def draw_against_time(rows, heading, label, error, from_imaging=False):
     rows = [row for row in rows if row["status"] == "converged" and row["crossing"] == "false"]
+    earlier = [row for row in rows if row.get("release")]
+    rows = [row for row in rows if not row.get("release")]
     scenes = each_once(row["scene"] for row in rows)
     figure, axes = figure_titled(heading, 10, 4.6, ncols=len(scenes), sharey=True, sharex=True, squeeze=False)
     for axis, scene in zip(axes[0], scenes):
@@ -83,14 +86,27 @@ def draw_against_time(rows, heading, label, error, from_imaging=False):
                 edgecolors="white",
                 label=name,
             )
+        own = [row for row in here if row["method"] == "fast" and row["membrane"] == MEMBRANE]
         axis.plot(
-            *zip(*front([(1e3 * float(row["seconds"]), error(row)) for row in here])),
+            *zip(*front([(1e3 * float(row["seconds"]), error(row)) for row in own])),
             color=BLACK,
             lw=1,
             drawstyle="steps-post",
-            label="best for its time",
+            label=f"{MEMBRANE}, best for its time",
             zorder=1,
         )
+        for release in each_once(row["release"] for row in earlier):
+            of = [row for row in earlier if (row["release"], row["scene"]) == (release, scene)]
+            of = [row for row in of if row["method"] == "fast" and row["membrane"] == MEMBRANES_BEFORE[release]]
+            axis.plot(
+                *zip(*front([(1e3 * float(row["seconds"]), error(row)) for row in of])),
+                color=GREY,
+                lw=1.2,
+                ls="--",
+                drawstyle="steps-post",
+                label=f"release {release}, {MEMBRANES_BEFORE[release]}",
+                zorder=1,
+            )
         if from_imaging:
             axis.plot([THESIS_MS] * 2, THESIS_MM, color=PURPLE, lw=3, label="thesis, from imaging")
         axis.set(title=scene, xscale="log", xlabel="time of a closure, ms")
@@ -125,8 +141,9 @@ def draw_orifice_accuracy(rows):
         lambda row: abs(float(row["orifice_error_mm2"])),
     )
     for axis in figure.axes:
-        axis.set_yscale("log")
+        axis.set_yscale("symlog", linthresh=0.1)
         axis.yaxis.set_major_formatter(PLAIN)
+        axis.set_ylim(bottom=0)
     return figure
 
 
