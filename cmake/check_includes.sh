@@ -14,6 +14,7 @@ core/presets     : core/closure core/valve
 search/          : core
 search/plans     : core search/
 search/studies   : core search/ search/plans
+search/fit       : core search/
 io/command_line  : core/valve
 io/json          : core search
 io/mesh          : core io/json
@@ -29,6 +30,7 @@ lab/rivals       : core
 lab/closures     : core search io
 lab/lattices     : core search io lab/rivals
 lab/verdicts     : core search
+lab/twins        : core search lab/closures
 lab/charts       : core search io lab/closures
 lab/cli          : core search io clients/cli lab
 '

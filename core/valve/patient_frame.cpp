@@ -10,6 +10,10 @@ Vec3 to_patient(const PatientFrame& frame, const Vec3& point_mm) {
   return frame.axes * point_mm + frame.origin_mm;
 }
 
+Points from_patient(const PatientFrame& frame, const Points& points_mm) {
+  return (points_mm.rowwise() - frame.origin_mm.transpose()) * frame.axes;
+}
+
 Valve in_patient_frame(Valve valve) {
   if (!valve.patient) return valve;
   const PatientFrame frame = *valve.patient;

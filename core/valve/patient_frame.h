@@ -10,6 +10,9 @@ namespace coapt {
 Points to_patient(const PatientFrame& frame, const Points& points_mm);
 Vec3 to_patient(const PatientFrame& frame, const Vec3& point_mm);
 
+/// The way there: from the patient's coordinates into the valve's own frame.
+Points from_patient(const PatientFrame& frame, const Points& points_mm);
+
 /// The same valve in the patient's coordinates, its frame the identity; a valve without one as it is.
 /// For writing only: validate() wants valves in their own frame.
 Valve in_patient_frame(Valve valve);

@@ -10,6 +10,7 @@ ecdf.csv                share of targets that the search and its rivals reach
 mesh.csv                error of areas and shapes against the number of triangles
 uniqueness.csv          how unique the closed state is, over the leaflets' rigidity
 verdicts.csv            leak and verdict of the same plans on three meshes
+twins.csv               fitted against true values of valves whose answers are known
 growth.csv              time of the parts of a closure against the number of triangles
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
 """
@@ -21,6 +22,7 @@ import statistics
 
 import growth
 import mesh
+import twins
 import uniqueness
 import verdicts
 from matplotlib.patches import Patch, Rectangle
@@ -471,6 +473,7 @@ CHARTS = {
     "growth": {"growth": growth.draw_growth},
     "uniqueness": {"uniqueness": uniqueness.draw_uniqueness},
     "verdicts": {"verdicts": verdicts.draw_verdicts},
+    "twins": {"twins": twins.draw_twins},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},
 }

@@ -98,7 +98,9 @@ class Completion(unittest.TestCase):
         )
 
     def test_commands_are_offered_by_their_beginning(self):
-        self.assertEqual(self.complete(COAPT, ""), {"valve", "close", "compare", "export", "evaluate", "plan", "study"})
+        self.assertEqual(
+            self.complete(COAPT, ""), {"valve", "close", "compare", "export", "fit", "evaluate", "plan", "study"}
+        )
         self.assertEqual(self.complete(COAPT, "valve", "re"), {"remodel"})
         self.assertEqual(self.complete(COAPT, "study", "porcine-", "--prot"), set())
         self.assertEqual(self.complete(COAPT, "plan", "--seed", "3", "human-normal", "--ev"), {"--evaluations"})

@@ -20,6 +20,8 @@ _coapt_values() {
     --method) echo fast thesis ;;
     --membrane) echo springs continuum ;;
     --align) echo auto none rigid ;;
+    --side) echo atrial middle ;;
+    --known) echo slack tips prestretch hidden ;;
     --protocol) echo lookup-clamped lookup-extended closed optimum ;;
     --displacement-step) echo 1 2 3 6 ;;
     --server) echo http://127.0.0.1:8080 ;;

@@ -1,0 +1,263 @@
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/cli/closure_options.h"
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "clients/cli/interrupt.h"
+#include "clients/cli/progress_bar.h"
+#include "core/valve/patient_frame.h"
+#include "io/exchange/shape_file.h"
+#include "io/json/fit_json.h"
+#include "io/json/valve_json.h"
+#include "io/mesh/import_valve.h"
+#include "io/picture/distance_map.h"
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+enum class SurfaceFrame { Patient, Valve };
+
+struct FitArguments {
+  std::string valve, closed, output, picture;
+  SurfaceFrame frame = SurfaceFrame::Patient;
+  bool frame_given = false;
+  MeasuredSide side = MeasuredSide::Atrial;
+  std::optional<double> leak_mm2;
+  double leak_sd_mm2 = MeasuredClosure{}.leak_sd_mm2;
+  std::vector<std::string> known;
+  FitOptions options;
+  bool json = false;
+};
+
+/// Points of a mesh, with its triangles, or of a CSV table, without.
+Expected<LeafletMesh> read_surface(const std::string& path) {
+  const Expected<std::string> bytes = read_input(path);
+  if (!bytes) return bytes.errors();
+  std::string format = std::filesystem::path(path).extension().string();
+  if (!format.empty()) format.erase(0, 1);
+  if (is_shape_format(format)) return read_shape(*bytes, format);
+  if (format != "csv")
+    return Error{ErrorCode::Unsupported, "",
+                 "must end in one of " + shape_format_names() + ", or in csv (x,y,z lines)"};
+  const Expected<Points> points = read_points_csv(*bytes);
+  if (!points) return points.errors();
+  LeafletMesh cloud;
+  cloud.vertices_mm = *points;
+  return cloud;
+}
+
+/// Into the valve's frame.
+Expected<LeafletMesh> placed(LeafletMesh surface, const Valve& valve,
+                             const FitArguments& arguments) {
+  if (arguments.frame == SurfaceFrame::Valve) return surface;
+  if (valve.patient) {
+    surface.vertices_mm = from_patient(*valve.patient, surface.vertices_mm);
+    return surface;
+  }
+  if (arguments.frame_given)
+    return Error{ErrorCode::MissingField, "/patient_frame",
+                 "is missing in the valve: it was not made from images, or by an older version; "
+                 "give --frame valve if the surface is in the valve's own frame"};
+  return surface;
+}
+
+std::string words(const FittedParameter& fitted) {
+  const int digits = fitted.parameter.unit == "mm" ? 2 : 3;
+  return fitted.parameter.name + ' ' + fixed(fitted.value, digits) + " ± " +
+         fixed(fitted.sd, digits) + (fitted.parameter.unit == "mm" ? " mm" : "");
+}
+
+std::string provenance(const ValveFit& fit, const std::string& closed) {
+  std::string text = "fitted to " + std::filesystem::path(closed).filename().string() +
+                     ": distances " + fixed(fit.rms_before_mm, 2) + " mm rms before, " +
+                     fixed(fit.rms_mm, 2) + " mm after";
+  for (const FittedParameter& fitted : fit.parameters) text += "; " + words(fitted);
+  return text;
+}
+
+void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& measured) {
+  out << "distance   " << fixed(fit.rms_before_mm, 3) << " mm rms before, " << fixed(fit.rms_mm, 3)
+      << " mm after, of " << fit.points_mm.rows() << " points, which weigh as "
+      << std::lround(fit.independent_points) << " independent ones\n"
+      << "leak       " << fixed(leak_mm2(fit.before.measure), 1) << " mm2 before, "
+      << fixed(fit.leak.mm2, 1) << " ± " << fixed(fit.leak.sd_mm2, 1) << " mm2 after";
+  if (measured.leak_mm2)
+    out << " (given: " << fixed(*measured.leak_mm2, 1) << " ± " << fixed(measured.leak_sd_mm2, 1)
+        << ')';
+  out << "\n\n  " << std::left << std::setw(28) << "parameter" << std::right << std::setw(9)
+      << "value" << std::setw(9) << "sd" << std::setw(9) << "before" << std::setw(9) << "sd"
+      << "\n";
+  for (const FittedParameter& fitted : fit.parameters) {
+    const FitParameter& parameter = fitted.parameter;
+    const bool mm = parameter.unit == "mm";
+    out << "  " << std::left << std::setw(28) << (parameter.name + (mm ? ", mm" : ""))
+        << std::right;
+    for (const double number : {fitted.value, fitted.sd, parameter.prior, parameter.prior_sd})
+      out << std::setw(9) << fixed(number, mm ? 2 : 3);
+    out << (fitted.identifiable ? "" : "  the data say little") << '\n';
+  }
+  if (!fit.finished) out << "\nstopped before it came to rest (--rounds)\n";
+}
+
+std::string map_png(const LeafletMesh& surface, const ValveFit& fit,
+                    const FitArguments& arguments) {
+  const std::vector<double> distances = signed_distances_mm(
+      surface.vertices_mm,
+      {fit.closed.closure.closed_mm, fit.closed.valve.faces, fit.closed.valve.tissue.thickness_mm},
+      arguments.side);
+  return distance_map_png(
+      {surface.vertices_mm, surface.faces, distances, round_range_mm(2.0 * fit.rms_mm),
+       std::filesystem::path(arguments.closed).filename().string() + " against the fitted valve",
+       "rms " + fixed(fit.rms_mm, 3) + " mm; research software, not a medical device"});
+}
+
+int run(FitArguments arguments) {
+  for (const std::string& output : {arguments.output, arguments.picture})
+    if (const int failed = check_output(output)) return failed;
+  const Expected<Valve> valve = read_any_valve_argument(arguments.valve);
+  if (!valve) return report_errors(arguments.valve, valve.errors());
+  const Expected<LeafletMesh> read = read_surface(arguments.closed);
+  if (!read) return report_errors(arguments.closed, read.errors());
+  const Expected<LeafletMesh> surface = placed(*read, *valve, arguments);
+  if (!surface) return report_errors(arguments.valve, surface.errors());
+  for (const std::string& known : arguments.known) {
+    FitUnknowns& unknowns = arguments.options.unknowns;
+    (known == "slack"        ? unknowns.slack
+     : known == "tips"       ? unknowns.tips
+     : known == "prestretch" ? unknowns.prestretch
+                             : unknowns.hidden) = false;
+  }
+  const MeasuredClosure measured{surface->vertices_mm, arguments.side, arguments.leak_mm2,
+                                 arguments.leak_sd_mm2};
+  Expected<ValveFit> fit = Error{};
+  {
+    const ProgressBar bar;
+    const std::atomic<bool>& interrupted = catch_interrupts();
+    arguments.options.progress = [&](int round, double rms_mm) {
+      bar.show(round, 2 * arguments.options.most_rounds,
+               "rounds at most, rms " + fixed(rms_mm, 3) + " mm");
+      return !interrupted;
+    };
+    fit = fit_valve(*valve, measured, arguments.options);
+  }
+  if (!fit)
+    return report_option_errors(
+        "fit", fit.errors(),
+        {{"/points_mm", "--closed"}, {"/leak_mm2", "--leak"}, {"/unknowns", "--known"}});
+  Valve fitted = fit->closed.valve;
+  fitted.provenance.push_back(provenance(*fit, arguments.closed));
+  if (const int failed = write_output(arguments.output, write_valve(fitted))) return failed;
+  if (!arguments.picture.empty())
+    if (const int failed = write_output(arguments.picture, map_png(*surface, *fit, arguments)))
+      return failed;
+  if (arguments.json)
+    std::cout << fit_to_json(*fit, {arguments.valve, arguments.closed, measured}).dump(2) << '\n';
+  else
+    print_fit(std::cout, *fit, measured);
+  return fit->finished ? exit_code::kOk : exit_code::kNotClosed;
+}
+
+}  // namespace
+
+void add_fit(Command parent, int& status) {
+  const auto arguments = std::make_shared<FitArguments>();
+  FitOptions& options = arguments->options;
+  FitUnknowns& unknowns = options.unknowns;
+  Command command = parent.add_command(
+      "fit", "Fit chordae, papillary tips and tissue of a valve to its closed state as imaged");
+  command.add_option("valve", arguments->valve, kValveHelp).required();
+  command
+      .add_option(
+          "--closed", arguments->closed,
+          "The closed leaflets as imaged: a mesh (OBJ, PLY, STL, VTK, VTU) or points (CSV), "
+          "millimetres")
+      .required();
+  command.add_option("-o,--output", arguments->output, "File for the fitted valve")
+      .required()
+      .check({refuse_standard_output, "FILE"});
+  const std::map<std::string, MeasuredSide> sides = {{"atrial", MeasuredSide::Atrial},
+                                                     {"middle", MeasuredSide::Middle}};
+  command
+      .add_choice("--side", arguments->side, sides,
+                  "What the surface is: atrial (default), the leaflets' atrial side; middle, their "
+                  "mid-surface")
+      .show_argument("SIDE");
+  const std::map<std::string, SurfaceFrame> frames = {{"patient", SurfaceFrame::Patient},
+                                                      {"valve", SurfaceFrame::Valve}};
+  command
+      .add_choice("--frame", arguments->frame, frames,
+                  "Of the surface: patient (LPS; default where the valve knows it) or valve")
+      .show_argument("FRAME");
+  command
+      .add_option("--leak", arguments->leak_mm2,
+                  "Regurgitant orifice as imaged, mm2; an anatomic area, not one by PISA")
+      .check(number_from(0.0, 2000.0));
+  command.add_option("--leak-sd", arguments->leak_sd_mm2, "How well it is known, mm2")
+      .check(number_from(0.01, 1000.0))
+      .show_default();
+  command
+      .add_option(
+          "--known", arguments->known,
+          "Keep as they are: slack (lengths of chordae), tips, prestretch, hidden (height of "
+          "the leaflets in coaptation)")
+      .one_of({"slack", "tips", "prestretch", "hidden"})
+      .count(1, 4);
+  command
+      .add_option("--slack-sd", unknowns.slack_sd,
+                  "How well lengths of chordae are known before, share of the length")
+      .check(number_from(0.001, 0.2))
+      .show_default();
+  command
+      .add_option("--tip-sd", unknowns.tip_sd_mm,
+                  "How well each coordinate of the tips is known before, mm")
+      .check(number_from(0.01, 10.0))
+      .show_default();
+  command
+      .add_option("--hidden-sd", unknowns.hidden_sd_mm,
+                  "How well the hidden height is known before, mm")
+      .check(number_from(0.01, 5.0))
+      .show_default();
+  command.add_option("--points", options.most_points, "Points used of the surface, at most")
+      .check(number_from(100, 100000))
+      .show_default();
+  command.add_option("--rounds", options.most_rounds, "Rounds of either pass, at most")
+      .check(number_from(1, 1000))
+      .show_default();
+  add_membrane_option(command, options.closure.membrane);
+  command.add_option("--threads", options.threads, "0: all cores; does not change the answer")
+      .check(number_from(0, 1024))
+      .show_default();
+  command.add_option("--map", arguments->picture, "Picture of what distance is left (PNG; meshes)")
+      .check({refuse_standard_output, "FILE"});
+  command.add_flag("--json", arguments->json, "Print JSON (coapt.fit/1)");
+  command.footer(
+      "The fit changes what images do not show, each within three standard deviations of what is\n"
+      "assumed of it: lengths of chordae by group and muscle, places of the papillary tips, the\n"
+      "prestretch of tissue in vivo, and how far the leaflets reach below the line where they "
+      "meet.\n"
+      "It says how well each is known afterwards, and what the data cannot tell. Exit code 3 if "
+      "it\n"
+      "was stopped before it came to rest.\n\n"
+      "Examples:\n"
+      "  coapt fit valve.json --closed systole.stl -o fitted.json --map residual.png\n"
+      "  coapt fit valve.json --closed systole.vtk --leak 35 --leak-sd 10 -o fitted.json --json\n"
+      "  coapt fit valve.json --closed points.csv --frame valve --known tips hidden -o "
+      "fitted.json");
+  command.on_run([arguments, command, &status] {
+    arguments->frame_given = command.has("--frame");
+    status = run(*arguments);
+  });
+}
+
+}  // namespace coapt

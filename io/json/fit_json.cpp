@@ -1,0 +1,72 @@
+#include "io/json/fit_json.h"
+
+#include <cmath>
+
+#include "io/json/result_json.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json parameters_json(const ValveFit& fit) {
+  ordered_json all = ordered_json::array();
+  for (const FittedParameter& fitted : fit.parameters) {
+    const FitParameter& parameter = fitted.parameter;
+    all.push_back({{"name", parameter.name},
+                   {"unit", parameter.unit},
+                   {"value", fitted.value},
+                   {"sd", fitted.sd},
+                   {"prior", parameter.prior},
+                   {"prior_sd", parameter.prior_sd},
+                   {"identifiable", fitted.identifiable}});
+  }
+  return all;
+}
+
+ordered_json correlations_json(const Eigen::MatrixXd& covariance) {
+  ordered_json rows = ordered_json::array();
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+    ordered_json row = ordered_json::array();
+    for (Eigen::Index j = 0; j < covariance.cols(); ++j)
+      row.push_back(covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j)));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+ordered_json leak_json(const ValveFit& fit, const MeasuredClosure& measured) {
+  ordered_json leak = {
+      {"before", leak_mm2(fit.before.measure)}, {"fitted", fit.leak.mm2}, {"sd", fit.leak.sd_mm2}};
+  if (measured.leak_mm2) {
+    leak["given"] = *measured.leak_mm2;
+    leak["given_sd"] = measured.leak_sd_mm2;
+  }
+  return leak;
+}
+
+}  // namespace
+
+ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files) {
+  const bool atrial = files.measured.side == MeasuredSide::Atrial;
+  return {{"schema", "coapt.fit/1"},
+          {"version", version()},
+          {"notice", kResearchNotice},
+          {"valve", files.valve},
+          {"closed", files.closed},
+          {"side", atrial ? "atrial" : "middle"},
+          {"rms_mm", fit.rms_mm},
+          {"rms_before_mm", fit.rms_before_mm},
+          {"points",
+           {{"given", files.measured.points_mm.rows()},
+            {"used", fit.points_mm.rows()},
+            {"independent", fit.independent_points}}},
+          {"leak_mm2", leak_json(fit, files.measured)},
+          {"parameters", parameters_json(fit)},
+          {"correlations", correlations_json(fit.covariance)},
+          {"rounds", fit.rounds},
+          {"closures", fit.closures},
+          {"finished", fit.finished}};
+}
+
+}  // namespace coapt

@@ -1,0 +1,20 @@
+// What a fit of a valve to its measured closed state answers, as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "search/fit/fit.h"
+
+namespace coapt {
+
+/// What a command was given.
+struct FittedFiles {
+  std::string valve, closed;
+  MeasuredClosure measured;
+};
+
+/// coapt.fit/1. Keys that scripts rely on: rms_mm, parameters[] (name, value, sd, identifiable).
+nlohmann::ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files);
+
+}  // namespace coapt

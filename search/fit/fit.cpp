@@ -1,0 +1,123 @@
+#include "search/fit/fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/valve/number_text.h"
+#include "search/evaluator.h"
+#include "search/fit/correlated_noise.h"
+#include "search/fit/fit_posterior.h"
+#include "search/fit/fit_problem.h"
+#include "search/least_squares.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kLeastPoints = 100;
+constexpr double kMostAway_mm = 15.0;  // of the median point from the valve as given
+constexpr int kPasses = 2;
+constexpr double kFirstNoise_mm = 0.5, kLeastNoise_mm = 0.01;
+constexpr double kFirstShare = 0.1;  // of points that are independent
+constexpr double kIdentified = 0.5;
+// Of the variance of fitted values over that of the linearised posterior, in 20 twins (coapt-lab chart twins; 20 others
+// judge it): residuals of a fit are less alike than the errors that it has absorbed, and the mesh adds its own.
+constexpr double kDiscrepancy = 3.5;
+
+double rms(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// What cannot be fitted at all.
+Errors check(const MeasuredClosure& measured, const FitProblem& problem, const Points& points_mm,
+             const ClosedValve& before) {
+  if (problem.parameters().empty())
+    return {
+        Error{ErrorCode::OutOfRange, "/unknowns", "is everything known: there is nothing to fit"}};
+  if (points_mm.rows() < kLeastPoints)
+    return {Error{ErrorCode::OutOfRange, "/points_mm",
+                  "has " + std::to_string(points_mm.rows()) + " points, must be at least " +
+                      std::to_string(kLeastPoints)}};
+  if (!points_mm.allFinite())
+    return {Error{ErrorCode::OutOfRange, "/points_mm", "has coordinates that are not finite"}};
+  if (measured.leak_mm2 && !(*measured.leak_mm2 >= 0.0 && *measured.leak_mm2 <= 2000.0))
+    return {Error{ErrorCode::OutOfRange, "/leak_mm2",
+                  "is " + shown(*measured.leak_mm2) + " mm2, must be from 0 to 2000 mm2"}};
+  if (!trusted(before.closure))
+    return {Error{ErrorCode::BadGeometry, "",
+                  "does not close without leaflets passing through each other: no distances"}};
+  std::vector<double> distances = problem.answer_of(before).distances_mm;
+  for (double& distance : distances) distance = std::abs(distance);
+  const auto middle = distances.begin() + std::ssize(distances) / 2;
+  std::nth_element(distances.begin(), middle, distances.end());
+  if (*middle > kMostAway_mm)
+    return {Error{ErrorCode::BadGeometry, "/points_mm",
+                  "is " + with_decimals(*middle, 0) +
+                      " mm from the closed valve in the median, must be within 15 mm: is it in the "
+                      "same frame and in millimetres?"}};
+  return {};
+}
+
+}  // namespace
+
+Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured,
+                             const FitOptions& options) {
+  ValveFit fit;
+  fit.points_mm = thinned(measured.points_mm, options.most_points);
+  FitProblem problem(valve, measured, options, fit.points_mm);
+  fit.before = close_and_measure(valve, options.closure);
+  if (Errors errors = check(measured, problem, fit.points_mm, fit.before); !errors.empty())
+    return errors;
+  fit.rms_before_mm = rms(problem.answer_of(fit.before).distances_mm);
+
+  FitWeights weights{kFirstNoise_mm, kFirstShare * static_cast<double>(fit.points_mm.rows())};
+  Eigen::VectorXd point = problem.prior();
+  FitAnswer answer;
+  bool stopped = false;
+  for (int pass = 0; pass < kPasses && !stopped; ++pass) {
+    const ResidualsAt residuals = [&](const std::vector<Eigen::VectorXd>& points) {
+      const std::vector<FitAnswer> answers = problem.answers(points);
+      std::vector<Eigen::VectorXd> all;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        all.push_back(problem.residual(points[i], answers[i], weights));
+      return all;
+    };
+    LeastSquaresOptions fitting;
+    fitting.most_rounds = options.most_rounds;
+    fitting.progress = [&](int round, double cost) {
+      const double rms_mm = std::sqrt(cost / weights.independent) * weights.noise_mm;
+      stopped = options.progress && !options.progress(fit.rounds + round, rms_mm);
+      return !stopped;
+    };
+    const LeastSquaresFit found = fit_least_squares(residuals, point, fitting);
+    point = found.point;
+    fit.rounds += found.rounds;
+    fit.finished = !stopped && found.rounds < options.most_rounds;
+    answer = problem.answers({point}).front();
+    const CorrelatedNoise noise = correlated_noise(fit.points_mm, answer.distances_mm);
+    weights = {std::max(kLeastNoise_mm, noise.sd_mm), noise.independent / kDiscrepancy};
+  }
+
+  const std::vector<double> values = problem.values(point);
+  Expected<Valve> fitted = with_parameters(valve, problem.parameters(), values);
+  if (!fitted) return fitted.errors();
+  fit.closed = close_and_measure(*fitted, options.closure);
+  fit.distances_mm = answer.distances_mm;
+  fit.rms_mm = rms(fit.distances_mm);
+  fit.independent_points = weights.independent;
+  const FitPosterior posterior = posterior_at(problem, point, weights);
+  fit.covariance = posterior.covariance;
+  fit.leak = {answer.leak_mm2,
+              std::hypot(posterior.leak_sd_mm2, fit.closed.measure.error.leak_mm2)};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const double sd = std::sqrt(fit.covariance(at, at));
+    fit.parameters.push_back({problem.parameters()[i], values[i], sd,
+                              sd < kIdentified * problem.parameters()[i].prior_sd});
+  }
+  fit.closures = problem.closures() + 2;
+  return fit;
+}
+
+}  // namespace coapt

@@ -1,0 +1,69 @@
+// Fits what images do not show of a valve (fit_parameters.h) to its closed state as it was measured: a closed surface, and
+// the leak where that is known.
+//
+// Bounded Levenberg-Marquardt (least_squares.h) on distances from measured points to the closed model, kept near the
+// prior: sum of (distance / noise)^2 over as many points as are independent, plus sum of ((value - prior) / prior sd)^2.
+// Noise and number of independent points are those of the residuals, found in a first pass: neighbouring points err alike
+// (smoothing, mesh, what the model lacks), so that a thousand points may weigh as thirty. Standard deviations are those of
+// the linearised posterior, (J'J + prior)^-1 (Bard 1974, Nonlinear Parameter Estimation).
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/closed/closed_valve.h"
+#include "search/fit/fit_parameters.h"
+#include "search/fit/measured_surface.h"
+
+namespace coapt {
+
+struct MeasuredClosure {
+  Points points_mm;  ///< of the closed surface, in the valve's frame
+  MeasuredSide side = MeasuredSide::Atrial;
+  std::optional<double> leak_mm2;  ///< of its orifice, as leak_mm2() counts it
+  double leak_sd_mm2 = 3.0;        ///< how well that is known
+};
+
+struct FitOptions {
+  FitUnknowns unknowns;
+  ClosureOptions closure;
+  int most_points = 2000;  ///< [100, 100000]; more are thinned
+  int most_rounds = 30;    ///< of either pass
+  int threads = 0;         ///< 0: all cores
+  /// Rounds done of at most twice most_rounds, rms in mm; false stops.
+  std::function<bool(int, double)> progress;
+};
+
+struct FittedParameter {
+  FitParameter parameter;
+  double value = 0.0, sd = 0.0;
+  /// The data halve at least what was not known: sd below half the prior one.
+  bool identifiable = false;
+};
+
+/// A leak with the standard deviation that the parameters' leave it.
+struct FittedLeak {
+  double mm2 = 0.0, sd_mm2 = 0.0;
+};
+
+struct ValveFit {
+  ClosedValve before, closed;  ///< the valve as given and as fitted, closed
+  std::vector<FittedParameter> parameters;
+  Eigen::MatrixXd covariance;        ///< of the values
+  Points points_mm;                  ///< that were used
+  std::vector<double> distances_mm;  ///< of them, signed_distances_mm()
+  double rms_before_mm = 0.0, rms_mm = 0.0;
+  double independent_points = 0.0;
+  FittedLeak leak;
+  int rounds = 0, closures = 0;
+  bool finished = true;  ///< false: the limit of rounds or `progress` ended it
+};
+
+/// Deterministic, for any number of threads. Errors: "/points_mm" too few or far from the valve, "/leak_mm2", nothing unknown, a valve that does not close.
+/// @pre the valve is valid.
+Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured,
+                             const FitOptions& options);
+
+}  // namespace coapt

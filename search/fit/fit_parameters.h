@@ -1,0 +1,63 @@
+// What images do not show of a valve, as numbers that a fit may change: how slack the chordae are, where the papillary
+// tips are, how far the tissue is stretched in the unpressurised heart, how much of the leaflets hides in coaptation.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/valve/valve.h"
+
+namespace coapt {
+
+/// Chordae whose lengths change by one factor.
+struct ChordalGroup {
+  std::vector<int> chordae;  ///< into Valve::chordae
+};
+
+/// All heads of one muscle, along one axis of the valve's frame; lengths of chordae stay.
+struct TipPlace {
+  Side side = Side::Anterolateral;
+  int axis = 0;
+};
+
+/// Tissue::circumferential_prestretch or radial_prestretch.
+struct Prestretch {
+  bool radial = false;
+};
+
+/// Leaflet below half its height, which coaptation hides: longer by so much at the free edge, less above.
+struct HiddenHeight {
+  Points per_mm;  ///< |V| x 3, by which each vertex of Valve::rest_mm moves
+};
+
+struct FitParameter {
+  std::string name;  ///< "slack_anterior_AL", "tip_AL_x", ...
+  std::string unit;  ///< "mm" or "1"
+  double prior = 0.0, prior_sd = 0.0;
+  double lower = 0.0, upper = 0.0;  ///< that the fit keeps
+  std::variant<ChordalGroup, TipPlace, Prestretch, HiddenHeight> changes;
+};
+
+/// Which of them are unknown.
+struct FitUnknowns {
+  bool slack = true;
+  bool tips = true;
+  bool prestretch = true;  ///< of tissue whose reference is InVivo; an excised one has none
+  bool hidden = true;      ///< of mitral leaflets
+  double slack_sd = 0.06;  ///< of the factor; assumed
+  double tip_sd_mm = 1.0;  ///< of each coordinate: a tip that was seen in an echo; assumed
+  /// What peak strains of ovine anterior leaflets differ by: 5.0 +- 2.7 % and 7.8 +- 4.3 % (57 sheep, PMC3111015).
+  double circumferential_prestretch_sd = 0.027, radial_prestretch_sd = 0.043;
+  double hidden_sd_mm = 1.5;  ///< assumed
+};
+
+/// In the order slack, tips, prestretch, hidden. Bounds: three standard deviations, and where validate() would refuse.
+std::vector<FitParameter> fit_parameters(const Valve& valve, const FitUnknowns& unknowns);
+
+/// The valve with its parameters at these values. Errors: what validate() refuses.
+/// @pre values.size() == parameters.size(), which are the valve's.
+Expected<Valve> with_parameters(const Valve& valve, const std::vector<FitParameter>& parameters,
+                                const std::vector<double>& values);
+
+}  // namespace coapt

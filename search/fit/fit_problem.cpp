@@ -1,0 +1,86 @@
+#include "search/fit/fit_problem.h"
+
+#include <cmath>
+
+#include "search/evaluator.h"
+#include "search/parallel.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kOutlier_mm = 3.0;     // distances count as less and less beyond it
+constexpr double kUntrusted_mm = 10.0;  // distance of a valve that does not close
+
+/// Distances beyond kOutlier_mm count as little more than that (a point of another structure).
+double capped(double distance_mm) {
+  return distance_mm / std::hypot(1.0, distance_mm / kOutlier_mm);
+}
+
+}  // namespace
+
+FitProblem::FitProblem(const Valve& valve, const MeasuredClosure& measured,
+                       const FitOptions& options, const Points& points_mm)
+    : valve_(valve),
+      measured_(measured),
+      options_(options),
+      points_mm_(points_mm),
+      parameters_(fit_parameters(valve, options.unknowns)) {}
+
+Eigen::VectorXd FitProblem::prior() const {
+  Eigen::VectorXd at(std::ssize(parameters_));
+  for (Eigen::Index i = 0; i < at.size(); ++i) {
+    const FitParameter& p = parameters_[static_cast<std::size_t>(i)];
+    at(i) = (p.prior - p.lower) / (p.upper - p.lower);
+  }
+  return at;
+}
+
+std::vector<double> FitProblem::values(const Eigen::VectorXd& point) const {
+  std::vector<double> all;
+  for (Eigen::Index i = 0; i < point.size(); ++i) {
+    const FitParameter& p = parameters_[static_cast<std::size_t>(i)];
+    all.push_back(p.lower + point(i) * (p.upper - p.lower));
+  }
+  return all;
+}
+
+FitAnswer FitProblem::answer_of(const ClosedValve& closed) const {
+  return {signed_distances_mm(
+              points_mm_,
+              {closed.closure.closed_mm, closed.valve.faces, closed.valve.tissue.thickness_mm},
+              measured_.side),
+          leak_mm2(closed.measure)};
+}
+
+std::vector<FitAnswer> FitProblem::answers(const std::vector<Eigen::VectorXd>& points) {
+  std::vector<FitAnswer> all(points.size());
+  for_each_index(static_cast<int>(points.size()), options_.threads, [&](int at) {
+    FitAnswer& answer = all[static_cast<std::size_t>(at)];
+    const Expected<Valve> changed =
+        with_parameters(valve_, parameters_, values(points[static_cast<std::size_t>(at)]));
+    answer.distances_mm.assign(static_cast<std::size_t>(points_mm_.rows()), kUntrusted_mm);
+    if (!changed) return;
+    const ClosedValve closed = close_and_measure(*changed, options_.closure);
+    if (trusted(closed.closure)) answer = answer_of(closed);
+  });
+  closures_ += static_cast<int>(points.size());
+  return all;
+}
+
+Eigen::VectorXd FitProblem::residual(const Eigen::VectorXd& point, const FitAnswer& answer,
+                                     const FitWeights& weights) const {
+  const Eigen::Index n = points_mm_.rows(), m = point.size();
+  const double each = std::sqrt(weights.independent / static_cast<double>(n)) / weights.noise_mm;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(n + 1 + m);
+  for (Eigen::Index i = 0; i < n; ++i)
+    all(i) = each * capped(answer.distances_mm[static_cast<std::size_t>(i)]);
+  if (measured_.leak_mm2) all(n) = (answer.leak_mm2 - *measured_.leak_mm2) / measured_.leak_sd_mm2;
+  const std::vector<double> at = values(point);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const FitParameter& p = parameters_[static_cast<std::size_t>(i)];
+    all(n + 1 + i) = (at[static_cast<std::size_t>(i)] - p.prior) / p.prior_sd;
+  }
+  return all;
+}
+
+}  // namespace coapt

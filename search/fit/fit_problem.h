@@ -1,0 +1,51 @@
+// A fit as a problem of least squares: points of the unit cube in, residuals out.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "search/fit/fit.h"
+
+namespace coapt {
+
+/// A closed valve as the fit sees it.
+struct FitAnswer {
+  std::vector<double> distances_mm;  ///< of the measured points
+  double leak_mm2 = 0.0;
+};
+
+/// How residuals are weighed.
+struct FitWeights {
+  double noise_mm = 0.0;
+  double independent = 0.0;  ///< points
+};
+
+class FitProblem {
+ public:
+  /// All of these must outlive it; `points_mm` are those that are used.
+  FitProblem(const Valve& valve, const MeasuredClosure& measured, const FitOptions& options,
+             const Points& points_mm);
+
+  const std::vector<FitParameter>& parameters() const { return parameters_; }
+  int closures() const { return closures_; }
+
+  Eigen::VectorXd prior() const;  ///< in the cube
+  std::vector<double> values(const Eigen::VectorXd& point) const;
+
+  FitAnswer answer_of(const ClosedValve& closed) const;
+  std::vector<FitAnswer> answers(const std::vector<Eigen::VectorXd>& points);
+
+  /// Weighed distances, the leak, and how far each value is from its prior.
+  Eigen::VectorXd residual(const Eigen::VectorXd& point, const FitAnswer& answer,
+                           const FitWeights& weights) const;
+
+ private:
+  const Valve& valve_;
+  const MeasuredClosure& measured_;
+  const FitOptions& options_;
+  const Points& points_mm_;
+  std::vector<FitParameter> parameters_;
+  int closures_ = 0;
+};
+
+}  // namespace coapt

@@ -1,0 +1,109 @@
+#include "search/fit/fit_parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/presets/presets.h"
+#include "core/valve/leaflet_coordinates.h"
+
+namespace coapt {
+namespace {
+
+struct Example {
+  Valve valve;
+  std::vector<FitParameter> parameters;
+
+  std::vector<double> priors() const {
+    std::vector<double> values;
+    for (const FitParameter& parameter : parameters) values.push_back(parameter.prior);
+    return values;
+  }
+  std::size_t place(const std::string& name) const {
+    const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                    [&](const FitParameter& p) { return p.name == name; });
+    return static_cast<std::size_t>(found - parameters.begin());
+  }
+  Valve with(const std::string& name, double value) const {
+    std::vector<double> values = priors();
+    values.at(place(name)) = value;
+    Expected<Valve> changed = with_parameters(valve, parameters, values);
+    EXPECT_TRUE(changed) << name;
+    return *changed;
+  }
+};
+
+Example human() {
+  Valve valve = *make_preset("human-normal", 300);
+  std::vector<FitParameter> parameters = fit_parameters(valve, {});
+  return {std::move(valve), std::move(parameters)};
+}
+
+TEST(FitParameters, PriorsAreTheValveItself) {
+  const Example example = human();
+  const Expected<Valve> same = with_parameters(example.valve, example.parameters, example.priors());
+  ASSERT_TRUE(same);
+  EXPECT_EQ(same->rest_mm, example.valve.rest_mm);
+  EXPECT_EQ(same->chordae, example.valve.chordae);
+  EXPECT_EQ(same->tissue, example.valve.tissue);
+  EXPECT_LT((same->fibre - example.valve.fibre).norm(), 1e-12);
+}
+
+TEST(FitParameters, EveryChordaBelongsToOneGroup) {
+  const Example example = human();
+  std::vector<int> held(example.valve.chordae.size(), 0);
+  for (const FitParameter& parameter : example.parameters)
+    if (const auto* group = std::get_if<ChordalGroup>(&parameter.changes))
+      for (const int chorda : group->chordae) ++held[static_cast<std::size_t>(chorda)];
+  EXPECT_EQ(held, std::vector<int>(held.size(), 1));
+}
+
+TEST(FitParameters, SlackMakesTheGroupsPiecesLongerAndNoOthers) {
+  const Example example = human();
+  const Valve slack = example.with("slack_strut_AL", 1.1);
+  for (std::size_t c = 0; c < slack.chordae.size(); ++c) {
+    const Chorda &was = example.valve.chordae[c], &is = slack.chordae[c];
+    const bool of_group =
+        was.kind == ChordaKind::Strut &&
+        slack.heads[static_cast<std::size_t>(was.head)].side == Side::Anterolateral;
+    for (std::size_t s = 0; s < is.segments.size(); ++s)
+      EXPECT_DOUBLE_EQ(is.segments[s].rest_length_mm,
+                       (of_group ? 1.1 : 1.0) * was.segments[s].rest_length_mm);
+  }
+}
+
+TEST(FitParameters, ATipTakesAllHeadsOfItsMuscleAlong) {
+  const Example example = human();
+  const Valve moved = example.with("tip_PM_z", -2.0);
+  for (std::size_t h = 0; h < moved.heads.size(); ++h) {
+    const double by = moved.heads[h].side == Side::Posteromedial ? -2.0 : 0.0;
+    EXPECT_DOUBLE_EQ(moved.heads[h].tip_mm.z(), example.valve.heads[h].tip_mm.z() + by);
+    EXPECT_DOUBLE_EQ(moved.heads[h].tip_mm.x(), example.valve.heads[h].tip_mm.x());
+  }
+}
+
+TEST(FitParameters, HiddenHeightLengthensTheLeafletBelowItsMiddle) {
+  const Example example = human();
+  const Valve taller = example.with("hidden_anterior", 2.0);
+  const LeafletCoordinates at = leaflet_coordinates(example.valve);
+  double most = 0.0;
+  for (Eigen::Index v = 0; v < taller.rest_mm.rows(); ++v) {
+    const auto i = static_cast<std::size_t>(v);
+    const double moved = (taller.rest_mm.row(v) - example.valve.rest_mm.row(v)).norm();
+    if (at.height[i] <= 0.5 || at.around[i] >= 0.5) {
+      EXPECT_EQ(moved, 0.0);
+    }
+    most = std::max(most, moved);
+  }
+  EXPECT_NEAR(most, 2.0, 1e-3);  // at the free edge of A2
+}
+
+TEST(FitParameters, AnExcisedValveHasNoPrestretch) {
+  Valve valve = *make_preset("human-normal", 300);
+  valve.tissue.reference = TissueReference::Excised;
+  for (const FitParameter& parameter : fit_parameters(valve, {}))
+    EXPECT_FALSE(std::holds_alternative<Prestretch>(parameter.changes));
+}
+
+}  // namespace
+}  // namespace coapt

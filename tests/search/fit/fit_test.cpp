@@ -1,0 +1,96 @@
+#include "search/fit/fit.h"
+
+#include <gtest/gtest.h>
+
+#include "core/presets/presets.h"
+#include "core/valve/remodel.h"
+
+namespace coapt {
+namespace {
+
+FitOptions tips_alone() {
+  FitOptions options;
+  options.unknowns.slack = options.unknowns.prestretch = options.unknowns.hidden = false;
+  return options;
+}
+
+/// The closed vertices of the valve with its anterolateral tip 1 mm outwards and 1.5 mm apically.
+MeasuredClosure displaced(const Valve& valve) {
+  Remodelling change;
+  change.anterolateral_mm = Vec3(1.0, 0.0, 1.5);
+  const ClosedValve closed = close_and_measure(*remodel(valve, change));
+  return {closed.closure.closed_mm, MeasuredSide::Middle, {}, 3.0};
+}
+
+TEST(Fit, FindsTheTipsOfAClosedStateThatItsModelCanReach) {
+  const Valve valve = *make_preset("human-functional-mr", 300);
+  const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), tips_alone());
+  ASSERT_TRUE(fit);
+  EXPECT_TRUE(fit->finished);
+  EXPECT_GT(fit->rms_before_mm, 0.3);
+  EXPECT_LT(fit->rms_mm, 0.05);
+  const std::vector<double> truth = {-1.0, 0.0, -1.5, 0.0, 0.0, 0.0};
+  ASSERT_EQ(fit->parameters.size(), truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    EXPECT_NEAR(fit->parameters[i].value, truth[i], 0.15) << fit->parameters[i].parameter.name;
+    EXPECT_GT(fit->parameters[i].sd, 0.0);
+  }
+}
+
+TEST(Fit, IsTheSameForAnyNumberOfThreads) {
+  const Valve valve = *make_preset("human-functional-mr", 200);
+  FitOptions options = tips_alone();
+  options.most_rounds = 3;
+  options.threads = 1;
+  const Expected<ValveFit> one = fit_valve(valve, displaced(valve), options);
+  options.threads = 3;
+  const Expected<ValveFit> three = fit_valve(valve, displaced(valve), options);
+  ASSERT_TRUE(one);
+  ASSERT_TRUE(three);
+  EXPECT_EQ(one->distances_mm, three->distances_mm);
+  EXPECT_EQ(one->covariance, three->covariance);
+  EXPECT_EQ(one->closed.valve.heads[0].tip_mm, three->closed.valve.heads[0].tip_mm);
+}
+
+TEST(Fit, SaysWhatTheDataCannotTell) {
+  const Valve valve = *make_preset("human-normal", 200);
+  FitOptions options = tips_alone();
+  options.unknowns.tip_sd_mm = 0.01;  // known better than any surface tells
+  options.most_rounds = 3;
+  const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), options);
+  ASSERT_TRUE(fit);
+  for (const FittedParameter& fitted : fit->parameters) EXPECT_FALSE(fitted.identifiable);
+}
+
+TEST(Fit, StopsWhereItIsToldTo) {
+  const Valve valve = *make_preset("human-functional-mr", 200);
+  FitOptions options = tips_alone();
+  options.progress = [](int, double) { return false; };
+  const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), options);
+  ASSERT_TRUE(fit);
+  EXPECT_FALSE(fit->finished);
+}
+
+TEST(Fit, RefusesWhatCannotBeFitted) {
+  const Valve valve = *make_preset("human-normal", 200);
+  const auto path_of = [&](const MeasuredClosure& measured, const FitOptions& options) {
+    const Expected<ValveFit> fit = fit_valve(valve, measured, options);
+    return fit ? std::string("fitted") : fit.errors().front().path;
+  };
+  const MeasuredClosure good = displaced(valve);
+  MeasuredClosure few = good, away = good, leak = good, broken = good;
+  few.points_mm.conservativeResize(20, 3);
+  away.points_mm.col(0).array() += 100.0;
+  leak.leak_mm2 = std::nan("");
+  broken.points_mm(3, 1) = std::nan("");
+  EXPECT_EQ(path_of(few, tips_alone()), "/points_mm");
+  EXPECT_EQ(path_of(away, tips_alone()), "/points_mm");
+  EXPECT_EQ(path_of(broken, tips_alone()), "/points_mm");
+  EXPECT_EQ(path_of(leak, tips_alone()), "/leak_mm2");
+  FitOptions nothing = tips_alone();
+  nothing.unknowns.tips = false;
+  EXPECT_EQ(path_of(good, nothing), "/unknowns");
+}
+
+}  // namespace
+}  // namespace coapt
