@@ -29,7 +29,7 @@ lab/comparators  : core
 lab/rivals       : core
 lab/closures     : core search io
 lab/lattices     : core search io lab/rivals
-lab/verdicts     : core search
+lab/verdicts     : core search lab/closures
 lab/twins        : core search lab/closures
 lab/charts       : core search io lab/closures
 lab/cli          : core search io clients/cli lab

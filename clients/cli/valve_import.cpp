@@ -19,7 +19,8 @@ namespace {
 
 struct ValveImportArguments {
   std::vector<std::string> leaflets;
-  std::string annulus, chordae, slicerheart, abaqus;
+  std::string annulus, chordae, slicerheart, abaqus, tips;
+  int seed = 1;
   LengthUnit units = LengthUnit::Millimetre;  // if given
   std::string name;
   std::vector<std::string> provenance;
@@ -37,6 +38,8 @@ int read_part(const std::string& path, const Parse& parse, T& value) {
   value = *std::move(parsed);
   return exit_code::kOk;
 }
+
+constexpr const char* kSynthesise = "synthesise";
 
 /// The files of a folder that a valve can be made of, in the order of their names.
 Expected<std::vector<NamedFile>> read_folder(const std::string& path) {
@@ -64,7 +67,10 @@ int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
                                         {arguments.annulus.empty(), "--annulus"},
                                         {arguments.chordae.empty(), "--chordae"}}) {
     if (!missing) continue;
-    std::cerr << "coapt: valve import: " << option << " is required (or --slicerheart)\n";
+    std::cerr << "coapt: valve import: " << option << " is required (or --slicerheart)"
+              << (arguments.chordae.empty() ? "; --chordae synthesise draws chordae that were not "
+                                              "seen from anatomy\n"
+                                            : "\n");
     return exit_code::kBadInput;
   }
   for (const std::string& path : arguments.leaflets) {
@@ -74,6 +80,7 @@ int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
   if (const int failed = read_part(arguments.annulus, read_closed_loop, source.annulus_mm)) {
     return failed;
   }
+  if (arguments.chordae == kSynthesise) return exit_code::kOk;
   return read_part(arguments.chordae, read_chordae, source.chordae);
 }
 
@@ -98,9 +105,21 @@ int run(const ValveImportArguments& arguments) {
   if (!arguments.abaqus.empty()) return run_abaqus(arguments);
   ImportSource source;
   const bool folder = !arguments.slicerheart.empty();
+  const bool synthesises = arguments.chordae == kSynthesise;
+  if (folder && !synthesises && !arguments.chordae.empty()) {
+    std::cerr << "coapt: valve import: --chordae takes only synthesise with --slicerheart\n";
+    return exit_code::kBadInput;
+  }
+  if (!synthesises && !arguments.tips.empty()) {
+    std::cerr << "coapt: valve import: --tips takes --chordae synthesise: chordae that were seen "
+                 "begin at their tips\n";
+    return exit_code::kBadInput;
+  }
   if (const int failed =
           folder ? read_slicerheart_folder(arguments, source) : read_parts(arguments, source))
     return failed;
+  if (!arguments.tips.empty())
+    if (const int failed = read_part(arguments.tips, read_tips, source.tips)) return failed;
   source.name = arguments.name;
   source.provenance.insert(source.provenance.begin(), arguments.provenance.begin(),
                            arguments.provenance.end());
@@ -108,7 +127,10 @@ int run(const ValveImportArguments& arguments) {
   if (!valve) {
     if (folder) return report_errors(arguments.slicerheart, valve.errors());
     return report_option_errors("valve import", valve.errors(),
-                                {{"/leaflets", "--leaflet"}, {"/annulus_mm", "--annulus"}});
+                                {{"/leaflets", "--leaflet"},
+                                 {"/annulus_mm", "--annulus"},
+                                 {"/tips", "--tips"},
+                                 {"/tips_mm", "--tips"}});
   }
   return write_output(arguments.output, write_valve(*valve));
 }
@@ -126,13 +148,22 @@ void add_valve_import(Command parent, int& status) {
       .count(1, 2);
   command.add_option("--annulus", arguments->annulus,
                      "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json)");
-  command.add_option("--chordae", arguments->chordae, "Insertions and papillary tips, CSV or JSON");
+  command.add_option(
+      "--chordae", arguments->chordae,
+      "Insertions and papillary tips, CSV or JSON; or the word synthesise: drawn from "
+      "anatomy, because images show none");
+  command.add_option("--seed", arguments->seed, "Of synthesised chordae; 0: the mean anatomy")
+      .check(number_from(0, 2147483647))
+      .show_default();
+  command.add_option(
+      "--tips", arguments->tips,
+      "Papillary tips that were seen, for synthesised chordae: CSV of papillary,x,y,z "
+      "lines (papillary AL or PM) or points of Slicer labelled so (.mrk.json)");
   command
       .add_option("--slicerheart", arguments->slicerheart,
                   "Folder that SlicerHeart's ValveFemExport or `coapt export` wrote, instead")
       .excludes("--leaflet")
-      .excludes("--annulus")
-      .excludes("--chordae");
+      .excludes("--annulus");
   command
       .add_option(
           "--abaqus", arguments->abaqus,
@@ -179,12 +210,16 @@ void add_valve_import(Command parent, int& status) {
       "Examples:\n"
       "  coapt valve import --leaflet anterior.obj posterior.obj --annulus annulus.csv \\\n"
       "    --chordae chordae.csv --triangles 1400 -o valve.json\n\n"
+      "Images that show no chordae, and perhaps no papillary tips:\n"
+      "  coapt valve import --leaflet anterior.stl posterior.stl --annulus annulus.mrk.json \\\n"
+      "    --chordae synthesise --seed 1 --tips tips.csv -o valve.json\n\n"
       "A folder holds the leaflets and the chordae as .vtk (chordae as lines, or as .csv tables),\n"
       "the annulus as a closed curve and the papillary tips, labelled AL and PM, as .mrk.json:\n"
       "  coapt valve import --slicerheart FEM-model/ -o valve.json\n\n"
       "A model of another code becomes a coapt.valve/2, which `coapt close` closes:\n"
       "  coapt valve import --abaqus Healthy_QuasiStatic.inp -o trivalve.json");
   command.on_run([arguments, command, &status] {
+    if (arguments->chordae == kSynthesise) arguments->options.chordae_seed = arguments->seed;
     if (command.has("--units")) arguments->options.units = arguments->units;
     status = run(*arguments);
   });

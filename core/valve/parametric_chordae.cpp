@@ -27,32 +27,7 @@ constexpr double kLineDepth = 0.36;   // free edge below the annulus there, shar
 constexpr double kLineWidth = 0.8;    // of the half-width of the annulus at the commissures
 constexpr double kDiameter_mm = 1.0;  // thesis table 2.1
 
-struct Site {
-  double around = 0.0, height = 1.0;  // as LeafletCoordinates, for the posteromedial side
-};
-
-struct Group {
-  ChordaKind kind = ChordaKind::Marginal;
-  int head = 0;     // 0 anterior, 1 middle, 2 posterior
-  Segment segment;  // that holds its middle; named here, because cells end elsewhere on every mesh
-  std::vector<Site> sites;
-};
-
-/// The posteromedial half of the valve; `around` of 0 is its commissure, positive anterior.
-std::vector<Group> posteromedial_groups() {
-  using enum ChordaKind;
-  using enum Segment;
-  return {{Marginal, 0, A2, {{0.233, 1.0}, {0.200, 1.0}, {0.167, 1.0}}},
-          {Marginal, 0, A3, {{0.133, 1.0}, {0.100, 1.0}, {0.067, 1.0}}},
-          {Marginal, 1, PC, {{0.033, 1.0}, {0.0, 1.0}, {-0.033, 1.0}}},
-          {Marginal, 2, P3, {{-0.067, 1.0}, {-0.100, 1.0}, {-0.133, 1.0}}},
-          {Marginal, 2, P2, {{-0.167, 1.0}, {-0.200, 1.0}, {-0.233, 1.0}}},
-          {Strut, 0, A2, {{0.175, 0.55}, {0.145, 0.55}}},
-          {Basal, 2, P3, {{-0.085, 0.5}}},
-          {Basal, 2, P2, {{-0.185, 0.5}}}};
-}
-
-/// The same on the anterolateral side.
+/// On the other side of the midline.
 Segment mirrored(Segment segment) {
   switch (segment) {
     case Segment::A1:
@@ -77,7 +52,7 @@ Segment mirrored(Segment segment) {
 double wrap(double around) { return around - std::floor(around); }
 
 /// Barycentric point of the structured skirt at (around, height).
-Insertion insertion_at(const SkirtGrid& grid, const Valve& valve, const Site& site) {
+Insertion insertion_at(const SkirtGrid& grid, const Valve& valve, const ChordaSite& site) {
   const double around = wrap(site.around);
   int i = grid.stations - 1;
   while (i > 0 && grid.around[i] > around) --i;
@@ -115,7 +90,7 @@ Insertion insertion_at(const SkirtGrid& grid, const Valve& valve, const Site& si
 /// Where a free-edge point is expected in the closed valve: on a smile-shaped line behind the
 /// centre, farther behind if the tips are. Expected in front of its muscle it would get a chorda so
 /// long that it swings back and up to the annulus, and the leaflet billows.
-Vec3 closed_free_edge(const Valve& valve, const Site& site, const Vec3& muscle) {
+Vec3 closed_free_edge(const Valve& valve, const ChordaSite& site, const Vec3& muscle) {
   const Vec3 medial = annulus_position_mm(valve, valve.landmarks.posteromedial_commissure);
   const Vec3 lateral = annulus_position_mm(valve, valve.landmarks.anterolateral_commissure);
   const Vec3 peak = annulus_position_mm(valve, valve.landmarks.saddle_peak);
@@ -134,16 +109,16 @@ Vec3 closed_free_edge(const Valve& valve, const Site& site, const Vec3& muscle) 
   return edge;
 }
 
-Chorda make_chorda(const SkirtGrid& grid, const Valve& valve, const Group& group, int head,
-                   const std::string& id) {
+Chorda make_chorda(const InsertionAt& insertion_at, const Valve& valve, const ChordaGroup& group,
+                   int head, const std::string& id) {
   const Vec3 tip = valve.heads[head].tip_mm;
   const Vec3 muscle = papillary_tip_mm(valve, valve.heads[head].side);
   Chorda chorda{id, group.kind, head, false, {}};
   std::vector<Insertion> insertions;
   std::vector<Vec3> ends;
   Vec3 rest_mean = Vec3::Zero(), mean = Vec3::Zero();
-  for (const Site& site : group.sites) {
-    insertions.push_back(insertion_at(grid, valve, site));
+  for (const ChordaSite& site : group.sites) {
+    insertions.push_back(insertion_at(site));
     const Vec3 rest = position(insertions.back(), valve.faces, valve.rest_mm);
     ends.push_back(group.kind == ChordaKind::Marginal ? closed_free_edge(valve, site, muscle)
                                                       : tip + kBasalSlack * (rest - tip));
@@ -194,24 +169,47 @@ std::vector<int> add_heads(const Points& tips_mm, Side side, Valve& valve) {
 
 }  // namespace
 
-void add_parametric_chordae(const SkirtGrid& grid, const Points& tips_mm, Valve& valve) {
-  for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
-    const std::vector<int> heads = add_heads(tips_mm, side, valve);
-    int number = 0;
-    for (Group group : posteromedial_groups()) {
-      if (side == Side::Anterolateral)
-        for (Site& site : group.sites) site.around = 0.5 - site.around;
-      for (Site& site : group.sites) site.around = wrap(site.around);
-      const std::size_t last = heads.size() - 1;
-      const int head = heads[group.head == 0 ? 0 : group.head == 2 ? last : last / 2];
-      const Segment at = side == Side::Anterolateral ? mirrored(group.segment) : group.segment;
-      ++number;
-      valve.chordae.push_back(make_chorda(grid, valve, group, head,
-                                          valve.heads[head].id + "-" + to_string(at) + "-" +
-                                              to_string(group.kind) + "-" +
-                                              std::to_string(number)));
-    }
+std::vector<ChordaGroup> parametric_groups() {
+  using enum ChordaKind;
+  using enum Segment;
+  return {{Marginal, 0, A2, {{0.233, 1.0}, {0.200, 1.0}, {0.167, 1.0}}},
+          {Marginal, 0, A3, {{0.133, 1.0}, {0.100, 1.0}, {0.067, 1.0}}},
+          {Marginal, 1, PC, {{0.033, 1.0}, {0.0, 1.0}, {-0.033, 1.0}}},
+          {Marginal, 2, P3, {{-0.067, 1.0}, {-0.100, 1.0}, {-0.133, 1.0}}},
+          {Marginal, 2, P2, {{-0.167, 1.0}, {-0.200, 1.0}, {-0.233, 1.0}}},
+          {Strut, 0, A2, {{0.175, 0.55}, {0.145, 0.55}}},
+          {Basal, 2, P3, {{-0.085, 0.5}}},
+          {Basal, 2, P2, {{-0.185, 0.5}}}};
+}
+
+ChordaGroup mirrored(ChordaGroup group) {
+  for (ChordaSite& site : group.sites) site.around = wrap(0.5 - site.around);
+  group.segment = mirrored(group.segment);
+  return group;
+}
+
+void add_muscle(const Points& tips_mm, Side side, const std::vector<ChordaGroup>& groups,
+                const InsertionAt& insertion_at, Valve& valve) {
+  const std::vector<int> heads = add_heads(tips_mm, side, valve);
+  const std::size_t last = heads.size() - 1;
+  int number = 0;
+  for (const ChordaGroup& group : groups) {
+    const int head = heads[group.head == 0 ? 0 : group.head == 2 ? last : last / 2];
+    ++number;
+    valve.chordae.push_back(make_chorda(insertion_at, valve, group, head,
+                                        valve.heads[head].id + "-" + to_string(group.segment) +
+                                            "-" + to_string(group.kind) + "-" +
+                                            std::to_string(number)));
   }
+}
+
+void add_parametric_chordae(const SkirtGrid& grid, const Points& tips_mm, Valve& valve) {
+  const auto on_grid = [&](const ChordaSite& site) { return insertion_at(grid, valve, site); };
+  const std::vector<ChordaGroup> medial = parametric_groups();
+  std::vector<ChordaGroup> lateral;
+  for (const ChordaGroup& group : medial) lateral.push_back(mirrored(group));
+  add_muscle(tips_mm, Side::Anterolateral, lateral, on_grid, valve);
+  add_muscle(tips_mm, Side::Posteromedial, medial, on_grid, valve);
 }
 
 }  // namespace coapt

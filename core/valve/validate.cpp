@@ -213,6 +213,11 @@ void check_patient(const Valve& valve, ProblemList& problems) {
                 kPatientMm, " mm");
 }
 
+void check_drawn(const Valve& valve, ProblemList& problems) {
+  if (valve.drawn_chordae)
+    check_range(problems, "/drawn_chordae/seed", valve.drawn_chordae->seed, {0, 2147483647});
+}
+
 }  // namespace
 
 bool check_points(const Points& points, const std::string& path, ProblemList& problems) {
@@ -239,6 +244,7 @@ ProblemList problems_in(const Valve& valve) {
   check_heads(valve, problems);
   check_chordae(valve, problems);
   check_patient(valve, problems);
+  check_drawn(valve, problems);
   return problems;
 }
 

@@ -116,6 +116,14 @@ struct PatientFrame {
   bool operator==(const PatientFrame&) const = default;
 };
 
+/// Chordae that nobody has seen (core/presets/synthetic_chordae.h).
+struct DrawnChordae {
+  int seed = 0;             ///< [0, 2147483647]; 0: the mean anatomy
+  bool tips_given = false;  ///< the papillary tips were seen; else they are drawn, too
+
+  bool operator==(const DrawnChordae&) const = default;
+};
+
 /// Face normals (counter-clockwise winding) point to the atrial surface of the leaflets, and each
 /// annulus edge appears in its face in the direction of the annulus loop.
 struct Valve {
@@ -136,7 +144,8 @@ struct Valve {
   std::vector<PapillaryHead> heads;
   std::vector<Chorda> chordae;
   Tissue tissue;
-  double pressure_kpa = 16.0;           ///< transvalvular, peak systolic (120 mmHg)
+  double pressure_kpa = 16.0;                 ///< transvalvular, peak systolic (120 mmHg)
+  std::optional<DrawnChordae> drawn_chordae;  ///< none: they were seen, or belong to the model
   std::optional<PatientFrame> patient;  ///< none: it was not made from images, or nobody knows
 };
 

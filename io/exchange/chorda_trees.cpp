@@ -134,6 +134,14 @@ ImportedChorda chorda_of(const std::vector<TracedLine>& lines, const std::vector
 
 }  // namespace
 
+std::vector<ImportedTip> imported_tips(const std::vector<LabelledTip>& tips) {
+  std::vector<ImportedTip> imported;
+  for (const LabelledTip& tip : tips)
+    if (const std::optional<Side> side = side_of_label(tip.label))
+      imported.push_back({*side, tip.position_mm});
+  return imported;
+}
+
 std::vector<ImportedChorda> chorda_trees(const std::vector<TracedLine>& lines,
                                          const std::vector<LabelledTip>& tips,
                                          const ImportSource& source, ProblemList& problems) {

@@ -25,6 +25,9 @@ struct LabelledTip {
   std::optional<Vec3> pressed_mm;  ///< where it is under pressure, if that is told
 };
 
+/// Those whose label says the side.
+std::vector<ImportedTip> imported_tips(const std::vector<LabelledTip>& tips);
+
 /// Lines hang together where one begins within 1e-4 mm of where another ends. A line that begins at no other's
 /// end is a chorda's trunk, and its beginning a papillary tip. Its side: of the label of the nearest tip within
 /// 1 mm; without labels, by the leaflets: posteromedial is (to the anterior sheet) x (from tips to annulus). Problems: lines in a ring, a line that hangs on two

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/valve/problem_list.h"
+#include "io/exchange/chorda_trees.h"
 #include "io/exchange/markups.h"
 
 namespace coapt {
@@ -40,6 +41,21 @@ Expected<Points> read_closed_loop(std::string_view text, const std::string& form
   for (const Markup& markup : *markups)
     if (markup.type == MarkupType::ClosedCurve) return markup.points_mm;
   return Error{ErrorCode::MissingField, "/markups", "has no ClosedCurve"};
+}
+
+Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::string& format) {
+  if (format != "json") return read_tips_csv(text);
+  const Expected<std::vector<Markup>> markups = read_markups(text);
+  if (!markups) return markups.errors();
+  std::vector<LabelledTip> labelled;
+  for (const Markup& markup : *markups)
+    for (Eigen::Index i = 0; i < markup.points_mm.rows(); ++i)
+      labelled.push_back(
+          {Vec3(markup.points_mm.row(i)), markup.labels[static_cast<std::size_t>(i)], {}});
+  std::vector<ImportedTip> tips = imported_tips(labelled);
+  if (tips.empty())
+    return Error{ErrorCode::MissingField, "/markups", "has no point labelled AL or PM"};
+  return tips;
 }
 
 Expected<ImportSource> read_import_files(const ImportFiles& files) {

@@ -19,6 +19,9 @@ std::string format_of(const std::string& file_name);
 /// A closed loop. @param format "json": markups of Slicer, the first closed curve; else lines x,y,z
 Expected<Points> read_closed_loop(std::string_view text, const std::string& format);
 
+/// Papillary tips. @param format "json": markups of Slicer, points labelled AL or PM; else lines papillary,x,y,z.
+Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::string& format);
+
 /// For import_valve(). Errors: all problems of all files, with pointers that begin with /leaflets/0, /annulus or
 /// /chordae.
 Expected<ImportSource> read_import_files(const ImportFiles& files);

@@ -182,11 +182,11 @@ Expected<ImportSource> read_slicerheart(const std::vector<NamedFile>& files) {
   ImportSource source;
   choose_leaflets(found, source, problems);
   choose_annulus(found, source, problems);
-  if (found.lines.empty())
-    problems.add(ErrorCode::MissingField, "",
-                 "has no chordae: a .vtk of lines, or a .csv of index,x,y,z,x,y,z,name");
   if (!problems.empty()) return std::move(problems).take();
-  source.chordae = chorda_trees(found.lines, tips_of(found), source, problems);
+  if (found.lines.empty())
+    source.tips = imported_tips(tips_of(found));
+  else
+    source.chordae = chorda_trees(found.lines, tips_of(found), source, problems);
   if (!problems.empty()) return std::move(problems).take();
   source.provenance = {"SlicerHeart folder: " + std::to_string(source.leaflets.size()) +
                        " leaflet surfaces, " + std::to_string(found.lines.size()) +

@@ -115,7 +115,8 @@ ordered_json spread_json(const std::optional<ModelSpread>& spread) {
 ordered_json model_json(const SearchResult& result) {
   return {{"draws", result.model_draws},
           {"before", spread_json(result.before_under_draws)},
-          {"closures", result.model_closures}};
+          {"closures", result.model_closures},
+          {"chordae_drawn", result.draws_chordae}};
 }
 
 ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {

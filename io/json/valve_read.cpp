@@ -174,6 +174,13 @@ PatientFrame read_patient_frame(const JsonPlace& place) {
   return frame;
 }
 
+DrawnChordae read_drawn_chordae(const JsonPlace& place) {
+  DrawnChordae drawn;
+  read_fields(place, {{"seed", into(drawn.seed, read_integer)},
+                      {"tips_given", into(drawn.tips_given, read_boolean)}});
+  return drawn;
+}
+
 // Reads a list of what `read` returns into `target`.
 template <class T, class Read>
 std::function<void(const JsonPlace&)> list_into(std::vector<T>& target, Read read) {
@@ -200,6 +207,7 @@ Valve read_form(const JsonPlace& root) {
                {"landmarks", into(valve.landmarks, read_landmarks)},
                {"papillary_heads", list_into(valve.heads, read_head)},
                {"chordae", list_into(valve.chordae, read_chorda)},
+               {"drawn_chordae", into(valve.drawn_chordae, read_drawn_chordae), false},
                {"patient_frame", into(valve.patient, read_patient_frame), false}});
   return valve;
 }

@@ -160,6 +160,9 @@ ordered_json leaflet_valve_json(const Valve& valve) {
 
 std::string write_valve(const Valve& valve) {
   ordered_json json = is_mitral(valve) ? mitral_json(valve) : leaflet_valve_json(valve);
+  if (valve.drawn_chordae)
+    json["drawn_chordae"] = {{"seed", valve.drawn_chordae->seed},
+                             {"tips_given", valve.drawn_chordae->tips_given}};
   if (valve.patient) json["patient_frame"] = patient_frame_json(*valve.patient);
   std::string text = "{";
   const char* separator = "\n  ";

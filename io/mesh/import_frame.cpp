@@ -88,7 +88,34 @@ void check_annulus(const Points& annulus, ProblemList& problems) {
       "has a circumference of " + shown(length) + " mm" + unit + " must be from 30 to 400 mm");
 }
 
+/// Of a source whose chordae are drawn.
+void check_tips(const ImportSource& source, ProblemList& problems) {
+  bool lateral = false, medial = false;
+  for (std::size_t i = 0; i < source.tips.size(); ++i) {
+    (source.tips[i].side == Side::Anterolateral ? lateral : medial) = true;
+    if (!source.tips[i].position_mm.allFinite())
+      problems.add(ErrorCode::OutOfRange, at("/tips", static_cast<std::ptrdiff_t>(i)),
+                   "must have finite coordinates");
+  }
+  if (!source.chordae.empty())
+    problems.add(ErrorCode::OutOfRange, "/chordae", "must be none where chordae are drawn");
+  if (lateral != medial)
+    problems.add(ErrorCode::MissingField, "/tips",
+                 "must hold a tip of either papillary muscle, or none");
+  if (source.tips.empty() && source.leaflets.size() == 1)
+    problems.add(
+        ErrorCode::MissingField, "/tips",
+        "is empty: one skirt does not tell front from back; give the papillary tips, or an "
+        "anterior and a posterior sheet");
+}
+
 void check_chordae(const std::vector<ImportedChorda>& chordae, ProblemList& problems) {
+  if (chordae.empty()) {
+    problems.add(ErrorCode::MissingField, "/chordae",
+                 "is empty; chordae that were not seen can be drawn from anatomy "
+                 "(--chordae synthesise)");
+    return;
+  }
   if (chordae.size() > kMaxChordae) {
     problems.add(ErrorCode::OutOfRange, "/chordae", "has more than 2000 chordae");
     return;
@@ -146,15 +173,37 @@ Vec3 mean_by_arc(const Points& loop) {
   return sum / total;
 }
 
-Vec3 mean_tip(const std::vector<ImportedChorda>& chordae, Side side) {
+/// Tips that chordae start at, or that were seen alone.
+std::vector<ImportedTip> all_tips(const ImportSource& source) {
+  std::vector<ImportedTip> tips = source.tips;
+  for (const ImportedChorda& chorda : source.chordae) tips.push_back({chorda.side, chorda.tip_mm});
+  return tips;
+}
+
+Vec3 mean_tip(const std::vector<ImportedTip>& tips, Side side) {
   Vec3 sum = Vec3::Zero();
   int count = 0;
-  for (const ImportedChorda& chorda : chordae) {
-    if (chorda.side != side) continue;
-    sum += chorda.tip_mm;
+  for (const ImportedTip& tip : tips) {
+    if (tip.side != side) continue;
+    sum += tip.position_mm;
     ++count;
   }
   return sum / count;
+}
+
+/// Weighted by area; zero without any.
+Vec3 centroid(const TriangleMesh& mesh) {
+  Vec3 sum = Vec3::Zero();
+  double total = 0.0;
+  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+    const Vec3 a = mesh.vertices_mm.row(mesh.faces(f, 0)),
+               b = mesh.vertices_mm.row(mesh.faces(f, 1)),
+               c = mesh.vertices_mm.row(mesh.faces(f, 2));
+    const double area = (b - a).cross(c - a).norm();
+    sum += area * (a + b + c) / 3.0;
+    total += area;
+  }
+  return total > 0.0 ? Vec3(sum / total) : sum;
 }
 
 struct Frame {
@@ -166,37 +215,38 @@ struct Frame {
   }
 };
 
-Expected<Frame> find_frame(const Points& annulus, const std::vector<ImportedChorda>& chordae) {
+/// x of a valve whose tips nobody has seen: its sheets say what is in front.
+Vec3 across_sheets(const std::vector<TriangleMesh>& leaflets, const Vec3& z) {
+  const Vec3 forwards = centroid(leaflets[0]) - centroid(leaflets[1]);
+  return (forwards - z.dot(forwards) * z).cross(z);
+}
+
+Expected<Frame> find_frame(const Points& annulus, const ImportSource& source) {
   const Vec3 origin = mean_by_arc(annulus);
   const Points centred = annulus.rowwise() - origin.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
-  const Vec3 lateral = mean_tip(chordae, Side::Anterolateral);
-  const Vec3 medial = mean_tip(chordae, Side::Posteromedial);
-  Vec3 z = solver.eigenvectors().col(0);
-  if (z.dot(0.5 * (lateral + medial) - origin) > 0.0) z = -z;
-  const Vec3 x = medial - lateral - z.dot(medial - lateral) * z;
-  if (!(x.norm() > 1.0)) {
-    return Error{
-        ErrorCode::BadGeometry, "/chordae",
-        "has both papillary tips within 1 mm of each other; must be apart, they orient the valve"};
+  const std::vector<ImportedTip> tips = all_tips(source);
+  Vec3 z = solver.eigenvectors().col(0), x;
+  if (tips.empty()) {
+    const Vec3 hanging = centroid(source.leaflets[0]) + centroid(source.leaflets[1]) - 2.0 * origin;
+    if (z.dot(hanging) > 0.0) z = -z;
+    x = across_sheets(source.leaflets, z);
+    if (!(x.norm() > 1.0))
+      return Error{ErrorCode::BadGeometry, "/leaflets",
+                   "lie on each other; an anterior and a posterior sheet orient the valve"};
+  } else {
+    const Vec3 lateral = mean_tip(tips, Side::Anterolateral);
+    const Vec3 medial = mean_tip(tips, Side::Posteromedial);
+    if (z.dot(0.5 * (lateral + medial) - origin) > 0.0) z = -z;
+    x = medial - lateral - z.dot(medial - lateral) * z;
+    if (!(x.norm() > 1.0))
+      return Error{ErrorCode::BadGeometry, source.chordae.empty() ? "/tips" : "/chordae",
+                   "has both papillary tips within 1 mm of each other; must be apart, they orient "
+                   "the valve"};
   }
   Frame frame{origin, {}};
   frame.axes << x.normalized(), z.cross(x.normalized()), z;
   return frame;
-}
-
-/// Mean y of a sheet, weighted by area.
-double anterior_mm(const TriangleMesh& mesh) {
-  double sum = 0.0, total = 0.0;
-  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
-    const Vec3 a = mesh.vertices_mm.row(mesh.faces(f, 0)),
-               b = mesh.vertices_mm.row(mesh.faces(f, 1)),
-               c = mesh.vertices_mm.row(mesh.faces(f, 2));
-    const double area = (b - a).cross(c - a).norm();
-    sum += area * (a.y() + b.y() + c.y()) / 3.0;
-    total += area;
-  }
-  return total > 0.0 ? sum / total : 0.0;
 }
 
 void check_framed(const FramedSource& framed, ProblemList& problems) {
@@ -214,7 +264,7 @@ void check_framed(const FramedSource& framed, ProblemList& problems) {
                 -framed.chordae[i].tip_mm.z(), kTipDepthMm, " mm");
   }
   if (framed.leaflets.size() == 2 &&
-      anterior_mm(framed.leaflets[0]) <= anterior_mm(framed.leaflets[1])) {
+      centroid(framed.leaflets[0]).y() <= centroid(framed.leaflets[1]).y()) {
     problems.add(
         ErrorCode::BadGeometry, "/leaflets/0",
         "lies behind the other sheet as the papillary muscles orient the valve; the anterior "
@@ -225,17 +275,20 @@ void check_framed(const FramedSource& framed, ProblemList& problems) {
 
 }  // namespace
 
-Expected<FramedSource> into_import_frame(const ImportSource& source) {
+Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_chordae) {
   ProblemList problems;
   check_leaflets(source.leaflets, problems);
   check_annulus(source.annulus_mm, problems);
   check_pressed(source, problems);
-  check_chordae(source.chordae, problems);
+  if (draws_chordae)
+    check_tips(source, problems);
+  else
+    check_chordae(source.chordae, problems);
   if (!problems.empty()) return std::move(problems).take();
   if (Errors mixed = mixed_units(source); !mixed.empty()) return mixed;
   const std::vector<Eigen::Index> kept = without_repeats(source.annulus_mm);
   const Points loop = source.annulus_mm(kept, Eigen::all);
-  const Expected<Frame> frame = find_frame(loop, source.chordae);
+  const Expected<Frame> frame = find_frame(loop, source);
   if (!frame) return frame.errors();
   FramedSource framed;
   framed.annulus_mm = frame->into(loop);
@@ -260,14 +313,20 @@ Expected<FramedSource> into_import_frame(const ImportSource& source) {
     if (chorda.pressed_tip_mm) chorda.pressed_tip_mm = frame->into(*chorda.pressed_tip_mm);
     for (ImportedSegment& segment : chorda.segments) segment.end_mm = frame->into(segment.end_mm);
   }
+  for (const ImportedTip& tip : source.tips)
+    framed.tips.push_back({tip.side, frame->into(tip.position_mm)});
   check_framed(framed, problems);
   if (!problems.empty()) return std::move(problems).take();
   const double turned = Eigen::AngleAxisd(frame->axes).angle() * 180.0 / std::numbers::pi;
   framed.patient = {frame->axes, frame->origin_mm};
   framed.change = "re-framed: moved by " + significant(frame->origin_mm.norm(), 3) +
                   " mm and turned by " + significant(turned, 3) +
-                  " degrees; origin annulus centroid, x from the anterolateral to the "
-                  "posteromedial papillary tip within the annulus plane, z away from the tips";
+                  " degrees; origin annulus centroid, " +
+                  (source.chordae.empty() && source.tips.empty()
+                       ? "y from the posterior to the anterior sheet, z away from the leaflets: no "
+                         "papillary tips say whether the files are mirrored"
+                       : "x from the anterolateral to the posteromedial papillary tip within the "
+                         "annulus plane, z away from the tips");
   return framed;
 }
 

@@ -5,6 +5,7 @@
 
 namespace coapt {
 
+/// Without tips (chordae are to be drawn) z leads away from the leaflets, y from the posterior to the anterior sheet.
 /// Origin: mean of the annulus by arc length. z: normal of its plane of least squares, away from
 /// the tips. x: from the mean anterolateral to the mean posteromedial tip, within the plane. y = z
 /// x x is then anterior, because the sides are known.
@@ -14,6 +15,7 @@ struct FramedSource {
       annulus_mm;  ///< counter-clockwise seen from the atrium, no point twice, star-shaped about z
   Points pressed_annulus_mm;  ///< point by point as annulus_mm, or empty
   std::vector<ImportedChorda> chordae;
+  std::vector<ImportedTip> tips;
   PatientFrame patient;  ///< from here back to the source's coordinates
   std::string change;    ///< in words
 };
@@ -21,6 +23,6 @@ struct FramedSource {
 /// Errors: what ImportSource lacks or has too much of, units that are not millimetres, an annulus
 /// that is not star-shaped, sheets in the wrong order, a mirrored input; pointers are those of
 /// ImportSource.
-Expected<FramedSource> into_import_frame(const ImportSource& source);
+Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_chordae);
 
 }  // namespace coapt

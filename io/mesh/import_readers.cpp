@@ -174,6 +174,21 @@ Expected<Points> read_points_csv(std::string_view text) {
   return points;
 }
 
+Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text) {
+  const Expected<CsvTable> table = read_csv(text, {"papillary"});
+  if (!table) return table.errors();
+  ProblemList problems;
+  std::vector<ImportedTip> tips;
+  for (std::size_t i = 0; i < table->rows.size(); ++i) {
+    const auto row = reader(*table, {"papillary", "x", "y", "z"}, i, "/tips", problems);
+    if (!row) continue;
+    const Side side = side_at(row->choice("papillary", kSides));
+    tips.push_back({side, {row->coordinate("x"), row->coordinate("y"), row->coordinate("z")}});
+  }
+  if (!problems.empty()) return std::move(problems).take();
+  return tips;
+}
+
 Expected<std::vector<ImportedChorda>> read_chordae(std::string_view text, std::string_view format) {
   if (format == "csv") return read_chordae_csv(text);
   if (format == "json") return read_chordae_json(text);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/closure/contact.h"
+#include "core/presets/synthetic_chordae.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "core/valve/validate.h"
@@ -29,6 +30,8 @@ void check_options(const ImportOptions& options, ProblemList& problems) {
   check_range(problems, "/branches", options.branches, {1, 5});
   check_range(problems, "/branch_at", options.branch_at, {0.05, 0.95});
   check_range(problems, "/slack", options.slack, {0.8, 1.5});
+  if (options.chordae_seed)
+    check_range(problems, "/chordae_seed", *options.chordae_seed, {0, 2147483647});
 }
 
 Segment segment_of(const Skirt& skirt, double station) {
@@ -209,6 +212,26 @@ void tell_changes(const std::string& units, const FramedSource& source, const Sk
                  "; tissue of thesis table 2.1");
 }
 
+/// With chordae that nobody has seen.
+Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips, int seed) {
+  Points tips_mm(std::ssize(tips), 3);
+  for (Eigen::Index i = 0; i < tips_mm.rows(); ++i)
+    tips_mm.row(i) = tips[static_cast<std::size_t>(i)].position_mm.transpose();
+  Expected<Valve> made = with_synthetic_chordae(std::move(valve), seed, tips_mm);
+  if (!made) {
+    Errors errors = made.errors();
+    for (Error& error : errors)
+      if (!error.path.starts_with("/tips_mm"))
+        error.message = "of the resampled valve " + error.message;
+    return errors;
+  }
+  made->provenance.push_back("chordae: not seen; drawn from anatomy with seed " +
+                             std::to_string(seed) + ": " + std::to_string(made->chordae.size()) +
+                             " chordae, taut in the closed state times a slack; papillary tips " +
+                             (tips.empty() ? "drawn, too, below the annulus" : "as given"));
+  return made;
+}
+
 }  // namespace
 
 Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) {
@@ -218,7 +241,7 @@ Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) 
   const LengthUnit unit =
       options.units.value_or(guessed_unit(source.annulus_mm).value_or(LengthUnit::Millimetre));
   scale(source, in_mm(unit));
-  const Expected<FramedSource> framed = into_import_frame(source);
+  const Expected<FramedSource> framed = into_import_frame(source, options.chordae_seed.has_value());
   if (!framed) return framed.errors();
   const Expected<Skirt> skirt = resample_skirt(*framed, options.triangles);
   if (!skirt) return skirt.errors();
@@ -234,6 +257,7 @@ Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) 
   const std::string units = std::string("units: ") + to_string(unit) +
                             (options.units ? ", as given" : ", by the annulus's circumference");
   tell_changes(units, *framed, *skirt, valve);
+  if (options.chordae_seed) return drawn(std::move(valve), framed->tips, *options.chordae_seed);
   if (Errors errors = add_imported_chordae(*framed, *skirt, options, valve); !errors.empty())
     return errors;
   Errors invalid = validate(valve);

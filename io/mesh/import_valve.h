@@ -40,6 +40,12 @@ struct ImportedChorda {
   std::vector<ImportedSegment> segments = {};
 };
 
+/// A papillary tip that was seen without its chordae.
+struct ImportedTip {
+  Side side = Side::Anterolateral;
+  Vec3 position_mm = Vec3::Zero();
+};
+
 /// What the numbers of a source are.
 enum class LengthUnit { Millimetre, Centimetre, Metre };
 const char* to_string(LengthUnit unit);  ///< mm, cm, m
@@ -51,6 +57,7 @@ struct ImportSource {
   Points annulus_mm;                   ///< closed loop, n x 3, either direction
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
+  std::vector<ImportedTip> tips;  ///< taken only where chordae are drawn
 };
 
 struct ImportOptions {
@@ -59,6 +66,9 @@ struct ImportOptions {
   double branch_at = 0.75;  ///< share of the way from tip to insertion, [0.05, 0.95]
   double slack = 1.0;       ///< chordae lengths over straight distances, [0.8, 1.5]
   TissueReference reference = TissueReference::Excised;  ///< what the sheets are
+  /// Of a source without chordae: they are drawn from anatomy (core/presets/synthetic_chordae.h), and the
+  /// papillary tips, too, where there are none on both sides. Branches and slack are the draw's.
+  std::optional<int> chordae_seed = {};
   std::optional<LengthUnit>
       units;  ///< of the source; none: guessed from the annulus's circumference
 };
@@ -70,6 +80,9 @@ Expected<Valve> import_valve(ImportSource source, const ImportOptions& options);
 
 /// Lines x,y,z in millimetres; '#' comments; a first line x,y,z or x_mm,y_mm,z_mm is passed over.
 Expected<Points> read_points_csv(std::string_view text);
+
+/// Lines papillary,x,y,z in millimetres, papillary AL or PM; '#' comments; a first line of these names is passed over.
+Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text);
 
 /// @param format "csv" or "json".
 /// CSV: columns id, papillary (AL or PM), ins_x, ins_y, ins_z, tip_x, tip_y, tip_z and, if there is

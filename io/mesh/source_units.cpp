@@ -51,6 +51,7 @@ void scale(ImportSource& source, double factor) {
   for (TriangleMesh& mesh : source.leaflets) mesh.vertices_mm *= factor;
   source.annulus_mm *= factor;
   source.pressed_annulus_mm *= factor;
+  for (ImportedTip& tip : source.tips) tip.position_mm *= factor;
   for (ImportedChorda& chorda : source.chordae) {
     chorda.insertion_mm *= factor;
     chorda.tip_mm *= factor;
@@ -73,7 +74,7 @@ Errors mixed_units(const ImportSource& source) {
     chordae.row(2 * static_cast<Eigen::Index>(i)) = source.chordae[i].insertion_mm;
     chordae.row(2 * static_cast<Eigen::Index>(i) + 1) = source.chordae[i].tip_mm;
   }
-  check_extent("/chordae", chordae, annulus_extent, problems);
+  if (chordae.rows() > 0) check_extent("/chordae", chordae, annulus_extent, problems);
   return std::move(problems).take();
 }
 

@@ -11,6 +11,7 @@ mesh.csv                error of areas and shapes against the number of triangle
 uniqueness.csv          how unique the closed state is, over the leaflets' rigidity
 verdicts.csv            leak and verdict of the same plans on three meshes
 twins.csv               fitted against true values of valves whose answers are known
+chordae.csv             leak of plans on drawn chordae against that on the anatomy's own
 growth.csv              time of the parts of a closure against the number of triangles
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
 """
@@ -20,6 +21,7 @@ import csv
 import pathlib
 import statistics
 
+import chordae
 import growth
 import mesh
 import twins
@@ -474,6 +476,7 @@ CHARTS = {
     "uniqueness": {"uniqueness": uniqueness.draw_uniqueness},
     "verdicts": {"verdicts": verdicts.draw_verdicts},
     "twins": {"twins": twins.draw_twins},
+    "chordae": {"chordae": chordae.draw_chordae},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},
 }

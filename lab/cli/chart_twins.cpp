@@ -6,8 +6,54 @@
 #include "clients/cli/progress_bar.h"
 #include "lab/cli/chart_parts.h"
 #include "lab/twins/twin_table.h"
+#include "lab/verdicts/chordae_study.h"
 
 namespace coapt {
+namespace {
+
+void print(std::ostream& out, const std::vector<DrawnAnatomy>& all) {
+  for (const ChordaeAgreement& of : chordae_agreements(all))
+    out << to_string(of.known) << ", " << of.anatomies << " anatomies: tau " << of.tau
+        << ", regret " << of.regret_mm2 << " mm2 (at most " << of.most_regret_mm2
+        << "), error of the median leak " << of.error_mm2 << ", sd over draws " << of.sd_mm2
+        << " mm2, " << of.refused << " refused or not trusted\n";
+}
+
+}  // namespace
+
+void add_drawn_chordae(Command chart, int& status) {
+  const auto options = std::make_shared<ChordaeStudyOptions>();
+  Command command = chart.add_command(
+      "chordae", "Judge plans on anatomies with their own chordae and with drawn ones");
+  const auto directory = add_output(command);
+  command.add_option("--anatomies", options->anatomies, "Random ones")
+      .check(number_from(1, 1000))
+      .show_default();
+  command.add_option("--draws", options->draws, "For each, tips seen and tips drawn")
+      .check(number_from(1, 1000))
+      .show_default();
+  command.add_option("--plans", options->plans, "Random plans for each anatomy")
+      .check(number_from(1, 50))
+      .show_default();
+  command.add_option("--seed", options->seed, "Of anatomies, disease and plans").show_default();
+  add_threads_option(command, options->threads, "leaks");
+  command.footer(
+      "Says what is lost where images show no chordae: how far the order of plans and the best "
+      "one\n"
+      "by the median over the draws are those of the anatomy's own chordae.\n\n"
+      "Example:\n"
+      "  coapt-lab chart chordae -o charts");
+  command.on_run([=, &status] {
+    std::vector<DrawnAnatomy> all;
+    status = run_chart(*directory, "chordae.csv", [&] {
+      const ProgressBar bar;
+      all = study_chordae(*options,
+                          [&](int done, int planned) { bar.show(done, planned, "anatomies"); });
+      return chordae_csv(all);
+    });
+    print(std::cout, all);
+  });
+}
 
 void add_twins(Command chart, int& status) {
   const auto options = std::make_shared<TwinStudyOptions>();

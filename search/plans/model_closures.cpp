@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/metrics/mean_and_sd.h"
+#include "core/presets/synthetic_chordae.h"
 #include "core/repair/apply_plan.h"
 #include "search/model_draw.h"
 #include "search/parallel.h"
@@ -12,12 +13,38 @@
 namespace coapt {
 namespace {
 
+constexpr int kMostSeed = 0x7fffffff;
 constexpr std::uint64_t kSeed = 1;  // not the search's: another search, the same draws
 
 PlanClosure refused() {
   PlanClosure closure;
   closure.status = ClosureStatus::Diverged;
   return closure;
+}
+
+/// The unrepaired valve in each draw: with other chordae where its own were never seen, else as it is. Empty where such
+/// chordae cannot be made.
+std::vector<std::optional<Valve>> drawn_valves(const PlanEvaluations& evaluations, int draws) {
+  std::vector<std::optional<Valve>> valves(static_cast<std::size_t>(draws), evaluations.valve());
+  const std::optional<DrawnChordae> own = evaluations.valve().drawn_chordae;
+  if (!own) return valves;
+  for_each_index(draws, evaluations.threads(), [&](int draw) {
+    if (evaluations.cancelled()) return;
+    const Expected<Valve> redrawn = redrawn_chordae(
+        evaluations.valve(), static_cast<int>((own->seed + 1LL + draw) & kMostSeed));
+    valves[static_cast<std::size_t>(draw)] = redrawn ? std::optional(*redrawn) : std::nullopt;
+  });
+  return valves;
+}
+
+/// The plan, or none, on a valve with the material of a draw.
+std::optional<Valve> planned(const std::optional<Valve>& valve, const PlanRecord* plan,
+                             const std::vector<double>& shares) {
+  if (!valve) return {};
+  const Expected<Valve> repaired = plan == nullptr ? *valve : apply_plan(*valve, plan->plan);
+  if (!repaired) return {};
+  const Expected<Valve> drawn = with_model(*repaired, shares);
+  return drawn ? std::optional(*drawn) : std::nullopt;
 }
 
 }  // namespace
@@ -29,20 +56,17 @@ ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<
   model.draws = draws;
   const std::vector<std::vector<double>> shares = model_draws(draws, kSeed);
   const int count = static_cast<int>(plans.size()) + 1;  // the last: no repair
-  std::vector<Valve> valves;
+  const std::vector<std::optional<Valve>> valves = drawn_valves(evaluations, draws);
   std::vector<ClosedPlan> starts;
-  for (const PlanRecord* plan : plans) {
-    valves.push_back(*apply_plan(evaluations.valve(), plan->plan));
-    starts.push_back(evaluations.closed(*plan));
-  }
-  valves.push_back(evaluations.valve());
+  for (const PlanRecord* plan : plans) starts.push_back(evaluations.closed(*plan));
   starts.push_back(evaluations.closed_before());
   std::vector<double> thickness_mm(draws);
   std::vector<std::optional<PlanClosure>> closures(static_cast<std::size_t>(count) * draws);
   for_each_index(count * draws, evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
-    const Expected<Valve> drawn = with_model(valves[i / draws], shares[i % draws]);
-    if (drawn && i / draws == count - 1) thickness_mm[i % draws] = drawn->tissue.thickness_mm;
+    const PlanRecord* plan = i / draws == count - 1 ? nullptr : plans[i / draws];
+    const std::optional<Valve> drawn = planned(valves[i % draws], plan, shares[i % draws]);
+    if (drawn && plan == nullptr) thickness_mm[i % draws] = drawn->tissue.thickness_mm;
     closures[i] =
         drawn
             ? plan_closure(evaluations.evaluate(*drawn, starts[i / draws].closure.get()).evaluation)

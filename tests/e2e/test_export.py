@@ -75,6 +75,26 @@ class Export(ProgramTest):
         self.assertIn("Chords_mesh.vtk", result.stderr)
         self.assertIn("annulus.mrk.json/@schema", result.stderr)
 
+    def test_a_folder_without_chordae_gets_drawn_ones_on_its_tips(self):
+        self.run_ok("export", "human-functional-mr", "--open", "-o", f"{self.folder}/model/")
+        for chords in (self.folder / "model").glob("Chords*"):
+            chords.unlink()
+        folder = ["valve", "import", "--slicerheart", self.folder / "model"]
+        result = coapt(*folder, "-o", "-")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("--chordae synthesise", result.stderr)
+        drawn = [
+            json.loads(self.run_ok(*folder, "--chordae", "synthesise", "--seed", seed, "-o", "-").stdout)
+            for seed in ("1", "1", "2")
+        ]
+        self.assertEqual(drawn[0], drawn[1])
+        self.assertNotEqual(drawn[0]["chordae"], drawn[2]["chordae"])
+        self.assertEqual(drawn[2]["drawn_chordae"], {"seed": 2, "tips_given": True})
+        valve = self.write("drawn.json", json.dumps(drawn[0]))
+        self.assertEqual(json.loads(self.run_ok("close", valve, "--json").stdout)["status"], "converged")
+        for options in (["--chordae", "chordae.csv"], ["--tips", "tips.csv"]):
+            self.assertEqual(coapt(*folder, *options, "-o", "-").returncode, BAD_INPUT)
+
     def test_import_needs_either_a_folder_or_all_parts(self):
         result = coapt("valve", "import", "--leaflet", "a.obj", "-o", "-")
         self.assertEqual(result.returncode, BAD_INPUT)

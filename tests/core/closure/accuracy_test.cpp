@@ -46,7 +46,7 @@ TEST(AccuracyTiers, WhatNoTierKeepsIsAnErrorThatNamesTheRange) {
     ASSERT_FALSE(chosen) << wanted;
     EXPECT_EQ(chosen.errors().front().code, ErrorCode::OutOfRange);
     EXPECT_EQ(chosen.errors().front().path, "/accuracy");
-    EXPECT_NE(chosen.errors().front().message.find("must be at least 0.0043 mm2"),
+    EXPECT_NE(chosen.errors().front().message.find("must be at least 0.0042 mm2"),
               std::string::npos)
         << chosen.errors().front().message;
   }

@@ -123,10 +123,22 @@ TEST(SlicerHeart, AFolderInRasIsTurned) {
 TEST(SlicerHeart, WhatIsMissingIsAllListed) {
   const Errors errors =
       problems({{"notes.txt", "hello"}, {"measurements.csv", "Metric,Value,Unit\n"}});
-  ASSERT_EQ(errors.size(), 3U);
+  ASSERT_EQ(errors.size(), 2U);
   EXPECT_NE(errors[0].message.find("one anterior and one posterior"), std::string::npos);
   EXPECT_NE(errors[1].message.find("save the annulus contour curve"), std::string::npos);
-  EXPECT_NE(errors[2].message.find("no chordae"), std::string::npos);
+}
+
+TEST(SlicerHeart, AFolderWithoutChordaeGivesTheTipsForDrawnOnes) {
+  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  std::erase_if(files, [](const NamedFile& file) { return file.name.starts_with("Chords"); });
+  const Expected<ImportSource> source = read_slicerheart(files);
+  ASSERT_TRUE(source);
+  EXPECT_TRUE(source->chordae.empty());
+  ASSERT_EQ(source->tips.size(), 6U);
+  EXPECT_EQ(source->tips.front().side, Side::Anterolateral);
+  const Expected<Valve> refused = import_valve(*source, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.errors().front().path, "/chordae");
 }
 
 TEST(SlicerHeart, ProblemsOfAllFilesNameFileAndPlace) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/presets/synthetic_chordae.h"
 #include "search/plans/ranking.h"
 #include "search/plans/search_result.h"
 #include "tests/search/plans/search_scene.h"
@@ -55,6 +56,28 @@ TEST(ModelClosures, ClosePlansAndTheValveAsItIsUnderTheSameDraws) {
   EXPECT_EQ(spread.failures, 0);
   EXPECT_GT(spread.sd_mm2, 0.0);
   EXPECT_GT(spread.worst_mm2, spread.mean_mm2);
+}
+
+TEST(ModelClosures, ChordaeThatWereNeverSeenAreDrawnAnewAlikeForAllPlans) {
+  const Valve valve =
+      *with_synthetic_chordae(*make_preset("human-functional-mr", 150), 1, Points(0, 3));
+  const auto chordae = [](const Valve& of) { return static_cast<double>(of.chordae.size()); };
+  const Evaluator evaluate = leak_of(chordae);
+  SearchMonitor monitor(0.0, nullptr);
+  PlanEvaluations evaluations(evaluate, valve, on_threads(2), monitor);
+  PlanRecord& ring = evaluations.record(own_ring(1));
+  const std::vector<PlanEvaluations::Wanted> wanted = {{&ring, 0}};
+  ASSERT_TRUE(evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
+  const ModelClosures model = close_under_draws(evaluations, {&ring}, kDraws);
+  int other = 0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const Expected<Valve> redrawn = redrawn_chordae(valve, 2 + draw);
+    ASSERT_TRUE(redrawn);
+    EXPECT_EQ(leak_mm2(model.before[draw]), chordae(*redrawn));
+    EXPECT_EQ(leak_mm2(model.plans.at(&ring)[draw]), leak_mm2(model.before[draw]));
+    other += leak_mm2(model.before[draw]) != chordae(valve) ? 1 : 0;
+  }
+  EXPECT_GT(other, 0);
 }
 
 TEST(ModelClosures, SpreadIsOfTrustedClosuresAlone) {

@@ -120,6 +120,13 @@ export interface components {
             papillary_heads: components["schemas"]["Valve.head"][];
             /** @description Chordae, each a tree from one papillary head to one or more insertions. */
             chordae: components["schemas"]["Valve.chorda"][];
+            /** @description There if chordae and heads were drawn from anatomy because images show none. */
+            drawn_chordae?: {
+                /** @description Of the draw; 0: the mean anatomy. */
+                seed: number;
+                /** @description The papillary tips were seen; else they are drawn, too. */
+                tips_given: boolean;
+            };
             /** @description From the valve's frame to that of the images it was made from (LPS, mm): four rows, the upper left 3 x 3 numbers a rotation, the last row 0, 0, 0, 1. Left out: not known. */
             patient_frame?: [
                 [
@@ -1299,6 +1306,8 @@ export interface components {
                 before: components["schemas"]["UnderDraws"] | null;
                 /** @description Number of closures under draws; closures does not count them. */
                 closures: number;
+                /** @description Each draw has chordae of its own, because the valve's were never seen (drawn_chordae). */
+                chordae_drawn: boolean;
             };
             /** @description The costs of progress. */
             best_cost_history: (number | null)[];
