@@ -192,7 +192,8 @@ void add_compare(Command parent, int& status) {
   Command command =
       parent.add_command("compare", "Measure how far a closed shape lies from a reference");
   constexpr const char* kShapeHelp =
-      "A mesh (OBJ, PLY, STL, VTK, VTU; millimetres), a scene of the service (coapt.scene/1), or a "
+      "A mesh (OBJ, PLY, STL, VTK, VTP, VTU; millimetres), a scene of the service (coapt.scene/1), "
+      "or a "
       "valve or preset, which is closed first";
   command.add_option("closed", arguments->closed, kShapeHelp).required();
   command.add_option("reference", arguments->reference, "The same, to measure the distance from")
@@ -204,11 +205,12 @@ void add_compare(Command parent, int& status) {
       .show_default();
   command
       .add_option("--leaflets", arguments->files.leaflets,
-                  "Cell array (.vtk, .vtu) that numbers the leaflets")
+                  "Cell array (.vtk, .vtp, .vtu) that numbers the leaflets")
       .show_default("leaflet, element_sets or segment; else pieces that hang together");
-  command.add_option("--displacement", arguments->files.displacement,
-                     "Point array (.vtu) to add to the points, where they are those of the open "
-                     "valve");
+  command.add_option(
+      "--displacement", arguments->files.displacement,
+      "Point array (.vtp, .vtu) to add to the points, where they are those of the open "
+      "valve");
   command
       .add_option("--contact-mm", arguments->contact_mm,
                   "Nodes nearer than this to another part of the surface are in contact")

@@ -180,7 +180,7 @@ void add_fit(Command parent, int& status) {
   command
       .add_option(
           "--closed", arguments->closed,
-          "The closed leaflets as imaged: a mesh (OBJ, PLY, STL, VTK, VTU) or points (CSV), "
+          "The closed leaflets as imaged: a mesh (OBJ, PLY, STL, VTK, VTP, VTU) or points (CSV), "
           "millimetres")
       .required();
   command.add_option("-o,--output", arguments->output, "File for the fitted valve")

@@ -12,6 +12,7 @@
 #include "io/exchange/abaqus_valve.h"
 #include "io/exchange/import_files.h"
 #include "io/exchange/slicerheart.h"
+#include "io/json/result_json.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {
@@ -26,6 +27,7 @@ struct ValveImportArguments {
   std::vector<std::string> provenance;
   ImportOptions options;
   std::string output;
+  bool json = false;
 };
 
 /// Reads the file at `path` with `parse` into `value`; returns an exit code.
@@ -61,6 +63,20 @@ Expected<std::vector<NamedFile>> read_folder(const std::string& path) {
   return files;
 }
 
+/// coapt.import/1. Keys that scripts rely on: decisions[] (about, decision, reason).
+nlohmann::ordered_json import_to_json(const ImportedValve& imported) {
+  nlohmann::ordered_json decisions = nlohmann::ordered_json::array();
+  for (const ImportDecision& of : imported.decisions)
+    decisions.push_back({{"about", of.about}, {"decision", of.decision}, {"reason", of.reason}});
+  return {{"schema", "coapt.import/1"},
+          {"version", version()},
+          {"notice", kResearchNotice},
+          {"name", imported.valve.name},
+          {"triangles", imported.valve.faces.rows()},
+          {"chordae", imported.valve.chordae.size()},
+          {"decisions", std::move(decisions)}};
+}
+
 /// The files that options name one by one.
 int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
   for (const auto& [missing, option] : {std::pair(arguments.leaflets.empty(), "--leaflet"),
@@ -75,7 +91,7 @@ int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
   }
   for (const std::string& path : arguments.leaflets) {
     source.leaflets.emplace_back();
-    if (const int failed = read_part(path, read_mesh, source.leaflets.back())) return failed;
+    if (const int failed = read_part(path, read_packed_mesh, source.leaflets.back())) return failed;
   }
   if (const int failed = read_part(arguments.annulus, read_closed_loop, source.annulus_mm)) {
     return failed;
@@ -123,7 +139,7 @@ int run(const ValveImportArguments& arguments) {
   source.name = arguments.name;
   source.provenance.insert(source.provenance.begin(), arguments.provenance.begin(),
                            arguments.provenance.end());
-  const Expected<Valve> valve = import_valve(source, arguments.options);
+  const Expected<ImportedValve> valve = import_with_decisions(source, arguments.options);
   if (!valve) {
     if (folder) return report_errors(arguments.slicerheart, valve.errors());
     return report_option_errors("valve import", valve.errors(),
@@ -132,7 +148,10 @@ int run(const ValveImportArguments& arguments) {
                                  {"/tips", "--tips"},
                                  {"/tips_mm", "--tips"}});
   }
-  return write_output(arguments.output, write_valve(*valve));
+  const int failed = write_output(arguments.output, write_valve(valve->valve));
+  if (failed == exit_code::kOk && arguments.json)
+    std::cout << import_to_json(*valve).dump(2) << '\n';
+  return failed;
 }
 
 }  // namespace
@@ -143,8 +162,9 @@ void add_valve_import(Command parent, int& status) {
   Command command =
       parent.add_command("import", "Make a valve from leaflet meshes, annulus and chordae");
   command
-      .add_option("--leaflet", arguments->leaflets,
-                  "Leaflet mesh (OBJ, PLY, STL or VTK): anterior and posterior, or one skirt")
+      .add_option(
+          "--leaflet", arguments->leaflets,
+          "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, or one skirt")
       .count(1, 2);
   command.add_option("--annulus", arguments->annulus,
                      "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json)");
@@ -206,6 +226,11 @@ void add_valve_import(Command parent, int& status) {
       .excludes("--abaqus");
   command.add_option("--name", arguments->name, "Name of the valve").show_default("imported");
   command.add_option("--provenance", arguments->provenance, "Source or licence, kept in the valve");
+  command
+      .add_flag("--json", arguments->json,
+                "Print every decision of the import with its reason (coapt.import/1); -o must be a "
+                "file")
+      .excludes("--abaqus");
   command.footer(
       "Examples:\n"
       "  coapt valve import --leaflet anterior.obj posterior.obj --annulus annulus.csv \\\n"
@@ -221,6 +246,11 @@ void add_valve_import(Command parent, int& status) {
   command.on_run([arguments, command, &status] {
     if (arguments->chordae == kSynthesise) arguments->options.chordae_seed = arguments->seed;
     if (command.has("--units")) arguments->options.units = arguments->units;
+    if (arguments->json && arguments->output == "-") {
+      std::cerr << "coapt: valve import: --json takes standard output, so -o must name a file\n";
+      status = exit_code::kBadInput;
+      return;
+    }
     status = run(*arguments);
   });
 }

@@ -17,7 +17,8 @@
 namespace coapt {
 namespace {
 
-constexpr std::array<std::string_view, 5> kShapeFormats = {"obj", "ply", "stl", "vtk", "vtu"};
+constexpr std::array<std::string_view, 6> kShapeFormats = {"obj", "ply", "stl",
+                                                           "vtk", "vtp", "vtu"};
 constexpr std::array<std::string_view, 3> kLeafletArrays = {"leaflet", "element_sets", "segment"};
 constexpr std::size_t kMaxLeaflets = 100;
 
@@ -104,8 +105,7 @@ std::optional<Error> displace(VtuGrid& grid, const std::string& name) {
                    "' of three numbers a point; there are: " + (names.empty() ? "none" : names)};
 }
 
-Expected<LeafletMesh> read_grid(std::string_view bytes, const ShapeFileOptions& options) {
-  Expected<VtuGrid> grid = read_vtu(bytes);
+Expected<LeafletMesh> read_grid(Expected<VtuGrid> grid, const ShapeFileOptions& options) {
   if (!grid) return grid.errors();
   if (const auto problem = displace(*grid, options.displacement)) return *problem;
   std::vector<FaceLabels> arrays;
@@ -160,7 +160,8 @@ Expected<LeafletMesh> read_shape(std::string_view bytes, std::string_view format
                                  const ShapeFileOptions& options) {
   const auto read = [&]() -> Expected<LeafletMesh> {
     if (format == "vtk") return read_legacy(bytes, options);
-    if (format == "vtu") return read_grid(bytes, options);
+    if (format == "vtu") return read_grid(read_vtu(bytes), options);
+    if (format == "vtp") return read_grid(read_vtp(bytes), options);
     Expected<TriangleMesh> mesh = read_mesh(bytes, format);
     if (!mesh) return mesh.errors();
     return in_pieces(std::move(mesh->vertices_mm), std::move(mesh->faces));

@@ -10,14 +10,14 @@
 namespace coapt {
 
 struct ShapeFileOptions {
-  /// Array of the cells (.vtk, .vtu) that numbers the leaflets. Empty: the first of "leaflet", "element_sets" and "segment"
+  /// Array of the cells (.vtk, .vtp, .vtu) that numbers the leaflets. Empty: the first of "leaflet", "element_sets" and "segment"
   /// that is there; without one, pieces that hang together.
   std::string leaflets;
   std::string
-      displacement;  ///< array of the points (.vtu), three numbers each, to be added; empty: none
+      displacement;  ///< array of the points (.vtp, .vtu), three numbers each, to be added; empty: none
 };
 
-/// "obj, ply, stl, vtk, vtu".
+/// "obj, ply, stl, vtk, vtp, vtu".
 std::string shape_format_names();
 bool is_shape_format(std::string_view format);
 

@@ -176,8 +176,9 @@ struct Attached {
   double edge_max_mm = 0.0, surface_max_mm = 0.0;
 };
 
-std::string described(const Attached& attached, const Valve& valve, const ImportOptions& options) {
-  std::string text = "chordae: " + std::to_string(attached.marginal) +
+ImportDecision described(const Attached& attached, const Valve& valve,
+                         const ImportOptions& options) {
+  std::string text = std::to_string(attached.marginal) +
                      " marginal, moved to the free edge by at most " +
                      significant(attached.edge_max_mm, 3) + " mm, ";
   if (attached.trees > 0) {
@@ -196,15 +197,17 @@ std::string described(const Attached& attached, const Valve& valve, const Import
   }
   if (attached.lengths > 0)
     text += "; " + std::to_string(attached.lengths) + " pieces keep the slack they came with";
-  return text + "; lengths are straight distances at rest times " + significant(options.slack, 3) +
-         (attached.lengths > 0 ? " elsewhere; " : "; ") + std::to_string(valve.heads.size()) +
-         " papillary heads";
+  text += "; " + std::to_string(valve.heads.size()) + " papillary heads";
+  return {"chordae", text,
+          "lengths are straight distances at rest times " + significant(options.slack, 3) +
+              (attached.lengths > 0 ? " elsewhere" : "")};
 }
 
 }  // namespace
 
 Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
-                            const ImportOptions& options, Valve& valve) {
+                            const ImportOptions& options, Valve& valve,
+                            std::vector<ImportDecision>& decisions) {
   add_heads(source.chordae, valve);
   ProblemList problems;
   Attached attached;
@@ -255,7 +258,7 @@ Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
                            : grow(insertions, head.rest_mm, options, valve);
     valve.chordae.push_back(std::move(chorda));
   }
-  valve.provenance.push_back(described(attached, valve, options));
+  decisions.push_back(described(attached, valve, options));
   return std::move(problems).take();
 }
 

@@ -11,6 +11,7 @@ namespace coapt {
 /// as the piece's. Says in the
 /// valve's provenance what was moved. Errors: an insertion further than 8 mm from the leaflets.
 Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
-                            const ImportOptions& options, Valve& valve);
+                            const ImportOptions& options, Valve& valve,
+                            std::vector<ImportDecision>& decisions);
 
 }  // namespace coapt

@@ -319,14 +319,16 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_
   if (!problems.empty()) return std::move(problems).take();
   const double turned = Eigen::AngleAxisd(frame->axes).angle() * 180.0 / std::numbers::pi;
   framed.patient = {frame->axes, frame->origin_mm};
-  framed.change = "re-framed: moved by " + significant(frame->origin_mm.norm(), 3) +
-                  " mm and turned by " + significant(turned, 3) +
-                  " degrees; origin annulus centroid, " +
-                  (source.chordae.empty() && source.tips.empty()
-                       ? "y from the posterior to the anterior sheet, z away from the leaflets: no "
-                         "papillary tips say whether the files are mirrored"
-                       : "x from the anterolateral to the posteromedial papillary tip within the "
-                         "annulus plane, z away from the tips");
+  framed.change = {
+      "frame",
+      "moved by " + significant(frame->origin_mm.norm(), 3) + " mm and turned by " +
+          significant(turned, 3) + " degrees",
+      std::string("origin annulus centroid, ") +
+          (source.chordae.empty() && source.tips.empty()
+               ? "y from the posterior to the anterior sheet, z away from the leaflets: no "
+                 "papillary tips say whether the files are mirrored"
+               : "x from the anterolateral to the posteromedial papillary tip within the "
+                 "annulus plane, z away from the tips")};
   return framed;
 }
 

@@ -17,7 +17,7 @@ struct FramedSource {
   std::vector<ImportedChorda> chordae;
   std::vector<ImportedTip> tips;
   PatientFrame patient;  ///< from here back to the source's coordinates
-  std::string change;    ///< in words
+  ImportDecision change;
 };
 
 /// Errors: what ImportSource lacks or has too much of, units that are not millimetres, an annulus

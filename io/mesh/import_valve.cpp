@@ -169,51 +169,53 @@ double area_mm2(const TriangleMesh& mesh) {
   return sum;
 }
 
-void tell_changes(const std::string& units, const FramedSource& source, const Skirt& skirt,
-                  Valve& valve) {
+std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Skirt& skirt,
+                                           const Valve& valve) {
   const auto bare = std::count(skirt.interpolated.begin(), skirt.interpolated.end(), true);
   const Deviation off = deviation(source.leaflets, skirt);
   double input_area = 0.0;
   for (const TriangleMesh& sheet : source.leaflets) input_area += area_mm2(sheet);
   const auto counted = [](auto number) { return std::to_string(number); };
-  std::vector<std::string>& told = valve.provenance;
-  told.push_back(units);
-  told.push_back(source.change);
+  std::vector<ImportDecision> told;
+  told.push_back({"mesh",
+                  "cut by half-planes through the annulus axis to " + counted(skirt.stations) +
+                      " stations of equal annulus arc (" + significant(skirt.spacing_mm, 3) +
+                      " mm) x " + counted(skirt.rows) + " rows, " + counted(valve.faces.rows()) +
+                      " triangles; smoothed along the annulus by a hat of " +
+                      significant(skirt.hat_mm, 3) + " mm to either side, not otherwise",
+                  "distance from the sheets " + significant(off.rms_mm, 3) + " mm RMS, " +
+                      significant(off.max_mm, 3) + " mm at most; area " +
+                      counted(std::lround(area_mm2({valve.rest_mm, valve.faces}))) +
+                      " mm2 (sheets " + counted(std::lround(input_area)) + " mm2)"});
+  told.push_back({"annulus",
+                  "sheets joined to the annulus line; holes and bites bridged, " +
+                      significant(skirt.widest_bridge_mm, 3) + " mm at the widest",
+                  "they were " + significant(skirt.annulus_gap_mm, 3) + " mm away in the mean"});
+  told.push_back({"bare stations",
+                  counted(bare) + " stations without sheet interpolated between their neighbours",
+                  "which closes the commissures"});
   told.push_back(
-      "resampled: cut by half-planes through the annulus axis to " + counted(skirt.stations) +
-      " stations of equal annulus arc (" + significant(skirt.spacing_mm, 3) + " mm) x " +
-      counted(skirt.rows) + " rows, " + counted(valve.faces.rows()) +
-      " triangles; smoothed along the annulus by a hat of " + significant(skirt.hat_mm, 3) +
-      " mm to either side, not otherwise; distance from the sheets " + significant(off.rms_mm, 3) +
-      " mm RMS, " + significant(off.max_mm, 3) + " mm at most; area " +
-      counted(std::lround(area_mm2({valve.rest_mm, valve.faces}))) + " mm2 (sheets " +
-      counted(std::lround(input_area)) + " mm2)");
-  told.push_back("joined to the annulus line, from which the sheets were " +
-                 significant(skirt.annulus_gap_mm, 3) +
-                 " mm away in the mean; holes and bites bridged, " +
-                 significant(skirt.widest_bridge_mm, 3) + " mm at the widest");
-  told.push_back(counted(bare) +
-                 " stations without sheet interpolated between their neighbours, which closes the "
-                 "commissures");
-  told.push_back(
-      std::string("landmarks: commissures ") +
-      (skirt.commissures_measured
-           ? "where the two sheets meet"
-           : "38 % of the annulus apart about its front (one skirt does not tell)") +
-      ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
-      "from the peak to the commissures; segments by thirds of arc, fibres circumferential");
-  const std::string state = valve.tissue.reference == TissueReference::InVivo
-                                ? "the imaged state is taken as that of the unpressurised heart"
-                                : "the imaged state is taken as unstressed";
-  told.push_back(state +
-                 (source.pressed_annulus_mm.rows() > 0
-                      ? "; annulus and papillary tips under pressure came with it"
-                      : ", and its annulus and papillary tips as those under pressure") +
-                 "; tissue of thesis table 2.1");
+      {"landmarks",
+       std::string("commissures ") +
+           (skirt.commissures_measured ? "where the two sheets meet"
+                                       : "38 % of the annulus apart about its front") +
+           ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
+           "from the peak to the commissures; segments by thirds of arc, fibres circumferential",
+       skirt.commissures_measured ? "" : "one skirt does not tell where leaflets meet"});
+  told.push_back({"state",
+                  valve.tissue.reference == TissueReference::InVivo
+                      ? "the imaged state is taken as that of the unpressurised heart"
+                      : "the imaged state is taken as unstressed",
+                  std::string(source.pressed_annulus_mm.rows() > 0
+                                  ? "annulus and papillary tips under pressure came with it"
+                                  : "its annulus and papillary tips as those under pressure") +
+                      "; tissue of thesis table 2.1"});
+  return told;
 }
 
 /// With chordae that nobody has seen.
-Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips, int seed) {
+Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips, int seed,
+                      std::vector<ImportDecision>& decisions) {
   Points tips_mm(std::ssize(tips), 3);
   for (Eigen::Index i = 0; i < tips_mm.rows(); ++i)
     tips_mm.row(i) = tips[static_cast<std::size_t>(i)].position_mm.transpose();
@@ -225,16 +227,22 @@ Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips, int see
         error.message = "of the resampled valve " + error.message;
     return errors;
   }
-  made->provenance.push_back("chordae: not seen; drawn from anatomy with seed " +
-                             std::to_string(seed) + ": " + std::to_string(made->chordae.size()) +
-                             " chordae, taut in the closed state times a slack; papillary tips " +
-                             (tips.empty() ? "drawn, too, below the annulus" : "as given"));
+  decisions.push_back({"chordae",
+                       "not seen; drawn from anatomy with seed " + std::to_string(seed) + ": " +
+                           std::to_string(made->chordae.size()) +
+                           " chordae, taut in the closed state times a slack",
+                       std::string("papillary tips ") +
+                           (tips.empty() ? "drawn, too, below the annulus" : "as given")});
   return made;
+}
+
+std::string sentence(const ImportDecision& of) {
+  return of.about + ": " + of.decision + (of.reason.empty() ? "" : "; " + of.reason);
 }
 
 }  // namespace
 
-Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) {
+Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportOptions& options) {
   ProblemList problems;
   check_options(options, problems);
   if (!problems.empty()) return std::move(problems).take();
@@ -254,16 +262,30 @@ Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) 
   if (framed->pressed_annulus_mm.rows() > 0)
     for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();
   valve.landmarks = find_landmarks(*skirt);
-  const std::string units = std::string("units: ") + to_string(unit) +
-                            (options.units ? ", as given" : ", by the annulus's circumference");
-  tell_changes(units, *framed, *skirt, valve);
-  if (options.chordae_seed) return drawn(std::move(valve), framed->tips, *options.chordae_seed);
-  if (Errors errors = add_imported_chordae(*framed, *skirt, options, valve); !errors.empty())
+  std::vector<ImportDecision> decisions = mesh_decisions(*framed, *skirt, valve);
+  decisions.insert(
+      decisions.begin(),
+      {{"units", to_string(unit), options.units ? "as given" : "by the annulus's circumference"},
+       framed->change});
+  if (options.chordae_seed) {
+    Expected<Valve> made = drawn(std::move(valve), framed->tips, *options.chordae_seed, decisions);
+    if (!made) return made.errors();
+    valve = *std::move(made);
+  } else if (Errors errors = add_imported_chordae(*framed, *skirt, options, valve, decisions);
+             !errors.empty()) {
     return errors;
+  }
+  for (const ImportDecision& decision : decisions) valve.provenance.push_back(sentence(decision));
   Errors invalid = validate(valve);
   for (Error& error : invalid) error.message = "of the resampled valve " + error.message;
   if (!invalid.empty()) return invalid;
-  return valve;
+  return ImportedValve{std::move(valve), std::move(decisions)};
+}
+
+Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) {
+  Expected<ImportedValve> imported = import_with_decisions(std::move(source), options);
+  if (!imported) return imported.errors();
+  return std::move(imported->valve);
 }
 
 }  // namespace coapt

@@ -73,9 +73,24 @@ struct ImportOptions {
       units;  ///< of the source; none: guessed from the annulus's circumference
 };
 
+/// One thing that an import decided, as its valve's provenance says it: "about: decision; reason".
+struct ImportDecision {
+  std::string about;     ///< "units", "frame", "mesh", ...
+  std::string decision;  ///< what was taken or made
+  std::string reason;    ///< why, or by what rule; empty where that is the decision itself
+};
+
+struct ImportedValve {
+  Valve valve;
+  std::vector<ImportDecision> decisions;  ///< in the order of the provenance that they end
+};
+
 /// A valve that passes validate(). Every change made is appended to its provenance. Errors point
 /// into ImportSource ("/leaflets/0/faces") or ImportOptions ("/triangles"). Its members are named after
 /// millimetres, which they become once the units are known.
+Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportOptions& options);
+
+/// The same without the list.
 Expected<Valve> import_valve(ImportSource source, const ImportOptions& options);
 
 /// Lines x,y,z in millimetres; '#' comments; a first line x,y,z or x_mm,y_mm,z_mm is passed over.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/mesh/vtk.h"
+#include "io/mesh/vtu.h"
 
 namespace coapt {
 namespace {
@@ -118,6 +119,13 @@ Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format
   return Error{
       ErrorCode::Unsupported, "",
       "mesh format '" + std::string(format.substr(0, 20)) + "', accepted: obj, ply, stl, vtk"};
+}
+
+Expected<TriangleMesh> read_packed_mesh(std::string_view bytes, std::string_view format) {
+  if (format != "vtp" && format != "vtu") return read_mesh(bytes, format);
+  Expected<VtuGrid> grid = format == "vtp" ? read_vtp(bytes) : read_vtu(bytes);
+  if (!grid) return grid.errors();
+  return std::move(grid->mesh);
 }
 
 }  // namespace coapt

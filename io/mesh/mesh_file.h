@@ -19,4 +19,8 @@ struct TriangleMesh {
 /// @param format "obj", "ply", "stl" or "vtk". Polygons are split into fans; STL vertices are welded.
 Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format);
 
+/// The same, also "vtp" and "vtu", whose arrays may be compressed, up to 128 MiB each: for files of one's own, not for
+/// what a service is sent.
+Expected<TriangleMesh> read_packed_mesh(std::string_view bytes, std::string_view format);
+
 }  // namespace coapt

@@ -7,53 +7,13 @@
 #include "io/mesh/mesh_builder.h"
 #include "io/mesh/text_scan.h"
 #include "io/mesh/vtk.h"
+#include "io/mesh/vtk_words.h"
 
 namespace coapt {
 namespace {
 
 constexpr long long kMaxNumbers = 20'000'000;  // of a section
 constexpr std::size_t kMaxLines = 100'000;
-
-class Words {
- public:
-  explicit Words(std::string_view text) : lines_(text) {}
-  /// The next word of the file; empty at its end.
-  std::string_view next() {
-    while (at_ == words_.size()) {
-      const auto line = lines_.next();
-      if (!line) {
-        ended_ = true;
-        return {};
-      }
-      words_ = words(line->text);
-      at_ = 0;
-    }
-    return words_[at_++];
-  }
-  /// Before the word that next() gave last.
-  void back() {
-    if (!ended_) --at_;
-  }
-  void skip_line() { at_ = words_.size(); }
-  /// The rest of the line, then lines until one is empty.
-  void skip_block() {
-    at_ = words_.size();
-    for (auto line = lines_.next(); line && !trimmed(line->text).empty();) line = lines_.next();
-  }
-  std::optional<std::string_view> whole_line() {
-    at_ = words_.size();
-    const auto line = lines_.next();
-    if (!line) return {};
-    return line->text;
-  }
-  int line() const { return lines_.number(); }
-
- private:
-  LineScanner lines_;
-  std::vector<std::string_view> words_;
-  std::size_t at_ = 0;
-  bool ended_ = false;
-};
 
 enum class Data { None, Points, Cells };
 
@@ -91,9 +51,14 @@ class VtkReader {
     if (!first || !first->starts_with("# vtk DataFile"))
       return fail(ErrorCode::InputOutput, "",
                   "is not a legacy VTK file: it must begin with '# vtk DataFile'");
+    constexpr std::string_view kVersion = "# vtk DataFile Version ";
+    from_version_5_ = first->starts_with(kVersion) && first->size() > kVersion.size() &&
+                      (*first)[kVersion.size()] >= '5';
     data_.title = words_.whole_line().value_or("");
-    if (trimmed(words_.whole_line().value_or("")) != "ASCII")
-      return fail(ErrorCode::Unsupported, "", "is not ASCII; save it without compression");
+    const std::string_view coding = trimmed(words_.whole_line().value_or(""));
+    if (coding == "BINARY") words_.set_binary();
+    if (coding != "ASCII" && coding != "BINARY")
+      return fail(ErrorCode::Unsupported, "", "must say ASCII or BINARY in its third line");
     if (words_.next() != "DATASET" || words_.next() != "POLYDATA")
       return fail(ErrorCode::Unsupported, "", "must be DATASET POLYDATA");
     return true;
@@ -115,14 +80,23 @@ class VtkReader {
     return value.value_or(0.0);
   }
 
-  void pass_over(long long numbers) {
+  /// Before `numbers` of a type are read.
+  bool expect(std::string_view type, long long numbers, const std::string& path) {
+    if (words_.block(type, numbers)) return true;
+    return fail(ErrorCode::InputOutput, path,
+                "is truncated, or its type '" + std::string(type.substr(0, 20)) +
+                    "' is none of VTK's numbers");
+  }
+
+  void pass_over(std::string_view type, long long numbers, const std::string& path) {
+    if (!expect(type, numbers, path) || words_.skip_numbers()) return;
     for (long long i = 0; i < numbers && good_; ++i)
       if (words_.next().empty()) fail(ErrorCode::InputOutput, "", "is truncated");
   }
 
   void points() {
     const long long points = count("/vertices_mm");
-    words_.next();  // the type
+    expect(words_.next(), 3 * points, "/vertices_mm");
     for (long long i = 0; i < points && good_ && !mesh_.full(); ++i) {
       const std::string path = "/vertices_mm/" + std::to_string(i);
       Vec3 point;
@@ -141,16 +115,24 @@ class VtkReader {
     return list;
   }
 
+  /// Whether cells are given by offsets; the word that says so is then read.
+  bool has_offsets() {
+    if (words_.binary() && !from_version_5_) return false;
+    if (words_.next() == "OFFSETS") return true;
+    words_.back();
+    return false;
+  }
+
   /// Up to version 4: a count before the corners of each cell; from 5 on: all offsets, all corners.
   Cells cells(const char* path) {
     const long long first = count(path), size = count(path);
     Cells cells;
-    if (words_.next() == "OFFSETS") {
-      words_.next();
+    if (has_offsets()) {
+      expect(words_.next(), first, path);
       cells.offsets = integers(first, path);
       if (words_.next() != "CONNECTIVITY")
         fail(ErrorCode::WrongType, path, "must have CONNECTIVITY behind OFFSETS");
-      words_.next();
+      expect(words_.next(), size, path);
       cells.corners = integers(size, path);
       bool ascending = !cells.offsets.empty() && cells.offsets.front() == 0;
       for (std::size_t i = 1; i < cells.offsets.size(); ++i)
@@ -158,7 +140,7 @@ class VtkReader {
       if (good_ && (!ascending || cells.offsets.back() > size))
         fail(ErrorCode::BadReference, path, "must have offsets from 0 on, ascending, to its size");
     } else {
-      words_.back();
+      expect("int", size, path);
       for (long long i = 0; i < first && good_; ++i) {
         const long long corners = count(path);
         const auto list = integers(corners, path);
@@ -209,7 +191,7 @@ class VtkReader {
 
   void scalars() {
     VtkScalars scalars{std::string(words_.next()), {}};
-    words_.next();  // the type
+    const std::string type(words_.next());
     long long components = 1;
     std::string_view word = words_.next();
     if (word != "LOOKUP_TABLE") {
@@ -223,7 +205,7 @@ class VtkReader {
     } else {
       words_.back();
     }
-    array(std::move(scalars), components);
+    array(std::move(scalars), type, components);
   }
 
   void field() {
@@ -232,22 +214,27 @@ class VtkReader {
     for (long long i = 0; i < arrays && good_; ++i) {
       VtkScalars scalars{std::string(words_.next()), {}};
       const long long components = count("/data"), tuples = count("/data");
-      const std::string_view type = words_.next();
+      const std::string type(words_.next());
       if (scalars.name == "METADATA") return words_.skip_block();
+      if (type == "string" && words_.binary())
+        return (void)fail(ErrorCode::Unsupported, "/data/" + scalars.name,
+                          "is text in a binary file; save the file as ASCII, or without it");
       if (type == "string" || where_ == Data::None || tuples != tuples_) {
         if (type == "string") {
           for (long long k = 0; k < tuples; ++k) (void)words_.whole_line();
         } else {
-          pass_over(components * tuples);
+          pass_over(type, components * tuples, "/data/" + scalars.name);
         }
         continue;
       }
-      array(std::move(scalars), components);
+      array(std::move(scalars), type, components);
     }
   }
 
-  void array(VtkScalars scalars, long long components) {
-    if (where_ != Data::Cells || components != 1) return pass_over(components * tuples_);
+  void array(VtkScalars scalars, std::string_view type, long long components) {
+    if (where_ != Data::Cells || components != 1)
+      return pass_over(type, components * tuples_, "/data/" + scalars.name);
+    expect(type, tuples_, "/data/" + scalars.name);
     for (long long i = 0; i < tuples_ && good_; ++i)
       scalars.values.push_back(number("/data/" + scalars.name));
     cell_data_.push_back(std::move(scalars));
@@ -271,18 +258,20 @@ class VtkReader {
     if (keyword == "FIELD") return field();
     if (keyword == "METADATA") return words_.skip_block();
     if (keyword == "NORMALS" || keyword == "VECTORS" || keyword == "TENSORS") {
-      words_.skip_line();
-      return pass_over((keyword == "TENSORS" ? 9 : 3) * tuples_);
+      const long long components = keyword == "TENSORS" ? 9 : 3;
+      words_.next();
+      const std::string type(words_.next());
+      return pass_over(type, components * tuples_, "/data");
     }
     if (keyword == "TEXTURE_COORDINATES" || keyword == "COLOR_SCALARS") {
       words_.next();
       const long long components = count("/data");
-      words_.skip_line();
-      return pass_over(components * tuples_);
+      const std::string type(keyword == "COLOR_SCALARS" ? "unsigned_char" : words_.next());
+      return pass_over(type, components * tuples_, "/data");
     }
     if (keyword == "LOOKUP_TABLE") {
       words_.next();
-      return pass_over(4 * count("/data"));
+      return pass_over("unsigned_char", 4 * count("/data"), "/data");
     }
     fail(ErrorCode::Unsupported, "",
          "'" + std::string(keyword.substr(0, 20)) + "' is not a section of a POLYDATA file");
@@ -317,7 +306,7 @@ class VtkReader {
     return std::move(data_);
   }
 
-  Words words_;
+  VtkWords words_;
   MeshBuilder mesh_;
   VtkPolyData data_;
   std::vector<std::size_t> cell_of_line_;
@@ -327,6 +316,7 @@ class VtkReader {
   std::vector<VtkScalars> cell_data_;
   Data where_ = Data::None;
   long long tuples_ = 0;
+  bool from_version_5_ = false;
   bool good_ = true;
 };
 

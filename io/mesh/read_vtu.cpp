@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "io/mesh/mesh_builder.h"
@@ -22,6 +25,9 @@ enum CellType {
   kQuad
 };
 
+constexpr std::array<std::string_view, 9> kSections = {
+    "Points", "Cells", "Verts", "Lines", "Polys", "Strips", "PointData", "CellData", "FieldData"};
+
 /// The arrays of a file by the section they stand in.
 struct Sections {
   std::map<std::string, std::vector<const XmlElement*>, std::less<>> arrays;
@@ -35,8 +41,7 @@ Sections sections_of(const VtkXml& file) {
     if (element.name == "Piece") ++sections.pieces;
     if (element.name == "DataArray" && !section.empty()) {
       sections.arrays[section].push_back(&element);
-    } else if (element.name == "Points" || element.name == "Cells" || element.name == "PointData" ||
-               element.name == "CellData" || element.name == "FieldData") {
+    } else if (std::find(kSections.begin(), kSections.end(), element.name) != kSections.end()) {
       section = element.name;
     } else if (element.name == '/' + section) {
       section.clear();
@@ -80,7 +85,8 @@ void add_cell(int type, const std::vector<long long>& corners, MeshBuilder& mesh
 
 class VtuReader {
  public:
-  explicit VtuReader(const VtkXml& file) : file_(file), sections_(sections_of(file)) {}
+  VtuReader(const VtkXml& file, bool is_grid)
+      : file_(file), sections_(sections_of(file)), is_grid_(is_grid) {}
 
   Expected<VtuGrid> read() {
     if (sections_.pieces != 1)
@@ -89,10 +95,14 @@ class VtuReader {
     MeshBuilder mesh;
     const std::vector<const XmlElement*>& points = sections_.arrays["Points"];
     add_points(numbers(points.empty() ? nullptr : points.front(), "/vertices_mm"), mesh);
-    const auto& cells = sections_.arrays["Cells"];
-    add_cells(numbers(named(cells, "connectivity"), "/cells/connectivity"),
-              numbers(named(cells, "offsets"), "/cells/offsets"),
-              numbers(named(cells, "types"), "/cells/types"), mesh);
+    if (is_grid_)
+      add_section("Cells", std::nullopt, mesh);
+    else
+      for (const auto& [section, type] : {std::pair{"Verts", kPolyVertex},
+                                          {"Lines", kPolyLine},
+                                          {"Polys", kPolygon},
+                                          {"Strips", kStrip}})
+        if (!sections_.arrays[section].empty()) add_section(section, type, mesh);
     VtuGrid grid;
     grid.point_data = data("PointData", "/point_data/");
     grid.cell_data = data("CellData", "/cell_data/");
@@ -130,10 +140,23 @@ class VtuReader {
       mesh.add_vertex({list[i], list[i + 1], list[i + 2]}, 0);
   }
 
+  /// Cells of one type, or of those that the section says.
+  void add_section(const std::string& section, std::optional<CellType> type, MeshBuilder& mesh) {
+    const auto& cells = sections_.arrays[section];
+    const std::vector<double> corners =
+                                  numbers(named(cells, "connectivity"), "/cells/connectivity"),
+                              ends = numbers(named(cells, "offsets"), "/cells/offsets");
+    add_cells(corners, ends,
+              type ? std::vector<double>(ends.size(), *type)
+                   : numbers(named(cells, "types"), "/cells/types"),
+              mesh);
+  }
+
   void add_cells(const std::vector<double>& corners, const std::vector<double>& ends,
                  const std::vector<double>& types, MeshBuilder& mesh) {
     if (!errors_.empty()) return;
-    cells_ = ends.size();
+    const auto first = static_cast<int>(cells_);
+    cells_ += ends.size();
     if (types.size() != ends.size())
       return fail(ErrorCode::OutOfRange, "/cells/types", "must have one number a cell");
     double begin = 0.0;
@@ -144,7 +167,7 @@ class VtuReader {
       std::vector<long long> cell;
       for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(ends[i]); ++k)
         cell.push_back(std::abs(corners[k]) < 1e15 ? static_cast<long long>(corners[k]) : -1);
-      add_cell(static_cast<int>(types[i]), cell, mesh, static_cast<int>(i));
+      add_cell(static_cast<int>(types[i]), cell, mesh, first + static_cast<int>(i));
       begin = ends[i];
     }
   }
@@ -177,6 +200,7 @@ class VtuReader {
   Sections sections_;
   Errors errors_;
   std::size_t cells_ = 0;
+  bool is_grid_;
 };
 
 }  // namespace
@@ -184,7 +208,13 @@ class VtuReader {
 Expected<VtuGrid> read_vtu(std::string_view bytes) {
   const Expected<VtkXml> file = read_vtk_xml(bytes, "UnstructuredGrid");
   if (!file) return file.errors();
-  return VtuReader(*file).read();
+  return VtuReader(*file, true).read();
+}
+
+Expected<VtuGrid> read_vtp(std::string_view bytes) {
+  const Expected<VtkXml> file = read_vtk_xml(bytes, "PolyData");
+  if (!file) return file.errors();
+  return VtuReader(*file, false).read();
 }
 
 }  // namespace coapt

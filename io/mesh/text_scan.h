@@ -17,8 +17,9 @@ class LineScanner {
  public:
   explicit LineScanner(std::string_view text) : rest_(text) {}
   std::optional<Line> next();
-  std::string_view rest() const { return rest_; }  ///< after the last line handed out
-  int number() const { return number_; }           ///< of that line
+  std::string_view rest() const { return rest_; }               ///< after the last line handed out
+  int number() const { return number_; }                        ///< of that line
+  void skip(std::size_t bytes) { rest_.remove_prefix(bytes); }  ///< at most rest().size()
 
  private:
   std::string_view rest_;

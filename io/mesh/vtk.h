@@ -39,7 +39,8 @@ inline constexpr const char* kPatientVtkTitle =
 std::string write_vtk(const VtkPolyData& data);
 
 /// Versions 2 to 5. Polylines become pieces, polygons and strips triangles; of the data only scalars of
-/// lines and faces are kept. Errors name the line. Unsupported: binary files, other datasets than POLYDATA.
+/// lines and faces are kept. Errors name the line. ASCII or binary. Unsupported: other datasets than POLYDATA, text
+/// among the data of a binary file.
 Expected<VtkPolyData> read_vtk(std::string_view text);
 
 }  // namespace coapt

@@ -1,4 +1,5 @@
-// VTK's XML format of unstructured grids (.vtu), which finite element codes and ParaView write: what of it is a surface.
+// VTK's XML formats of unstructured grids (.vtu) and of surfaces (.vtp), which finite element codes, ParaView and PyVista
+// write: what of them is a surface.
 // Read here and not by VTK's libraries, which bring 52 shared libraries into a program for one format.
 #pragma once
 
@@ -26,5 +27,8 @@ struct VtuGrid {
 /// quadrangles, pixels, polygons and strips; points and lines (chordae) are passed over. Unsupported: cells with a volume,
 /// quadratic cells, several pieces, LZ4, big-endian files.
 Expected<VtuGrid> read_vtu(std::string_view bytes);
+
+/// The same of a PolyData file; its cells are numbered vertices, lines, polygons, strips.
+Expected<VtuGrid> read_vtp(std::string_view bytes);
 
 }  // namespace coapt

@@ -109,7 +109,7 @@ class Compare(ProgramTest):
         good = self.write("a.obj", grid(4, 3, 0))
         self.refused("no.stl: cannot be opened", good, self.folder / "no.stl")
         self.refused("no such file, and not a preset", good, "human-norma")
-        self.refused("must end in one of obj, ply, stl, vtk, vtu", self.write("a.txt", ""), good)
+        self.refused("must end in one of obj, ply, stl, vtk, vtp, vtu", self.write("a.txt", ""), good)
         self.refused("is not a VTK XML file", self.write("a.vtu", "nothing"), good)
         self.refused("/faces: is empty", self.write("b.obj", "v 0 0 0\n"), good)
         self.refused("--align", good, good, "--align", "affine")

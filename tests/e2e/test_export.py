@@ -90,6 +90,13 @@ class Export(ProgramTest):
         self.assertEqual(drawn[0], drawn[1])
         self.assertNotEqual(drawn[0]["chordae"], drawn[2]["chordae"])
         self.assertEqual(drawn[2]["drawn_chordae"], {"seed": 2, "tips_given": True})
+        told = json.loads(
+            self.run_ok(*folder, "--chordae", "synthesise", "--json", "-o", self.folder / "v.json").stdout
+        )
+        self.assertEqual(told["schema"], "coapt.import/1")
+        self.assertEqual([decision["about"] for decision in told["decisions"]][:3], ["units", "frame", "mesh"])
+        self.assertEqual(json.loads((self.folder / "v.json").read_text()), drawn[0])
+        self.assertEqual(coapt(*folder, "--chordae", "synthesise", "--json", "-o", "-").returncode, BAD_INPUT)
         valve = self.write("drawn.json", json.dumps(drawn[0]))
         self.assertEqual(json.loads(self.run_ok("close", valve, "--json").stdout)["status"], "converged")
         for options in (["--chordae", "chordae.csv"], ["--tips", "tips.csv"]):

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(bytes) + 1, size - 1);
   constexpr std::string_view kMeshes[] = {"obj", "ply", "stl", "vtk"};
-  switch (bytes[0] % 9) {
+  switch (bytes[0] % 10) {
     case 4:
       (void)read_chordae(text, "csv");
       return 0;
@@ -28,10 +28,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     case 8:
       (void)read_vtu(text);
       return 0;
+    case 9:
+      (void)read_vtp(text);
+      return 0;
     default:
       break;
   }
-  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 9]);
+  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 10]);
   if (!mesh) return 0;
   const bool indices =
       mesh->faces.minCoeff() >= 0 && mesh->faces.maxCoeff() < mesh->vertices_mm.rows();

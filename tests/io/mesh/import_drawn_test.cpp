@@ -32,6 +32,22 @@ TEST(ImportDrawn, TwoSheetsAndAnAnnulusAreEnough) {
             std::string::npos);
 }
 
+TEST(ImportDrawn, EveryDecisionIsASentenceOfTheProvenance) {
+  const Expected<ImportedValve> imported = import_with_decisions(unseen(), draws(1));
+  ASSERT_TRUE(imported);
+  const std::vector<std::string>& told = imported->valve.provenance;
+  const std::vector<ImportDecision>& decisions = imported->decisions;
+  ASSERT_GT(told.size(), decisions.size());
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    const std::string& sentence = told[told.size() - decisions.size() + i];
+    EXPECT_TRUE(sentence.starts_with(decisions[i].about + ": " + decisions[i].decision));
+    EXPECT_TRUE(sentence.ends_with(decisions[i].reason)) << sentence;
+  }
+  EXPECT_EQ(decisions.front().about, "units");
+  EXPECT_EQ(decisions.front().decision, "mm");
+  EXPECT_EQ(decisions.back().about, "chordae");
+}
+
 TEST(ImportDrawn, SheetsOrientTheValveAsTipsDo) {
   ImportSource turned = unseen();
   Eigen::Matrix3d turn;

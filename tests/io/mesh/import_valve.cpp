@@ -221,7 +221,7 @@ TEST(ImportValve, ChangesAreToldAfterTheSources) {
         valve.provenance.begin(), valve.provenance.end(),
         [&](const std::string& line) { return line.find(words) != std::string::npos; });
   };
-  EXPECT_TRUE(told("re-framed"));
+  EXPECT_TRUE(told("frame: moved by"));
   EXPECT_TRUE(told("60 stations"));
   EXPECT_TRUE(told("stations without sheet interpolated"));
   EXPECT_TRUE(told("2 marginal"));

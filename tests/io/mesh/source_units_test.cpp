@@ -26,7 +26,7 @@ TEST(SourceUnits, MetresAndCentimetresAreGuessedFromTheAnnulus) {
   ImportSource metres = cone_source(), centimetres = cone_source();
   scale(metres, 0.001);
   scale(centimetres, 0.1);
-  const std::string by = ", by the annulus's circumference";
+  const std::string by = "; by the annulus's circumference";
   expect_same(import_valve(cone_source(), {}), reference, "units: mm" + by);
   expect_same(import_valve(metres, {}), reference, "units: m" + by);
   expect_same(import_valve(centimetres, {}), reference, "units: cm" + by);
@@ -36,7 +36,7 @@ TEST(SourceUnits, GivenUnitsAreTaken) {
   ImportSource centimetres = cone_source();
   scale(centimetres, 0.1);
   expect_same(import_valve(centimetres, {.units = LengthUnit::Centimetre}),
-              *import_valve(cone_source(), {}), "units: cm, as given");
+              *import_valve(cone_source(), {}), "units: cm; as given");
 }
 
 TEST(SourceUnits, NothingIsGuessedFromWhatIsNoAnnulus) {

@@ -134,7 +134,7 @@ TEST(Vtk, LeafletsAreReadAsAMesh) {
 TEST(Vtk, WhatIsWrongIsToldWithItsLine) {
   const std::string start = "# vtk DataFile Version 4.2\nt\nASCII\nDATASET POLYDATA\n";
   EXPECT_EQ(problem("solid").code, ErrorCode::InputOutput);
-  EXPECT_EQ(problem("# vtk DataFile Version 4.2\nt\nBINARY\nDATASET POLYDATA\n").code,
+  EXPECT_EQ(problem("# vtk DataFile Version 4.2\nt\nPACKED\nDATASET POLYDATA\n").code,
             ErrorCode::Unsupported);
   EXPECT_EQ(problem("# vtk DataFile Version 4.2\nt\nASCII\nDATASET STRUCTURED_POINTS\n").code,
             ErrorCode::Unsupported);
