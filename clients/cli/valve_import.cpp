@@ -10,6 +10,7 @@
 #include "clients/cli/files.h"
 #include "io/command_line/command_line.h"
 #include "io/exchange/abaqus_valve.h"
+#include "io/exchange/decisions_json.h"
 #include "io/exchange/import_files.h"
 #include "io/exchange/slicerheart.h"
 #include "io/json/result_json.h"
@@ -65,16 +66,13 @@ Expected<std::vector<NamedFile>> read_folder(const std::string& path) {
 
 /// coapt.import/1. Keys that scripts rely on: decisions[] (about, decision, reason).
 nlohmann::ordered_json import_to_json(const ImportedValve& imported) {
-  nlohmann::ordered_json decisions = nlohmann::ordered_json::array();
-  for (const ImportDecision& of : imported.decisions)
-    decisions.push_back({{"about", of.about}, {"decision", of.decision}, {"reason", of.reason}});
   return {{"schema", "coapt.import/1"},
           {"version", version()},
           {"notice", kResearchNotice},
           {"name", imported.valve.name},
           {"triangles", imported.valve.faces.rows()},
           {"chordae", imported.valve.chordae.size()},
-          {"decisions", std::move(decisions)}};
+          {"decisions", to_json(imported.decisions)}};
 }
 
 /// The files that options name one by one.

@@ -191,7 +191,7 @@ std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Ski
                   "sheets joined to the annulus line; holes and bites bridged, " +
                       significant(skirt.widest_bridge_mm, 3) + " mm at the widest",
                   "they were " + significant(skirt.annulus_gap_mm, 3) + " mm away in the mean"});
-  told.push_back({"bare stations",
+  told.push_back({"commissures",
                   counted(bare) + " stations without sheet interpolated between their neighbours",
                   "which closes the commissures"});
   told.push_back(

@@ -1,5 +1,6 @@
 #include "server/endpoints/imports.h"
 
+#include "io/exchange/decisions_json.h"
 #include "io/exchange/import_files.h"
 #include "io/exchange/slicerheart.h"
 #include "server/answers.h"
@@ -86,7 +87,7 @@ Errors below_folder(Errors errors) {
   return errors;
 }
 
-Expected<Valve> imported(const Asked& asked) {
+Expected<ImportedValve> imported(const Asked& asked) {
   Expected<ImportSource> source =
       asked.slicerheart ? read_slicerheart(*asked.slicerheart)
                         : read_import_files({*asked.leaflets, *asked.annulus, *asked.chordae});
@@ -94,9 +95,9 @@ Expected<Valve> imported(const Asked& asked) {
   source->name = asked.name;
   source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),
                             asked.provenance.end());
-  Expected<Valve> valve = import_valve(*source, asked.options);
-  if (valve) return valve;
-  Errors errors = valve.errors();
+  Expected<ImportedValve> done = import_with_decisions(*source, asked.options);
+  if (done) return done;
+  Errors errors = done.errors();
   for (Error& error : errors)
     if (error.path.starts_with("/annulus_mm")) error.path.replace(0, 11, "/annulus");
   return asked.slicerheart ? below_folder(std::move(errors)) : errors;
@@ -130,11 +131,11 @@ Answer ImportValve::operator()(const Request& request) const {
   if (const Errors errors = check_files(asked); !errors.empty()) return problem(422, errors);
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  const Expected<Valve> valve = imported(asked);
-  if (!valve) return problem(422, valve.errors());
-  if (const Errors errors = check_size(*valve, valves.limits); !errors.empty())
+  const Expected<ImportedValve> done = imported(asked);
+  if (!done) return problem(422, done.errors());
+  if (const Errors errors = check_size(done->valve, valves.limits); !errors.empty())
     return problem(422, errors);
-  return store_valve(store, valves.limits, *valve);
+  return store_valve(store, valves.limits, done->valve, {{"decisions", to_json(done->decisions)}});
 }
 
 }  // namespace coapt

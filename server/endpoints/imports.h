@@ -9,7 +9,7 @@ namespace coapt {
 
 /// POST /v1/valves:import {"leaflets": [FILE, ...], "annulus": FILE, "chordae": FILE} or {"slicerheart": [FILE, ...]},
 /// both with "name", "provenance", "triangles", "branches", "branch_at", "slack", "reference" (optional). FILE is {"name",
-/// "text" or "base64"}. What `coapt valve import` makes of them is stored, and answered as by POST /v1/valves.
+/// "text" or "base64"}. What `coapt valve import` makes of them is stored, and answered as by POST /v1/valves, with "decisions".
 struct ImportValve {
   JobStore& store;
   ValveSource valves;

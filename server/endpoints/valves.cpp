@@ -32,16 +32,19 @@ Read read_valve_body(const ValveSource& source, const Request& request) {
 
 }  // namespace
 
-Answer store_valve(JobStore& store, const ServiceLimits& limits, const Valve& valve) {
+Answer store_valve(JobStore& store, const ServiceLimits& limits, const Valve& valve,
+                   const nlohmann::ordered_json& more) {
   const std::string document = write_valve(valve);
   const std::string id = content_id(document);
   const Expected<bool> is_new = store.add_valve(id, document);
   if (!is_new) return store_problem(is_new.errors());
   static_cast<void>(store.retain(limits.retention, wall_clock_ms()));  // else with the next
-  Answer answer = json_answer(*is_new ? 201 : 200, {{"id", id},
-                                                    {"vertices", valve.rest_mm.rows()},
-                                                    {"triangles", valve.faces.rows()},
-                                                    {"chordae", valve.chordae.size()}});
+  nlohmann::ordered_json stored = {{"id", id},
+                                   {"vertices", valve.rest_mm.rows()},
+                                   {"triangles", valve.faces.rows()},
+                                   {"chordae", valve.chordae.size()}};
+  stored.update(more);
+  Answer answer = json_answer(*is_new ? 201 : 200, std::move(stored));
   answer.headers.emplace_back("Location", "/v1/valves/" + id);
   return answer;
 }

@@ -15,7 +15,9 @@ struct PostValve {
 };
 
 /// 201 with the id of a valve that is new, else 200.
-Answer store_valve(JobStore& store, const ServiceLimits& limits, const Valve& valve);
+/// @param more members of the answer
+Answer store_valve(JobStore& store, const ServiceLimits& limits, const Valve& valve,
+                   const nlohmann::ordered_json& more = nlohmann::ordered_json::object());
 
 /// GET /v1/valves?page_size=&page_token=: newest first.
 struct GetValves {

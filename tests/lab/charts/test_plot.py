@@ -45,11 +45,13 @@ set-up,1000,0,50
 )
 ACCURACY = table(
     """\
-scene,method,membrane,triangles,tolerance,status,crossing,seconds,rms_mm,max_mm,orifice_error_mm2
-s,fast,springs,648,0.01,converged,false,0.01,0.5,1,-0.5
-s,fast,continuum,648,0.01,converged,false,0.02,0.6,1,0.6
-s,thesis,springs,648,0.01,converged,false,0.1,0.25,1,0.25
-s,fast,springs,648,0.01,converged,true,0.001,0.01,1,0.01
+scene,method,membrane,triangles,tolerance,status,crossing,seconds,rms_mm,max_mm,orifice_error_mm2,release
+s,fast,springs,648,0.01,converged,false,0.01,0.5,1,-0.5,
+s,fast,continuum,648,0.01,converged,false,0.02,0.6,1,0.6,
+s,fast,continuum,1296,0.01,converged,false,0.1,0.25,1,0.25,
+s,fast,continuum,648,0.01,converged,true,0.001,0.01,1,0.01,
+s,fast,springs,648,0.01,converged,false,0.03,0.7,1,0.7,0.1
+s,fast,continuum,648,0.01,converged,false,0.03,0.2,1,0.2,0.1
 """
 )
 STABILITY = table(
@@ -99,9 +101,14 @@ class SpeedAccuracy(unittest.TestCase):
 
     def test_what_crossed_is_not_drawn(self):
         axis = plot.draw_speed_accuracy(ACCURACY).axes[0]
-        best = next(line for line in axis.lines if line.get_label() == "best for its time")
-        self.assertEqual(list(best.get_ydata()), [0.5, 0.25])
+        best = next(line for line in axis.lines if line.get_label() == "continuum, best for its time")
+        self.assertEqual(list(best.get_ydata()), [0.6, 0.25])
         self.assertEqual(sum(len(points.get_offsets()) for points in axis.collections), 3)
+
+    def test_an_earlier_release_is_a_line_of_its_own_default(self):
+        axis = plot.draw_speed_accuracy(ACCURACY).axes[0]
+        before = next(line for line in axis.lines if line.get_label() == "release 0.1, springs")
+        self.assertEqual(list(before.get_ydata()), [0.7])
 
 
 class Stability(unittest.TestCase):

@@ -55,6 +55,11 @@ TEST_F(ImportsTest, FilesBecomeAValveThatIsStored) {
   const ordered_json valve = json_of(get("/v1/valves/" + json_of(answer)["id"].get<std::string>()));
   EXPECT_EQ(valve["name"], "a cone");
   EXPECT_EQ(valve["provenance"][0], "made up");
+  const ordered_json decisions = json_of(answer)["decisions"];
+  ASSERT_EQ(decisions.size(), 8U);
+  EXPECT_EQ(decisions[0], (ordered_json{{"about", "units"},
+                                        {"decision", "mm"},
+                                        {"reason", "by the annulus's circumference"}}));
   EXPECT_EQ(valve["faces"].size(), json_of(answer)["triangles"]);
   EXPECT_EQ(post("/v1/valves:import", request).status, 200);
 }

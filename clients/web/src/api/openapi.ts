@@ -668,7 +668,18 @@ export interface components {
             triangles: number;
             /** @description Number of chordae, ruptured ones included. */
             chordae: number;
+            /** @description What an import settled, in this order; only of valves:import. */
+            decisions?: components["schemas"]["ImportDecision"][];
             notice: components["schemas"]["Notice"];
+        };
+        /** @description What an import settled that its files leave open, or changed. The valve's provenance says the same. */
+        ImportDecision: {
+            /** @description units, frame, mesh, annulus, commissures, landmarks, state or chordae. */
+            about: string;
+            /** @description What was done, with numbers. */
+            decision: string;
+            /** @description Why, or by what rule. */
+            reason: string;
         };
         /** @description Whether a document is a valve. */
         Validation: {
