@@ -229,7 +229,7 @@ void add_fit(Command parent, int& status) {
       .check(number_from(0.01, 5.0))
       .show_default();
   command.add_option("--points", options.most_points, "Points used of the surface, at most")
-      .check(number_from(100, 100000))
+      .check(number_from(100, 10000))
       .show_default();
   command.add_option("--rounds", options.most_rounds, "Rounds of either pass, at most")
       .check(number_from(1, 1000))

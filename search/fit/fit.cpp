@@ -14,6 +14,7 @@ namespace coapt {
 namespace {
 
 constexpr int kLeastPoints = 100;
+constexpr double kMostCoordinate_mm = 1e5;
 constexpr double kMostAway_mm = 15.0;  // of the median point from the valve as given
 constexpr int kPasses = 2;
 constexpr double kFirstNoise_mm = 0.5, kLeastNoise_mm = 0.01;
@@ -39,8 +40,6 @@ Errors check(const MeasuredClosure& measured, const FitProblem& problem, const P
     return {Error{ErrorCode::OutOfRange, "/points_mm",
                   "has " + std::to_string(points_mm.rows()) + " points, must be at least " +
                       std::to_string(kLeastPoints)}};
-  if (!points_mm.allFinite())
-    return {Error{ErrorCode::OutOfRange, "/points_mm", "has coordinates that are not finite"}};
   if (measured.leak_mm2 && !(*measured.leak_mm2 >= 0.0 && *measured.leak_mm2 <= 2000.0))
     return {Error{ErrorCode::OutOfRange, "/leak_mm2",
                   "is " + shown(*measured.leak_mm2) + " mm2, must be from 0 to 2000 mm2"}};
@@ -63,6 +62,9 @@ Errors check(const MeasuredClosure& measured, const FitProblem& problem, const P
 
 Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured,
                              const FitOptions& options) {
+  if (!(measured.points_mm.array().abs() <= kMostCoordinate_mm).all())
+    return Error{ErrorCode::OutOfRange, "/points_mm",
+                 "has coordinates that are no numbers from -1e5 to 1e5 mm"};
   ValveFit fit;
   fit.points_mm = thinned(measured.points_mm, options.most_points);
   FitProblem problem(valve, measured, options, fit.points_mm);

@@ -29,7 +29,7 @@ struct MeasuredClosure {
 struct FitOptions {
   FitUnknowns unknowns;
   ClosureOptions closure;
-  int most_points = 2000;  ///< [100, 100000]; more are thinned
+  int most_points = 2000;  ///< [100, 10000]; more are thinned
   int most_rounds = 30;    ///< of either pass
   int threads = 0;         ///< 0: all cores
   /// Rounds done of at most twice most_rounds, rms in mm; false stops.

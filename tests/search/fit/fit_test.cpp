@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/presets/presets.h"
 #include "core/valve/remodel.h"
 
@@ -78,14 +80,16 @@ TEST(Fit, RefusesWhatCannotBeFitted) {
     return fit ? std::string("fitted") : fit.errors().front().path;
   };
   const MeasuredClosure good = displaced(valve);
-  MeasuredClosure few = good, away = good, leak = good, broken = good;
+  MeasuredClosure few = good, away = good, leak = good, broken = good, huge = good;
   few.points_mm.conservativeResize(20, 3);
   away.points_mm.col(0).array() += 100.0;
   leak.leak_mm2 = std::nan("");
   broken.points_mm(3, 1) = std::nan("");
+  huge.points_mm(3, 1) = 1e300;
   EXPECT_EQ(path_of(few, tips_alone()), "/points_mm");
   EXPECT_EQ(path_of(away, tips_alone()), "/points_mm");
   EXPECT_EQ(path_of(broken, tips_alone()), "/points_mm");
+  EXPECT_EQ(path_of(huge, tips_alone()), "/points_mm");
   EXPECT_EQ(path_of(leak, tips_alone()), "/leak_mm2");
   FitOptions nothing = tips_alone();
   nothing.unknowns.tips = false;
