@@ -1,13 +1,26 @@
 #include "io/mesh/vtk_words.h"
 
+#include <bit>
 #include <charconv>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <utility>
 
-#include "io/mesh/byte_scan.h"
-
 namespace coapt {
+namespace {
+
+/// From the front of `bytes`, which holds at least one.
+template <class T>
+void take_big_endian(std::string_view& bytes, T& value) {
+  std::array<char, sizeof(T)> raw{};
+  for (std::size_t i = 0; i < sizeof(T); ++i)
+    raw[i] = bytes[std::endian::native == std::endian::big ? i : sizeof(T) - 1 - i];
+  std::memcpy(&value, raw.data(), sizeof(T));
+  bytes.remove_prefix(sizeof(T));
+}
+
+}  // namespace
 
 std::string_view VtkWords::next() {
   if (!block_.empty()) return number();
@@ -79,32 +92,31 @@ bool VtkWords::skip_numbers() {
 
 std::string_view VtkWords::number() {
   const auto shown = [&](auto value) {
-    if (!value) return std::string_view{};
-    const auto end = std::to_chars(text_.data(), text_.data() + text_.size(), *value).ptr;
+    take_big_endian(block_, value);
+    const auto end = std::to_chars(text_.data(), text_.data() + text_.size(), value).ptr;
     return std::string_view(text_.data(), static_cast<std::size_t>(end - text_.data()));
   };
-  constexpr auto kBig = std::endian::big;
   switch (type_) {
     case Binary::Int8:
-      return shown(take_binary<std::int8_t>(block_, kBig));
+      return shown(std::int8_t{0});
     case Binary::Uint8:
-      return shown(take_binary<std::uint8_t>(block_, kBig));
+      return shown(std::uint8_t{0});
     case Binary::Int16:
-      return shown(take_binary<std::int16_t>(block_, kBig));
+      return shown(std::int16_t{0});
     case Binary::Uint16:
-      return shown(take_binary<std::uint16_t>(block_, kBig));
+      return shown(std::uint16_t{0});
     case Binary::Int32:
-      return shown(take_binary<std::int32_t>(block_, kBig));
+      return shown(std::int32_t{0});
     case Binary::Uint32:
-      return shown(take_binary<std::uint32_t>(block_, kBig));
+      return shown(std::uint32_t{0});
     case Binary::Int64:
-      return shown(take_binary<std::int64_t>(block_, kBig));
+      return shown(std::int64_t{0});
     case Binary::Uint64:
-      return shown(take_binary<std::uint64_t>(block_, kBig));
+      return shown(std::uint64_t{0});
     case Binary::Float32:
-      return shown(take_binary<float>(block_, kBig));
+      return shown(0.0F);
     case Binary::Float64:
-      return shown(take_binary<double>(block_, kBig));
+      return shown(0.0);
   }
   return {};
 }
