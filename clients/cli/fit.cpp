@@ -14,6 +14,7 @@
 #include "clients/cli/interrupt.h"
 #include "clients/cli/progress_bar.h"
 #include "core/valve/patient_frame.h"
+#include "io/exchange/import_files.h"
 #include "io/exchange/shape_file.h"
 #include "io/json/fit_json.h"
 #include "io/json/valve_json.h"
@@ -44,8 +45,7 @@ struct FitArguments {
 Expected<LeafletMesh> read_surface(const std::string& path) {
   const Expected<std::string> bytes = read_input(path);
   if (!bytes) return bytes.errors();
-  std::string format = std::filesystem::path(path).extension().string();
-  if (!format.empty()) format.erase(0, 1);
+  const std::string format = format_of(path);
   if (is_shape_format(format)) return read_shape(*bytes, format);
   if (format != "csv")
     return Error{ErrorCode::Unsupported, "",
