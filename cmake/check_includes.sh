@@ -12,7 +12,7 @@ core/metrics     : core/closure core/valve
 core/closed      : core/repair core/metrics core/closure core/valve
 core/presets     : core/closure core/valve
 search/          : core
-search/plans     : core search/
+search/plans     : core search/ search/fit
 search/studies   : core search/ search/plans
 search/fit       : core search/
 io/command_line  : core/valve
@@ -31,6 +31,7 @@ lab/closures     : core search io
 lab/lattices     : core search io lab/rivals
 lab/verdicts     : core search lab/closures
 lab/twins        : core search lab/closures
+lab/diseases     : core search
 lab/charts       : core search io lab/closures
 lab/cli          : core search io clients/cli lab
 '

@@ -1,7 +1,9 @@
 #include "search/model_draw.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <string>
 
 #include "core/valve/validate.h"
 #include "search/latin_hypercube.h"
@@ -55,6 +57,13 @@ void change_chorda(const std::array<double, kModelParameters>& factor, double ow
   }
 }
 
+/// Whether a fit has found parameters whose names begin so: its own draws move them (fit/fitted_draw.h).
+bool is_fitted(const Valve& valve, const char* prefix) {
+  return valve.fitted &&
+         std::any_of(valve.fitted->parameters.begin(), valve.fitted->parameters.end(),
+                     [&](const std::string& name) { return name.starts_with(prefix); });
+}
+
 }  // namespace
 
 const std::array<ModelParameter, kModelParameters>& model_parameters() {
@@ -99,6 +108,9 @@ Expected<Valve> with_model(const Valve& valve, const std::vector<double>& shares
   std::array<double, kModelParameters> factor{};
   for (std::size_t i = 0; i < factor.size(); ++i)
     factor[i] = model_factor(model_parameters()[i], shares[i]);
+  if (is_fitted(valve, "slack_")) factor[kChordalLength] = 1.0;
+  if (is_fitted(valve, "prestretch_"))
+    factor[kCircumferentialTransition] = factor[kRadialTransition] = 1.0;
   Valve drawn = valve;
   change_tissue(factor, drawn.tissue);
   for (Chorda& chorda : drawn.chordae) change_chorda(factor, valve.tissue.chordae_kpa, chorda);

@@ -25,7 +25,7 @@ const std::array<ModelParameter, kModelParameters>& model_parameters();
 /// Of a parameter at a share in [0, 1]; exactly 1 at a half.
 double model_factor(const ModelParameter& parameter, double share);
 
-/// The valve with its properties at these shares. Annulus, tips, rest shape and what a surgeon has
+/// The valve with its properties at these shares, but for those that a fit has found. Annulus, tips, rest shape and what a surgeon has
 /// chosen (length and modulus of neochordae) stay. Errors: a value that validate() refuses, of a
 /// valve near its limits. @pre the valve is valid and mitral; shares.size() == kModelParameters.
 Expected<Valve> with_model(const Valve& valve, const std::vector<double>& shares);

@@ -94,11 +94,11 @@ void print_model_draws(std::ostream& out, const ordered_json& result) {
   print_words(
       out, "Model: ",
       counted((*model)["draws"].get<long>(), "draw") +
-          (model->value("chordae_drawn", false)
-               ? " of tissue and of chordae that were not seen, the same for all plans; unrepaired "
-                 "leak "
-               : " of tissue and chordae, the same for all plans; unrepaired leak ") +
-          known(leak["mean"]) + " ± " + known(leak["sd"]) + " mm2" +
+          (model->value("fit_drawn", false)       ? " of tissue and of what the fit left uncertain"
+           : model->value("chordae_drawn", false) ? " of tissue and of chordae that were not seen"
+                                                  : " of tissue and chordae") +
+          ", the same for all plans; unrepaired leak " + known(leak["mean"]) + " ± " +
+          known(leak["sd"]) + " mm2" +
           (result["plans"].empty() ? "" : ". A rank that does not hold in them is called a tie"));
 }
 

@@ -37,7 +37,8 @@ ThesisStudyOptions quick_studies() {
 std::string kind_of(const std::string& preset) {
   if (preset == "human-functional-mr" || preset == "human-p2-prolapse") return "leaking presets";
   if (preset.starts_with("porcine-thesis")) return "calibrated";
-  return preset.starts_with("porcine") ? "porcine presets" : "human presets";
+  if (preset.starts_with("porcine")) return "porcine presets";
+  return preset.starts_with("human") ? "human presets" : "disease presets";
 }
 
 /// Presets, the files given, random anatomies.

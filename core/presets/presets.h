@@ -1,18 +1,12 @@
-// Valves to start from. They are closed once here, because their chordae are as long as in the
-// closed, pressurised valve (thesis 2.2.2); that is why this is not in core/valve.
+// Valves to start from.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "core/valve/parametric.h"
+#include "core/presets/taut_valve.h"
 
 namespace coapt {
-
-/// A parametric valve whose chordae are taut in its closed state (times dimensions.slack). The
-/// lengths come from the mesh of about 650 triangles and are the same at every resolution. What
-/// validate() would refuse is refused here, before anything is closed.
-Expected<Valve> make_taut_valve(const ParametricValve& dimensions);
 
 const std::vector<std::string>& preset_names();
 

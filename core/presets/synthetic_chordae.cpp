@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/closure/closure.h"
-#include "core/closure/tauten.h"
+#include "core/presets/taut_valve.h"
 #include "core/valve/leaflet_coordinates.h"
 #include "core/valve/leaflet_point.h"
 #include "core/valve/parametric_chordae.h"
@@ -16,7 +15,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kMeanSlack = 1.15;  // as of presets (presets.cpp)
 constexpr double kValveSlackSd = 0.05, kChordaSlackSd = 0.03;
 // Tips of a human valve of 29 x 39 mm (parametric.h), in proportion; sd of cadavers for the depth.
 constexpr double kDepth = 23.5 / 29.0, kSpread = 26.0 / 39.0, kBehind = 4.0 / 29.0;
@@ -83,12 +81,6 @@ std::vector<ChordaGroup> groups_of(Draw& draw) {
   return groups;
 }
 
-LeafletPoint point_at(const ChordaSite& site) {
-  const double around = site.around - std::floor(site.around);
-  if (around < 0.5) return {Leaflet::Anterior, 1.0 - 2.0 * around, site.height};
-  return {Leaflet::Posterior, 2.0 * around - 1.0, site.height};
-}
-
 /// Row 0 anterolateral, row 1 posteromedial.
 Points drawn_tips(const Valve& valve, Draw& draw) {
   const auto at = [&](int vertex) { return annulus_position_mm(valve, vertex); };
@@ -143,18 +135,12 @@ void name_chordae(Valve& valve) {
   }
 }
 
-Expected<Valve> taut(const Valve& valve, Draw& draw) {
-  ClosureOptions to_rest;
-  to_rest.residual_tolerance = 1e-4;
-  to_rest.way_tolerance_mm = 1e-3;
-  const ClosureResult closed = close_valve(valve, to_rest);
-  if (closed.status != ClosureStatus::Converged || closed.crossing)
-    return Error{ErrorCode::BadGeometry, "",
-                 "does not close without leaflets passing through each other: lengths of chordae "
-                 "cannot be taken from it"};
-  Valve made = tauten(valve, closed, 1.0);
-  const double slack = kMeanSlack * (1.0 + kValveSlackSd * draw.normal());
-  for (Chorda& chorda : made.chordae) {
+/// Lengths of the closed state, times a slack drawn for the valve and one for each chorda.
+Expected<Valve> with_drawn_lengths(const Valve& valve, Draw& draw) {
+  Expected<Valve> made = taut_when_closed(valve);
+  if (!made) return made;
+  const double slack = kPresetSlack * (1.0 + kValveSlackSd * draw.normal());
+  for (Chorda& chorda : made->chordae) {
     const double own = slack * (1.0 + kChordaSlackSd * draw.normal());
     for (ChordaSegment& segment : chorda.segments) segment.rest_length_mm *= own;
   }
@@ -175,7 +161,7 @@ Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips
   if (Errors errors = check_tips(at_mm); !errors.empty()) return errors;
   const LeafletCoordinates coordinates = leaflet_coordinates(valve);
   const auto located = [&](const ChordaSite& site) {
-    return locate(valve, coordinates, point_at(site));
+    return locate(valve, coordinates, leaflet_point(site.around, site.height));
   };
   std::vector<ChordaGroup> lateral;
   for (const ChordaGroup& group : groups_of(draw)) lateral.push_back(mirrored(group));
@@ -183,7 +169,7 @@ Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips
   add_muscle(at_mm, Side::Posteromedial, groups_of(draw), located, valve);
   name_chordae(valve);
   if (Errors errors = validate(valve); !errors.empty()) return errors;
-  Expected<Valve> made = taut(valve, draw);
+  Expected<Valve> made = with_drawn_lengths(valve, draw);
   if (!made) return made;
   made->annulus_mm = pressed_mm;
   for (PapillaryHead& head : made->heads) head.tip_mm += displacement_mm(old_heads, head.side);

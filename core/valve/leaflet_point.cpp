@@ -86,7 +86,11 @@ LeafletPoint leaflet_point(const Valve& valve, const LeafletCoordinates& coordin
     place += weight * wrapped(coordinates.around[vertex] - coordinates.around[first]);
     height += weight * coordinates.height[vertex];
   }
-  place = turn_fraction(place);
+  return leaflet_point(place, height);
+}
+
+LeafletPoint leaflet_point(double around, double height) {
+  const double place = turn_fraction(around);
   if (place < 0.5) return {Leaflet::Anterior, 1.0 - 2.0 * place, height};
   return {Leaflet::Posterior, 2.0 * place - 1.0, height};
 }

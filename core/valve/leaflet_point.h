@@ -26,4 +26,7 @@ Insertion locate(const Valve& valve, const LeafletCoordinates& coordinates,
 LeafletPoint leaflet_point(const Valve& valve, const LeafletCoordinates& coordinates,
                            const Insertion& insertion);
 
+/// The point at LeafletCoordinates::around, any number of turns.
+LeafletPoint leaflet_point(double around, double height);
+
 }  // namespace coapt

@@ -245,6 +245,7 @@ ProblemList problems_in(const Valve& valve) {
   check_chordae(valve, problems);
   check_patient(valve, problems);
   check_drawn(valve, problems);
+  check_fitted(valve, problems);
   return problems;
 }
 

@@ -20,6 +20,7 @@ struct MeshCheck {
 MeshCheck check_mesh(const Valve& valve, ProblemList& problems);
 void check_annulus(const Valve& valve, const MeshCheck& mesh, ProblemList& problems);
 void check_chordae(const Valve& valve, ProblemList& problems);
+void check_fitted(const Valve& valve, ProblemList& problems);
 
 /// Whether all coordinates are inside the accepted range; lists each row and column that is not.
 bool check_points(const Points& points, const std::string& path, ProblemList& problems);

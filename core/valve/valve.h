@@ -124,6 +124,13 @@ struct DrawnChordae {
   bool operator==(const DrawnChordae&) const = default;
 };
 
+/// What a fit to a closed surface left uncertain (search/fit/fitted_draw.h).
+struct FittedValues {
+  std::vector<std::string> parameters;  ///< unique names, as fit_parameters() gives them
+  /// Of what may be added to each: mm or 1; of a slack, to a factor of 1 on the lengths as they are.
+  Eigen::MatrixXd covariance;
+};
+
 /// Face normals (counter-clockwise winding) point to the atrial surface of the leaflets, and each
 /// annulus edge appears in its face in the direction of the annulus loop.
 struct Valve {
@@ -146,6 +153,7 @@ struct Valve {
   Tissue tissue;
   double pressure_kpa = 16.0;                 ///< transvalvular, peak systolic (120 mmHg)
   std::optional<DrawnChordae> drawn_chordae;  ///< none: they were seen, or belong to the model
+  std::optional<FittedValues> fitted;         ///< none: it was not fitted, or exactly
   std::optional<PatientFrame> patient;  ///< none: it was not made from images, or nobody knows
 };
 

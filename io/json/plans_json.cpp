@@ -116,7 +116,8 @@ ordered_json model_json(const SearchResult& result) {
   return {{"draws", result.model_draws},
           {"before", spread_json(result.before_under_draws)},
           {"closures", result.model_closures},
-          {"chordae_drawn", result.draws_chordae}};
+          {"chordae_drawn", result.draws_chordae},
+          {"fit_drawn", result.draws_fit}};
 }
 
 ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {

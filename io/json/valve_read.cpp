@@ -181,6 +181,30 @@ DrawnChordae read_drawn_chordae(const JsonPlace& place) {
   return drawn;
 }
 
+FittedValues read_fitted(const JsonPlace& place) {
+  FittedValues fitted;
+  std::vector<std::vector<double>> rows;
+  read_fields(place,
+              {{"parameters",
+                [&](const JsonPlace& names) { fitted.parameters = read_list(names, read_string); }},
+               {"covariance", [&](const JsonPlace& matrix) {
+                  rows = read_list(
+                      matrix, [](const JsonPlace& row) { return read_list(row, read_number); });
+                }}});
+  const std::size_t count = rows.size();
+  const bool square =
+      std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row.size() == count; });
+  if (!square) {
+    add_problem(place, ErrorCode::BadGeometry, "covariance must have as many columns as rows");
+    return fitted;
+  }
+  fitted.covariance.resize(std::ssize(rows), std::ssize(rows));
+  for (std::size_t i = 0; i < count; ++i)
+    fitted.covariance.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::RowVectorXd>(rows[i].data(), std::ssize(rows));
+  return fitted;
+}
+
 // Reads a list of what `read` returns into `target`.
 template <class T, class Read>
 std::function<void(const JsonPlace&)> list_into(std::vector<T>& target, Read read) {
@@ -208,6 +232,7 @@ Valve read_form(const JsonPlace& root) {
                {"papillary_heads", list_into(valve.heads, read_head)},
                {"chordae", list_into(valve.chordae, read_chorda)},
                {"drawn_chordae", into(valve.drawn_chordae, read_drawn_chordae), false},
+               {"fit", into(valve.fitted, read_fitted), false},
                {"patient_frame", into(valve.patient, read_patient_frame), false}});
   return valve;
 }
@@ -233,6 +258,7 @@ Valve read_leaflet_form(const JsonPlace& root) {
                {"annulus", read_annulus},
                {"papillary_heads", list_into(valve.heads, read_plain_head)},
                {"chordae", list_into(valve.chordae, read_chorda)},
+               {"fit", into(valve.fitted, read_fitted), false},
                {"patient_frame", into(valve.patient, read_patient_frame), false}});
   if (valve.leaflets.empty()) {
     root.problems.add(ErrorCode::MissingField, "/leaflets", "must have at least one leaflet");

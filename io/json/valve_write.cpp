@@ -120,6 +120,16 @@ ordered_json patient_frame_json(const PatientFrame& frame) {
   return rows;
 }
 
+ordered_json fitted_json(const FittedValues& fitted) {
+  ordered_json covariance = ordered_json::array();
+  for (Eigen::Index i = 0; i < fitted.covariance.rows(); ++i) {
+    covariance.push_back(ordered_json::array());
+    for (Eigen::Index j = 0; j < fitted.covariance.cols(); ++j)
+      covariance.back().push_back(fitted.covariance(i, j));
+  }
+  return {{"parameters", fitted.parameters}, {"covariance", std::move(covariance)}};
+}
+
 ordered_json mitral_json(const Valve& valve) {
   return {{"schema", "coapt.valve/1"},
           {"name", valve.name},
@@ -163,6 +173,7 @@ std::string write_valve(const Valve& valve) {
   if (valve.drawn_chordae)
     json["drawn_chordae"] = {{"seed", valve.drawn_chordae->seed},
                              {"tips_given", valve.drawn_chordae->tips_given}};
+  if (valve.fitted) json["fit"] = fitted_json(*valve.fitted);
   if (valve.patient) json["patient_frame"] = patient_frame_json(*valve.patient);
   std::string text = "{";
   const char* separator = "\n  ";

@@ -11,6 +11,7 @@ mesh.csv                error of areas and shapes against the number of triangle
 uniqueness.csv          how unique the closed state is, over the leaflets' rigidity
 verdicts.csv            leak and verdict of the same plans on three meshes
 twins.csv               fitted against true values of valves whose answers are known
+barlow.csv              coaptation and leak of valves with Barlow's disease against their annulus
 chordae.csv             leak of plans on drawn chordae against that on the anatomy's own
 growth.csv              time of the parts of a closure against the number of triangles
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
@@ -21,6 +22,7 @@ import csv
 import pathlib
 import statistics
 
+import barlow
 import chordae
 import growth
 import mesh
@@ -477,6 +479,7 @@ CHARTS = {
     "verdicts": {"verdicts": verdicts.draw_verdicts},
     "twins": {"twins": twins.draw_twins},
     "chordae": {"chordae": chordae.draw_chordae},
+    "barlow": {"barlow": barlow.draw_barlow},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},
 }

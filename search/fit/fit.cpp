@@ -58,6 +58,19 @@ Errors check(const MeasuredClosure& measured, const FitProblem& problem, const P
   return {};
 }
 
+/// Of a slack in shares of the fitted length, of others as they are.
+FittedValues uncertainty(const ValveFit& fit) {
+  FittedValues fitted;
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(fit.covariance.rows());
+  for (const FittedParameter& found : fit.parameters) {
+    if (std::holds_alternative<ChordalGroup>(found.parameter.changes))
+      scale(std::ssize(fitted.parameters)) = 1.0 / found.value;
+    fitted.parameters.push_back(found.parameter.name);
+  }
+  fitted.covariance = scale.asDiagonal() * fit.covariance * scale.asDiagonal();
+  return fitted;
+}
+
 }  // namespace
 
 Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured,
@@ -118,6 +131,7 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
     fit.parameters.push_back({problem.parameters()[i], values[i], sd,
                               sd < kIdentified * problem.parameters()[i].prior_sd});
   }
+  fit.closed.valve.fitted = uncertainty(fit);
   fit.closures = problem.closures() + 2;
   return fit;
 }

@@ -49,7 +49,7 @@ struct FittedLeak {
 };
 
 struct ValveFit {
-  ClosedValve before, closed;  ///< the valve as given and as fitted, closed
+  ClosedValve before, closed;  ///< the valve as given and as fitted (with Valve::fitted), closed
   std::vector<FittedParameter> parameters;
   Eigen::MatrixXd covariance;        ///< of the values
   Points points_mm;                  ///< that were used

@@ -7,6 +7,8 @@
 #include "core/metrics/mean_and_sd.h"
 #include "core/presets/synthetic_chordae.h"
 #include "core/repair/apply_plan.h"
+#include "search/fit/fitted_draw.h"
+#include "search/latin_hypercube.h"
 #include "search/model_draw.h"
 #include "search/parallel.h"
 
@@ -14,7 +16,8 @@ namespace coapt {
 namespace {
 
 constexpr int kMostSeed = 0x7fffffff;
-constexpr std::uint64_t kSeed = 1;  // not the search's: another search, the same draws
+constexpr std::uint64_t kSeed = 1,
+                        kFitSeed = 2;  // not the search's: another search, the same draws
 
 PlanClosure refused() {
   PlanClosure closure;
@@ -22,17 +25,25 @@ PlanClosure refused() {
   return closure;
 }
 
-/// The unrepaired valve in each draw: with other chordae where its own were never seen, else as it is. Empty where such
-/// chordae cannot be made.
+/// The unrepaired valve in each draw: with other values where a fit left them uncertain, with other chordae where its own were
+/// never seen, else as it is. Empty where such a valve cannot be made.
 std::vector<std::optional<Valve>> drawn_valves(const PlanEvaluations& evaluations, int draws) {
   std::vector<std::optional<Valve>> valves(static_cast<std::size_t>(draws), evaluations.valve());
-  const std::optional<DrawnChordae> own = evaluations.valve().drawn_chordae;
-  if (!own) return valves;
+  const Valve& valve = evaluations.valve();
+  if (!valve.fitted && !valve.drawn_chordae) return valves;
+  const std::vector<std::vector<double>> shares =
+      valve.fitted
+          ? latin_hypercube(draws, static_cast<int>(valve.fitted->parameters.size()), kFitSeed)
+          : std::vector<std::vector<double>>{};
+  const auto drawn = [&](int draw) {
+    if (valve.fitted) return with_fitted_draw(valve, shares[static_cast<std::size_t>(draw)]);
+    return redrawn_chordae(valve,
+                           static_cast<int>((valve.drawn_chordae->seed + 1LL + draw) & kMostSeed));
+  };
   for_each_index(draws, evaluations.threads(), [&](int draw) {
     if (evaluations.cancelled()) return;
-    const Expected<Valve> redrawn = redrawn_chordae(
-        evaluations.valve(), static_cast<int>((own->seed + 1LL + draw) & kMostSeed));
-    valves[static_cast<std::size_t>(draw)] = redrawn ? std::optional(*redrawn) : std::nullopt;
+    const Expected<Valve> other = drawn(draw);
+    valves[static_cast<std::size_t>(draw)] = other ? std::optional(*other) : std::nullopt;
   });
   return valves;
 }

@@ -1,6 +1,6 @@
 // What the model's own error makes of the order of plans: reported plans closed again, as planned,
-// under common draws of the material (model_draw.h), and of the chordae where those were never seen
-// (core/presets/synthetic_chordae.h).
+// under common draws of the material (model_draw.h), and of what a fit left uncertain (fit/fitted_draw.h) or, without one, of
+// the chordae where those were never seen (core/presets/synthetic_chordae.h).
 //
 // A plan is judged in a draw as on its own material, by what its closure as planned changes: the
 // region's mean leak and the cost move by as much. A rank holds if the plan stays ahead of the next

@@ -48,7 +48,8 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
       plan.starts = check_starts(evaluations, evaluations.record(plan.plan), plan.region.closures);
   result.fine_mesh = fine.mesh;
   result.model_draws = model.draws;
-  result.draws_chordae = evaluations.valve().drawn_chordae.has_value();
+  result.draws_fit = evaluations.valve().fitted.has_value();
+  result.draws_chordae = !result.draws_fit && evaluations.valve().drawn_chordae.has_value();
   result.model_closures = model.closures;
   if (!model.before.empty()) result.before_under_draws = model_spread(model.before);
 }

@@ -10,6 +10,7 @@
 #include "core/repair/rings.h"
 #include "core/valve/annulus_frame.h"
 #include "core/valve/number_text.h"
+#include "search/fit/fitted_draw.h"
 
 namespace coapt {
 namespace {
@@ -304,6 +305,7 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
 
 Expected<PlanSpace> make_plan_space(const Valve& valve, const SearchRules& rules) {
   if (Errors errors = check_rules(valve, rules); !errors.empty()) return errors;
+  if (Errors errors = check_fitted_parameters(valve); !errors.empty()) return errors;
   PlanSpace space(valve, rules);
   if (!space.branches().empty()) return space;
   std::string why;

@@ -92,6 +92,7 @@ struct SearchResult {
   /// Draws of the model that RankedPlan::model is of, and the valve as it is under them.
   int model_draws = 0;
   bool draws_chordae = false;  ///< each with chordae of its own: the valve's were never seen
+  bool draws_fit = false;      ///< each with other values of what a fit left uncertain
   std::optional<ModelSpread> before_under_draws;
   int model_closures = 0;  ///< made for these draws; `closures` does not count them
   /// Whether a ranked plan closes the valve robustly.

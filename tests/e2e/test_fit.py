@@ -38,6 +38,9 @@ class Fit(ProgramTest):
         near = json.loads(self.run_ok("compare", fitted, truth, "--json").stdout)
         self.assertLess(near["rms_mm"], 0.1)
         self.assertIn("fitted to closed.ply", json.loads(fitted.read_text())["provenance"][-1])
+        uncertain = json.loads(fitted.read_text())["fit"]
+        self.assertEqual(uncertain["parameters"], list(values))
+        self.assertAlmostEqual(uncertain["covariance"][2][2] ** 0.5, values["tip_AL_z"]["sd"], delta=1e-9)
         again = self.folder / "again.json"
         options[options.index(fitted)] = again
         self.run_ok("fit", given, "--closed", closed, *options, "--threads", "1")

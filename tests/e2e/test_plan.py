@@ -110,7 +110,9 @@ class Plan(ProgramTest):
                 likely = plan["probability_outranks_next"]
                 self.assertEqual(plan["tie_with_next"], 0.05 <= likely <= 0.95 or share <= 0.95)
         own, _ = self.plan(evaluations=20, model_draws=0)
-        self.assertEqual(own["model_draws"], {"draws": 0, "before": None, "closures": 0, "chordae_drawn": False})
+        self.assertEqual(
+            own["model_draws"], {"draws": 0, "before": None, "closures": 0, "chordae_drawn": False, "fit_drawn": False}
+        )
         self.assertEqual([plan["under_draws"] for plan in own["plans"]], [None] * len(plans))
         self.assertEqual([plan["cost"] for plan in own["plans"]], [plan["cost"] for plan in plans])
         words = coapt("plan", VALVE, *options(evaluations=3, plans=1)).stdout

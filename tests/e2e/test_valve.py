@@ -8,6 +8,7 @@ import jsonschema
 from programs import BAD_INPUT, COAPT, FAILURE, OK, SOURCE, ProgramTest, coapt
 
 PRESETS = [f"porcine-{i}" for i in range(1, 6)] + ["human-normal", "human-functional-mr", "human-p2-prolapse"]
+PRESETS += ["barlow", "fibroelastic-flail", "marfan", "secondary-mr", "hypertrophic"]
 
 
 class CommandLine(ProgramTest):

@@ -12,7 +12,7 @@ _coapt_subcommands() {
 }
 
 _coapt_presets='porcine-1 porcine-2 porcine-3 porcine-4 porcine-5 porcine-thesis porcine-thesis-tables human-normal
-  human-functional-mr human-p2-prolapse'
+  human-functional-mr human-p2-prolapse barlow fibroelastic-flail marfan secondary-mr hypertrophic'
 
 # What follows an option; nothing: a file, or anything.
 _coapt_values() {

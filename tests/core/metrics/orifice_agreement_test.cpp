@@ -38,7 +38,9 @@ void expect_agreement(const Valve& valve, const Points& closed_mm, const ImageSi
   const double raw = total_mm2(view_orifices(valve, closed_mm, 0.0, size));
   const double less = exact_orifice(valve, closed_mm, half_diagonal_mm).area_mm2;
   EXPECT_LE(less, 1.002 * raw);  // scale as above
-  EXPECT_NEAR(raw, exact.area_raw_mm2, 0.01 + 0.2 * (exact.area_raw_mm2 - less));
+  if (less > 0.0) {              // again no slit that is narrower than a pixel everywhere
+    EXPECT_NEAR(raw, exact.area_raw_mm2, 0.01 + 0.2 * (exact.area_raw_mm2 - less));
+  }
   EXPECT_LE(exact.area_mm2, exact.area_raw_mm2);
 }
 

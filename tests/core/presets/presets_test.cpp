@@ -5,6 +5,7 @@
 #include "core/closure/closure.h"
 #include "core/closure/tauten.h"
 #include "core/metrics/measure.h"
+#include "core/valve/leaflet_point.h"
 #include "core/valve/remodel.h"
 #include "core/valve/validate.h"
 
@@ -67,6 +68,62 @@ TEST(Preset, OfAProlapseHasTwoRupturedChordae) {
       if (chorda.ruptured) ruptured.push_back(chorda.id);
     EXPECT_EQ(ruptured, (std::vector<std::string>{"AL3-P2-marginal-5", "PM3-P2-marginal-5"}));
   }
+}
+
+ValveMeasure closed_preset(const std::string& name) {
+  const Valve valve = *make_preset(name);
+  const ClosureResult closed = close_valve(valve);
+  EXPECT_EQ(closed.status, ClosureStatus::Converged) << name;
+  EXPECT_FALSE(closed.crossing) << name;
+  return measure(valve, closed);
+}
+
+TEST(Preset, OfADiseaseHasTheAnnulusOfItsSourceAndItsLeak) {
+  struct Disease {
+    const char* name;
+    double area, least_mm2, most_mm2;
+  };
+  const double normal = closed_preset("human-normal").annulus.area_mm2;
+  for (const auto& [name, area, least_mm2, most_mm2] :
+       {Disease{"barlow", 15.0 / 10.6, 15.0, 60.0},
+        Disease{"fibroelastic-flail", 13.3 / 10.6, 15.0, 60.0},
+        Disease{"marfan", 1.05 * 1.05 * 1.15, 10.0, 60.0},
+        Disease{"secondary-mr", 802.0 / 608.0, 15.0, 60.0},
+        Disease{"hypertrophic", 1.0, 0.0, 1.0}}) {
+    const ValveMeasure measured = closed_preset(name);
+    EXPECT_NEAR(measured.annulus.area_mm2 / normal, area, 0.02) << name;
+    EXPECT_GE(leak_mm2(measured), least_mm2) << name;
+    EXPECT_LE(leak_mm2(measured), most_mm2) << name;
+  }
+}
+
+TEST(Preset, OfDegenerativeDiseaseBillowsAndOneOfSecondaryRegurgitationTents) {
+  const double normal = closed_preset("human-normal").tenting_height_mm;
+  for (const char* name : {"barlow", "marfan", "fibroelastic-flail"})
+    EXPECT_LT(closed_preset(name).tenting_height_mm, 0.0) << name;
+  EXPECT_GT(closed_preset("secondary-mr").tenting_height_mm, normal + 3.0);
+}
+
+TEST(Preset, OfHypertrophicDiseaseHasTheLeafletsOfItsSource) {
+  const auto height = [](const char* name, Leaflet leaflet) {
+    // Of the middle of the leaflet: from annulus to free edge along a column of the skirt.
+    const Valve valve = *make_preset(name);
+    const LeafletCoordinates coordinates = leaflet_coordinates(valve);
+    double sum = 0.0;
+    Vec3 last = Vec3::Zero();
+    for (int step = 0; step <= 20; ++step) {
+      const Insertion at = locate(valve, coordinates, {leaflet, 0.5, step / 20.0});
+      const Vec3 here = position(at, valve.faces, valve.rest_mm);
+      if (step > 0) sum += (here - last).norm();
+      last = here;
+    }
+    return sum;
+  };
+  EXPECT_NEAR(height("hypertrophic", Leaflet::Anterior) / height("human-normal", Leaflet::Anterior),
+              26.0 / 19.0, 0.01);
+  EXPECT_NEAR(
+      height("hypertrophic", Leaflet::Posterior) / height("human-normal", Leaflet::Posterior),
+      14.0 / 10.0, 0.02);
 }
 
 TEST(Preset, LeaksMoreTheFurtherTheAnnulusDilatesOrTheTipsDescend) {

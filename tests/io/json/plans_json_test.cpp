@@ -128,7 +128,7 @@ TEST(PlansJson, APlanStatesHowManyOfASampleEndElsewhereFromAColdStart) {
 TEST(PlansJson, APlanStatesItsLeakUnderDrawsOfTheModel) {
   EXPECT_EQ(scene()["model_draws"].dump(),
             R"({"draws":8,"before":{"failures":0,"leak_mm2":{"mean":50.0,"sd":12.5,"worst":71.0}},)"
-            R"("closures":32,"chordae_drawn":false})");
+            R"("closures":32,"chordae_drawn":false,"fit_drawn":false})");
   const ordered_json& plans = scene()["plans"];
   EXPECT_EQ(plans[0]["under_draws"].dump(),
             R"({"failures":1,"leak_mm2":{"mean":0.9,"sd":1.2,"worst":3.5}})");
@@ -139,7 +139,7 @@ TEST(PlansJson, APlanStatesItsLeakUnderDrawsOfTheModel) {
   result.model_draws = result.model_closures = 0;
   result.before_under_draws.reset();
   EXPECT_EQ(written(to_json(result))["model_draws"].dump(),
-            R"({"draws":0,"before":null,"closures":0,"chordae_drawn":false})");
+            R"({"draws":0,"before":null,"closures":0,"chordae_drawn":false,"fit_drawn":false})");
 }
 
 TEST(PlansJson, ARankThatDrawsOfTheModelDoNotLeaveIsATie) {

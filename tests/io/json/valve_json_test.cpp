@@ -71,6 +71,17 @@ TEST(ValveJson, ThePatientsFrameIsReadAsItIsWritten) {
   EXPECT_EQ(read->patient, frame);
 }
 
+TEST(ValveJson, WhatAFitLeftUncertainIsReadAsItIsWritten) {
+  Valve valve = small_valve();
+  Eigen::Matrix2d covariance;
+  covariance << 0.1, 0.02, 0.02, 0.3;
+  valve.fitted = FittedValues{{"slack_anterior_AL", "tip_AL_x"}, covariance};
+  const auto read = read_valve(write_valve(valve));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->fitted->parameters, valve.fitted->parameters);
+  EXPECT_EQ(read->fitted->covariance, valve.fitted->covariance);
+}
+
 TEST(ValveJson, AFrameThatIsNoneIsNamed) {
   using enum ErrorCode;
   const auto found_as = [](const char* rows) {

@@ -127,6 +127,13 @@ export interface components {
                 /** @description The papillary tips were seen; else they are drawn, too. */
                 tips_given: boolean;
             };
+            /** @description There if the valve was fitted to a closed surface (coapt fit): what that left uncertain. A search draws from it. */
+            fit?: {
+                /** @description Names, as coapt fit prints them. */
+                parameters: string[];
+                /** @description Of what may be added to each, mm or 1; of a slack, to a factor of 1 on the lengths as they are. Symmetric, positive semidefinite. */
+                covariance: number[][];
+            };
             /** @description From the valve's frame to that of the images it was made from (LPS, mm): four rows, the upper left 3 x 3 numbers a rotation, the last row 0, 0, 0, 1. Left out: not known. */
             patient_frame?: [
                 [
@@ -1319,6 +1326,8 @@ export interface components {
                 closures: number;
                 /** @description Each draw has chordae of its own, because the valve's were never seen (drawn_chordae). */
                 chordae_drawn: boolean;
+                /** @description Each draw has other values of what a fit left uncertain (fit). */
+                fit_drawn: boolean;
             };
             /** @description The costs of progress. */
             best_cost_history: (number | null)[];

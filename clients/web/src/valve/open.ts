@@ -116,7 +116,7 @@ export function openPanel(workspace: Workspace): HTMLElement {
 /// By their plain names, in groups.
 function presetChoice(names: string[], choose: (name: string) => void): HTMLSelectElement {
   const element = h('select', { onchange: () => choose(element.value) })
-  for (const group of ['Human', 'Porcine', 'Others'] as const) {
+  for (const group of ['Human', 'Disease', 'Porcine', 'Others'] as const) {
     const of = names.filter((name) => (presetWords(name)?.group ?? 'Others') === group)
     const options = of.map((name) => h('option', { value: name }, optionOf(name)))
     if (options.length > 0) element.append(h('optgroup', { label: group }, ...options))

@@ -1,7 +1,7 @@
 // The presets in plain words. Leaks are those of release 0.2's closures at their own meshes (POST /v1/closures).
 
 export interface PresetWords {
-  group: 'Human' | 'Porcine'
+  group: 'Human' | 'Disease' | 'Porcine'
   title: string
   about: string
   leak_mm2: number
@@ -21,6 +21,37 @@ const PRESETS: Readonly<Record<string, PresetWords>> = {
     leak_mm2: 32.0,
   },
   'human-normal': { group: 'Human', title: 'Normal', about: 'A valve that closes.', leak_mm2: 0.1 },
+  barlow: {
+    group: 'Disease',
+    title: 'Barlow',
+    about: 'Large, thick leaflets on long chordae in a large annulus: both billow, P2 prolapses.',
+    leak_mm2: 21.6,
+  },
+  'fibroelastic-flail': {
+    group: 'Disease',
+    title: 'Fibroelastic, flail P2',
+    about: 'Thin leaflets without excess tissue; the chordae of P2 are ruptured.',
+    leak_mm2: 43.0,
+  },
+  marfan: {
+    group: 'Disease',
+    title: 'Marfan',
+    about: 'Long, thin leaflets that billow; P2 prolapses.',
+    leak_mm2: 17.2,
+  },
+  'secondary-mr': {
+    group: 'Disease',
+    title: 'Secondary leak, remodelled',
+    about: 'A ventricle that has grown tethers leaflets that have become stiffer across their fibres.',
+    leak_mm2: 31.6,
+  },
+  hypertrophic: {
+    group: 'Disease',
+    title: 'Hypertrophic',
+    about:
+      'Long, soft leaflets, muscles close together. Its leak is by systolic anterior motion, which is not modelled.',
+    leak_mm2: 0.1,
+  },
   ...Object.fromEntries(
     [1, 2, 3, 4, 5].map((heart): [string, PresetWords] => [
       `porcine-${heart}`,

@@ -1,0 +1,38 @@
+// Human valves: a normal one, and one of each disease that is repaired. Geometry is a measured ratio of patients to controls
+// applied to the normal valve; what no source gives is said to be assumed, here and in each valve's provenance. None is a
+// patient.
+#pragma once
+
+#include <string>
+
+#include "core/valve/parametric.h"
+#include "core/valve/remodel.h"
+
+namespace coapt {
+
+struct HumanValve {
+  ParametricValve dimensions;
+  Remodelling change;        ///< what disease did to it
+  std::string disease;       ///< in words, with sources; empty: none
+  double p2_slack = 1.0;     ///< of P2's marginal chordae, over what dimensions give them
+  bool p2_ruptured = false;  ///< these chordae
+};
+
+Expected<Valve> make_human_valve(const HumanValve& human);
+
+HumanValve human_normal();
+HumanValve human_functional_mr();
+HumanValve human_p2_prolapse();
+/// Diffuse myxomatous disease: large, thick, extensible leaflets on long chordae in a large, flat annulus.
+HumanValve barlow();
+/// Fibroelastic deficiency: thin leaflets without excess tissue, P2's chordae ruptured.
+HumanValve fibroelastic_flail();
+/// Long, thin, extensible leaflets; both prolapse.
+HumanValve marfan();
+/// Secondary regurgitation of a remodelled ventricle, whose leaflets have remodelled, too.
+HumanValve secondary_mr();
+/// Hypertrophic obstructive cardiomyopathy: long, soft leaflets, muscles close together and anterior. Its own leak is by
+/// systolic anterior motion, which a static closure does not have.
+HumanValve hypertrophic();
+
+}  // namespace coapt

@@ -1,0 +1,72 @@
+#include "core/presets/taut_valve.h"
+
+#include <string>
+
+#include "core/closure/closure.h"
+#include "core/closure/tauten.h"
+#include "core/valve/validate.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kLengthTriangles = 650;  // the mesh that chordae lengths are taken from
+
+/// Length of a chorda over its length in the closed, pressurised valve.
+double slack_of(const ParametricValve& d, const Valve& valve, const Chorda& chorda) {
+  const bool medial = valve.heads[chorda.head].side == Side::Posteromedial;
+  const double side = d.slack * (1.0 + (medial ? 1.0 : -1.0) * d.asymmetry.slack);
+  if (chorda.kind == ChordaKind::Strut) return side * d.strut_slack;
+  if (chorda.kind == ChordaKind::Basal) return side * d.basal_slack;
+  const int face = chorda.segments.back().insertion.face;
+  const Segment at = valve.segments[face];
+  const bool posterior = at == Segment::P1 || at == Segment::P2 || at == Segment::P3;
+  return posterior ? side * d.posterior_slack : side;
+}
+
+std::string lengths_in_words(const ParametricValve& d) {
+  const auto both_sides = [&](double factor) {
+    const double al = d.slack * (1.0 - d.asymmetry.slack), pm = d.slack * (1.0 + d.asymmetry.slack);
+    return std::to_string(al * factor) + (al == pm ? "" : " / " + std::to_string(pm * factor));
+  };
+  std::string words = "chordae lengths: distances in the closed, pressurised valve times ";
+  if (d.posterior_slack == 1.0 && d.strut_slack == 1.0 && d.basal_slack == 1.0)
+    return words + both_sides(1.0);
+  return words + "(anterolateral / posteromedial) anterior and commissural " + both_sides(1.0) +
+         ", posterior " + both_sides(d.posterior_slack) + ", strut " + both_sides(d.strut_slack) +
+         ", basal " + both_sides(d.basal_slack);
+}
+
+}  // namespace
+
+Expected<Valve> taut_when_closed(const Valve& valve) {
+  ClosureOptions to_rest;
+  to_rest.residual_tolerance = 1e-4;
+  to_rest.way_tolerance_mm = 1e-3;
+  const ClosureResult closed = close_valve(valve, to_rest);
+  if (closed.status != ClosureStatus::Converged || closed.crossing)
+    return Error{ErrorCode::BadGeometry, "",
+                 "does not close without leaflets passing through each other: lengths of chordae "
+                 "cannot be taken from it"};
+  return tauten(valve, closed, 1.0);
+}
+
+Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
+  Expected<Valve> made = make_parametric_valve(dimensions);
+  if (!made) return made;
+  ParametricValve coarse = dimensions;
+  coarse.triangles = kLengthTriangles;
+  Expected<Valve> open = make_parametric_valve(coarse);
+  if (!open) return open;
+  if (Errors errors = validate(*open); !errors.empty()) return errors;
+  const Expected<Valve> taut = taut_when_closed(*open);
+  if (!taut) return taut;
+  for (std::size_t c = 0; c < taut->chordae.size(); ++c)
+    for (std::size_t s = 0; s < taut->chordae[c].segments.size(); ++s)
+      made->chordae[c].segments[s].rest_length_mm = slack_of(dimensions, *open, taut->chordae[c]) *
+                                                    taut->chordae[c].segments[s].rest_length_mm;
+  made->provenance.push_back(lengths_in_words(dimensions));
+  if (Errors errors = validate(*made); !errors.empty()) return errors;
+  return made;
+}
+
+}  // namespace coapt
