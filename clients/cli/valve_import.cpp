@@ -211,6 +211,17 @@ void add_valve_import(Command parent, int& status) {
           "What the meshes show: excised (default), leaflets free of stress; in_vivo, those of the "
           "unpressurised heart, which are stretched already")
       .show_argument("STATE");
+  command
+      .add_flag(
+          "--closed", options.closed,
+          "The leaflets were imaged closed, under pressure: the open ones are derived from what "
+          "is seen of them; with --chordae synthesise")
+      .excludes("--reference");
+  command
+      .add_option("--hidden", options.hidden_mm,
+                  "Height of closed leaflets that coaptation hides, mm; coapt fit finds it")
+      .check(number_from(0.0, 15.0))
+      .show_default();
   const std::map<std::string, LengthUnit> units = {
       {to_string(LengthUnit::Millimetre), LengthUnit::Millimetre},
       {to_string(LengthUnit::Centimetre), LengthUnit::Centimetre},
@@ -236,6 +247,9 @@ void add_valve_import(Command parent, int& status) {
       "Images that show no chordae, and perhaps no papillary tips:\n"
       "  coapt valve import --leaflet anterior.stl posterior.stl --annulus annulus.mrk.json \\\n"
       "    --chordae synthesise --seed 1 --tips tips.csv -o valve.json\n\n"
+      "Leaflets segmented in systole, then fitted to the same surface:\n"
+      "  coapt valve import --leaflet a.stl p.stl --annulus ring.mrk.json --closed \\\n"
+      "    --chordae synthesise -o open.json\n\n"
       "A folder holds the leaflets and the chordae as .vtk (chordae as lines, or as .csv tables),\n"
       "the annulus as a closed curve and the papillary tips, labelled AL and PM, as .mrk.json:\n"
       "  coapt valve import --slicerheart FEM-model/ -o valve.json\n\n"

@@ -66,8 +66,11 @@ Expected<ImportSource> read_import_files(const ImportFiles& files) {
          "/leaflets/" + std::to_string(i), problems, source.leaflets.emplace_back());
   take(read_closed_loop(files.annulus.bytes, format_of(files.annulus.name)), "/annulus", problems,
        source.annulus_mm);
-  take(read_chordae(files.chordae.bytes, format_of(files.chordae.name)), "/chordae", problems,
-       source.chordae);
+  if (files.chordae)
+    take(read_chordae(files.chordae->bytes, format_of(files.chordae->name)), "/chordae", problems,
+         source.chordae);
+  if (files.tips)
+    take(read_tips(files.tips->bytes, format_of(files.tips->name)), "/tips", problems, source.tips);
   if (!problems.empty()) return std::move(problems).take();
   return source;
 }

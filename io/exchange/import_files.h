@@ -1,6 +1,8 @@
 // The files of segmentation tools that a valve can be made of: for `coapt valve import` and POST /v1/valves:import.
 #pragma once
 
+#include <optional>
+
 #include "io/exchange/formats.h"
 #include "io/mesh/import_valve.h"
 
@@ -10,7 +12,8 @@ struct ImportFiles {
   std::vector<NamedFile>
       leaflets;       ///< OBJ, PLY, STL, VTK: the anterior, then the posterior sheet, or one skirt
   NamedFile annulus;  ///< CSV, or a closed curve of Slicer (.mrk.json)
-  NamedFile chordae;  ///< CSV or JSON
+  std::optional<NamedFile> chordae = {};  ///< CSV or JSON; none: they are to be drawn
+  std::optional<NamedFile> tips = {};     ///< of such chordae: CSV, or labelled points of Slicer
 };
 
 /// "obj" of "Leaflet.OBJ": by its extension in lower case.
@@ -22,8 +25,8 @@ Expected<Points> read_closed_loop(std::string_view text, const std::string& form
 /// Papillary tips. @param format "json": markups of Slicer, points labelled AL or PM; else lines papillary,x,y,z.
 Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::string& format);
 
-/// For import_valve(). Errors: all problems of all files, with pointers that begin with /leaflets/0, /annulus or
-/// /chordae.
+/// For import_valve(). Errors: all problems of all files, with pointers that begin with /leaflets/0, /annulus, /chordae
+/// or /tips.
 Expected<ImportSource> read_import_files(const ImportFiles& files);
 
 }  // namespace coapt

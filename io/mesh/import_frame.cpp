@@ -15,6 +15,7 @@
 namespace coapt {
 namespace {
 
+constexpr double kLeastSaddle_mm = 0.5;  // half its height, of annuli that orient a closed valve
 constexpr Eigen::Index kMostFaces = 1'000'000;
 constexpr Eigen::Index kMinAnnulus = 12;
 constexpr std::size_t kMaxChordae = 2000;
@@ -221,7 +222,15 @@ Vec3 across_sheets(const std::vector<TriangleMesh>& leaflets, const Vec3& z) {
   return (forwards - z.dot(forwards) * z).cross(z);
 }
 
-Expected<Frame> find_frame(const Points& annulus, const ImportSource& source) {
+/// Twice how far the annulus's front and back stand to the side of z, over its sides: half a saddle's height.
+double saddle_towards(const Vec3& z, const Vec3& x, const Points& centred) {
+  const Eigen::VectorXd across = centred * x, along = centred * z.cross(x), height = centred * z;
+  const Eigen::ArrayXd distance2 = across.array().square() + along.array().square();
+  const Eigen::ArrayXd cosine = (along.array().square() - across.array().square()) / distance2;
+  return 2.0 * (height.array() * cosine).mean();
+}
+
+Expected<Frame> find_frame(const Points& annulus, const ImportSource& source, bool closed) {
   const Vec3 origin = mean_by_arc(annulus);
   const Points centred = annulus.rowwise() - origin.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
@@ -234,6 +243,18 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source) {
     if (!(x.norm() > 1.0))
       return Error{ErrorCode::BadGeometry, "/leaflets",
                    "lie on each other; an anterior and a posterior sheet orient the valve"};
+    if (closed) {  // such leaflets hang below the annulus or billow above it
+      const double saddle_mm = saddle_towards(z, x.normalized(), centred);
+      if (!(std::abs(saddle_mm) > kLeastSaddle_mm))
+        return Error{
+            ErrorCode::MissingField, "/tips",
+            "is missing: of closed leaflets in so flat an annulus only papillary tips tell "
+            "the atrium from the ventricle"};
+      if (saddle_mm < 0.0) {
+        z = -z;
+        x = -x;
+      }
+    }
   } else {
     const Vec3 lateral = mean_tip(tips, Side::Anterolateral);
     const Vec3 medial = mean_tip(tips, Side::Posteromedial);
@@ -275,7 +296,8 @@ void check_framed(const FramedSource& framed, ProblemList& problems) {
 
 }  // namespace
 
-Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_chordae) {
+Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_chordae,
+                                         bool closed) {
   ProblemList problems;
   check_leaflets(source.leaflets, problems);
   check_annulus(source.annulus_mm, problems);
@@ -288,7 +310,7 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_
   if (Errors mixed = mixed_units(source); !mixed.empty()) return mixed;
   const std::vector<Eigen::Index> kept = without_repeats(source.annulus_mm);
   const Points loop = source.annulus_mm(kept, Eigen::all);
-  const Expected<Frame> frame = find_frame(loop, source);
+  const Expected<Frame> frame = find_frame(loop, source, closed);
   if (!frame) return frame.errors();
   FramedSource framed;
   framed.annulus_mm = frame->into(loop);
@@ -323,12 +345,13 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_
       "frame",
       "moved by " + significant(frame->origin_mm.norm(), 3) + " mm and turned by " +
           significant(turned, 3) + " degrees",
-      std::string("origin annulus centroid, ") +
+      "origin annulus centroid, " +
           (source.chordae.empty() && source.tips.empty()
-               ? "y from the posterior to the anterior sheet, z away from the leaflets: no "
-                 "papillary tips say whether the files are mirrored"
-               : "x from the anterolateral to the posteromedial papillary tip within the "
-                 "annulus plane, z away from the tips")};
+               ? std::string("y from the posterior to the anterior sheet, z ") +
+                     (closed ? "to where the annulus's saddle rises" : "away from the leaflets") +
+                     ": no papillary tips say whether the files are mirrored"
+               : std::string("x from the anterolateral to the posteromedial papillary tip within "
+                             "the annulus plane, z away from the tips"))};
   return framed;
 }
 

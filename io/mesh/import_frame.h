@@ -5,7 +5,8 @@
 
 namespace coapt {
 
-/// Without tips (chordae are to be drawn) z leads away from the leaflets, y from the posterior to the anterior sheet.
+/// Without tips (chordae are to be drawn) y leads from the posterior to the anterior sheet, z away from the leaflets or, if they
+/// are closed, to where the front and back of the annulus rise over its sides.
 /// Origin: mean of the annulus by arc length. z: normal of its plane of least squares, away from
 /// the tips. x: from the mean anterolateral to the mean posteromedial tip, within the plane. y = z
 /// x x is then anterior, because the sides are known.
@@ -23,6 +24,7 @@ struct FramedSource {
 /// Errors: what ImportSource lacks or has too much of, units that are not millimetres, an annulus
 /// that is not star-shaped, sheets in the wrong order, a mirrored input; pointers are those of
 /// ImportSource.
-Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_chordae);
+Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_chordae,
+                                         bool closed);
 
 }  // namespace coapt

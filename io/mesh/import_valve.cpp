@@ -4,13 +4,14 @@
 #include <array>
 #include <cmath>
 
-#include "core/closure/contact.h"
 #include "core/presets/synthetic_chordae.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "core/valve/validate.h"
+#include "io/mesh/hanging_profile.h"
 #include "io/mesh/import_chordae.h"
 #include "io/mesh/import_frame.h"
+#include "io/mesh/mesh_distance.h"
 #include "io/mesh/skirt.h"
 #include "io/mesh/source_units.h"
 
@@ -25,13 +26,23 @@ constexpr double kPeakBias_mm =
 constexpr double kDiagonalRatio = 1.3;
 constexpr int kMaxSamples = 4000;  // for the deviation
 
-void check_options(const ImportOptions& options, ProblemList& problems) {
+void check_options(const ImportSource& source, const ImportOptions& options,
+                   ProblemList& problems) {
   check_range(problems, "/triangles", options.triangles, {100, 100000});
   check_range(problems, "/branches", options.branches, {1, 5});
   check_range(problems, "/branch_at", options.branch_at, {0.05, 0.95});
   check_range(problems, "/slack", options.slack, {0.8, 1.5});
   if (options.chordae_seed)
     check_range(problems, "/chordae_seed", *options.chordae_seed, {0, 2147483647});
+  if (!options.closed) return;
+  check_range(problems, "/hidden_mm", options.hidden_mm, {0, 15}, " mm");
+  if (!options.chordae_seed)
+    problems.add(ErrorCode::Unsupported, "/closed",
+                 "needs chordae that are drawn (--chordae synthesise): where those of closed "
+                 "leaflets insert in the open ones is not known");
+  if (source.leaflets.size() != 2)
+    problems.add(ErrorCode::Unsupported, "/leaflets",
+                 "of a closed valve must be two, the anterior sheet, then the posterior one");
 }
 
 Segment segment_of(const Skirt& skirt, double station) {
@@ -119,24 +130,6 @@ Landmarks find_landmarks(const Skirt& skirt) {
   return marks;
 }
 
-/// Distance of a point from the sheets.
-double distance_mm(const std::vector<TriangleMesh>& sheets, const Vec3& point) {
-  double best = 1e300;
-  for (const TriangleMesh& sheet : sheets) {
-    for (Eigen::Index f = 0; f < sheet.faces.rows(); ++f) {
-      const Vec3 a = sheet.vertices_mm.row(sheet.faces(f, 0)),
-                 b = sheet.vertices_mm.row(sheet.faces(f, 1)),
-                 c = sheet.vertices_mm.row(sheet.faces(f, 2));
-      const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-      const Vec3 outside = (low - point).cwiseMax(point - high).cwiseMax(0.0);
-      if (outside.norm() >= best) continue;
-      const Vec3 weights = closest_point_weights(point, a, b, c);
-      best = std::min(best, (weights[0] * a + weights[1] * b + weights[2] * c - point).norm());
-    }
-  }
-  return best;
-}
-
 struct Deviation {
   double rms_mm = 0.0, max_mm = 0.0;
 };
@@ -169,6 +162,35 @@ double area_mm2(const TriangleMesh& mesh) {
   return sum;
 }
 
+ImportDecision landmark_decision(const Skirt& skirt) {
+  return {"landmarks",
+          std::string("commissures ") +
+              (skirt.commissures_measured ? "where the two sheets meet"
+                                          : "38 % of the annulus apart about its front") +
+              ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
+              "from the peak to the commissures; segments by thirds of arc, fibres circumferential",
+          skirt.commissures_measured ? "" : "one skirt does not tell where leaflets meet"};
+}
+
+/// Of leaflets that were imaged closed.
+std::vector<ImportDecision> closed_decisions(const Skirt& skirt, double hidden_mm,
+                                             const Valve& valve) {
+  return {
+      {"mesh",
+       std::to_string(skirt.stations) + " stations of equal annulus arc (" +
+           significant(skirt.spacing_mm, 3) + " mm) x " + std::to_string(skirt.rows) + " rows, " +
+           std::to_string(valve.faces.rows()) + " triangles",
+       "the leaflets hang from the annulus, 20 degrees inwards"},
+      landmark_decision(skirt),
+      {"state",
+       "imaged closed, under pressure; heights of the open leaflets are the exposed lengths / " +
+           significant(kClosedStretch, 3) + " + " + significant(hidden_mm, 2) +
+           " mm hidden in coaptation, at the commissures those of a human valve",
+       "exposed at A2 " + significant(skirt.anterior_exposed_mm, 3) + " mm, at P2 " +
+           significant(skirt.posterior_exposed_mm, 3) +
+           " mm; coapt fit finds the hidden height, chordae and tips from the same surface"}};
+}
+
 std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Skirt& skirt,
                                            const Valve& valve) {
   const auto bare = std::count(skirt.interpolated.begin(), skirt.interpolated.end(), true);
@@ -194,14 +216,7 @@ std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Ski
   told.push_back({"commissures",
                   counted(bare) + " stations without sheet interpolated between their neighbours",
                   "which closes the commissures"});
-  told.push_back(
-      {"landmarks",
-       std::string("commissures ") +
-           (skirt.commissures_measured ? "where the two sheets meet"
-                                       : "38 % of the annulus apart about its front") +
-           ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
-           "from the peak to the commissures; segments by thirds of arc, fibres circumferential",
-       skirt.commissures_measured ? "" : "one skirt does not tell where leaflets meet"});
+  told.push_back(landmark_decision(skirt));
   told.push_back({"state",
                   valve.tissue.reference == TissueReference::InVivo
                       ? "the imaged state is taken as that of the unpressurised heart"
@@ -244,25 +259,29 @@ std::string sentence(const ImportDecision& of) {
 
 Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportOptions& options) {
   ProblemList problems;
-  check_options(options, problems);
+  check_options(source, options, problems);
   if (!problems.empty()) return std::move(problems).take();
   const LengthUnit unit =
       options.units.value_or(guessed_unit(source.annulus_mm).value_or(LengthUnit::Millimetre));
   scale(source, in_mm(unit));
-  const Expected<FramedSource> framed = into_import_frame(source, options.chordae_seed.has_value());
+  const Expected<FramedSource> framed =
+      into_import_frame(source, options.chordae_seed.has_value(), options.closed);
   if (!framed) return framed.errors();
-  const Expected<Skirt> skirt = resample_skirt(*framed, options.triangles);
+  const Expected<Skirt> skirt =
+      resample_skirt(*framed, options.triangles, {options.closed, options.hidden_mm});
   if (!skirt) return skirt.errors();
   Valve valve;
   valve.name = source.name.empty() ? "imported" : source.name;
   valve.provenance = source.provenance;
   valve.patient = framed->patient;
-  valve.tissue.reference = options.reference;
+  valve.tissue.reference = options.closed ? TissueReference::InVivo : options.reference;
   add_mesh(*skirt, valve);
   if (framed->pressed_annulus_mm.rows() > 0)
     for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();
   valve.landmarks = find_landmarks(*skirt);
-  std::vector<ImportDecision> decisions = mesh_decisions(*framed, *skirt, valve);
+  std::vector<ImportDecision> decisions = options.closed
+                                              ? closed_decisions(*skirt, options.hidden_mm, valve)
+                                              : mesh_decisions(*framed, *skirt, valve);
   decisions.insert(
       decisions.begin(),
       {{"units", to_string(unit), options.units ? "as given" : "by the annulus's circumference"},

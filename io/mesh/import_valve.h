@@ -66,6 +66,10 @@ struct ImportOptions {
   double branch_at = 0.75;  ///< share of the way from tip to insertion, [0.05, 0.95]
   double slack = 1.0;       ///< chordae lengths over straight distances, [0.8, 1.5]
   TissueReference reference = TissueReference::Excised;  ///< what the sheets are
+  /// The sheets are the closed leaflets under pressure, of which the part in coaptation was not seen: the open ones are
+  /// derived (hanging_profile.h). Two sheets, without chordae.
+  bool closed = false;
+  double hidden_mm = 3.0;  ///< height in coaptation, [0, 15]; of preset human-normal 2.7
   /// Of a source without chordae: they are drawn from anatomy (core/presets/synthetic_chordae.h), and the
   /// papillary tips, too, where there are none on both sides. Branches and slack are the draw's.
   std::optional<int> chordae_seed = {};

@@ -10,11 +10,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "core/valve/contour.h"
 #include "core/valve/problem_list.h"
+#include "io/mesh/hanging_profile.h"
 #include "io/mesh/leaflet_cut.h"
+#include "io/mesh/mesh_distance.h"
 
 namespace coapt {
 namespace {
@@ -26,11 +29,17 @@ constexpr double kNotchShare = 0.5;       // of the median length
 constexpr double kNotchReach = 0.05;  // share of the annulus on both sides of where the sheets meet
 constexpr double kSmoothArc = 1.0 / 60.0;
 constexpr double kMostBare = 1.0 / 3.0;
+constexpr double kWellCut = 0.35 / 0.5;  // of half the annulus's width, beyond it sections graze
+constexpr double kMostGrazed =
+    0.6;  // of the annulus, of closed leaflets: also what is near commissures
+constexpr double kCommissureShare =
+    9.0 / 39.0;                        // height over width of a human valve (parametric.h)
 constexpr double kAnteriorArc = 0.38;  // share of the annulus, where one skirt does not tell
 
 struct Profile {
   bool bare = true;
   double length_mm = 0.0, bridge_mm = 0.0, gap_mm = 0.0;
+  double exposed_mm = 0.0;   ///< of a leaflet that was imaged closed
   Eigen::MatrixX2d offsets;  // rows + 1 x (distance from the axis, z), from the annulus point
 };
 
@@ -62,6 +71,34 @@ Profile profile_at(const FramedSource& source, const Vec3& annulus, int rows) {
   profile.bridge_mm = cut.widest_bridge_mm;
   profile.gap_mm = (cut.line_mm[1] - cut.line_mm[0]).norm();
   profile.offsets = resample(cut.line_mm, profile.length_mm, rows);
+  return profile;
+}
+
+/// Of a leaflet that was imaged closed: hanging straight, as tall as it is unpressurised.
+Profile hanging_profile(double height_mm, int rows) {
+  const double angle = kHangingInclination_deg * std::numbers::pi / 180.0;
+  const Eigen::RowVector2d down(-std::sin(angle), -std::cos(angle));
+  Profile profile;
+  profile.bare = false;
+  profile.length_mm = height_mm;
+  profile.offsets = Eigen::VectorXd::LinSpaced(rows + 1, 0.0, height_mm) * down;
+  return profile;
+}
+
+/// Bare where the section grazes the leaflet, near the commissures, and where none begins at the annulus.
+Profile closed_profile(const FramedSource& source, const Vec3& annulus, std::size_t sheet,
+                       double hidden_mm, int rows) {
+  Profile bare;
+  bare.offsets = Eigen::MatrixX2d::Zero(rows + 1, 2);
+  const double half_width = source.annulus_mm.col(0).cwiseAbs().maxCoeff();
+  if (std::abs(annulus.x()) > kWellCut * half_width) return bare;
+  const std::optional<ExposedLeaflet> exposed =
+      exposed_leaflet(source.leaflets[sheet], annulus, CutOptions{}.reach_mm);
+  if (!exposed) return bare;
+  const bool meets = distance_mm({source.leaflets[1 - sheet]}, exposed->end_mm) < kMeet_mm;
+  Profile profile =
+      hanging_profile(exposed->length_mm / kClosedStretch + (meets ? hidden_mm : 0.0), rows);
+  profile.exposed_mm = exposed->length_mm;
   return profile;
 }
 
@@ -167,7 +204,8 @@ void place_station(const std::vector<Profile>& profiles, const Vec3& annulus, in
 
 }  // namespace
 
-Expected<Skirt> resample_skirt(const FramedSource& source, int triangles) {
+Expected<Skirt> resample_skirt(const FramedSource& source, int triangles,
+                               const ImagedLeaflets& imaged) {
   const ArcLength arc(source.annulus_mm);
   const Expected<Commissures> commissures = find_commissures(source, arc);
   if (!commissures) return commissures.errors();
@@ -188,9 +226,21 @@ Expected<Skirt> resample_skirt(const FramedSource& source, int triangles) {
   std::vector<Profile> profiles;
   for (int i = 0; i < cuts; ++i) {
     const double station = static_cast<double>(i) / kCutsPerStation;
-    profiles.push_back(profile_at(source, arc.at(arc_at(station)), skirt.rows));
+    const Vec3 annulus = arc.at(arc_at(station));
+    const std::size_t sheet = station * skirt.spacing_mm < anterior ? 0 : 1;
+    profiles.push_back(imaged.closed
+                           ? closed_profile(source, annulus, sheet, imaged.hidden_mm, skirt.rows)
+                           : profile_at(source, annulus, skirt.rows));
   }
-  if (source.leaflets.size() == 2) {
+  if (imaged.closed) {
+    const auto lateral =
+        static_cast<std::size_t>(std::lround(anterior / skirt.spacing_mm * kCutsPerStation));
+    skirt.anterior_exposed_mm = profiles[lateral / 2].exposed_mm;
+    skirt.posterior_exposed_mm = profiles[(lateral + profiles.size()) / 2].exposed_mm;
+    const double height_mm = kCommissureShare * (source.annulus_mm.col(0).maxCoeff() -
+                                                 source.annulus_mm.col(0).minCoeff());
+    profiles[0] = profiles[lateral] = hanging_profile(height_mm, skirt.rows);
+  } else if (source.leaflets.size() == 2) {
     const double shortest = kNotchShare * median_length(profiles);
     bare_notch(0, shortest, profiles);
     bare_notch(static_cast<int>(std::lround(anterior / skirt.spacing_mm * kCutsPerStation)),
@@ -202,7 +252,7 @@ Expected<Skirt> resample_skirt(const FramedSource& source, int triangles) {
     skirt.widest_bridge_mm = std::max(skirt.widest_bridge_mm, profile.bridge_mm);
     skirt.annulus_gap_mm += profile.gap_mm / cuts;
   }
-  if (bare > kMostBare * cuts) {
+  if (bare > (imaged.closed ? kMostGrazed : kMostBare) * cuts) {
     return Error{ErrorCode::BadGeometry, "/leaflets",
                  "leave " + shown(std::round(100.0 * bare / cuts)) +
                      " % of the annulus without a sheet within 3 mm; at most a third is accepted"};

@@ -18,10 +18,20 @@ struct Skirt {
   double spacing_mm = 0.0;            ///< of the stations along the annulus
   double hat_mm = 0.0;                ///< half the width of the smoothing along the annulus
   bool commissures_measured = false;  ///< where the two sheets meet; else by share of the annulus
+  /// Of leaflets imaged closed, at their middles: exposed lengths.
+  double anterior_exposed_mm = 0.0, posterior_exposed_mm = 0.0;
+};
+
+/// What the sheets show: leaflets that hang open, or closed ones, of which `hidden_mm` lie unseen in coaptation
+/// (hanging_profile.h).
+struct ImagedLeaflets {
+  bool closed = false;
+  double hidden_mm = 0.0;
 };
 
 /// About `triangles` triangles, 2 * stations * rows, with ten times as many stations as rows.
 /// Errors: sheets that leave more than a third of the annulus bare, or that do not meet twice.
-Expected<Skirt> resample_skirt(const FramedSource& source, int triangles);
+Expected<Skirt> resample_skirt(const FramedSource& source, int triangles,
+                               const ImagedLeaflets& imaged = {});
 
 }  // namespace coapt

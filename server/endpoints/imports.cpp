@@ -14,7 +14,7 @@ constexpr std::size_t kLongestName = 200;
 
 struct Asked {
   std::optional<std::vector<NamedFile>> leaflets, slicerheart;
-  std::optional<NamedFile> annulus, chordae;
+  std::optional<NamedFile> annulus, chordae, tips;
   std::string name = "imported";
   std::vector<std::string> provenance;
   ImportOptions options;
@@ -60,17 +60,31 @@ LengthUnit read_unit(const JsonPlace& place) {
                                {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre});
 }
 
-/// Either all of one kind of files or all of the other.
+/// Either all of one kind of files or all of the other; chordae that were seen, or a seed of those to be drawn.
 Errors check_files(const Asked& asked) {
   ProblemList problems;
   for (const auto& [given, path] : {std::pair(asked.leaflets.has_value(), "/leaflets"),
-                                    {asked.annulus.has_value(), "/annulus"},
-                                    {asked.chordae.has_value(), "/chordae"}}) {
+                                    {asked.annulus.has_value(), "/annulus"}}) {
     if (given && asked.slicerheart)
       problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
     if (!given && !asked.slicerheart)
       problems.add(ErrorCode::MissingField, path, "is missing (or give slicerheart)");
   }
+  const bool drawn = asked.options.chordae_seed.has_value();
+  if (asked.chordae && asked.slicerheart)
+    problems.add(ErrorCode::UnknownField, "/chordae", "cannot be given together with slicerheart");
+  if (asked.chordae && drawn)
+    problems.add(ErrorCode::UnknownField, "/chordae_seed",
+                 "cannot be given together with chordae: it draws those that were not seen");
+  if (!asked.chordae && !drawn && !asked.slicerheart)
+    problems.add(ErrorCode::MissingField, "/chordae",
+                 "is missing (or give chordae_seed, which draws them, or slicerheart)");
+  if (asked.tips && asked.slicerheart)
+    problems.add(ErrorCode::UnknownField, "/tips",
+                 "cannot be given together with slicerheart: they are among its files");
+  else if (asked.tips && !drawn)
+    problems.add(ErrorCode::UnknownField, "/tips",
+                 "needs chordae_seed: chordae that were seen begin at their tips");
   if (asked.leaflets && (asked.leaflets->empty() || asked.leaflets->size() > 2))
     problems.add(ErrorCode::OutOfRange, "/leaflets",
                  "has " + std::to_string(asked.leaflets->size()) +
@@ -89,8 +103,9 @@ Errors below_folder(Errors errors) {
 
 Expected<ImportedValve> imported(const Asked& asked) {
   Expected<ImportSource> source =
-      asked.slicerheart ? read_slicerheart(*asked.slicerheart)
-                        : read_import_files({*asked.leaflets, *asked.annulus, *asked.chordae});
+      asked.slicerheart
+          ? read_slicerheart(*asked.slicerheart)
+          : read_import_files({*asked.leaflets, *asked.annulus, asked.chordae, asked.tips});
   if (!source) return asked.slicerheart ? below_folder(source.errors()) : source.errors();
   source->name = asked.name;
   source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),
@@ -99,7 +114,8 @@ Expected<ImportedValve> imported(const Asked& asked) {
   if (done) return done;
   Errors errors = done.errors();
   for (Error& error : errors)
-    if (error.path.starts_with("/annulus_mm")) error.path.replace(0, 11, "/annulus");
+    for (const std::string given : {"/annulus", "/tips"})
+      if (error.path.starts_with(given + "_mm")) error.path.erase(given.size(), 3);
   return asked.slicerheart ? below_folder(std::move(errors)) : errors;
 }
 
@@ -114,19 +130,24 @@ Answer ImportValve::operator()(const Request& request) const {
   const auto number = [](double min, double max) {
     return [=](const JsonPlace& place) { return read_number_in(place, {min, max}); };
   };
-  if (auto refused = read_body(valves, request.body,
-                               {{"leaflets", into(asked.leaflets, read_files), false},
-                                {"annulus", into(asked.annulus, read_file), false},
-                                {"chordae", into(asked.chordae, read_file), false},
-                                {"slicerheart", into(asked.slicerheart, read_files), false},
-                                {"name", into(asked.name, read_short_text), false},
-                                {"provenance", into(asked.provenance, read_short_texts), false},
-                                {"triangles", into(options.triangles, whole(100, 100'000)), false},
-                                {"branches", into(options.branches, whole(1, 5)), false},
-                                {"branch_at", into(options.branch_at, number(0.05, 0.95)), false},
-                                {"slack", into(options.slack, number(0.8, 1.5)), false},
-                                {"reference", into(options.reference, read_state), false},
-                                {"units", into(options.units, read_unit), false}}))
+  if (auto refused =
+          read_body(valves, request.body,
+                    {{"leaflets", into(asked.leaflets, read_files), false},
+                     {"annulus", into(asked.annulus, read_file), false},
+                     {"chordae", into(asked.chordae, read_file), false},
+                     {"chordae_seed", into(options.chordae_seed, whole(0, 2147483647)), false},
+                     {"tips", into(asked.tips, read_file), false},
+                     {"closed", into(options.closed, read_boolean), false},
+                     {"hidden_mm", into(options.hidden_mm, number(0.0, 15.0)), false},
+                     {"slicerheart", into(asked.slicerheart, read_files), false},
+                     {"name", into(asked.name, read_short_text), false},
+                     {"provenance", into(asked.provenance, read_short_texts), false},
+                     {"triangles", into(options.triangles, whole(100, 100'000)), false},
+                     {"branches", into(options.branches, whole(1, 5)), false},
+                     {"branch_at", into(options.branch_at, number(0.05, 0.95)), false},
+                     {"slack", into(options.slack, number(0.8, 1.5)), false},
+                     {"reference", into(options.reference, read_state), false},
+                     {"units", into(options.units, read_unit), false}}))
     return *std::move(refused);
   if (const Errors errors = check_files(asked); !errors.empty()) return problem(422, errors);
   const Compute::Turn turn(compute);

@@ -39,6 +39,17 @@ class Imports(ClientTest):
         stored = self.client.import_slicerheart(self.folder / "exported", name="from a folder", triangles=300)
         self.assertEqual((stored.name, stored.triangles < 400), ("from a folder", True))
 
+    def test_chordae_that_were_not_seen_are_drawn(self):
+        valve = self.folder / "valve.json"
+        valve.write_text(json.dumps(self.client.get_valve("human-normal")))
+        folder = self.folder / "open"
+        run = subprocess.run([COAPT, "export", valve, "--open", "-o", f"{folder}/"], capture_output=True)
+        self.assertEqual(run.returncode, OK, run.stderr)
+        leaflets = [folder / "anterior_leaflet.vtk", folder / "posterior_leaflet.vtk"]
+        stored = self.client.import_valve(leaflets, folder / "annulus.mrk.json", 1, name="drawn", triangles=300)
+        self.assertEqual(self.client.get_valve(stored.id)["drawn_chordae"], {"seed": 1, "tips_given": False})
+        self.assertEqual((stored.decisions[0].about, stored.decisions[-1].about), ("units", "chordae"))
+
     def test_what_is_wrong_is_said_of_the_file(self):
         skirt, annulus, chordae = self.files()
         annulus.write_text("1;2;3\n")

@@ -48,7 +48,7 @@ from .repair import (
 )
 from .results import Before, Closure, Evaluations, Finding, Measure, RankedPlan, SearchResult, Statistics, StudyResult
 from .sources import PlanSource, Valve
-from .stored import KeptPlan, RingShape, StoredValve
+from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
 from .sweep import Sweep, SweepItem
 from .tables import NOTICE
 
@@ -74,6 +74,7 @@ __all__ = [
     "InvalidRequest",
     "Job",
     "JobFailed",
+    "ImportDecision",
     "KeptPlan",
     "LeadingPlan",
     "LeafletPoint",

@@ -16,7 +16,7 @@ from .jobs import Job
 from .meshes import Picture
 from .results import Closure, Evaluations, SearchResult, StudyResult, known_fields
 from .sources import PlanSource, Valve, all_named_plans, every_valve, plan_document, valve_document
-from .stored import KeptPlan, RingShape, StoredValve
+from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
 from .sweep import Sweep
 from .transport import Answer, Transport
 
@@ -106,8 +106,9 @@ class Client:
         self,
         leaflets: Iterable[Path],
         annulus: Path,
-        chordae: Path,
+        chordae: Path | int,
         *,
+        tips: Path | None = None,
         name: str = "imported",
         **options: Any,
     ) -> StoredValve:
@@ -115,12 +116,15 @@ class Client:
 
         :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior sheet, or one skirt
         :param annulus: CSV of x,y,z, or a closed curve of Slicer (.mrk.json)
-        :param chordae: CSV or JSON
+        :param chordae: CSV or JSON; or a seed: they were not seen, and are drawn from anatomy
+        :param tips: of drawn chordae: papillary tips that were seen, CSV of papillary,x,y,z or labelled points of
+            Slicer; left out, they are drawn, too
         :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
-            "cm" or "m"; left out, they are guessed from the annulus)
+            "cm" or "m"; left out, they are guessed from the annulus), closed (True: the leaflets were imaged
+            closed), hidden_mm (of such leaflets, what coaptation hides)
         :raises Refused: what is wrong with which file
         """
-        return self._imported(files_to_import(leaflets, annulus, chordae), name, options)
+        return self._imported(files_to_import(leaflets, annulus, chordae, tips), name, options)
 
     def import_slicerheart(self, folder: Path, *, name: str = "imported", **options: Any) -> StoredValve:
         """The same of a folder that SlicerHeart's ValveFemExport or `coapt export` wrote."""
@@ -128,7 +132,8 @@ class Client:
 
     def _imported(self, files: dict[str, Any], name: str, options: dict[str, Any]) -> StoredValve:
         stored = self._post("/v1/valves:import", files | options | {"name": name})
-        return StoredValve(stored["id"], name, stored["vertices"], stored["triangles"], stored["chordae"])
+        decisions = tuple(ImportDecision(**decision) for decision in stored["decisions"])
+        return StoredValve(stored["id"], name, stored["vertices"], stored["triangles"], stored["chordae"], decisions)
 
     def valves(self) -> Iterator[StoredValve]:
         """Stored valves, newest first: those of put_valve() and those that jobs were asked for with."""

@@ -39,10 +39,17 @@ def packed_folder(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
 
 
 def files_to_import(
-    leaflets: Iterable[str | os.PathLike[str]], annulus: str | os.PathLike[str], chordae: str | os.PathLike[str]
+    leaflets: Iterable[str | os.PathLike[str]],
+    annulus: str | os.PathLike[str],
+    chordae: str | os.PathLike[str] | int,
+    tips: str | os.PathLike[str] | None,
 ) -> dict[str, Any]:
-    return {
-        "leaflets": [packed(leaflet) for leaflet in leaflets],
-        "annulus": packed(annulus),
-        "chordae": packed(chordae),
-    }
+    """chordae: a file, or the seed of those to be drawn."""
+    files: dict[str, Any] = {"leaflets": [packed(leaflet) for leaflet in leaflets], "annulus": packed(annulus)}
+    if isinstance(chordae, int):
+        files["chordae_seed"] = chordae
+    else:
+        files["chordae"] = packed(chordae)
+    if tips is not None:
+        files["tips"] = packed(tips)
+    return files

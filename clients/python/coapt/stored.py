@@ -10,14 +10,25 @@ from .repair import Plan
 
 
 @dataclass(frozen=True)
+class ImportDecision:
+    """What an import settled that its files leave open, with the reason ("" where there is none to give)."""
+
+    about: str
+    decision: str
+    reason: str
+
+
+@dataclass(frozen=True)
 class StoredValve:
-    """name is that of its document; chordae is None in a list, which does not count them."""
+    """name is that of its document; chordae is None in a list, which does not count them; decisions are those of its
+    import."""
 
     id: str
     name: str
     vertices: int
     triangles: int
     chordae: int | None = None
+    decisions: tuple[ImportDecision, ...] = ()
 
 
 @dataclass(frozen=True)

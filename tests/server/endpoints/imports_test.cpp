@@ -84,6 +84,50 @@ TEST_F(ImportsTest, AFolderOfSlicerHeartIsAListOfFiles) {
   EXPECT_EQ(refusal(refused).paths.front(), "/slicerheart");
 }
 
+/// Two sheets whose chordae nobody has seen.
+ordered_json unseen_request() {
+  const ImportSource source = cone_source_with_gaps();
+  ordered_json request = cone_request();
+  request["leaflets"] = ordered_json::array();
+  for (const TriangleMesh& sheet : source.leaflets)
+    request["leaflets"].push_back({{"name", "sheet.obj"}, {"text", *write_mesh(sheet, "obj")}});
+  request.erase("chordae");
+  request["chordae_seed"] = 1;
+  return request;
+}
+
+TEST_F(ImportsTest, ChordaeThatWereNotSeenAreDrawn) {
+  const Answer answer = post("/v1/valves:import", unseen_request());
+  ASSERT_EQ(answer.status, 201) << json_of(answer);
+  const ordered_json valve = json_of(get("/v1/valves/" + json_of(answer)["id"].get<std::string>()));
+  EXPECT_EQ(valve["drawn_chordae"], (ordered_json{{"seed", 1}, {"tips_given", false}}));
+  EXPECT_EQ(json_of(answer)["decisions"].back()["about"], "chordae");
+  ordered_json seen = unseen_request();
+  seen["tips"] = {{"name", "tips.csv"}, {"text", "AL,-13,-4,-24\nPM,13,-4,-24\n"}};
+  const Answer with_tips = post("/v1/valves:import", seen);
+  ASSERT_EQ(with_tips.status, 201) << json_of(with_tips);
+  EXPECT_EQ(json_of(with_tips)["decisions"].back()["reason"], "papillary tips as given");
+}
+
+TEST_F(ImportsTest, WhatGoesWithDrawnChordaeOnlyIsRefusedWithout) {
+  const auto refused = [&](const ordered_json& request) {
+    return refusal(post("/v1/valves:import", request));
+  };
+  ordered_json both = cone_request(), tips = cone_request(), closed = cone_request(),
+               far = unseen_request();
+  both["chordae_seed"] = 1;
+  EXPECT_EQ(refused(both), (Refused{422, {"/chordae_seed"}}));
+  tips["tips"] = {{"name", "tips.csv"}, {"text", "AL,-13,-4,-24\n"}};
+  EXPECT_EQ(refused(tips), (Refused{422, {"/tips"}}));
+  closed["closed"] = true;
+  closed["hidden_mm"] = 16.0;
+  EXPECT_EQ(refused(closed), (Refused{422, {"/hidden_mm"}}));
+  closed["hidden_mm"] = 3.0;
+  EXPECT_EQ(refused(closed).paths.front(), "/closed");
+  far["tips"] = {{"name", "tips.csv"}, {"text", "AL,-13,-4,-240\nPM,13,-4,-24\n"}};
+  EXPECT_TRUE(refused(far).paths.front().starts_with("/tips"));
+}
+
 TEST_F(ImportsTest, EveryProblemIsTold) {
   const auto refused = [&](const ordered_json& request) {
     return refusal(post("/v1/valves:import", request));

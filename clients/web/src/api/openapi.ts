@@ -614,7 +614,7 @@ export interface components {
             /** @description Its bytes (RFC 4648); then without text. */
             base64?: string;
         };
-        /** @description Either leaflets, annulus and chordae, in one coordinate system and one unit, or slicerheart. */
+        /** @description Either leaflets and annulus with chordae or chordae_seed, in one coordinate system and one unit, or slicerheart. */
         FilesToImport: {
             /** @description Open surfaces (OBJ, PLY, STL, VTK): the anterior, then the posterior sheet, or one skirt. */
             leaflets?: [
@@ -625,6 +625,20 @@ export interface components {
             annulus?: components["schemas"]["FileToImport"];
             /** @description Insertions and papillary tips: CSV of id,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z, or JSON. */
             chordae?: components["schemas"]["FileToImport"];
+            /** @description Instead of chordae: they were not seen, and are drawn from anatomy. The same seed gives the same chordae; 0 the mean anatomy. */
+            chordae_seed?: number;
+            /** @description Papillary tips that were seen, of chordae that are drawn: CSV of papillary,x,y,z, papillary AL or PM, or points of Slicer labelled so (.mrk.json). Left out, they are drawn, too. */
+            tips?: components["schemas"]["FileToImport"];
+            /**
+             * @description The two leaflets were imaged closed, under pressure: the open ones are derived from what is seen of them. With chordae_seed.
+             * @default false
+             */
+            closed?: boolean;
+            /**
+             * @description Height of closed leaflets that coaptation hides.
+             * @default 3
+             */
+            hidden_mm?: number;
             /** @description The files of a folder that SlicerHeart's ValveFemExport or coapt export wrote. */
             slicerheart?: components["schemas"]["FileToImport"][];
             /**
