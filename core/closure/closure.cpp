@@ -212,6 +212,11 @@ std::optional<ClosureRun> start_from(const Valve& valve, const ClosureModel& mod
           s < neighbour.branch_points_mm[c].rows())
         start.x_mm.row(node) = neighbour.branch_points_mm[c].row(s);
     }
+  for (const Cable& cable : model.cables)
+    if (cable.chorda < 0) start.x_mm.row(cable.start).setZero();
+  for (const Cable& cable : model.cables)  // knots midway
+    if (cable.chorda < 0)
+      start.x_mm.row(cable.start) += 0.5 * end_position(cable, start.x_mm).transpose();
   return start;
 }
 
@@ -240,8 +245,13 @@ void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x
         ends.row(s) += segment.insertion.weights[k] * x.row(valve.faces(segment.insertion.face, k));
     }
   }
-  for (const Cable& cable : model.cables)
-    result.tension_n[cable.chorda][cable.segment] = tension_n(cable, x);
+  result.tie_tension_n.assign(valve.ties.size(), 0.0);
+  for (const Cable& cable : model.cables) {
+    if (cable.chorda >= 0)
+      result.tension_n[cable.chorda][cable.segment] = tension_n(cable, x);
+    else  // both halves pull alike at rest
+      result.tie_tension_n[cable.segment] += 0.5 * tension_n(cable, x);
+  }
 }
 
 }  // namespace

@@ -107,7 +107,8 @@ void add_membrane(const Valve& valve, Membrane membrane, ClosureModel& model) {
 }
 
 void add_chordae(const Valve& valve, ClosureModel& model) {
-  const int heads = static_cast<int>(model.rest_mm.rows()) - static_cast<int>(valve.heads.size());
+  const int heads = static_cast<int>(model.rest_mm.rows() - std::ssize(valve.ties) -
+                                     std::ssize(valve.heads));
   int next_branch = model.vertices;
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
     const Chorda& chorda = valve.chordae[c];
@@ -139,6 +140,26 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
       for (const NodeShare& share : cable.end) model.mass_g[share.node] += share.weight * half_mass;
       if (!chorda.ruptured) model.cables.push_back(cable);
     }
+  }
+}
+
+/// A tie is two cables from its knot, a free node, each half as long: so it pulls at zones on either side.
+void add_ties(const Valve& valve, ClosureModel& model) {
+  int knot = static_cast<int>(model.rest_mm.rows() - std::ssize(valve.ties));
+  for (std::size_t t = 0; t < valve.ties.size(); ++t, ++knot) {
+    const Tie& tie = valve.ties[t];
+    for (const Insertion& insertion : {tie.anterior, tie.posterior}) {
+      Cable cable;
+      cable.chorda = -1;
+      cable.segment = static_cast<int>(t);
+      cable.start = knot;
+      cable.end = insertion_zone(valve, insertion, tie.zone_mm);
+      cable.rest_mm = 0.5 * tie.rest_length_mm;
+      cable.stiffness_n_per_mm = 2.0 * tie.stiffness_n_per_mm;
+      model.rest_mm.row(knot) += 0.5 * end_position(cable, model.rest_mm).transpose();
+      model.cables.push_back(cable);
+    }
+    model.mass_g[knot] = valve.tissue.density_g_per_mm3 * tie.rest_length_mm;  // 1 mm2 thick
   }
 }
 
@@ -187,7 +208,7 @@ ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
   for (const Chorda& chorda : valve.chordae)
     for (const ChordaSegment& segment : chorda.segments) branch_points += segment.inserts ? 0 : 1;
   const int first_head = model.vertices + branch_points;
-  const int nodes = first_head + static_cast<int>(valve.heads.size());
+  const int nodes = first_head + static_cast<int>(valve.heads.size() + valve.ties.size());
   model.rest_mm.setZero(nodes, 3);
   model.fixed.assign(nodes, false);
   model.mass_g.assign(nodes, 0.0);
@@ -202,6 +223,7 @@ ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
   add_membrane(valve, membrane, model);
   model.hinges = make_hinges(valve);
   add_chordae(valve, model);
+  add_ties(valve, model);
   set_targets(valve, model);
   model.stable_step_ms = stable_step_ms(model);
   return model;

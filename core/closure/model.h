@@ -26,17 +26,17 @@ struct Spring {
   double post_n_per_mm = 0.0;  ///< and above
 };
 
-/// One chorda segment: pulls its two ends together when longer than its rest length.
+/// One chorda segment, or a half of a tie from its knot: pulls its two ends together when longer than its rest length.
 struct Cable {
   int start = 0;               ///< node: papillary head or branch point
   std::vector<NodeShare> end;  ///< one branch point, or the zone of the leaflet where it inserts
   double rest_mm = 0.0;
   double stiffness_n_per_mm = 0.0;
-  int chorda = 0, segment = 0;
+  int chorda = 0, segment = 0;  ///< chorda -1: of tie `segment`
 };
 
 /// Nodes: the leaflet vertices, then one per chorda segment that ends in a branch point, then the
-/// heads.
+/// heads, then the knots of ties.
 struct ClosureModel {
   int vertices = 0;
   Faces faces;
@@ -52,7 +52,7 @@ struct ClosureModel {
   std::vector<Sheet> sheets;  ///< one per face, or none
   std::vector<Hinge> hinges;
   std::vector<ExponentialSheet> exponential_sheets;  ///< one per face, or none
-  std::vector<Cable> cables;                         ///< of chordae that are not ruptured
+  std::vector<Cable> cables;  ///< of chordae that are not ruptured, then of ties
   double pressure_mpa = 0.0;
   double stable_step_ms = 0.0;  ///< Gershgorin bound of the symplectic Euler step without contact
 };

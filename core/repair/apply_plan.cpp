@@ -1,5 +1,6 @@
-// Rings first, because they move the anchors; then sutures, which move the tips; then chordae.
-// Within one kind no two steps touch the same thing (that is refused), and neochordae are sorted:
+// Rings first, because they move the anchors; then sutures, which move the tips; then chordae and
+// edges.
+// Within one kind no two steps touch the same thing (that is refused), and neochordae and edge-to-edge steps are sorted:
 // so the order of the steps in the plan cannot matter.
 
 #include "core/repair/apply_plan.h"
@@ -12,6 +13,7 @@
 #include "core/repair/approximation.h"
 #include "core/repair/chordal.h"
 #include "core/repair/describe.h"
+#include "core/repair/edge_to_edge.h"
 #include "core/valve/validate.h"
 
 namespace coapt {
@@ -53,7 +55,7 @@ void tie_sutures(const RepairPlan& plan, Valve& valve, ProblemList& problems) {
   }
 }
 
-/// Treats the chordae of one plan; every repair step has an overload here.
+/// Treats the chordae and edges of one plan; every repair step has an overload here.
 class ChordalPass {
  public:
   ChordalPass(const LeafletCoordinates& coordinates, Valve& valve, ProblemList& problems)
@@ -61,6 +63,9 @@ class ChordalPass {
 
   void treat(const Annuloplasty&, std::size_t) {}
   void treat(const PapillaryApproximation&, std::size_t) {}
+  void treat(const EdgeToEdge& step, std::size_t i) {
+    if (check_edge_to_edge(step, step_path(i), problems_)) edges_.push_back(step);
+  }
   void treat(const Neochorda& step, std::size_t i) {
     if (check_neochorda(step, valve_, step_path(i), problems_)) neochordae_.push_back(step);
   }
@@ -83,6 +88,11 @@ class ChordalPass {
               [](const Neochorda& a, const Neochorda& b) { return text_key(a) < text_key(b); });
     for (const Neochorda& step : neochordae_) apply_neochorda(step, coordinates_, valve_);
   }
+  void tie_edges() {
+    std::sort(edges_.begin(), edges_.end(),
+              [](const EdgeToEdge& a, const EdgeToEdge& b) { return text_key(a) < text_key(b); });
+    for (const EdgeToEdge& step : edges_) apply_edge_to_edge(step, coordinates_, valve_);
+  }
 
  private:
   bool claim(const std::string& chorda, std::size_t i) {
@@ -98,6 +108,7 @@ class ChordalPass {
   ProblemList& problems_;
   std::map<std::string, std::size_t> claimed_;
   std::vector<Neochorda> neochordae_;
+  std::vector<EdgeToEdge> edges_;
 };
 
 bool is_in(const std::string& path, const char* list, std::size_t index) {
@@ -120,6 +131,9 @@ bool changes(const PapillaryApproximation& step, const std::string& path, const 
   return false;
 }
 bool changes(const Neochorda&, const std::string& path, const Valve&) { return path == "/chordae"; }
+bool changes(const EdgeToEdge&, const std::string& path, const Valve&) {
+  return path.starts_with("/ties");
+}
 bool changes(const ChordalLengthChange& step, const std::string& path, const Valve& valve) {
   return is_of_chorda(path, step.chorda, valve);
 }
@@ -148,7 +162,8 @@ Errors check_result(const Valve& repaired, const RepairPlan& plan) {
 
 bool needs_coordinates(const RepairPlan& plan) {
   return std::any_of(plan.steps.begin(), plan.steps.end(), [](const RepairStep& step) {
-    return std::holds_alternative<Neochorda>(step) || std::holds_alternative<ChordalTransfer>(step);
+    return std::holds_alternative<Neochorda>(step) || std::holds_alternative<ChordalTransfer>(step) ||
+           std::holds_alternative<EdgeToEdge>(step);
   });
 }
 
@@ -166,6 +181,7 @@ Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan) {
   for (std::size_t i = 0; i < plan.steps.size(); ++i)
     std::visit([&](const auto& step) { chordae.treat(step, i); }, plan.steps[i]);
   chordae.append_neochordae();
+  chordae.tie_edges();
   if (!problems.empty()) return std::move(problems).take();
   if (Errors errors = check_result(repaired, plan); !errors.empty()) return errors;
   std::vector<std::string> lines = describe(valve, plan);

@@ -84,6 +84,12 @@ std::string words(const Valve&, const PapillaryApproximation& step) {
          ", suture " + shown(step.suture_length_mm) + " mm";
 }
 
+std::string words(const Valve& valve, const EdgeToEdge& step) {
+  return std::string("edge-to-edge ") + to_string(step.device) + ", " + shown(step.width_mm) +
+         " mm wide, " + place(valve, {Leaflet::Anterior, step.along, 1.0}) + " to " +
+         place(valve, {Leaflet::Posterior, step.along, 1.0});
+}
+
 }  // namespace
 
 std::vector<std::string> describe(const Valve& valve, const RepairPlan& plan) {

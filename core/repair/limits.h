@@ -16,6 +16,8 @@ inline constexpr Range kNeochordaMm = {5.0, 40.0};
 inline constexpr Range kLengthChangeMm = {-20.0, 20.0};
 inline constexpr Range kSutureMm = {12.0, 100.0};  ///< papillary approximation
 inline constexpr double kLeastSutureShare = 0.5;   ///< of the present distance, at least
+inline constexpr Range kEdgeAlong = {0.05, 0.95};    ///< edge-to-edge: not in a commissure
+inline constexpr Range kEdgeWidthMm = {2.0, 15.0};
 inline constexpr Range kShare = {0.0, 1.0};        ///< leaflet coordinates, place on the annulus
 
 // Usual; outside, the search does not look and a plan is warned of.

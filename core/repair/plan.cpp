@@ -34,4 +34,6 @@ const char* to_string(Anchor anchor) {
   return "";
 }
 
+const char* to_string(EdgeDevice device) { return device == EdgeDevice::Clip ? "clip" : "stitch"; }
+
 }  // namespace coapt

@@ -65,8 +65,18 @@ struct PapillaryApproximation {
   double suture_length_mm = 0.0;  ///< 12 to 100
 };
 
+enum class EdgeDevice { Stitch, Clip };
+
+/// Opposite points of the leaflets' free edges are held together: a stitch along the edges (Alfieri), or a clip, whose arms also hold
+/// the leaflets kClipGrasp_mm above them.
+struct EdgeToEdge {
+  EdgeDevice device = EdgeDevice::Stitch;
+  double along = 0.5;    ///< of both edges, LeafletPoint::along; 0.5: A2 to P2
+  double width_mm = 4.0;  ///< along the edges: 2 to 15
+};
+
 using RepairStep = std::variant<Annuloplasty, Neochorda, ChordalLengthChange, ChordalExcision,
-                                ChordalTransfer, PapillaryApproximation>;
+                                ChordalTransfer, PapillaryApproximation, EdgeToEdge>;
 
 struct RepairPlan {
   std::vector<RepairStep> steps;
@@ -75,5 +85,6 @@ struct RepairPlan {
 Vec3 anchor_mm(const Valve& valve, const PapillaryApproximation& step);
 
 const char* to_string(Anchor anchor);
+const char* to_string(EdgeDevice device);
 
 }  // namespace coapt

@@ -61,6 +61,10 @@ Expected<Valve> refine(const Valve& valve) {
   for (Chorda& chorda : refined.chordae)
     for (ChordaSegment& segment : chorda.segments)
       if (segment.inserts) segment.insertion = subdivided(segment.insertion);
+  for (Tie& tie : refined.ties) {
+    tie.anterior = subdivided(tie.anterior);
+    tie.posterior = subdivided(tie.posterior);
+  }
   if (Errors errors = validate(refined); !errors.empty()) return errors;
   refined.provenance.push_back(in_words(valve, refined));
   return refined;

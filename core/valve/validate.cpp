@@ -243,6 +243,7 @@ ProblemList problems_in(const Valve& valve) {
   check_annulus(valve, mesh, problems);
   check_heads(valve, problems);
   check_chordae(valve, problems);
+  check_ties(valve, problems);
   check_patient(valve, problems);
   check_drawn(valve, problems);
   check_fitted(valve, problems);

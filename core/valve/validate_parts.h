@@ -20,10 +20,15 @@ struct MeshCheck {
 MeshCheck check_mesh(const Valve& valve, ProblemList& problems);
 void check_annulus(const Valve& valve, const MeshCheck& mesh, ProblemList& problems);
 void check_chordae(const Valve& valve, ProblemList& problems);
+void check_ties(const Valve& valve, ProblemList& problems);
 void check_fitted(const Valve& valve, ProblemList& problems);
 
 /// Whether all coordinates are inside the accepted range; lists each row and column that is not.
 bool check_points(const Points& points, const std::string& path, ProblemList& problems);
+
+/// A face, and weights on it that are none below 0 and add up to 1.
+void check_insertion(const Insertion& insertion, int faces, const std::string& path,
+                     ProblemList& problems);
 
 inline std::string at(const std::string& path, Index index) {
   return path + '/' + std::to_string(index);

@@ -108,6 +108,17 @@ struct Chorda {
   bool operator==(const Chorda&) const = default;
 };
 
+/// A suture or clip that holds two points of the leaflets together: tension only, at discs of radius `zone_mm` of either.
+struct Tie {
+  std::string id;  ///< unique
+  Insertion anterior, posterior;
+  double rest_length_mm = 1.0;
+  double zone_mm = 1.3;             ///< as a neochorda's (docs/researcher/model.md)
+  double stiffness_n_per_mm = 5.0;  ///< assumed: stiff enough to give 0.2 mm at 1 N
+
+  bool operator==(const Tie&) const = default;
+};
+
 /// Where a valve's own frame lies in the images of the patient (LPS, mm): a point is at axes x + origin.
 struct PatientFrame {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< a rotation
@@ -150,6 +161,7 @@ struct Valve {
   Landmarks landmarks;
   std::vector<PapillaryHead> heads;
   std::vector<Chorda> chordae;
+  std::vector<Tie> ties;  ///< of a mitral valve
   Tissue tissue;
   double pressure_kpa = 16.0;                 ///< transvalvular, peak systolic (120 mmHg)
   std::optional<DrawnChordae> drawn_chordae;  ///< none: they were seen, or belong to the model

@@ -122,15 +122,27 @@ RepairStep read_approximation(const JsonPlace& place) {
   return step;
 }
 
+RepairStep read_edge_to_edge(const JsonPlace& place) {
+  EdgeToEdge step;
+  const auto read_device = [](const JsonPlace& device) {
+    return read_name<EdgeDevice>(device, {EdgeDevice::Stitch, EdgeDevice::Clip});
+  };
+  read_fields(place, {tag("step"),
+                      {"device", into(step.device, read_device)},
+                      {"along", number_into(step.along, kEdgeAlong)},
+                      {"width_mm", number_into(step.width_mm, kEdgeWidthMm, " mm")}});
+  return step;
+}
+
 RepairStep read_step(const JsonPlace& place) {
   const auto kind = read_member(place, "step");
   if (!kind) return {};
   const auto choice =
       read_choice(*kind, {"annuloplasty", "neochorda", "chordal_length_change", "chordal_excision",
-                          "chordal_transfer", "papillary_approximation"});
+                          "chordal_transfer", "papillary_approximation", "edge_to_edge"});
   if (!choice) return {};
   constexpr std::array readers = {read_annuloplasty, read_neochorda, read_length_change,
-                                  read_excision,     read_transfer,  read_approximation};
+                                  read_excision,     read_transfer,  read_approximation, read_edge_to_edge};
   static_assert(readers.size() == std::variant_size_v<RepairStep>);
   return readers[*choice](place);
 }

@@ -50,6 +50,13 @@ ordered_json step_json(const PapillaryApproximation& step) {
   return json;
 }
 
+ordered_json step_json(const EdgeToEdge& step) {
+  return {{"step", "edge_to_edge"},
+          {"device", to_string(step.device)},
+          {"along", step.along},
+          {"width_mm", step.width_mm}};
+}
+
 }  // namespace
 
 ordered_json to_json(const RepairPlan& plan) {

@@ -143,6 +143,17 @@ ChordaSegment read_chorda_segment(const JsonPlace& place) {
   return segment;
 }
 
+Tie read_tie(const JsonPlace& place) {
+  Tie tie;
+  read_fields(place, {{"id", into(tie.id, read_string)},
+                      {"anterior", into(tie.anterior, read_insertion)},
+                      {"posterior", into(tie.posterior, read_insertion)},
+                      {"rest_length_mm", into(tie.rest_length_mm, read_number)},
+                      {"zone_mm", into(tie.zone_mm, read_number)},
+                      {"stiffness_n_per_mm", into(tie.stiffness_n_per_mm, read_number)}});
+  return tie;
+}
+
 Chorda read_chorda(const JsonPlace& place) {
   Chorda chorda;
   read_fields(place, {{"id", into(chorda.id, read_string)},
@@ -231,6 +242,7 @@ Valve read_form(const JsonPlace& root) {
                {"landmarks", into(valve.landmarks, read_landmarks)},
                {"papillary_heads", list_into(valve.heads, read_head)},
                {"chordae", list_into(valve.chordae, read_chorda)},
+               {"ties", list_into(valve.ties, read_tie), false},
                {"drawn_chordae", into(valve.drawn_chordae, read_drawn_chordae), false},
                {"fit", into(valve.fitted, read_fitted), false},
                {"patient_frame", into(valve.patient, read_patient_frame), false}});

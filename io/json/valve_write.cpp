@@ -45,14 +45,26 @@ ordered_json landmarks_json(const Landmarks& marks) {
           {"posteromedial_commissure", marks.posteromedial_commissure}};
 }
 
+ordered_json insertion_json(const Insertion& insertion) {
+  return {{"face", insertion.face}, {"weights", triple(insertion.weights)}};
+}
+
+ordered_json tie_json(const Tie& tie) {
+  return {{"id", tie.id},
+          {"anterior", insertion_json(tie.anterior)},
+          {"posterior", insertion_json(tie.posterior)},
+          {"rest_length_mm", tie.rest_length_mm},
+          {"zone_mm", tie.zone_mm},
+          {"stiffness_n_per_mm", tie.stiffness_n_per_mm}};
+}
+
 ordered_json segment_json(const ChordaSegment& segment) {
   ordered_json json = {{"parent", segment.parent},
                        {"rest_length_mm", segment.rest_length_mm},
                        {"diameter_mm", segment.diameter_mm}};
   if (segment.modulus_kpa > 0.0) json["modulus_kpa"] = segment.modulus_kpa;
   if (segment.inserts) {
-    json["insertion"] = {{"face", segment.insertion.face},
-                         {"weights", triple(segment.insertion.weights)}};
+    json["insertion"] = insertion_json(segment.insertion);
     json["zone_mm"] = segment.zone_mm;
   } else {
     json["branch_point_mm"] = triple(segment.branch_point_mm);
@@ -170,6 +182,7 @@ ordered_json leaflet_valve_json(const Valve& valve) {
 
 std::string write_valve(const Valve& valve) {
   ordered_json json = is_mitral(valve) ? mitral_json(valve) : leaflet_valve_json(valve);
+  if (!valve.ties.empty()) json["ties"] = list(valve.ties, tie_json);
   if (valve.drawn_chordae)
     json["drawn_chordae"] = {{"seed", valve.drawn_chordae->seed},
                              {"tips_given", valve.drawn_chordae->tips_given}};

@@ -155,6 +155,15 @@ StepWords words(const Operated& operated, const Neochorda& step, std::size_t) {
           ""};
 }
 
+StepWords words(const Operated& operated, const EdgeToEdge& step, std::size_t) {
+  const Valve& valve = operated.before.valve;
+  return {std::string(step.device == EdgeDevice::Clip ? "Clip" : "Edge-to-edge stitch") + ", " +
+              mm(step.width_mm) + " wide, from " +
+              place_words(valve, {Leaflet::Anterior, step.along, 1.0}) + " to " +
+              place_words(valve, {Leaflet::Posterior, step.along, 1.0}),
+          "Two openings are left in diastole; their area is not computed."};
+}
+
 StepWords words(const Operated& operated, const ChordalLengthChange&, std::size_t index) {
   return words_as_described(operated, index);
 }
@@ -181,6 +190,10 @@ std::string in_short(const PapillaryApproximation& step) {
 std::string in_short(const Neochorda& step) {
   return "neochorda " + step.head + " to " + to_string(step.insertion.leaflet) + " leaflet, " +
          mm(step.length_mm);
+}
+std::string in_short(const EdgeToEdge& step) {
+  return std::string(step.device == EdgeDevice::Clip ? "clip" : "edge-to-edge stitch") + ", " +
+         mm(step.width_mm);
 }
 std::string in_short(const ChordalLengthChange& step) {
   return step.chorda + (step.change_mm < 0.0 ? " shortened" : " lengthened");

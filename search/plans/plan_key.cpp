@@ -55,6 +55,10 @@ std::string words(const PapillaryApproximation& suture) {
   return text + number(suture.suture_length_mm);
 }
 
+std::string words(const EdgeToEdge& step) {
+  return std::string("edges ") + to_string(step.device) + number(step.along) + number(step.width_mm);
+}
+
 }  // namespace
 
 std::string plan_key(const RepairPlan& plan) {

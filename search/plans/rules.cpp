@@ -22,6 +22,7 @@ StepWords words_of(const Neochorda& step) {
 StepWords words_of(const ChordalLengthChange&) { return {"chordal_length_change", {}}; }
 StepWords words_of(const ChordalExcision&) { return {"chordal_excision", {}}; }
 StepWords words_of(const ChordalTransfer&) { return {"chordal_transfer", {}}; }
+StepWords words_of(const EdgeToEdge& step) { return {"edge_to_edge", {to_string(step.device)}}; }
 StepWords words_of(const PapillaryApproximation& step) {
   return {"papillary_approximation", {to_string(step.side), to_string(step.anchor)}};
 }
@@ -34,7 +35,8 @@ std::vector<std::string> known_words() {
                            ":saddle_peak", ":annulus_point"})
     words.push_back(std::string("papillary_approximation") + kind);
   for (const char* word : {"neochorda", "neochorda:anterior", "neochorda:posterior",
-                           "chordal_length_change", "chordal_excision", "chordal_transfer"})
+                           "chordal_length_change", "chordal_excision", "chordal_transfer",
+                           "edge_to_edge", "edge_to_edge:stitch", "edge_to_edge:clip"})
     words.push_back(word);
   return words;
 }

@@ -4,6 +4,9 @@ import { button, field, h, select } from '../dom'
 import {
   ANCHORS,
   CHANGE_MM,
+  EDGE_ALONG,
+  EDGE_DEVICES,
+  EDGE_MM,
   NEOCHORDA_MM,
   newApproximation,
   reachable,
@@ -12,6 +15,7 @@ import {
   type Anatomy,
   type Annuloplasty,
   type Approximation,
+  type EdgeToEdge,
 } from './steps'
 import parts from '../style/parts.module.css'
 import repairStyle from './repair.module.css'
@@ -41,6 +45,8 @@ export function stepForm(step: Step, context: StepContext): HTMLElement {
           context.change({ ...step, insertion }, passing),
         ),
       )
+    case 'edge_to_edge':
+      return edgeForm(step, context)
     case 'chordal_length_change':
       return slider('Length change', step.change_mm, CHANGE_MM, 'mm', (change_mm, passing) =>
         context.change({ ...step, change_mm }, passing),
@@ -52,6 +58,24 @@ export function stepForm(step: Step, context: StepContext): HTMLElement {
         context.change({ ...step, insertion }, passing),
       )
   }
+}
+
+function edgeForm(step: EdgeToEdge, context: StepContext): HTMLElement {
+  return h(
+    'div',
+    {},
+    field(
+      'Device',
+      select(EDGE_DEVICES, step.device, (device) =>
+        context.change({ ...step, device: device as EdgeToEdge['device'] }, false),
+      ),
+    ),
+    slider('Along (AL to PM)', step.along, EDGE_ALONG, '', (along, passing) =>
+      context.change({ ...step, along }, passing),
+    ),
+    slider('Width', step.width_mm, EDGE_MM, 'mm', (width_mm, passing) => context.change({ ...step, width_mm }, passing)),
+    h('p', { class: parts.hint }, 'Holds opposite points of both free edges together. The two openings of diastole are not computed.'),
+  )
 }
 
 function ringForm(step: Annuloplasty, context: StepContext): HTMLElement {

@@ -122,6 +122,7 @@ export class PlanEditor {
         'Chorda',
         withScene((scene) => this.chooseChorda(scene, add)),
       ),
+      button('Edge-to-edge', () => add({ step: 'edge_to_edge', device: 'clip', along: 0.5, width_mm: 4 })),
     )
   }
 

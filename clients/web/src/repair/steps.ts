@@ -13,6 +13,12 @@ export const ANCHORS = [
 ] as const
 export const MOVED_AT_FIRST = 0.85 // of the distance from tip to anchor: what a new suture leaves
 export const NEOCHORDA_MM = { min: 5, max: 40, step: 0.5 }
+export const EDGE_MM = { min: 2, max: 15, step: 0.5 }
+export const EDGE_ALONG = { min: 0.05, max: 0.95, step: 0.01 }
+export const EDGE_DEVICES = [
+  ['stitch', 'Stitch (Alfieri)'],
+  ['clip', 'Clip'],
+] as const
 export const CHANGE_MM = { min: -20, max: 20, step: 0.5 }
 const HALF_MM = 0.5
 /// The middle of each segment's free edge.
@@ -26,6 +32,7 @@ export const FREE_EDGE: Readonly<Record<string, LeafletPoint>> = Object.fromEntr
 )
 
 export type Annuloplasty = Extract<Step, { step: 'annuloplasty' }>
+export type EdgeToEdge = Extract<Step, { step: 'edge_to_edge' }>
 export type Approximation = Extract<Step, { step: 'papillary_approximation' }>
 
 /// In surgical words.
@@ -39,6 +46,8 @@ export function describe(step: Step): string {
       return `${step.side === 'anterolateral' ? 'Anterolateral' : 'Posteromedial'} papillary muscle to ${anchorWords(step)}, suture ${step.suture_length_mm.toFixed(1)} mm`
     case 'neochorda':
       return `Neochorda from ${step.head} to ${placeWords(step.insertion)}, ${step.length_mm.toFixed(1)} mm`
+    case 'edge_to_edge':
+      return `${step.device === 'clip' ? 'Clip' : 'Edge-to-edge stitch'} at ${placeWords({ leaflet: 'anterior', along: step.along, height: 1 }).slice(0, 2)} and ${placeWords({ leaflet: 'posterior', along: step.along, height: 1 }).slice(0, 2)}, ${step.width_mm.toFixed(1)} mm wide`
     case 'chordal_length_change':
       return `Chorda ${step.chorda} ${step.change_mm < 0 ? 'shortened' : 'lengthened'} by ${Math.abs(step.change_mm).toFixed(1)} mm`
     case 'chordal_excision':

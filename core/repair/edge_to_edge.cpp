@@ -1,0 +1,79 @@
+#include "core/repair/edge_to_edge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/repair/limits.h"
+#include "core/valve/leaflet_point.h"
+
+namespace coapt {
+namespace {
+
+Vec3 point_mm(const Valve& valve, const LeafletCoordinates& coordinates, const LeafletPoint& point) {
+  return position(locate(valve, coordinates, point), valve.faces, valve.rest_mm);
+}
+
+/// How far `along` changes over a millimetre of the leaflet's free edge.
+double along_per_mm(const Valve& valve, const LeafletCoordinates& coordinates, Leaflet leaflet,
+                    double along) {
+  constexpr double kStep = 0.02;
+  const Vec3 before = point_mm(valve, coordinates, {leaflet, along - kStep, 1.0}),
+             after = point_mm(valve, coordinates, {leaflet, along + kStep, 1.0});
+  return 2.0 * kStep / (after - before).norm();
+}
+
+/// Share of the leaflet's height that a clip's arms reach up from the edge.
+double grasp_share(const Valve& valve, const LeafletCoordinates& coordinates, Leaflet leaflet,
+                   double along) {
+  constexpr double kMostGrasp = 0.8;
+  const double height_mm = (point_mm(valve, coordinates, {leaflet, along, 1.0}) -
+                            point_mm(valve, coordinates, {leaflet, along, 0.0}))
+                               .norm();
+  return std::min(kMostGrasp, kClipGrasp_mm / height_mm);
+}
+
+int next_number(const Valve& valve) {
+  int number = 1;
+  while (std::any_of(valve.ties.begin(), valve.ties.end(), [&](const Tie& tie) {
+    return tie.id.starts_with("edge-to-edge-" + std::to_string(number) + '-');
+  }))
+    ++number;
+  return number;
+}
+
+}  // namespace
+
+bool check_edge_to_edge(const EdgeToEdge& step, const std::string& path, ProblemList& problems) {
+  const bool along = check_range(problems, path + "/along", step.along, kEdgeAlong);
+  return check_range(problems, path + "/width_mm", step.width_mm, kEdgeWidthMm, " mm") && along;
+}
+
+std::string text_key(const EdgeToEdge& step) {
+  return std::string(to_string(step.device)) + ' ' + std::to_string(step.along) + ' ' +
+         std::to_string(step.width_mm);
+}
+
+void apply_edge_to_edge(const EdgeToEdge& step, const LeafletCoordinates& coordinates,
+                        Valve& valve) {
+  const std::string id = "edge-to-edge-" + std::to_string(next_number(valve)) + '-';
+  const int count = 1 + static_cast<int>(std::lround(step.width_mm / kTieSpacing_mm));
+  const int rows = step.device == EdgeDevice::Clip ? 2 : 1;
+  const auto insertion = [&](Leaflet leaflet, double off_mm, int row) {
+    const double along =
+        step.along + off_mm * along_per_mm(valve, coordinates, leaflet, step.along);
+    const double up = row * grasp_share(valve, coordinates, leaflet, step.along);
+    return locate(valve, coordinates, {leaflet, std::clamp(along, 0.0, 1.0), 1.0 - up});
+  };
+  for (int row = 0; row < rows; ++row)
+    for (int i = 0; i < count; ++i) {
+      const double off_mm = step.width_mm * (static_cast<double>(i) / (count - 1) - 0.5);
+      Tie tie;
+      tie.id = id + std::to_string(row * count + i + 1);
+      tie.anterior = insertion(Leaflet::Anterior, off_mm, row);
+      tie.posterior = insertion(Leaflet::Posterior, off_mm, row);
+      tie.rest_length_mm = valve.tissue.thickness_mm;
+      valve.ties.push_back(std::move(tie));
+    }
+}
+
+}  // namespace coapt

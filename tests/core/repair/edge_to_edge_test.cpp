@@ -1,0 +1,116 @@
+#include "core/repair/edge_to_edge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/closure/closure.h"
+#include "core/metrics/measure.h"
+#include "core/presets/presets.h"
+#include "core/repair/apply_plan.h"
+#include "core/valve/refine.h"
+#include "core/valve/validate.h"
+
+namespace coapt {
+namespace {
+
+Valve repaired(const Valve& valve, const EdgeToEdge& step) {
+  const Expected<Valve> made = apply_plan(valve, {{step}});
+  return made ? *made : Valve{};
+}
+
+double distance_mm(const Valve& valve, const Tie& tie, const Points& points) {
+  return (position(tie.anterior, valve.faces, points) - position(tie.posterior, valve.faces, points))
+      .norm();
+}
+
+TEST(EdgeToEdge, AStitchOfFourMillimetresIsThreeTiesTwoMillimetresApart) {
+  const Valve valve = *make_preset("human-normal");
+  const Valve stitched = repaired(valve, {EdgeDevice::Stitch, 0.5, 4.0});
+  ASSERT_EQ(stitched.ties.size(), 3u);
+  EXPECT_EQ(stitched.ties[0].id, "edge-to-edge-1-1");
+  for (const auto part : {&Tie::anterior, &Tie::posterior})
+    for (std::size_t i = 1; i < 3; ++i) {
+      const Vec3 a = position(stitched.ties[i - 1].*part, stitched.faces, stitched.rest_mm),
+                 b = position(stitched.ties[i].*part, stitched.faces, stitched.rest_mm);
+      EXPECT_NEAR((a - b).norm(), 2.0, 0.2);
+    }
+  EXPECT_EQ(stitched.ties[1].rest_length_mm, valve.tissue.thickness_mm);
+  const Valve clipped = repaired(valve, {EdgeDevice::Clip, 0.5, 4.0});
+  ASSERT_EQ(clipped.ties.size(), 6u);
+  const Vec3 edge = position(clipped.ties[1].anterior, clipped.faces, clipped.rest_mm),
+             above = position(clipped.ties[4].anterior, clipped.faces, clipped.rest_mm);
+  EXPECT_NEAR((edge - above).norm(), kClipGrasp_mm, 0.3);
+}
+
+TEST(EdgeToEdge, HoldsTheEdgesTogetherInTheClosedValve) {
+  for (const char* name : {"human-p2-prolapse", "fibroelastic-flail", "secondary-mr"}) {
+    const Valve valve = *make_preset(name);
+    const ClosureResult before = close_valve(valve);
+    for (const EdgeDevice device : {EdgeDevice::Stitch, EdgeDevice::Clip}) {
+      const Valve held = repaired(valve, {device, 0.5, 6.0});
+      const ClosureResult closed = close_valve(held);
+      EXPECT_EQ(closed.status, ClosureStatus::Converged) << name;
+      EXPECT_FALSE(closed.crossing) << name;
+      ASSERT_EQ(closed.tie_tension_n.size(), held.ties.size());
+      for (std::size_t i = 0; i < held.ties.size(); ++i) {
+        // What the zones' means are apart by: slack, or its stretch at its tension.
+        EXPECT_LT(distance_mm(held, held.ties[i], closed.closed_mm),
+                  held.ties[i].rest_length_mm + closed.tie_tension_n[i] / 5.0 + 1.5)
+            << name << ' ' << i;
+        EXPECT_GE(closed.tie_tension_n[i], 0.0);
+      }
+      EXPECT_LT(leak_mm2(measure(held, closed)), 0.8 * leak_mm2(measure(valve, before))) << name;
+    }
+  }
+}
+
+TEST(EdgeToEdge, BothMethodsGiveTheSameClosedValve) {
+  const Valve held = repaired(*make_preset("human-p2-prolapse"), {EdgeDevice::Stitch, 0.5, 4.0});
+  ClosureOptions thesis;
+  thesis.method = Method::Thesis;
+  const double fast = leak_mm2(measure(held, close_valve(held)));
+  EXPECT_NEAR(leak_mm2(measure(held, close_valve(held, thesis))), fast, 3.0);
+}
+
+TEST(EdgeToEdge, IsTheSameInAnyOrderOfStepsAndOnAFinerMesh) {
+  const Valve valve = *make_preset("human-normal");
+  const EdgeToEdge lateral{EdgeDevice::Stitch, 0.3, 3.0}, medial{EdgeDevice::Clip, 0.7, 5.0};
+  const Valve one = *apply_plan(valve, {{lateral, medial}}),
+              other = *apply_plan(valve, {{medial, lateral}});
+  EXPECT_EQ(one.ties, other.ties);
+  const Valve fine = *refine(one);
+  for (std::size_t i = 0; i < one.ties.size(); ++i)
+    EXPECT_NEAR((position(one.ties[i].anterior, one.faces, one.rest_mm) -
+                 position(fine.ties[i].anterior, fine.faces, fine.rest_mm))
+                    .norm(),
+                0.0, 1e-9);
+}
+
+TEST(EdgeToEdge, WhatIsOutOfRangeIsRefused) {
+  const Valve valve = *make_preset("human-normal");
+  const auto paths = [&](const EdgeToEdge& step) {
+    const Expected<Valve> made = apply_plan(valve, {{step}});
+    std::vector<std::string> all;
+    if (!made)
+      for (const Error& error : made.errors()) all.push_back(error.path);
+    return all;
+  };
+  using Paths = std::vector<std::string>;
+  EXPECT_EQ(paths({EdgeDevice::Stitch, 0.0, 1.0}), (Paths{"/steps/0/along", "/steps/0/width_mm"}));
+  EXPECT_EQ(paths({EdgeDevice::Clip, std::nan(""), 4.0}), (Paths{"/steps/0/along"}));
+}
+
+TEST(Ties, ThatAreNoneAreNamed) {
+  Valve valve = repaired(*make_preset("human-normal"), {EdgeDevice::Stitch, 0.5, 4.0});
+  valve.ties[0].anterior.face = -1;
+  valve.ties[1].rest_length_mm = 0.0;
+  valve.ties[2].id = valve.ties[1].id;
+  std::vector<std::string> paths;
+  for (const Error& error : validate(valve)) paths.push_back(error.path);
+  EXPECT_EQ(paths, (std::vector<std::string>{"/ties/0/anterior/face", "/ties/1/rest_length_mm",
+                                             "/ties/2/id"}));
+}
+
+}  // namespace
+}  // namespace coapt
