@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/metrics/edge_heights.h"
+#include "core/metrics/free_area.h"
 #include "core/metrics/outline.h"
 
 namespace coapt {
@@ -123,13 +124,18 @@ void add_contour(Opening& opening, const Path& contour) {
   opening.contours.push_back(contour);
 }
 
-/// What `tissue` leaves open of the annulus, largest first.
-std::optional<std::vector<Opening>> openings(const Projection& projection, const Paths& tissue) {
-  Path annulus;
-  for (const Vec2& point : projection.annulus) annulus.push_back(to_grid(point));
+Path path_of(const std::vector<Vec2>& line) {
+  Path path;
+  for (const Vec2& point : line) path.push_back(to_grid(point));
+  return path;
+}
+
+/// What `tissue` leaves open of what a closed line surrounds, largest first.
+std::optional<std::vector<Opening>> openings(const std::vector<Vec2>& outline,
+                                             const Paths& tissue) {
   ClipperLib::Clipper clipper;
   std::vector<Opening> result;
-  if (!clipper.AddPath(annulus, ClipperLib::ptSubject, true)) return result;
+  if (!clipper.AddPath(path_of(outline), ClipperLib::ptSubject, true)) return result;
   clipper.AddPaths(tissue, ClipperLib::ptClip, true);
   ClipperLib::PolyTree tree;
   if (!clipper.Execute(ClipperLib::ctDifference, tree, ClipperLib::pftNonZero,
@@ -163,9 +169,9 @@ Seen look(const Valve& valve, const Projection& projection, double half_thicknes
   const std::optional<Paths> bare = united(tissue.outlines);
   Seen seen;
   if (!bare) return seen;
-  seen.raw = openings(projection, *bare);
+  seen.raw = openings(projection.annulus, *bare);
   seen.open = half_thickness_mm > 0.0
-                  ? openings(projection, grown(*bare, tissue.edge_on, half_thickness_mm))
+                  ? openings(projection.annulus, grown(*bare, tissue.edge_on, half_thickness_mm))
                   : seen.raw;
   return seen;
 }
@@ -215,6 +221,14 @@ std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& c
 ExactOrifice exact_orifice(const Valve& valve, const Points& closed_mm, double half_thickness_mm) {
   return exact_orifice(valve, project_valve(valve, closed_mm, annular_plane(valve)),
                        half_thickness_mm);
+}
+
+double free_area_mm2(const std::vector<Vec2>& outline, const std::vector<std::vector<Vec2>>& tissue,
+                     double half_thickness_mm) {
+  Paths lines;
+  if (half_thickness_mm > 0.0)
+    for (const std::vector<Vec2>& line : tissue) lines.push_back(path_of(line));
+  return total_mm2(openings(outline, lines.empty() ? lines : grown({}, lines, half_thickness_mm)));
 }
 
 OrificeMeasure measure_orifice(const Valve& valve, const ClosureResult& closure) {

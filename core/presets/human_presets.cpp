@@ -15,6 +15,10 @@ constexpr double kBarlowArea = 15.0 / 10.6;
 constexpr double kFibroelasticArea = 13.3 / 10.6;
 constexpr double kFunctionalArea = 802.0 / 608.0;
 
+// Functional regurgitation: 17.1 % of the annulus's area (Aquila 2016). Assumed: a fractional shortening of 15 %, of a
+// ventricle that ejects 30 %.
+constexpr SystolicMotion kWeakSystole = {0.17, 0.15};
+
 ParametricValve human() {
   ParametricValve d;
   d.slack = kPresetSlack;
@@ -64,7 +68,9 @@ bool is_marginal_of_p2(const Chorda& chorda) {
 
 Expected<Valve> make_human_valve(const HumanValve& human) {
   Expected<Valve> valve = make_taut_valve(human.dimensions);
-  if (!valve || human.disease.empty()) return valve;
+  if (!valve) return valve;
+  valve->systole = human.systole;
+  if (human.disease.empty()) return valve;
   for (Chorda& chorda : valve->chordae) {
     if (!is_marginal_of_p2(chorda)) continue;
     chorda.ruptured = human.p2_ruptured;
@@ -106,10 +112,14 @@ HumanValve human_functional_mr() {
   change.annular_height_percent = 70.0;
   change.anterolateral_mm = Vec3(1.0, 2.0, 2.0);
   change.posteromedial_mm = Vec3(2.0, 3.0, 4.0);
-  return {d, change,
+  return {d,
+          change,
           "functional regurgitation: annulus dilated 20 % in its anteroposterior diameter and "
           "flattened to 70 %, anterolateral tip displaced by 1, 2, 2 mm and posteromedial tip by "
-          "2, 3, 4 mm (transverse, posterior, apical)"};
+          "2, 3, 4 mm (transverse, posterior, apical)",
+          1.0,
+          false,
+          kWeakSystole};
 }
 
 HumanValve barlow() {
@@ -171,13 +181,17 @@ HumanValve secondary_mr() {
   change.annular_height_percent = 100.0 * 8.0 / 13.5;
   change.anterolateral_mm = Vec3(1.0, 2.0, 2.0);
   change.posteromedial_mm = Vec3(2.0, 4.0, 4.0);
-  return {d, change,
+  return {d,
+          change,
           "secondary regurgitation: annulus of 802 / 608 times the area (Aquila 2016, Medicine "
           "95:e5387), saddle of 8.0 / 13.5 of its height (Topilsky 2013, JAHA 2:e000039), leaflets "
           "thicker, softer along and stiffer across the fibres, which makes the radial direction "
           "the stiffer one (Vandemaele 2022, Front Cardiovasc Med 9:876006); assumed: by how much "
           "(1.1, 0.6, 2.0 times), leaflets a tenth taller, tips displaced by 1, 2, 2 and 2, 4, 4 "
-          "mm (anterolateral, posteromedial; transverse, posterior, apical)"};
+          "mm (anterolateral, posteromedial; transverse, posterior, apical)",
+          1.0,
+          false,
+          kWeakSystole};
 }
 
 HumanValve hypertrophic() {

@@ -16,6 +16,7 @@ struct HumanValve {
   std::string disease;       ///< in words, with sources; empty: none
   double p2_slack = 1.0;     ///< of P2's marginal chordae, over what dimensions give them
   bool p2_ruptured = false;  ///< these chordae
+  SystolicMotion systole{};
 };
 
 Expected<Valve> make_human_valve(const HumanValve& human);

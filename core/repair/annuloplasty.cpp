@@ -110,6 +110,7 @@ void suture_ring(const RingShape& shape, double size_mm, Valve& valve) {
 }
 
 void apply_annuloplasty(const Annuloplasty& step, Valve& valve) {
+  valve.systole.annular_contraction = 0.0;
   if (const auto* own = std::get_if<OwnRing>(&step.ring)) {
     const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
     shrink((transverse - kRingSizeStep_mm * own->sizes_below) / transverse, valve);

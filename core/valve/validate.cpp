@@ -12,6 +12,7 @@ namespace {
 
 // Wide enough for any tissue and for parameter studies, narrow enough to catch a wrong unit.
 constexpr Range kPressureKpa = {0.0, 100.0};
+constexpr Range kTakenShare = {0.0, 0.6};  // of a diastolic area or distance
 constexpr Range kDensity = {1e-4, 1e-2};
 constexpr Range kThicknessMm = {0.05, 10.0};
 constexpr Range kModulusKpa = {0.01, 1e6};
@@ -236,6 +237,9 @@ bool check_points(const Points& points, const std::string& path, ProblemList& pr
 ProblemList problems_in(const Valve& valve) {
   ProblemList problems;
   check_range(problems, "/pressure_kpa", valve.pressure_kpa, kPressureKpa, " kPa");
+  check_range(problems, "/systole/annular_contraction", valve.systole.annular_contraction,
+              kTakenShare);
+  check_range(problems, "/systole/tip_approach", valve.systole.tip_approach, kTakenShare);
   check_tissue(valve.tissue, problems);
   const MeshCheck mesh = check_mesh(valve, problems);
   if (mesh.surface) check_contact(valve, problems);

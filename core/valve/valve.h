@@ -119,6 +119,19 @@ struct Tie {
   bool operator==(const Tie&) const = default;
 };
 
+/// What systole does to annulus and papillary tips, whose places under pressure a valve has: core/opened/diastole.h goes back
+/// to diastole. Defaults: health.
+struct SystolicMotion {
+  /// Share of the annulus's diastolic area that contraction takes away, [0, 0.6]. Controls 0.30, functional regurgitation 0.17
+  /// (Aquila 2016, Medicine 95:e5387). A ring holds the annulus: 0.
+  double annular_contraction = 0.30;
+  /// Share of the tips' diastolic distance from each other, [0, 0.6]. Assumed to be that of the ventricle's diameter, on whose
+  /// wall the muscles stand: 0.25 to 0.43 in health (fractional shortening, ASE 2005).
+  double tip_approach = 0.30;
+
+  bool operator==(const SystolicMotion&) const = default;
+};
+
 /// Where a valve's own frame lies in the images of the patient (LPS, mm): a point is at axes x + origin.
 struct PatientFrame {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< a rotation
@@ -164,6 +177,7 @@ struct Valve {
   std::vector<Tie> ties;  ///< of a mitral valve
   Tissue tissue;
   double pressure_kpa = 16.0;                 ///< transvalvular, peak systolic (120 mmHg)
+  SystolicMotion systole;                     ///< of a mitral valve
   std::optional<DrawnChordae> drawn_chordae;  ///< none: they were seen, or belong to the model
   std::optional<FittedValues> fitted;         ///< none: it was not fitted, or exactly
   std::optional<PatientFrame> patient;  ///< none: it was not made from images, or nobody knows

@@ -185,6 +185,13 @@ PatientFrame read_patient_frame(const JsonPlace& place) {
   return frame;
 }
 
+SystolicMotion read_systole(const JsonPlace& place) {
+  SystolicMotion systole;
+  read_fields(place, {{"annular_contraction", into(systole.annular_contraction, read_number)},
+                      {"tip_approach", into(systole.tip_approach, read_number)}});
+  return systole;
+}
+
 DrawnChordae read_drawn_chordae(const JsonPlace& place) {
   DrawnChordae drawn;
   read_fields(place, {{"seed", into(drawn.seed, read_integer)},
@@ -233,6 +240,7 @@ Valve read_form(const JsonPlace& root) {
                {"name", into(valve.name, read_string)},
                {"provenance", list_into(valve.provenance, read_string)},
                {"pressure_kpa", into(valve.pressure_kpa, read_number)},
+               {"systole", into(valve.systole, read_systole), false},
                {"tissue", into(valve.tissue, read_tissue)},
                {"vertices_mm", into(valve.rest_mm, read_points)},
                {"faces", into(valve.faces, read_faces)},

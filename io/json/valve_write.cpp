@@ -182,6 +182,9 @@ ordered_json leaflet_valve_json(const Valve& valve) {
 
 std::string write_valve(const Valve& valve) {
   ordered_json json = is_mitral(valve) ? mitral_json(valve) : leaflet_valve_json(valve);
+  if (valve.systole != SystolicMotion{})
+    json["systole"] = {{"annular_contraction", valve.systole.annular_contraction},
+                       {"tip_approach", valve.systole.tip_approach}};
   if (!valve.ties.empty()) json["ties"] = list(valve.ties, tie_json);
   if (valve.drawn_chordae)
     json["drawn_chordae"] = {{"seed", valve.drawn_chordae->seed},
