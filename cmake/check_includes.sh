@@ -20,7 +20,7 @@ io/command_line  : core/valve
 io/json          : core search
 io/mesh          : core io/json
 io/exchange      : core search io/json io/mesh
-io/picture       : core search io/json
+io/picture       : core search io/json io/mesh
 io/store         : core search io/json
 server/          : core search io server/endpoints server/jobs
 server/jobs      : core search io server/

@@ -60,10 +60,16 @@ Eigen::VectorXd damped_step(const Eigen::MatrixXd& jacobian, const Eigen::Vector
 
 LeastSquaresFit fit_least_squares(const ResidualsAt& residuals, const Eigen::VectorXd& start,
                                   const LeastSquaresOptions& options) {
+  return resume_least_squares(residuals, {start, options.difference, 0}, options);
+}
+
+LeastSquaresFit resume_least_squares(const ResidualsAt& residuals, const LeastSquaresState& from,
+                                     const LeastSquaresOptions& options) {
+  const Eigen::VectorXd& start = from.point;
   Best best{start, residuals({start}).front(), 0.0};
   best.cost = best.residual.squaredNorm();
-  double difference = options.difference;
-  int round = 0;
+  double difference = from.difference;
+  int round = from.rounds;
   while (round < options.most_rounds && difference >= options.least_difference) {
     const Best at = best;
     std::vector<Eigen::VectorXd> neighbours;
@@ -90,6 +96,7 @@ LeastSquaresFit fit_least_squares(const ResidualsAt& residuals, const Eigen::Vec
     const bool by_neighbour = best.improve(neighbours, near);
     if (!by_step && !by_neighbour) difference *= kShrink;
     ++round;
+    if (options.keep) options.keep({best.point, difference, round});
     if (options.progress && !options.progress(round, best.cost)) break;
   }
   return {best.point, best.cost, round};

@@ -17,6 +17,13 @@ namespace coapt {
 using ResidualsAt =
     std::function<std::vector<Eigen::VectorXd>(const std::vector<Eigen::VectorXd>&)>;
 
+/// Between two rounds: from here a run goes on as it would have without a break.
+struct LeastSquaresState {
+  Eigen::VectorXd point;    ///< the best so far
+  double difference = 0.0;  ///< of the next round
+  int rounds = 0;           ///< done
+};
+
 struct LeastSquaresOptions {
   double difference = 0.06;        ///< first, of the axes' unit length; above the noise
   double least_difference = 0.01;  ///< it ends when differences get shorter
@@ -24,6 +31,7 @@ struct LeastSquaresOptions {
   int most_rounds = 30;
   /// Rounds done, cost (sum of squares); false stops.
   std::function<bool(int, double)> progress;
+  std::function<void(const LeastSquaresState&)> keep;  ///< called after each round, before `progress`
 };
 
 struct LeastSquaresFit {
@@ -35,5 +43,9 @@ struct LeastSquaresFit {
 /// @param start in the cube.
 LeastSquaresFit fit_least_squares(const ResidualsAt& residuals, const Eigen::VectorXd& start,
                                   const LeastSquaresOptions& options = {});
+
+/// A run that was broken off after `from`.
+LeastSquaresFit resume_least_squares(const ResidualsAt& residuals, const LeastSquaresState& from,
+                                     const LeastSquaresOptions& options = {});
 
 }  // namespace coapt

@@ -17,6 +17,7 @@
 #include "io/store/plan_store.h"
 #include "server/content_id.h"
 #include "server/jobs/closure_retention.h"
+#include "server/jobs/import_job.h"
 #include "server/jobs/plan_job.h"
 #include "server/jobs/study_job.h"
 #include "server/login_accounts.h"
@@ -156,7 +157,8 @@ int serve(const ServerOptions& options, const Access& access) {
   {
     const JobRunner runner(board,
                            {{"plans", PlanJob{board, *store, options.service, plans}},
-                            {"study", StudyJob{board, *store, options.service, studies}}},
+                            {"study", StudyJob{board, *store, options.service, studies}},
+                            {"import", ImportJob{board, *store, options.service}}},
                            options.service.running_jobs, [&retention](const Job& ended) {
                              static_cast<void>(retention(ended, wall_clock_ms()));
                            });

@@ -41,6 +41,8 @@ Routes routes_of(const Service& service) {
       {"POST", "/v1/exports", PostExports{valves, compute}},
       {"POST", "/v1/pictures", PostPictures{valves, compute}},
       {"POST", "/v1/plans", PostPlans{submitting}},
+      {"POST", "/v1/imports", PostImports{submitting, compute}},
+      {"POST", "/v1/imports:preview", PreviewImport{valves, compute}},
       {"POST", "/v1/studies", PostStudies{submitting}},
 
       {"GET", "/v1/jobs", GetJobs{store, jobs, tokens}},

@@ -19,7 +19,7 @@
 #include "io/json/fit_json.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/import_valve.h"
-#include "io/picture/distance_map.h"
+#include "io/picture/fit_picture.h"
 #include "io/picture/text.h"
 
 namespace coapt {
@@ -72,20 +72,6 @@ Expected<LeafletMesh> placed(LeafletMesh surface, const Valve& valve,
   return surface;
 }
 
-std::string words(const FittedParameter& fitted) {
-  const int digits = fitted.parameter.unit == "mm" ? 2 : 3;
-  return fitted.parameter.name + ' ' + fixed(fitted.value, digits) + " ± " +
-         fixed(fitted.sd, digits) + (fitted.parameter.unit == "mm" ? " mm" : "");
-}
-
-std::string provenance(const ValveFit& fit, const std::string& closed) {
-  std::string text = "fitted to " + std::filesystem::path(closed).filename().string() +
-                     ": distances " + fixed(fit.rms_before_mm, 2) + " mm rms before, " +
-                     fixed(fit.rms_mm, 2) + " mm after";
-  for (const FittedParameter& fitted : fit.parameters) text += "; " + words(fitted);
-  return text;
-}
-
 void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& measured) {
   out << "distance   " << fixed(fit.rms_before_mm, 3) << " mm rms before, " << fixed(fit.rms_mm, 3)
       << " mm after, of " << fit.points_mm.rows() << " points, which weigh as "
@@ -108,18 +94,6 @@ void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& me
     out << (fitted.identifiable ? "" : "  the data say little") << '\n';
   }
   if (!fit.finished) out << "\nstopped before it came to rest (--rounds)\n";
-}
-
-std::string map_png(const LeafletMesh& surface, const ValveFit& fit,
-                    const FitArguments& arguments) {
-  const std::vector<double> distances = signed_distances_mm(
-      surface.vertices_mm,
-      {fit.closed.closure.closed_mm, fit.closed.valve.faces, fit.closed.valve.tissue.thickness_mm},
-      arguments.side);
-  return distance_map_png(
-      {surface.vertices_mm, surface.faces, distances, round_range_mm(2.0 * fit.rms_mm),
-       std::filesystem::path(arguments.closed).filename().string() + " against the fitted valve",
-       "rms " + fixed(fit.rms_mm, 3) + " mm; research software, not a medical device"});
 }
 
 int run(FitArguments arguments) {
@@ -156,10 +130,12 @@ int run(FitArguments arguments) {
         "fit", fit.errors(),
         {{"/points_mm", "--closed"}, {"/leak_mm2", "--leak"}, {"/unknowns", "--known"}});
   Valve fitted = fit->closed.valve;
-  fitted.provenance.push_back(provenance(*fit, arguments.closed));
+  const std::string surface_name = std::filesystem::path(arguments.closed).filename().string();
+  fitted.provenance.push_back(fit_sentence(*fit, surface_name));
   if (const int failed = write_output(arguments.output, write_valve(fitted))) return failed;
   if (!arguments.picture.empty())
-    if (const int failed = write_output(arguments.picture, map_png(*surface, *fit, arguments)))
+    if (const int failed = write_output(
+            arguments.picture, fit_map_png(*surface, *fit, arguments.side, surface_name)))
       return failed;
   if (arguments.json)
     std::cout << fit_to_json(*fit, {arguments.valve, arguments.closed, measured}).dump(2) << '\n';

@@ -13,8 +13,8 @@
 #include "io/exchange/decisions_json.h"
 #include "io/exchange/import_files.h"
 #include "io/exchange/slicerheart.h"
-#include "io/json/result_json.h"
 #include "io/json/valve_json.h"
+#include "io/picture/import_picture.h"
 
 namespace coapt {
 namespace {
@@ -27,7 +27,7 @@ struct ValveImportArguments {
   std::string name;
   std::vector<std::string> provenance;
   ImportOptions options;
-  std::string output;
+  std::string output, picture;
   bool json = false;
 };
 
@@ -62,17 +62,6 @@ Expected<std::vector<NamedFile>> read_folder(const std::string& path) {
     files.push_back({file.filename(), *std::move(bytes)});
   }
   return files;
-}
-
-/// coapt.import/1. Keys that scripts rely on: decisions[] (about, decision, reason).
-nlohmann::ordered_json import_to_json(const ImportedValve& imported) {
-  return {{"schema", "coapt.import/1"},
-          {"version", version()},
-          {"notice", kResearchNotice},
-          {"name", imported.valve.name},
-          {"triangles", imported.valve.faces.rows()},
-          {"chordae", imported.valve.chordae.size()},
-          {"decisions", to_json(imported.decisions)}};
 }
 
 /// The files that options name one by one.
@@ -117,6 +106,7 @@ int run_abaqus(const ValveImportArguments& arguments) {
 
 int run(const ValveImportArguments& arguments) {
   if (!arguments.abaqus.empty()) return run_abaqus(arguments);
+  if (const int failed = check_output(arguments.picture)) return failed;
   ImportSource source;
   const bool folder = !arguments.slicerheart.empty();
   const bool synthesises = arguments.chordae == kSynthesise;
@@ -146,10 +136,13 @@ int run(const ValveImportArguments& arguments) {
                                  {"/tips", "--tips"},
                                  {"/tips_mm", "--tips"}});
   }
-  const int failed = write_output(arguments.output, write_valve(valve->valve));
-  if (failed == exit_code::kOk && arguments.json)
-    std::cout << import_to_json(*valve).dump(2) << '\n';
-  return failed;
+  if (const int failed = write_output(arguments.output, write_valve(valve->valve))) return failed;
+  if (!arguments.picture.empty())
+    if (const int failed =
+            write_output(arguments.picture, import_picture_png(*valve, valve->valve.name)))
+      return failed;
+  if (arguments.json) std::cout << import_to_json(*valve).dump(2) << '\n';
+  return exit_code::kOk;
 }
 
 }  // namespace
@@ -235,6 +228,11 @@ void add_valve_import(Command parent, int& status) {
       .excludes("--abaqus");
   command.add_option("--name", arguments->name, "Name of the valve").show_default("imported");
   command.add_option("--provenance", arguments->provenance, "Source or licence, kept in the valve");
+  command
+      .add_option("--render", arguments->picture,
+                  "Picture of the files beside the valve made of them (PNG)")
+      .check({refuse_standard_output, "FILE"})
+      .excludes("--abaqus");
   command
       .add_flag("--json", arguments->json,
                 "Print every decision of the import with its reason (coapt.import/1); -o must be a "

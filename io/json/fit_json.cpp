@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "io/json/json_reader.h"
 #include "io/json/result_json.h"
 
 namespace coapt {
@@ -46,6 +47,37 @@ ordered_json leak_json(const ValveFit& fit, const MeasuredClosure& measured) {
 }
 
 }  // namespace
+
+ordered_json to_json(const FitState& state) {
+  const Eigen::VectorXd& point = state.squares.point;
+  return {{"pass", state.pass},
+          {"noise_mm", state.noise_mm},
+          {"independent_points", state.independent_points},
+          {"point", std::vector<double>(point.begin(), point.end())},
+          {"difference", state.squares.difference},
+          {"pass_rounds", state.squares.rounds},
+          {"rounds", state.rounds},
+          {"closures", state.closures}};
+}
+
+std::optional<FitState> fit_state_from_json(const nlohmann::json& json) {
+  FitState state;
+  std::vector<double> point;
+  ProblemList problems;
+  read_fields({json, problems},
+              {{"pass", into(state.pass, read_integer)},
+               {"noise_mm", into(state.noise_mm, read_number)},
+               {"independent_points", into(state.independent_points, read_number)},
+               {"point",
+                [&](const JsonPlace& place) { point = read_list(place, read_number); }},
+               {"difference", into(state.squares.difference, read_number)},
+               {"pass_rounds", into(state.squares.rounds, read_integer)},
+               {"rounds", into(state.rounds, read_integer)},
+               {"closures", into(state.closures, read_integer)}});
+  if (!problems.empty()) return std::nullopt;
+  state.squares.point = Eigen::Map<const Eigen::VectorXd>(point.data(), std::ssize(point));
+  return state;
+}
 
 ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files) {
   const bool atrial = files.measured.side == MeasuredSide::Atrial;

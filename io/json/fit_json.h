@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "search/fit/fit.h"
@@ -16,5 +17,9 @@ struct FittedFiles {
 
 /// coapt.fit/1. Keys that scripts rely on: rms_mm, parameters[] (name, value, sd, identifiable).
 nlohmann::ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files);
+
+/// Where a fit was, for whoever keeps it: numbers come back bit for bit. None if `json` is no such state.
+nlohmann::ordered_json to_json(const FitState& state);
+std::optional<FitState> fit_state_from_json(const nlohmann::json& json);
 
 }  // namespace coapt

@@ -10,6 +10,7 @@
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
+#include "io/mesh/given_landmarks.h"
 #include "io/mesh/source_units.h"
 
 namespace coapt {
@@ -337,7 +338,10 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_
   }
   for (const ImportedTip& tip : source.tips)
     framed.tips.push_back({tip.side, frame->into(tip.position_mm)});
+  framed.landmarks = source.landmarks;
+  for_each_given(framed.landmarks, [&](const Vec3& place) { return frame->into(place); });
   check_framed(framed, problems);
+  check_given(framed, problems);
   if (!problems.empty()) return std::move(problems).take();
   const double turned = Eigen::AngleAxisd(frame->axes).angle() * 180.0 / std::numbers::pi;
   framed.patient = {frame->axes, frame->origin_mm};

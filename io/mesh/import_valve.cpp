@@ -8,6 +8,7 @@
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "core/valve/validate.h"
+#include "io/mesh/given_landmarks.h"
 #include "io/mesh/hanging_profile.h"
 #include "io/mesh/import_chordae.h"
 #include "io/mesh/import_frame.h"
@@ -104,7 +105,7 @@ Vec3 pressed(const FramedSource& source, const Vec3& rest_mm) {
   return goes;
 }
 
-Landmarks find_landmarks(const Skirt& skirt) {
+Landmarks find_landmarks(const Skirt& skirt, const GivenLandmarks& given) {
   const int lateral = skirt.lateral_commissure;
   const double middle = 0.5 * lateral;
   int peak = 1;
@@ -117,6 +118,8 @@ Landmarks find_landmarks(const Skirt& skirt) {
       peak = i;
     }
   }
+  if (given.saddle_peak_mm)
+    peak = nearest_station(skirt, *given.saddle_peak_mm, 1, lateral - 1);
   const auto from_peak = [&](int commissure) {
     return static_cast<int>(std::lround(peak + kTrigone * (commissure - peak)));
   };
@@ -126,7 +129,10 @@ Landmarks find_landmarks(const Skirt& skirt) {
   marks.saddle_peak = peak;
   marks.anterolateral_trigone = from_peak(lateral);
   marks.anterolateral_commissure = lateral;
-  marks.mid_posterior = lateral + (skirt.stations - lateral) / 2;
+  marks.mid_posterior = given.mid_posterior_mm
+                            ? nearest_station(skirt, *given.mid_posterior_mm, lateral + 1,
+                                              skirt.stations - 1)
+                            : lateral + (skirt.stations - lateral) / 2;
   return marks;
 }
 
@@ -165,11 +171,12 @@ double area_mm2(const TriangleMesh& mesh) {
 ImportDecision landmark_decision(const Skirt& skirt) {
   return {"landmarks",
           std::string("commissures ") +
-              (skirt.commissures_measured ? "where the two sheets meet"
+              (skirt.commissures_given      ? "as given"
+               : skirt.commissures_measured ? "where the two sheets meet"
                                           : "38 % of the annulus apart about its front") +
               ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
               "from the peak to the commissures; segments by thirds of arc, fibres circumferential",
-          skirt.commissures_measured ? "" : "one skirt does not tell where leaflets meet"};
+          skirt.commissures_measured || skirt.commissures_given ? "" : "one skirt does not tell where leaflets meet"};
 }
 
 /// Of leaflets that were imaged closed.
@@ -278,7 +285,7 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
   add_mesh(*skirt, valve);
   if (framed->pressed_annulus_mm.rows() > 0)
     for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();
-  valve.landmarks = find_landmarks(*skirt);
+  valve.landmarks = find_landmarks(*skirt, framed->landmarks);
   std::vector<ImportDecision> decisions = options.closed
                                               ? closed_decisions(*skirt, options.hidden_mm, valve)
                                               : mesh_decisions(*framed, *skirt, valve);
@@ -286,6 +293,8 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
       decisions.begin(),
       {{"units", to_string(unit), options.units ? "as given" : "by the annulus's circumference"},
        framed->change});
+  if (const std::string given = given_names(framed->landmarks); !given.empty())
+    decisions.push_back({"landmarks", given + " as given", "moved to the annulus"});
   if (options.chordae_seed) {
     Expected<Valve> made = drawn(std::move(valve), framed->tips, *options.chordae_seed, decisions);
     if (!made) return made.errors();
@@ -298,7 +307,10 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
   Errors invalid = validate(valve);
   for (Error& error : invalid) error.message = "of the resampled valve " + error.message;
   if (!invalid.empty()) return invalid;
-  return ImportedValve{std::move(valve), std::move(decisions)};
+  return ImportedValve{std::move(valve),
+                       std::move(decisions),
+                       {framed->leaflets, framed->annulus_mm, framed->chordae, framed->tips, options.closed},
+                       unit};
 }
 
 Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) {

@@ -46,6 +46,12 @@ struct ImportedTip {
   Vec3 position_mm = Vec3::Zero();
 };
 
+/// Places that a person saw, which otherwise are found: each moves to the annulus.
+struct GivenLandmarks {
+  std::optional<Vec3> anterolateral_commissure_mm = {}, posteromedial_commissure_mm = {};
+  std::optional<Vec3> saddle_peak_mm = {}, mid_posterior_mm = {};
+};
+
 /// What the numbers of a source are.
 enum class LengthUnit { Millimetre, Centimetre, Metre };
 const char* to_string(LengthUnit unit);  ///< mm, cm, m
@@ -58,6 +64,7 @@ struct ImportSource {
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
   std::vector<ImportedTip> tips;  ///< taken only where chordae are drawn
+  GivenLandmarks landmarks = {};
 };
 
 struct ImportOptions {
@@ -84,9 +91,20 @@ struct ImportDecision {
   std::string reason;    ///< why, or by what rule; empty where that is the decision itself
 };
 
+/// What was given, in millimetres and in the frame of the valve made of it.
+struct ImportInput {
+  std::vector<TriangleMesh> leaflets;
+  Points annulus_mm;
+  std::vector<ImportedChorda> chordae;
+  std::vector<ImportedTip> tips;
+  bool closed = false;  ///< the leaflets: the valve's hang open
+};
+
 struct ImportedValve {
   Valve valve;
   std::vector<ImportDecision> decisions;  ///< in the order of the provenance that they end
+  ImportInput input;
+  LengthUnit unit = LengthUnit::Millimetre;  ///< that the source's numbers were taken as
 };
 
 /// A valve that passes validate(). Every change made is appended to its provenance. Errors point

@@ -14,7 +14,9 @@
 #include <optional>
 
 #include "core/valve/contour.h"
+#include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
+#include "io/mesh/given_landmarks.h"
 #include "io/mesh/hanging_profile.h"
 #include "io/mesh/leaflet_cut.h"
 #include "io/mesh/mesh_distance.h"
@@ -105,7 +107,7 @@ Profile closed_profile(const FramedSource& source, const Vec3& annulus, std::siz
 /// Arcs of both commissures.
 struct Commissures {
   double medial_mm = 0.0, lateral_mm = 0.0;
-  bool measured = false;
+  bool measured = false, given = false;
 };
 
 /// Walks from the front of the annulus to the first cut that begins with the posterior sheet; the
@@ -125,16 +127,33 @@ std::optional<double> find_commissure(const FramedSource& source, const ArcLengt
   return std::nullopt;
 }
 
+/// Where they were given: the lateral one further along the annulus than the medial one.
+Commissures given_commissures(const FramedSource& source, const ArcLength& arc) {
+  const double medial = nearest_arc_mm(arc, *source.landmarks.posteromedial_commissure_mm);
+  const double lateral = nearest_arc_mm(arc, *source.landmarks.anterolateral_commissure_mm);
+  return {medial, lateral + (lateral < medial ? arc.total_mm() : 0.0), false, true};
+}
+
 Expected<Commissures> find_commissures(const FramedSource& source, const ArcLength& arc) {
   const double total = arc.total_mm(), front = arc.crossing_mm(true);
+  const GivenLandmarks& seen = source.landmarks;
+  if (seen.posteromedial_commissure_mm && seen.anterolateral_commissure_mm) {
+    const Commissures given = given_commissures(source, arc);
+    const double share = (given.lateral_mm - given.medial_mm) / total;
+    if (share > 0.1 && share < 0.9) return given;
+    return Error{ErrorCode::BadGeometry, "/landmarks/anterolateral_commissure_mm",
+                 "is " + shown(std::round(100.0 * share)) +
+                     " % of the annulus, over its front, from the posteromedial one; must be 10 to "
+                     "90 %"};
+  }
   if (source.leaflets.size() == 1) {
     const double half = 0.5 * kAnteriorArc * total;
-    return Commissures{front - half, front + half, false};
+    return Commissures{front - half, front + half};
   }
   const std::optional<double> medial = find_commissure(source, arc, -total / kScan);
   const std::optional<double> lateral = find_commissure(source, arc, total / kScan);
   if (medial && lateral) {
-    const Commissures found{*medial + total, *lateral + total, true};
+    const Commissures found{*medial + total, *lateral + total, true, false};
     const double anterior = found.lateral_mm - found.medial_mm;
     if (anterior > 0.1 * total && anterior < 0.9 * total) return found;
   }
@@ -215,6 +234,7 @@ Expected<Skirt> resample_skirt(const FramedSource& source, int triangles,
   skirt.stations = 2 * std::max(6, static_cast<int>(std::lround(triangles / (4.0 * skirt.rows))));
   skirt.spacing_mm = arc.total_mm() / skirt.stations;
   skirt.commissures_measured = commissures->measured;
+  skirt.commissures_given = commissures->given;
   const double anterior = commissures->lateral_mm - commissures->medial_mm;
   skirt.lateral_commissure = static_cast<int>(std::lround(anterior / skirt.spacing_mm));
   const auto arc_at = [&](double station) {

@@ -18,6 +18,7 @@ struct Skirt {
   double spacing_mm = 0.0;            ///< of the stations along the annulus
   double hat_mm = 0.0;                ///< half the width of the smoothing along the annulus
   bool commissures_measured = false;  ///< where the two sheets meet; else by share of the annulus
+  bool commissures_given = false;     ///< both
   /// Of leaflets imaged closed, at their middles: exposed lengths.
   double anterior_exposed_mm = 0.0, posterior_exposed_mm = 0.0;
 };

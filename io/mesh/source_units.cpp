@@ -3,6 +3,7 @@
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
+#include "io/mesh/given_landmarks.h"
 
 namespace coapt {
 namespace {
@@ -52,6 +53,7 @@ void scale(ImportSource& source, double factor) {
   source.annulus_mm *= factor;
   source.pressed_annulus_mm *= factor;
   for (ImportedTip& tip : source.tips) tip.position_mm *= factor;
+  for_each_given(source.landmarks, [&](const Vec3& place) { return Vec3(factor * place); });
   for (ImportedChorda& chorda : source.chordae) {
     chorda.insertion_mm *= factor;
     chorda.tip_mm *= factor;

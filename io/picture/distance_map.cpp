@@ -5,8 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "io/picture/canvas.h"
-#include "io/picture/leaflet_paint.h"
+#include "io/picture/import_paint.h"
 #include "io/picture/text.h"
 
 namespace coapt {
@@ -18,21 +17,11 @@ constexpr double kMapEdge = 32.0, kMapTop = 96.0, kMapScaleHeight = 78.0;
 
 constexpr Colour kBlue{0.13, 0.35, 0.71}, kWhite{0.95, 0.94, 0.92}, kRed{0.75, 0.15, 0.13};
 
-Colour mixed(const Colour& a, const Colour& b, double share) {
-  return {std::lerp(a.red, b.red, share), std::lerp(a.green, b.green, share),
-          std::lerp(a.blue, b.blue, share)};
-}
-
 /// `share`: distance over range; beyond -1 and 1 the colour stays.
 Colour colour_of(double share) {
   return share < 0.0 ? mixed(kWhite, kBlue, std::min(1.0, -share))
                      : mixed(kWhite, kRed, std::min(1.0, share));
 }
-
-/// Axes of a view: right, up, towards the eye.
-struct Eye {
-  Vec3 right, up, towards;
-};
 
 /// `side` 1: from where the normals point; -1: from behind.
 Eye eye_of(const DistanceMap& map, double side) {

@@ -69,6 +69,11 @@ constexpr const char* kMaterials = R"(CREATE TABLE IF NOT EXISTS materials (
   job INTEGER PRIMARY KEY REFERENCES jobs ON DELETE CASCADE,
   content BLOB NOT NULL
 ) STRICT)";
+constexpr const char* kInputs = R"(CREATE TABLE IF NOT EXISTS inputs (
+  job INTEGER PRIMARY KEY REFERENCES jobs ON DELETE CASCADE,
+  content BLOB NOT NULL,
+  state BLOB  -- NULL: none yet
+) STRICT)";
 constexpr std::array kAddedTables = {
     // What lists say, so that they need not read the documents.
     R"(CREATE TABLE valve_summaries (
@@ -134,7 +139,7 @@ Expected<JobStore> JobStore::open(const std::string& path, int lock_timeout_ms) 
   Transaction tables(*store.reader_, Transaction::Kind::Read, "cannot be opened");
   tables.run(
       "SELECT 1 FROM valves, jobs, bodies, files, events, valve_summaries, kept_plans, "
-      "materials LIMIT 0");
+      "materials, inputs LIMIT 0");
   if (Errors errors = tables.end(); !errors.empty()) return errors;
   return store;
 }
@@ -142,6 +147,7 @@ Expected<JobStore> JobStore::open(const std::string& path, int lock_timeout_ms) 
 Errors JobStore::add_tables() {
   Transaction change = writing("cannot be opened");
   change.run(kMaterials);
+  change.run(kInputs);
   bool are_there = false;
   change.run("SELECT 1 FROM sqlite_schema WHERE name = 'kept_plans'", {},
              [&are_there](const Statement&) { are_there = true; });
@@ -188,6 +194,9 @@ Expected<JobStore::Submitted> JobStore::submit(const NewJob& job, const std::str
        now_ms});
   change.run("INSERT INTO bodies (job, request) SELECT number, ? FROM jobs WHERE id = ?",
              {Blob{job.request}, job.id});
+  if (!job.input.empty())
+    change.run("INSERT INTO inputs (job, content) SELECT number, ? FROM jobs WHERE id = ?",
+               {Blob{job.input}, job.id});
   tell_state(change, job.id, JobState::Queued);
   std::optional<Job> added = find_job(change, "id", job.id);
   return change.end_with(Submitted{added ? *std::move(added) : Job{}, true});

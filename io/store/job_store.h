@@ -45,6 +45,7 @@ struct NewJob {
   std::string valve;                 ///< id of a stored valve
   std::string request;               ///< JSON
   std::string idempotency_key = {};  ///< empty: none
+  std::string input = {};            ///< what it works from, however large; empty: none
 };
 
 struct Job {
@@ -162,6 +163,10 @@ class JobStore {
   /// BadReference if there is none, likewise below. Empty progress: the last that was stored stays.
   Errors suspend(const std::string& id, double seconds, const std::string& progress);
   Errors request_cancel(const std::string& id);
+  /// What a job works from, and where it was when it last said so: both are forgotten when it ends.
+  Expected<std::optional<std::string>> input(const std::string& id) const;
+  Errors keep_state(const std::string& id, const std::string& state);
+  Expected<std::optional<std::string>> state(const std::string& id) const;
   /// State, summary, result, files, in one commit. An ended job stays as it is.
   Errors finish(const std::string& id, const JobEnd& end, std::int64_t now_ms);
   /// With all that belongs to it but its valve. False if there is none. BadReference while it has not

@@ -113,6 +113,24 @@ Expected<std::optional<JobFile>> JobStore::file(const std::string& id,
   return reads.end_with(std::move(file));
 }
 
+Expected<std::optional<std::string>> JobStore::input(const std::string& id) const {
+  std::optional<std::string> input;
+  Transaction reads = reading();
+  reads.run("SELECT content FROM inputs WHERE job = (SELECT number FROM jobs WHERE id = ?)", {id},
+            [&input](const Statement& row) { input = bytes_at(row, 0); });
+  return reads.end_with(std::move(input));
+}
+
+Expected<std::optional<std::string>> JobStore::state(const std::string& id) const {
+  std::optional<std::string> state;
+  Transaction reads = reading();
+  reads.run(
+      "SELECT state FROM inputs WHERE state IS NOT NULL AND "
+      "job = (SELECT number FROM jobs WHERE id = ?)",
+      {id}, [&state](const Statement& row) { state = bytes_at(row, 0); });
+  return reads.end_with(std::move(state));
+}
+
 Expected<std::optional<std::string>> JobStore::material(const std::string& id) const {
   std::optional<std::string> material;
   Transaction reads = reading();

@@ -67,6 +67,13 @@ Errors JobStore::request_cancel(const std::string& id) {
   return change.end();
 }
 
+Errors JobStore::keep_state(const std::string& id, const std::string& state) {
+  Transaction change = writing("where a job is cannot be kept");
+  change.run("UPDATE inputs SET state = ?2 WHERE job = (SELECT number FROM jobs WHERE id = ?1)",
+             {id, Blob{state}});
+  return change.end();
+}
+
 Errors JobStore::finish(const std::string& id, const JobEnd& end, std::int64_t now_ms) {
   assert(has_ended(end.state));
   Transaction change = writing("the end of a job cannot be kept");
@@ -81,6 +88,7 @@ Errors JobStore::finish(const std::string& id, const JobEnd& end, std::int64_t n
   if (!end.material.empty())
     change.run("INSERT INTO materials (job, content) SELECT number, ?2 FROM jobs WHERE id = ?1",
                {id, Blob{end.material}});
+  change.run("DELETE FROM inputs WHERE job = (SELECT number FROM jobs WHERE id = ?1)", {id});
   for (const JobFile& file : end.files)
     change.run(
         "INSERT INTO files (job, name, type, content) SELECT number, ?2, ?3, ?4 FROM jobs "

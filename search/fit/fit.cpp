@@ -8,7 +8,6 @@
 #include "search/fit/correlated_noise.h"
 #include "search/fit/fit_posterior.h"
 #include "search/fit/fit_problem.h"
-#include "search/least_squares.h"
 
 namespace coapt {
 namespace {
@@ -90,7 +89,14 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   Eigen::VectorXd point = problem.prior();
   FitAnswer answer;
   bool stopped = false;
-  for (int pass = 0; pass < kPasses && !stopped; ++pass) {
+  int first_pass = 0;
+  if (options.from) {
+    first_pass = options.from->pass;
+    weights = {options.from->noise_mm, options.from->independent_points};
+    fit.rounds = options.from->rounds;
+    problem.count_before(options.from->closures);
+  }
+  for (int pass = first_pass; pass < kPasses && !stopped; ++pass) {
     const ResidualsAt residuals = [&](const std::vector<Eigen::VectorXd>& points) {
       const std::vector<FitAnswer> answers = problem.answers(points);
       std::vector<Eigen::VectorXd> all;
@@ -105,7 +111,15 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
       stopped = options.progress && !options.progress(fit.rounds + round, rms_mm);
       return !stopped;
     };
-    const LeastSquaresFit found = fit_least_squares(residuals, point, fitting);
+    fitting.keep = [&](const LeastSquaresState& squares) {
+      if (options.keep)
+        options.keep({pass, weights.noise_mm, weights.independent, squares, fit.rounds,
+                      problem.closures()});
+    };
+    const bool resumes = options.from && pass == first_pass;
+    const LeastSquaresFit found =
+        resumes ? resume_least_squares(residuals, options.from->squares, fitting)
+                : fit_least_squares(residuals, point, fitting);
     point = found.point;
     fit.rounds += found.rounds;
     fit.finished = !stopped && found.rounds < options.most_rounds;

@@ -16,6 +16,7 @@
 #include "core/closed/closed_valve.h"
 #include "search/fit/fit_parameters.h"
 #include "search/fit/measured_surface.h"
+#include "search/least_squares.h"
 
 namespace coapt {
 
@@ -26,6 +27,15 @@ struct MeasuredClosure {
   double leak_sd_mm2 = 3.0;        ///< how well that is known
 };
 
+/// A fit between two rounds: from here it goes on as it would have without a break.
+struct FitState {
+  int pass = 0;
+  double noise_mm = 0.0, independent_points = 0.0;  ///< by which the pass weighs distances
+  LeastSquaresState squares;
+  int rounds = 0;    ///< of the passes before
+  int closures = 0;  ///< made until now
+};
+
 struct FitOptions {
   FitUnknowns unknowns;
   ClosureOptions closure;
@@ -34,6 +44,8 @@ struct FitOptions {
   int threads = 0;         ///< 0: all cores
   /// Rounds done of at most twice most_rounds, rms in mm; false stops.
   std::function<bool(int, double)> progress;
+  std::function<void(const FitState&)> keep;  ///< called after each round, before `progress`
+  std::optional<FitState> from = {};          ///< of the same valve, surface and options
 };
 
 struct FittedParameter {

@@ -28,6 +28,8 @@ class FitProblem {
 
   const std::vector<FitParameter>& parameters() const { return parameters_; }
   int closures() const { return closures_; }
+  /// Those of a run that was broken off, whose last answer is asked for once more.
+  void count_before(int closures) { closures_ = closures - 1; }
 
   Eigen::VectorXd prior() const;  ///< in the cube
   std::vector<double> values(const Eigen::VectorXd& point) const;

@@ -1,162 +1,102 @@
 #include "server/endpoints/imports.h"
 
 #include "io/exchange/decisions_json.h"
-#include "io/exchange/import_files.h"
-#include "io/exchange/slicerheart.h"
+#include "io/exchange/file_preview.h"
 #include "server/answers.h"
-#include "server/base64.h"
+#include "server/content_id.h"
 #include "server/endpoints/valves.h"
+#include "server/jobs/import_request.h"
 
 namespace coapt {
 namespace {
 
-constexpr std::size_t kLongestName = 200;
+using nlohmann::ordered_json;
 
-struct Asked {
-  std::optional<std::vector<NamedFile>> leaflets, slicerheart;
-  std::optional<NamedFile> annulus, chordae, tips;
-  std::string name = "imported";
-  std::vector<std::string> provenance;
-  ImportOptions options;
+/// What has come of the files, or why nothing.
+struct Made {
+  std::optional<ImportedValve> imported = {};
+  std::optional<Answer> refusal = {};
 };
 
-NamedFile read_file(const JsonPlace& place) {
-  NamedFile file;
-  std::optional<std::string> text, base64;
-  read_fields(place, std::vector<JsonField>{{"name", into(file.name, read_string)},
-                                            {"text", into(text, read_string), false},
-                                            {"base64", into(base64, read_string), false}});
-  if (text.has_value() == base64.has_value()) {
-    add_problem(place, ErrorCode::MissingField, "must have either text or base64");
-  } else if (text) {
-    file.bytes = *std::move(text);
-  } else if (std::optional<std::string> bytes = decoded_base64(*base64)) {
-    file.bytes = *std::move(bytes);
-  } else {
-    add_problem(place, ErrorCode::OutOfRange, "base64 has other characters than those of base64");
-  }
-  return file;
+Made make_checked(const ImportRequest& asked, const ValveSource& valves) {
+  Expected<ImportedValve> done = make_import(asked);
+  if (!done) return {{}, problem(422, done.errors())};
+  if (const Errors errors = check_size(done->valve, valves.limits); !errors.empty())
+    return {{}, problem(422, errors)};
+  return {*std::move(done)};
 }
 
-std::vector<NamedFile> read_files(const JsonPlace& place) { return read_list(place, read_file); }
-
-std::string read_short_text(const JsonPlace& place) {
-  std::string name = read_string(place);
-  if (name.size() > kLongestName)
-    add_problem(place, ErrorCode::OutOfRange, "is longer than 200 bytes");
-  return name;
+/// Numbers one after the other, to a millionth: what is looked at needs no more.
+template <class Rows>
+ordered_json flat(const Rows& rows) {
+  ordered_json list = ordered_json::array();
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    for (Eigen::Index k = 0; k < rows.cols(); ++k)
+      if constexpr (std::is_floating_point_v<typename Rows::Scalar>)
+        list.push_back(std::round(1e6 * rows(i, k)) * 1e-6);
+      else
+        list.push_back(rows(i, k));
+  return list;
 }
 
-std::vector<std::string> read_short_texts(const JsonPlace& place) {
-  return read_list(place, read_short_text);
-}
-
-TissueReference read_state(const JsonPlace& place) {
-  return read_name<TissueReference>(place, {TissueReference::Excised, TissueReference::InVivo});
-}
-
-LengthUnit read_unit(const JsonPlace& place) {
-  return read_name<LengthUnit>(place,
-                               {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre});
-}
-
-/// Either all of one kind of files or all of the other; chordae that were seen, or a seed of those to be drawn.
-Errors check_files(const Asked& asked) {
-  ProblemList problems;
-  for (const auto& [given, path] : {std::pair(asked.leaflets.has_value(), "/leaflets"),
-                                    {asked.annulus.has_value(), "/annulus"}}) {
-    if (given && asked.slicerheart)
-      problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
-    if (!given && !asked.slicerheart)
-      problems.add(ErrorCode::MissingField, path, "is missing (or give slicerheart)");
-  }
-  const bool drawn = asked.options.chordae_seed.has_value();
-  if (asked.chordae && asked.slicerheart)
-    problems.add(ErrorCode::UnknownField, "/chordae", "cannot be given together with slicerheart");
-  if (asked.chordae && drawn)
-    problems.add(ErrorCode::UnknownField, "/chordae_seed",
-                 "cannot be given together with chordae: it draws those that were not seen");
-  if (!asked.chordae && !drawn && !asked.slicerheart)
-    problems.add(ErrorCode::MissingField, "/chordae",
-                 "is missing (or give chordae_seed, which draws them, or slicerheart)");
-  if (asked.tips && asked.slicerheart)
-    problems.add(ErrorCode::UnknownField, "/tips",
-                 "cannot be given together with slicerheart: they are among its files");
-  else if (asked.tips && !drawn)
-    problems.add(ErrorCode::UnknownField, "/tips",
-                 "needs chordae_seed: chordae that were seen begin at their tips");
-  if (asked.leaflets && (asked.leaflets->empty() || asked.leaflets->size() > 2))
-    problems.add(ErrorCode::OutOfRange, "/leaflets",
-                 "has " + std::to_string(asked.leaflets->size()) +
-                     " files, must have 1 (a skirt) or 2 (the anterior, then the posterior sheet)");
-  return std::move(problems).take();
-}
-
-/// With what a file of a folder is called in the message: its pointer is that of the list.
-Errors below_folder(Errors errors) {
-  for (Error& error : errors) {
-    if (!error.path.empty()) error.message = error.path + ": " + error.message;
-    error.path = "/slicerheart";
-  }
-  return errors;
-}
-
-Expected<ImportedValve> imported(const Asked& asked) {
-  Expected<ImportSource> source =
-      asked.slicerheart
-          ? read_slicerheart(*asked.slicerheart)
-          : read_import_files({*asked.leaflets, *asked.annulus, asked.chordae, asked.tips});
-  if (!source) return asked.slicerheart ? below_folder(source.errors()) : source.errors();
-  source->name = asked.name;
-  source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),
-                            asked.provenance.end());
-  Expected<ImportedValve> done = import_with_decisions(*source, asked.options);
-  if (done) return done;
-  Errors errors = done.errors();
-  for (Error& error : errors)
-    for (const std::string given : {"/annulus", "/tips"})
-      if (error.path.starts_with(given + "_mm")) error.path.erase(given.size(), 3);
-  return asked.slicerheart ? below_folder(std::move(errors)) : errors;
+ordered_json preview_json(const NamedFile& file) {
+  const FilePreview preview = preview_file(file);
+  return {{"name", file.name},
+          {"content", to_string(preview.content)},
+          {"points", flat(preview.points)},
+          {"faces", flat(preview.faces)},
+          {"labels", preview.labels},
+          {"problems", to_json(preview.problems)}};
 }
 
 }  // namespace
 
 Answer ImportValve::operator()(const Request& request) const {
-  Asked asked;
-  ImportOptions& options = asked.options;
-  const auto whole = [](int min, int max) {
-    return [=](const JsonPlace& place) { return read_integer_in(place, min, max); };
-  };
-  const auto number = [](double min, double max) {
-    return [=](const JsonPlace& place) { return read_number_in(place, {min, max}); };
-  };
-  if (auto refused =
-          read_body(valves, request.body,
-                    {{"leaflets", into(asked.leaflets, read_files), false},
-                     {"annulus", into(asked.annulus, read_file), false},
-                     {"chordae", into(asked.chordae, read_file), false},
-                     {"chordae_seed", into(options.chordae_seed, whole(0, 2147483647)), false},
-                     {"tips", into(asked.tips, read_file), false},
-                     {"closed", into(options.closed, read_boolean), false},
-                     {"hidden_mm", into(options.hidden_mm, number(0.0, 15.0)), false},
-                     {"slicerheart", into(asked.slicerheart, read_files), false},
-                     {"name", into(asked.name, read_short_text), false},
-                     {"provenance", into(asked.provenance, read_short_texts), false},
-                     {"triangles", into(options.triangles, whole(100, 100'000)), false},
-                     {"branches", into(options.branches, whole(1, 5)), false},
-                     {"branch_at", into(options.branch_at, number(0.05, 0.95)), false},
-                     {"slack", into(options.slack, number(0.8, 1.5)), false},
-                     {"reference", into(options.reference, read_state), false},
-                     {"units", into(options.units, read_unit), false}}))
+  ImportRequest asked;
+  if (auto refused = read_body(valves, request.body, import_fields(asked)))
     return *std::move(refused);
-  if (const Errors errors = check_files(asked); !errors.empty()) return problem(422, errors);
+  if (const Errors errors = check_import(asked); !errors.empty()) return problem(422, errors);
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  const Expected<ImportedValve> done = imported(asked);
-  if (!done) return problem(422, done.errors());
-  if (const Errors errors = check_size(done->valve, valves.limits); !errors.empty())
-    return problem(422, errors);
-  return store_valve(store, valves.limits, done->valve, {{"decisions", to_json(done->decisions)}});
+  const Made made = make_checked(asked, valves);
+  if (made.refusal) return *made.refusal;
+  return store_valve(store, valves.limits, made.imported->valve,
+                     {{"decisions", to_json(made.imported->decisions)}});
+}
+
+Answer PostImports::operator()(const Request& request) const {
+  ImportRequest asked;
+  std::vector<JsonField> fields = import_fields(asked);
+  fields.push_back(fit_field(asked));
+  if (auto refused = read_body(submitting.valves, request.body, fields)) return *std::move(refused);
+  if (const Errors errors = check_import(asked); !errors.empty()) return problem(422, errors);
+  Made made;
+  {
+    const Compute::Turn turn(compute);
+    if (!turn) return too_busy();
+    made = make_checked(asked, submitting.valves);
+    if (made.refusal) return *made.refusal;
+    if (asked.fit)
+      if (const auto surface = fit_surface(asked, *made.imported); !surface)
+        return problem(422, surface.errors());
+  }
+  return submit(submitting, request,
+                {"import",
+                 made.imported->valve,
+                 {{"files", content_id(request.body)}, {"fit", asked.fit.has_value()}},
+                 request.body});
+}
+
+Answer PreviewImport::operator()(const Request& request) const {
+  std::vector<NamedFile> files;
+  const auto read = [](const JsonPlace& place) { return read_list(place, read_file); };
+  if (auto refused = read_body(valves, request.body, {{"files", into(files, read)}}))
+    return *std::move(refused);
+  const Compute::Turn turn(compute);
+  if (!turn) return too_busy();
+  ordered_json list = ordered_json::array();
+  for (const NamedFile& file : files) list.push_back(preview_json(file));
+  return json_answer(200, {{"files", std::move(list)}});
 }
 
 }  // namespace coapt

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "server/compute.h"
+#include "server/endpoints/submissions.h"
 #include "server/json_body.h"
 #include "server/route.h"
 
@@ -12,6 +13,21 @@ namespace coapt {
 /// "text" or "base64"}. What `coapt valve import` makes of them is stored, and answered as by POST /v1/valves, with "decisions".
 struct ImportValve {
   JobStore& store;
+  ValveSource valves;
+  Compute& compute;
+  Answer operator()(const Request& request) const;
+};
+
+/// POST /v1/imports, the same body, with "fit" (optional): 202 and a job of kind "import". The valve is made before the
+/// answer, so that what is wrong with the files is refused here; the job draws and fits (ImportJob).
+struct PostImports {
+  Submitting submitting;
+  Compute& compute;
+  Answer operator()(const Request& request) const;
+};
+
+/// POST /v1/imports:preview {"files": [FILE, ...]}: what each holds, to be shown. Nothing is stored.
+struct PreviewImport {
   ValveSource valves;
   Compute& compute;
   Answer operator()(const Request& request) const;

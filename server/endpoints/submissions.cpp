@@ -54,14 +54,25 @@ Answer answer_after_waiting(const Submitting& to, const Request& request, const 
   return answer;
 }
 
-Answer submit(const Submitting& to, const Request& request, const std::string& kind,
-              const Valve& valve, const nlohmann::ordered_json& work) {
+/// What is said against a search, more than search_options_from_json() does.
+Errors check(const Valve& valve, const SearchOptions& options, const ServiceLimits& limits) {
+  ProblemList problems;
+  check_range(problems, "/search/evaluations", options.evaluations,
+              {1.0, static_cast<double>(limits.evaluations)});
+  add_below(problems, "/search", check_search(valve, options));
+  return std::move(problems).take();
+}
+
+}  // namespace
+
+Answer submit(const Submitting& to, const Request& request, const Work& work) {
   const std::string key = header(request, "idempotency-key");
   if (!is_key(key))
     return problem(422, ErrorCode::OutOfRange,
                    "Idempotency-Key must have at most 255 visible ASCII characters");
-  const std::string document = write_valve(valve);
-  const NewJob job = {random_id(), kind, content_id(document), work.dump(), key};
+  const std::string document = write_valve(work.valve);
+  const NewJob job = {random_id(), work.kind, content_id(document), work.asked.dump(), key,
+                      work.input};
   const Expected<JobBoard::Submission> submitted = to.jobs.submit(job, document);
   if (!submitted) return store_problem(submitted.errors());
   switch (submitted->taken) {
@@ -79,17 +90,6 @@ Answer submit(const Submitting& to, const Request& request, const std::string& k
   return answer_after_waiting(to, request, submitted->job);
 }
 
-/// What is said against a search, more than search_options_from_json() does.
-Errors check(const Valve& valve, const SearchOptions& options, const ServiceLimits& limits) {
-  ProblemList problems;
-  check_range(problems, "/search/evaluations", options.evaluations,
-              {1.0, static_cast<double>(limits.evaluations)});
-  add_below(problems, "/search", check_search(valve, options));
-  return std::move(problems).take();
-}
-
-}  // namespace
-
 Answer PostPlans::operator()(const Request& request) const {
   Valve valve;
   SearchOptions options;
@@ -99,7 +99,7 @@ Answer PostPlans::operator()(const Request& request) const {
     return *std::move(refused);
   if (const Errors errors = check(valve, options, submitting.valves.limits); !errors.empty())
     return problem(422, errors);
-  return submit(submitting, request, "plans", valve, to_json(options));
+  return submit(submitting, request, {"plans", valve, to_json(options)});
 }
 
 Answer PostStudies::operator()(const Request& request) const {
@@ -109,7 +109,7 @@ Answer PostStudies::operator()(const Request& request) const {
           submitting.valves, request.body,
           {{"valve", valve_field(submitting.valves, valve)}, {"study", into(study, read_study)}}))
     return *std::move(refused);
-  return submit(submitting, request, "study", valve, to_json(study));
+  return submit(submitting, request, {"study", valve, to_json(study)});
 }
 
 }  // namespace coapt

@@ -13,7 +13,17 @@ struct Submitting {
   JobBoard& jobs;
 };
 
-/// POST /v1/plans {"valve", "search" (optional)}: 202 and the job, or 200 if it ends within Prefer: wait.
+struct Work {
+  std::string kind;  ///< of job
+  const Valve& valve;
+  nlohmann::ordered_json asked;  ///< by which an idempotency key knows its request
+  std::string input = {};        ///< see NewJob
+};
+
+/// 202 and the job, or 200 if it ends within Prefer: wait; or why it is not taken.
+Answer submit(const Submitting& to, const Request& request, const Work& work);
+
+/// POST /v1/plans {"valve", "search" (optional)}
 struct PostPlans {
   Submitting submitting;
   Answer operator()(const Request& request) const;

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <ctime>
 
+#include "server/jobs/import_job.h"
+
 namespace coapt {
 namespace {
 
@@ -13,6 +15,11 @@ ordered_json links_json(const Job& job) {
   ordered_json links = {{"self", self}, {"events", self + "/events"}, {"cancel", self + ":cancel"}};
   if (job.state == JobState::Failed || job.summary.empty()) return links;  // no results
   links["result"] = self + "/result";
+  if (job.kind == "import") {
+    links["picture"] = self + "/files/" + kImportPicture;
+    links["files"] = self + "/files";
+    return links;
+  }
   if (job.kind == "plans") {
     links["plans"] = self + "/plans";
     links["evaluations"] = self + "/evaluations.csv";

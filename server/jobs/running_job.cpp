@@ -47,6 +47,7 @@ nlohmann::ordered_json to_json(const JobProgress& progress, double seconds) {
                                  {"best_cost", progress.best_cost},
                                  {"random_cost", progress.random_cost},
                                  {"seconds", seconds}};
+  if (progress.rms_mm) json["rms_mm"] = *progress.rms_mm;
   if (const auto& best = progress.leading)
     json["best"] = {{"cost", best->cost},
                     {"nodes", best->nodes},

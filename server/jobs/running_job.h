@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "io/store/job_store.h"
@@ -22,6 +23,7 @@ struct JobProgress {
   double best_cost = std::numeric_limits<double>::infinity();
   double random_cost = std::numeric_limits<double>::infinity();
   std::shared_ptr<const LeadingPlan> leading = {};
+  std::optional<double> rms_mm = {};  ///< of a fit: distances left
 };
 
 class RunningJob {
@@ -52,7 +54,7 @@ class RunningJob {
 };
 
 /// {"stage", "closures", "closures_planned", "best_leak_mm2", "best_cost", "random_cost",
-/// "seconds", "best" (if there is one): {"cost", "nodes", "leak_mm2", "description", "plan"}}
+/// "seconds", "rms_mm" (of a fit), "best" (if there is one): {"cost", "nodes", "leak_mm2", "description", "plan"}}
 nlohmann::ordered_json to_json(const JobProgress& progress, double seconds);
 
 }  // namespace coapt

@@ -20,7 +20,7 @@ export class Workspace {
   before: Scene | null = null
   after: Scene | null = null // of closedPlan; null if that has no steps or cannot be closed
   kept: KeptPlan[] = [] // newest last
-  jobs: Record<Job['kind'], string | null> = { plans: null, study: null } // that are looked at
+  jobs: Record<Job['kind'], string | null> = { plans: null, study: null, import: null } // that are looked at
   answer_ms: number | null = null // from letting go to the answer, of the last closure
   problems: Problem[] = [] // what is said against the valve or closedPlan
 
@@ -187,9 +187,16 @@ export class Workspace {
   }
 }
 
+/// A job that has failed.
+export class JobFailed extends Error {
+  constructor(readonly problems: Problem[]) {
+    super(problems[0]?.message ?? '')
+  }
+}
+
 /// An error as problems that can be listed.
 export function problemsOf(error: unknown): Problem[] {
-  if (error instanceof ApiError && error.problems.length > 0) return error.problems
+  if ((error instanceof ApiError || error instanceof JobFailed) && error.problems.length > 0) return error.problems
   if (error instanceof TypeError) return [{ code: 'failed', path: '', message: 'The service does not answer.' }]
   const message = error instanceof Error ? error.message : String(error)
   return [{ code: 'failed', path: '', message }]

@@ -196,5 +196,24 @@ TEST_F(JobStoreRun, WhatIsAskedOfAJobThatIsNotThereIsABadReference) {
   EXPECT_TRUE(*store().job("none") == std::nullopt);
 }
 
+TEST_F(JobStoreTest, KeepsWhatAJobWorksFromUntilItHasEnded) {
+  NewJob job = numbered_job(1);
+  job.input = all_bytes(100'000);
+  ASSERT_TRUE(store().submit(job, "{}", 5));
+  submit(store(), 2);
+  EXPECT_FALSE(*store().state(job.id));
+  EXPECT_TRUE(store().keep_state(job.id, "round 1").empty());
+  EXPECT_TRUE(store().keep_state(job.id, all_bytes()).empty());
+  open_again();
+  EXPECT_EQ(**store().input(job.id), all_bytes(100'000));
+  EXPECT_EQ(**store().state(job.id), all_bytes());
+  EXPECT_FALSE(*store().input(numbered_id(2)));
+  ASSERT_TRUE(store().finish(job.id, {.state = JobState::Succeeded}, 6).empty());
+  EXPECT_FALSE(*store().input(job.id));
+  EXPECT_FALSE(*store().state(job.id));
+  EXPECT_TRUE(store().keep_state(job.id, "late").empty());
+  EXPECT_FALSE(*store().state(job.id));
+}
+
 }  // namespace
 }  // namespace coapt

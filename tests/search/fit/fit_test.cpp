@@ -54,6 +54,29 @@ TEST(Fit, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one->closed.valve.heads[0].tip_mm, three->closed.valve.heads[0].tip_mm);
 }
 
+TEST(Fit, BrokenOffAfterAnyRoundItGoesOnToTheSameBits) {
+  const Valve valve = *make_preset("human-functional-mr", 200);
+  FitOptions options = tips_alone();
+  options.most_rounds = 3;
+  std::vector<FitState> states;
+  options.keep = [&](const FitState& state) { states.push_back(state); };
+  const Expected<ValveFit> whole = fit_valve(valve, displaced(valve), options);
+  ASSERT_TRUE(whole);
+  ASSERT_EQ(static_cast<int>(states.size()), whole->rounds);
+  EXPECT_GT(states.back().pass, 0);
+  options.keep = nullptr;
+  for (const FitState& state : states) {
+    options.from = state;
+    const Expected<ValveFit> resumed = fit_valve(valve, displaced(valve), options);
+    ASSERT_TRUE(resumed);
+    EXPECT_EQ(resumed->distances_mm, whole->distances_mm);
+    EXPECT_EQ(resumed->covariance, whole->covariance);
+    EXPECT_EQ(resumed->rounds, whole->rounds);
+    EXPECT_EQ(resumed->closures, whole->closures);
+    EXPECT_EQ(resumed->finished, whole->finished);
+  }
+}
+
 TEST(Fit, SaysWhatTheDataCannotTell) {
   const Valve valve = *make_preset("human-normal", 200);
   FitOptions options = tips_alone();

@@ -3,9 +3,12 @@
 
 #include <openssl/evp.h>
 
+#include <thread>
+
 #include "io/exchange/slicerheart.h"
 #include "io/mesh/write_mesh.h"
 #include "server/base64.h"
+#include "server/jobs/import_job.h"
 #include "tests/io/mesh/cone_scene.h"
 #include "tests/server/endpoints/service_scene.h"
 
@@ -158,6 +161,180 @@ TEST_F(ImportsTest, EveryProblemIsTold) {
 TEST_F(ImportsTest, AValveThatIsTooLargeIsRefused) {
   limits_.vertices = 100;
   EXPECT_EQ(refusal(post("/v1/valves:import", cone_request())), (Refused{422, {"/vertices_mm"}}));
+}
+
+TEST_F(ImportsTest, LandmarksThatWereSeenAreTaken) {
+  ordered_json request = cone_request();
+  request["landmarks"] = {{"saddle_peak", {0.0, kTop_mm, 0.0}}, {"mid_posterior", {3.0, -17.7, 0.0}}};
+  const Answer answer = post("/v1/valves:import", request);
+  ASSERT_EQ(answer.status, 201) << json_of(answer);
+  EXPECT_EQ(json_of(answer)["decisions"][7]["decision"], "saddle peak, mid-posterior as given");
+  request["landmarks"] = {{"saddle_peak", {0.0, 40.0, 0.0}}};
+  EXPECT_EQ(refusal(post("/v1/valves:import", request)), (Refused{422, {"/landmarks/saddle_peak"}}));
+  request["landmarks"] = {{"apex", {0.0, 40.0}}};
+  EXPECT_EQ(refusal(post("/v1/valves:import", request)), (Refused{422, {"/landmarks/apex"}}));
+}
+
+TEST_F(ImportsTest, FilesAreLookedAtOneByOne) {
+  ordered_json request = cone_request(), files = ordered_json::array();
+  files.push_back(request["leaflets"][0]);
+  files.push_back(request["annulus"]);
+  files.push_back(request["chordae"]);
+  files.push_back({{"name", "tips.csv"}, {"text", "AL,-13,-4,-24\nPM,13,-4,-24\n"}});
+  files.push_back({{"name", "a.obj"}, {"text", "f 1 2 3"}});
+  const Answer answer = post("/v1/imports:preview", {{"files", files}});
+  ASSERT_EQ(answer.status, 200);
+  const ordered_json seen = json_of(answer)["files"];
+  const std::vector<std::string> contents = {"surface", "curve", "chordae", "tips", "unknown"};
+  ASSERT_EQ(seen.size(), contents.size());
+  for (std::size_t i = 0; i < contents.size(); ++i) EXPECT_EQ(seen[i]["content"], contents[i]);
+  const ImportSource source = cone_source();
+  EXPECT_EQ(seen[0]["faces"].size(), 3 * static_cast<std::size_t>(source.leaflets[0].faces.rows()));
+  EXPECT_EQ(seen[1]["points"].size(), 3 * static_cast<std::size_t>(source.annulus_mm.rows()));
+  EXPECT_EQ(seen[2]["points"].size(), 6 * source.chordae.size());
+  EXPECT_EQ(seen[3]["labels"], (ordered_json{"AL", "PM"}));
+  EXPECT_TRUE(seen[0]["problems"].empty());
+  EXPECT_FALSE(seen[4]["problems"].empty());
+}
+
+/// A job that waits, run as the server does.
+JobEnd run_import(const ServiceLimits& limits, JobStore& store, JobBoard& board) {
+  const std::shared_ptr<RunningJob> job = board.take();
+  const std::optional<JobEnd> end = ImportJob{board, store, limits}(*job);
+  EXPECT_TRUE(end);
+  board.finish(job, end);
+  return end.value_or(JobEnd{});
+}
+
+TEST_F(ImportsTest, AsAJobAPictureStandsBesideTheValve) {
+  const ordered_json request = cone_request();
+  const Answer answer = post("/v1/imports", request, {{"idempotency-key", "one"}});
+  ASSERT_EQ(answer.status, 202) << json_of(answer);
+  const std::string job = json_of(answer)["id"];
+  EXPECT_EQ(json_of(answer)["kind"], "import");
+  EXPECT_EQ(json_of(post("/v1/imports", request, {{"idempotency-key", "one"}}))["id"], job);
+  ordered_json other = request;
+  other["name"] = "another";
+  EXPECT_EQ(post("/v1/imports", other, {{"idempotency-key", "one"}}).status, 422);
+  ASSERT_TRUE(*store().input(job));
+  run_import(limits_, store(), board());
+  EXPECT_FALSE(*store().input(job)) << "files are kept no longer than they are needed";
+
+  const ordered_json ended = json_of(get("/v1/jobs/" + job));
+  EXPECT_EQ(ended["state"], "SUCCEEDED");
+  EXPECT_EQ(ended["made"], ended["valve"]);
+  const ordered_json result = json_of(get(ended["links"]["result"]));
+  EXPECT_EQ(result["schema"], "coapt.import/1");
+  EXPECT_EQ(result["valve"], ended["made"]);
+  EXPECT_EQ(result["decisions"].size(), 8U);
+  EXPECT_TRUE(result["fit"].is_null());
+  EXPECT_TRUE(bytes_of(get(ended["links"]["picture"])).starts_with("\x89PNG"));
+  const std::string document = bytes_of(get("/v1/jobs/" + job + "/files/valve.json"));
+  EXPECT_EQ(ordered_json::parse(document),
+            json_of(get("/v1/valves/" + result["valve"].get<std::string>())));
+  EXPECT_EQ(get("/v1/jobs/" + job + "/report").status, 404);
+  EXPECT_EQ(remove("/v1/jobs/" + job).status, 204);
+}
+
+/// Leaflets of a small valve as they hang, and its closed surface with a tip elsewhere.
+ordered_json fit_request() {
+  const auto files_of = [](const Valve& valve, bool open) {
+    return *write_slicerheart(close_and_measure(valve, {.motion = open}), {.open = open});
+  };
+  ordered_json request = {{"slicerheart", ordered_json::array()}, {"triangles", 150}};
+  for (const NamedFile& file : files_of(small_valve(), true))
+    request["slicerheart"].push_back({{"name", file.name}, {"text", file.bytes}});
+  Valve displaced = small_valve();
+  for (PapillaryHead& head : displaced.heads)
+    if (head.side == Side::Anterolateral) head.tip_mm.z() -= 1.0;
+  std::string points;
+  const ClosedValve closed = close_and_measure(displaced);
+  for (const auto vertex : closed.closure.closed_mm.rowwise())
+    points += row(vertex.transpose()) + '\n';
+  request["fit"] = {{"surface", {{"name", "Smith_John_systole.csv"}, {"text", points}}},
+                    {"side", "middle"},
+                    {"known", {"slack", "prestretch", "hidden"}},
+                    {"rounds", 2}};
+  return request;
+}
+
+TEST_F(ImportsTest, AFitChangesTheValveThatWasImported) {
+  const Answer answer = post("/v1/imports", fit_request());
+  ASSERT_EQ(answer.status, 202) << json_of(answer);
+  const std::string job = json_of(answer)["id"];
+  const JobEnd end = run_import(limits_, store(), board());
+  EXPECT_EQ(end.state, JobState::Succeeded) << end.summary;
+  const ordered_json result = json_of(get("/v1/jobs/" + job + "/result"));
+  EXPECT_EQ(result["imported"], json_of(answer)["valve"]);
+  EXPECT_NE(result["valve"], result["imported"]);
+  EXPECT_EQ(result["fit"]["schema"], "coapt.fit/1");
+  EXPECT_LT(result["fit"]["rms_mm"], result["fit"]["rms_before_mm"]);
+  EXPECT_EQ(result["decisions"].back()["about"], "fit");
+  const ordered_json valve =
+      json_of(get("/v1/valves/" + result["valve"].get<std::string>()));
+  EXPECT_TRUE(valve["provenance"].back().get<std::string>().starts_with("fitted to the closed"));
+  EXPECT_EQ(valve.dump().find("Smith"), std::string::npos);
+  EXPECT_EQ(result.dump().find("Smith"), std::string::npos);
+  EXPECT_GT(json_of(get("/v1/jobs/" + job))["progress"]["rms_mm"], 0.0);
+}
+
+TEST_F(ImportsTest, AFitGoesOnWhereItWasKept) {
+  const std::string whole = json_of(post("/v1/imports", fit_request()))["id"];
+  run_import(limits_, store(), board());
+  const std::string again = json_of(post("/v1/imports", fit_request()))["id"];
+  // A server that stops after the first round.
+  const std::shared_ptr<RunningJob> job = board().take();
+  std::thread stopper([&] {
+    while (!store().state(again)->has_value()) std::this_thread::yield();
+    board().stop();
+  });
+  const ImportJob work{board(), store(), limits_};
+  std::optional<JobEnd> end;
+  try {
+    end = work(*job);
+  } catch (const std::runtime_error&) {
+  }
+  stopper.join();
+  JobBoard next(store(), kQueue);
+  if (!end) {
+    board().finish(job, std::nullopt);
+    ASSERT_TRUE(**store().state(again) != "");
+    ASSERT_TRUE(next.resume().empty());
+    run_import(limits_, store(), next);
+  } else {
+    board().finish(job, end);
+  }
+  const auto result_of = [&](const std::string& id) {
+    ordered_json result = json_of(get("/v1/jobs/" + id + "/result"));
+    return result;
+  };
+  EXPECT_EQ(result_of(again), result_of(whole));
+}
+
+TEST_F(ImportsTest, WhatIsWrongWithAFitIsSaidAtOnce) {
+  const auto refused = [&](const ordered_json& fit) {
+    ordered_json request = cone_request();
+    request["fit"] = fit;
+    return refusal(post("/v1/imports", request));
+  };
+  EXPECT_EQ(refused(ordered_json::object()), (Refused{422, {"/fit/surface"}}));
+  const ordered_json mesh = {{"name", "a.obj"}, {"text", "v 1 2"}};
+  const Refused broken = refused({{"surface", mesh}});
+  EXPECT_EQ(broken.status, 422);
+  EXPECT_TRUE(broken.paths.front().starts_with("/fit/surface"));
+  EXPECT_EQ(refused({{"surface", mesh}, {"known", {"all"}}, {"leak_mm2", -1}, {"side", "front"}}),
+            (Refused{422, {"/fit/side", "/fit/leak_mm2", "/fit/known/0"}}));
+  EXPECT_EQ(refusal(post("/v1/valves:import", {{"fit", {{"rounds", 1}}}})).paths.back(), "/fit");
+}
+
+TEST_F(ImportsTest, AFitThatCannotBeMadeFailsWithItsPlace) {
+  ordered_json request = fit_request();
+  request["fit"]["surface"]["text"] = "0,0,0\n1,0,0\n";
+  const std::string job = json_of(post("/v1/imports", request))["id"];
+  run_import(limits_, store(), board());
+  const ordered_json ended = json_of(get("/v1/jobs/" + job));
+  EXPECT_EQ(ended["state"], "FAILED");
+  EXPECT_EQ(ended["problems"][0]["path"], "/fit/surface");
 }
 
 TEST(Base64, ComesBackAsItWas) {

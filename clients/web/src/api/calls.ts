@@ -1,6 +1,17 @@
 // What the page asks of the service.
 import { getJson, postJson, request } from './http'
-import type { Evaluations, ImportRequest, Plan, Problem, Rings, Scene, ValveDocument } from './types'
+import type {
+  Evaluations,
+  FileLookedAt,
+  FileToImport,
+  ImportRequest,
+  Job,
+  Plan,
+  Problem,
+  Rings,
+  Scene,
+  ValveDocument,
+} from './types'
 
 /// `valve`: a preset's name or a stored valve's id. `frames`: states of the closing, at most.
 export function drawScene(valve: string, plan: Plan | null, frames: number, signal?: AbortSignal): Promise<Scene> {
@@ -25,9 +36,14 @@ export async function storeValve(text: string): Promise<string> {
   return (await postJson<{ id: string }>('/v1/valves', text)).id
 }
 
-/// What the service makes of meshes, annulus and chordae.
-export function importValve(files: ImportRequest): Promise<{ id: string }> {
-  return postJson('/v1/valves:import', files)
+/// What files of a segmentation tool hold.
+export async function lookAtFiles(files: FileToImport[], signal: AbortSignal): Promise<FileLookedAt[]> {
+  return (await postJson<{ files: FileLookedAt[] }>('/v1/imports:preview', { files }, signal)).files
+}
+
+/// A job that makes a valve of files.
+export function startImport(files: ImportRequest): Promise<Job> {
+  return postJson('/v1/imports', files)
 }
 
 export async function problemsOfValve(text: string): Promise<Problem[]> {

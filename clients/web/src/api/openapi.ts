@@ -120,6 +120,17 @@ export interface components {
             papillary_heads: components["schemas"]["Valve.head"][];
             /** @description Chordae, each a tree from one papillary head to one or more insertions. */
             chordae: components["schemas"]["Valve.chorda"][];
+            /** @description Sutures or clips that hold two points of the leaflets together: tension only. */
+            ties?: {
+                /** @description Unique. */
+                id: string;
+                anterior: components["schemas"]["Valve.insertion"];
+                posterior: components["schemas"]["Valve.insertion"];
+                rest_length_mm: number;
+                /** @description Radius of the disc of either leaflet that it pulls at. */
+                zone_mm: number;
+                stiffness_n_per_mm: number;
+            }[];
             /** @description There if chordae and heads were drawn from anatomy because images show none. */
             drawn_chordae?: {
                 /** @description Of the draw; 0: the mean anatomy. */
@@ -160,6 +171,17 @@ export interface components {
                     number,
                     number
                 ][]
+            ];
+        };
+        /** @description Barycentric weights on the vertices of a face. */
+        "Valve.insertion": {
+            /** @description Index of the face. */
+            face: number;
+            /** @description One for each vertex of the face; together 1. */
+            weights: [
+                number,
+                number,
+                number
             ];
         };
         "Valve.point": [
@@ -204,17 +226,7 @@ export interface components {
             diameter_mm: number;
             /** @description Modulus of this piece; left out: that of the tissue's chordae. */
             modulus_kpa?: number;
-            /** @description Barycentric weights on the vertices of a face. */
-            insertion?: {
-                /** @description Index of the face. */
-                face: number;
-                /** @description One for each vertex of the face; together 1. */
-                weights: [
-                    number,
-                    number,
-                    number
-                ];
-            };
+            insertion?: components["schemas"]["Valve.insertion"];
             /**
              * @description Radius of the disc of the leaflet that an inserting segment pulls at; 0: the face of the insertion alone.
              * @default 2
@@ -234,7 +246,7 @@ export interface components {
              */
             schema: "coapt.plan/1";
             /** @description Surgical steps; none: the valve stays as it is. */
-            steps: (components["schemas"]["Plan.annuloplasty"] | components["schemas"]["Plan.neochorda"] | components["schemas"]["Plan.chordal_length_change"] | components["schemas"]["Plan.chordal_excision"] | components["schemas"]["Plan.chordal_transfer"] | components["schemas"]["Plan.papillary_approximation"])[];
+            steps: (components["schemas"]["Plan.annuloplasty"] | components["schemas"]["Plan.neochorda"] | components["schemas"]["Plan.chordal_length_change"] | components["schemas"]["Plan.chordal_excision"] | components["schemas"]["Plan.chordal_transfer"] | components["schemas"]["Plan.papillary_approximation"] | components["schemas"]["Plan.edge_to_edge"])[];
         };
         /** @description A point of a leaflet, the same on every mesh. */
         "Plan.leaflet_point": {
@@ -321,6 +333,23 @@ export interface components {
             step: "chordal_excision";
             /** @description Id of the chorda. */
             chorda: string;
+        };
+        /** @description Opposite points of the free edges are held together. */
+        "Plan.edge_to_edge": {
+            /**
+             * @description Kind of step. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            step: "edge_to_edge";
+            /**
+             * @description A stitch along both free edges (Alfieri), or a clip, whose arms hold the leaflets 5 mm above them, too.
+             * @enum {string}
+             */
+            device: "stitch" | "clip";
+            /** @description Place on both edges: 0 anterolateral commissure, 0.5 A2 to P2, 1 posteromedial commissure. */
+            along: number;
+            /** @description Along the edges. */
+            width_mm: number;
         };
         /** @description A chorda moved to another point of the leaflets. */
         "Plan.chordal_transfer": {
@@ -629,6 +658,8 @@ export interface components {
             chordae_seed?: number;
             /** @description Papillary tips that were seen, of chordae that are drawn: CSV of papillary,x,y,z, papillary AL or PM, or points of Slicer labelled so (.mrk.json). Left out, they are drawn, too. */
             tips?: components["schemas"]["FileToImport"];
+            /** @description Places that a person saw; those left out are found. */
+            landmarks?: components["schemas"]["SeenLandmarks"];
             /**
              * @description The two leaflets were imaged closed, under pressure: the open ones are derived from what is seen of them. With chordae_seed.
              * @default false
@@ -680,6 +711,212 @@ export interface components {
              */
             units?: "mm" | "cm" | "m";
         };
+        /** @description In the coordinates and the unit of the files, at most 10 mm from the annulus. Commissures count if both are given. */
+        SeenLandmarks: {
+            /** @description Where the leaflets meet, on the side of the anterolateral papillary muscle. */
+            anterolateral_commissure?: components["schemas"]["Vector"];
+            /** @description Where they meet on the other side. */
+            posteromedial_commissure?: components["schemas"]["Vector"];
+            /** @description Middle of the anterior annulus. */
+            saddle_peak?: components["schemas"]["Vector"];
+            /** @description Middle of the posterior annulus. */
+            mid_posterior?: components["schemas"]["Vector"];
+        };
+        /** @description FilesToImport, and to what the valve is fitted. */
+        FilesToFit: {
+            leaflets?: components["schemas"]["FilesToImport"]["leaflets"];
+            annulus?: components["schemas"]["FilesToImport"]["annulus"];
+            chordae?: components["schemas"]["FilesToImport"]["chordae"];
+            chordae_seed?: components["schemas"]["FilesToImport"]["chordae_seed"];
+            tips?: components["schemas"]["FilesToImport"]["tips"];
+            landmarks?: components["schemas"]["FilesToImport"]["landmarks"];
+            closed?: components["schemas"]["FilesToImport"]["closed"];
+            hidden_mm?: components["schemas"]["FilesToImport"]["hidden_mm"];
+            slicerheart?: components["schemas"]["FilesToImport"]["slicerheart"];
+            name?: components["schemas"]["FilesToImport"]["name"];
+            provenance?: components["schemas"]["FilesToImport"]["provenance"];
+            triangles?: components["schemas"]["FilesToImport"]["triangles"];
+            branches?: components["schemas"]["FilesToImport"]["branches"];
+            branch_at?: components["schemas"]["FilesToImport"]["branch_at"];
+            slack?: components["schemas"]["FilesToImport"]["slack"];
+            reference?: components["schemas"]["FilesToImport"]["reference"];
+            units?: components["schemas"]["FilesToImport"]["units"];
+            /** @description Left out: the valve is not fitted. */
+            fit?: components["schemas"]["Fit"];
+        };
+        /** @description What images do not show (lengths of chordae, papillary tips, prestretch, height in coaptation) is changed, within three standard deviations of what is assumed of it, until the valve closes onto the surface. */
+        Fit: {
+            /** @description The closed leaflets as imaged: a mesh, or points (CSV), in the coordinates and the unit of the other files. Left out: the leaflets themselves, which were imaged closed. */
+            surface?: components["schemas"]["FileToImport"];
+            /**
+             * @description What the surface is: the leaflets' atrial side or their middle.
+             * @default atrial
+             * @enum {string}
+             */
+            side?: "atrial" | "middle";
+            /** @description Regurgitant orifice as imaged: an anatomic area, not one by PISA. */
+            leak_mm2?: number;
+            /**
+             * @description How well the leak is known.
+             * @default 3
+             */
+            leak_sd_mm2?: number;
+            /** @description What stays as it is. */
+            known?: ("slack" | "tips" | "prestretch" | "hidden")[];
+            /**
+             * @description How well lengths of chordae are known before, share of the length.
+             * @default 0.06
+             */
+            slack_sd?: number;
+            /**
+             * @description How well each coordinate of the papillary tips is known before.
+             * @default 1
+             */
+            tip_sd_mm?: number;
+            /**
+             * @description How well the height hidden in coaptation is known before.
+             * @default 1.5
+             */
+            hidden_sd_mm?: number;
+            /**
+             * @description Points used of the surface, at most.
+             * @default 2000
+             */
+            points?: number;
+            /**
+             * @description Rounds of either pass, at most.
+             * @default 30
+             */
+            rounds?: number;
+        };
+        FilesToLookAt: {
+            /** @description Of any format that an import takes, in any order. */
+            files: components["schemas"]["FileToImport"][];
+        };
+        FilesLookedAt: {
+            /** @description One for each file. */
+            files: components["schemas"]["FileLookedAt"][];
+            notice: components["schemas"]["Notice"];
+        };
+        /** @description What a file holds, in its own coordinates and unit. */
+        FileLookedAt: {
+            /** @description As it was given. */
+            name: string;
+            /**
+             * @description curve: a closed one; unknown: it cannot be read.
+             * @enum {string}
+             */
+            content: "surface" | "curve" | "points" | "tips" | "chordae" | "unknown";
+            /** @description Of chordae: insertion, tip, insertion, tip, ... */
+            points: components["schemas"]["FlatPoints"];
+            /** @description Of a surface: three indices of points for each triangle, one after the other. */
+            faces: number[];
+            /** @description Of points, one each, or none; of tips and chordae AL or PM. */
+            labels: string[];
+            /** @description Why it cannot be read; else empty. */
+            problems: components["schemas"]["Fault"][];
+        };
+        /** @description What an import has come to. */
+        ImportResult: {
+            /**
+             * @description Name and version of this format.
+             * @constant
+             */
+            schema: "coapt.import/1";
+            /** @description Of coapt. */
+            version: string;
+            notice: components["schemas"]["Notice"];
+            /** @description Of the valve. */
+            name: string;
+            /** @description Number of triangles of the leaflets. */
+            triangles: number;
+            /** @description Number of chordae. */
+            chordae: number;
+            /** @description What the import and the fit settled, in this order. */
+            decisions: components["schemas"]["ImportDecision"][];
+            /** @description Id of the valve made: the fitted one if there was a fit. */
+            valve: components["schemas"]["Id"];
+            /** @description Id of the valve before the fit. */
+            imported: components["schemas"]["Id"];
+            /** @description How well the valve closes onto the surface; null: no fit was asked for. */
+            fit: components["schemas"]["FitResult"] | null;
+        };
+        /** @description What a fit has found. */
+        FitResult: {
+            /**
+             * @description Name and version of this format.
+             * @constant
+             */
+            schema: "coapt.fit/1";
+            /** @description Of coapt. */
+            version: string;
+            notice: components["schemas"]["Notice"];
+            /** @description Id of the valve that was fitted. */
+            valve: components["schemas"]["Id"];
+            /** @description What it was fitted to. */
+            closed: string;
+            /**
+             * @description What the surface was taken as.
+             * @enum {string}
+             */
+            side: "atrial" | "middle";
+            /** @description Root mean square distance from the surface, fitted. */
+            rms_mm: number;
+            /** @description The same before the fit. */
+            rms_before_mm: number;
+            /** @description Points of the surface. */
+            points: {
+                /** @description Number given. */
+                given: number;
+                /** @description Number used. */
+                used: number;
+                /** @description As how many independent ones they weigh. */
+                independent: number;
+            };
+            /** @description Leak of the valve. */
+            leak_mm2: {
+                /** @description Before the fit. */
+                before: number;
+                /** @description After it. */
+                fitted: number;
+                /** @description Standard deviation that the fit leaves it. */
+                sd: number;
+                /** @description As imaged, if that was given. */
+                given?: number;
+                /** @description How well that is known. */
+                given_sd?: number;
+            };
+            /** @description What was fitted. */
+            parameters: components["schemas"]["FittedParameter"][];
+            /** @description Of the parameters with each other, a row each. */
+            correlations: (number | null)[][];
+            /** @description Rounds of both passes. */
+            rounds: number;
+            /** @description Closures made. */
+            closures: number;
+            /** @description Whether it came to rest before its limit of rounds, of time, or a cancellation. */
+            finished: boolean;
+        };
+        /** @description One unknown of a fit. */
+        FittedParameter: {
+            /** @description slack_anterior_AL, tip_AL_x, circumferential_prestretch, hidden_mm, ... */
+            name: string;
+            /**
+             * @description Of value, sd, prior and prior_sd.
+             * @enum {string}
+             */
+            unit: "mm" | "1";
+            /** @description As fitted. */
+            value: number;
+            /** @description How well it is known now: standard deviation. */
+            sd: number;
+            /** @description Before the fit. */
+            prior: number;
+            /** @description How well it was known before. */
+            prior_sd: number;
+            /** @description Whether the surface at least halves what was not known. */
+            identifiable: boolean;
+        };
         /** @description A valve that is stored now. */
         StoredValve: {
             id: components["schemas"]["Id"];
@@ -695,7 +932,7 @@ export interface components {
         };
         /** @description What an import settled that its files leave open, or changed. The valve's provenance says the same. */
         ImportDecision: {
-            /** @description units, frame, mesh, annulus, commissures, landmarks, state or chordae. */
+            /** @description units, frame, mesh, annulus, commissures, landmarks, state, chordae or fit. */
             about: string;
             /** @description What was done, with numbers. */
             decision: string;
@@ -1561,20 +1798,22 @@ export interface components {
         JobState: "QUEUED" | "RUNNING" | "SUCCEEDED" | "FAILED" | "CANCELLED";
         /** @description How far a job is. */
         Progress: {
-            /** @description Present stage: starting, searching, ranking, or a part of the study. */
+            /** @description Present stage: starting, searching, ranking, a part of the study, importing or fitting. */
             stage: string;
-            /** @description Closures so far: of a search of any kind, known ones included; of a study made in its present stage. */
+            /** @description Closures so far: of a search of any kind, known ones included; of a study made in its present stage; of an import in its fit. */
             closures: number;
             /** @description Closures planned: of a search at most, of a study in its present stage; 0: not known yet. */
             closures_planned: number;
-            /** @description Smallest leak of a plan as planned, so far; null: none yet, or a study. */
+            /** @description Smallest leak of a plan as planned, so far; null: none yet, or no search. */
             best_leak_mm2: number | null;
-            /** @description Lowest cost of a search at one closure a plan, so far, mm2; null: none yet, or a study. */
+            /** @description Lowest cost of a search at one closure a plan, so far, mm2; null: none yet, or no search. */
             best_cost: number | null;
             /** @description Cost in mm2 that trying plans at random is expected to reach in as many closures; null until some were tried. */
             random_cost: number | null;
             /** @description Time of running, over all attempts. */
             seconds: number;
+            /** @description Of a fit: root mean square distance from the surface, so far. */
+            rms_mm?: number;
             best?: components["schemas"]["LeadingPlan"];
         };
         PlanSummary: {
@@ -1601,15 +1840,15 @@ export interface components {
             tie_with_next: boolean;
             warnings: components["schemas"]["RankedPlan"]["warnings"];
         };
-        /** @description A search or a study. */
+        /** @description A search, a study or an import. */
         Job: {
             /** @description Id of the job. */
             id: components["schemas"]["Id"];
             /**
-             * @description plans: a search; study: a study.
+             * @description plans: a search; study: a study; import: a valve made of files.
              * @enum {string}
              */
-            kind: "plans" | "study";
+            kind: "plans" | "study" | "import";
             state: components["schemas"]["JobState"];
             /** @description When it was asked for. */
             created: components["schemas"]["Time"];
@@ -1617,7 +1856,7 @@ export interface components {
             started: components["schemas"]["Time"] | null;
             /** @description When it ended; null: not yet. */
             finished: components["schemas"]["Time"] | null;
-            /** @description Id of its valve, also if a preset was asked for. */
+            /** @description Id of its valve, also if a preset was asked for; of an import as it was before the fit. */
             valve: components["schemas"]["Id"];
             /** @description Whether somebody asked to end it early. */
             cancel_requested: boolean;
@@ -1637,7 +1876,9 @@ export interface components {
             findings?: number;
             /** @description Number of findings of a study that agree with the thesis. */
             agree?: number;
-            /** @description Paths. Those of results once there are some; plans and evaluations only of a search. */
+            /** @description Id of the valve that an import has made: the fitted one if there was a fit. */
+            made?: components["schemas"]["Id"];
+            /** @description Paths. Those of results once there are some; plans and evaluations only of a search, picture only of an import, report not of one. */
             links: {
                 /**
                  * Format: uri-reference
@@ -1669,6 +1910,11 @@ export interface components {
                  * @description Path of every plan that was tried, as CSV.
                  */
                 evaluations?: string;
+                /**
+                 * Format: uri-reference
+                 * @description Path of an import's picture, as PNG: what was given beside the valve made of it.
+                 */
+                picture?: string;
                 /**
                  * Format: uri-reference
                  * @description Path of its report, as HTML.

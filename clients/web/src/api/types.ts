@@ -19,8 +19,12 @@ export type Closure = Schemas['Closure']
 export type Scene = Schemas['Scene']
 export type Segment = Scene['segments'][number]
 export type FileToImport = Schemas['FileToImport']
-/// FilesToImport; its leaflets are a list while they come together.
-export type ImportRequest = Omit<Schemas['FilesToImport'], 'leaflets'> & { leaflets?: FileToImport[] }
+export type FileLookedAt = Schemas['FileLookedAt']
+/// FilesToFit; its leaflets are a list while they come together.
+export type ImportRequest = Omit<Schemas['FilesToFit'], 'leaflets'> & { leaflets?: FileToImport[] }
+export type ImportResult = Schemas['ImportResult']
+export type ImportDecision = Schemas['ImportDecision']
+export type FitResult = Schemas['FitResult']
 export type Rings = Omit<Schemas['Rings'], 'notice'>
 
 export type RankedPlan = Schemas['RankedPlan']

@@ -13,6 +13,8 @@ import { valveOf } from './valves'
 import jobsStyle from './jobs.module.css'
 import parts from '../style/parts.module.css'
 
+const NAMES: Record<Job['kind'], string> = { plans: 'search', study: 'study', import: 'import' }
+
 export interface ListedJobs {
   kind: Job['kind']
   title: string
@@ -49,7 +51,7 @@ export function jobList(listed: ListedJobs): JobList {
       h('span', { class: jobsStyle.outcome }, listed.outcome(job)),
     )
     buttons.set(job.id, button)
-    const name = `${listed.kind === 'plans' ? 'search' : 'study'} of ${when(job.created)}`
+    const name = `${NAMES[listed.kind]} of ${when(job.created)}`
     return h(
       'li',
       {},

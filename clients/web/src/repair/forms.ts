@@ -73,8 +73,14 @@ function edgeForm(step: EdgeToEdge, context: StepContext): HTMLElement {
     slider('Along (AL to PM)', step.along, EDGE_ALONG, '', (along, passing) =>
       context.change({ ...step, along }, passing),
     ),
-    slider('Width', step.width_mm, EDGE_MM, 'mm', (width_mm, passing) => context.change({ ...step, width_mm }, passing)),
-    h('p', { class: parts.hint }, 'Holds opposite points of both free edges together. The two openings of diastole are not computed.'),
+    slider('Width', step.width_mm, EDGE_MM, 'mm', (width_mm, passing) =>
+      context.change({ ...step, width_mm }, passing),
+    ),
+    h(
+      'p',
+      { class: parts.hint },
+      'Holds opposite points of both free edges together. The two openings of diastole are not computed.',
+    ),
   )
 }
 

@@ -1,11 +1,17 @@
 // Files of a segmentation tool: what each of them is, what is wrong with it, and the valve that they make.
-import { importValve } from '../api/calls'
-import type { Problem } from '../api/types'
+import { lookAtFiles, startImport } from '../api/calls'
+import { getJson } from '../api/http'
+import type { FileLookedAt, ImportResult, Job, Problem } from '../api/types'
 import { button, field, h, select } from '../dom'
+import { hasEnded } from '../jobs/calls'
+import { followJob } from '../jobs/follow'
+import { progressPanel } from '../jobs/progress_panel'
 import { problemList } from '../problems'
 import { nameValve } from '../state/valves'
-import { problemsOf } from '../workspace'
-import { ROLES, type Role, filesToImport, guessedRoles, placed } from './parts'
+import { JobFailed, problemsOf } from '../workspace'
+import { importResult, type ImportStage } from './import_stage'
+import { landmarkList } from './landmark_list'
+import { ROLES, type ImportSettings, type Role, filesToImport, guessedRoles, packed, placed } from './parts'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
@@ -17,10 +23,13 @@ export interface ImportPanel {
   take(files: File[]): void
 }
 
-/// `open` is called with the valve that came of the files.
-export function importPanel(open: (id: string, name: string) => Promise<void>): ImportPanel {
+/// `open` is called with the valve that came of the files; `stage` shows them, and what was decided.
+export function importPanel(open: (id: string, name: string) => Promise<void>, stage: ImportStage): ImportPanel {
   let files: File[] = []
   let roles: Role[] = []
+  let looked: (FileLookedAt | null)[] = []
+  let looking = new AbortController()
+  let drawsByHand: boolean | null = null // whether chordae are drawn, if a person said so
   const rows = h('ul', { class: valveStyle.files })
   const said = h('p', { class: parts.hint, 'aria-live': 'polite' })
   const rest = h('div', {}) // problems of no file
@@ -32,7 +41,65 @@ export function importPanel(open: (id: string, name: string) => Promise<void>): 
   })
   const name = h('input', { type: 'text', maxlength: 200, value: 'imported' })
   const triangles = h('input', { type: 'number', min: 100, max: 100000, value: USUAL_TRIANGLES })
-  const go = button('Import', () => void run(), { class: parts.primary, disabled: true })
+  let units: ImportSettings['units'] = null
+  const unit = select(
+    [
+      ['', 'by the annulus'],
+      ['mm', 'mm'],
+      ['cm', 'cm'],
+      ['m', 'm'],
+    ],
+    '',
+    (value) => (units = value === '' ? null : (value as ImportSettings['units'])),
+  )
+  const closed = h('input', { type: 'checkbox', onchange: () => settle() })
+  const draws = h('input', {
+    type: 'checkbox',
+    onchange: () => {
+      drawsByHand = draws.checked
+      settle()
+    },
+  })
+  const seed = h('input', { type: 'number', min: 0, max: 2147483647, value: 1 })
+  const landmarks = landmarkList(() => stage.files())
+  const leak = h('input', { type: 'number', min: 0, max: 2000, step: 'any', placeholder: 'not known' })
+  let side: 'atrial' | 'middle' = 'atrial'
+  const sides = select(
+    [
+      ['atrial', 'their atrial side'],
+      ['middle', 'their middle'],
+    ],
+    side,
+    (value) => (side = value as typeof side),
+  )
+  const go = button('Import', () => void run(false), { class: parts.primary, disabled: true })
+  const fit = button('Import and fit', () => void run(true), { disabled: true })
+  const fitting = h(
+    'fieldset',
+    { class: valveStyle.fit, hidden: true },
+    h('legend', {}, 'Fit to the closed leaflets'),
+    h(
+      'p',
+      { class: parts.hint },
+      'Chordae, tips and tissue are changed until the valve closes onto them. This takes minutes.',
+    ),
+    field('What was segmented', sides),
+    field('Leak as imaged', leak, 'mm²'),
+    fit,
+  )
+  const options = h(
+    'div',
+    { hidden: true },
+    field('Name', name),
+    field('Units', unit),
+    field('Imaged closed', closed),
+    field('Draw chordae', draws),
+    field('Seed of drawn chordae', seed),
+    field('Triangles, about', triangles),
+    landmarks.element,
+    h('p', {}, go),
+    fitting,
+  )
   const element = h(
     'details',
     { class: parts.more, 'data-part': 'import' },
@@ -40,42 +107,132 @@ export function importPanel(open: (id: string, name: string) => Promise<void>): 
     h(
       'p',
       { class: parts.hint },
-      'Leaflets (OBJ, PLY, STL or VTK), annulus and chordae (CSV, or markups of Slicer), in millimetres; or all files of a ' +
-        'SlicerHeart folder.',
+      'Leaflets (OBJ, PLY, STL or VTK) and annulus (CSV, or a curve of Slicer), in one coordinate system; chordae and papillary ' +
+        'tips if they were seen; or all files of a SlicerHeart folder. Nothing that names a patient should be among them.',
     ),
     field('Files', chosen),
     rows,
-    field('Name', name),
-    field('Triangles, about', triangles),
-    go,
+    options,
     said,
     rest,
   )
 
   function take(given: File[]): void {
     files = given
+    looked = given.map(() => null)
     roles = guessedRoles(files.map((file) => file.name))
+    drawsByHand = null
     element.open = true
-    go.disabled = files.length === 0
+    options.hidden = files.length === 0
     said.textContent = ''
+    landmarks.clear()
+    settle()
     show([])
+    void look()
   }
 
-  async function run(): Promise<void> {
-    go.disabled = true
+  /// What the files hold, beside them and on the stage.
+  async function look(): Promise<void> {
+    looking.abort()
+    looking = new AbortController()
+    const { signal } = looking
+    if (files.length === 0) return stage.hide()
+    said.textContent = 'reading the files ...'
+    try {
+      const found = await lookAtFiles(await Promise.all(files.map(packed)), signal)
+      looked = found
+      roles = guessedRoles(
+        files.map((file) => file.name),
+        found.map(({ content }) => content),
+      )
+      said.textContent = ''
+      settle()
+      show([])
+    } catch (error) {
+      if (signal.aborted) return
+      said.textContent = 'The files cannot be shown.'
+      rest.replaceChildren(problemList(problemsOf(error)))
+    }
+  }
+
+  /// What follows from the roles.
+  function settle(): void {
+    const isFolder = roles.includes('folder')
+    draws.checked = drawsByHand ?? (!isFolder && !roles.includes('chordae'))
+    seed.disabled = !draws.checked
+    go.disabled = fit.disabled = files.length === 0
+    fitting.hidden = !closed.checked && !roles.includes('surface')
+  }
+
+  function draw(): void {
+    stage
+      .files()
+      .set(looked.flatMap((file, i) => (file && roles[i] !== 'none' ? [{ file, role: roles[i] as Role }] : [])))
+  }
+
+  function settings(fits: boolean): ImportSettings {
+    const known = leak.value.trim() === '' ? null : Number(leak.value)
+    return {
+      name: name.value,
+      triangles: Number(triangles.value),
+      units,
+      closed: closed.checked,
+      seed: draws.checked ? Number(seed.value) : null,
+      places: landmarks.places(),
+      fit: fits ? { leak_mm2: known, side } : null,
+    }
+  }
+
+  async function run(fits: boolean): Promise<void> {
+    landmarks.stop()
+    go.disabled = fit.disabled = true
     said.textContent = 'making a valve ...'
     try {
-      const { id } = await importValve(await filesToImport(files, roles, name.value, Number(triangles.value)))
+      const job = await startImport(await filesToImport(files, roles, settings(fits)))
       show([])
-      nameValve(id, name.value)
+      await follow(job, fits)
       said.textContent = ''
-      await open(id, name.value)
     } catch (error) {
       const problems = problemsOf(error)
       said.textContent = `No valve can be made of these files: ${problems.length === 1 ? 'one problem.' : `${problems.length} problems.`}`
       show(problems)
     }
-    go.disabled = files.length === 0
+    settle()
+  }
+
+  /// Until it has ended; then its valve is opened.
+  async function follow(first: Job, fits: boolean): Promise<void> {
+    let last = first
+    const panel = progressPanel(first, fits ? 'fit' : 'import')
+    if (fits) stage.show(panel.element)
+    const watcher = {
+      progress: panel.show,
+      changed(job: Job) {
+        last = job
+        if (!hasEnded(job.state)) panel.change(job)
+      },
+    }
+    await followJob(first.id, watcher, new AbortController().signal)
+    if (last.state === 'FAILED' || !last.links.result) {
+      stage.hide()
+      const problems: Problem[] = last.problems
+      throw problems.length > 0 ? new JobFailed(problems) : new Error('The import was cancelled.')
+    }
+    const result = await getJson<ImportResult>(last.links.result)
+    nameValve(result.valve, result.name)
+    await open(result.valve, result.name)
+    stage.show(importResult(last, result, actions(result, fits)))
+  }
+
+  function actions(result: ImportResult, wasFitted: boolean): HTMLElement {
+    const search = h(
+      'a',
+      { class: `${parts.button} ${parts.primary}`, href: `#/search?valve=${result.valve}` },
+      'Go on to search',
+    )
+    const again = button('Back to the files', () => draw())
+    const canFit = !wasFitted && !fitting.hidden
+    return h('p', { class: parts.row }, search, canFit && button('Fit to closed leaflets', () => void run(true)), again)
   }
 
   /// Each problem beside its file.
@@ -90,15 +247,44 @@ export function importPanel(open: (id: string, name: string) => Promise<void>): 
         for (const problem of own) others.delete(problem)
         const role = select(ROLES, roles[i] ?? 'none', (value) => {
           roles[i] = value as Role
+          settle()
+          show([])
         })
         role.setAttribute('aria-label', `What ${file.name} is`)
-        return h('li', {}, h('span', {}, file.name), role, problemList(own))
+        return h(
+          'li',
+          {},
+          h('span', {}, file.name, ' ', h('small', { class: parts.hint }, holds(looked[i] ?? null))),
+          role,
+          problemList(own),
+        )
       }),
     )
     rest.replaceChildren(problemList([...others]))
+    if (problems.length === 0 && looked.some((file) => file !== null)) draw()
   }
 
   return { element, take }
+}
+
+/// What is in a file, in a few words.
+function holds(file: FileLookedAt | null): string {
+  if (!file) return ''
+  const points = file.points.length / 3
+  switch (file.content) {
+    case 'surface':
+      return `${file.faces.length / 3} triangles`
+    case 'curve':
+      return `line of ${points} points`
+    case 'chordae':
+      return `${points / 2} chordae`
+    case 'tips':
+      return `${points} papillary tips`
+    case 'points':
+      return `${points} points`
+    case 'unknown':
+      return 'cannot be shown'
+  }
 }
 
 function isBelow(path: string, place: string): boolean {

@@ -7,6 +7,7 @@ import { problemList } from '../problems'
 import { nameValve } from '../state/valves'
 import { problemsOf, type ValveSource, type Workspace } from '../workspace'
 import { importPanel } from './import'
+import type { ImportStage } from './import_stage'
 import { openedList } from './opened_list'
 import { gradeOf, presetWords } from './presets'
 import parts from '../style/parts.module.css'
@@ -14,7 +15,13 @@ import valveStyle from './valve.module.css'
 
 const CONTEXT = 60 // characters of the file around a problem
 
-export function openPanel(workspace: Workspace): HTMLElement {
+export interface OpenPanel {
+  element: HTMLElement
+  dropOn(whole: HTMLElement): void // takes files that are dropped on it
+}
+
+/// `stage`: where files that are imported are shown.
+export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
   const problems = h('div', {})
   const said = h('p', { class: parts.hint, 'aria-live': 'polite' })
   const about = h('p', { class: parts.hint })
@@ -85,7 +92,7 @@ export function openPanel(workspace: Workspace): HTMLElement {
   const imports = importPanel(async (id, name) => {
     await open(id, name)
     await opened.refresh()
-  })
+  }, stage)
   const opened = openedList(workspace, (id, name) => void open(id, name))
   const panel = h(
     'section',
@@ -94,23 +101,25 @@ export function openPanel(workspace: Workspace): HTMLElement {
     names,
     about,
     field('Your file', file),
-    h('p', { class: parts.hint }, 'A valve file of coapt (JSON). Files may be dropped here, meshes too.'),
+    h('p', { class: parts.hint }, 'A valve file of coapt (JSON). Files may be dropped on this page, meshes too.'),
     imports.element,
     said,
     problems,
     opened.element,
   )
-  for (const [name, over] of [
-    ['dragover', true],
-    ['dragleave', false],
-    ['drop', false],
-  ] as const)
-    panel.addEventListener(name, (event) => {
-      event.preventDefault()
-      panel.toggleAttribute('data-over', over)
-      if (event.type === 'drop') void take([...(event.dataTransfer?.files ?? [])])
-    })
-  return panel
+  function dropOn(whole: HTMLElement): void {
+    for (const [name, over] of [
+      ['dragover', true],
+      ['dragleave', false],
+      ['drop', false],
+    ] as const)
+      whole.addEventListener(name, (event) => {
+        event.preventDefault()
+        panel.toggleAttribute('data-over', over)
+        if (event.type === 'drop') void take([...(event.dataTransfer?.files ?? [])])
+      })
+  }
+  return { element: panel, dropOn }
 }
 
 /// By their plain names, in groups.

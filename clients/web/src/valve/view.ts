@@ -9,6 +9,7 @@ import { Viewer } from '../viewer/viewer'
 import type { Workspace } from '../workspace'
 import { DistanceTool } from './distance'
 import { headline } from './headline'
+import { importStage } from './import_stage'
 import { Looks } from './looks'
 import { measures } from './measures'
 import { openPanel } from './open'
@@ -32,9 +33,11 @@ export class ValveView implements View {
 
   constructor(private readonly workspace: Workspace) {
     const told = h('div', {})
+    const importing = importStage((isShown) => this.stepAside(isShown))
+    const opening = openPanel(workspace, importing)
     this.viewer.inset = this.inset
     this.looks.onChange = () => this.draw()
-    this.looks.onView = (view) => this.viewer.view(view)
+    this.looks.onView = (view) => importing.view(view) || this.viewer.view(view)
     this.distance.onResult = () => this.draw()
     this.element = h(
       'div',
@@ -53,17 +56,18 @@ export class ValveView implements View {
         ),
         this.headline,
         told,
-        h('div', { class: viewerStyle.stageBody }, this.viewer.element, this.inset),
+        h('div', { class: viewerStyle.stageBody }, this.viewer.element, this.inset, importing.element),
         this.legend,
       ),
       h(
         'div',
         { class: parts.side },
-        openPanel(workspace),
+        opening.element,
         h('section', { class: parts.panel }, h('h2', {}, 'Measured'), this.measures),
         this.looks.element,
       ),
     )
+    opening.dropOn(this.element)
     workspace.subscribe(() => this.take())
   }
 
@@ -71,6 +75,15 @@ export class ValveView implements View {
     this.take()
   }
   hide(): void {}
+
+  /// While files are imported they stand where the valve does else.
+  private stepAside(isAside: boolean): void {
+    this.viewer.element.hidden = isAside
+    this.legend.hidden = isAside
+    this.headline.hidden = isAside
+    this.draw()
+    if (isAside) this.inset.hidden = true
+  }
 
   private take(): void {
     const { before } = this.workspace

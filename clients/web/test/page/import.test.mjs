@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { test } from 'node:test'
-import { ROOT, openBefore, page } from './page.mjs'
+import { accessProblems, ROOT, openBefore, page, service } from './page.mjs'
 
 const CONTRACT = JSON.parse(readFileSync(join(ROOT, 'server/openapi.json')))
 const { leaflets, annulus, chordae } = CONTRACT.components.examples.one_skirt.value
@@ -18,7 +18,7 @@ test('a damaged file is named, the others are not; the whole set becomes a valve
   await panel.getByLabel('Files').setInputFiles([...leaflets, damaged, chordae].map(fileOf))
   assert.equal(await panel.getByLabel('What skirt.obj is').inputValue(), 'anterior')
   assert.equal(await panel.getByLabel('What annulus.csv is').inputValue(), 'annulus')
-  await panel.getByRole('button', { name: 'Import' }).click()
+  await panel.getByRole('button', { name: 'Import', exact: true }).click()
   const rows = panel.locator('li', { has: page.locator('select') })
   await rows.filter({ hasText: 'annulus.csv' }).locator('[data-part=problems] li').waitFor()
   assert.equal(await rows.filter({ hasText: 'chordae.csv' }).locator('[data-part=problems] li').count(), 0)
@@ -27,7 +27,85 @@ test('a damaged file is named, the others are not; the whole set becomes a valve
   await panel.getByLabel('Files').setInputFiles([...leaflets, annulus, chordae].map(fileOf))
   await panel.getByLabel('Name').fill('my first import')
   await panel.getByLabel('Triangles').fill('100')
-  await panel.getByRole('button', { name: 'Import' }).click()
+  await panel.getByRole('button', { name: 'Import', exact: true }).click()
   await page.getByText('my first import is open.').waitFor()
   assert.match(page.url(), /valve=[0-9a-f]{64}/)
+})
+
+test('files dropped on the page are seen before they are imported, a landmark is picked, the result leads to a search', async () => {
+  await page.goto(`${service.url}/#/valve`)
+  const dropped = await page.evaluateHandle(
+    (files) => {
+      const data = new DataTransfer()
+      for (const { name, text } of files) data.items.add(new File([text], name))
+      return data
+    },
+    [...leaflets, annulus, chordae],
+  )
+  await page.locator('main > div').dispatchEvent('drop', { dataTransfer: dropped })
+  const panel = page.locator('[data-part=import]')
+  await panel.getByText('10 chordae').waitFor()
+  const files = page.locator('[data-part=input-viewer] canvas')
+  await files.waitFor()
+
+  await panel.getByText('Pick landmarks').click()
+  const pick = panel.getByRole('button', { name: 'Pick Mid-anterior' })
+  await pick.click()
+  assert.equal(await pick.getAttribute('aria-pressed'), 'true')
+  await page.getByRole('button', { name: 'From the atrium' }).click()
+  const { x, y, width, height } = await files.boundingBox()
+  const place = panel.getByLabel('Mid-anterior: x, y, z')
+  for (let share = 0.05; share < 0.5 && (await place.inputValue()) === ''; share += 0.02)
+    await page.mouse.click(x + width / 2, y + share * height)
+  const [across, forwards] = (await place.inputValue()).split(', ').map(Number)
+  assert.ok(Math.abs(across) < 3 && forwards > 10, `${across}, ${forwards}`)
+  assert.equal(await pick.getAttribute('aria-pressed'), 'false')
+  assert.deepEqual(await accessProblems(page), [])
+
+  await panel.getByLabel('Mid-posterior: x, y, z').fill('nowhere')
+  await panel.getByLabel('Mid-posterior: x, y, z').blur()
+  assert.equal(await panel.getByLabel('Mid-posterior: x, y, z').getAttribute('aria-invalid'), 'true')
+  await panel.getByLabel('Mid-posterior: x, y, z').fill('0, -80, 0')
+  await panel.getByRole('button', { name: 'Import', exact: true }).click()
+  await panel.getByText('lies', { exact: false }).waitFor()
+  await panel.getByLabel('Mid-posterior: x, y, z').fill('')
+  await panel.getByRole('button', { name: 'Import', exact: true }).click()
+  const result = page.locator('[data-part=import-result]')
+  await result.waitFor()
+  await result
+    .locator('img')
+    .first()
+    .evaluate((picture) => picture.decode())
+  assert.match(await result.locator('[data-part=decisions]').textContent(), /saddle peak as given/)
+  assert.deepEqual(await accessProblems(page), [])
+  await result.getByRole('link', { name: 'Go on to search' }).click()
+  await page.getByRole('button', { name: 'Start the search' }).waitFor()
+  assert.match(page.url(), /#\/search\?valve=[0-9a-f]{64}/)
+})
+
+test('a valve is fitted to closed leaflets', async () => {
+  const ask = (path, body) =>
+    fetch(service.url + path, {
+      method: 'POST',
+      headers: { 'Content-Type': 'application/json' },
+      body: JSON.stringify(body),
+    })
+  const { id } = await (await ask('/v1/valves:import', { leaflets, annulus, chordae, triangles: 300 })).json()
+  const closed = Buffer.from(await (await ask('/v1/exports', { valve: id, format: 'stl' })).arrayBuffer())
+  await page.goto(`${service.url}/#/valve`)
+  const panel = page.locator('[data-part=import]')
+  await panel
+    .getByLabel('Files')
+    .setInputFiles([
+      ...[...leaflets, annulus, chordae].map(fileOf),
+      { name: 'closed.stl', mimeType: 'model/stl', buffer: closed },
+    ])
+  assert.equal(await panel.getByLabel('What closed.stl is').inputValue(), 'surface')
+  await panel.getByText('10 chordae').waitFor()
+  await panel.getByLabel('Triangles').fill('300')
+  await panel.getByLabel('What was segmented').selectOption('middle')
+  await panel.getByRole('button', { name: 'Import and fit' }).click()
+  const fit = page.locator('[data-part=fit]')
+  await fit.waitFor()
+  assert.match(await fit.textContent(), /distance, rms\d\.\d+ mm before, 0\.[0-3]\d mm after/)
 })

@@ -1,5 +1,18 @@
 import { expect, test } from 'vitest'
-import { filesToImport, guessedRoles, placed } from '../../src/valve/parts'
+import { filesToImport, guessedRoles, type ImportSettings, placed } from '../../src/valve/parts'
+import { readPlace, writePlace } from '../../src/valve/landmark_places'
+import { inputFrame, intoFile, intoView } from '../../src/viewer/input_frame'
+import type { FileLookedAt, Vector } from '../../src/api/types'
+
+const SETTINGS: ImportSettings = {
+  name: 'mine',
+  triangles: 500,
+  units: null,
+  closed: false,
+  seed: null,
+  places: {},
+  fit: null,
+}
 
 test('files are what their names say', () => {
   expect(guessedRoles(['Anterior.STL', 'posterior.stl', 'annulus.csv', 'chordae.csv', 'notes.txt'])).toEqual([
@@ -28,10 +41,78 @@ test('the anterior leaflet is the first, whatever the order of the files', () =>
 
 test('binary formats travel as base64, others as text', async () => {
   const files = [new File([new Uint8Array([0, 255, 16])], 'a.stl'), new File(['1,2,3'], 'annulus.csv')]
-  expect(await filesToImport(files, ['anterior', 'annulus'], 'mine', 500)).toEqual({
+  expect(await filesToImport(files, ['anterior', 'annulus'], SETTINGS)).toEqual({
     name: 'mine',
     triangles: 500,
     leaflets: [{ name: 'a.stl', base64: 'AP8Q' }],
     annulus: { name: 'annulus.csv', text: '1,2,3' },
   })
+})
+
+test('what a name does not say is told by what is in the file', () => {
+  expect(guessedRoles(['a.csv', 'b.csv', 'c.json', 'd.stl'], ['curve', 'chordae', 'tips', 'surface'])).toEqual([
+    'annulus',
+    'chordae',
+    'tips',
+    'anterior',
+  ])
+  expect(guessedRoles(['anterior.stl', 'posterior.stl', 'systole.stl'])).toEqual(['anterior', 'posterior', 'surface'])
+})
+
+test('landmarks, drawn chordae and a fit go along', async () => {
+  const files = ['anterior.obj', 'ring.csv', 'closed.obj'].map((name) => new File([name], name))
+  const request = await filesToImport(files, ['anterior', 'annulus', 'surface'], {
+    ...SETTINGS,
+    units: 'cm',
+    closed: true,
+    seed: 3,
+    places: { saddle_peak: [0, 1, 2], tip_al: [-1, 0, -2], tip_pm: [1, 0, -2] },
+    fit: { leak_mm2: 30, side: 'middle' },
+  })
+  expect(request).toEqual({
+    name: 'mine',
+    triangles: 500,
+    units: 'cm',
+    closed: true,
+    chordae_seed: 3,
+    leaflets: [{ name: 'anterior.obj', text: 'anterior.obj' }],
+    annulus: { name: 'ring.csv', text: 'ring.csv' },
+    landmarks: { saddle_peak: [0, 1, 2] },
+    tips: { name: 'tips.csv', text: 'AL,-1,0,-2\nPM,1,0,-2\n' },
+    fit: { side: 'middle', surface: { name: 'closed.obj', text: 'closed.obj' }, leak_mm2: 30 },
+  })
+  const one = { ...SETTINGS, seed: 3, places: { tip_al: [-1, 0, -2] as Vector } }
+  expect((await filesToImport(files, ['anterior', 'annulus', 'none'], one)).tips).toBeUndefined()
+})
+
+test('a place is three numbers', () => {
+  expect(readPlace('1.5, -2;3')).toEqual([1.5, -2, 3])
+  expect(readPlace('1 2 3')).toEqual([1, 2, 3])
+  for (const text of ['', '1, 2', '1, 2, x', '1, 2, 3, 4']) expect(readPlace(text)).toBeNull()
+  expect(writePlace([1.234567, 0, -20])).toBe('1.2346, 0, -20')
+  expect(writePlace(undefined)).toBe('')
+})
+
+/// A square annulus across x in the files' frame, its tips at greater x: the atrium is at smaller x.
+const looked = (content: FileLookedAt['content'], points: number[]): FileLookedAt => ({
+  ...{ name: content, content, points, faces: [], labels: [], problems: [] },
+})
+
+test('files are looked at as a valve is: the atrium above, the anterior leaflet in front', () => {
+  const frame = inputFrame([
+    { file: looked('curve', [5, 1, 1, 5, -1, 1, 5, -1, -1, 5, 1, -1]), role: 'annulus' },
+    { file: looked('tips', [9, 0, 1, 9, 0, -1]), role: 'tips' },
+    { file: looked('surface', [6, 0, 1]), role: 'anterior' },
+    { file: looked('surface', [6, 0, -1]), role: 'posterior' },
+  ])
+  if (!frame) throw new Error('no frame')
+  const { origin, axes, scale } = frame
+  expect(origin).toEqual([5, 0, 0])
+  expect(axes[2].map((one) => Math.round(one) + 0)).toEqual([-1, 0, 0])
+  expect(axes[1].map((one) => Math.round(one) + 0)).toEqual([0, 0, 1])
+  const point: Vector = [7, 2, -3]
+  const back = intoFile(frame, intoView(frame, point))
+  for (const k of [0, 1, 2] as const) expect(back[k]).toBeCloseTo(point[k], 9)
+  expect(Math.hypot(...intoView(frame, [9, 0, 1]))).toBeCloseTo(scale * Math.hypot(4, 1), 9)
+  expect(inputFrame([])).toBeNull()
 })

@@ -1,0 +1,143 @@
+// Where the valve stands else: files that are to be imported, the job that does so, what has come of it.
+import { getBlob } from '../api/http'
+import type { FitResult, ImportDecision, ImportResult, Job } from '../api/types'
+import { button, h } from '../dom'
+import { withUnit } from '../format'
+import { filesOf } from '../jobs/calls'
+import { InputViewer } from '../viewer/input_viewer'
+import type { ViewName } from '../viewer/stage'
+import parts from '../style/parts.module.css'
+import valveStyle from './valve.module.css'
+
+export interface ImportStage {
+  element: HTMLElement
+  files(): InputViewer // shown
+  show(...content: (Node | string)[]): void // a job, a result
+  hide(): void
+  view(name: ViewName): boolean // of the files; false if they are not shown
+}
+
+/// `changed` is told whether it is shown.
+export function importStage(changed: (isShown: boolean) => void): ImportStage {
+  let viewer: InputViewer | null = null // made when there is something to show: each has a canvas of its own
+  const body = h('div', { class: valveStyle.importBody })
+  const bar = h(
+    'div',
+    { class: parts.row },
+    h('h2', {}, 'Import'),
+    button('Show the valve', () => hide(), { class: valveStyle.back }),
+  )
+  const element = h(
+    'section',
+    { class: valveStyle.importStage, 'data-part': 'import-stage', 'aria-label': 'Import', hidden: true },
+    bar,
+    body,
+  )
+
+  function reveal(isPicture: boolean): void {
+    body.toggleAttribute('data-picture', isPicture)
+    element.hidden = false
+    changed(true)
+  }
+
+  function hide(): void {
+    if (element.hidden) return
+    element.hidden = true
+    changed(false)
+  }
+
+  return {
+    element,
+    files() {
+      viewer ??= new InputViewer()
+      if (!viewer.element.isConnected || element.hidden) {
+        body.replaceChildren(viewer.element)
+        reveal(true)
+      }
+      return viewer
+    },
+    show(...content) {
+      body.replaceChildren(...content)
+      reveal(false)
+      body.scrollTop = 0
+      element.scrollIntoView({ block: 'start' })
+    },
+    hide,
+    view(name) {
+      const isShown = viewer?.element.isConnected === true && !element.hidden
+      if (isShown) viewer?.view(name)
+      return isShown
+    },
+  }
+}
+
+/// What an import has made: its picture and everything it decided.
+export function importResult(job: Job, result: ImportResult, actions: HTMLElement): HTMLElement {
+  const picture = h('img', {
+    class: valveStyle.importPicture,
+    alt: `${result.name}: what was given beside the valve made of it, from the atrium and from behind, and a section`,
+  })
+  const residual = h('img', { class: valveStyle.importPicture, alt: 'Distances that the fit left', hidden: true })
+  void fill(picture, job.links.picture ?? '')
+  if (result.fit)
+    void filesOf(job.id).then((files) => {
+      const map = files.find(({ name }) => name === 'fit.png')
+      if (map) void fill(residual, map.path)
+    })
+  return h(
+    'div',
+    { 'data-part': 'import-result' },
+    h(
+      'p',
+      {},
+      h('strong', {}, result.name),
+      ` is open: ${result.triangles} triangles, ${result.chordae} chordae. Compare it with what was given, and look through what was decided.`,
+    ),
+    actions,
+    result.fit && fitted(result.fit),
+    picture,
+    residual,
+    h('h3', {}, 'What was decided'),
+    decisionList(result.decisions),
+  )
+}
+
+async function fill(picture: HTMLImageElement, path: string): Promise<void> {
+  picture.src = URL.createObjectURL(await getBlob(path)) // by a request that has the token
+  picture.hidden = false
+}
+
+function fitted(fit: FitResult): HTMLElement {
+  const { leak_mm2: leak, parameters } = fit
+  const known = parameters.filter(({ identifiable }) => identifiable).length
+  const figures: [string, string][] = [
+    ['distance, rms', `${withUnit(fit.rms_before_mm, 'mm', 2)} before, ${withUnit(fit.rms_mm, 'mm', 2)} after`],
+    [
+      'leak',
+      `${withUnit(leak.before, 'mm²')} before, ${withUnit(leak.fitted, 'mm²')} ± ${withUnit(leak.sd, 'mm²')} after`,
+    ],
+    ['told by the surface', `${known} of ${parameters.length} unknowns`],
+  ]
+  return h(
+    'section',
+    { 'data-part': 'fit', 'aria-label': 'Fit' },
+    h(
+      'dl',
+      { class: parts.figures },
+      ...figures.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
+    ),
+    !fit.finished && h('p', { class: parts.warn }, 'The fit was stopped before it came to rest.'),
+  )
+}
+
+/// Those that a person should look at first, first.
+export function decisionList(decisions: ImportDecision[]): HTMLElement {
+  const list = h('dl', { class: valveStyle.decisions, 'data-part': 'decisions' })
+  const toLook = (decision: ImportDecision & { look?: boolean }): boolean => decision.look === true
+  for (const decision of [...decisions.filter(toLook), ...decisions.filter((one) => !toLook(one))])
+    list.append(
+      h('dt', {}, decision.about, toLook(decision) && h('span', { class: `${parts.badge} ${parts.warn}` }, 'check')),
+      h('dd', {}, decision.decision, decision.reason && h('span', { class: parts.hint }, ` ${decision.reason}`)),
+    )
+  return list
+}

@@ -1,0 +1,24 @@
+// What a file of a segmentation tool holds, by itself, as its reader finds it: to be looked at before a valve is made of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/exchange/formats.h"
+
+namespace coapt {
+
+enum class FileContent { Surface, Curve, PointList, Tips, Chordae, Unknown };
+const char* to_string(FileContent content);  ///< "surface", ...
+
+struct FilePreview {
+  FileContent content = FileContent::Unknown;
+  Points points;                    ///< n x 3, in the file's units and frame; chordae: insertion, tip, insertion, ...
+  Faces faces;                      ///< of a surface
+  std::vector<std::string> labels;  ///< n or none; of tips and chordae "AL" or "PM"
+  Errors problems;                  ///< of the reader that its name calls for
+};
+
+FilePreview preview_file(const NamedFile& file);
+
+}  // namespace coapt

@@ -1,0 +1,36 @@
+#include "io/picture/fit_picture.h"
+
+#include "io/picture/distance_map.h"
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+std::string words(const FittedParameter& fitted) {
+  const int digits = fitted.parameter.unit == "mm" ? 2 : 3;
+  return fitted.parameter.name + ' ' + fixed(fitted.value, digits) + " ± " +
+         fixed(fitted.sd, digits) + (fitted.parameter.unit == "mm" ? " mm" : "");
+}
+
+}  // namespace
+
+std::string fit_map_png(const LeafletMesh& surface, const ValveFit& fit, MeasuredSide side,
+                        const std::string& name) {
+  const std::vector<double> distances = signed_distances_mm(
+      surface.vertices_mm,
+      {fit.closed.closure.closed_mm, fit.closed.valve.faces, fit.closed.valve.tissue.thickness_mm},
+      side);
+  return distance_map_png({surface.vertices_mm, surface.faces, distances,
+                           round_range_mm(2.0 * fit.rms_mm), name + " against the fitted valve",
+                           "rms " + fixed(fit.rms_mm, 3) +
+                               " mm; research software, not a medical device"});
+}
+
+std::string fit_sentence(const ValveFit& fit, const std::string& name) {
+  std::string text = "fitted to " + name + ": distances " + fixed(fit.rms_before_mm, 2) +
+                     " mm rms before, " + fixed(fit.rms_mm, 2) + " mm after";
+  for (const FittedParameter& fitted : fit.parameters) text += "; " + words(fitted);
+  return text;
+}
+
+}  // namespace coapt

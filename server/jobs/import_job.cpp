@@ -1,0 +1,134 @@
+#include "server/jobs/import_job.h"
+
+#include "io/exchange/decisions_json.h"
+#include "io/json/fit_json.h"
+#include "io/json/valve_json.h"
+#include "io/picture/fit_picture.h"
+#include "io/picture/import_picture.h"
+#include "io/picture/text.h"
+#include "server/content_id.h"
+#include "server/jobs/closure_keeping.h"
+#include "server/jobs/import_request.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kSurfaceName = "the closed surface";  // files have patients' names
+
+Expected<ImportRequest> read_request(const std::string& body) {
+  const Expected<nlohmann::json> json = parse_json(body);
+  if (!json) return json.errors();
+  ImportRequest request;
+  ProblemList problems;
+  std::vector<JsonField> fields = import_fields(request);
+  fields.push_back(fit_field(request));
+  read_fields({*json, problems}, fields);
+  if (!problems.empty()) return std::move(problems).take();
+  return request;
+}
+
+/// As the request calls what the fit was given.
+Errors as_fit_calls(Errors errors) {
+  for (Error& error : errors)
+    error.path = error.path == "/points_mm"  ? "/fit/surface"
+                 : error.path == "/leak_mm2" ? "/fit/leak_mm2"
+                 : error.path == "/unknowns" ? "/fit/known"
+                                             : "/fit";
+  return errors;
+}
+
+std::optional<FitState> kept_state(const std::optional<std::string>& text) {
+  if (!text) return std::nullopt;
+  const Expected<nlohmann::json> json = parse_json(*text);
+  return json ? fit_state_from_json(*json) : std::nullopt;
+}
+
+ImportDecision fit_decision(const ValveFit& fit) {
+  int known = 0;
+  for (const FittedParameter& parameter : fit.parameters) known += parameter.identifiable ? 1 : 0;
+  return {"fit",
+          "changed to close onto the surface given: distances " + fixed(fit.rms_before_mm, 2) +
+              " mm rms before, " + fixed(fit.rms_mm, 2) + " mm after",
+          std::to_string(known) + " of " + std::to_string(fit.parameters.size()) +
+              " unknowns are told by the surface; the others stay as uncertain as they were" +
+              (fit.finished ? "" : "; stopped before it came to rest")};
+}
+
+}  // namespace
+
+std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
+  using Text = std::optional<std::string>;
+  const Text body = retried<Text>(board, job, [&] { return store.input(job.job.id); });
+  if (!body) return failed(job, {Error{ErrorCode::BadReference, "", "its files are gone"}});
+  const Expected<ImportRequest> request = read_request(*body);
+  if (!request) return failed(job, request.errors());
+  std::optional<FitState> from =
+      kept_state(retried<Text>(board, job, [&] { return store.state(job.job.id); }));
+  if (const std::optional<JobEnd> end = begin(board, job, from ? from->closures : 0)) return end;
+  if (job.job.cancel_requested) return ended(job, JobState::Cancelled);
+
+  job.note({.stage = "importing"});
+  Expected<ImportedValve> imported = make_import(*request);
+  if (!imported) return failed(job, imported.errors());
+  JobEnd end;
+  end.files.push_back(
+      {kImportPicture, "image/png", import_picture_png(*imported, imported->valve.name)});
+  Valve made = imported->valve;
+  ordered_json fit_json = nullptr;
+  if (request->fit) {
+    const Expected<LeafletMesh> surface = fit_surface(*request, *imported);
+    if (!surface) return failed(job, surface.errors());
+    const FitRequest& asked = *request->fit;
+    const MeasuredClosure measured{surface->vertices_mm, asked.side, asked.leak_mm2,
+                                   asked.leak_sd_mm2};
+    FitOptions options = asked.options;
+    options.threads = limits.threads;
+    options.closure.budget.cancelled = [this] { return board.stopping(); };
+    JobProgress progress{.stage = "fitting", .closures = from ? from->closures : 0};
+    job.note(progress);
+    options.from = std::move(from);
+    options.keep = [&](const FitState& state) {
+      if (board.stopping())
+        throw std::runtime_error(kJobStops);  // closures may be unfinished
+      keep_closure(board, job,
+                   [&] { return store.keep_state(job.job.id, to_json(state).dump()); });
+      progress.closures = state.closures;
+    };
+    options.progress = [&](int, double rms_mm) {
+      progress.rms_mm = rms_mm;
+      job.note(progress);
+      return !job.cancelled && job.seconds() < limits.seconds;
+    };
+    const Expected<ValveFit> fit = fit_valve(imported->valve, measured, options);
+    if (board.stopping()) return std::nullopt;
+    if (!fit) return failed(job, as_fit_calls(fit.errors()));
+    made = fit->closed.valve;
+    made.provenance.push_back(fit_sentence(*fit, kSurfaceName));
+    imported->decisions.push_back(fit_decision(*fit));
+    fit_json = coapt::fit_to_json(*fit, {job.job.valve, kSurfaceName, measured});
+    if (surface->faces.rows() > 0)
+      end.files.push_back(
+          {"fit.png", "image/png", fit_map_png(*surface, *fit, asked.side, kSurfaceName)});
+  }
+  const std::string document = write_valve(made);
+  const std::string id = content_id(document);
+  retried<bool>(board, job, [&] { return store.add_valve(id, document); });
+  end.files.push_back({"valve.json", "application/json", document});
+
+  ordered_json result = import_to_json(*imported);
+  result["valve"] = id;
+  result["imported"] = job.job.valve;
+  result["fit"] = std::move(fit_json);
+  const JobEnd over =
+      ended(job, job.cancel_asked ? JobState::Cancelled : JobState::Succeeded);
+  end.state = over.state;
+  end.seconds = over.seconds;
+  end.progress = over.progress;
+  end.summary = ordered_json{{"made", id}}.dump();
+  end.result = result.dump();
+  return end;
+}
+
+}  // namespace coapt

@@ -1,0 +1,239 @@
+#include "server/jobs/import_request.h"
+
+#include "core/valve/patient_frame.h"
+#include "io/exchange/slicerheart.h"
+#include "io/mesh/source_units.h"
+#include "server/base64.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kLongestText = 200;
+
+std::vector<NamedFile> read_named_files(const JsonPlace& place) {
+  return read_list(place, read_file);
+}
+
+std::string read_short_text(const JsonPlace& place) {
+  std::string name = read_string(place);
+  if (name.size() > kLongestText)
+    add_problem(place, ErrorCode::OutOfRange, "is longer than 200 bytes");
+  return name;
+}
+
+std::vector<std::string> read_short_texts(const JsonPlace& place) {
+  return read_list(place, read_short_text);
+}
+
+TissueReference read_state(const JsonPlace& place) {
+  return read_name<TissueReference>(place, {TissueReference::Excised, TissueReference::InVivo});
+}
+
+LengthUnit read_unit(const JsonPlace& place) {
+  return read_name<LengthUnit>(place,
+                               {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre});
+}
+
+MeasuredSide read_side(const JsonPlace& place) {
+  return read_choice(place, {"atrial", "middle"}).value_or(0) == 0 ? MeasuredSide::Atrial
+                                                                   : MeasuredSide::Middle;
+}
+
+auto whole(int min, int max) {
+  return [=](const JsonPlace& place) { return read_integer_in(place, min, max); };
+}
+
+auto number(double min, double max) {
+  return [=](const JsonPlace& place) { return read_number_in(place, {min, max}); };
+}
+
+GivenLandmarks read_landmarks(const JsonPlace& place) {
+  GivenLandmarks seen;
+  read_fields(
+      place,
+      {{"anterolateral_commissure", into(seen.anterolateral_commissure_mm, read_vector), false},
+       {"posteromedial_commissure", into(seen.posteromedial_commissure_mm, read_vector), false},
+       {"saddle_peak", into(seen.saddle_peak_mm, read_vector), false},
+       {"mid_posterior", into(seen.mid_posterior_mm, read_vector), false}});
+  return seen;
+}
+
+void read_known(const JsonPlace& place, FitUnknowns& unknowns) {
+  read_array(place, [&](const JsonPlace& entry) {
+    bool* const kept[] = {&unknowns.slack, &unknowns.tips, &unknowns.prestretch, &unknowns.hidden};
+    if (const auto known = read_choice(entry, {"slack", "tips", "prestretch", "hidden"}))
+      *kept[*known] = false;
+  });
+}
+
+FitRequest read_fit(const JsonPlace& place) {
+  FitRequest fit;
+  FitUnknowns& unknowns = fit.options.unknowns;
+  read_fields(place, {{"surface", into(fit.surface, read_file), false},
+                      {"side", into(fit.side, read_side), false},
+                      {"leak_mm2", into(fit.leak_mm2, number(0.0, 2000.0)), false},
+                      {"leak_sd_mm2", into(fit.leak_sd_mm2, number(0.01, 1000.0)), false},
+                      {"known", [&](const JsonPlace& known) { read_known(known, unknowns); }, false},
+                      {"slack_sd", into(unknowns.slack_sd, number(0.001, 0.2)), false},
+                      {"tip_sd_mm", into(unknowns.tip_sd_mm, number(0.01, 10.0)), false},
+                      {"hidden_sd_mm", into(unknowns.hidden_sd_mm, number(0.01, 5.0)), false},
+                      {"points", into(fit.options.most_points, whole(100, 10'000)), false},
+                      {"rounds", into(fit.options.most_rounds, whole(1, 1000)), false}});
+  return fit;
+}
+
+/// With what a file of a folder is called in the message: its pointer is that of the list.
+Errors below_folder(Errors errors) {
+  for (Error& error : errors) {
+    if (error.path.starts_with("/landmarks")) continue;
+    if (!error.path.empty()) error.message = error.path + ": " + error.message;
+    error.path = "/slicerheart";
+  }
+  return errors;
+}
+
+/// As the request calls what the import calls by its unit.
+Errors as_import_calls(Errors errors) {
+  for (Error& error : errors) {
+    for (const std::string given : {"/annulus", "/tips"})
+      if (error.path.starts_with(given + "_mm")) error.path.erase(given.size(), 3);
+    if (error.path.starts_with("/landmarks/") && error.path.ends_with("_mm"))
+      error.path.resize(error.path.size() - 3);
+  }
+  return errors;
+}
+
+}  // namespace
+
+NamedFile read_file(const JsonPlace& place) {
+  NamedFile file;
+  std::optional<std::string> text, base64;
+  read_fields(place, std::vector<JsonField>{{"name", into(file.name, read_string)},
+                                            {"text", into(text, read_string), false},
+                                            {"base64", into(base64, read_string), false}});
+  if (text.has_value() == base64.has_value()) {
+    add_problem(place, ErrorCode::MissingField, "must have either text or base64");
+  } else if (text) {
+    file.bytes = *std::move(text);
+  } else if (std::optional<std::string> bytes = decoded_base64(*base64)) {
+    file.bytes = *std::move(bytes);
+  } else {
+    add_problem(place, ErrorCode::OutOfRange, "base64 has other characters than those of base64");
+  }
+  return file;
+}
+
+std::vector<JsonField> import_fields(ImportRequest& asked) {
+  ImportOptions& options = asked.options;
+  return {{"leaflets", into(asked.leaflets, read_named_files), false},
+          {"annulus", into(asked.annulus, read_file), false},
+          {"chordae", into(asked.chordae, read_file), false},
+          {"chordae_seed", into(options.chordae_seed, whole(0, 2147483647)), false},
+          {"tips", into(asked.tips, read_file), false},
+          {"landmarks", into(asked.landmarks, read_landmarks), false},
+          {"closed", into(options.closed, read_boolean), false},
+          {"hidden_mm", into(options.hidden_mm, number(0.0, 15.0)), false},
+          {"slicerheart", into(asked.slicerheart, read_named_files), false},
+          {"name", into(asked.name, read_short_text), false},
+          {"provenance", into(asked.provenance, read_short_texts), false},
+          {"triangles", into(options.triangles, whole(100, 100'000)), false},
+          {"branches", into(options.branches, whole(1, 5)), false},
+          {"branch_at", into(options.branch_at, number(0.05, 0.95)), false},
+          {"slack", into(options.slack, number(0.8, 1.5)), false},
+          {"reference", into(options.reference, read_state), false},
+          {"units", into(options.units, read_unit), false}};
+}
+
+JsonField fit_field(ImportRequest& request) { return {"fit", into(request.fit, read_fit), false}; }
+
+/// Either all of one kind of files or all of the other; chordae that were seen, or a seed of those to be drawn.
+Errors check_import(const ImportRequest& asked) {
+  ProblemList problems;
+  for (const auto& [given, path] : {std::pair(asked.leaflets.has_value(), "/leaflets"),
+                                    {asked.annulus.has_value(), "/annulus"}}) {
+    if (given && asked.slicerheart)
+      problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
+    if (!given && !asked.slicerheart)
+      problems.add(ErrorCode::MissingField, path, "is missing (or give slicerheart)");
+  }
+  const bool drawn = asked.options.chordae_seed.has_value();
+  if (asked.chordae && asked.slicerheart)
+    problems.add(ErrorCode::UnknownField, "/chordae", "cannot be given together with slicerheart");
+  if (asked.chordae && drawn)
+    problems.add(ErrorCode::UnknownField, "/chordae_seed",
+                 "cannot be given together with chordae: it draws those that were not seen");
+  if (!asked.chordae && !drawn && !asked.slicerheart)
+    problems.add(ErrorCode::MissingField, "/chordae",
+                 "is missing (or give chordae_seed, which draws them, or slicerheart)");
+  if (asked.tips && asked.slicerheart)
+    problems.add(ErrorCode::UnknownField, "/tips",
+                 "cannot be given together with slicerheart: they are among its files");
+  else if (asked.tips && !drawn)
+    problems.add(ErrorCode::UnknownField, "/tips",
+                 "needs chordae_seed: chordae that were seen begin at their tips");
+  if (asked.leaflets && (asked.leaflets->empty() || asked.leaflets->size() > 2))
+    problems.add(ErrorCode::OutOfRange, "/leaflets",
+                 "has " + std::to_string(asked.leaflets->size()) +
+                     " files, must have 1 (a skirt) or 2 (the anterior, then the posterior sheet)");
+  if (asked.fit && !asked.fit->surface && !asked.options.closed)
+    problems.add(ErrorCode::MissingField, "/fit/surface",
+                 "is missing; only leaflets that were imaged closed are a closed surface themselves");
+  return std::move(problems).take();
+}
+
+Expected<ImportedValve> make_import(const ImportRequest& asked) {
+  Expected<ImportSource> source =
+      asked.slicerheart
+          ? read_slicerheart(*asked.slicerheart)
+          : read_import_files({*asked.leaflets, *asked.annulus, asked.chordae, asked.tips});
+  if (!source) return asked.slicerheart ? below_folder(source.errors()) : source.errors();
+  source->name = asked.name;
+  source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),
+                            asked.provenance.end());
+  source->landmarks = asked.landmarks;
+  Expected<ImportedValve> done = import_with_decisions(*source, asked.options);
+  if (done) return done;
+  Errors errors = as_import_calls(done.errors());
+  return asked.slicerheart ? below_folder(std::move(errors)) : errors;
+}
+
+Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedValve& imported) {
+  LeafletMesh surface;
+  if (!request.fit->surface) {
+    for (const TriangleMesh& sheet : imported.input.leaflets) {
+      const Eigen::Index vertices = surface.vertices_mm.rows(), faces = surface.faces.rows();
+      surface.vertices_mm.conservativeResize(vertices + sheet.vertices_mm.rows(), 3);
+      surface.vertices_mm.bottomRows(sheet.vertices_mm.rows()) = sheet.vertices_mm;
+      surface.faces.conservativeResize(faces + sheet.faces.rows(), 3);
+      surface.faces.bottomRows(sheet.faces.rows()) =
+          (sheet.faces.array() + static_cast<int>(vertices)).matrix();
+    }
+    return surface;
+  }
+  const NamedFile& file = *request.fit->surface;
+  const std::string format = format_of(file.name);
+  Errors errors;
+  if (format == "csv") {
+    const Expected<Points> points = read_points_csv(file.bytes);
+    if (points)
+      surface.vertices_mm = *points;
+    else
+      errors = points.errors();
+  } else {
+    const Expected<TriangleMesh> mesh = read_mesh(file.bytes, format);
+    if (mesh) {
+      surface.vertices_mm = mesh->vertices_mm;
+      surface.faces = mesh->faces;
+    } else {
+      errors = mesh.errors();
+    }
+  }
+  for (Error& error : errors) error.path = "/fit/surface" + error.path;
+  if (!errors.empty()) return errors;
+  surface.vertices_mm *= in_mm(imported.unit);
+  if (imported.valve.patient)
+    surface.vertices_mm = from_patient(*imported.valve.patient, surface.vertices_mm);
+  return surface;
+}
+
+}  // namespace coapt
