@@ -18,6 +18,7 @@ void add_compare(Command parent, int& status);
 void add_evaluate(Command parent, int& status);
 void add_export(Command parent, int& status);
 void add_fit(Command parent, int& status);
+void add_open(Command parent, int& status);
 void add_plan(Command parent, int& status);
 void add_study(Command parent, int& status);
 /// Below study.

@@ -19,6 +19,7 @@ void add_commands(Command app, int& status) {
   add_evaluate(app, status);
   add_export(app, status);
   add_fit(app, status);
+  add_open(app, status);
   add_plan(app, status);
   add_study(app, status);
   add_moved(app, status);

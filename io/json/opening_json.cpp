@@ -1,0 +1,34 @@
+#include "io/json/opening_json.h"
+
+#include "io/json/result_json.h"
+
+namespace coapt {
+
+nlohmann::ordered_json opening_to_json(const OpenedValve& opened, const OpeningOptions& options,
+                                       double seconds) {
+  const OpeningMeasure& measure = opened.measure;
+  return {{"schema", "coapt.opening/1"},
+          {"version", version()},
+          {"notice", kResearchNotice},
+          {"name", opened.valve.name},
+          {"status", to_string(opened.closure.status)},
+          {"crossing", opened.closure.crossing},
+          {"opening_area_mm2", measure.opening_area_mm2},
+          {"passage_depth_mm", measure.passage_depth_mm},
+          {"funnel_tilt_deg", measure.tilt_deg},
+          {"projected_area_mm2", measure.projected_area_mm2},
+          {"annulus_area_mm2", measure.annulus_area_mm2},
+          {"gradient_mmhg", measure.gradient_mmhg},
+          {"gradient_exercise_mmhg", measure.gradient_exercise_mmhg},
+          {"flow_ml_s", options.flow_ml_s},
+          {"flow_exercise_ml_s", options.exercise * options.flow_ml_s},
+          {"pressure_mmhg", options.pressure_mmhg},
+          {"systole",
+           {{"annular_contraction", opened.valve.systole.annular_contraction},
+            {"tip_approach", opened.valve.systole.tip_approach}}},
+          {"residual", opened.closure.residual},
+          {"steps", opened.closure.steps},
+          {"seconds", seconds}};
+}
+
+}  // namespace coapt

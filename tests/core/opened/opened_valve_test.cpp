@@ -1,0 +1,72 @@
+#include "core/opened/opened_valve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/presets/presets.h"
+#include "core/repair/apply_plan.h"
+
+namespace coapt {
+namespace {
+
+OpenedValve opened(const Valve& valve) {
+  Expected<OpenedValve> open = open_valve(valve);
+  EXPECT_TRUE(open);
+  EXPECT_EQ(open->closure.status, ClosureStatus::Converged);
+  EXPECT_FALSE(open->closure.crossing);
+  return *std::move(open);
+}
+
+Valve ringed(const Valve& valve, double size_mm) {
+  return *apply_plan(valve, {{Annuloplasty{CatalogueRing{"generic-classic", size_mm}}}});
+}
+
+TEST(Gorlin, GradientOfTwoSquareCentimetresIsWorkedOutByHand) {
+  EXPECT_NEAR(gorlin_mmhg(200.0, 150.8), 4.0, 1e-9);  // 150.8 = 37.7 * 2 * 2
+  EXPECT_TRUE(std::isinf(gorlin_mmhg(0.0, 155.0)));
+}
+
+TEST(OpenValve, AHealthyValveOpensAsWideAsMeasured) {
+  const OpeningMeasure measure = opened(*make_preset("human-normal")).measure;
+  EXPECT_NEAR(measure.projected_area_mm2, 470.0, 60.0);  // 4.7 +- 0.6 cm2, Kubota 2010
+  EXPECT_GT(measure.opening_area_mm2, measure.projected_area_mm2);
+  EXPECT_LT(measure.opening_area_mm2, measure.annulus_area_mm2);
+  EXPECT_LT(measure.gradient_mmhg, 2.0);
+  EXPECT_NEAR(measure.gradient_exercise_mmhg, 1.96 * measure.gradient_mmhg, 1e-9);
+}
+
+TEST(OpenValve, ASmallerRingOpensLessAndATetheredValveLessBehindTheSameRing) {
+  const Valve normal = *make_preset("human-normal"), tethered = *make_preset("secondary-mr");
+  double before = 0.0;
+  for (const double size_mm : {24.0, 28.0, 32.0}) {
+    const OpeningMeasure measure = opened(ringed(tethered, size_mm)).measure;
+    EXPECT_GT(measure.projected_area_mm2, before) << size_mm;
+    EXPECT_LT(measure.projected_area_mm2,
+              opened(ringed(normal, size_mm)).measure.projected_area_mm2)
+        << size_mm;
+    before = measure.projected_area_mm2;
+  }
+}
+
+TEST(OpenValve, AClipLeavesTwoOpeningsThatAreSmallerTogether) {
+  const Valve valve = *make_preset("human-p2-prolapse");
+  const Valve clipped = *apply_plan(valve, {{EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}}});
+  EXPECT_LT(opened(clipped).measure.projected_area_mm2,
+            0.8 * opened(valve).measure.projected_area_mm2);
+}
+
+TEST(OpenValve, WhatIsOutOfRangeIsNamed) {
+  const Valve valve = *make_preset("human-normal");
+  OpeningOptions options;
+  options.pressure_mmhg = 0.5;
+  options.flow_ml_s = std::nan("");
+  options.exercise = 0.9;
+  std::vector<std::string> paths;
+  const Expected<OpenedValve> refused = open_valve(valve, options);
+  for (const Error& error : refused.errors()) paths.push_back(error.path);
+  EXPECT_EQ(paths, (std::vector<std::string>{"/pressure_mmhg", "/flow_ml_s", "/exercise"}));
+}
+
+}  // namespace
+}  // namespace coapt
