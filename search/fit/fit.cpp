@@ -113,8 +113,8 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
     };
     fitting.keep = [&](const LeastSquaresState& squares) {
       if (options.keep)
-        options.keep({pass, weights.noise_mm, weights.independent, squares, fit.rounds,
-                      problem.closures()});
+        options.keep(
+            {pass, weights.noise_mm, weights.independent, squares, fit.rounds, problem.closures()});
     };
     const bool resumes = options.from && pass == first_pass;
     const LeastSquaresFit found =

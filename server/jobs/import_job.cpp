@@ -90,10 +90,8 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
     job.note(progress);
     options.from = std::move(from);
     options.keep = [&](const FitState& state) {
-      if (board.stopping())
-        throw std::runtime_error(kJobStops);  // closures may be unfinished
-      keep_closure(board, job,
-                   [&] { return store.keep_state(job.job.id, to_json(state).dump()); });
+      if (board.stopping()) throw std::runtime_error(kJobStops);  // closures may be unfinished
+      keep_closure(board, job, [&] { return store.keep_state(job.job.id, to_json(state).dump()); });
       progress.closures = state.closures;
     };
     options.progress = [&](int, double rms_mm) {
@@ -121,8 +119,7 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
   result["valve"] = id;
   result["imported"] = job.job.valve;
   result["fit"] = std::move(fit_json);
-  const JobEnd over =
-      ended(job, job.cancel_asked ? JobState::Cancelled : JobState::Succeeded);
+  const JobEnd over = ended(job, job.cancel_asked ? JobState::Cancelled : JobState::Succeeded);
   end.state = over.state;
   end.seconds = over.seconds;
   end.progress = over.progress;
