@@ -31,7 +31,8 @@ struct LeastSquaresOptions {
   int most_rounds = 30;
   /// Rounds done, cost (sum of squares); false stops.
   std::function<bool(int, double)> progress;
-  std::function<void(const LeastSquaresState&)> keep;  ///< called after each round, before `progress`
+  std::function<void(const LeastSquaresState&)>
+      keep;  ///< called after each round, before `progress`
 };
 
 struct LeastSquaresFit {

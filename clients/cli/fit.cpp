@@ -134,8 +134,8 @@ int run(FitArguments arguments) {
   fitted.provenance.push_back(fit_sentence(*fit, surface_name));
   if (const int failed = write_output(arguments.output, write_valve(fitted))) return failed;
   if (!arguments.picture.empty())
-    if (const int failed = write_output(
-            arguments.picture, fit_map_png(*surface, *fit, arguments.side, surface_name)))
+    if (const int failed = write_output(arguments.picture,
+                                        fit_map_png(*surface, *fit, arguments.side, surface_name)))
       return failed;
   if (arguments.json)
     std::cout << fit_to_json(*fit, {arguments.valve, arguments.closed, measured}).dump(2) << '\n';

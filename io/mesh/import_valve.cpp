@@ -118,8 +118,7 @@ Landmarks find_landmarks(const Skirt& skirt, const GivenLandmarks& given) {
       peak = i;
     }
   }
-  if (given.saddle_peak_mm)
-    peak = nearest_station(skirt, *given.saddle_peak_mm, 1, lateral - 1);
+  if (given.saddle_peak_mm) peak = nearest_station(skirt, *given.saddle_peak_mm, 1, lateral - 1);
   const auto from_peak = [&](int commissure) {
     return static_cast<int>(std::lround(peak + kTrigone * (commissure - peak)));
   };
@@ -129,10 +128,9 @@ Landmarks find_landmarks(const Skirt& skirt, const GivenLandmarks& given) {
   marks.saddle_peak = peak;
   marks.anterolateral_trigone = from_peak(lateral);
   marks.anterolateral_commissure = lateral;
-  marks.mid_posterior = given.mid_posterior_mm
-                            ? nearest_station(skirt, *given.mid_posterior_mm, lateral + 1,
-                                              skirt.stations - 1)
-                            : lateral + (skirt.stations - lateral) / 2;
+  marks.mid_posterior = given.mid_posterior_mm ? nearest_station(skirt, *given.mid_posterior_mm,
+                                                                 lateral + 1, skirt.stations - 1)
+                                               : lateral + (skirt.stations - lateral) / 2;
   return marks;
 }
 
@@ -173,10 +171,12 @@ ImportDecision landmark_decision(const Skirt& skirt) {
           std::string("commissures ") +
               (skirt.commissures_given      ? "as given"
                : skirt.commissures_measured ? "where the two sheets meet"
-                                          : "38 % of the annulus apart about its front") +
+                                            : "38 % of the annulus apart about its front") +
               ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
               "from the peak to the commissures; segments by thirds of arc, fibres circumferential",
-          skirt.commissures_measured || skirt.commissures_given ? "" : "one skirt does not tell where leaflets meet"};
+          skirt.commissures_measured || skirt.commissures_given
+              ? ""
+              : "one skirt does not tell where leaflets meet"};
 }
 
 /// Of leaflets that were imaged closed.
@@ -307,10 +307,11 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
   Errors invalid = validate(valve);
   for (Error& error : invalid) error.message = "of the resampled valve " + error.message;
   if (!invalid.empty()) return invalid;
-  return ImportedValve{std::move(valve),
-                       std::move(decisions),
-                       {framed->leaflets, framed->annulus_mm, framed->chordae, framed->tips, options.closed},
-                       unit};
+  return ImportedValve{
+      std::move(valve),
+      std::move(decisions),
+      {framed->leaflets, framed->annulus_mm, framed->chordae, framed->tips, options.closed},
+      unit};
 }
 
 Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) {

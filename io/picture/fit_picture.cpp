@@ -20,10 +20,10 @@ std::string fit_map_png(const LeafletMesh& surface, const ValveFit& fit, Measure
       surface.vertices_mm,
       {fit.closed.closure.closed_mm, fit.closed.valve.faces, fit.closed.valve.tissue.thickness_mm},
       side);
-  return distance_map_png({surface.vertices_mm, surface.faces, distances,
-                           round_range_mm(2.0 * fit.rms_mm), name + " against the fitted valve",
-                           "rms " + fixed(fit.rms_mm, 3) +
-                               " mm; research software, not a medical device"});
+  return distance_map_png(
+      {surface.vertices_mm, surface.faces, distances, round_range_mm(2.0 * fit.rms_mm),
+       name + " against the fitted valve",
+       "rms " + fixed(fit.rms_mm, 3) + " mm; research software, not a medical device"});
 }
 
 std::string fit_sentence(const ValveFit& fit, const std::string& name) {

@@ -97,7 +97,8 @@ void paint_loop(const Drawing& drawing, const Points& loop_mm) {
   cairo_stroke(cairo);
 }
 
-void paint_marks(const Drawing& drawing, const std::vector<NamedPoint>& marks, const Colour& colour) {
+void paint_marks(const Drawing& drawing, const std::vector<NamedPoint>& marks,
+                 const Colour& colour) {
   constexpr double kLine = 15.0;
   std::vector<Box> placed;
   for (const NamedPoint& mark : marks) {
@@ -107,12 +108,12 @@ void paint_marks(const Drawing& drawing, const std::vector<NamedPoint>& marks, c
     if (mark.words.empty()) continue;
     const Vec2 outwards = at - drawing.map.centre_px;
     const bool upright = std::abs(outwards.x()) < 0.35 * outwards.norm();
-    const Align align = upright              ? Align::Centre
-                        : outwards.x() > 0.0 ? Align::Left
-                                             : Align::Right;
+    const Align align = upright ? Align::Centre : outwards.x() > 0.0 ? Align::Left : Align::Right;
     const TextStyle style{13.0, palette::kInk, align, false, 3.0};
     const double width = text_width(drawing.canvas, mark.words, style);
-    Vec2 from = at + Vec2(upright ? 0.0 : outwards.x() > 0.0 ? 9.0 : -9.0,
+    Vec2 from = at + Vec2(upright              ? 0.0
+                          : outwards.x() > 0.0 ? 9.0
+                                               : -9.0,
                           upright ? (outwards.y() > 0.0 ? 20.0 : -10.0) : 5.0);
     const auto box_of = [&](const Vec2& base) {
       const double left = base.x() - (align == Align::Right    ? width

@@ -45,7 +45,8 @@ void paint_meshes(const Drawing& drawing, const std::vector<TintedMesh>& meshes)
 void paint_strokes(const Drawing& drawing, const std::vector<Stroke>& strokes);
 void paint_loop(const Drawing& drawing, const Points& loop_mm);
 /// Without words a dot alone. Words away from the middle of the drawing, over and under each other where they would meet.
-void paint_marks(const Drawing& drawing, const std::vector<NamedPoint>& marks, const Colour& colour);
+void paint_marks(const Drawing& drawing, const std::vector<NamedPoint>& marks,
+                 const Colour& colour);
 /// A1 to P3, at the middles of the segments.
 void paint_segment_names(const Drawing& drawing, const Valve& valve);
 

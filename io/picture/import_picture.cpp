@@ -17,7 +17,7 @@ namespace {
 constexpr int kImportWidth = 1500, kImportHeight = 1010;
 constexpr double kEdge = 28.0, kTop = 92.0, kGap = 34.0, kFoot = 40.0;
 constexpr double kColumn = (kImportWidth - 4.0 * kEdge) / 3.0;
-constexpr double kRoom = 70.0;  // px beside the valve, for words
+constexpr double kRoom = 70.0;   // px beside the valve, for words
 constexpr double kFar_mm = 1.0;  // where the colours of distances end
 
 constexpr Colour kGiven{0.60, 0.68, 0.78}, kGivenToo{0.70, 0.66, 0.80};
@@ -54,9 +54,8 @@ Sheet sheet_for(const ImportedValve& imported) {
   for (const PapillaryHead& head : imported.valve.heads) sheet.extent.extend(head.rest_mm);
   const Vec3 size = sheet.extent.sizes();
   const double height = kImportHeight - kTop - kGap - kFoot;
-  sheet.pixels_per_mm =
-      std::min({(kColumn - 2.0 * kRoom) / std::max(size.x(), size.y()),
-                (height - 2.0 * kRoom) / (size.y() + size.z())});
+  sheet.pixels_per_mm = std::min({(kColumn - 2.0 * kRoom) / std::max(size.x(), size.y()),
+                                  (height - 2.0 * kRoom) / (size.y() + size.z())});
   const double spare = height - sheet.pixels_per_mm * (size.y() + size.z());
   sheet.upper = sheet.pixels_per_mm * size.y() + 0.5 * spare;
   sheet.lower = height - sheet.upper;
@@ -151,8 +150,8 @@ std::vector<NamedPoint> landmark_marks(const Valve& valve) {
     return NamedPoint{valve.rest_mm.row(vertex).transpose(), words};
   };
   return {mark(marks.anterolateral_commissure, "AL comm."),
-          mark(marks.posteromedial_commissure, "PM comm."),
-          mark(marks.saddle_peak, "saddle peak"), mark(marks.mid_posterior, "mid-posterior")};
+          mark(marks.posteromedial_commissure, "PM comm."), mark(marks.saddle_peak, "saddle peak"),
+          mark(marks.mid_posterior, "mid-posterior")};
 }
 
 Points loop_of(const Valve& valve) {
@@ -207,8 +206,9 @@ void draw_middle(const Canvas& canvas, const Sheet& sheet, const ImportedValve& 
   const Box box = sheet.box(2, 1);
   const Drawing drawing{canvas, kSection, sheet.map(box, kSection)};
   for (const TriangleMesh& mesh : imported.input.leaflets)
-    draw_cut(drawing, mesh.vertices_mm, mesh.faces, 7.0,
-             [](int) { return Colour{0.78, 0.83, 0.89}; });
+    draw_cut(drawing, mesh.vertices_mm, mesh.faces, 7.0, [](int) {
+      return Colour{0.78, 0.83, 0.89};
+    });
   const std::vector<Leaflet> sides = leaflet_sides(imported.valve);
   draw_cut(drawing, imported.valve.rest_mm, imported.valve.faces, 3.0, [&](int face) {
     return sides[static_cast<std::size_t>(face)] == Leaflet::Anterior ? Colour{0.80, 0.32, 0.26}
@@ -275,8 +275,9 @@ std::string import_picture_png(const ImportedValve& imported, const std::string&
     draw_text(canvas, {box.x, box.y - 12.0}, text, {15.0, palette::kInk, Align::Left, true},
               box.width);
   };
-  head(0, 0, std::string("As given, from the atrium: ") +
-                 (count == 1 ? "one surface" : std::to_string(count) + " surfaces"));
+  head(0, 0,
+       std::string("As given, from the atrium: ") +
+           (count == 1 ? "one surface" : std::to_string(count) + " surfaces"));
   head(1, 0, "The valve made of it: " + std::to_string(imported.valve.faces.rows()) + " triangles");
   head(2, 0, third);
   head(0, 1, "As given, from behind: anterolateral left");

@@ -90,7 +90,9 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   FitAnswer answer;
   bool stopped = false;
   int first_pass = 0;
-  if (options.from) {
+  const bool goes_on =
+      options.from && options.from->squares.point.size() == std::ssize(problem.parameters());
+  if (goes_on) {
     first_pass = options.from->pass;
     weights = {options.from->noise_mm, options.from->independent_points};
     fit.rounds = options.from->rounds;
@@ -113,10 +115,10 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
     };
     fitting.keep = [&](const LeastSquaresState& squares) {
       if (options.keep)
-        options.keep({pass, weights.noise_mm, weights.independent, squares, fit.rounds,
-                      problem.closures()});
+        options.keep(
+            {pass, weights.noise_mm, weights.independent, squares, fit.rounds, problem.closures()});
     };
-    const bool resumes = options.from && pass == first_pass;
+    const bool resumes = goes_on && pass == first_pass;
     const LeastSquaresFit found =
         resumes ? resume_least_squares(residuals, options.from->squares, fitting)
                 : fit_least_squares(residuals, point, fitting);

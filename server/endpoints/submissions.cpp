@@ -71,8 +71,8 @@ Answer submit(const Submitting& to, const Request& request, const Work& work) {
     return problem(422, ErrorCode::OutOfRange,
                    "Idempotency-Key must have at most 255 visible ASCII characters");
   const std::string document = write_valve(work.valve);
-  const NewJob job = {random_id(), work.kind, content_id(document), work.asked.dump(), key,
-                      work.input};
+  const NewJob job = {random_id(),       work.kind, content_id(document),
+                      work.asked.dump(), key,       work.input};
   const Expected<JobBoard::Submission> submitted = to.jobs.submit(job, document);
   if (!submitted) return store_problem(submitted.errors());
   switch (submitted->taken) {

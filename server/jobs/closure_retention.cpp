@@ -33,7 +33,7 @@ Expected<std::set<std::string>> subjects_in_use(const JobStore& store) {
   if (!unfinished) return unfinished.errors();
   std::set<std::string> subjects;
   for (const Job& listed : *unfinished) {
-    if (listed.kind == "import") continue;  // keeps none
+    if (listed.kind == "import") continue;                          // keeps none
     const Expected<std::optional<Job>> job = store.job(listed.id);  // with its request
     if (!job) return job.errors();
     if (!*job) continue;

@@ -56,6 +56,50 @@ ImportDecision fit_decision(const ValveFit& fit) {
               (fit.finished ? "" : "; stopped before it came to rest")};
 }
 
+/// What a fit has made of an imported valve.
+struct Fitted {
+  Valve valve;
+  ImportDecision decision;
+  ordered_json json;
+  std::optional<JobFile> map;  ///< of a surface with faces
+};
+
+/// Kept round by round. Errors: those of the surface and of the fit; throws if the server stops.
+Expected<Fitted> fit_import(const ImportJob& work, RunningJob& job, const ImportRequest& request,
+                            const ImportedValve& imported, std::optional<FitState> from) {
+  const Expected<LeafletMesh> surface = fit_surface(request, imported);
+  if (!surface) return surface.errors();
+  const FitRequest& asked = *request.fit;
+  const MeasuredClosure measured{surface->vertices_mm, asked.side, asked.leak_mm2,
+                                 asked.leak_sd_mm2};
+  FitOptions options = asked.options;
+  options.threads = work.limits.threads;
+  options.closure.budget.cancelled = [&] { return work.board.stopping(); };
+  JobProgress progress{.stage = "fitting", .closures = from ? from->closures : 0};
+  job.note(progress);
+  options.from = std::move(from);
+  options.keep = [&](const FitState& state) {
+    if (work.board.stopping()) throw std::runtime_error(kJobStops);  // closures may be unfinished
+    keep_closure(work.board, job,
+                 [&] { return work.store.keep_state(job.job.id, to_json(state).dump()); });
+    progress.closures = state.closures;
+  };
+  options.progress = [&](int, double rms_mm) {
+    progress.rms_mm = rms_mm;
+    job.note(progress);
+    return !job.cancelled && job.seconds() < work.limits.seconds;
+  };
+  const Expected<ValveFit> fit = fit_valve(imported.valve, measured, options);
+  if (work.board.stopping()) throw std::runtime_error(kJobStops);
+  if (!fit) return as_fit_calls(fit.errors());
+  Fitted fitted{fit->closed.valve, fit_decision(*fit),
+                fit_to_json(*fit, {job.job.valve, kSurfaceName, measured}), std::nullopt};
+  fitted.valve.provenance.push_back(fit_sentence(*fit, kSurfaceName));
+  if (surface->faces.rows() > 0)
+    fitted.map = {"fit.png", "image/png", fit_map_png(*surface, *fit, asked.side, kSurfaceName)};
+  return fitted;
+}
+
 }  // namespace
 
 std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
@@ -67,67 +111,36 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
   std::optional<FitState> from =
       kept_state(retried<Text>(board, job, [&] { return store.state(job.job.id); }));
   if (const std::optional<JobEnd> end = begin(board, job, from ? from->closures : 0)) return end;
-  if (job.job.cancel_requested) return ended(job, JobState::Cancelled);
 
   job.note({.stage = "importing"});
   Expected<ImportedValve> imported = make_import(*request);
   if (!imported) return failed(job, imported.errors());
-  JobEnd end;
-  end.files.push_back(
-      {kImportPicture, "image/png", import_picture_png(*imported, imported->valve.name)});
+  std::vector<JobFile> files = {
+      {kImportPicture, "image/png", import_picture_png(*imported, imported->valve.name)}};
   Valve made = imported->valve;
-  ordered_json fit_json = nullptr;
+  ordered_json fit = nullptr;
   if (request->fit) {
-    const Expected<LeafletMesh> surface = fit_surface(*request, *imported);
-    if (!surface) return failed(job, surface.errors());
-    const FitRequest& asked = *request->fit;
-    const MeasuredClosure measured{surface->vertices_mm, asked.side, asked.leak_mm2,
-                                   asked.leak_sd_mm2};
-    FitOptions options = asked.options;
-    options.threads = limits.threads;
-    options.closure.budget.cancelled = [this] { return board.stopping(); };
-    JobProgress progress{.stage = "fitting", .closures = from ? from->closures : 0};
-    job.note(progress);
-    options.from = std::move(from);
-    options.keep = [&](const FitState& state) {
-      if (board.stopping())
-        throw std::runtime_error(kJobStops);  // closures may be unfinished
-      keep_closure(board, job,
-                   [&] { return store.keep_state(job.job.id, to_json(state).dump()); });
-      progress.closures = state.closures;
-    };
-    options.progress = [&](int, double rms_mm) {
-      progress.rms_mm = rms_mm;
-      job.note(progress);
-      return !job.cancelled && job.seconds() < limits.seconds;
-    };
-    const Expected<ValveFit> fit = fit_valve(imported->valve, measured, options);
-    if (board.stopping()) return std::nullopt;
-    if (!fit) return failed(job, as_fit_calls(fit.errors()));
-    made = fit->closed.valve;
-    made.provenance.push_back(fit_sentence(*fit, kSurfaceName));
-    imported->decisions.push_back(fit_decision(*fit));
-    fit_json = coapt::fit_to_json(*fit, {job.job.valve, kSurfaceName, measured});
-    if (surface->faces.rows() > 0)
-      end.files.push_back(
-          {"fit.png", "image/png", fit_map_png(*surface, *fit, asked.side, kSurfaceName)});
+    Expected<Fitted> fitted = fit_import(*this, job, *request, *imported, std::move(from));
+    if (!fitted) return failed(job, fitted.errors());
+    made = std::move(fitted->valve);
+    fit = std::move(fitted->json);
+    imported->decisions.push_back(std::move(fitted->decision));
+    if (fitted->map) files.push_back(*std::move(fitted->map));
   }
   const std::string document = write_valve(made);
   const std::string id = content_id(document);
   retried<bool>(board, job, [&] { return store.add_valve(id, document); });
-  end.files.push_back({"valve.json", "application/json", document});
+  files.push_back({"valve.json", "application/json", document});
 
   ordered_json result = import_to_json(*imported);
   result["valve"] = id;
   result["imported"] = job.job.valve;
-  result["fit"] = std::move(fit_json);
-  const JobEnd over =
-      ended(job, job.cancel_asked ? JobState::Cancelled : JobState::Succeeded);
-  end.state = over.state;
-  end.seconds = over.seconds;
-  end.progress = over.progress;
+  result["fit"] = std::move(fit);
+  const bool cancelled = job.cancel_asked || job.job.cancel_requested;
+  JobEnd end = ended(job, cancelled ? JobState::Cancelled : JobState::Succeeded);
   end.summary = ordered_json{{"made", id}}.dump();
   end.result = result.dump();
+  end.files = std::move(files);
   return end;
 }
 

@@ -69,16 +69,17 @@ void read_known(const JsonPlace& place, FitUnknowns& unknowns) {
 FitRequest read_fit(const JsonPlace& place) {
   FitRequest fit;
   FitUnknowns& unknowns = fit.options.unknowns;
-  read_fields(place, {{"surface", into(fit.surface, read_file), false},
-                      {"side", into(fit.side, read_side), false},
-                      {"leak_mm2", into(fit.leak_mm2, number(0.0, 2000.0)), false},
-                      {"leak_sd_mm2", into(fit.leak_sd_mm2, number(0.01, 1000.0)), false},
-                      {"known", [&](const JsonPlace& known) { read_known(known, unknowns); }, false},
-                      {"slack_sd", into(unknowns.slack_sd, number(0.001, 0.2)), false},
-                      {"tip_sd_mm", into(unknowns.tip_sd_mm, number(0.01, 10.0)), false},
-                      {"hidden_sd_mm", into(unknowns.hidden_sd_mm, number(0.01, 5.0)), false},
-                      {"points", into(fit.options.most_points, whole(100, 10'000)), false},
-                      {"rounds", into(fit.options.most_rounds, whole(1, 1000)), false}});
+  read_fields(place,
+              {{"surface", into(fit.surface, read_file), false},
+               {"side", into(fit.side, read_side), false},
+               {"leak_mm2", into(fit.leak_mm2, number(0.0, 2000.0)), false},
+               {"leak_sd_mm2", into(fit.leak_sd_mm2, number(0.01, 1000.0)), false},
+               {"known", [&](const JsonPlace& known) { read_known(known, unknowns); }, false},
+               {"slack_sd", into(unknowns.slack_sd, number(0.001, 0.2)), false},
+               {"tip_sd_mm", into(unknowns.tip_sd_mm, number(0.01, 10.0)), false},
+               {"hidden_sd_mm", into(unknowns.hidden_sd_mm, number(0.01, 5.0)), false},
+               {"points", into(fit.options.most_points, whole(100, 10'000)), false},
+               {"rounds", into(fit.options.most_rounds, whole(1, 1000)), false}});
   return fit;
 }
 
@@ -176,8 +177,9 @@ Errors check_import(const ImportRequest& asked) {
                  "has " + std::to_string(asked.leaflets->size()) +
                      " files, must have 1 (a skirt) or 2 (the anterior, then the posterior sheet)");
   if (asked.fit && !asked.fit->surface && !asked.options.closed)
-    problems.add(ErrorCode::MissingField, "/fit/surface",
-                 "is missing; only leaflets that were imaged closed are a closed surface themselves");
+    problems.add(
+        ErrorCode::MissingField, "/fit/surface",
+        "is missing; only leaflets that were imaged closed are a closed surface themselves");
   return std::move(problems).take();
 }
 

@@ -35,7 +35,11 @@ class OpenApiTest(ProgramTest):
         """The answer to an example, with the status of the answer's example."""
         operation = self.document.operations[id]
         status = self.document.status_of_example(operation, name)
-        wait = WAIT if (operation.path, status) in [("/v1/plans", 200), ("/v1/studies", 200)] else None
+        wait = (
+            WAIT
+            if (operation.path, status) in [(f"/v1/{kind}", 200) for kind in ("plans", "studies", "imports")]
+            else None
+        )
         reply = self.send(id, self.document.requests(operation)[name], wait)
         self.assertEqual(reply.status, status, reply.body[:500])
         return reply

@@ -89,6 +89,13 @@ class OpenApi(OpenApiTest):
             reply = self.send("getJobFile")
             self.assertEqual((len(reply.body), reply.headers["content-type"]), (file["bytes"], file["type"]))
 
+    def test_an_import_and_its_results_are_as_it_says(self):
+        self.place["job"] = self.send_example("runImport", "as_a_job").json()["id"]
+        self.place["file"] = "import.png"
+        for id in ["getJob", "getJobResult", "listJobFiles", "getJobFile"]:
+            with self.subTest(id):
+                self.assertEqual(self.send(id).status, 200)
+
     def test_events_are_numbered_and_hold_states_and_progress(self):
         self.finish_search()
         stream = self.send("streamJobEvents").body.decode()

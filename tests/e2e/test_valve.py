@@ -288,7 +288,10 @@ class Import(ProgramTest):
             "from BodyParts3D",
             "-o",
             valve,
+            "--render",
+            self.folder / "import.png",
         )
+        self.assertTrue((self.folder / "import.png").read_bytes().startswith(b"\x89PNG"))
         self.run_ok("valve", "check", valve)
         info = json.loads(self.run_ok("valve", "info", valve, "--json").stdout)
         self.assertEqual(info["name"], "real")

@@ -60,6 +60,39 @@ class Imports(ClientTest):
         with self.assertRaisesRegex(coapt.NoSuchFile, "is no folder"):
             self.client.import_slicerheart(self.folder / "nowhere")
 
+    def test_an_import_is_a_job_with_a_picture_and_a_fit(self):
+        skirt, annulus, chordae = self.files()
+        landmarks = {"saddle_peak": [0, 13.8, 3.6]}
+        job = self.client.import_job([skirt], annulus, chordae, name="mine", triangles=300, landmarks=landmarks)
+        self.assertEqual(job.kind, "import")
+        plain = job.result(timeout_s=120)
+        self.assertEqual((plain.name, plain.chordae, plain.fit), ("mine", 10, None))
+        self.assertEqual((plain.valve, plain.imported), (job.json["made"], job.json["valve"]))
+        self.assertIn("saddle peak as given", [decision.decision for decision in plain.decisions])
+        self.assertTrue(plain.picture().png.startswith(b"\x89PNG"))
+
+        surface = self.folder / "closed.stl"
+        surface.write_bytes(self.client.export(plain.valve, "stl"))
+        fit = coapt.Fit(surface, side="middle", known=["slack", "prestretch", "hidden"], rounds=2)
+        job = self.client.import_job([skirt], annulus, chordae, triangles=300, fit=fit)
+        seen = []
+        fitted = job.wait(seen.append).result()
+        self.assertTrue(any("mm rms" in str(progress) for progress in (*seen, job.progress)))
+        self.assertLess(fitted.fit.rms_mm, 0.5)
+        self.assertEqual(fitted.fit.parameters[0].name, "tip_AL_x")
+        self.assertNotEqual(fitted.valve, fitted.imported)
+        self.assertEqual(fitted.decisions[-1].about, "fit")
+        self.assertEqual(self.client.job(job.id).result(), fitted)
+
+    def test_what_is_wrong_with_a_job_is_said_at_once(self):
+        skirt, annulus, chordae = self.files()
+        refused = self.problems(
+            coapt.InvalidRequest, self.client.import_job, [skirt], annulus, chordae, fit=coapt.Fit()
+        )
+        self.assertEqual(refused, [("/fit/surface", "missing_field")])
+        with self.assertRaises(TypeError):
+            self.client.import_job([skirt])
+
 
 if __name__ == "__main__":
     unittest.main()

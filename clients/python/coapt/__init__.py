@@ -31,6 +31,7 @@ from .errors import (
 )
 from .events import Event, LeadingPlan, Progress
 from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling, Section, Table
+from .fits import Fit, FitResult, FittedParameter, ImportResult
 from .jobs import Job, show_progress
 from .meshes import Mesh, Picture
 from .repair import (
@@ -71,10 +72,14 @@ __all__ = [
     "Evaluations",
     "Event",
     "Finding",
+    "Fit",
+    "FitResult",
+    "FittedParameter",
     "InvalidRequest",
     "Job",
     "JobFailed",
     "ImportDecision",
+    "ImportResult",
     "KeptPlan",
     "LeadingPlan",
     "LeafletPoint",

@@ -11,6 +11,7 @@ from typing import Any, Literal
 
 from .errors import InvalidRequest, NotFound, Problem, Refused
 from .files import Path, did_you_mean
+from .fits import Fit, ImportResult
 from .imports import files_to_import, packed_folder
 from .jobs import Job
 from .meshes import Picture
@@ -355,6 +356,43 @@ class Client:
         json = self._submit("/v1/studies", valve, {"study": study}, idempotency_key)
         return Job(self._transport, json, StudyResult.from_json, self._patience_s)
 
+    def import_job(
+        self,
+        leaflets: Iterable[Path] = (),
+        annulus: Path | None = None,
+        chordae: Path | int | None = None,
+        *,
+        slicerheart: Path | None = None,
+        tips: Path | None = None,
+        fit: Fit | None = None,
+        name: str = "imported",
+        idempotency_key: str | None = None,
+        **options: Any,
+    ) -> Job[ImportResult]:
+        """The imports above as a job, which also draws the valve beside what was given and fits it, in seconds to minutes.
+
+            job = client.import_job(["a.stl", "p.stl"], "ring.mrk.json", 1, closed=True, fit=Fit(leak_mm2=35))
+            result = job.wait(show_progress).result()
+            result.picture().write("import.png")
+
+        :param slicerheart: a folder, instead of leaflets, annulus and chordae
+        :param chordae: CSV or JSON, or a seed; of a folder a seed alone, where it has none
+        :param fit: None: the valve is not fitted
+        :param options: as import_valve(), and landmarks: a mapping of "anterolateral_commissure",
+            "posteromedial_commissure", "saddle_peak" and "mid_posterior" to x, y, z in the files' coordinates
+        :raises Refused: what is wrong with which file, at once
+        """
+        if slicerheart is not None:
+            files = {"slicerheart": packed_folder(slicerheart)} | _given(chordae_seed=chordae)
+        elif annulus is None or chordae is None:
+            raise TypeError("import_job() takes leaflets, annulus and chordae, or slicerheart")
+        else:
+            files = files_to_import(leaflets, annulus, chordae, tips)
+        request = files | options | {"name": name} | _given(fit=None if fit is None else fit.to_json())
+        key = {"Idempotency-Key": idempotency_key or uuid.uuid4().hex}
+        json = self._transport.request("POST", "/v1/imports", request, key).json()
+        return Job(self._transport, json, ImportResult.from_json, self._patience_s)
+
     def job(self, id: str) -> Job[Any]:
         """A job that was begun before."""
         return self._job(self._get(_path("/v1/jobs", id)))
@@ -364,8 +402,8 @@ class Client:
         yield from map(self._job, self._listed("/v1/jobs", "jobs", _given(state=state)))
 
     def _job(self, json: Mapping[str, Any]) -> Job[Any]:
-        read: Any = SearchResult.from_json if json["kind"] == "plans" else StudyResult.from_json
-        return Job(self._transport, json, read, self._patience_s)
+        readers: dict[str, Any] = {"plans": SearchResult, "study": StudyResult, "import": ImportResult}
+        return Job(self._transport, json, readers[json["kind"]].from_json, self._patience_s)
 
     def _closure(self, valve: Valve, plan: Any) -> Closure:
         return Closure.from_json(self._ask("/v1/closures", valve, _given(plan=plan)).json())

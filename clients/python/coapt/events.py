@@ -33,7 +33,8 @@ class LeadingPlan:
 @dataclass(frozen=True)
 class Progress:
     """How far a job is. closures includes known ones; best_leak_mm2 is the least leak of a plan as planned, best_cost the least
-    cost (mm2) at one closure a plan, best the plan in front, None: none yet; seconds are those of running, over all attempts.
+    cost (mm2) at one closure a plan, best the plan in front, rms_mm the distance that a fit leaves so far, None: none yet;
+    seconds are those of running, over all attempts.
     """
 
     stage: str
@@ -43,6 +44,7 @@ class Progress:
     best_cost: float | None
     seconds: float
     best: LeadingPlan | None = None
+    rms_mm: float | None = None
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Progress:
@@ -54,10 +56,13 @@ class Progress:
             json["best_cost"],
             json["seconds"],
             LeadingPlan.from_json(json["best"]) if "best" in json else None,
+            json.get("rms_mm"),
         )
 
     def __str__(self) -> str:
         best = "" if self.best_leak_mm2 is None else f", lowest leak as planned {self.best_leak_mm2:.1f} mm2"
+        if self.rms_mm is not None:
+            return f"{self.closures} closures, {self.stage}, {self.rms_mm:.2f} mm rms"
         return f"{self.closures} of {self.closures_planned} closures, {self.stage}{best}"
 
 

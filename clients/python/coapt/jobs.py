@@ -26,7 +26,7 @@ def show_progress(progress: Progress) -> None:
 
 
 class Job(Generic[Result]):
-    """A search or a study. It goes on without its client: Client.job(id) finds it again.
+    """A search, a study or an import. It goes on without its client: Client.job(id) finds it again.
 
     json is the job as it was when the service was last asked; see refresh().
     """
@@ -47,7 +47,7 @@ class Job(Generic[Result]):
 
     @property
     def kind(self) -> str:
-        """Either "plans" or "study"."""
+        """One of "plans", "study" and "import"."""
         return str(self.json["kind"])
 
     @property

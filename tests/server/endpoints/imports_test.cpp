@@ -165,12 +165,14 @@ TEST_F(ImportsTest, AValveThatIsTooLargeIsRefused) {
 
 TEST_F(ImportsTest, LandmarksThatWereSeenAreTaken) {
   ordered_json request = cone_request();
-  request["landmarks"] = {{"saddle_peak", {0.0, kTop_mm, 0.0}}, {"mid_posterior", {3.0, -17.7, 0.0}}};
+  request["landmarks"] = {{"saddle_peak", {0.0, kTop_mm, 0.0}},
+                          {"mid_posterior", {3.0, -17.7, 0.0}}};
   const Answer answer = post("/v1/valves:import", request);
   ASSERT_EQ(answer.status, 201) << json_of(answer);
   EXPECT_EQ(json_of(answer)["decisions"][7]["decision"], "saddle peak, mid-posterior as given");
   request["landmarks"] = {{"saddle_peak", {0.0, 40.0, 0.0}}};
-  EXPECT_EQ(refusal(post("/v1/valves:import", request)), (Refused{422, {"/landmarks/saddle_peak"}}));
+  EXPECT_EQ(refusal(post("/v1/valves:import", request)),
+            (Refused{422, {"/landmarks/saddle_peak"}}));
   request["landmarks"] = {{"apex", {0.0, 40.0}}};
   EXPECT_EQ(refusal(post("/v1/valves:import", request)), (Refused{422, {"/landmarks/apex"}}));
 }
@@ -270,8 +272,7 @@ TEST_F(ImportsTest, AFitChangesTheValveThatWasImported) {
   EXPECT_EQ(result["fit"]["schema"], "coapt.fit/1");
   EXPECT_LT(result["fit"]["rms_mm"], result["fit"]["rms_before_mm"]);
   EXPECT_EQ(result["decisions"].back()["about"], "fit");
-  const ordered_json valve =
-      json_of(get("/v1/valves/" + result["valve"].get<std::string>()));
+  const ordered_json valve = json_of(get("/v1/valves/" + result["valve"].get<std::string>()));
   EXPECT_TRUE(valve["provenance"].back().get<std::string>().starts_with("fitted to the closed"));
   EXPECT_EQ(valve.dump().find("Smith"), std::string::npos);
   EXPECT_EQ(result.dump().find("Smith"), std::string::npos);

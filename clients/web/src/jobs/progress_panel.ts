@@ -1,7 +1,7 @@
 // What a running job does: stage, closures of planned, time gone and time left; and the way to end it.
 import type { Job, JobProgress } from '../api/types'
 import { button, h } from '../dom'
-import { seconds, words } from '../format'
+import { seconds, withUnit, words } from '../format'
 import { problemList } from '../problems'
 import { problemsOf } from '../workspace'
 import { cancelJob } from './calls'
@@ -68,6 +68,7 @@ export function progressPanel(first: Job, what: string): ProgressPanel {
       ['time', seconds(progress.seconds)],
       [job.kind === 'study' ? 'left of this stage' : 'time left', left === null ? 'not known yet' : roughly(left)],
     ]
+    if (progress.rms_mm !== undefined) entries.push(['distance, rms', withUnit(progress.rms_mm, 'mm', 2)])
     figures.replaceChildren(...entries.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))))
   }
 

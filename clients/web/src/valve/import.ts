@@ -81,7 +81,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     h(
       'p',
       { class: parts.hint },
-      'Chordae, tips and tissue are changed until the valve closes onto them. This takes minutes.',
+      'Chordae, tips and tissue are changed until the valve closes onto them. This takes seconds to minutes.',
     ),
     field('What was segmented', sides),
     field('Leak as imaged', leak, 'mm²'),

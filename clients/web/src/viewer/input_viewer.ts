@@ -30,6 +30,7 @@ const COLOURS: Record<Role, string> = {
   folder: '#cdb7b0',
   none: '#c3c9d1',
 }
+const ARM = 1 // of the crosses that mark places, in the picture's size of 60
 const SNAP_PX = 24 // to the annulus
 const TIP_DEPTH = 0.75 // papillary tips lie so many widths of the picture's half below the annulus
 const TURNED_PX = 4 // a pointer that moved so far has turned the picture
@@ -51,8 +52,8 @@ export class InputViewer {
   private readonly lines = {
     annulus: new Lines({ width: 3, colour: '#29384d', inFront: true }),
     chordae: new Lines({ width: 1.4, colour: '#8c7861' }),
-    marks: new Lines({ width: 9, colour: '#b0205a', inFront: true }),
-    tips: new Lines({ width: 8, colour: '#943f3d', inFront: true }),
+    marks: new Lines({ width: 4, colour: '#b0205a', inFront: true }),
+    tips: new Lines({ width: 3, colour: '#943f3d', inFront: true }),
   }
   private frame: InputFrame | null = null
   private loop: Vector[] = [] // of the annulus, as it is drawn
@@ -89,7 +90,7 @@ export class InputViewer {
         if (role === 'annulus' || role === 'folder') this.loop.push(...points)
         for (const [i, point] of points.entries())
           segments.push(...point, ...(points[(i + 1) % points.length] as Vector))
-      } else for (const point of points) tips.push(...dot(point))
+      } else for (const point of points) tips.push(...cross(point))
     }
     this.lines.annulus.set(segments)
     this.lines.chordae.set(chordae)
@@ -103,7 +104,7 @@ export class InputViewer {
     const { frame } = this
     if (!frame) return
     const points = seen.map(({ place }) => intoView(frame, place))
-    this.lines.marks.set(points.flatMap(dot))
+    this.lines.marks.set(points.flatMap(cross))
     this.labels.set(seen.map(({ text }, i): Label => ({ point_mm: points[i] as Vector, text, kind: 'landmark' })))
     this.stage.draw()
   }
@@ -173,9 +174,14 @@ function cornersOf(points: Vector[]): Vector[] {
   )
 }
 
-/// A line so short that its ends make it a dot.
-function dot(point: Vector): number[] {
-  return [...point, point[0], point[1], point[2] + 1e-3]
+/// Three lines across each other.
+function cross([x, y, z]: Vector): number[] {
+  const lines = [
+    [x - ARM, y, z, x + ARM, y, z],
+    [x, y - ARM, z, x, y + ARM, z],
+    [x, y, z - ARM, x, y, z + ARM],
+  ]
+  return lines.flat()
 }
 
 function surface(points: Vector[], faces: number[], colour: string): Mesh {

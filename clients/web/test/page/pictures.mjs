@@ -1,6 +1,6 @@
 // Pictures of each view for docs/images: `node pictures.mjs FOLDER`.
 import { join } from 'node:path'
-import { openView, PATIENCE_MS, startBrowser, startService } from './page.mjs'
+import { openView, PATIENCE_MS, ROOT, startBrowser, startService } from './page.mjs'
 
 const folder = process.argv[2] ?? '.'
 const service = await startService()
@@ -59,6 +59,30 @@ await picture('studies', 'studies', { theme: 'dark' }, async (page) => {
     .first()
     .evaluate((figure) => figure.scrollIntoView({ block: 'end' }))
   await page.locator('[data-part=plot]').first().hover()
+})
+
+const SHEETS = join(ROOT, 'examples/valves/source/bodyparts3d')
+const FILES = ['anterior_leaflet_sheet.obj', 'posterior_leaflet_sheet.obj', 'annulus_centerline.csv', 'chordae.csv']
+async function chooseFiles(page) {
+  await page.getByText('Import meshes').click()
+  const panel = page.locator('[data-part=import]')
+  await panel.getByLabel('Files').setInputFiles(FILES.map((name) => join(SHEETS, name)))
+  await panel.getByText('24 chordae').waitFor()
+  await panel.getByLabel('Name').fill('BodyParts3D')
+  return panel
+}
+await picture('import-files', 'valve', {}, async (page) => {
+  const panel = await chooseFiles(page)
+  await panel.getByText('Pick landmarks').click()
+  await panel.getByLabel('Mid-anterior: x, y, z').fill('0.8, 15, 2.3')
+  await panel.getByLabel('Mid-anterior: x, y, z').blur()
+  await panel.getByRole('button', { name: 'Pick Mid-posterior' }).click()
+})
+await picture('import', 'valve', {}, async (page) => {
+  const panel = await chooseFiles(page)
+  await panel.getByRole('button', { name: 'Import', exact: true }).click()
+  await page.locator('[data-part=import-result] img').first().waitFor()
+  await panel.evaluate((element) => element.scrollIntoView())
 })
 
 await browser.close()

@@ -1,0 +1,77 @@
+"""Imports as jobs of coapt-server: a fit that is killed goes on where it was."""
+
+import json
+import unittest
+
+from server_runs import ServerTest
+
+
+class Imports(ServerTest):
+    def request(self, **fit):
+        """Open leaflets of a valve, and its closed points with a tip elsewhere."""
+        given, truth = self.folder / "given.json", self.folder / "truth.json"
+        self.run_ok("valve", "make", "human-functional-mr", "--triangles", 300, "-o", given)
+        self.run_ok("valve", "remodel", given, "--displace-al", "1,0,1.5", "-o", truth)
+        folder, closed = self.folder / "open", self.folder / "closed.ply"
+        self.run_ok("export", given, "--open", "-o", f"{folder}/")
+        self.run_ok("export", truth, "-o", closed)
+        files = [{"name": file.name, "text": file.read_text()} for file in sorted(folder.iterdir())]
+        surface = {"name": "closed.ply", "text": closed.read_text(encoding="latin-1")}
+        return {
+            "slicerheart": files,
+            "triangles": 300,
+            "fit": {"surface": surface, "side": "middle"} | fit,
+        }
+
+    def result(self, job_id):
+        job = self.server.wait_for_end(job_id)
+        self.assertEqual(job["state"], "SUCCEEDED", job["problems"])
+        return self.server.get(job["links"]["result"])
+
+    def test_a_killed_fit_comes_to_the_valve_of_an_undisturbed_one(self):
+        request = self.request(rounds=8)
+        undisturbed = self.result(self.server.submit(request, "/v1/imports")["id"])
+        self.assertLess(undisturbed["fit"]["rms_mm"], undisturbed["fit"]["rms_before_mm"])
+        job = self.server.submit(request, "/v1/imports", {"Idempotency-Key": "again"})
+        counts = []
+        for at_least in (30, 120):
+            self.server.wait_until(job["id"], lambda now: now["progress"]["closures"] > at_least)
+            counts.append(self.server.get(f"/v1/jobs/{job['id']}")["progress"]["closures"])
+            self.assertEqual(self.server.get(f"/v1/jobs/{job['id']}")["state"], "RUNNING")
+            self.server.kill()
+            self.server = self.start_server()
+            self.assertEqual(
+                self.server.submit(request, "/v1/imports", {"Idempotency-Key": "again"})["id"],
+                job["id"],
+            )
+        self.assertEqual(self.result(job["id"]), undisturbed)
+        self.assertLess(max(counts), undisturbed["fit"]["closures"])
+
+    def test_a_cancelled_fit_keeps_what_it_has(self):
+        job = self.server.submit(self.request(rounds=1000), "/v1/imports")
+        self.server.wait_until(job["id"], lambda now: now["progress"]["closures"] > 30)
+        self.assertEqual(self.post(f"/v1/jobs/{job['id']}:cancel", "")[0], 200)
+        ended = self.server.wait_for_end(job["id"])
+        self.assertEqual(ended["state"], "CANCELLED")
+        result = self.server.get(ended["links"]["result"])
+        self.assertFalse(result["fit"]["finished"])
+        self.assertEqual(self.server.get(f"/v1/valves/{result['valve']}")["schema"], "coapt.valve/1")
+
+    def test_an_import_is_that_of_the_command_line(self):
+        request = self.request()
+        del request["fit"]
+        result = self.result(self.server.submit(request, "/v1/imports")["id"])
+        valve = self.folder / "valve.json"
+        picture = self.folder / "valve.png"
+        options = ("--triangles", 300, "-o", valve, "--render", picture, "--json")
+        printed = self.run_ok("valve", "import", "--slicerheart", self.folder / "open", *options).stdout
+        printed = json.loads(printed)
+        self.assertEqual(printed, {key: result[key] for key in printed})
+        path = result["valve"]
+        stored = self.server.get(f"/v1/valves/{path}")
+        self.assertEqual(json.loads(valve.read_text())["vertices_mm"], stored["vertices_mm"])
+        self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
+
+
+if __name__ == "__main__":
+    unittest.main()
