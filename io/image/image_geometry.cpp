@@ -16,17 +16,25 @@ std::string words_of(const std::array<Index, 3>& size) {
          std::to_string(size[2]);
 }
 
-/// The longest way between where two frames put a corner of the image.
+/// The longest way between where two frames put a corner of the image, whichever way either counts its voxels.
 double apart_mm(const LabelMap& map, const ImageGeometry& image) {
-  double most = 0.0;
-  for (int corner = 0; corner < 8; ++corner) {
+  const auto corner_of = [&](int corner) {
     Eigen::Vector4d at(0.0, 0.0, 0.0, 1.0);
     for (int axis = 0; axis < 3; ++axis)
       if ((corner >> axis & 1) != 0)
         at[axis] = static_cast<double>(map.size[static_cast<std::size_t>(axis)] - 1);
-    most = std::max(most, ((map.to_lps_mm - image.to_lps_mm) * at).norm());
+    return at;
+  };
+  double least = 1e300;
+  for (int reversed = 0; reversed < 8; ++reversed) {
+    double most = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+      most = std::max(most, (map.to_lps_mm * corner_of(corner) -
+                             image.to_lps_mm * corner_of(corner ^ reversed))
+                                .norm());
+    least = std::min(least, most);
   }
-  return most;
+  return least;
 }
 
 Vec3 edges(const Eigen::Matrix4d& frame) { return frame.topLeftCorner<3, 3>().colwise().norm(); }

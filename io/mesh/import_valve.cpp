@@ -286,6 +286,7 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
       decisions.begin(),
       {{"units", to_string(unit), options.units ? "as given" : "by the annulus's circumference"},
        framed->change});
+  decisions.insert(decisions.begin(), source.decisions.begin(), source.decisions.end());
   if (options.chordae_seed) {
     Expected<Valve> made = drawn(std::move(valve), framed->tips, *options.chordae_seed, decisions);
     if (!made) return made.errors();

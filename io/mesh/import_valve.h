@@ -50,6 +50,13 @@ struct ImportedTip {
 enum class LengthUnit { Millimetre, Centimetre, Metre };
 const char* to_string(LengthUnit unit);  ///< mm, cm, m
 
+/// One thing that an import decided, as its valve's provenance says it: "about: decision; reason".
+struct ImportDecision {
+  std::string about;     ///< "units", "frame", "mesh", ...
+  std::string decision;  ///< what was taken or made
+  std::string reason;    ///< why, or by what rule; empty where that is the decision itself
+};
+
 struct ImportSource {
   std::string name;
   std::vector<std::string> provenance;
@@ -58,6 +65,7 @@ struct ImportSource {
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
   std::vector<ImportedTip> tips;  ///< taken only where chordae are drawn
+  std::vector<ImportDecision> decisions;  ///< that reading it took, before those of the import
 };
 
 struct ImportOptions {
@@ -75,13 +83,6 @@ struct ImportOptions {
   std::optional<int> chordae_seed = {};
   std::optional<LengthUnit>
       units;  ///< of the source; none: guessed from the annulus's circumference
-};
-
-/// One thing that an import decided, as its valve's provenance says it: "about: decision; reason".
-struct ImportDecision {
-  std::string about;     ///< "units", "frame", "mesh", ...
-  std::string decision;  ///< what was taken or made
-  std::string reason;    ///< why, or by what rule; empty where that is the decision itself
 };
 
 struct ImportedValve {
