@@ -19,7 +19,9 @@ search/fit       : core search/
 io/command_line  : core/valve
 io/json          : core search
 io/mesh          : core io/json
-io/exchange      : core search io/json io/mesh
+io/image         : core io/mesh
+io/dicom         : core io/mesh io/image
+io/exchange      : core search io/json io/mesh io/image
 io/picture       : core search io/json io/mesh
 io/store         : core search io/json
 server/          : core search io server/endpoints server/jobs
@@ -46,6 +48,7 @@ CLI/            : io/command_line
 nlohmann/       : io server clients/cli lab
 sqlite3[.]h     : io/store
 lzma[.]h        : io/mesh
+dcmtk/          : io/dicom
 pagmo/          : lab/rivals
 dlib/           : lab/rivals
 '

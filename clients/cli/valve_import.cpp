@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -8,11 +6,11 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "clients/cli/import_inputs.h"
 #include "io/command_line/command_line.h"
 #include "io/exchange/abaqus_valve.h"
 #include "io/exchange/decisions_json.h"
 #include "io/exchange/import_files.h"
-#include "io/exchange/slicerheart.h"
 #include "io/json/valve_json.h"
 #include "io/picture/import_picture.h"
 
@@ -20,8 +18,9 @@ namespace coapt {
 namespace {
 
 struct ValveImportArguments {
-  std::vector<std::string> leaflets;
-  std::string annulus, chordae, slicerheart, abaqus, tips;
+  ImportInputs inputs;
+  std::string abaqus;
+  PatientAxes axes = PatientAxes::LPS;  // if given
   int seed = 1;
   LengthUnit units = LengthUnit::Millimetre;  // if given
   std::string name;
@@ -31,70 +30,7 @@ struct ValveImportArguments {
   bool json = false;
 };
 
-/// Reads the file at `path` with `parse` into `value`; returns an exit code.
-template <class T, class Parse>
-int read_part(const std::string& path, const Parse& parse, T& value) {
-  const Expected<std::string> bytes = read_input(path);
-  if (!bytes) return report_errors(path, bytes.errors());
-  Expected<T> parsed = parse(*bytes, format_of(path));
-  if (!parsed) return report_errors(path, parsed.errors());
-  value = *std::move(parsed);
-  return exit_code::kOk;
-}
-
 constexpr const char* kSynthesise = "synthesise";
-
-/// The files of a folder that a valve can be made of, in the order of their names.
-Expected<std::vector<NamedFile>> read_folder(const std::string& path) {
-  std::error_code failed;
-  std::vector<std::filesystem::path> paths;
-  for (auto entry = std::filesystem::directory_iterator(path, failed);
-       !failed && entry != std::filesystem::directory_iterator(); entry.increment(failed)) {
-    const std::string format = format_of(entry->path());
-    if (format == "vtk" || format == "csv" || format == "json") paths.push_back(entry->path());
-  }
-  if (failed) return Error{ErrorCode::InputOutput, "", "cannot be opened as a folder"};
-  std::sort(paths.begin(), paths.end());
-  std::vector<NamedFile> files;
-  for (const auto& file : paths) {
-    Expected<std::string> bytes = read_input(file);
-    if (!bytes) return Error{ErrorCode::InputOutput, file.filename(), "cannot be read"};
-    files.push_back({file.filename(), *std::move(bytes)});
-  }
-  return files;
-}
-
-/// The files that options name one by one.
-int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
-  for (const auto& [missing, option] : {std::pair(arguments.leaflets.empty(), "--leaflet"),
-                                        {arguments.annulus.empty(), "--annulus"},
-                                        {arguments.chordae.empty(), "--chordae"}}) {
-    if (!missing) continue;
-    std::cerr << "coapt: valve import: " << option << " is required (or --slicerheart)"
-              << (arguments.chordae.empty() ? "; --chordae synthesise draws chordae that were not "
-                                              "seen from anatomy\n"
-                                            : "\n");
-    return exit_code::kBadInput;
-  }
-  for (const std::string& path : arguments.leaflets) {
-    source.leaflets.emplace_back();
-    if (const int failed = read_part(path, read_packed_mesh, source.leaflets.back())) return failed;
-  }
-  if (const int failed = read_part(arguments.annulus, read_closed_loop, source.annulus_mm)) {
-    return failed;
-  }
-  if (arguments.chordae == kSynthesise) return exit_code::kOk;
-  return read_part(arguments.chordae, read_chordae, source.chordae);
-}
-
-int read_slicerheart_folder(const ValveImportArguments& arguments, ImportSource& source) {
-  Expected<std::vector<NamedFile>> files = read_folder(arguments.slicerheart);
-  if (!files) return report_errors(arguments.slicerheart, files.errors());
-  Expected<ImportSource> read = read_slicerheart(*files);
-  if (!read) return report_errors(arguments.slicerheart, read.errors());
-  source = *std::move(read);
-  return exit_code::kOk;
-}
 
 int run_abaqus(const ValveImportArguments& arguments) {
   const Expected<std::string> text = read_input(arguments.abaqus);
@@ -104,32 +40,47 @@ int run_abaqus(const ValveImportArguments& arguments) {
   return write_output(arguments.output, write_valve(*valve));
 }
 
-int run(const ValveImportArguments& arguments) {
+/// What cannot be given together, or is missing.
+std::string misused(const ValveImportArguments& arguments) {
+  const ImportInputs& inputs = arguments.inputs;
+  const bool synthesises = inputs.chordae == kSynthesise;
+  if (!inputs.slicerheart.empty() && !synthesises && !inputs.chordae.empty())
+    return "--chordae takes only synthesise with --slicerheart";
+  if (!inputs.chordae.empty() && !synthesises && !inputs.tips.empty())
+    return "--tips takes --chordae synthesise: chordae that were seen begin at their tips";
+  if (!inputs.bare.empty() || !inputs.slicerheart.empty()) return "";
+  const bool leaflets = !inputs.leaflets.empty() || !inputs.labels.empty();
+  if (!leaflets) return "--leaflet is required (or --labels, --slicerheart, or bare files)";
+  if (inputs.annulus.empty() && inputs.labels.empty())
+    return "--annulus is required (or --slicerheart)";
+  if (inputs.chordae.empty() && inputs.labels.empty())
+    return "--chordae is required (or --slicerheart); --chordae synthesise draws chordae that were "
+           "not seen from anatomy";
+  return "";
+}
+
+int run(ValveImportArguments& arguments) {
   if (!arguments.abaqus.empty()) return run_abaqus(arguments);
   if (const int failed = check_output(arguments.picture)) return failed;
-  ImportSource source;
-  const bool folder = !arguments.slicerheart.empty();
-  const bool synthesises = arguments.chordae == kSynthesise;
-  if (folder && !synthesises && !arguments.chordae.empty()) {
-    std::cerr << "coapt: valve import: --chordae takes only synthesise with --slicerheart\n";
+  if (const std::string why = misused(arguments); !why.empty()) {
+    std::cerr << "coapt: valve import: " << why << '\n';
     return exit_code::kBadInput;
   }
-  if (!synthesises && !arguments.tips.empty()) {
-    std::cerr << "coapt: valve import: --tips takes --chordae synthesise: chordae that were seen "
-                 "begin at their tips\n";
-    return exit_code::kBadInput;
-  }
-  if (const int failed =
-          folder ? read_slicerheart_folder(arguments, source) : read_parts(arguments, source))
-    return failed;
-  if (!arguments.tips.empty())
-    if (const int failed = read_part(arguments.tips, read_tips, source.tips)) return failed;
+  const bool synthesises = arguments.inputs.chordae == kSynthesise;
+  ReadInputs read = read_import_inputs(arguments.inputs, synthesises);
+  if (read.failed != exit_code::kOk) return read.failed;
+  ImportSource& source = read.source;
+  const std::string folder = arguments.inputs.slicerheart;
+  // Bare files and label maps hold what was seen; where that is no chordae, they are drawn.
+  const bool named = !folder.empty() || (arguments.inputs.bare.empty() && arguments.inputs.labels.empty());
+  if (synthesises || (!named && source.chordae.empty()))
+    arguments.options.chordae_seed = arguments.seed;
   source.name = arguments.name;
   source.provenance.insert(source.provenance.begin(), arguments.provenance.begin(),
                            arguments.provenance.end());
   const Expected<ImportedValve> valve = import_with_decisions(source, arguments.options);
   if (!valve) {
-    if (folder) return report_errors(arguments.slicerheart, valve.errors());
+    if (!folder.empty()) return report_errors(folder, valve.errors());
     return report_option_errors("valve import", valve.errors(),
                                 {{"/leaflets", "--leaflet"},
                                  {"/annulus_mm", "--annulus"},
@@ -152,34 +103,55 @@ void add_valve_import(Command parent, int& status) {
   ImportOptions& options = arguments->options;
   Command command =
       parent.add_command("import", "Make a valve from leaflet meshes, annulus and chordae");
+  ImportInputs& inputs = arguments->inputs;
+  command.add_option(
+      "files", inputs.bare,
+      "Files whose part is guessed from name and content, and listed by --json: a label map (.nrrd, "
+      ".nii, .nii.gz), meshes, markups, tables; a folder of SlicerHeart, or of a DICOM series");
   command
       .add_option(
-          "--leaflet", arguments->leaflets,
+          "--leaflet", inputs.leaflets,
           "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, or one skirt")
       .count(1, 2);
-  command.add_option("--annulus", arguments->annulus,
+  command
+      .add_option("--labels", inputs.labels,
+                  "Label map of the leaflets and, perhaps, of the annulus (NRRD or NIfTI), instead")
+      .excludes("--leaflet");
+  command
+      .add_option("--label", inputs.label_numbers,
+                  "Which label is what, each with a --label of its own: anterior=N, posterior=N, "
+                  "annulus=N (default: by the names in the file, else 1, 2 and 3)")
+      .one_at_a_time();
+  command.add_option("--series", inputs.series,
+                     "Folder of the DICOM series that the labels were drawn on: spacing and frame "
+                     "where the label map has none, else checked");
+  command.add_option("--annulus", inputs.annulus,
                      "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json)");
   command.add_option(
-      "--chordae", arguments->chordae,
+      "--chordae", inputs.chordae,
       "Insertions and papillary tips, CSV or JSON; or the word synthesise: drawn from "
       "anatomy, because images show none");
   command.add_option("--seed", arguments->seed, "Of synthesised chordae; 0: the mean anatomy")
       .check(number_from(0, 2147483647))
       .show_default();
   command.add_option(
-      "--tips", arguments->tips,
+      "--tips", inputs.tips,
       "Papillary tips that were seen, for synthesised chordae: CSV of papillary,x,y,z "
       "lines (papillary AL or PM) or points of Slicer labelled so (.mrk.json)");
   command
-      .add_option("--slicerheart", arguments->slicerheart,
+      .add_option("--slicerheart", inputs.slicerheart,
                   "Folder that SlicerHeart's ValveFemExport or `coapt export` wrote, instead")
+      .excludes("files")
       .excludes("--leaflet")
+      .excludes("--labels")
       .excludes("--annulus");
   command
       .add_option(
           "--abaqus", arguments->abaqus,
           "Input file of Abaqus (.inp, shells and trusses, any number of leaflets), instead")
+      .excludes("files")
       .excludes("--leaflet")
+      .excludes("--labels")
       .excludes("--annulus")
       .excludes("--chordae")
       .excludes("--slicerheart");
@@ -226,6 +198,15 @@ void add_valve_import(Command parent, int& status) {
           "annulus, 30 to 400 mm)")
       .show_argument("UNIT")
       .excludes("--abaqus");
+  const std::map<std::string, PatientAxes> axes = {{to_string(PatientAxes::LPS), PatientAxes::LPS},
+                                                   {to_string(PatientAxes::RAS), PatientAxes::RAS}};
+  command
+      .add_choice("--frame", arguments->axes, axes,
+                  "Patient's axes of meshes and tables: LPS or RAS (default: as each file says, "
+                  "else LPS; markups and label maps always say)")
+      .show_argument("AXES")
+      .excludes("--slicerheart")
+      .excludes("--abaqus");
   command.add_option("--name", arguments->name, "Name of the valve").show_default("imported");
   command.add_option("--provenance", arguments->provenance, "Source or licence, kept in the valve");
   command
@@ -248,13 +229,17 @@ void add_valve_import(Command parent, int& status) {
       "Leaflets segmented in systole, then fitted to the same surface:\n"
       "  coapt valve import --leaflet a.stl p.stl --annulus ring.mrk.json --closed \\\n"
       "    --chordae synthesise -o open.json\n\n"
+      "A segmentation of an echo or CT, and nothing else:\n"
+      "  coapt valve import segmentation.seg.nrrd -o valve.json\n"
+      "  coapt valve import labels.nii.gz --label anterior=4 --label posterior=5 --label annulus=7 \\\n"
+      "    --series DICOM/ -o valve.json\n\n"
       "A folder holds the leaflets and the chordae as .vtk (chordae as lines, or as .csv tables),\n"
       "the annulus as a closed curve and the papillary tips, labelled AL and PM, as .mrk.json:\n"
       "  coapt valve import --slicerheart FEM-model/ -o valve.json\n\n"
       "A model of another code becomes a coapt.valve/2, which `coapt close` closes:\n"
       "  coapt valve import --abaqus Healthy_QuasiStatic.inp -o trivalve.json");
   command.on_run([arguments, command, &status] {
-    if (arguments->chordae == kSynthesise) arguments->options.chordae_seed = arguments->seed;
+    if (command.has("--frame")) arguments->inputs.axes = arguments->axes;
     if (command.has("--units")) arguments->options.units = arguments->units;
     if (arguments->json && arguments->output == "-") {
       std::cerr << "coapt: valve import: --json takes standard output, so -o must name a file\n";

@@ -7,18 +7,19 @@
 #include "core/valve/problem_list.h"
 #include "io/exchange/chorda_trees.h"
 #include "io/exchange/markups.h"
+#include "io/exchange/stated_axes.h"
 
 namespace coapt {
 namespace {
 
 /// Into `target`, or its problems below `pointer`.
-template <class T>
-void take(Expected<T> read, const std::string& pointer, ProblemList& problems, T& target) {
+template <class T, class Target>
+void take(Expected<T> read, const std::string& pointer, ProblemList& problems, Target& target) {
   if (read) {
     target = *std::move(read);
   } else {
     for (const Error& error : read.errors()) {
-      const bool below = error.path.starts_with(pointer + "/");
+      const bool below = error.path == pointer || error.path.starts_with(pointer + "/");
       problems.add(error.code, below ? error.path : pointer + error.path, error.message);
     }
   }
@@ -58,20 +59,98 @@ Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::s
   return tips;
 }
 
-Expected<ImportSource> read_import_files(const ImportFiles& files) {
+namespace {
+
+/// The axes of the files in words: "file (.vtk) of leaflet 1: RAS, turned to LPS".
+class AxesOfFiles {
+ public:
+  explicit AxesOfFiles(const std::optional<PatientAxes>& given) : given_(given) {}
+
+  /// Whether the numbers of a file are to be turned to LPS.
+  bool turned(const NamedFile& file, const std::string& part) {
+    const bool is_markup = format_of(file.name) == "json" && part != "chordae";
+    const std::optional<PatientAxes> stated = is_markup ? PatientAxes::LPS : stated_axes(file.bytes);
+    const PatientAxes axes = is_markup ? PatientAxes::LPS : given_.value_or(stated.value_or(PatientAxes::LPS));
+    const bool turns = axes == PatientAxes::RAS;
+    std::string reason = is_markup ? "markups say it themselves"
+                         : given_  ? "as given"
+                         : stated  ? "its header says SPACE=" + std::string(to_string(*stated))
+                                   : "it does not say, and LPS is DICOM's";
+    if (!is_markup && given_ && stated && *stated != *given_)
+      reason += std::string(", against its header, which says SPACE=") + to_string(*stated);
+    decisions_.push_back({"axes",
+                          part + (is_markup ? " brought to LPS"
+                                  : turns   ? ": RAS, turned to LPS"
+                                            : ": LPS"),
+                          reason});
+    return turns;
+  }
+
+  std::vector<ImportDecision> take() && { return std::move(decisions_); }
+
+ private:
+  std::optional<PatientAxes> given_;
+  std::vector<ImportDecision> decisions_;
+};
+
+void take_labels(const ImportFiles& files, const ImportReading& reading, ImportSource& source,
+                 ProblemList& problems) {
+  if (!files.leaflets.empty())
+    return problems.add(ErrorCode::UnknownField, "/labels",
+                        "cannot be given together with leaflets: its labels are the leaflets");
+  std::optional<LabelMap> map;
+  take(read_label_map(files.labels->bytes, reading.most_voxels), "/labels", problems, map);
+  if (!map) return;
+  std::optional<std::string> placed;
+  if (reading.series) take(place(*map, *reading.series), "/series", problems, placed);
+  if (!problems.empty()) return;
+  if (placed) source.decisions.push_back({"series", *placed, ""});
+  Expected<LabelParts> parts = label_parts(*map, reading.labels, !files.annulus);
+  if (!parts) {
+    for (const Error& error : parts.errors()) problems.add(error.code, error.path, error.message);
+    return;
+  }
+  source.leaflets = std::move(parts->leaflets);
+  if (!files.annulus) source.annulus_mm = std::move(parts->annulus_mm);
+  source.decisions.insert(source.decisions.end(), parts->decisions.begin(), parts->decisions.end());
+}
+
+}  // namespace
+
+Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportReading& reading) {
   ImportSource source;
   ProblemList problems;
-  for (std::size_t i = 0; i < files.leaflets.size(); ++i)
-    take(read_mesh(files.leaflets[i].bytes, format_of(files.leaflets[i].name)),
-         "/leaflets/" + std::to_string(i), problems, source.leaflets.emplace_back());
-  take(read_closed_loop(files.annulus.bytes, format_of(files.annulus.name)), "/annulus", problems,
-       source.annulus_mm);
-  if (files.chordae)
+  AxesOfFiles axes(reading.axes);
+  for (std::size_t i = 0; i < files.leaflets.size(); ++i) {
+    const NamedFile& file = files.leaflets[i];
+    TriangleMesh& mesh = source.leaflets.emplace_back();
+    take((reading.packed ? read_packed_mesh : read_mesh)(file.bytes, format_of(file.name)),
+         "/leaflets/" + std::to_string(i), problems, mesh);
+    if (axes.turned(file, "leaflet mesh " + std::to_string(i + 1))) turn_axes(mesh.vertices_mm);
+  }
+  if (files.labels)
+    take_labels(files, reading, source, problems);
+  else if (reading.series)
+    problems.add(ErrorCode::MissingField, "/labels", "is missing: the series places a label map");
+  if (files.annulus) {
+    take(read_closed_loop(files.annulus->bytes, format_of(files.annulus->name)), "/annulus",
+         problems, source.annulus_mm);
+    if (axes.turned(*files.annulus, "annulus")) turn_axes(source.annulus_mm);
+  }
+  if (files.chordae) {
     take(read_chordae(files.chordae->bytes, format_of(files.chordae->name)), "/chordae", problems,
          source.chordae);
-  if (files.tips)
+    if (axes.turned(*files.chordae, "chordae"))
+      for (ImportedChorda& chorda : source.chordae) turn_axes(chorda);
+  }
+  if (files.tips) {
     take(read_tips(files.tips->bytes, format_of(files.tips->name)), "/tips", problems, source.tips);
+    if (axes.turned(*files.tips, "papillary tips"))
+      for (ImportedTip& tip : source.tips) tip.position_mm.head<2>() *= -1.0;
+  }
   if (!problems.empty()) return std::move(problems).take();
+  const std::vector<ImportDecision> turned = std::move(axes).take();
+  source.decisions.insert(source.decisions.end(), turned.begin(), turned.end());
   return source;
 }
 

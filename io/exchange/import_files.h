@@ -4,16 +4,29 @@
 #include <optional>
 
 #include "io/exchange/formats.h"
+#include "io/exchange/label_parts.h"
+#include "io/exchange/stated_axes.h"
+#include "io/image/image_geometry.h"
 #include "io/mesh/import_valve.h"
 
 namespace coapt {
 
 struct ImportFiles {
   std::vector<NamedFile>
-      leaflets;       ///< OBJ, PLY, STL, VTK: the anterior, then the posterior sheet, or one skirt
-  NamedFile annulus;  ///< CSV, or a closed curve of Slicer (.mrk.json)
+      leaflets;  ///< OBJ, PLY, STL, VTK: the anterior, then the posterior leaflet, or one skirt
+  std::optional<NamedFile> annulus = {};  ///< CSV, or a closed curve of Slicer (.mrk.json)
   std::optional<NamedFile> chordae = {};  ///< CSV or JSON; none: they are to be drawn
   std::optional<NamedFile> tips = {};     ///< of such chordae: CSV, or labelled points of Slicer
+  std::optional<NamedFile> labels = {};   ///< NRRD or NIfTI, instead of leaflets; also of the annulus if that has no file
+};
+
+/// What the files leave open.
+struct ImportReading {
+  LabelNumbers labels;
+  std::optional<PatientAxes> axes = {};  ///< of meshes and tables; none: as they say, else LPS
+  std::optional<ImageGeometry> series = {};  ///< of the images that the labels were drawn on
+  bool packed = false;  ///< .vtp and .vtu, too (read_packed_mesh)
+  Index most_voxels = kMostVoxels;
 };
 
 /// "obj" of "Leaflet.OBJ": by its extension in lower case.
@@ -25,8 +38,9 @@ Expected<Points> read_closed_loop(std::string_view text, const std::string& form
 /// Papillary tips. @param format "json": markups of Slicer, points labelled AL or PM; else lines papillary,x,y,z.
 Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::string& format);
 
-/// For import_valve(). Errors: all problems of all files, with pointers that begin with /leaflets/0, /annulus, /chordae
-/// or /tips.
-Expected<ImportSource> read_import_files(const ImportFiles& files);
+/// For import_valve(), with the decisions that reading took. Errors: all problems of all files, with pointers that begin with
+/// /leaflets/0, /annulus, /chordae, /tips, /labels, /label_numbers or /series.
+Expected<ImportSource> read_import_files(const ImportFiles& files,
+                                         const ImportReading& reading = {});
 
 }  // namespace coapt

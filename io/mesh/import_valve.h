@@ -56,6 +56,13 @@ struct GivenLandmarks {
 enum class LengthUnit { Millimetre, Centimetre, Metre };
 const char* to_string(LengthUnit unit);  ///< mm, cm, m
 
+/// One thing that an import decided, as its valve's provenance says it: "about: decision; reason".
+struct ImportDecision {
+  std::string about;     ///< "units", "frame", "mesh", ...
+  std::string decision;  ///< what was taken or made
+  std::string reason;    ///< why, or by what rule; empty where that is the decision itself
+};
+
 struct ImportSource {
   std::string name;
   std::vector<std::string> provenance;
@@ -65,6 +72,7 @@ struct ImportSource {
   std::vector<ImportedChorda> chordae;
   std::vector<ImportedTip> tips;  ///< taken only where chordae are drawn
   GivenLandmarks landmarks = {};
+  std::vector<ImportDecision> decisions;  ///< that reading it took, before those of the import
 };
 
 struct ImportOptions {
@@ -82,13 +90,6 @@ struct ImportOptions {
   std::optional<int> chordae_seed = {};
   std::optional<LengthUnit>
       units;  ///< of the source; none: guessed from the annulus's circumference
-};
-
-/// One thing that an import decided, as its valve's provenance says it: "about: decision; reason".
-struct ImportDecision {
-  std::string about;     ///< "units", "frame", "mesh", ...
-  std::string decision;  ///< what was taken or made
-  std::string reason;    ///< why, or by what rule; empty where that is the decision itself
 };
 
 /// What was given, in millimetres and in the frame of the valve made of it.

@@ -1,0 +1,217 @@
+#include "clients/cli/import_inputs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "io/dicom/series_geometry.h"
+#include "io/exchange/file_roles.h"
+#include "io/exchange/slicerheart.h"
+#include "io/mesh/text_scan.h"
+
+namespace coapt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files of a folder, in the order of their names.
+Expected<std::vector<std::string>> files_of(const std::string& folder) {
+  std::error_code failed;
+  std::vector<std::string> paths;
+  for (auto entry = fs::directory_iterator(folder, failed);
+       !failed && entry != fs::directory_iterator(); entry.increment(failed)) {
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored)) paths.push_back(entry->path());
+  }
+  if (failed) return Error{ErrorCode::InputOutput, "", "cannot be opened as a folder"};
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// The files of a folder that a valve can be made of.
+Expected<std::vector<NamedFile>> read_folder(const std::string& folder) {
+  const Expected<std::vector<std::string>> paths = files_of(folder);
+  if (!paths) return paths.errors();
+  std::vector<NamedFile> files;
+  for (const std::string& path : *paths) {
+    const std::string format = format_of(path);
+    if (format != "vtk" && format != "csv" && format != "json") continue;
+    const std::string name = fs::path(path).filename();
+    Expected<std::string> bytes = read_input(path);
+    if (!bytes) return Error{ErrorCode::InputOutput, name, "cannot be read"};
+    files.push_back({name, *std::move(bytes)});
+  }
+  return files;
+}
+
+int refuse(const std::string& why) {
+  std::cerr << "coapt: valve import: " << why << '\n';
+  return exit_code::kBadInput;
+}
+
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+/// Folders among the bare files: a DICOM series, or one of SlicerHeart.
+int take_folders(ImportInputs& inputs) {
+  for (const std::string& path : inputs.bare) {
+    if (!is_folder(path)) continue;
+    const Expected<std::vector<std::string>> files = files_of(path);
+    if (!files) return report_errors(path, files.errors());
+    const bool dicom = std::any_of(files->begin(), files->end(), is_dicom_file);
+    std::string& place = dicom ? inputs.series : inputs.slicerheart;
+    if (!place.empty())
+      return refuse(path + ": is a second folder of the same kind; one is accepted");
+    place = path;
+  }
+  std::erase_if(inputs.bare, is_folder);
+  if (!inputs.slicerheart.empty() && !inputs.bare.empty())
+    return refuse("a SlicerHeart folder takes no other files");
+  return exit_code::kOk;
+}
+
+int read_file(const std::string& path, const std::string& pointer, std::optional<NamedFile>& file,
+              ImportPlaces& places) {
+  if (path.empty()) return exit_code::kOk;
+  Expected<std::string> bytes = read_input(path);
+  if (!bytes) return report_errors(path, bytes.errors());
+  file = NamedFile{path, *std::move(bytes)};
+  places.emplace_back(pointer, path);
+  return exit_code::kOk;
+}
+
+int read_bare(const std::vector<std::string>& paths, ImportFiles& files, ImportPlaces& places,
+              std::vector<ImportDecision>& decisions) {
+  std::vector<NamedFile> read;
+  for (const std::string& path : paths) {
+    Expected<std::string> bytes = read_input(path);
+    if (!bytes) return report_errors(path, bytes.errors());
+    read.push_back({fs::path(path).filename(), *std::move(bytes)});
+  }
+  Expected<SortedFiles> sorted = sorted_files(std::move(read));
+  if (!sorted) {
+    for (const Error& error : sorted.errors()) {
+      const auto file = to_integer(error.path.substr(error.path.rfind('/') + 1));
+      report_errors(file ? paths[static_cast<std::size_t>(*file)] : "valve import",
+                    {{error.code, "", error.message}});
+    }
+    return exit_code::kBadInput;
+  }
+  files = std::move(sorted->files);
+  decisions = std::move(sorted->decisions);
+  for (const auto& [pointer, file] : sorted->places) places.emplace_back(pointer, paths[file]);
+  return exit_code::kOk;
+}
+
+int read_named(const ImportInputs& inputs, bool draws_chordae, ImportFiles& files,
+               ImportPlaces& places) {
+  for (const std::string& path : inputs.leaflets) {
+    std::optional<NamedFile> file;
+    const std::string pointer = "/leaflets/" + std::to_string(files.leaflets.size());
+    if (const int failed = read_file(path, pointer, file, places)) return failed;
+    files.leaflets.push_back(*std::move(file));
+  }
+  const std::string chordae = draws_chordae ? "" : inputs.chordae;
+  for (const auto& [path, pointer, file] :
+       {std::tuple(inputs.annulus, "/annulus", &files.annulus),
+        {chordae, "/chordae", &files.chordae},
+        {inputs.tips, "/tips", &files.tips},
+        {inputs.labels, "/labels", &files.labels}})
+    if (const int failed = read_file(path, pointer, *file, places)) return failed;
+  return exit_code::kOk;
+}
+
+int read_label_numbers(const std::vector<std::string>& words, LabelNumbers& numbers) {
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    const std::string part = word.substr(0, equals);
+    std::optional<int>* const number = part == "anterior"    ? &numbers.anterior
+                                       : part == "posterior" ? &numbers.posterior
+                                       : part == "annulus"   ? &numbers.annulus
+                                                             : nullptr;
+    const auto value =
+        equals == std::string::npos ? std::nullopt : to_integer(word.substr(equals + 1));
+    if (number == nullptr || !value || *value < 1 || *value > 65535)
+      return refuse("--label: is " + word +
+                    ", must be anterior=N, posterior=N or annulus=N, N from 1 to 65535");
+    *number = static_cast<int>(*value);
+  }
+  return exit_code::kOk;
+}
+
+int read_series(const std::string& folder, std::optional<ImageGeometry>& series) {
+  if (folder.empty()) return exit_code::kOk;
+  const Expected<std::vector<std::string>> files = files_of(folder);
+  if (!files) return report_errors(folder, files.errors());
+  Expected<ImageGeometry> read = read_series_geometry(*files);
+  if (!read) return report_errors(folder, read.errors());
+  series = *std::move(read);
+  return exit_code::kOk;
+}
+
+/// By the file that each is of, with what the pointer says inside it; chordae and tips are numbered by their lists.
+void report_at_places(const Errors& errors, const ImportPlaces& places) {
+  for (Error error : errors) {
+    std::string source = "valve import";
+    for (const auto& [pointer, path] : places) {
+      if (error.path != pointer && !error.path.starts_with(pointer + "/")) continue;
+      source = path;
+      if (pointer != "/chordae" && pointer != "/tips") error.path.erase(0, pointer.size());
+    }
+    if (error.path.starts_with("/label_numbers")) error.path.replace(0, 14, "--label");
+    report_errors(source, {error});
+  }
+}
+
+}  // namespace
+
+ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae) {
+  ReadInputs read;
+  ImportFiles files;
+  ImportReading reading;
+  ImportPlaces places;
+  std::vector<ImportDecision> decisions;
+  if ((read.failed = take_folders(inputs))) return read;
+  if (!inputs.slicerheart.empty()) {
+    Expected<std::vector<NamedFile>> folder = read_folder(inputs.slicerheart);
+    Expected<ImportSource> source =
+        folder ? read_slicerheart(*folder) : Expected<ImportSource>(folder.errors());
+    if (source)
+      read.source = *std::move(source);
+    else
+      read.failed = report_errors(inputs.slicerheart, source.errors());
+    return read;
+  }
+  if (!inputs.bare.empty() && (read.failed = read_bare(inputs.bare, files, places, decisions)))
+    return read;
+  if ((read.failed = read_named(inputs, draws_chordae, files, places))) return read;
+  if ((read.failed = read_label_numbers(inputs.label_numbers, reading.labels))) return read;
+  if ((read.failed = read_series(inputs.series, reading.series))) return read;
+  if (!inputs.series.empty()) places.emplace_back("/series", inputs.series);
+  if (!inputs.label_numbers.empty() && !files.labels)
+    read.failed = refuse("--label needs a label map (--labels)");
+  else if (files.leaflets.empty() && !files.labels && inputs.series.empty())
+    read.failed = refuse("--leaflet is required (or --labels, --slicerheart, or bare files)");
+  if (read.failed) return read;
+  if (draws_chordae && files.chordae) {
+    read.failed = refuse("--chordae synthesise cannot be given together with chordae");
+    return read;
+  }
+  reading.axes = inputs.axes;
+  reading.packed = true;
+  Expected<ImportSource> source = read_import_files(files, reading);
+  if (!source) {
+    report_at_places(source.errors(), places);
+    read.failed = exit_code::kBadInput;
+    return read;
+  }
+  read.source = *std::move(source);
+  read.source.decisions.insert(read.source.decisions.begin(), decisions.begin(), decisions.end());
+  return read;
+}
+
+}  // namespace coapt

@@ -1,0 +1,30 @@
+// The files that `coapt valve import` is given, by options or bare, as one source.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/exchange/import_files.h"
+
+namespace coapt {
+
+struct ImportInputs {
+  std::vector<std::string> bare;  ///< files whose part is guessed, a SlicerHeart folder, or one of a DICOM series
+  std::vector<std::string> leaflets;
+  std::string annulus, chordae, tips, labels, slicerheart, series;
+  std::vector<std::string> label_numbers;  ///< "anterior=1"
+  std::optional<PatientAxes> axes;
+};
+
+/// Where a part came from, for messages: a pointer into ImportFiles and the path of the file.
+using ImportPlaces = std::vector<std::pair<std::string, std::string>>;
+
+struct ReadInputs {
+  int failed = 0;  ///< an exit code; what is wrong was said on standard error
+  ImportSource source;
+};
+
+/// @param draws_chordae chordae are to be drawn. Problems are said with the file's own path.
+ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae);
+
+}  // namespace coapt

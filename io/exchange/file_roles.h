@@ -1,0 +1,29 @@
+// Which part of a valve a file holds, guessed from its name and from what is in it. The page guesses by the same names
+// (clients/web/src/valve/parts.ts).
+#pragma once
+
+#include "io/exchange/import_files.h"
+
+namespace coapt {
+
+enum class FileRole { Labels, Anterior, Posterior, Annulus, Chordae, Tips, None };
+
+struct GuessedRole {
+  FileRole role = FileRole::None;
+  std::string reason;
+};
+
+/// For each file. Label maps by extension; markups and tables by what they hold; meshes by name, two without names in the
+/// order given, one alone is a skirt of both leaflets (Anterior).
+std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files);
+
+struct SortedFiles {
+  ImportFiles files;
+  std::vector<ImportDecision> decisions;  ///< "file 2 of 3 (.stl) is ...": no names, which may be a person's
+  std::vector<std::pair<std::string, std::size_t>> places;  ///< pointer into ImportFiles, index of the file
+};
+
+/// Errors at "/files/I": a role that nothing tells, two files of one role.
+Expected<SortedFiles> sorted_files(std::vector<NamedFile> files);
+
+}  // namespace coapt

@@ -1,0 +1,26 @@
+#include "io/image/label_map.h"
+
+namespace coapt {
+
+bool is_label_map_format(std::string_view format) {
+  return format == "nrrd" || format == "nii" || format == "gz";
+}
+
+Expected<LabelMap> read_label_map(std::string_view bytes, Index most_voxels) {
+  return bytes.starts_with("NRRD") ? read_nrrd(bytes, most_voxels) : read_nifti(bytes, most_voxels);
+}
+
+std::vector<LabelAt> labels_of(const LabelMap& map) {
+  std::vector<LabelAt> found;
+  const std::size_t volume = map.voxels.size() / static_cast<std::size_t>(map.layers);
+  for (int layer = 0; layer < map.layers; ++layer) {
+    std::vector<bool> there(65536, false);
+    for (std::size_t i = 0; i < volume; ++i)
+      there[map.voxels[static_cast<std::size_t>(layer) * volume + i]] = true;
+    for (int value = 1; value < 65536; ++value)
+      if (there[static_cast<std::size_t>(value)]) found.push_back({layer, value});
+  }
+  return found;
+}
+
+}  // namespace coapt

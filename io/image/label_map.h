@@ -1,0 +1,62 @@
+// Label maps: images whose voxels say which part of the anatomy they are of, as segmentation tools write them (NRRD,
+// NIfTI). The readers are our own: the service is sent such files by strangers and has them in memory, where libraries of
+// either format open files by name, follow references to others, or end the program; and of both formats a label map
+// needs little.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/valve/types.h"
+
+namespace coapt {
+
+/// A label that the file gives a name. Names may be a person's: they choose a label and are shown to nobody.
+struct LabelName {
+  int layer = 0, value = 0;
+  std::string name;
+};
+
+struct LabelMap {
+  std::array<Index, 3> size = {0, 0, 0};  ///< voxels along i, j, k
+  int layers = 1;                         ///< labels of different layers may overlap
+  std::vector<std::uint16_t> voxels;      ///< ((layer * size[2] + k) * size[1] + j) * size[0] + i
+  Eigen::Matrix4d to_lps_mm = Eigen::Matrix4d::Identity();  ///< of the centre of voxel (i, j, k, 1)
+  bool placed = false;  ///< false: the file tells the voxels' size, not where the patient is
+  std::vector<LabelName> names;
+
+  Vec3 centre_mm(double i, double j, double k) const {
+    return (to_lps_mm * Eigen::Vector4d(i, j, k, 1.0)).head<3>();
+  }
+};
+
+/// A label of a map.
+struct LabelAt {
+  int layer = 0, value = 1;  ///< value from 1
+};
+
+/// Of all layers together, 512 x 512 x 512; 256 MiB in memory.
+inline constexpr Index kMostVoxels = Index{1} << 27;
+
+/// Attached data (no detached header), encodings raw, gzip and ascii, whole numbers from 0 to 65535 of any type, both byte
+/// orders, three axes and at most one of layers, as Slicer writes in .seg.nrrd. `most_voxels`: of all layers together.
+/// Errors name the field ("/sizes").
+Expected<LabelMap> read_nrrd(std::string_view bytes, Index most_voxels = kMostVoxels);
+
+/// One file (.nii or .nii.gz), NIfTI-1 or -2, one volume. The frame is that of sform, else of qform, else there is none.
+/// Not accepted: intensities that are scaled (scl_slope), numbers that are not whole. Errors name the field ("/dim").
+Expected<LabelMap> read_nifti(std::string_view bytes, Index most_voxels = kMostVoxels);
+
+/// Whether a format_of() file name extension ("nrrd", "nii", "gz") may be one of these two.
+bool is_label_map_format(std::string_view format);
+
+/// Either, by its first bytes.
+Expected<LabelMap> read_label_map(std::string_view bytes, Index most_voxels = kMostVoxels);
+
+/// All that are there but 0, by layer and value.
+std::vector<LabelAt> labels_of(const LabelMap& map);
+
+}  // namespace coapt

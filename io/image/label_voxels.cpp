@@ -1,0 +1,29 @@
+#include "io/image/label_voxels.h"
+
+#include <algorithm>
+
+namespace coapt {
+
+LabelVoxels::LabelVoxels(const LabelMap& map, const LabelAt& label)
+    : size_(map.size),
+      at_(map.voxels.data() + label.layer * map.size[0] * map.size[1] * map.size[2]),
+      value_(label.value) {}
+
+LabelBox LabelVoxels::box() const {
+  LabelBox box;
+  const std::uint16_t* voxel = at_;
+  for (Index k = 0; k < size_[2]; ++k)
+    for (Index j = 0; j < size_[1]; ++j)
+      for (Index i = 0; i < size_[0]; ++i) {
+        if (*voxel++ != value_) continue;
+        const Voxel here = {i, j, k};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          box.min[axis] = box.count == 0 ? here[axis] : std::min(box.min[axis], here[axis]);
+          box.max[axis] = box.count == 0 ? here[axis] : std::max(box.max[axis], here[axis]);
+        }
+        ++box.count;
+      }
+  return box;
+}
+
+}  // namespace coapt

@@ -1,0 +1,219 @@
+// NIfTI-1 and -2 (nifti.nimh.nih.gov, nifti1.h and nifti2.h): a header of 348 or 540 bytes in the byte order of the machine
+// that wrote it, then, from vox_offset on, the voxels. Frames lead to RAS, so x and y change their signs.
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "core/valve/problem_list.h"
+#include "io/image/image_geometry.h"
+#include "io/image/label_map.h"
+#include "io/image/voxel_stream.h"
+#include "io/mesh/byte_scan.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
+constexpr double kMostOffset = 16 << 20;  // extensions that lie before the voxels
+
+/// Where the fields of a header begin.
+struct Places {
+  std::size_t dim, datatype, pixdim, vox_offset, slope, inter, units, qform, sform, quatern, offset,
+      rows;
+};
+constexpr Places kPlaces1 = {40, 70, 76, 108, 112, 116, 123, 252, 254, 256, 268, 280};
+constexpr Places kPlaces2 = {16, 12, 104, 168, 176, 184, 500, 344, 348, 352, 376, 400};
+
+/// A header of either version, as numbers.
+class HeaderFields {
+ public:
+  HeaderFields(std::string_view bytes, std::endian order)
+      : bytes_(bytes),
+        order_(order),
+        second_(bytes.size() == kHeader2),
+        at_(second_ ? kPlaces2 : kPlaces1) {}
+
+  double dim(std::size_t i) const {
+    return second_ ? number<std::int64_t>(at_.dim + 8 * i) : number<std::int16_t>(at_.dim + 2 * i);
+  }
+  int datatype() const { return static_cast<int>(number<std::int16_t>(at_.datatype)); }
+  double pixdim(std::size_t i) const { return real(at_.pixdim, i); }
+  double vox_offset() const {
+    return second_ ? number<std::int64_t>(at_.vox_offset) : number<float>(at_.vox_offset);
+  }
+  double slope() const { return real(at_.slope, 0); }
+  double inter() const { return real(at_.inter, 0); }
+  int units() const {
+    return (second_ ? static_cast<int>(number<std::int32_t>(at_.units)) : bytes_[at_.units]) & 7;
+  }
+  double qform_code() const { return code(at_.qform); }
+  double sform_code() const { return code(at_.sform); }
+  double quatern(std::size_t i) const { return real(at_.quatern, i); }
+  double offset(std::size_t i) const { return real(at_.offset, i); }
+  double row(std::size_t i) const { return real(at_.rows, i); }
+
+ private:
+  template <class T>
+  double number(std::size_t at) const {
+    std::string_view rest = bytes_.substr(at);
+    return static_cast<double>(*take_binary<T>(rest, order_));
+  }
+  double real(std::size_t at, std::size_t i) const {
+    return second_ ? number<double>(at + 8 * i) : number<float>(at + 4 * i);
+  }
+  double code(std::size_t at) const {
+    return second_ ? number<std::int32_t>(at) : number<std::int16_t>(at);
+  }
+
+  std::string_view bytes_;
+  std::endian order_;
+  bool second_;
+  Places at_;
+};
+
+std::optional<VoxelType> type_of(int datatype) {
+  switch (datatype) {  // nifti1.h, NIFTI_TYPE_
+    case 2:
+      return VoxelType::Uint8;
+    case 4:
+      return VoxelType::Int16;
+    case 8:
+      return VoxelType::Int32;
+    case 16:
+      return VoxelType::Float32;
+    case 64:
+      return VoxelType::Float64;
+    case 256:
+      return VoxelType::Int8;
+    case 512:
+      return VoxelType::Uint16;
+    case 768:
+      return VoxelType::Uint32;
+    case 1024:
+      return VoxelType::Int64;
+    case 1280:
+      return VoxelType::Uint64;
+    default:
+      return {};
+  }
+}
+
+/// Method 2 of nifti1.h: a quaternion, voxel sizes and the direction of the slices.
+Eigen::Matrix4d qform(const HeaderFields& header) {
+  const double b = header.quatern(0), c = header.quatern(1), d = header.quatern(2);
+  const double a = std::sqrt(std::max(0.0, 1.0 - b * b - c * c - d * d));
+  const double face = header.pixdim(0) < 0.0 ? -1.0 : 1.0;
+  Eigen::Matrix4d frame = Eigen::Matrix4d::Identity();
+  frame.topLeftCorner<3, 3>() =
+      Eigen::Quaterniond(a, b, c, d).normalized().toRotationMatrix() *
+      Vec3(header.pixdim(1), header.pixdim(2), face * header.pixdim(3)).asDiagonal();
+  for (std::size_t i = 0; i < 3; ++i) frame(static_cast<Index>(i), 3) = header.offset(i);
+  return frame;
+}
+
+Eigen::Matrix4d sform(const HeaderFields& header) {
+  Eigen::Matrix4d frame = Eigen::Matrix4d::Identity();
+  for (std::size_t i = 0; i < 12; ++i)
+    frame(static_cast<Index>(i / 4), static_cast<Index>(i % 4)) = header.row(i);
+  return frame;
+}
+
+void read_frame(const HeaderFields& header, LabelMap& map, ProblemList& problems) {
+  const bool rows = header.sform_code() > 0.0, quaternion = header.qform_code() > 0.0;
+  map.placed = rows || quaternion;
+  if (rows) {
+    map.to_lps_mm = sform(header);
+  } else if (quaternion) {
+    map.to_lps_mm = qform(header);
+  } else {
+    for (Index i = 0; i < 3; ++i)
+      map.to_lps_mm(i, i) = std::abs(header.pixdim(static_cast<std::size_t>(i) + 1));
+  }
+  if (map.placed) map.to_lps_mm.topRows<2>() *= -1.0;
+  const double unit = header.units() == 1 ? 1000.0 : header.units() == 3 ? 0.001 : 1.0;
+  map.to_lps_mm.topRows<3>() *= unit;
+  check_voxel_steps(map.to_lps_mm, rows ? "/srow" : quaternion ? "/quatern" : "/pixdim", problems);
+}
+
+void read_size(const HeaderFields& header, Index most_voxels, LabelMap& map,
+               ProblemList& problems) {
+  const double count = header.dim(0);
+  bool good = count >= 3.0 && count <= 7.0;
+  Index voxels = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double size = header.dim(i + 1);
+    good = good && size >= 1.0 && size <= static_cast<double>(most_voxels / voxels);
+    if (!good) break;
+    map.size[i] = static_cast<Index>(size);
+    voxels *= map.size[i];
+  }
+  for (std::size_t i = 4; good && i <= static_cast<std::size_t>(count); ++i)
+    good = header.dim(i) == 1.0;
+  if (!good)
+    problems.add(ErrorCode::OutOfRange, "/dim",
+                 "must be one volume of at most " + std::to_string(most_voxels) + " voxels");
+}
+
+void check_numbers(const HeaderFields& header, ProblemList& problems) {
+  const double slope = header.slope(), inter = header.inter();
+  const bool scaled = (std::isfinite(slope) && slope != 0.0 && slope != 1.0) ||
+                      (std::isfinite(inter) && inter != 0.0 && slope != 0.0);
+  if (scaled)
+    problems.add(ErrorCode::Unsupported, "/scl_slope",
+                 "scales the numbers, as of intensities; must be 0 or 1, and scl_inter 0");
+  if (!type_of(header.datatype()))
+    problems.add(ErrorCode::Unsupported, "/datatype",
+                 "is " + std::to_string(header.datatype()) +
+                     ", must be whole numbers (2, 4, 8, 256, 512, 768, 1024, 1280), float or "
+                     "double (16, 64)");
+  if (!(header.vox_offset() <= kMostOffset))
+    problems.add(ErrorCode::OutOfRange, "/vox_offset", "must be at most 16 MiB");
+}
+
+}  // namespace
+
+Expected<LabelMap> read_nifti(std::string_view bytes, Index most_voxels) {
+  const bool gzip = bytes.starts_with("\x1f\x8b");
+  ByteStream stream(bytes, gzip);
+  std::array<char, kHeader2> head{};
+  const Error none = {ErrorCode::Unsupported, "", "is not a NIfTI file, or is truncated"};
+  if (!stream.read(head.data(), kHeader1)) return none;
+  std::endian order = std::endian::little;
+  std::size_t size = 0;
+  for (const std::endian tried : {std::endian::little, std::endian::big}) {
+    std::string_view start(head.data(), 4);
+    const auto length = *take_binary<std::int32_t>(start, tried);
+    if (length != kHeader1 && length != kHeader2) continue;
+    order = tried;
+    size = static_cast<std::size_t>(length);
+  }
+  const std::string_view magic = size == kHeader2 ? std::string_view(head.data() + 4, 4)
+                                                  : std::string_view(head.data() + 344, 4);
+  using namespace std::string_view_literals;
+  if (size != 0 && (magic == "ni1\0"sv || magic == "ni2\0"sv))
+    return Error{ErrorCode::Unsupported, "", "has its voxels in another file; must be one, .nii"};
+  if (magic != (size == kHeader2 ? "n+2\0"sv : "n+1\0"sv) || size == 0) return none;
+  if (size > kHeader1 && !stream.read(head.data() + kHeader1, size - kHeader1)) return none;
+  const HeaderFields header({head.data(), size}, order);
+  LabelMap map;
+  ProblemList problems;
+  read_size(header, most_voxels, map, problems);
+  check_numbers(header, problems);
+  read_frame(header, map, problems);
+  if (!problems.empty()) return std::move(problems).take();
+  const double offset = header.vox_offset();
+  if (offset > static_cast<double>(size) && !stream.skip(static_cast<std::uint64_t>(offset) - size))
+    return Error{ErrorCode::InputOutput, "/data", "is truncated or damaged"};
+  VoxelLayout layout;
+  layout.type = *type_of(header.datatype());
+  layout.order = order;
+  layout.count = static_cast<std::size_t>(map.size[0] * map.size[1] * map.size[2]);
+  Expected<std::vector<std::uint16_t>> labels = read_labels(stream, layout);
+  if (!labels) return labels.errors();
+  map.voxels = *std::move(labels);
+  return map;
+}
+
+}  // namespace coapt

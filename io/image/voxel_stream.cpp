@@ -1,0 +1,154 @@
+#include "io/image/voxel_stream.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "core/valve/number_text.h"
+#include "io/mesh/byte_scan.h"
+#include "io/mesh/text_scan.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::size_t kBlock = 1 << 16;       // of a multiple of eight bytes
+constexpr std::size_t kMostInput = 1U << 30;  // handed to zlib at once, which counts in 32 bits
+constexpr int kGzipWindow = 16 + MAX_WBITS;   // zlib's manual, inflateInit2
+
+const Error kTruncated = {ErrorCode::InputOutput, "/data", "is truncated or damaged"};
+
+std::optional<std::uint16_t> label_of(double number) {
+  if (!(number >= 0.0 && number <= 65535.0) || number != std::floor(number)) return {};
+  return static_cast<std::uint16_t>(number);
+}
+
+Error no_label(double number) {
+  return {ErrorCode::OutOfRange, "/data",
+          "has the number " + shown(number) +
+              ", must be labels, whole numbers from 0 to 65535; is this the image itself?"};
+}
+
+template <class T>
+Expected<std::vector<std::uint16_t>> read_as(ByteStream& stream, const VoxelLayout& layout) {
+  std::vector<std::uint16_t> labels;
+  std::array<char, kBlock> block;
+  while (labels.size() < layout.count) {
+    const std::size_t numbers = std::min(kBlock / sizeof(T), layout.count - labels.size());
+    if (!stream.read(block.data(), numbers * sizeof(T))) return kTruncated;
+    std::string_view bytes(block.data(), numbers * sizeof(T));
+    for (std::size_t i = 0; i < numbers; ++i) {
+      const auto number = static_cast<double>(*take_binary<T>(bytes, layout.order));
+      const std::optional<std::uint16_t> label = label_of(number);
+      if (!label) return no_label(number);
+      labels.push_back(*label);
+    }
+  }
+  return labels;
+}
+
+}  // namespace
+
+void ByteStream::Ender::operator()(z_stream* stream) const {
+  inflateEnd(stream);
+  delete stream;
+}
+
+ByteStream::ByteStream(std::string_view bytes, bool gzip) : bytes_(bytes) {
+  if (!gzip) return;
+  unpacker_.reset(new z_stream{});
+  inflateInit2(unpacker_.get(), kGzipWindow);
+}
+
+bool ByteStream::read(char* into, std::size_t size) {
+  if (unpacker_) return inflate_into(into, size);
+  if (bytes_.size() < size) return false;
+  std::memcpy(into, bytes_.data(), size);
+  bytes_.remove_prefix(size);
+  return true;
+}
+
+bool ByteStream::skip(std::uint64_t size) {
+  std::array<char, kBlock> block;
+  while (size > 0) {
+    const std::size_t part = std::min<std::uint64_t>(size, kBlock);
+    if (!read(block.data(), part)) return false;
+    size -= part;
+  }
+  return true;
+}
+
+bool ByteStream::inflate_into(char* into, std::size_t size) {
+  z_stream& stream = *unpacker_;
+  stream.next_out = reinterpret_cast<Bytef*>(into);
+  stream.avail_out = static_cast<uInt>(size);
+  while (stream.avail_out > 0) {
+    const std::size_t given = std::min(bytes_.size(), kMostInput);
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes_.data()));
+    stream.avail_in = static_cast<uInt>(given);
+    const uInt before = stream.avail_out;
+    const int state = inflate(&stream, Z_NO_FLUSH);
+    const std::size_t used = given - stream.avail_in;
+    bytes_.remove_prefix(used);
+    if (state == Z_STREAM_END) {  // another member may follow (RFC 1952, 2.2)
+      if (stream.avail_out > 0 && bytes_.empty()) return false;
+      if (inflateReset(&stream) != Z_OK) return false;
+    } else if (state != Z_OK || (used == 0 && stream.avail_out == before)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::size_t bytes_of(VoxelType type) {
+  constexpr std::array<std::size_t, 10> kBytes = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return kBytes[static_cast<std::size_t>(type)];
+}
+
+Expected<std::vector<std::uint16_t>> read_labels(ByteStream& stream, const VoxelLayout& layout) {
+  switch (layout.type) {
+    case VoxelType::Int8:
+      return read_as<std::int8_t>(stream, layout);
+    case VoxelType::Uint8:
+      return read_as<std::uint8_t>(stream, layout);
+    case VoxelType::Int16:
+      return read_as<std::int16_t>(stream, layout);
+    case VoxelType::Uint16:
+      return read_as<std::uint16_t>(stream, layout);
+    case VoxelType::Int32:
+      return read_as<std::int32_t>(stream, layout);
+    case VoxelType::Uint32:
+      return read_as<std::uint32_t>(stream, layout);
+    case VoxelType::Int64:
+      return read_as<std::int64_t>(stream, layout);
+    case VoxelType::Uint64:
+      return read_as<std::uint64_t>(stream, layout);
+    case VoxelType::Float32:
+      return read_as<float>(stream, layout);
+    case VoxelType::Float64:
+      return read_as<double>(stream, layout);
+  }
+  return kTruncated;
+}
+
+Expected<std::vector<std::uint16_t>> read_label_words(std::string_view text, std::size_t count) {
+  constexpr std::string_view kBlanks = " \t\r\n\f\v,";
+  std::vector<std::uint16_t> labels;
+  while (labels.size() < count) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    if (text.empty()) return kTruncated;
+    const std::size_t end = std::min(text.find_first_of(kBlanks), text.size());
+    const std::optional<double> number = to_number(text.substr(0, end));
+    const std::optional<std::uint16_t> label = label_of(number.value_or(-1.0));
+    if (!label) return no_label(number.value_or(std::numeric_limits<double>::quiet_NaN()));
+    labels.push_back(*label);
+    text.remove_prefix(end);
+  }
+  return labels;
+}
+
+}  // namespace coapt

@@ -1,0 +1,53 @@
+// The numbers of an image out of a stretch of bytes that may be compressed: read in blocks, so that what a file unpacks to is
+// bounded by what was asked of it and not by what it holds.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/valve/types.h"
+
+struct z_stream_s;  // of zlib
+
+namespace coapt {
+
+/// Bytes as they stand, or out of gzip.
+class ByteStream {
+ public:
+  ByteStream(std::string_view bytes, bool gzip);
+
+  /// Fills `size` bytes. False: there are not as many, or they are damaged.
+  bool read(char* into, std::size_t size);
+  bool skip(std::uint64_t size);
+
+ private:
+  bool inflate_into(char* into, std::size_t size);
+
+  struct Ender {
+    void operator()(z_stream_s* stream) const;
+  };
+  std::string_view bytes_;
+  std::unique_ptr<z_stream_s, Ender> unpacker_;  ///< none: as they stand
+};
+
+enum class VoxelType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Int64, Uint64, Float32, Float64 };
+
+struct VoxelLayout {
+  VoxelType type = VoxelType::Uint8;
+  std::endian order = std::endian::little;
+  std::size_t count = 0;
+};
+
+std::size_t bytes_of(VoxelType type);
+
+/// Errors at "/data": truncated or damaged; numbers that are not whole or not from 0 to 65535.
+Expected<std::vector<std::uint16_t>> read_labels(ByteStream& stream, const VoxelLayout& layout);
+
+/// Numbers as words.
+Expected<std::vector<std::uint16_t>> read_label_words(std::string_view text, std::size_t count);
+
+}  // namespace coapt

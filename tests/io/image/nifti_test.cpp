@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "io/image/label_map.h"
+
+namespace coapt {
+namespace {
+
+template <class T>
+void put(std::string& bytes, std::size_t at, T value) {
+  std::memcpy(bytes.data() + at, &value, sizeof(T));
+}
+
+/// 2 x 2 x 1 voxels of one byte, 0.5 x 0.6 x 0.7 mm, without a frame.
+std::string plain() {
+  std::string bytes(352, '\0');
+  put<std::int32_t>(bytes, 0, 348);
+  const std::int16_t dim[] = {3, 2, 2, 1, 1, 1, 1, 1};
+  std::memcpy(bytes.data() + 40, dim, sizeof dim);
+  put<std::int16_t>(bytes, 70, 2);
+  const float pixdim[] = {1, 0.5F, 0.6F, 0.7F};
+  std::memcpy(bytes.data() + 76, pixdim, sizeof pixdim);
+  put<float>(bytes, 108, 352);
+  put<float>(bytes, 112, 1);
+  bytes[123] = 2;
+  std::memcpy(bytes.data() + 344, "n+1", 4);
+  return bytes + std::string("\0\1\2\3", 4);
+}
+
+/// After one field was changed.
+template <class T>
+std::string changed(std::size_t at, T value) {
+  std::string bytes = plain();
+  put<T>(bytes, at, value);
+  return bytes;
+}
+
+std::string path_of(const std::string& bytes, Index most = kMostVoxels) {
+  const Expected<LabelMap> map = read_nifti(bytes, most);
+  return map ? "none" : map.errors().front().path;
+}
+
+TEST(Nifti, WithoutAFormOnlyTheVoxelsSizeIsKnown) {
+  const Expected<LabelMap> map = read_nifti(plain());
+  ASSERT_TRUE(map) << map.errors()[0].path;
+  EXPECT_FALSE(map->placed);
+  EXPECT_EQ(map->voxels, (std::vector<std::uint16_t>{0, 1, 2, 3}));
+  EXPECT_TRUE(map->centre_mm(1, 1, 1).isApprox(Vec3(0.5, 0.6, 0.7), 1e-6));
+}
+
+TEST(Nifti, QuaternionOfAQuarterTurnLeadsToLps) {
+  std::string bytes = changed<std::int16_t>(252, 1);
+  put<float>(bytes, 264, std::sqrt(0.5F));  // d: a quarter turn about z, so i leads along y of RAS
+  put<float>(bytes, 268, 10.0F);
+  const Expected<LabelMap> map = read_nifti(bytes);
+  ASSERT_TRUE(map);
+  EXPECT_TRUE(map->placed);
+  EXPECT_TRUE(map->centre_mm(0, 0, 0).isApprox(Vec3(-10, 0, 0), 1e-6));
+  EXPECT_TRUE(map->centre_mm(1, 0, 0).isApprox(Vec3(-10, -0.5, 0), 1e-6));
+  put<float>(bytes, 76, -1.0F);  // qfac: slices the other way
+  EXPECT_NEAR(read_nifti(bytes)->centre_mm(0, 0, 1).z(), -0.7, 1e-6);
+}
+
+TEST(Nifti, MetresAreMillimetres) {
+  std::string bytes = changed<char>(123, 1);
+  const float pixdim[] = {1, 0.0005F, 0.0006F, 0.0007F};
+  std::memcpy(bytes.data() + 76, pixdim, sizeof pixdim);
+  EXPECT_NEAR(read_nifti(bytes)->centre_mm(1, 0, 0).x(), 0.5, 1e-6);
+}
+
+TEST(Nifti, WhatIsWrongIsNamed) {
+  EXPECT_EQ(path_of(plain()), "none");
+  EXPECT_EQ(path_of(plain().substr(0, 100)), "");
+  EXPECT_EQ(path_of(plain().substr(0, 355)), "/data");
+  EXPECT_EQ(path_of(changed<std::int32_t>(0, 347)), "");
+  EXPECT_EQ(path_of(changed<char>(345, 'i')), "");
+  EXPECT_EQ(path_of(changed<std::int16_t>(40, 2)), "/dim");
+  EXPECT_EQ(path_of(changed<std::int16_t>(42, -2)), "/dim");
+  EXPECT_EQ(path_of(changed<std::int16_t>(42, 32767)), "/data");
+  std::string times = changed<std::int16_t>(40, 4);
+  put<std::int16_t>(times, 48, 2);
+  EXPECT_EQ(path_of(times), "/dim");
+  EXPECT_EQ(path_of(plain(), 3), "/dim");
+  EXPECT_EQ(path_of(changed<std::int16_t>(70, 128)), "/datatype");
+  EXPECT_EQ(path_of(changed<float>(112, 0.5F)), "/scl_slope");
+  EXPECT_EQ(path_of(changed<float>(112, std::numeric_limits<float>::quiet_NaN())), "none");
+  EXPECT_EQ(path_of(changed<float>(108, std::numeric_limits<float>::infinity())), "/vox_offset");
+  EXPECT_EQ(path_of(changed<float>(80, 0.0F)), "/pixdim/0");
+  EXPECT_EQ(path_of(changed<float>(80, std::numeric_limits<float>::quiet_NaN())), "/pixdim/0");
+  EXPECT_EQ(path_of(changed<std::int16_t>(254, 1)), "/srow/0");
+}
+
+TEST(Nifti, WhatUnpacksToMoreThanItSaysIsReadNoFurther) {
+  std::string bytes = plain() + std::string(std::size_t{64} << 20, '\7');
+  std::string packed(bytes.size() / 100, '\0');
+  z_stream stream{};
+  deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 9, Z_DEFAULT_STRATEGY);
+  stream.next_in = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  ASSERT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  const Expected<LabelMap> map = read_nifti(packed);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->voxels, (std::vector<std::uint16_t>{0, 1, 2, 3}));
+  EXPECT_EQ(path_of(packed.substr(0, 20)), "");
+}
+
+}  // namespace
+}  // namespace coapt

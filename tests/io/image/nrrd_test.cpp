@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "io/image/label_map.h"
+
+namespace coapt {
+namespace {
+
+const std::string kHead =
+    "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 1\nspace: left-posterior-superior\n"
+    "space directions: (0.5,0,0) (0,0.6,0) (0,0,0.7)\nspace origin: (1,2,3)\n";
+
+std::string with(std::string text, const std::string& old, const std::string& other) {
+  return text.replace(text.find(old), old.size(), other);
+}
+
+Error error_of(const std::string& bytes, Index most = kMostVoxels) {
+  const Expected<LabelMap> map = read_nrrd(bytes, most);
+  return map ? Error{ErrorCode::Busy, "none", ""} : map.errors().front();
+}
+
+TEST(Nrrd, RawVoxelsWithTheirFrame) {
+  const Expected<LabelMap> map =
+      read_nrrd(kHead + "encoding: raw\n\n" + std::string("\0\1\2\3", 4));
+  ASSERT_TRUE(map) << map.errors()[0].message;
+  EXPECT_EQ(map->size, (std::array<Index, 3>{2, 2, 1}));
+  EXPECT_EQ(map->voxels, (std::vector<std::uint16_t>{0, 1, 2, 3}));
+  EXPECT_TRUE(map->placed);
+  EXPECT_TRUE(map->centre_mm(1, 1, 1).isApprox(Vec3(1.5, 2.6, 3.7)));
+}
+
+TEST(Nrrd, OtherSpacesAreTurnedToLps) {
+  const std::string bytes = kHead + "encoding: ascii\n\n0 1\n2 3\n";
+  const auto corner = [&](const std::string& space) {
+    const Expected<LabelMap> map = read_nrrd(with(bytes, "left-posterior-superior", space));
+    return map ? map->centre_mm(1, 1, 1) : Vec3::Zero().eval();
+  };
+  EXPECT_TRUE(corner("LPS").isApprox(Vec3(1.5, 2.6, 3.7)));
+  EXPECT_TRUE(corner("right-anterior-superior").isApprox(Vec3(-1.5, -2.6, 3.7)));
+  EXPECT_TRUE(corner("left-anterior-superior").isApprox(Vec3(1.5, -2.6, 3.7)));
+}
+
+TEST(Nrrd, WithoutASpaceOnlyTheVoxelsSizeIsKnown) {
+  const Expected<LabelMap> map = read_nrrd(
+      "NRRD0001\ntype: short\ndimension: 3\nsizes: 2 1 1\nspacings: 0.5 0.6 0.7\nendian: big\n"
+      "encoding: raw\n\n" +
+      std::string("\1\2\0\3", 4));
+  ASSERT_TRUE(map) << map.errors()[0].message;
+  EXPECT_FALSE(map->placed);
+  EXPECT_EQ(map->voxels, (std::vector<std::uint16_t>{258, 3}));
+  EXPECT_TRUE(map->centre_mm(1, 1, 1).isApprox(Vec3(0.5, 0.6, 0.7)));
+}
+
+TEST(Nrrd, LayersOfSlicerAreSortedAndItsSegmentsNamed) {
+  std::string bytes = with(kHead, "dimension: 3\nsizes: 2 2 1", "dimension: 4\nsizes: 2 2 2 1");
+  bytes = with(bytes, "(0.5,0,0)", "none (0.5,0,0)") + "kinds: list domain domain domain\n" +
+          "Segment0_Name:=Anterior leaflet\nSegment0_LabelValue:=4\nSegment0_Layer:=1\n"
+          "Segment1_Name:=ring\nSegment1_LabelValue:=1\nSegment1_Layer:=0\n"
+          "PatientName:=DOE^JANE\nencoding: raw\n\n" +
+          std::string("\1\4\0\4\1\0\0\0", 8);
+  const Expected<LabelMap> map = read_nrrd(bytes);
+  ASSERT_TRUE(map) << map.errors()[0].message;
+  EXPECT_EQ(map->layers, 2);
+  EXPECT_EQ(map->voxels, (std::vector<std::uint16_t>{1, 0, 1, 0, 4, 4, 0, 0}));
+  ASSERT_EQ(map->names.size(), 2U);
+  EXPECT_EQ(map->names[0].name, "Anterior leaflet");
+  EXPECT_EQ(map->names[0].value, 4);
+  EXPECT_EQ(map->names[0].layer, 1);
+  const std::vector<LabelAt> labels = labels_of(*map);
+  ASSERT_EQ(labels.size(), 2U);
+  EXPECT_EQ(labels[1].layer, 1);
+  EXPECT_EQ(labels[1].value, 4);
+}
+
+TEST(Nrrd, WhatIsWrongIsNamed) {
+  const std::string good = kHead + "encoding: ascii\n\n0 1 2 3";
+  EXPECT_EQ(error_of("P6").code, ErrorCode::Unsupported);
+  EXPECT_EQ(error_of(kHead).code, ErrorCode::InputOutput);
+  EXPECT_EQ(error_of(with(good, "0 1 2 3", "0 1 2")).path, "/data");
+  EXPECT_EQ(error_of(with(good, "0 1 2 3", "0 1 2 -3")).code, ErrorCode::OutOfRange);
+  EXPECT_EQ(error_of(with(good, "0 1 2 3", "0 1 2 3.5")).code, ErrorCode::OutOfRange);
+  EXPECT_EQ(error_of(with(good, "2 2 1", "2 2")).path, "/sizes");
+  EXPECT_EQ(error_of(with(good, "2 2 1", "2 2 0")).path, "/sizes");
+  EXPECT_EQ(error_of(with(good, "2 2 1", "9223372036854775807 9223372036854775807 2")).path,
+            "/sizes");
+  EXPECT_EQ(error_of(good, 3).path, "/sizes");
+  EXPECT_EQ(error_of(with(good, "uchar", "block")).path, "/type");
+  EXPECT_EQ(error_of(with(good, "uchar", "float")).path, "none");
+  EXPECT_EQ(error_of(with(good, "ascii", "bzip2")).path, "/encoding");
+  EXPECT_EQ(error_of(with(good, "left-posterior-superior", "inner")).path, "/space");
+  EXPECT_EQ(error_of(with(good, "(0.5,0,0)", "(0.5,0)")).path, "/space directions");
+  EXPECT_EQ(error_of(with(good, "(0.5,0,0)", "(0,0,0)")).path, "/space directions/0");
+  EXPECT_EQ(error_of(with(good, "(0.5,0,0)", "(0,0.5,0)")).path, "/space directions");
+  EXPECT_EQ(error_of(with(good, "(0.5,0,0)", "(nan,0.5,0)")).path, "/space directions/0");
+  EXPECT_EQ(error_of(with(good, "encoding", "data file: other.raw\nencoding")).path, "/data file");
+  EXPECT_EQ(error_of(with(good, "encoding", "line skip: -3\nencoding")).path, "/byte skip");
+}
+
+}  // namespace
+}  // namespace coapt
