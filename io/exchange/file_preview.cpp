@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/exchange/import_files.h"
+#include "io/exchange/label_parts.h"
 #include "io/exchange/markups.h"
 
 namespace coapt {
@@ -67,6 +68,8 @@ const char* to_string(FileContent content) {
   switch (content) {
     case FileContent::Surface:
       return "surface";
+    case FileContent::Labels:
+      return "labels";
     case FileContent::Curve:
       return "curve";
     case FileContent::PointList:
@@ -81,10 +84,33 @@ const char* to_string(FileContent content) {
   return "";
 }
 
+namespace {
+
+/// Anterior and posterior leaflet as one surface.
+FilePreview labels_preview(const std::string& bytes) {
+  const Expected<LabelMap> map = read_label_map(bytes, kMostVoxelsSent);
+  if (!map) return {FileContent::Unknown, {}, {}, {}, map.errors()};
+  const Expected<LabelParts> parts = label_parts(*map, {}, false);
+  if (!parts) return {FileContent::Unknown, {}, {}, {}, parts.errors()};
+  FilePreview preview{FileContent::Labels, {}, {}, {}, {}};
+  for (const TriangleMesh& mesh : parts->leaflets) {
+    const Eigen::Index vertices = preview.points.rows(), faces = preview.faces.rows();
+    preview.points.conservativeResize(vertices + mesh.vertices_mm.rows(), 3);
+    preview.points.bottomRows(mesh.vertices_mm.rows()) = mesh.vertices_mm;
+    preview.faces.conservativeResize(faces + mesh.faces.rows(), 3);
+    preview.faces.bottomRows(mesh.faces.rows()) =
+        (mesh.faces.array() + static_cast<int>(vertices)).matrix();
+  }
+  return preview;
+}
+
+}  // namespace
+
 FilePreview preview_file(const NamedFile& file) {
   const std::string format = format_of(file.name);
   if (format == "json") return json_preview(file.bytes);
   if (format == "csv") return csv_preview(file.bytes);
+  if (is_label_map_format(format)) return labels_preview(file.bytes);
   const Expected<TriangleMesh> mesh = read_mesh(file.bytes, format);
   if (mesh) return {FileContent::Surface, mesh->vertices_mm, mesh->faces, {}, {}};
   return {FileContent::Unknown, {}, {}, {}, mesh.errors()};

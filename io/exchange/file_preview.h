@@ -8,13 +8,13 @@
 
 namespace coapt {
 
-enum class FileContent { Surface, Curve, PointList, Tips, Chordae, Unknown };
+enum class FileContent { Surface, Labels, Curve, PointList, Tips, Chordae, Unknown };
 const char* to_string(FileContent content);  ///< "surface", ...
 
 struct FilePreview {
   FileContent content = FileContent::Unknown;
   Points points;  ///< n x 3, in the file's units and frame; chordae: insertion, tip, insertion, ...
-  Faces faces;    ///< of a surface
+  Faces faces;    ///< of a surface; of a label map that of both leaflets
   std::vector<std::string> labels;  ///< n or none; of tips and chordae "AL" or "PM"
   Errors problems;                  ///< of the reader that its name calls for
 };

@@ -47,6 +47,18 @@ auto number(double min, double max) {
   return [=](const JsonPlace& place) { return read_number_in(place, {min, max}); };
 }
 
+PatientAxes read_axes(const JsonPlace& place) {
+  return read_name<PatientAxes>(place, {PatientAxes::LPS, PatientAxes::RAS});
+}
+
+LabelNumbers read_label_numbers(const JsonPlace& place) {
+  LabelNumbers numbers;
+  read_fields(place, {{"anterior", into(numbers.anterior, whole(1, 65535)), false},
+                      {"posterior", into(numbers.posterior, whole(1, 65535)), false},
+                      {"annulus", into(numbers.annulus, whole(1, 65535)), false}});
+  return numbers;
+}
+
 GivenLandmarks read_landmarks(const JsonPlace& place) {
   GivenLandmarks seen;
   read_fields(
@@ -126,7 +138,11 @@ NamedFile read_file(const JsonPlace& place) {
 
 std::vector<JsonField> import_fields(ImportRequest& asked) {
   ImportOptions& options = asked.options;
+  asked.reading.most_voxels = kMostVoxelsSent;
   return {{"leaflets", into(asked.leaflets, read_named_files), false},
+          {"labels", into(asked.labels, read_file), false},
+          {"label_numbers", into(asked.reading.labels, read_label_numbers), false},
+          {"axes", into(asked.reading.axes, read_axes), false},
           {"annulus", into(asked.annulus, read_file), false},
           {"chordae", into(asked.chordae, read_file), false},
           {"chordae_seed", into(options.chordae_seed, whole(0, 2147483647)), false},
@@ -151,12 +167,13 @@ JsonField fit_field(ImportRequest& request) { return {"fit", into(request.fit, r
 Errors check_import(const ImportRequest& asked) {
   ProblemList problems;
   for (const auto& [given, path] : {std::pair(asked.leaflets.has_value(), "/leaflets"),
-                                    {asked.annulus.has_value(), "/annulus"}}) {
+                                    {asked.labels.has_value(), "/labels"},
+                                    {asked.annulus.has_value(), "/annulus"}})
     if (given && asked.slicerheart)
       problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
-    if (!given && !asked.slicerheart)
-      problems.add(ErrorCode::MissingField, path, "is missing (or give slicerheart)");
-  }
+  if (!asked.leaflets && !asked.labels && !asked.slicerheart)
+    problems.add(ErrorCode::MissingField, "/leaflets",
+                 "is missing (or give labels, a label map, or slicerheart)");
   const bool drawn = asked.options.chordae_seed.has_value();
   if (asked.chordae && asked.slicerheart)
     problems.add(ErrorCode::UnknownField, "/chordae", "cannot be given together with slicerheart");
@@ -187,7 +204,9 @@ Expected<ImportedValve> make_import(const ImportRequest& asked) {
   Expected<ImportSource> source =
       asked.slicerheart
           ? read_slicerheart(*asked.slicerheart)
-          : read_import_files({*asked.leaflets, *asked.annulus, asked.chordae, asked.tips});
+          : read_import_files({asked.leaflets.value_or(std::vector<NamedFile>{}), asked.annulus,
+                               asked.chordae, asked.tips, asked.labels},
+                              asked.reading);
   if (!source) return asked.slicerheart ? below_folder(source.errors()) : source.errors();
   source->name = asked.name;
   source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),

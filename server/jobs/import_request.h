@@ -23,7 +23,8 @@ struct FitRequest {
 
 struct ImportRequest {
   std::optional<std::vector<NamedFile>> leaflets, slicerheart;
-  std::optional<NamedFile> annulus, chordae, tips;
+  std::optional<NamedFile> annulus, chordae, tips, labels;
+  ImportReading reading;
   GivenLandmarks landmarks;
   std::string name = "imported";
   std::vector<std::string> provenance;

@@ -105,8 +105,8 @@ class Client:
 
     def import_valve(
         self,
-        leaflets: Iterable[Path],
-        annulus: Path,
+        leaflets: Iterable[Path] | Path,
+        annulus: Path | None,
         chordae: Path | int,
         *,
         tips: Path | None = None,
@@ -115,14 +115,17 @@ class Client:
     ) -> StoredValve:
         """Makes a valve of the files of a segmentation tool, in one unit, and stores it.
 
-        :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior sheet, or one skirt
-        :param annulus: CSV of x,y,z, or a closed curve of Slicer (.mrk.json)
+        :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior leaflet, or one skirt; or the path of a label map
+            of both (NRRD or NIfTI)
+        :param annulus: CSV of x,y,z, or a closed curve of Slicer (.mrk.json); None: that of the label map, else found at the
+            leaflets
         :param chordae: CSV or JSON; or a seed: they were not seen, and are drawn from anatomy
         :param tips: of drawn chordae: papillary tips that were seen, CSV of papillary,x,y,z or labelled points of
             Slicer; left out, they are drawn, too
         :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
-            "cm" or "m"; left out, they are guessed from the annulus), closed (True: the leaflets were imaged
-            closed), hidden_mm (of such leaflets, what coaptation hides)
+            "cm" or "m"; left out, they are guessed from the annulus), closed (True or False: the leaflets were imaged
+            closed or open; left out, that is guessed), hidden_mm (of closed leaflets, what coaptation hides), label_numbers
+            (of a label map: a mapping of "anterior", "posterior" and "annulus" to numbers), axes ("LPS" or "RAS")
         :raises Refused: what is wrong with which file
         """
         return self._imported(files_to_import(leaflets, annulus, chordae, tips), name, options)
@@ -358,7 +361,7 @@ class Client:
 
     def import_job(
         self,
-        leaflets: Iterable[Path] = (),
+        leaflets: Iterable[Path] | Path = (),
         annulus: Path | None = None,
         chordae: Path | int | None = None,
         *,
@@ -384,8 +387,8 @@ class Client:
         """
         if slicerheart is not None:
             files = {"slicerheart": packed_folder(slicerheart)} | _given(chordae_seed=chordae)
-        elif annulus is None or chordae is None:
-            raise TypeError("import_job() takes leaflets, annulus and chordae, or slicerheart")
+        elif leaflets == () or chordae is None:
+            raise TypeError("import_job() takes leaflets and chordae, or slicerheart")
         else:
             files = files_to_import(leaflets, annulus, chordae, tips)
         request = files | options | {"name": name} | _given(fit=None if fit is None else fit.to_json())

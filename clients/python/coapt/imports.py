@@ -10,7 +10,7 @@ from typing import Any
 
 from .errors import NoSuchFile
 
-_BINARY = (".ply", ".stl", ".vtk")  # may be
+_BINARY = (".ply", ".stl", ".vtk", ".nrrd", ".nii", ".gz")  # may be
 _OF_A_FOLDER = (".vtk", ".csv", ".json")  # what SlicerHeart and coapt write there
 
 
@@ -39,13 +39,19 @@ def packed_folder(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
 
 
 def files_to_import(
-    leaflets: Iterable[str | os.PathLike[str]],
-    annulus: str | os.PathLike[str],
+    leaflets: Iterable[str | os.PathLike[str]] | str | os.PathLike[str],
+    annulus: str | os.PathLike[str] | None,
     chordae: str | os.PathLike[str] | int,
     tips: str | os.PathLike[str] | None,
 ) -> dict[str, Any]:
-    """chordae: a file, or the seed of those to be drawn."""
-    files: dict[str, Any] = {"leaflets": [packed(leaflet) for leaflet in leaflets], "annulus": packed(annulus)}
+    """leaflets: meshes, or one label map; chordae: a file, or the seed of those to be drawn."""
+    files: dict[str, Any] = (
+        {"labels": packed(leaflets)}
+        if isinstance(leaflets, str | os.PathLike)
+        else {"leaflets": [packed(leaflet) for leaflet in leaflets]}
+    )
+    if annulus is not None:
+        files["annulus"] = packed(annulus)
     if isinstance(chordae, int):
         files["chordae_seed"] = chordae
     else:

@@ -36,7 +36,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
   const chosen = h('input', {
     type: 'file',
     multiple: true,
-    accept: '.obj,.ply,.stl,.vtk,.csv,.json',
+    accept: '.obj,.ply,.stl,.vtk,.nrrd,.nii,.gz,.csv,.json',
     onchange: () => take([...(chosen.files ?? [])]),
   })
   const name = h('input', { type: 'text', maxlength: 200, value: 'imported' })
@@ -273,6 +273,7 @@ function holds(file: FileLookedAt | null): string {
   const points = file.points.length / 3
   switch (file.content) {
     case 'surface':
+    case 'labels':
       return `${file.faces.length / 3} triangles`
     case 'curve':
       return `line of ${points} points`

@@ -5,6 +5,7 @@ import { LANDMARKS, TIPS, type Places } from './landmark_places'
 export const ROLES = [
   ['anterior', 'anterior leaflet, or both as one skirt'],
   ['posterior', 'posterior leaflet'],
+  ['labels', 'label map of both leaflets'],
   ['annulus', 'annulus'],
   ['chordae', 'chordae'],
   ['tips', 'papillary tips'],
@@ -15,7 +16,8 @@ export const ROLES = [
 export type Role = (typeof ROLES)[number][0]
 
 const MESHES = ['obj', 'ply', 'stl', 'vtk']
-const BINARY = ['ply', 'stl', 'vtk'] // may be
+const LABEL_MAPS = ['nrrd', 'nii', 'gz']
+const BINARY = ['ply', 'stl', 'vtk', ...LABEL_MAPS] // may be
 
 function extensionOf(name: string): string {
   return name.split('.').pop()?.toLowerCase() ?? ''
@@ -29,6 +31,7 @@ export function guessedRoles(names: string[], contents: (FileLookedAt['content']
   return names.map((name, i) => {
     const content = contents[i] ?? null
     const isMesh = MESHES.includes(extensionOf(name))
+    if (content === 'labels' || LABEL_MAPS.includes(extensionOf(name))) return 'labels'
     if (/annul/i.test(name)) return 'annulus'
     if (/chord/i.test(name) || content === 'chordae') return 'chordae'
     if (/tips|papill/i.test(name) || content === 'tips') return isMesh ? 'none' : 'tips'
@@ -44,7 +47,7 @@ export function placed<T>(files: T[], roles: Role[]): Map<string, T> {
   const of = (role: Role): T[] => files.filter((_, i) => roles[i] === role)
   const places = new Map<string, T>()
   for (const [i, file] of [...of('anterior'), ...of('posterior')].entries()) places.set(`/leaflets/${i}`, file)
-  for (const role of ['annulus', 'chordae', 'tips'] as const) for (const file of of(role)) places.set(`/${role}`, file)
+  for (const role of ['labels', 'annulus', 'chordae', 'tips'] as const) for (const file of of(role)) places.set(`/${role}`, file)
   for (const file of of('surface')) places.set('/fit/surface', file)
   for (const [i, file] of of('folder').entries()) places.set(`/slicerheart/${i}`, file)
   return places
@@ -70,6 +73,7 @@ export async function filesToImport(files: File[], roles: Role[], settings: Impo
     if (place === '/fit/surface') continue
     const part = await packed(file)
     if (place === '/annulus') request.annulus = part
+    else if (place === '/labels') request.labels = part
     else if (place === '/chordae') request.chordae = part
     else if (place === '/tips') request.tips = part
     else if (place.startsWith('/leaflets/')) request.leaflets = [...(request.leaflets ?? []), part]

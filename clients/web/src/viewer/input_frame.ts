@@ -49,7 +49,7 @@ export function inputFrame(parts: Part[]): InputFrame | null {
   const all = of(() => true)
   if (all.length === 0) return null
   const loop = of(({ file, role }) => role === 'annulus' || (role === 'folder' && file.content === 'curve'))
-  const surfaces = of(({ file }) => file.content === 'surface')
+  const surfaces = of(({ file }) => file.faces.length > 0)
   const origin = mean(loop.length > 2 ? loop : all)
   const chordae = parts.filter(({ file }) => file.content === 'chordae').flatMap(({ file }) => pointsOf(file))
   const tips = [...of(({ file }) => file.content === 'tips'), ...chordae.filter((_, i) => i % 2 === 1)]

@@ -23,6 +23,7 @@ import viewerStyle from './viewer.module.css'
 const COLOURS: Record<Role, string> = {
   anterior: '#e8998a',
   posterior: '#f2c491',
+  labels: '#e8998a',
   surface: '#9db4d6',
   annulus: '#cdb7b0',
   chordae: '#cdb7b0',
@@ -84,7 +85,7 @@ export class InputViewer {
     const chordae: number[] = []
     const tips: number[] = []
     for (const { file, role, points } of drawn) {
-      if (file.content === 'surface') this.group.add(surface(points, file.faces, COLOURS[role]))
+      if (file.faces.length > 0) this.group.add(surface(points, file.faces, COLOURS[role]))
       else if (file.content === 'chordae') chordae.push(...points.flat())
       else if (file.content === 'curve') {
         if (role === 'annulus' || role === 'folder') this.loop.push(...points)
