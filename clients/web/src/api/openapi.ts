@@ -120,6 +120,17 @@ export interface components {
             papillary_heads: components["schemas"]["Valve.head"][];
             /** @description Chordae, each a tree from one papillary head to one or more insertions. */
             chordae: components["schemas"]["Valve.chorda"][];
+            /** @description Sutures or clips that hold two points of the leaflets together: tension only. */
+            ties?: {
+                /** @description Unique. */
+                id: string;
+                anterior: components["schemas"]["Valve.insertion"];
+                posterior: components["schemas"]["Valve.insertion"];
+                rest_length_mm: number;
+                /** @description Radius of the disc of either leaflet that it pulls at. */
+                zone_mm: number;
+                stiffness_n_per_mm: number;
+            }[];
             /** @description There if chordae and heads were drawn from anatomy because images show none. */
             drawn_chordae?: {
                 /** @description Of the draw; 0: the mean anatomy. */
@@ -160,6 +171,17 @@ export interface components {
                     number,
                     number
                 ][]
+            ];
+        };
+        /** @description Barycentric weights on the vertices of a face. */
+        "Valve.insertion": {
+            /** @description Index of the face. */
+            face: number;
+            /** @description One for each vertex of the face; together 1. */
+            weights: [
+                number,
+                number,
+                number
             ];
         };
         "Valve.point": [
@@ -204,17 +226,7 @@ export interface components {
             diameter_mm: number;
             /** @description Modulus of this piece; left out: that of the tissue's chordae. */
             modulus_kpa?: number;
-            /** @description Barycentric weights on the vertices of a face. */
-            insertion?: {
-                /** @description Index of the face. */
-                face: number;
-                /** @description One for each vertex of the face; together 1. */
-                weights: [
-                    number,
-                    number,
-                    number
-                ];
-            };
+            insertion?: components["schemas"]["Valve.insertion"];
             /**
              * @description Radius of the disc of the leaflet that an inserting segment pulls at; 0: the face of the insertion alone.
              * @default 2
@@ -234,7 +246,7 @@ export interface components {
              */
             schema: "coapt.plan/1";
             /** @description Surgical steps; none: the valve stays as it is. */
-            steps: (components["schemas"]["Plan.annuloplasty"] | components["schemas"]["Plan.neochorda"] | components["schemas"]["Plan.chordal_length_change"] | components["schemas"]["Plan.chordal_excision"] | components["schemas"]["Plan.chordal_transfer"] | components["schemas"]["Plan.papillary_approximation"])[];
+            steps: (components["schemas"]["Plan.annuloplasty"] | components["schemas"]["Plan.neochorda"] | components["schemas"]["Plan.chordal_length_change"] | components["schemas"]["Plan.chordal_excision"] | components["schemas"]["Plan.chordal_transfer"] | components["schemas"]["Plan.papillary_approximation"] | components["schemas"]["Plan.edge_to_edge"] | components["schemas"]["Plan.leaflet_resection"])[];
         };
         /** @description A point of a leaflet, the same on every mesh. */
         "Plan.leaflet_point": {
@@ -321,6 +333,74 @@ export interface components {
             step: "chordal_excision";
             /** @description Id of the chorda. */
             chorda: string;
+        };
+        /** @description Opposite points of the free edges are held together. */
+        "Plan.edge_to_edge": {
+            /**
+             * @description Kind of step. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            step: "edge_to_edge";
+            /**
+             * @description A stitch along both free edges (Alfieri), or a clip, whose arms hold the leaflets 5 mm above them, too.
+             * @enum {string}
+             */
+            device: "stitch" | "clip";
+            /** @description Place on both edges: 0 anterolateral commissure, 0.5 A2 to P2, 1 posteromedial commissure. */
+            along: number;
+            /** @description Along the edges. */
+            width_mm: number;
+        };
+        /** @description Tissue of a leaflet is cut out with the chordae that it holds, and the edges of the cut are sewn together. Places of other steps are on what is left. */
+        "Plan.leaflet_resection": {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            step: "leaflet_resection";
+        } & (components["schemas"]["Plan.triangular_resection"] | components["schemas"]["Plan.quadrangular_resection"]);
+        /** @description A wedge, as wide as told at the free edge. */
+        "Plan.triangular_resection": {
+            /**
+             * @description Kind of step.
+             * @constant
+             */
+            step: "leaflet_resection";
+            /**
+             * @description A wedge. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            shape: "triangular";
+            /**
+             * @description Leaflet that is cut.
+             * @enum {string}
+             */
+            leaflet: "anterior" | "posterior";
+            /** @description Its middle: 0 anterolateral commissure, 0.5 A2 or P2, 1 posteromedial commissure. */
+            along: number;
+            /** @description Along the free edge; of the anterior leaflet 10 at most. */
+            width_mm: number;
+            /** @description From the free edge, as a share of the way to the annulus. */
+            height: number;
+        };
+        /** @description A strip of the posterior leaflet. */
+        "Plan.quadrangular_resection": {
+            /**
+             * @description Kind of step.
+             * @constant
+             */
+            step: "leaflet_resection";
+            /**
+             * @description A strip from the free edge to the annulus, of the posterior leaflet. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            shape: "quadrangular";
+            /** @description Its middle: 0 anterolateral commissure, 0.5 P2, 1 posteromedial commissure. */
+            along: number;
+            /** @description At most a third of the posterior annulus; without sliding 15 at most. */
+            width_mm: number;
+            /** @description The rest of the leaflet is spread over the posterior annulus; if not, the annulus is gathered. */
+            sliding: boolean;
         };
         /** @description A chorda moved to another point of the leaflets. */
         "Plan.chordal_transfer": {
@@ -458,7 +538,7 @@ export interface components {
                 schema?: "coapt.plan/1";
                 steps: components["schemas"]["Plan"]["steps"];
             };
-            /** @description Techniques that no plan has: annuloplasty, papillary_approximation, neochorda, chordal_length_change, chordal_excision, chordal_transfer; or, after a colon, one kind of it: annuloplasty:own, annuloplasty:<ring shape>, papillary_approximation:anterolateral, :posteromedial, :ipsilateral_trigone, :saddle_peak, :annulus_point, neochorda:anterior, :posterior. */
+            /** @description Techniques that no plan has: annuloplasty, papillary_approximation, neochorda, chordal_length_change, chordal_excision, chordal_transfer, edge_to_edge, leaflet_resection; or, after a colon, one kind of it: annuloplasty:own, annuloplasty:<ring shape>, papillary_approximation:anterolateral, :posteromedial, :ipsilateral_trigone, :saddle_peak, :annulus_point, neochorda:anterior, :posterior, edge_to_edge:stitch, :clip, leaflet_resection:triangular, :quadrangular, :anterior, :posterior. */
             forbidden?: string[];
             /**
              * @description Neochordae that a plan has at most.
@@ -480,6 +560,16 @@ export interface components {
              * @default false
              */
             chordal_transfer?: boolean;
+            /**
+             * @description Allows resection of the leaflet at a lesion.
+             * @default false
+             */
+            leaflet_resection?: boolean;
+            /**
+             * @description Allows a clip at a lesion.
+             * @default false
+             */
+            edge_to_edge?: boolean;
             /**
              * @description What can be tied.
              * @default 0.5
@@ -1045,6 +1135,17 @@ export interface components {
                 /** @description Anchor on the annulus. */
                 anchor_mm: components["schemas"]["Vector"];
             }[];
+            /** @description Ties of edge-to-edge repairs, each between two points of the leaflets. */
+            ties: {
+                /** @description Unique. */
+                id: string;
+                anterior: components["schemas"]["ScenePoint"];
+                posterior: components["schemas"]["ScenePoint"];
+                /** @description 0: slack. */
+                tension_n: number;
+            }[];
+            /** @description Seams of leaflet resections, each from its end towards the annulus to the free edge. */
+            seams: components["schemas"]["ScenePoint"][][];
             /** @description Green-Lagrange strain of each face; null: the closure diverged. */
             strain: {
                 /** @description Along the fibres, one for each face. */
@@ -1092,6 +1193,17 @@ export interface components {
             motion_mm: components["schemas"]["FlatPoints"][];
             /** @description What was measured of this closure. */
             closure: components["schemas"]["Closure"];
+        };
+        /** @description A point of the leaflets. */
+        ScenePoint: {
+            /** @description Index of the face that it lies in. */
+            face: number;
+            /** @description Of the three vertices of that face. */
+            weights: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description x, y and z; of a place in mm. */
         Vector: [
