@@ -227,6 +227,14 @@ bool is_better(const ClosureAttempt& a, const ClosureAttempt& b) {
          std::tuple(b.status, b.crossing_pairs, b.residual);
 }
 
+/// Nobody draws the knots of ties.
+Points without_knots(const Valve& valve, const Points& state_mm) {
+  const Index heads = std::ssize(valve.heads), knots = std::ssize(valve.ties);
+  Points kept(state_mm.rows() - knots, 3);
+  kept << state_mm.topRows(kept.rows() - heads), state_mm.bottomRows(heads);
+  return kept;
+}
+
 /// Ruptured chordae have no tension, but their points have places.
 void read_chordae(const Valve& valve, const ClosureModel& model, const Points& x,
                   ClosureResult& result) {
@@ -302,7 +310,8 @@ ClosureResult close_valve(const PreparedValve& prepared, const Valve& valve,
   result.guarded_faces = std::move(best.guarded_faces);
   result.closed_mm = best.x_mm.topRows(model.vertices);
   result.samples_mm = std::move(best.samples_mm);
-  result.motion_mm = std::move(best.motion_mm);
+  for (const Points& state_mm : best.motion_mm)
+    result.motion_mm.push_back(without_knots(valve, state_mm));
   if (result.samples_mm.empty()) result.samples_mm.push_back(result.closed_mm);
   read_chordae(valve, model, best.x_mm, result);
   return result;

@@ -32,7 +32,7 @@ struct ClosureResult {
   std::vector<Points> samples_mm;  ///< end states, the first equals closed_mm; at least one
   /// Where asked for: from where the attempt started to closed_mm, 15 steps apart. Rows: the
   /// vertices, the branch points (in the order of chordae and of their segments that do not
-  /// insert), the heads, the knots of ties. The way to rest is not that of real time.
+  /// insert), the heads. The way to rest is not that of real time.
   std::vector<Points> motion_mm;
   std::vector<std::vector<double>> tension_n;  ///< [chorda][segment], >= 0
   std::vector<double> tie_tension_n;           ///< [tie], >= 0

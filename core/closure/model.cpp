@@ -107,8 +107,7 @@ void add_membrane(const Valve& valve, Membrane membrane, ClosureModel& model) {
 }
 
 void add_chordae(const Valve& valve, ClosureModel& model) {
-  const int heads = static_cast<int>(model.rest_mm.rows() - std::ssize(valve.ties) -
-                                     std::ssize(valve.heads));
+  const int heads = static_cast<int>(model.rest_mm.rows() - std::ssize(valve.heads));
   int next_branch = model.vertices;
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
     const Chorda& chorda = valve.chordae[c];
@@ -143,9 +142,11 @@ void add_chordae(const Valve& valve, ClosureModel& model) {
   }
 }
 
-/// A tie is two cables from its knot, a free node, each half as long: so it pulls at zones on either side.
+/// A tie is two cables from its knot, a free node, each half as long: so it pulls at zones on
+/// either side.
 void add_ties(const Valve& valve, ClosureModel& model) {
-  int knot = static_cast<int>(model.rest_mm.rows() - std::ssize(valve.ties));
+  auto knot =
+      static_cast<int>(model.rest_mm.rows() - std::ssize(valve.heads) - std::ssize(valve.ties));
   for (std::size_t t = 0; t < valve.ties.size(); ++t, ++knot) {
     const Tie& tie = valve.ties[t];
     for (const Insertion& insertion : {tie.anterior, tie.posterior}) {
@@ -207,8 +208,8 @@ ClosureModel make_closure_model(const Valve& valve, Membrane membrane) {
   int branch_points = 0;
   for (const Chorda& chorda : valve.chordae)
     for (const ChordaSegment& segment : chorda.segments) branch_points += segment.inserts ? 0 : 1;
-  const int first_head = model.vertices + branch_points;
-  const int nodes = first_head + static_cast<int>(valve.heads.size() + valve.ties.size());
+  const int first_head = model.vertices + branch_points + static_cast<int>(valve.ties.size());
+  const int nodes = first_head + static_cast<int>(valve.heads.size());
   model.rest_mm.setZero(nodes, 3);
   model.fixed.assign(nodes, false);
   model.mass_g.assign(nodes, 0.0);
@@ -240,6 +241,7 @@ void set_targets(const Valve& valve, ClosureModel& model) {
       const PapillaryHead& head = valve.heads[chorda.head];
       model.target_mm.row(node++) = segment.branch_point_mm + head.tip_mm - head.rest_mm;
     }
+  node += static_cast<int>(valve.ties.size());
   for (const PapillaryHead& head : valve.heads) model.target_mm.row(node++) = head.tip_mm;
 }
 

@@ -26,9 +26,10 @@ struct Spring {
   double post_n_per_mm = 0.0;  ///< and above
 };
 
-/// One chorda segment, or a half of a tie from its knot: pulls its two ends together when longer than its rest length.
+/// One chorda segment, or a half of a tie from its knot: pulls its two ends together when longer
+/// than its rest length.
 struct Cable {
-  int start = 0;               ///< node: papillary head or branch point
+  int start = 0;               ///< node: papillary head, branch point or knot
   std::vector<NodeShare> end;  ///< one branch point, or the zone of the leaflet where it inserts
   double rest_mm = 0.0;
   double stiffness_n_per_mm = 0.0;
@@ -36,7 +37,7 @@ struct Cable {
 };
 
 /// Nodes: the leaflet vertices, then one per chorda segment that ends in a branch point, then the
-/// heads, then the knots of ties.
+/// knots of ties, then the heads.
 struct ClosureModel {
   int vertices = 0;
   Faces faces;

@@ -38,8 +38,8 @@ bool PreparedValve::serves(const Valve& valve, const ClosureOptions& options) co
          same_numbers(valve_.fibre, valve.fibre) && valve_.segments == valve.segments &&
          valve_.leaflets == valve.leaflets && valve_.face_leaflet == valve.face_leaflet &&
          valve_.annulus == valve.annulus && same_heads(valve_.heads, valve.heads) &&
-         valve_.chordae == valve.chordae && valve_.ties == valve.ties && valve_.tissue == valve.tissue &&
-         valve_.pressure_kpa == valve.pressure_kpa;
+         valve_.chordae == valve.chordae && valve_.ties == valve.ties &&
+         valve_.tissue == valve.tissue && valve_.pressure_kpa == valve.pressure_kpa;
 }
 
 ClosureModel PreparedValve::model(const Valve& valve) const {

@@ -1,7 +1,7 @@
-// Rings first, because they move the anchors; then sutures, which move the tips; then chordae and
-// edges.
-// Within one kind no two steps touch the same thing (that is refused), and neochordae and edge-to-edge steps are sorted:
-// so the order of the steps in the plan cannot matter.
+// Resections first, because a place on a leaflet is one on what is left of it; then rings, which move
+// the anchors; then sutures, which move the tips; then chordae and edges. Within one kind no two steps
+// touch the same thing (that is refused), and neochordae and edge-to-edge steps are sorted: so the
+// order of the steps in the plan cannot matter.
 
 #include "core/repair/apply_plan.h"
 
@@ -14,6 +14,7 @@
 #include "core/repair/chordal.h"
 #include "core/repair/describe.h"
 #include "core/repair/edge_to_edge.h"
+#include "core/repair/leaflet_resection.h"
 #include "core/valve/validate.h"
 
 namespace coapt {
@@ -26,6 +27,24 @@ void refuse_second(const std::string& path, const std::string& what, std::size_t
   problems.add(
       ErrorCode::ImpossibleStep, path,
       "is a second " + what + ", after step " + std::to_string(first) + "; only one is possible");
+}
+
+void resect(const RepairPlan& plan, const LeafletCoordinates& coordinates, Valve& valve,
+            ProblemList& problems) {
+  for (const Leaflet leaflet : {Leaflet::Anterior, Leaflet::Posterior}) {
+    std::vector<std::size_t> cuts;
+    for (std::size_t i = 0; i < plan.steps.size(); ++i)
+      if (const auto* step = std::get_if<LeafletResection>(&plan.steps[i]))
+        if (step->leaflet == leaflet) cuts.push_back(i);
+    if (cuts.empty()) continue;
+    for (std::size_t k = 1; k < cuts.size(); ++k)
+      refuse_second(step_path(cuts[k]) + "/leaflet",
+                    std::string("resection of the ") + to_string(leaflet) + " leaflet", cuts[0],
+                    problems);
+    const auto& step = std::get<LeafletResection>(plan.steps[cuts[0]]);
+    if (check_resection(step, coordinates, valve, step_path(cuts[0]), problems))
+      apply_resection(step, coordinates, valve);
+  }
 }
 
 void place_ring(const RepairPlan& plan, Valve& valve, ProblemList& problems) {
@@ -63,6 +82,7 @@ class ChordalPass {
 
   void treat(const Annuloplasty&, std::size_t) {}
   void treat(const PapillaryApproximation&, std::size_t) {}
+  void treat(const LeafletResection&, std::size_t) {}
   void treat(const EdgeToEdge& step, std::size_t i) {
     if (check_edge_to_edge(step, step_path(i), problems_)) edges_.push_back(step);
   }
@@ -134,6 +154,11 @@ bool changes(const Neochorda&, const std::string& path, const Valve&) { return p
 bool changes(const EdgeToEdge&, const std::string& path, const Valve&) {
   return path.starts_with("/ties");
 }
+bool changes(const LeafletResection&, const std::string& path, const Valve&) {
+  return path.starts_with("/vertices_mm") || path.starts_with("/faces") ||
+         path.starts_with("/fibre") || path.starts_with("/annulus") ||
+         path.starts_with("/landmarks") || path.starts_with("/chordae");
+}
 bool changes(const ChordalLengthChange& step, const std::string& path, const Valve& valve) {
   return is_of_chorda(path, step.chorda, valve);
 }
@@ -162,8 +187,10 @@ Errors check_result(const Valve& repaired, const RepairPlan& plan) {
 
 bool needs_coordinates(const RepairPlan& plan) {
   return std::any_of(plan.steps.begin(), plan.steps.end(), [](const RepairStep& step) {
-    return std::holds_alternative<Neochorda>(step) || std::holds_alternative<ChordalTransfer>(step) ||
-           std::holds_alternative<EdgeToEdge>(step);
+    return std::holds_alternative<Neochorda>(step) ||
+           std::holds_alternative<ChordalTransfer>(step) ||
+           std::holds_alternative<EdgeToEdge>(step) ||
+           std::holds_alternative<LeafletResection>(step);
   });
 }
 
@@ -172,11 +199,12 @@ bool needs_coordinates(const RepairPlan& plan) {
 Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan) {
   Valve repaired = valve;
   ProblemList problems;
-  place_ring(plan, repaired, problems);
-  tie_sutures(plan, repaired, problems);
-  // Leaflet coordinates belong to the anatomy: of the valve before its ring.
+  // Leaflet coordinates belong to the anatomy: of the valve before its repair.
   const LeafletCoordinates coordinates =
       needs_coordinates(plan) ? leaflet_coordinates(valve) : LeafletCoordinates{};
+  resect(plan, coordinates, repaired, problems);
+  place_ring(plan, repaired, problems);
+  tie_sutures(plan, repaired, problems);
   ChordalPass chordae(coordinates, repaired, problems);
   for (std::size_t i = 0; i < plan.steps.size(); ++i)
     std::visit([&](const auto& step) { chordae.treat(step, i); }, plan.steps[i]);

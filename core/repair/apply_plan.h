@@ -8,8 +8,8 @@
 namespace coapt {
 
 /// The repaired valve. Vertices, faces, heads and chordae keep their indices; neochordae are
-/// appended in the order of their text. The result does not depend on the order of the steps: rings
-/// act first, then sutures, then chordae. Errors point into the plan ("/steps/2/suture_length_mm")
+/// appended in the order of their text. The result does not depend on the order of the steps:
+/// resections act first, then rings, then sutures, then chordae and edges. Errors point into the plan ("/steps/2/suture_length_mm")
 /// and list every impossible step (slack suture, unknown chorda or ring, two steps on one chorda,
 /// two rings, ...) or else the steps that leave a valve that validate() refuses.
 /// @pre the valve is valid.

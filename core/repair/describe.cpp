@@ -84,6 +84,16 @@ std::string words(const Valve&, const PapillaryApproximation& step) {
          ", suture " + shown(step.suture_length_mm) + " mm";
 }
 
+std::string words(const Valve& valve, const LeafletResection& step) {
+  const std::string middle = place(valve, {step.leaflet, step.along, 1.0});
+  const std::string cut = std::string(to_string(step.shape)) + " resection at " + middle + ", " +
+                          shown(step.width_mm) + " mm wide";
+  if (step.shape == ResectionShape::Triangular)
+    return cut + ", over " + std::to_string(static_cast<int>(100.0 * step.height + 0.5)) +
+           " % of the height";
+  return cut + (step.sliding ? ", with sliding plasty" : ", with plication of the annulus");
+}
+
 std::string words(const Valve& valve, const EdgeToEdge& step) {
   return std::string("edge-to-edge ") + to_string(step.device) + ", " + shown(step.width_mm) +
          " mm wide, " + place(valve, {Leaflet::Anterior, step.along, 1.0}) + " to " +

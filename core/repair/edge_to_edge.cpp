@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/repair/limits.h"
 #include "core/valve/leaflet_point.h"
@@ -9,16 +10,12 @@
 namespace coapt {
 namespace {
 
-Vec3 point_mm(const Valve& valve, const LeafletCoordinates& coordinates, const LeafletPoint& point) {
-  return position(locate(valve, coordinates, point), valve.faces, valve.rest_mm);
-}
-
 /// How far `along` changes over a millimetre of the leaflet's free edge.
 double along_per_mm(const Valve& valve, const LeafletCoordinates& coordinates, Leaflet leaflet,
                     double along) {
   constexpr double kStep = 0.02;
-  const Vec3 before = point_mm(valve, coordinates, {leaflet, along - kStep, 1.0}),
-             after = point_mm(valve, coordinates, {leaflet, along + kStep, 1.0});
+  const Vec3 before = rest_position_mm(valve, coordinates, {leaflet, along - kStep, 1.0}),
+             after = rest_position_mm(valve, coordinates, {leaflet, along + kStep, 1.0});
   return 2.0 * kStep / (after - before).norm();
 }
 
@@ -26,8 +23,8 @@ double along_per_mm(const Valve& valve, const LeafletCoordinates& coordinates, L
 double grasp_share(const Valve& valve, const LeafletCoordinates& coordinates, Leaflet leaflet,
                    double along) {
   constexpr double kMostGrasp = 0.8;
-  const double height_mm = (point_mm(valve, coordinates, {leaflet, along, 1.0}) -
-                            point_mm(valve, coordinates, {leaflet, along, 0.0}))
+  const double height_mm = (rest_position_mm(valve, coordinates, {leaflet, along, 1.0}) -
+                            rest_position_mm(valve, coordinates, {leaflet, along, 0.0}))
                                .norm();
   return std::min(kMostGrasp, kClipGrasp_mm / height_mm);
 }
@@ -49,8 +46,9 @@ bool check_edge_to_edge(const EdgeToEdge& step, const std::string& path, Problem
 }
 
 std::string text_key(const EdgeToEdge& step) {
-  return std::string(to_string(step.device)) + ' ' + std::to_string(step.along) + ' ' +
-         std::to_string(step.width_mm);
+  char numbers[64];
+  std::snprintf(numbers, sizeof numbers, " %.17g %.17g", step.along, step.width_mm);
+  return to_string(step.device) + std::string(numbers);
 }
 
 void apply_edge_to_edge(const EdgeToEdge& step, const LeafletCoordinates& coordinates,

@@ -16,9 +16,21 @@ inline constexpr Range kNeochordaMm = {5.0, 40.0};
 inline constexpr Range kLengthChangeMm = {-20.0, 20.0};
 inline constexpr Range kSutureMm = {12.0, 100.0};  ///< papillary approximation
 inline constexpr double kLeastSutureShare = 0.5;   ///< of the present distance, at least
-inline constexpr Range kEdgeAlong = {0.05, 0.95};    ///< edge-to-edge: not in a commissure
+inline constexpr Range kEdgeAlong = {0.05, 0.95};  ///< edge-to-edge: not in a commissure
 inline constexpr Range kEdgeWidthMm = {2.0, 15.0};
-inline constexpr Range kShare = {0.0, 1.0};        ///< leaflet coordinates, place on the annulus
+// Leaflet resection. A wedge's base at the posterior free edge is 10 to 15 mm as a rule; of the
+// anterior leaflet little may go (its range and the least widths are assumed).
+inline constexpr Range kTriangularMm = {3.0, 20.0};
+inline constexpr Range kAnteriorTriangularMm = {3.0, 10.0};
+inline constexpr Range kQuadrangularMm = {3.0, 30.0};
+inline constexpr double kMostResected = 1.0 / 3.0;  ///< of the posterior annulus (Carpentier 1983)
+/// The annulus gathered without sliding; wider gaps are slid (assumed).
+inline constexpr double kMostPlicated_mm = 15.0;
+inline constexpr Range kResectionAlong = {0.15, 0.85};  ///< of the middle: not in a commissure
+inline constexpr Range kTriangularHeight = {0.3, 0.95};
+/// Of the leaflet between cut and commissure that must be left (assumed).
+inline constexpr double kLeastBeside = 0.5;
+inline constexpr Range kShare = {0.0, 1.0};  ///< leaflet coordinates, place on the annulus
 
 // Usual; outside, the search does not look and a plan is warned of.
 inline constexpr double kMostSizesBelow = 4.0;  ///< more is rejected in practice

@@ -34,6 +34,10 @@ const char* to_string(Anchor anchor) {
   return "";
 }
 
+const char* to_string(ResectionShape shape) {
+  return shape == ResectionShape::Triangular ? "triangular" : "quadrangular";
+}
+
 const char* to_string(EdgeDevice device) { return device == EdgeDevice::Clip ? "clip" : "stitch"; }
 
 }  // namespace coapt

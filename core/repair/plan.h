@@ -67,16 +67,30 @@ struct PapillaryApproximation {
 
 enum class EdgeDevice { Stitch, Clip };
 
-/// Opposite points of the leaflets' free edges are held together: a stitch along the edges (Alfieri), or a clip, whose arms also hold
-/// the leaflets kClipGrasp_mm above them.
+/// Opposite points of the leaflets' free edges are held together: a stitch along the edges
+/// (Alfieri), or a clip, whose arms also hold the leaflets kClipGrasp_mm above them.
 struct EdgeToEdge {
   EdgeDevice device = EdgeDevice::Stitch;
-  double along = 0.5;    ///< of both edges, LeafletPoint::along; 0.5: A2 to P2
+  double along = 0.5;     ///< of both edges, LeafletPoint::along; 0.5: A2 to P2
   double width_mm = 4.0;  ///< along the edges: 2 to 15
 };
 
-using RepairStep = std::variant<Annuloplasty, Neochorda, ChordalLengthChange, ChordalExcision,
-                                ChordalTransfer, PapillaryApproximation, EdgeToEdge>;
+enum class ResectionShape { Triangular, Quadrangular };
+
+/// Tissue of a leaflet is cut out, and the edges of the cut are sewn together.
+struct LeafletResection {
+  Leaflet leaflet = Leaflet::Posterior;  ///< Quadrangular: the posterior one
+  ResectionShape shape = ResectionShape::Triangular;
+  double along = 0.5;      ///< of its middle, LeafletPoint::along
+  double width_mm = 10.0;  ///< along the free edge
+  double height = 0.7;     ///< Triangular: from the free edge, as a share of the way to the annulus
+  /// Quadrangular: what is left is spread over the posterior annulus; else the annulus is gathered.
+  bool sliding = true;
+};
+
+using RepairStep =
+    std::variant<Annuloplasty, Neochorda, ChordalLengthChange, ChordalExcision, ChordalTransfer,
+                 PapillaryApproximation, EdgeToEdge, LeafletResection>;
 
 struct RepairPlan {
   std::vector<RepairStep> steps;
@@ -86,5 +100,6 @@ Vec3 anchor_mm(const Valve& valve, const PapillaryApproximation& step);
 
 const char* to_string(Anchor anchor);
 const char* to_string(EdgeDevice device);
+const char* to_string(ResectionShape shape);
 
 }  // namespace coapt

@@ -1,5 +1,7 @@
 #include "core/repair/repair_marks.h"
 
+#include "core/repair/leaflet_resection.h"
+
 namespace coapt {
 
 RepairMarks repair_marks(const Valve& before, const Valve& repaired, const RepairPlan& plan) {
@@ -10,6 +12,8 @@ RepairMarks repair_marks(const Valve& before, const Valve& repaired, const Repai
       marks.sutures.push_back({suture->side, papillary_tip_mm(before, suture->side),
                                papillary_tip_mm(repaired, suture->side),
                                anchor_mm(repaired, *suture)});
+    if (const auto* cut = std::get_if<LeafletResection>(&step))
+      marks.seams.push_back(seam_of(*cut, leaflet_coordinates(repaired), repaired));
   }
   return marks;
 }

@@ -76,6 +76,11 @@ Insertion locate(const Valve& valve, const LeafletCoordinates& coordinates,
   return best;
 }
 
+Vec3 rest_position_mm(const Valve& valve, const LeafletCoordinates& coordinates,
+                      const LeafletPoint& point) {
+  return position(locate(valve, coordinates, point), valve.faces, valve.rest_mm);
+}
+
 LeafletPoint leaflet_point(const Valve& valve, const LeafletCoordinates& coordinates,
                            const Insertion& insertion) {
   const int first = valve.faces(insertion.face, 0);

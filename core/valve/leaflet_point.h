@@ -22,6 +22,10 @@ double around(const LeafletPoint& point);
 Insertion locate(const Valve& valve, const LeafletCoordinates& coordinates,
                  const LeafletPoint& point);
 
+/// Where it lies in the unstressed shape.
+Vec3 rest_position_mm(const Valve& valve, const LeafletCoordinates& coordinates,
+                      const LeafletPoint& point);
+
 /// The other way round: where an insertion lies.
 LeafletPoint leaflet_point(const Valve& valve, const LeafletCoordinates& coordinates,
                            const Insertion& insertion);

@@ -24,12 +24,14 @@ void check_ties(const Valve& valve, ProblemList& problems) {
     const std::string path = at("/ties", static_cast<Index>(i));
     if (!ids.insert(tie.id).second)
       problems.add(ErrorCode::OutOfRange, path + "/id", "is that of an earlier tie");
-    check_insertion(tie.anterior, static_cast<int>(valve.faces.rows()), path + "/anterior", problems);
+    check_insertion(tie.anterior, static_cast<int>(valve.faces.rows()), path + "/anterior",
+                    problems);
     check_insertion(tie.posterior, static_cast<int>(valve.faces.rows()), path + "/posterior",
                     problems);
     check_range(problems, path + "/rest_length_mm", tie.rest_length_mm, kTieLengthMm, " mm");
     check_range(problems, path + "/zone_mm", tie.zone_mm, kTieZoneMm, " mm");
-    check_range(problems, path + "/stiffness_n_per_mm", tie.stiffness_n_per_mm, kTieNPerMm, " N/mm");
+    check_range(problems, path + "/stiffness_n_per_mm", tie.stiffness_n_per_mm, kTieNPerMm,
+                " N/mm");
   }
 }
 

@@ -74,18 +74,21 @@ std::string plain(const std::string& words) {
   return out;
 }
 
-/// Unique, also where ids differ only in what plain() takes away.
-std::string name_of(const Valve& valve, const Cable& cable) {
-  return std::to_string(cable.chorda + 1) + '.' + std::to_string(cable.segment + 1) + ' ' +
-         plain(valve.chordae[static_cast<std::size_t>(cable.chorda)].id);
-}
-
 /// The heaviest node of its end, 0-based.
 int end_node(const Cable& cable) {
   return std::max_element(
              cable.end.begin(), cable.end.end(),
              [](const NodeShare& a, const NodeShare& b) { return a.weight < b.weight; })
       ->node;
+}
+
+/// Unique, also where ids differ only in what plain() takes away.
+std::string name_of(const Valve& valve, const Cable& cable) {
+  if (cable.chorda < 0)  // a half of a tie
+    return "tie " + std::to_string(cable.segment + 1) + '.' + std::to_string(end_node(cable) + 1) +
+           ' ' + plain(valve.ties[static_cast<std::size_t>(cable.segment)].id);
+  return std::to_string(cable.chorda + 1) + '.' + std::to_string(cable.segment + 1) + ' ' +
+         plain(valve.chordae[static_cast<std::size_t>(cable.chorda)].id);
 }
 
 void add_fibre(Xml& xml, const char* axis, double post_kpa, double transition) {

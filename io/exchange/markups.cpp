@@ -15,7 +15,8 @@ constexpr const char* kSchema =
 constexpr std::string_view kVersions =
     "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
     "Schema/markups-schema-v1.";
-constexpr MarkupType kTypes[] = {MarkupType::Fiducial, MarkupType::Line, MarkupType::ClosedCurve};
+constexpr MarkupType kTypes[] = {MarkupType::Fiducial, MarkupType::Line, MarkupType::Curve,
+                                 MarkupType::ClosedCurve};
 
 ordered_json control_points(const Markup& markup) {
   ordered_json points = ordered_json::array();
@@ -131,6 +132,8 @@ const char* to_string(MarkupType type) {
       return "Fiducial";
     case MarkupType::Line:
       return "Line";
+    case MarkupType::Curve:
+      return "Curve";
     case MarkupType::ClosedCurve:
       return "ClosedCurve";
   }

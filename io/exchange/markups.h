@@ -9,7 +9,7 @@
 
 namespace coapt {
 
-enum class MarkupType { Fiducial, Line, ClosedCurve };
+enum class MarkupType { Fiducial, Line, Curve, ClosedCurve };
 
 struct Markup {
   MarkupType type = MarkupType::Fiducial;

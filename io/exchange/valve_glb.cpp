@@ -156,7 +156,7 @@ MorphedMesh chordae(const Valve& valve, const std::vector<ValveShape>& states) {
   return tubes("chordae", states, axes_of, colours);
 }
 
-/// The ring and the papillary sutures; neochordae are among the chordae.
+/// Ring, papillary sutures, ties and seams; neochordae are among the chordae.
 MorphedMesh repair(const ClosedValve& exported, const std::vector<ValveShape>& states) {
   std::vector<Colour8> colours;
   const auto axes_of = [&](const ValveShape& state) {
@@ -164,7 +164,8 @@ MorphedMesh repair(const ClosedValve& exported, const std::vector<ValveShape>& s
     colours.clear();
     for (const Markup& markup : repair_markups(exported, state)) {
       const bool is_ring = markup.type == MarkupType::ClosedCurve;
-      if (!is_ring && !markup.name.starts_with("suture")) continue;
+      const auto is_called = [&](const char* start) { return markup.name.starts_with(start); };
+      if (!is_ring && !is_called("suture:") && !is_called("tie:") && !is_called("seam:")) continue;
       const Eigen::Index points = markup.points_mm.rows();
       for (Eigen::Index i = is_ring ? 0 : 1; i < points; ++i) {
         const Vec3 from = markup.points_mm.row((i + points - 1) % points),

@@ -117,6 +117,19 @@ std::vector<Markup> repair_markups(const ClosedValve& exported, const ValveShape
       markups.push_back(line(chorda.id, segment_start(shape, chorda, c, s),
                              shape.chorda_ends_mm[c].row(static_cast<Eigen::Index>(s))));
   }
+  for (const Tie& tie : valve.ties) {
+    markups.push_back(line("tie: " + tie.id, position(tie.anterior, valve.faces, shape.vertices_mm),
+                           position(tie.posterior, valve.faces, shape.vertices_mm)));
+    markups.back().labels = {"anterior", "posterior"};
+  }
+  for (const std::vector<Insertion>& seam : exported.repair.seams) {
+    Points points_mm(std::ssize(seam), 3);
+    for (std::size_t i = 0; i < seam.size(); ++i)
+      points_mm.row(static_cast<Eigen::Index>(i)) =
+          position(seam[i], valve.faces, shape.vertices_mm);
+    markups.push_back({MarkupType::Curve, "seam: of a resection",
+                       numbered("seam", points_mm.rows()), std::move(points_mm)});
+  }
   return markups;
 }
 

@@ -134,15 +134,40 @@ RepairStep read_edge_to_edge(const JsonPlace& place) {
   return step;
 }
 
+RepairStep read_resection(const JsonPlace& place) {
+  LeafletResection step;
+  const auto shape = read_member(place, "shape");
+  if (!shape) return step;
+  step.shape =
+      read_name<ResectionShape>(*shape, {ResectionShape::Triangular, ResectionShape::Quadrangular});
+  const JsonField along = {"along", number_into(step.along, kResectionAlong)};
+  if (step.shape == ResectionShape::Quadrangular) {
+    read_fields(place, {tag("step"),
+                        tag("shape"),
+                        along,
+                        {"width_mm", number_into(step.width_mm, kQuadrangularMm, " mm")},
+                        {"sliding", into(step.sliding, read_boolean)}});
+  } else {
+    read_fields(place, {tag("step"),
+                        tag("shape"),
+                        {"leaflet", into(step.leaflet, read_leaflet)},
+                        along,
+                        {"width_mm", number_into(step.width_mm, kTriangularMm, " mm")},
+                        {"height", number_into(step.height, kTriangularHeight)}});
+  }
+  return step;
+}
+
 RepairStep read_step(const JsonPlace& place) {
   const auto kind = read_member(place, "step");
   if (!kind) return {};
-  const auto choice =
-      read_choice(*kind, {"annuloplasty", "neochorda", "chordal_length_change", "chordal_excision",
-                          "chordal_transfer", "papillary_approximation", "edge_to_edge"});
+  const auto choice = read_choice(
+      *kind, {"annuloplasty", "neochorda", "chordal_length_change", "chordal_excision",
+              "chordal_transfer", "papillary_approximation", "edge_to_edge", "leaflet_resection"});
   if (!choice) return {};
   constexpr std::array readers = {read_annuloplasty, read_neochorda, read_length_change,
-                                  read_excision,     read_transfer,  read_approximation, read_edge_to_edge};
+                                  read_excision,     read_transfer,  read_approximation,
+                                  read_edge_to_edge, read_resection};
   static_assert(readers.size() == std::variant_size_v<RepairStep>);
   return readers[*choice](place);
 }

@@ -57,6 +57,19 @@ ordered_json step_json(const EdgeToEdge& step) {
           {"width_mm", step.width_mm}};
 }
 
+ordered_json step_json(const LeafletResection& step) {
+  ordered_json json = {{"step", "leaflet_resection"}, {"shape", to_string(step.shape)}};
+  const bool quadrangular = step.shape == ResectionShape::Quadrangular;
+  if (!quadrangular) json["leaflet"] = to_string(step.leaflet);
+  json["along"] = step.along;
+  json["width_mm"] = step.width_mm;
+  if (quadrangular)
+    json["sliding"] = step.sliding;
+  else
+    json["height"] = step.height;
+  return json;
+}
+
 }  // namespace
 
 ordered_json to_json(const RepairPlan& plan) {

@@ -7,6 +7,7 @@
 #include "core/metrics/exact_orifice.h"
 #include "core/metrics/gap.h"
 #include "core/metrics/loads.h"
+#include "core/repair/leaflet_resection.h"
 #include "core/valve/leaflet_coordinates.h"
 
 namespace coapt {
@@ -155,6 +156,28 @@ ordered_json sutures_json(const Valve& valve, const RepairPlan& plan) {
   return list;
 }
 
+ordered_json insertion_json(const Insertion& point) {
+  return {{"face", point.face}, {"weights", list_of(point.weights, fine)}};
+}
+
+ordered_json ties_json(const Valve& valve, const ClosureResult& closure) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < valve.ties.size(); ++i)
+    list.push_back({{"id", valve.ties[i].id},
+                    {"anterior", insertion_json(valve.ties[i].anterior)},
+                    {"posterior", insertion_json(valve.ties[i].posterior)},
+                    {"tension_n", fine(closure.tie_tension_n[i])}});
+  return list;
+}
+
+ordered_json seams_json(const Valve& valve, const RepairPlan& plan) {
+  ordered_json list = ordered_json::array();
+  for (const RepairStep& step : plan.steps)
+    if (const auto* cut = std::get_if<LeafletResection>(&step))
+      list.push_back(list_of(seam_of(*cut, leaflet_coordinates(valve), valve), insertion_json));
+  return list;
+}
+
 /// `frames` of the states at most, evenly, the first and the last among them.
 ordered_json motion_json(const std::vector<Points>& states, int frames) {
   const int count = std::min(frames, static_cast<int>(std::ssize(states)));
@@ -187,6 +210,8 @@ ordered_json scene_to_json(const Scene& scene) {
       {"heads", heads_json(valve.heads)},
       {"chordae", chordae_json(valve, closure)},
       {"sutures", sutures_json(valve, plan)},
+      {"ties", ties_json(valve, closure)},
+      {"seams", seams_json(valve, plan)},
       {"strain", nullptr},
       {"orifices", ordered_json::array()},
       {"gap", ordered_json::array()},

@@ -12,7 +12,7 @@ namespace coapt {
 struct Scene {
   const Valve& valve;  ///< repaired, if it is
   const ClosureResult& closure;
-  const RepairPlan& plan;  ///< of the repair: its sutures are drawn
+  const RepairPlan& plan;  ///< of the repair: its sutures and seams are drawn
   int frames = 0;          ///< of the motion (ClosureResult::motion_mm), at most; 0: none
 };
 

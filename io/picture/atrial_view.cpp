@@ -194,6 +194,7 @@ void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const Closed
   cairo_clip(cairo);
   draw_ring(repair, closed);
   cairo_restore(cairo);
+  draw_seams(repair, closed);
   draw_segment_names(canvas, valve, view.plane, map, middle_px);
   draw_landmarks(canvas, valve, view.plane, map, middle_px);
   draw_sutures(repair, closed);

@@ -1,5 +1,5 @@
 // Told apart without colour, too: the ring is a stitched band, the annulus before thin dashes, sutures
-// long dashes, neochordae dots.
+// long dashes, neochordae dots, ties bars with two ends, seams short dashes.
 #include "io/picture/repair_paint.h"
 
 #include <algorithm>
@@ -45,6 +45,8 @@ void draw_thread(const Canvas& canvas, const Vec2& from, const Vec2& to, const S
 
 constexpr Stroke kBeforeStroke = {palette::kMuted, 1.8, 6.0, 5.0};
 constexpr Stroke kSutureStroke = {palette::kSuture, 3.0, 10.0, 6.0};
+constexpr Stroke kTieStroke = {palette::kSuture, 4.5};
+constexpr Stroke kSeamStroke = {palette::kSuture, 2.2, 4.0, 4.0};
 constexpr Stroke kNeochordaStroke = {palette::kNeochorda, 3.2, 0.1, 6.0};  // round ends: dots
 
 /// `trace` adds the path, as often as it is called.
@@ -83,6 +85,14 @@ void draw_way(const Canvas& canvas, const Vec2& from, const Vec2& to) {
   draw_tip(canvas, to, false);
 }
 
+void draw_tie(const Canvas& canvas, const Vec2& from, const Vec2& to) {
+  draw_thread(canvas, from, to, kTieStroke);
+  for (const Vec2& end : {from, to}) {
+    fill_circle(canvas, end, 5.0, palette::kPaper);
+    fill_circle(canvas, end, 3.8, palette::kSuture);
+  }
+}
+
 struct Thread {
   Vec3 head_mm, leaflet_mm;
 };
@@ -100,6 +110,16 @@ std::vector<Thread> neochordae(const ClosedValve& closed) {
             {head_mm, position(segment.insertion, valve.faces, closed.closure.closed_mm)});
   }
   return threads;
+}
+
+/// Of the ties in closed leaflets; leaflets that they hold lie a leaflet's thickness apart.
+std::vector<std::array<Vec3, 2>> ties_mm(const ClosedValve& closed) {
+  const auto at = [&](const Insertion& end) {
+    return position(end, closed.valve.faces, closed.closure.closed_mm);
+  };
+  std::vector<std::array<Vec3, 2>> ties;
+  for (const Tie& tie : closed.valve.ties) ties.push_back({at(tie.anterior), at(tie.posterior)});
+  return ties;
 }
 
 bool has_ring(const ClosedValve& closed) { return closed.repair.annulus_before_mm.rows() > 0; }
@@ -130,6 +150,13 @@ const Sign kNeochordaSign = {"neochorda", [](const Canvas& canvas, const Vec2& l
                                draw_line(canvas, left, left + Vec2(28.0, 0.0), kNeochordaStroke);
                              }};
 
+const Sign kTieSign = {"edge-to-edge ties", [](const Canvas& canvas, const Vec2& left) {
+                         draw_tie(canvas, left + Vec2(9.0, 0.0), left + Vec2(19.0, 0.0));
+                       }};
+const Sign kSeamSign = {"seam of a resection", [](const Canvas& canvas, const Vec2& left) {
+                          draw_line(canvas, left, left + Vec2(28.0, 0.0), kSeamStroke);
+                        }};
+
 std::vector<Sign> signs_of(const std::vector<const ClosedValve*>& valves) {
   const auto any = [&](const auto& test) {
     return std::any_of(valves.begin(), valves.end(),
@@ -145,6 +172,8 @@ std::vector<Sign> signs_of(const std::vector<const ClosedValve*>& valves) {
         return c.closure.closed_mm.allFinite() && !neochordae(c).empty();
       }))
     signs.push_back(kNeochordaSign);
+  if (any([](const ClosedValve& c) { return !c.valve.ties.empty(); })) signs.push_back(kTieSign);
+  if (any([](const ClosedValve& c) { return !c.repair.seams.empty(); })) signs.push_back(kSeamSign);
   return signs;
 }
 
@@ -181,6 +210,8 @@ void draw_sutures(const RepairSheet& sheet, const ClosedValve& closed) {
     fill_circle(sheet.canvas, leaflet, 5.0, palette::kPaper);
     fill_circle(sheet.canvas, leaflet, 3.8, palette::kNeochorda);
   }
+  for (const auto& [from_mm, to_mm] : ties_mm(closed))
+    draw_tie(sheet.canvas, sheet.place(from_mm), sheet.place(to_mm));
   for (const SutureMark& suture : closed.repair.sutures) {
     const Vec2 tip = sheet.place(suture.tip_mm), anchor = sheet.place(suture.anchor_mm);
     draw_thread(sheet.canvas, tip, anchor, kSutureStroke);
@@ -192,6 +223,17 @@ void draw_sutures(const RepairSheet& sheet, const ClosedValve& closed) {
               al ? "AL tip" : "PM tip",
               {13.0, palette::kPapillary, al ? Align::Right : Align::Left, true, 3.0});
   }
+}
+
+void draw_seams(const RepairSheet& sheet, const ClosedValve& closed) {
+  for (const std::vector<Insertion>& seam : closed.repair.seams)
+    for (const bool rim : {true, false}) {
+      for (const Insertion& point : seam) {
+        const Vec2 at = sheet.place(position(point, closed.valve.faces, closed.closure.closed_mm));
+        cairo_line_to(sheet.canvas.context.get(), at.x(), at.y());
+      }
+      stroke(sheet.canvas, rim ? Stroke{palette::kPaper, kSeamStroke.width + 2.5} : kSeamStroke);
+    }
 }
 
 void draw_legend(const Canvas& canvas, const Vec2& at, double width,

@@ -1,4 +1,4 @@
-// Rings, papillary sutures and neochordae over a picture of the closed valve, and what its signs mean.
+// Rings, papillary sutures, neochordae, ties and seams over a picture of the closed valve, and what its signs mean.
 #pragma once
 
 #include <array>
@@ -24,9 +24,12 @@ void draw_ring(const RepairSheet& sheet, const ClosedValve& closed);
 void draw_ring_cut(const RepairSheet& sheet, const ClosedValve& closed,
                    const std::array<Vec3, 2>& at_mm);
 
-/// Sutures dashed, neochordae dotted, and the muscle's way to its new place; from the atrium all of these
-/// lie behind the leaflets.
+/// Sutures dashed, neochordae dotted, ties of edge-to-edge repairs, and the muscle's way to its new place; from
+/// the atrium all of these lie behind the leaflets.
 void draw_sutures(const RepairSheet& sheet, const ClosedValve& closed);
+
+/// Seams of resections, stitched. @pre closed_mm is finite
+void draw_seams(const RepairSheet& sheet, const ClosedValve& closed);
 
 /// What the signs in pictures of these valves mean, those that are there; from the left, in as many lines
 /// as it takes. `at`: upper left corner.

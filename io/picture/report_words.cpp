@@ -164,6 +164,18 @@ StepWords words(const Operated& operated, const EdgeToEdge& step, std::size_t) {
           "Two openings are left in diastole; their area is not computed."};
 }
 
+StepWords words(const Operated& operated, const LeafletResection& step, std::size_t) {
+  const std::string middle = place_words(operated.before.valve, {step.leaflet, step.along, 1.0});
+  const char* chordae = "Chordae of the tissue that is cut out are cut.";
+  if (step.shape == ResectionShape::Triangular)
+    return {"Triangular resection at " + middle + ", " + mm(step.width_mm) +
+                " wide at the free edge, " + percent(step.height) + " of the way to the annulus",
+            chordae};
+  return {"Quadrangular resection at " + middle + ", " + mm(step.width_mm) + " wide, " +
+              (step.sliding ? "with sliding plasty" : "with plication of the annulus"),
+          chordae};
+}
+
 StepWords words(const Operated& operated, const ChordalLengthChange&, std::size_t index) {
   return words_as_described(operated, index);
 }
@@ -194,6 +206,10 @@ std::string in_short(const Neochorda& step) {
 std::string in_short(const EdgeToEdge& step) {
   return std::string(step.device == EdgeDevice::Clip ? "clip" : "edge-to-edge stitch") + ", " +
          mm(step.width_mm);
+}
+std::string in_short(const LeafletResection& step) {
+  return std::string(to_string(step.shape)) + " resection of the " + to_string(step.leaflet) +
+         " leaflet, " + mm(step.width_mm);
 }
 std::string in_short(const ChordalLengthChange& step) {
   return step.chorda + (step.change_mm < 0.0 ? " shortened" : " lengthened");

@@ -6,8 +6,8 @@
 namespace coapt {
 namespace {
 
-constexpr std::array kDecisions = {"ring", "anterolateral", "posteromedial", "neochordae",
-                                   "chordal"};
+constexpr std::array kDecisions = {"ring",       "anterolateral", "posteromedial",
+                                   "neochordae", "chordal",       "leaflet"};
 
 std::string word(const Choice& choice, std::size_t decision) {
   const auto anchor = [](const std::optional<Anchor>& a) {
@@ -22,8 +22,10 @@ std::string word(const Choice& choice, std::size_t decision) {
       return anchor(choice.posteromedial);
     case 3:
       return std::to_string(choice.neochordae);
-    default:
+    case 4:
       return std::to_string(static_cast<int>(choice.chordal));
+    default:
+      return std::to_string(static_cast<int>(choice.leaflet));
   }
 }
 
@@ -42,6 +44,8 @@ std::string word(const Parameter& parameter) {
       return "neochorda_length" + index;
     case ParameterOf::Shortening:
       return "shortening";
+    case ParameterOf::LeafletWidth:
+      return "leaflet_width";
   }
   return "";
 }

@@ -52,6 +52,7 @@ LatticePoint nearest_point(const Branch& from, const LatticePoint& at, const Bra
       if (q.of != p.of || q.index != p.index) continue;
       if (p.of == ParameterOf::RingSize && from.choice.ring != to.choice.ring)
         continue;  // sizes of other shapes mean something else
+      if (p.of == ParameterOf::LeafletWidth && from.choice.leaflet != to.choice.leaflet) continue;
       const double value = q.lower + q.step * at[j];
       point[k] =
           std::clamp(static_cast<int>(std::lround((value - p.lower) / p.step)), 0, p.count - 1);
@@ -63,7 +64,7 @@ LatticePoint nearest_point(const Branch& from, const LatticePoint& at, const Bra
 int differences(const Choice& a, const Choice& b) {
   return (a.ring != b.ring) + (a.anterolateral != b.anterolateral) +
          (a.posteromedial != b.posteromedial) + (a.neochordae != b.neochordae) +
-         (a.chordal != b.chordal);
+         (a.chordal != b.chordal) + (a.leaflet != b.leaflet);
 }
 
 }  // namespace coapt

@@ -14,12 +14,16 @@ namespace coapt {
 
 enum class ChordalChoice { None, CutStruts, Shorten, Transfer };
 
+/// Where marginal chordae are ruptured. Triangular, Quadrangular (sliding): resections. Clip: edge to edge.
+enum class LeafletChoice { None, Triangular, Quadrangular, Clip };
+
 /// The discrete decisions of a plan; what is fixed is not among them.
 struct Choice {
   std::string ring;                                    ///< shape; empty: none
   std::optional<Anchor> anterolateral, posteromedial;  ///< sutures
   int neochordae = 0;
   ChordalChoice chordal = ChordalChoice::None;
+  LeafletChoice leaflet = LeafletChoice::None;
 };
 
 enum class ParameterOf {
@@ -29,6 +33,7 @@ enum class ParameterOf {
   NeochordaPlace,  ///< of `along`, from the usual place of neochorda `index`
   NeochordaLength,  ///< mm, of neochorda `index`
   Shortening,       ///< mm
+  LeafletWidth,     ///< mm, of a resection or a clip
 };
 
 /// Values lower + k x step for k in [0, count).

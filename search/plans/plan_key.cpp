@@ -56,7 +56,15 @@ std::string words(const PapillaryApproximation& suture) {
 }
 
 std::string words(const EdgeToEdge& step) {
-  return std::string("edges ") + to_string(step.device) + number(step.along) + number(step.width_mm);
+  return std::string("edges ") + to_string(step.device) + number(step.along) +
+         number(step.width_mm);
+}
+
+std::string words(const LeafletResection& step) {
+  std::string text = std::string("resection ") + to_string(step.shape) + ' ' +
+                     to_string(step.leaflet) + number(step.along) + number(step.width_mm);
+  if (step.shape == ResectionShape::Triangular) return text + number(step.height);
+  return text + (step.sliding ? " sliding" : " plication");
 }
 
 }  // namespace

@@ -24,6 +24,11 @@ constexpr Range kAnchorPlaces = {0.05, 0.35};  // beside the saddle peak to behi
 constexpr double kAnchorPlaceStep = 0.025;     // 2 to 3 mm of the annulus
 constexpr double kFirstAnchorPlace = 0.15;     // about the trigone
 constexpr Range kShortenings_mm = {1.0, 6.0};
+// Bases of wedges are 10 to 15 mm as a rule, clips 4 to 6 mm wide.
+constexpr Range kTriangularWidths_mm = {6.0, 16.0}, kQuadrangularWidths_mm = {8.0, 20.0},
+                kClipWidths_mm = {4.0, 10.0};
+constexpr double kLeafletWidthStep_mm = 2.0;
+constexpr double kFirstResection_mm = 12.0, kFirstClip_mm = 6.0;
 constexpr int kShortened = 2;  // chordae, one on either side of the lesion as a rule
 
 Side side_of(int index) { return index == 0 ? Side::Anterolateral : Side::Posteromedial; }
@@ -31,7 +36,8 @@ Side side_of(int index) { return index == 0 ? Side::Anterolateral : Side::Poster
 int step_count(const Choice& choice) {
   return (choice.ring.empty() ? 0 : 1) + (choice.anterolateral ? 1 : 0) +
          (choice.posteromedial ? 1 : 0) + choice.neochordae +
-         (choice.chordal == ChordalChoice::None ? 0 : 1);
+         (choice.chordal == ChordalChoice::None ? 0 : 1) +
+         (choice.leaflet == LeafletChoice::None ? 0 : 1);
 }
 
 template <class Step>
@@ -39,6 +45,8 @@ bool has_step(const RepairPlan& plan) {
   return std::any_of(plan.steps.begin(), plan.steps.end(),
                      [](const RepairStep& step) { return std::holds_alternative<Step>(step); });
 }
+
+double within(Range range, double value) { return std::clamp(value, range.min, range.max); }
 
 std::string in_mm(double value) { return with_decimals(value, 1) + " mm"; }
 
@@ -54,13 +62,16 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules)
   const auto anterolateral = offer_anchors(Side::Anterolateral);
   const auto posteromedial = offer_anchors(Side::Posteromedial);
   const std::vector<int> neochordae = offer_neochordae();
+  const std::vector<ChordalChoice> chordals = offer_chordal();
+  const std::vector<LeafletChoice> leaflets = offer_leaflet();
   for (const std::string& ring : rings)
     for (const auto& al : anterolateral)
       for (const auto& pm : posteromedial)
         for (const int count : neochordae)
-          for (const ChordalChoice chordal : offer_chordal())
-            if (const auto branch = make_branch({ring, al, pm, count, chordal}))
-              branches_.push_back(*branch);
+          for (const ChordalChoice chordal : chordals)
+            for (const LeafletChoice leaflet : leaflets)
+              if (const auto branch = make_branch({ring, al, pm, count, chordal, leaflet}))
+                branches_.push_back(*branch);
   std::stable_sort(branches_.begin(), branches_.end(), [](const Branch& a, const Branch& b) {
     return step_count(a.choice) < step_count(b.choice);
   });
@@ -180,6 +191,45 @@ std::vector<ChordalChoice> PlanSpace::offer_chordal() {
   return offered;
 }
 
+std::vector<LeafletChoice> PlanSpace::offer_leaflet() {
+  std::vector<LeafletChoice> offered = {LeafletChoice::None};
+  if (!lesion_) return offered;
+  const auto may_be_cut = [&](ResectionShape shape) {
+    return !is_forbidden(rules_, "leaflet_resection", to_string(shape)) &&
+           !is_forbidden(rules_, "leaflet_resection", to_string(lesion_->leaflet));
+  };
+  if (rules_.leaflet_resection && !has_step<LeafletResection>(rules_.fixed)) {
+    if (may_be_cut(ResectionShape::Triangular)) offered.push_back(LeafletChoice::Triangular);
+    if (lesion_->leaflet == Leaflet::Posterior && may_be_cut(ResectionShape::Quadrangular))
+      offered.push_back(LeafletChoice::Quadrangular);
+  }
+  if (rules_.edge_to_edge && !has_step<EdgeToEdge>(rules_.fixed) &&
+      !is_forbidden(rules_, "edge_to_edge", to_string(EdgeDevice::Clip)))
+    offered.push_back(LeafletChoice::Clip);
+  return offered;
+}
+
+void PlanSpace::add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double width_mm) const {
+  switch (leaflet) {
+    case LeafletChoice::None:
+      return;
+    case LeafletChoice::Triangular:
+      plan.steps.emplace_back(LeafletResection{.leaflet = lesion_->leaflet,
+                                               .along = within(kResectionAlong, lesion_->middle),
+                                               .width_mm = width_mm});
+      return;
+    case LeafletChoice::Quadrangular:
+      plan.steps.emplace_back(LeafletResection{.shape = ResectionShape::Quadrangular,
+                                               .along = within(kResectionAlong, lesion_->middle),
+                                               .width_mm = width_mm});
+      return;
+    case LeafletChoice::Clip:
+      plan.steps.emplace_back(
+          EdgeToEdge{EdgeDevice::Clip, within(kEdgeAlong, lesion_->middle), width_mm});
+      return;
+  }
+}
+
 const PlanSpace::Ringed* PlanSpace::ringed(const std::string& shape, double size) const {
   const auto found = ringed_.find({shape, static_cast<int>(std::lround(2.0 * size))});
   return found == ringed_.end() ? nullptr : &found->second;
@@ -216,6 +266,26 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
   }
   if (choice.chordal == ChordalChoice::Shorten)
     parameters.push_back(make_parameter(ParameterOf::Shortening, 0, kShortenings_mm, 1.0, 2.0));
+  switch (choice.leaflet) {
+    case LeafletChoice::None:
+      break;
+    case LeafletChoice::Triangular: {
+      const double most = lesion_->leaflet == Leaflet::Anterior ? kAnteriorTriangularMm.max
+                                                                : kTriangularWidths_mm.max;
+      parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0,
+                                          {kTriangularWidths_mm.min, most}, kLeafletWidthStep_mm,
+                                          kFirstResection_mm));
+      break;
+    }
+    case LeafletChoice::Quadrangular:
+      parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, kQuadrangularWidths_mm,
+                                          kLeafletWidthStep_mm, kFirstResection_mm));
+      break;
+    case LeafletChoice::Clip:
+      parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, kClipWidths_mm,
+                                          kLeafletWidthStep_mm, kFirstClip_mm));
+      break;
+  }
   // The middle of every branch must be possible; single points beyond are found out when they are
   // tried.
   if (!apply_plan(valve_, plan(branch, start_of(branch)))) return std::nullopt;
@@ -245,7 +315,7 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
   const Choice& choice = branch.choice;
   std::array<double, 2> movement{}, place{};
   std::array<double, 4> shift{}, length{};
-  double size = 0.0, shortening = 0.0;
+  double size = 0.0, shortening = 0.0, leaflet_width = 0.0;
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Parameter& p = branch.parameters[k];
     const double value = p.lower + p.step * at[k];
@@ -269,6 +339,9 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
       case ParameterOf::Shortening:
         shortening = value;
         break;
+      case ParameterOf::LeafletWidth:
+        leaflet_width = value;
+        break;
     }
   }
   const Ringed& base = *ringed(choice.ring, size);
@@ -283,6 +356,7 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
     step.length_mm = length[k];
     plan.steps.emplace_back(step);
   }
+  add_leaflet_step(plan, choice.leaflet, leaflet_width);
   const auto id = [this](int chorda) { return valve_.chordae[chorda].id; };
   switch (choice.chordal) {
     case ChordalChoice::None:

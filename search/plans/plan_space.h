@@ -10,6 +10,8 @@
 //                     place and length
 //   chordal steps     on request: strut chordae cut; chordae beside a lesion shortened; one
 //                     transferred
+//   leaflet           on request, at a lesion: a triangular resection; of the posterior leaflet also a
+//                     quadrangular one with sliding; a clip from edge to edge; each with its width
 // Sizes and movements, not lengths, are the axes: a suture's length follows from how far the muscle
 // is to move under that ring, on the lattice of what can be tied.
 #pragma once
@@ -53,6 +55,8 @@ class PlanSpace {
   std::vector<std::optional<Anchor>> offer_anchors(Side side);
   std::vector<int> offer_neochordae();
   std::vector<ChordalChoice> offer_chordal();
+  std::vector<LeafletChoice> offer_leaflet();
+  void add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double width_mm) const;
   Parameter ring_sizes(const std::string& shape) const;
   std::optional<Branch> make_branch(const Choice& choice) const;
   void add_suture(RepairPlan& plan, const Ringed& ringed, Side side, Anchor anchor,

@@ -23,6 +23,9 @@ StepWords words_of(const ChordalLengthChange&) { return {"chordal_length_change"
 StepWords words_of(const ChordalExcision&) { return {"chordal_excision", {}}; }
 StepWords words_of(const ChordalTransfer&) { return {"chordal_transfer", {}}; }
 StepWords words_of(const EdgeToEdge& step) { return {"edge_to_edge", {to_string(step.device)}}; }
+StepWords words_of(const LeafletResection& step) {
+  return {"leaflet_resection", {to_string(step.shape), to_string(step.leaflet)}};
+}
 StepWords words_of(const PapillaryApproximation& step) {
   return {"papillary_approximation", {to_string(step.side), to_string(step.anchor)}};
 }
@@ -34,9 +37,12 @@ std::vector<std::string> known_words() {
   for (const char* kind : {"", ":anterolateral", ":posteromedial", ":ipsilateral_trigone",
                            ":saddle_peak", ":annulus_point"})
     words.push_back(std::string("papillary_approximation") + kind);
-  for (const char* word : {"neochorda", "neochorda:anterior", "neochorda:posterior",
-                           "chordal_length_change", "chordal_excision", "chordal_transfer",
-                           "edge_to_edge", "edge_to_edge:stitch", "edge_to_edge:clip"})
+  for (const char* word :
+       {"neochorda", "neochorda:anterior", "neochorda:posterior", "chordal_length_change",
+        "chordal_excision", "chordal_transfer", "edge_to_edge", "edge_to_edge:stitch",
+        "edge_to_edge:clip", "leaflet_resection", "leaflet_resection:triangular",
+        "leaflet_resection:quadrangular", "leaflet_resection:anterior",
+        "leaflet_resection:posterior"})
     words.push_back(word);
   return words;
 }

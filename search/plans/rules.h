@@ -23,6 +23,10 @@ struct SearchRules {
   bool chordal_excision = false;
   /// To a lesion.
   bool chordal_transfer = false;
+  /// Of the leaflet with a lesion, there.
+  bool leaflet_resection = false;
+  /// A clip at a lesion.
+  bool edge_to_edge = false;
   double suture_lattice_mm = 0.5;
   double neochorda_lattice_mm = 1.0;
   /// Of a papillary muscle: more than 10 is unusual.

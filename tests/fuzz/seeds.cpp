@@ -23,7 +23,10 @@ RepairPlan one_of_each_step() {
            Neochorda{"AL1", point, 18.5}, ChordalLengthChange{"a", -1.25}, ChordalExcision{"b"},
            ChordalTransfer{"c", point},
            PapillaryApproximation{Side::Anterolateral, Anchor::SaddlePeak, 0.25, 24.0},
-           PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0}}};
+           PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0},
+           EdgeToEdge{EdgeDevice::Clip, 0.4, 6.0},
+           LeafletResection{.leaflet = Leaflet::Anterior, .width_mm = 8.0},
+           LeafletResection{.shape = ResectionShape::Quadrangular, .sliding = false}}};
 }
 
 constexpr std::string_view kReads[] = {"/v1/jobs?page_size=2&page_token=9&state=QUEUED",

@@ -9,12 +9,15 @@ from coapt import (
     ChordalExcision,
     ChordalLengthChange,
     ChordalTransfer,
+    EdgeToEdge,
     LeafletPoint,
     Neochorda,
     OwnRing,
     PapillaryApproximation,
     Plan,
+    QuadrangularResection,
     Ring,
+    TriangularResection,
 )
 from coapt.repair import step_from_json
 from programs import SOURCE, ProgramTest
@@ -30,13 +33,16 @@ EVERY_STEP = Plan(
     ChordalTransfer("PM1-A2-strut-1", LeafletPoint("anterior", 0.25, 0.75)),
     PapillaryApproximation("posteromedial", suture_length_mm=22),
     PapillaryApproximation("anterolateral", 24.5, "annulus_point", annulus_around=0.75),
+    EdgeToEdge("clip", along=0.4, width_mm=6),
+    TriangularResection(width_mm=8, leaflet="anterior"),
+    QuadrangularResection(width_mm=12, sliding=False),
 )
 
 
 class Plans(ProgramTest):
     def test_every_step_is_as_the_schema_says(self):
         jsonschema.validate(EVERY_STEP.to_json(), SCHEMA)
-        self.assertEqual(len({step["step"] for step in EVERY_STEP.to_json()["steps"]}), 6)
+        self.assertEqual(len({step["step"] for step in EVERY_STEP.to_json()["steps"]}), 8)
 
     def test_there_is_a_part_for_every_step_of_the_schema(self):
         made = {step["step"] for step in EVERY_STEP.to_json()["steps"]}
@@ -58,7 +64,7 @@ class Plans(ProgramTest):
         for wrong in [{}, {"schema": "coapt.plan/1"}, {"schema": "coapt.plan/2", "steps": []}]:
             with self.assertRaisesRegex(ValueError, "schema"):
                 Plan.from_json(wrong)
-        for step in [{}, {"step": 7}, {"step": "clip"}, {"step": "annuloplasty"}, {"step": "neochorda", "head": "PM1"}]:
+        for step in [{}, {"step": 7}, {"step": "clip"}, {"step": "annuloplasty"}, {"step": "leaflet_resection"}]:
             with self.assertRaisesRegex(ValueError, "no step"):
                 Plan.from_json({"schema": "coapt.plan/1", "steps": [step]})
 

@@ -27,10 +27,13 @@ _coapt_values() {
     --server) echo http://127.0.0.1:8080 ;;
     --forbid)
       echo annuloplasty papillary_approximation neochorda chordal_length_change chordal_excision chordal_transfer \
+        edge_to_edge leaflet_resection \
         annuloplasty:own annuloplasty:generic-classic annuloplasty:generic-etlogix-like annuloplasty:generic-geoform-like \
         papillary_approximation:anterolateral papillary_approximation:posteromedial \
         papillary_approximation:ipsilateral_trigone papillary_approximation:saddle_peak \
-        papillary_approximation:annulus_point neochorda:anterior neochorda:posterior
+        papillary_approximation:annulus_point neochorda:anterior neochorda:posterior \
+        edge_to_edge:stitch edge_to_edge:clip leaflet_resection:triangular leaflet_resection:quadrangular \
+        leaflet_resection:anterior leaflet_resection:posterior
       ;;
   esac
 }

@@ -132,8 +132,72 @@ class PapillaryApproximation:
         return json | {"suture_length_mm": self.suture_length_mm}
 
 
+@dataclass(frozen=True)
+class EdgeToEdge:
+    """Opposite points of both free edges held together, width_mm (2 to 15) along them: by a stitch (Alfieri) or a clip."""
+
+    device: Literal["stitch", "clip"] = "clip"
+    along: float = 0.5
+    width_mm: float = 4.0
+    step: ClassVar[str] = "edge_to_edge"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"step": self.step, "device": self.device, "along": self.along, "width_mm": self.width_mm}
+
+
+@dataclass(frozen=True)
+class TriangularResection:
+    """A wedge of a leaflet cut out, width_mm (3 to 20) at the free edge, that share of the height (0.3 to 0.95) towards the
+    annulus."""
+
+    width_mm: float
+    along: float = 0.5
+    leaflet: Literal["anterior", "posterior"] = "posterior"
+    height: float = 0.7
+    step: ClassVar[str] = "leaflet_resection"
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "step": self.step,
+            "shape": "triangular",
+            "leaflet": self.leaflet,
+            "along": self.along,
+            "width_mm": self.width_mm,
+            "height": self.height,
+        }
+
+
+@dataclass(frozen=True)
+class QuadrangularResection:
+    """A strip of the posterior leaflet cut out, width_mm (3 to 30) from free edge to annulus. The rest slides over the
+    annulus, or without sliding the annulus is gathered."""
+
+    width_mm: float
+    along: float = 0.5
+    sliding: bool = True
+    step: ClassVar[str] = "leaflet_resection"
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "step": self.step,
+            "shape": "quadrangular",
+            "along": self.along,
+            "width_mm": self.width_mm,
+            "sliding": self.sliding,
+        }
+
+
 Step: TypeAlias = (
-    Ring | OwnRing | Neochorda | ChordalLengthChange | ChordalExcision | ChordalTransfer | PapillaryApproximation
+    Ring
+    | OwnRing
+    | Neochorda
+    | ChordalLengthChange
+    | ChordalExcision
+    | ChordalTransfer
+    | PapillaryApproximation
+    | EdgeToEdge
+    | TriangularResection
+    | QuadrangularResection
 )
 _KINDS: dict[str, type[Step]] = {
     Ring.step: Ring,
@@ -142,6 +206,8 @@ _KINDS: dict[str, type[Step]] = {
     ChordalExcision.step: ChordalExcision,
     ChordalTransfer.step: ChordalTransfer,
     PapillaryApproximation.step: PapillaryApproximation,
+    EdgeToEdge.step: EdgeToEdge,
+    TriangularResection.step: TriangularResection,
 }
 
 
@@ -174,6 +240,11 @@ def step_from_json(json: Mapping[str, Any]) -> Step:
     if name == Ring.step and fields.get("shape") == "own":
         del fields["shape"]
         step: Step = _made(OwnRing, fields)
+    elif name == TriangularResection.step:
+        shape = fields.pop("shape", None)
+        if shape not in ("triangular", "quadrangular"):
+            raise BadDocument(f'no step of coapt.plan/1: "shape" is {shape!r}, must be triangular or quadrangular')
+        step = _made(TriangularResection if shape == "triangular" else QuadrangularResection, fields)
     else:
         step = _made(_KINDS[name], fields)
     return step

@@ -37,5 +37,14 @@ TEST(Describe, SpeaksOfSuturesAndChordae) {
   EXPECT_EQ(line(ChordalExcision{"PM1-A2-strut-1"}), "excise chorda PM1-A2-strut-1");
 }
 
+TEST(Describe, SpeaksOfResectionsAndEdges) {
+  EXPECT_EQ(line(LeafletResection{}),
+            "triangular resection at the free edge of P2, 10 mm wide, over 70 % of the height");
+  EXPECT_EQ(line(LeafletResection{.shape = ResectionShape::Quadrangular, .width_mm = 12.0}),
+            "quadrangular resection at the free edge of P2, 12 mm wide, with sliding plasty");
+  EXPECT_EQ(line(EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}),
+            "edge-to-edge clip, 6 mm wide, the free edge of A2 to the free edge of P2");
+}
+
 }  // namespace
 }  // namespace coapt

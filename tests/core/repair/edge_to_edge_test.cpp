@@ -20,7 +20,8 @@ Valve repaired(const Valve& valve, const EdgeToEdge& step) {
 }
 
 double distance_mm(const Valve& valve, const Tie& tie, const Points& points) {
-  return (position(tie.anterior, valve.faces, points) - position(tie.posterior, valve.faces, points))
+  return (position(tie.anterior, valve.faces, points) -
+          position(tie.posterior, valve.faces, points))
       .norm();
 }
 

@@ -16,7 +16,10 @@ RepairPlan full_plan() {
            Neochorda{"AL1", kPoint, 18.5}, ChordalLengthChange{"a", -1.25}, ChordalExcision{"b"},
            ChordalTransfer{"c", kPoint},
            PapillaryApproximation{Side::Anterolateral, Anchor::SaddlePeak, 0.25, 24.0},
-           PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0}}};
+           PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0},
+           EdgeToEdge{EdgeDevice::Clip, 0.4, 6.0},
+           LeafletResection{.leaflet = Leaflet::Anterior, .width_mm = 8.0},
+           LeafletResection{.shape = ResectionShape::Quadrangular, .sliding = false}}};
 }
 
 Found found_in_steps(std::string_view steps) {
@@ -28,7 +31,7 @@ TEST(PlanJson, RoundTripKeepsEveryStep) {
   const std::string text = to_json(full_plan()).dump();
   const auto plan = read_plan(text);
   ASSERT_TRUE(plan);
-  ASSERT_EQ(plan->steps.size(), 8u);
+  ASSERT_EQ(plan->steps.size(), 11u);
   EXPECT_EQ(to_json(*plan).dump(), text);
   EXPECT_EQ(std::get<OwnRing>(std::get<Annuloplasty>(plan->steps[0]).ring).sizes_below, 2);
   EXPECT_EQ(std::get<CatalogueRing>(std::get<Annuloplasty>(plan->steps[1]).ring).size_mm, 30.0);
@@ -42,9 +45,25 @@ TEST(PlanJson, OnlyTheFieldsThatMatterAreWritten) {
   EXPECT_FALSE(plan["steps"][0].contains("size_mm"));
   EXPECT_FALSE(plan["steps"][1].contains("sizes_below"));
   EXPECT_FALSE(plan["steps"][6].contains("annulus_around"));
+  EXPECT_FALSE(plan["steps"][9].contains("sliding"));
+  EXPECT_FALSE(plan["steps"][10].contains("leaflet"));
+  EXPECT_FALSE(plan["steps"][10].contains("height"));
 }
 
 TEST(PlanJson, DoingNothingIsAPlan) { EXPECT_EQ(found_in_steps("[]"), Found{}); }
+
+TEST(PlanJson, WhatAResectionOfThatShapeHasNotIsRefused) {
+  EXPECT_EQ(found_in_steps(R"([{"step": "leaflet_resection", "shape": "quadrangular", "along": 0.5,
+                       "width_mm": 31, "height": 0.7, "sliding": true},
+                      {"step": "leaflet_resection", "shape": "triangular", "along": 0.5,
+                       "leaflet": "posterior", "width_mm": 10, "height": 0.2},
+                      {"step": "leaflet_resection", "shape": "round"},
+                      {"step": "edge_to_edge", "device": "glue", "along": 0, "width_mm": 1}])"),
+            (Found{{OutOfRange, "/steps/0/width_mm"},
+                   {UnknownField, "/steps/0/height"},
+                   {OutOfRange, "/steps/1/height"},
+                   {Unsupported, "/steps/2/shape"}}));
+}
 
 TEST(PlanJson, ProblemsOfAllStepsAreListed) {
   EXPECT_EQ(found_in_steps(R"([{"step": "annuloplasty", "shape": "own", "sizes_below": 7},

@@ -123,6 +123,19 @@ TEST(SceneJson, ASutureRunsFromTheMeanTipToItsAnchor) {
   EXPECT_NEAR((vector(json["tip_mm"]) - vector(json["anchor_mm"])).norm(), 30.0, 0.01);
 }
 
+TEST(SceneJson, TiesAndSeamsArePointsOfTheLeaflets) {
+  const RepairPlan repair = {{EdgeToEdge{EdgeDevice::Stitch, 0.3, 4.0}, LeafletResection{}}};
+  const auto [valve, plan, closure, scene] = closed("human-p2-prolapse", repair, 3);
+  ASSERT_EQ(scene["ties"].size(), 3u);
+  EXPECT_EQ(scene["ties"][0]["anterior"]["face"], valve.ties[0].anterior.face);
+  EXPECT_GE(scene["ties"][0]["tension_n"], 0.0);
+  ASSERT_EQ(scene["seams"].size(), 1u);
+  EXPECT_EQ(scene["seams"][0].back()["weights"].size(), 3u);
+  // Knots of ties are no nodes of the motion.
+  const auto without = closed("human-p2-prolapse", {{LeafletResection{}}}, 3);
+  EXPECT_EQ(scene["motion_mm"][0].size(), without.scene["motion_mm"][0].size());
+}
+
 TEST(SceneJson, OfAClosureThatFlewApartOnlyTheOpenValveIsThere) {
   auto [valve, plan, closure, scene] = closed("human-normal", {}, 0);
   closure.closed_mm(3, 1) = std::numeric_limits<double>::quiet_NaN();

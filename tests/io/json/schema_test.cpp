@@ -106,7 +106,10 @@ nlohmann::json full_plan() {
        Neochorda{"AL1", point, 18.5}, ChordalLengthChange{"a", -1.25}, ChordalExcision{"b"},
        ChordalTransfer{"c", point},
        PapillaryApproximation{Side::Anterolateral, Anchor::IpsilateralTrigone, 0.25, 24.0},
-       PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0}}};
+       PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0},
+       EdgeToEdge{EdgeDevice::Clip, 0.4, 6.0},
+       LeafletResection{.leaflet = Leaflet::Anterior, .width_mm = 8.0},
+       LeafletResection{.shape = ResectionShape::Quadrangular, .sliding = false}}};
   return to_json(plan);
 }
 

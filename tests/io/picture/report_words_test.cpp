@@ -124,11 +124,15 @@ TEST(ShortWords, NameEveryKindOfStep) {
       Neochorda{"AL1", {Leaflet::Posterior, 0.4, 1.0}, 20.0},
       ChordalLengthChange{"c1", -2.0},
       ChordalExcision{"c2"},
-      ChordalTransfer{"c3", {}}};
-  EXPECT_EQ(short_words(plan),
-            "ring in own shape, undersized by 1 size + ring generic-classic 30 + AL muscle to "
-            "trigone, 21.5 mm + "
-            "neochorda AL1 to posterior leaflet, 20.0 mm + c1 shortened + c2 cut + c3 transferred");
+      ChordalTransfer{"c3", {}},
+      EdgeToEdge{EdgeDevice::Stitch, 0.5, 5.0},
+      LeafletResection{}};
+  EXPECT_EQ(
+      short_words(plan),
+      "ring in own shape, undersized by 1 size + ring generic-classic 30 + AL muscle to "
+      "trigone, 21.5 mm + "
+      "neochorda AL1 to posterior leaflet, 20.0 mm + c1 shortened + c2 cut + c3 transferred + "
+      "edge-to-edge stitch, 5.0 mm + triangular resection of the posterior leaflet, 10.0 mm");
 }
 
 TEST(ValveWords, SayWhereItLeaksAndWhatIsRuptured) {

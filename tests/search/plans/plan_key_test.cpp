@@ -20,7 +20,9 @@ std::vector<RepairStep> one_of_each() {
           ChordalLengthChange{"a", -2.0},
           ChordalExcision{"b"},
           ChordalTransfer{"c", {Leaflet::Anterior, 0.5, 1.0}},
-          kSutureStep};
+          kSutureStep,
+          EdgeToEdge{},
+          LeafletResection{}};
 }
 
 TEST(PlanKey, DoesNotDependOnTheOrderOfTheSteps) {
@@ -36,7 +38,7 @@ TEST(PlanKey, OfNothingIsEmpty) { EXPECT_EQ(plan_key({}), ""); }
 TEST(PlanKey, TellsStepsApart) {
   std::set<std::string> keys;
   for (const RepairStep& step : one_of_each()) keys.insert(key(step));
-  EXPECT_EQ(keys.size(), 6u);
+  EXPECT_EQ(keys.size(), 8u);
   EXPECT_NE(plan_key({{kNeochorda}}), plan_key({{kNeochorda, kNeochorda}}));
 }
 
@@ -53,6 +55,13 @@ TEST(PlanKey, TellsEveryFieldApart) {
   suture = kSutureStep;
   suture.annulus_around = 0.3;
   EXPECT_NE(key(suture), key(kSutureStep));
+  EXPECT_NE(key(EdgeToEdge{EdgeDevice::Clip}), key(EdgeToEdge{EdgeDevice::Stitch}));
+  const LeafletResection wedge, strip{.shape = ResectionShape::Quadrangular};
+  EXPECT_NE(key(LeafletResection{.height = 0.8}), key(wedge));
+  EXPECT_NE(key(LeafletResection{.leaflet = Leaflet::Anterior}), key(wedge));
+  EXPECT_NE(key(strip), key(wedge));
+  EXPECT_NE(key(LeafletResection{.shape = ResectionShape::Quadrangular, .sliding = false}),
+            key(strip));
   EXPECT_NE(key(Annuloplasty{OwnRing{2}}), key(Annuloplasty{OwnRing{3}}));
 }
 

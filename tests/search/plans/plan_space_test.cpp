@@ -56,7 +56,8 @@ const Parameter* parameter_of(const Branch& branch, ParameterOf of) {
 
 int steps(const Choice& c) {
   return (c.ring.empty() ? 0 : 1) + (c.anterolateral ? 1 : 0) + (c.posteromedial ? 1 : 0) +
-         c.neochordae + (c.chordal == ChordalChoice::None ? 0 : 1);
+         c.neochordae + (c.chordal == ChordalChoice::None ? 0 : 1) +
+         (c.leaflet == LeafletChoice::None ? 0 : 1);
 }
 
 TEST(PlanSpace, IsNotMadeOfRulesThatAreWrongOrLeaveNoPlan) {
@@ -117,6 +118,37 @@ TEST(PlanSpace, ChordalStepsAreOfferedOnRequest) {
   EXPECT_EQ(space_of(near_tips(), rules).branches().size(), kRings * 2u - 1u);
   rules.forbidden = {"chordal_excision"};
   EXPECT_EQ(space_of(near_tips(), rules).branches().size(), kRings - 1u);
+}
+
+TEST(PlanSpace, ResectionAndAClipAreOfferedOnRequestWhereChordaeAreRuptured) {
+  const Valve flail = *make_preset("human-p2-prolapse");
+  SearchRules rules;
+  rules.most_neochordae = 0;
+  const auto leaflet_branches = [&](const Valve& valve) {
+    std::multiset<LeafletChoice> choices;
+    const PlanSpace space = space_of(valve, rules);
+    for (const Branch& branch : space.branches()) {
+      choices.insert(branch.choice.leaflet);
+      const bool leaflet = branch.choice.leaflet != LeafletChoice::None;
+      EXPECT_EQ(parameter_of(branch, ParameterOf::LeafletWidth) != nullptr, leaflet);
+      EXPECT_EQ(std::ssize(space.plan(branch, start_of(branch)).steps), steps(branch.choice));
+    }
+    return choices;
+  };
+  const std::size_t plain = leaflet_branches(flail).size();
+  rules.leaflet_resection = rules.edge_to_edge = true;
+  EXPECT_EQ(leaflet_branches(*make_preset("human-normal")).count(LeafletChoice::None),
+            leaflet_branches(*make_preset("human-normal")).size());
+  auto choices = leaflet_branches(flail);
+  EXPECT_EQ(choices.count(LeafletChoice::None), plain);
+  // And without a ring.
+  EXPECT_EQ(choices.count(LeafletChoice::Triangular), plain + 1);
+  EXPECT_EQ(choices.count(LeafletChoice::Quadrangular), plain + 1);
+  EXPECT_EQ(choices.count(LeafletChoice::Clip), plain + 1);
+  rules.forbidden = {"leaflet_resection:quadrangular", "edge_to_edge:clip"};
+  choices = leaflet_branches(flail);
+  EXPECT_EQ(choices.count(LeafletChoice::Triangular), plain + 1);
+  EXPECT_EQ(choices.size(), 2 * plain + 1);
 }
 
 TEST(PlanSpace, FewestStepsComeFirstAndNoBranchComesTwice) {

@@ -47,7 +47,15 @@ TEST(Rules, EveryKnownWordIsAccepted) {
                      "neochorda:posterior",
                      "chordal_length_change",
                      "chordal_excision",
-                     "chordal_transfer"};
+                     "chordal_transfer",
+                     "edge_to_edge",
+                     "edge_to_edge:stitch",
+                     "edge_to_edge:clip",
+                     "leaflet_resection",
+                     "leaflet_resection:triangular",
+                     "leaflet_resection:quadrangular",
+                     "leaflet_resection:anterior",
+                     "leaflet_resection:posterior"};
   EXPECT_EQ(paths(rules), Paths{});
 }
 

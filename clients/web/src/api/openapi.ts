@@ -20,6 +20,13 @@ export interface components {
             provenance: string[];
             /** @description Pressure across the closed valve, at the peak of systole. */
             pressure_kpa: number;
+            /** @description How far systole moves annulus and tips, whose places under pressure the file has. Left out: 0.3 and 0.3, as in health. */
+            systole?: {
+                /** @description Share of the annulus's diastolic area that systole takes away; 0 behind a ring. */
+                annular_contraction: number;
+                /** @description Share of the papillary tips' diastolic distance from each other that systole takes away. */
+                tip_approach: number;
+            };
             /** @description Moduli below (pre) and above (post) the transition strain. */
             tissue: {
                 /** @description Density of leaflets and chordae. */
@@ -246,7 +253,7 @@ export interface components {
              */
             schema: "coapt.plan/1";
             /** @description Surgical steps; none: the valve stays as it is. */
-            steps: (components["schemas"]["Plan.annuloplasty"] | components["schemas"]["Plan.neochorda"] | components["schemas"]["Plan.chordal_length_change"] | components["schemas"]["Plan.chordal_excision"] | components["schemas"]["Plan.chordal_transfer"] | components["schemas"]["Plan.papillary_approximation"] | components["schemas"]["Plan.edge_to_edge"])[];
+            steps: (components["schemas"]["Plan.annuloplasty"] | components["schemas"]["Plan.neochorda"] | components["schemas"]["Plan.chordal_length_change"] | components["schemas"]["Plan.chordal_excision"] | components["schemas"]["Plan.chordal_transfer"] | components["schemas"]["Plan.papillary_approximation"] | components["schemas"]["Plan.edge_to_edge"] | components["schemas"]["Plan.leaflet_resection"])[];
         };
         /** @description A point of a leaflet, the same on every mesh. */
         "Plan.leaflet_point": {
@@ -350,6 +357,57 @@ export interface components {
             along: number;
             /** @description Along the edges. */
             width_mm: number;
+        };
+        /** @description Tissue of a leaflet is cut out with the chordae that it holds, and the edges of the cut are sewn together. Places of other steps are on what is left. */
+        "Plan.leaflet_resection": {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            step: "leaflet_resection";
+        } & (components["schemas"]["Plan.triangular_resection"] | components["schemas"]["Plan.quadrangular_resection"]);
+        /** @description A wedge, as wide as told at the free edge. */
+        "Plan.triangular_resection": {
+            /**
+             * @description Kind of step.
+             * @constant
+             */
+            step: "leaflet_resection";
+            /**
+             * @description A wedge. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            shape: "triangular";
+            /**
+             * @description Leaflet that is cut.
+             * @enum {string}
+             */
+            leaflet: "anterior" | "posterior";
+            /** @description Its middle: 0 anterolateral commissure, 0.5 A2 or P2, 1 posteromedial commissure. */
+            along: number;
+            /** @description Along the free edge; of the anterior leaflet 10 at most. */
+            width_mm: number;
+            /** @description From the free edge, as a share of the way to the annulus. */
+            height: number;
+        };
+        /** @description A strip of the posterior leaflet. */
+        "Plan.quadrangular_resection": {
+            /**
+             * @description Kind of step.
+             * @constant
+             */
+            step: "leaflet_resection";
+            /**
+             * @description A strip from the free edge to the annulus, of the posterior leaflet. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            shape: "quadrangular";
+            /** @description Its middle: 0 anterolateral commissure, 0.5 P2, 1 posteromedial commissure. */
+            along: number;
+            /** @description At most a third of the posterior annulus; without sliding 15 at most. */
+            width_mm: number;
+            /** @description The rest of the leaflet is spread over the posterior annulus; if not, the annulus is gathered. */
+            sliding: boolean;
         };
         /** @description A chorda moved to another point of the leaflets. */
         "Plan.chordal_transfer": {
@@ -487,7 +545,7 @@ export interface components {
                 schema?: "coapt.plan/1";
                 steps: components["schemas"]["Plan"]["steps"];
             };
-            /** @description Techniques that no plan has: annuloplasty, papillary_approximation, neochorda, chordal_length_change, chordal_excision, chordal_transfer; or, after a colon, one kind of it: annuloplasty:own, annuloplasty:<ring shape>, papillary_approximation:anterolateral, :posteromedial, :ipsilateral_trigone, :saddle_peak, :annulus_point, neochorda:anterior, :posterior. */
+            /** @description Techniques that no plan has: annuloplasty, papillary_approximation, neochorda, chordal_length_change, chordal_excision, chordal_transfer, edge_to_edge, leaflet_resection; or, after a colon, one kind of it: annuloplasty:own, annuloplasty:<ring shape>, papillary_approximation:anterolateral, :posteromedial, :ipsilateral_trigone, :saddle_peak, :annulus_point, neochorda:anterior, :posterior, edge_to_edge:stitch, :clip, leaflet_resection:triangular, :quadrangular, :anterior, :posterior. */
             forbidden?: string[];
             /**
              * @description Neochordae that a plan has at most.
@@ -509,6 +567,16 @@ export interface components {
              * @default false
              */
             chordal_transfer?: boolean;
+            /**
+             * @description Allows resection of the leaflet at a lesion.
+             * @default false
+             */
+            leaflet_resection?: boolean;
+            /**
+             * @description Allows a clip at a lesion.
+             * @default false
+             */
+            edge_to_edge?: boolean;
             /**
              * @description What can be tied.
              * @default 0.5
@@ -643,14 +711,30 @@ export interface components {
             /** @description Its bytes (RFC 4648); then without text. */
             base64?: string;
         };
-        /** @description Either leaflets and annulus with chordae or chordae_seed, in one coordinate system and one unit, or slicerheart. */
+        /** @description Either leaflets or labels, with chordae or chordae_seed, in one coordinate system and one unit, or slicerheart. */
         FilesToImport: {
             /** @description Open surfaces (OBJ, PLY, STL, VTK): the anterior, then the posterior sheet, or one skirt. */
             leaflets?: [
             ] | [
                 components["schemas"]["FileToImport"]
             ];
-            /** @description Closed loop: CSV of x,y,z, or a closed curve of Slicer (.mrk.json). */
+            /** @description Instead of leaflets: a label map of them and, perhaps, of the annulus (NRRD or NIfTI, at most 16,777,216 voxels). */
+            labels?: components["schemas"]["FileToImport"];
+            /** @description Which label is what; left out: by the names in the file, else 1, 2 and 3. */
+            label_numbers?: {
+                /** @description Of the anterior leaflet. */
+                anterior?: number;
+                /** @description Of the posterior leaflet. */
+                posterior?: number;
+                /** @description Of the annulus. */
+                annulus?: number;
+            };
+            /**
+             * @description Patient's axes of meshes and tables; left out: as each file says, else LPS. Markups and label maps always say.
+             * @enum {string}
+             */
+            axes?: "LPS" | "RAS";
+            /** @description Closed loop: CSV of x,y,z, or a closed curve of Slicer (.mrk.json). Left out: the annulus of the label map, else found at the leaflets' outer rim. */
             annulus?: components["schemas"]["FileToImport"];
             /** @description Insertions and papillary tips: CSV of id,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z, or JSON. */
             chordae?: components["schemas"]["FileToImport"];
@@ -725,6 +809,9 @@ export interface components {
         /** @description FilesToImport, and to what the valve is fitted. */
         FilesToFit: {
             leaflets?: components["schemas"]["FilesToImport"]["leaflets"];
+            labels?: components["schemas"]["FilesToImport"]["labels"];
+            label_numbers?: components["schemas"]["FilesToImport"]["label_numbers"];
+            axes?: components["schemas"]["FilesToImport"]["axes"];
             annulus?: components["schemas"]["FilesToImport"]["annulus"];
             chordae?: components["schemas"]["FilesToImport"]["chordae"];
             chordae_seed?: components["schemas"]["FilesToImport"]["chordae_seed"];
@@ -806,7 +893,7 @@ export interface components {
              * @description curve: a closed one; unknown: it cannot be read.
              * @enum {string}
              */
-            content: "surface" | "curve" | "points" | "tips" | "chordae" | "unknown";
+            content: "surface" | "labels" | "curve" | "points" | "tips" | "chordae" | "unknown";
             /** @description Of chordae: insertion, tip, insertion, tip, ... */
             points: components["schemas"]["FlatPoints"];
             /** @description Of a surface: three indices of points for each triangle, one after the other. */
@@ -1282,6 +1369,17 @@ export interface components {
                 /** @description Anchor on the annulus. */
                 anchor_mm: components["schemas"]["Vector"];
             }[];
+            /** @description Ties of edge-to-edge repairs, each between two points of the leaflets. */
+            ties: {
+                /** @description Unique. */
+                id: string;
+                anterior: components["schemas"]["ScenePoint"];
+                posterior: components["schemas"]["ScenePoint"];
+                /** @description 0: slack. */
+                tension_n: number;
+            }[];
+            /** @description Seams of leaflet resections, each from its end towards the annulus to the free edge. */
+            seams: components["schemas"]["ScenePoint"][][];
             /** @description Green-Lagrange strain of each face; null: the closure diverged. */
             strain: {
                 /** @description Along the fibres, one for each face. */
@@ -1329,6 +1427,17 @@ export interface components {
             motion_mm: components["schemas"]["FlatPoints"][];
             /** @description What was measured of this closure. */
             closure: components["schemas"]["Closure"];
+        };
+        /** @description A point of the leaflets. */
+        ScenePoint: {
+            /** @description Index of the face that it lies in. */
+            face: number;
+            /** @description Of the three vertices of that face. */
+            weights: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description x, y and z; of a place in mm. */
         Vector: [

@@ -10,12 +10,18 @@ import {
   NEOCHORDA_MM,
   newApproximation,
   reachable,
+  RESECTION_ALONG,
+  RESECTION_HEIGHT,
+  RESECTION_SHAPES,
+  resectionWidths,
+  reshaped,
   sutureRange,
   within,
   type Anatomy,
   type Annuloplasty,
   type Approximation,
   type EdgeToEdge,
+  type Resection,
 } from './steps'
 import parts from '../style/parts.module.css'
 import repairStyle from './repair.module.css'
@@ -47,6 +53,8 @@ export function stepForm(step: Step, context: StepContext): HTMLElement {
       )
     case 'edge_to_edge':
       return edgeForm(step, context)
+    case 'leaflet_resection':
+      return resectionForm(step, context)
     case 'chordal_length_change':
       return slider('Length change', step.change_mm, CHANGE_MM, 'mm', (change_mm, passing) =>
         context.change({ ...step, change_mm }, passing),
@@ -81,6 +89,58 @@ function edgeForm(step: EdgeToEdge, context: StepContext): HTMLElement {
       { class: parts.hint },
       'Holds opposite points of both free edges together. The two openings of diastole are not computed.',
     ),
+  )
+}
+
+const LEAFLETS = [
+  ['anterior', 'Anterior'],
+  ['posterior', 'Posterior'],
+] as const
+
+function resectionForm(step: Resection, context: StepContext): HTMLElement {
+  const { along, width_mm } = step
+  const choose = (shape: string): void =>
+    context.change(
+      reshaped(
+        shape === 'triangular'
+          ? { step: 'leaflet_resection', shape, leaflet: 'posterior', along, width_mm, height: 0.7 }
+          : { step: 'leaflet_resection', shape: 'quadrangular', along, width_mm, sliding: true },
+      ),
+      false,
+    )
+  return h(
+    'div',
+    {},
+    field('Shape', select(RESECTION_SHAPES, step.shape, choose)),
+    step.shape === 'triangular'
+      ? field(
+          'Leaflet',
+          select(LEAFLETS, step.leaflet, (leaflet) =>
+            context.change(reshaped({ ...step, leaflet: leaflet as LeafletPoint['leaflet'] }), false),
+          ),
+        )
+      : field(
+          'Annulus',
+          select(
+            [
+              ['sliding', 'sliding plasty'],
+              ['plication', 'plication'],
+            ] as const,
+            step.sliding ? 'sliding' : 'plication',
+            (how) => context.change(reshaped({ ...step, sliding: how === 'sliding' }), false),
+          ),
+        ),
+    slider('Along (AL to PM)', along, RESECTION_ALONG, '', (to, passing) =>
+      context.change({ ...step, along: to }, passing),
+    ),
+    slider('Width', width_mm, resectionWidths(step), 'mm', (to, passing) =>
+      context.change({ ...step, width_mm: to }, passing),
+    ),
+    step.shape === 'triangular' &&
+      slider('Height', step.height, RESECTION_HEIGHT, '', (height, passing) =>
+        context.change({ ...step, height }, passing),
+      ),
+    h('p', { class: parts.hint }, 'Chordae of the tissue that is cut out are cut, too.'),
   )
 }
 
@@ -162,17 +222,13 @@ function insertionFields(
   context: StepContext,
   change: (point: LeafletPoint, passing: boolean) => void,
 ): HTMLElement {
-  const leaflets = [
-    ['anterior', 'Anterior'],
-    ['posterior', 'Posterior'],
-  ] as const
   const share = { min: 0, max: 1, step: 0.01 }
   return h(
     'div',
     {},
     field(
       'Leaflet',
-      select(leaflets, point.leaflet, (leaflet) =>
+      select(LEAFLETS, point.leaflet, (leaflet) =>
         change({ ...point, leaflet: leaflet as LeafletPoint['leaflet'] }, false),
       ),
     ),

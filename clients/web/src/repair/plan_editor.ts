@@ -122,6 +122,16 @@ export class PlanEditor {
         'Chorda',
         withScene((scene) => this.chooseChorda(scene, add)),
       ),
+      button('Resection', () =>
+        add({
+          step: 'leaflet_resection',
+          shape: 'triangular',
+          leaflet: 'posterior',
+          along: 0.5,
+          width_mm: 10,
+          height: 0.7,
+        }),
+      ),
       button('Edge-to-edge', () => add({ step: 'edge_to_edge', device: 'clip', along: 0.5, width_mm: 4 })),
     )
   }

@@ -19,6 +19,12 @@ export const EDGE_DEVICES = [
   ['stitch', 'Stitch (Alfieri)'],
   ['clip', 'Clip'],
 ] as const
+export const RESECTION_ALONG = { min: 0.15, max: 0.85, step: 0.01 }
+export const RESECTION_HEIGHT = { min: 0.3, max: 0.95, step: 0.05 }
+export const RESECTION_SHAPES = [
+  ['triangular', 'Triangular'],
+  ['quadrangular', 'Quadrangular'],
+] as const
 export const CHANGE_MM = { min: -20, max: 20, step: 0.5 }
 const HALF_MM = 0.5
 /// The middle of each segment's free edge.
@@ -33,6 +39,7 @@ export const FREE_EDGE: Readonly<Record<string, LeafletPoint>> = Object.fromEntr
 
 export type Annuloplasty = Extract<Step, { step: 'annuloplasty' }>
 export type EdgeToEdge = Extract<Step, { step: 'edge_to_edge' }>
+export type Resection = Extract<Step, { step: 'leaflet_resection' }>
 export type Approximation = Extract<Step, { step: 'papillary_approximation' }>
 
 /// In surgical words.
@@ -47,7 +54,11 @@ export function describe(step: Step): string {
     case 'neochorda':
       return `Neochorda from ${step.head} to ${placeWords(step.insertion)}, ${step.length_mm.toFixed(1)} mm`
     case 'edge_to_edge':
-      return `${step.device === 'clip' ? 'Clip' : 'Edge-to-edge stitch'} at ${placeWords({ leaflet: 'anterior', along: step.along, height: 1 }).slice(0, 2)} and ${placeWords({ leaflet: 'posterior', along: step.along, height: 1 }).slice(0, 2)}, ${step.width_mm.toFixed(1)} mm wide`
+      return `${step.device === 'clip' ? 'Clip' : 'Edge-to-edge stitch'} from ${segmentAt('anterior', step.along)} to ${segmentAt('posterior', step.along)}, ${step.width_mm.toFixed(1)} mm wide`
+    case 'leaflet_resection':
+      return step.shape === 'triangular'
+        ? `Triangular resection of ${segmentAt(step.leaflet, step.along)}, ${step.width_mm.toFixed(1)} mm wide, over ${Math.round(100 * step.height)} % of the height`
+        : `Quadrangular resection of ${segmentAt('posterior', step.along)}, ${step.width_mm.toFixed(1)} mm wide, ${step.sliding ? 'with sliding plasty' : 'with plication'}`
     case 'chordal_length_change':
       return `Chorda ${step.chorda} ${step.change_mm < 0 ? 'shortened' : 'lengthened'} by ${Math.abs(step.change_mm).toFixed(1)} mm`
     case 'chordal_excision':
@@ -62,10 +73,24 @@ function anchorWords(step: Approximation): string {
   return step.anchor === 'saddle_peak' ? 'the saddle peak' : 'its trigone'
 }
 
+function segmentAt(leaflet: LeafletPoint['leaflet'], along: number): string {
+  return `${leaflet === 'anterior' ? 'A' : 'P'}${along < 1 / 3 ? 1 : along < 2 / 3 ? 2 : 3}`
+}
+
 export function placeWords({ leaflet, along, height }: LeafletPoint): string {
-  const third = along < 1 / 3 ? 1 : along < 2 / 3 ? 2 : 3
   const level = height > 0.85 ? 'free edge' : height > 0.4 ? 'belly' : 'base'
-  return `${leaflet === 'anterior' ? 'A' : 'P'}${third}, ${level}`
+  return `${segmentAt(leaflet, along)}, ${level}`
+}
+
+/// Widths that a resection may have, as far as they do not depend on the valve.
+export function resectionWidths(step: Resection): { min: number; max: number; step: number } {
+  const most = step.shape === 'triangular' ? (step.leaflet === 'anterior' ? 10 : 20) : step.sliding ? 30 : 15
+  return { min: 3, max: most, step: 0.5 }
+}
+
+/// With another shape, leaflet or fate of the annulus, and a width that it may have.
+export function reshaped(step: Resection): Resection {
+  return { ...step, width_mm: within(step.width_mm, resectionWidths(step)) }
 }
 
 /// Where a suture of this kind is tied.

@@ -90,7 +90,7 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       'Sutures and chordae',
       field('Papillary sutures', muscles),
       numberField(options.NEOCHORDAE),
-      ...options.CHORDAL_STEPS.map(switchField),
+      ...options.STEPS_ON_REQUEST.map(switchField),
     ),
     group(
       'Time and answer',

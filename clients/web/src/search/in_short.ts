@@ -4,7 +4,7 @@ import { seconds } from '../format'
 import { grouped } from '../jobs/progress_panel'
 import {
   ANSWER,
-  CHORDAL_STEPS,
+  STEPS_ON_REQUEST,
   LIMITS,
   NEOCHORDAE,
   OPTIMISER,
@@ -33,7 +33,9 @@ export function inShort(search: Record<string, unknown>): string {
     sutures && (sutures.name === 'none' ? 'no sutures' : `sutures of the ${sutures.label}`),
     others.length > 0 && `without ${others.map(kindInShort).join(', ')}`,
     most !== undefined && (most === 0 ? 'no neochordae' : `at most ${most} ${most === 1 ? 'neochorda' : 'neochordae'}`),
-    ...CHORDAL_STEPS.map(({ pointer, label }) => rules[pointer.replace('/rules/', '')] === true && label.toLowerCase()),
+    ...STEPS_ON_REQUEST.map(
+      ({ pointer, label }) => rules[pointer.replace('/rules/', '')] === true && label.toLowerCase(),
+    ),
     fixed > 0 && `${fixed} fixed ${fixed === 1 ? 'step' : 'steps'}`,
     time !== undefined && `at most ${seconds(time)}`,
     evaluations !== undefined && `${grouped(evaluations)} closures`,
@@ -51,7 +53,7 @@ export function differing(search: SearchResult['reproduce']['search']): Record<s
     if (typeof value === 'number' && isLimit) found.set(option, value)
   }
   const { forbidden = [], fixed } = search.rules ?? {}
-  const switches = new Map(CHORDAL_STEPS.map((option) => [option, valueAt(search, option.pointer) === true]))
+  const switches = new Map(STEPS_ON_REQUEST.map((option) => [option, valueAt(search, option.pointer) === true]))
   const steps = fixed?.steps ?? []
   const plan: Plan | null = steps.length > 0 ? { schema: 'coapt.plan/1', steps } : null
   return searchOf({ numbers: found, switches, forbidden, fixed: plan })

@@ -177,10 +177,12 @@ export const EVIDENCE: Switch = {
   hint: 'Closes ranked plans also with errors of single sutures and with further remodelling.',
 }
 
-export const CHORDAL_STEPS: Switch[] = [
+export const STEPS_ON_REQUEST: Switch[] = [
   { pointer: '/rules/chordal_length_change', label: 'Shorten chordae', fallback: false },
   { pointer: '/rules/chordal_excision', label: 'Cut strut chordae', fallback: false },
   { pointer: '/rules/chordal_transfer', label: 'Transfer chordae', fallback: false },
+  { pointer: '/rules/leaflet_resection', label: 'Resect leaflets', fallback: false },
+  { pointer: '/rules/edge_to_edge', label: 'Clip edge to edge', fallback: false },
 ]
 
 const SUTURE = 'papillary_approximation'

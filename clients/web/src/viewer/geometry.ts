@@ -66,6 +66,22 @@ export function chordaLines(scene: Scene, nodes: ArrayLike<number>): number[] {
   return lines
 }
 
+/// Six numbers a tie of an edge-to-edge repair, its two ends.
+export function tieLines(scene: Scene, nodes: ArrayLike<number>): number[] {
+  return scene.ties.flatMap(({ anterior, posterior }) => [
+    ...onFace(scene, nodes, anterior.face, anterior.weights),
+    ...onFace(scene, nodes, posterior.face, posterior.weights),
+  ])
+}
+
+/// Six numbers a piece of a resection's seam.
+export function seamLines(scene: Scene, nodes: ArrayLike<number>): number[] {
+  return scene.seams.flatMap((seam) => {
+    const points = seam.map(({ face, weights }) => onFace(scene, nodes, face, weights))
+    return points.slice(1).flatMap((point, i) => [...(points[i] as Vector), ...point])
+  })
+}
+
 export function onFace(scene: Scene, nodes: ArrayLike<number>, face: number, weights: Vector): Vector {
   const point: Vector = [0, 0, 0]
   for (let k = 0; k < 3; ++k) {

@@ -3,7 +3,7 @@ import { Plane, Vector3 } from 'three'
 import type { LeafletPoint, Scene, Segment, Step, Vector } from '../api/types'
 import { h } from '../dom'
 import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
-import { at, chordaLines, closedNodes, dot, minus, nodesAt, section, unit } from './geometry'
+import { at, chordaLines, closedNodes, dot, minus, nodesAt, seamLines, section, tieLines, unit } from './geometry'
 import { Handles } from './handles'
 import { around, type Box } from './label_layout'
 import { type DrawnLabel, Labels, type Label } from './labels'
@@ -66,6 +66,8 @@ export class Viewer {
     chordae: new Lines({ width: 1.6 }),
     ruptured: new Lines({ width: 1.6, colour: TINTS.ruptured, dashed: true }),
     sutures: new Lines({ width: 3, colour: TINTS.added }),
+    ties: new Lines({ width: 5, colour: TINTS.added, inFront: true }),
+    seams: new Lines({ width: 3, colour: TINTS.added, dashed: true, inFront: true }),
     behind: new Lines({ width: 2, colour: TINTS.added, dashed: true, inFront: true }), // sutures through tissue
     cut: new Lines({ width: 1, inMillimetres: true }),
     drawn: new Lines({ width: 2.5, colour: '#d6336c', inFront: true }),
@@ -132,6 +134,8 @@ export class Viewer {
     const mode = this.modeOf(look)
     leaflets.paint(cornerColours(scene, mode, look.scale, this.nodes))
     this.drawChordae(scene, mode, look.scale)
+    this.lines.ties.set(tieLines(scene, this.nodes))
+    this.lines.seams.set(seamLines(scene, this.nodes))
     opening.group.visible = look.orifices && closed
     this.drawCut(scene, cut)
     const isLeft = ({ point_mm }: Label): boolean =>
@@ -195,7 +199,8 @@ export class Viewer {
     this.leaflets?.cut(planes)
     this.opening?.cut(planes)
     this.ring.cut(planes)
-    for (const name of ['chordae', 'ruptured', 'sutures', 'behind'] as const) this.lines[name].cut(planes)
+    for (const name of ['chordae', 'ruptured', 'sutures', 'behind', 'ties', 'seams'] as const)
+      this.lines[name].cut(planes)
     const traced = cut ? section(scene, this.nodes, cut.point_mm, cut.normal) : []
     this.lines.cut.width = scene.thickness_mm
     this.lines.cut.set(

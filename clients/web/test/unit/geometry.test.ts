@@ -9,7 +9,9 @@ import {
   leafletPointAt,
   nodesAt,
   papillaryTip,
+  seamLines,
   section,
+  tieLines,
 } from '../../src/viewer/geometry'
 import { pyramid } from './scenes'
 
@@ -23,6 +25,16 @@ test('nodes are vertices, branch points and heads, in this order', () => {
 test('a chorda runs from its head over its branch point into its face', () => {
   const scene = pyramid()
   expect(chordaLines(scene, closedNodes(scene))).toEqual([-8, 0, -20, -4, 0, -15, -4, 0, -15, 0, 0, -10])
+})
+
+test('ties and seams lie in the faces that they name', () => {
+  const scene = pyramid()
+  const middle = { face: 0, weights: [0.5, 0.5, 0] as [number, number, number] }
+  const tip = { face: 2, weights: [0, 0, 1] as [number, number, number] }
+  scene.ties = [{ id: 'edge-to-edge-1-1', anterior: middle, posterior: tip, tension_n: 1 }]
+  expect(tieLines(scene, closedNodes(scene))).toEqual([5, 5, 0, 0, 0, -10])
+  scene.seams = [[middle, tip, middle]]
+  expect(seamLines(scene, closedNodes(scene))).toEqual([5, 5, 0, 0, 0, -10, 0, 0, -10, 5, 5, 0])
 })
 
 test('the motion is followed linearly between its states, and ends where they end', () => {

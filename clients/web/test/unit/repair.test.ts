@@ -1,5 +1,13 @@
 import { expect, test } from 'vitest'
-import { anchorPoint, describe, newApproximation, newNeochorda, sutureRange } from '../../src/repair/steps'
+import {
+  anchorPoint,
+  describe,
+  newApproximation,
+  newNeochorda,
+  reshaped,
+  sutureRange,
+  type Resection,
+} from '../../src/repair/steps'
 import { plansIn } from '../../src/repair/plan_files'
 import { placeOf } from '../../src/valve/open'
 import { colourOf, scaleOf } from '../../src/viewer/colours'
@@ -31,6 +39,32 @@ test('a new neochorda reaches the place of the other leaflet', () => {
   const step = newNeochorda(pyramid(), 'PM1', { leaflet: 'posterior', along: 0.5, height: 1 })
   expect(step).toMatchObject({ step: 'neochorda', head: 'PM1', length_mm: 13 })
   expect(describe(step)).toBe('Neochorda from PM1 to P2, free edge, 13.0 mm')
+})
+
+test('resections and edge-to-edge repairs are told in surgical words', () => {
+  const place = { along: 0.5, width_mm: 12 }
+  const wedge: Resection = {
+    step: 'leaflet_resection',
+    shape: 'triangular',
+    leaflet: 'posterior',
+    height: 0.7,
+    ...place,
+  }
+  expect(describe(wedge)).toBe('Triangular resection of P2, 12.0 mm wide, over 70 % of the height')
+  expect(describe({ step: 'leaflet_resection', shape: 'quadrangular', sliding: true, ...place })).toBe(
+    'Quadrangular resection of P2, 12.0 mm wide, with sliding plasty',
+  )
+  expect(describe({ step: 'edge_to_edge', device: 'clip', along: 0.2, width_mm: 6 })).toBe(
+    'Clip from A1 to P1, 6.0 mm wide',
+  )
+})
+
+test('a resection that is reshaped keeps to the widths of its shape', () => {
+  const wide: Resection = { step: 'leaflet_resection', shape: 'quadrangular', along: 0.5, width_mm: 25, sliding: true }
+  expect(reshaped(wide).width_mm).toBe(25)
+  expect(reshaped({ ...wide, sliding: false }).width_mm).toBe(15)
+  const wedge = { step: 'leaflet_resection', shape: 'triangular', along: 0.5, width_mm: 25, height: 0.7 } as const
+  expect(reshaped({ ...wedge, leaflet: 'anterior' }).width_mm).toBe(10)
 })
 
 test('plans are read from a list or alone, and nothing else is', () => {

@@ -34,6 +34,8 @@ export function pyramid(): Scene {
       },
     ],
     sutures: [],
+    ties: [],
+    seams: [],
     strain: { circumferential: [0, 0.1, 0.2, 0.3], radial: [0, 0, 0, 0.4] },
     orifices: [],
     gap: [],
