@@ -57,7 +57,9 @@ struct ImportSource {
   Points annulus_mm;                   ///< closed loop, n x 3, either direction
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
-  std::vector<ImportedTip> tips;  ///< taken only where chordae are drawn
+  std::vector<ImportedTip> tips;       ///< taken only where chordae are drawn
+  std::optional<Tissue> tissue;        ///< else thesis table 2.1, by ImportOptions::reference
+  std::optional<double> pressure_kpa;  ///< else 16
 };
 
 struct ImportOptions {
