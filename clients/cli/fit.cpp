@@ -27,6 +27,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr double kMostSeconds = 600.0;
+
 enum class SurfaceFrame { Patient, Valve };
 
 struct FitArguments {
@@ -72,6 +74,19 @@ Expected<LeafletMesh> placed(LeafletMesh surface, const Valve& valve,
   return surface;
 }
 
+const char* why(FitStop stop) {
+  switch (stop) {
+    case FitStop::RoundLimit:
+      return " (--rounds)";
+    case FitStop::TimeLimit:
+      return " (--seconds)";
+    case FitStop::AtRest:
+    case FitStop::Cancelled:
+      return "";
+  }
+  return "";
+}
+
 void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& measured) {
   out << "distance   " << fixed(fit.rms_before_mm, 3) << " mm rms before, " << fixed(fit.rms_mm, 3)
       << " mm after, of " << fit.points_mm.rows() << " points, which weigh as "
@@ -93,7 +108,8 @@ void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& me
       out << std::setw(9) << fixed(number, mm ? 2 : 3);
     out << (fitted.identifiable ? "" : "  the data say little") << '\n';
   }
-  if (!fit.finished) out << "\nstopped before it came to rest (--rounds)\n";
+  if (fit.stop != FitStop::AtRest)
+    out << "\nstopped before it came to rest" << why(fit.stop) << '\n';
 }
 
 int run(FitArguments arguments) {
@@ -118,10 +134,11 @@ int run(FitArguments arguments) {
   {
     const ProgressBar bar;
     const std::atomic<bool>& interrupted = catch_interrupts();
+    arguments.options.cancelled = [&] { return interrupted.load(); };
     arguments.options.progress = [&](int round, double rms_mm) {
       bar.show(round, 2 * arguments.options.most_rounds,
                "rounds at most, rms " + fixed(rms_mm, 3) + " mm");
-      return !interrupted;
+      return true;
     };
     fit = fit_valve(*valve, measured, arguments.options);
   }
@@ -141,7 +158,7 @@ int run(FitArguments arguments) {
     std::cout << fit_to_json(*fit, {arguments.valve, arguments.closed, measured}).dump(2) << '\n';
   else
     print_fit(std::cout, *fit, measured);
-  return fit->finished ? exit_code::kOk : exit_code::kNotClosed;
+  return fit->stop == FitStop::AtRest ? exit_code::kOk : exit_code::kNotClosed;
 }
 
 }  // namespace
@@ -209,6 +226,12 @@ void add_fit(Command parent, int& status) {
       .show_default();
   command.add_option("--rounds", options.most_rounds, "Rounds of either pass, at most")
       .check(number_from(1, 1000))
+      .show_default();
+  options.most_seconds = kMostSeconds;
+  command
+      .add_option("--seconds", options.most_seconds,
+                  "Time at most; it then has the best so far, which depends on the machine")
+      .check(number_from(0.1, 1e6))
       .show_default();
   add_membrane_option(command, options.closure.membrane);
   command.add_option("--threads", options.threads, "0: all cores; does not change the answer")

@@ -11,6 +11,7 @@
 #include "io/exchange/valve_glb.h"
 #include "io/exchange/valve_markups.h"
 #include "io/exchange/valve_vtk.h"
+#include "io/json/valve_json.h"
 #include "io/mesh/write_mesh.h"
 
 namespace coapt {
@@ -154,6 +155,8 @@ Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& closed,
   if (const auto pressed = pressed_markups(valve); options.open && !pressed.empty())
     files.push_back({kOptionalFiles[1], write_markups(pressed, axes)});
   if (!options.open) files.push_back({kOptionalFiles[2], write_measurements_csv(exported)});
+  if (options.open)
+    files.push_back({kOptionalFiles[3], write_tissue_file({valve.tissue, valve.pressure_kpa})});
   return files;
 }
 

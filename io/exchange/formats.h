@@ -44,11 +44,11 @@ struct NamedFile {
 };
 
 /// Of a folder those that not every valve has: left over from an earlier export they would be read with a later one.
-inline constexpr std::array<const char*, 3> kOptionalFiles = {
-    "repair.mrk.json", "under_pressure.mrk.json", "measurements.csv"};
+inline constexpr std::array<const char*, 4> kOptionalFiles = {
+    "repair.mrk.json", "under_pressure.mrk.json", "measurements.csv", "tissue.json"};
 
 /// What SlicerHeart's ValveFemExport leaves in a folder, and its markups and measurements: both leaflets together and
-/// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Measurements only of the closed shape; of the open one where annulus and tips go.
+/// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Measurements only of the closed shape; of the open one where annulus and tips go, tissue and pressure.
 Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& closed,
                                                    const ExportOptions& options = {});
 

@@ -1,12 +1,16 @@
 #include "io/exchange/slicerheart.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
+#include <optional>
 
 #include "core/valve/problem_list.h"
 #include "io/exchange/chorda_trees.h"
 #include "io/exchange/markups.h"
+#include "io/exchange/valve_vtk.h"
+#include "io/json/valve_json.h"
 #include "io/mesh/csv_table.h"
 #include "io/mesh/vtk.h"
 
@@ -34,12 +38,14 @@ struct Found {
   std::map<std::string, TriangleMesh> surfaces;  ///< by file
   std::vector<TracedLine> lines;
   std::vector<Markup> markups;
+  std::optional<TissueFile> tissue;
 };
 
 void take_vtk(const NamedFile& file, Found& found, ProblemList& problems) {
   Expected<VtkPolyData> data = read_vtk(file.bytes);
   if (!data) return add_below(problems, file.name, data.errors());
-  if (data->title.find("SPACE=RAS") != std::string::npos) data->points_mm.leftCols(2) *= -1.0;
+  const bool ras = data->title.find("SPACE=RAS") != std::string::npos;
+  if (ras) data->points_mm.leftCols(2) *= -1.0;
   const auto scalars = [&](const char* name) -> const VtkScalars* {
     for (const VtkScalars& s : data->line_data)
       if (s.name == name) return &s;
@@ -47,12 +53,17 @@ void take_vtk(const NamedFile& file, Found& found, ProblemList& problems) {
   };
   const VtkScalars *rest = scalars("rest_length_mm"), *diameter = scalars("diameter_mm"),
                    *kind = scalars("kind");
+  const std::array<const VtkScalars*, 3> on = {scalars(kToInsertion[0]), scalars(kToInsertion[1]),
+                                               scalars(kToInsertion[2])};
+  const double across = ras ? -1.0 : 1.0;
   for (std::size_t i = 0; i < data->lines.size(); ++i) {
     TracedLine& line = found.lines.emplace_back();
     line.file = file.name;
     line.place = "/lines/" + std::to_string(i);
     line.start_mm = data->points_mm.row(data->lines[i][0]);
     line.end_mm = data->points_mm.row(data->lines[i][1]);
+    if (on[0] != nullptr && on[1] != nullptr && on[2] != nullptr)
+      line.end_mm += Vec3(across * on[0]->values[i], across * on[1]->values[i], on[2]->values[i]);
     if (rest != nullptr) line.rest_length_mm = rest->values[i];
     if (diameter != nullptr) line.diameter_mm = diameter->values[i];
     if (kind != nullptr && kind->values[i] == static_cast<double>(ChordaKind::Strut))
@@ -99,6 +110,12 @@ void take_markups(const NamedFile& file, Found& found, ProblemList& problems) {
     if (markup.name.empty()) markup.name = file.name;
     found.markups.push_back(std::move(markup));
   }
+}
+
+void take_tissue(const NamedFile& file, Found& found, ProblemList& problems) {
+  const Expected<TissueFile> tissue = read_tissue_file(file.bytes);
+  if (!tissue) return add_below(problems, file.name, tissue.errors());
+  found.tissue = *tissue;
 }
 
 void choose_leaflets(const Found& found, ImportSource& source, ProblemList& problems) {
@@ -177,11 +194,16 @@ Expected<ImportSource> read_slicerheart(const std::vector<NamedFile>& files) {
     if (name.ends_with(".vtk")) take_vtk(file, found, problems);
     if (name.ends_with(".csv")) take_csv(file, found, problems);
     if (name.ends_with(".mrk.json")) take_markups(file, found, problems);
+    if (name == kOptionalFiles[3]) take_tissue(file, found, problems);
   }
   if (!problems.empty()) return std::move(problems).take();
   ImportSource source;
   choose_leaflets(found, source, problems);
   choose_annulus(found, source, problems);
+  if (found.tissue) {
+    source.tissue = found.tissue->tissue;
+    source.pressure_kpa = found.tissue->pressure_kpa;
+  }
   if (!problems.empty()) return std::move(problems).take();
   if (found.lines.empty())
     source.tips = imported_tips(tips_of(found));

@@ -4,8 +4,9 @@
 // - *.vtk with faces: the leaflets. Those named "anterior" and "posterior" are the sheets; a single other one is
 //   the skirt. Names with "annulus" are passed over: that is a tube for the eye.
 // - *.vtk with lines: chordae, from the papillary tip to the leaflet; lines that begin where another ends are its
-//   branches. Data rest_length_mm, diameter_mm and kind are taken where they are there (valve_vtk.h).
+//   branches. Data rest_length_mm, diameter_mm, kind and to_insertion are taken where they are there (valve_vtk.h).
 // - *.csv with rows index,x,y,z,x,y,z,name: chordae, straight, as older versions of ValveFemExport write them.
+// - tissue.json (coapt.tissue/1): tissue and pressure, of an open valve that coapt exported.
 // - *.mrk.json: a closed curve is the annulus (several: the one named so); points of a list named "papillary" are the
 //   tips, labelled with their side (AL..., PM..., or words). Those named "under pressure" say point by point where the
 //   others go when the valve closes. ValveFemExport writes no markups: save

@@ -79,6 +79,8 @@ VtkPolyData chordae_vtk(const ClosedValve& exported, const ValveShape& shape) {
   const ValveShape attached = attached_shape(valve, shape);
   VtkScalars chordae{"chorda", {}, true}, kind{"kind", {}, true}, rest{"rest_length_mm", {}},
       diameter{"diameter_mm", {}}, tension{"tension_n", {}};
+  std::array<VtkScalars, 3> on;
+  for (std::size_t k = 0; k < 3; ++k) on[k].name = kToInsertion[k];
   std::vector<Vec3> points;
   VtkPolyData data{title_of(valve), {}, {}, Faces(0, 3), {}, {}, {}};
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
@@ -87,7 +89,11 @@ VtkPolyData chordae_vtk(const ClosedValve& exported, const ValveShape& shape) {
     const int first = static_cast<int>(points.size());  // the head, then the end of each segment
     points.push_back(attached.heads_mm.row(chorda.head));
     for (std::size_t s = 0; s < chorda.segments.size(); ++s) {
-      points.push_back(attached.chorda_ends_mm[c].row(static_cast<Eigen::Index>(s)));
+      const auto row = static_cast<Eigen::Index>(s);
+      points.push_back(attached.chorda_ends_mm[c].row(row));
+      for (std::size_t k = 0; k < 3; ++k)
+        on[k].values.push_back(shape.chorda_ends_mm[c](row, static_cast<Eigen::Index>(k)) -
+                               points.back()[static_cast<Eigen::Index>(k)]);
       data.lines.push_back(
           {first + chorda.segments[s].parent + 1, first + static_cast<int>(s) + 1});
       chordae.values.push_back(static_cast<double>(c));
@@ -100,7 +106,7 @@ VtkPolyData chordae_vtk(const ClosedValve& exported, const ValveShape& shape) {
   data.points_mm.resize(std::ssize(points), 3);
   for (std::size_t i = 0; i < points.size(); ++i)
     data.points_mm.row(static_cast<Eigen::Index>(i)) = points[i];
-  data.line_data = {chordae, kind, rest, diameter, tension};
+  data.line_data = {chordae, kind, rest, diameter, tension, on[0], on[1], on[2]};
   return data;
 }
 

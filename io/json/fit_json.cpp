@@ -97,7 +97,8 @@ ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files) {
           {"correlations", correlations_json(fit.covariance)},
           {"rounds", fit.rounds},
           {"closures", fit.closures},
-          {"finished", fit.finished}};
+          {"finished", fit.stop == FitStop::AtRest},
+          {"stop", to_string(fit.stop)}};
 }
 
 }  // namespace coapt

@@ -25,6 +25,16 @@ Expected<Valve> valve_from_json(const nlohmann::json& json);
 /// @pre validate(valve) is empty.
 std::string write_valve(const Valve& valve);
 
+/// What a valve file says of a mitral valve's tissue and pressure, by itself: schema coapt.tissue/1.
+struct TissueFile {
+  Tissue tissue;
+  double pressure_kpa = 0.0;
+};
+
+/// Form alone is checked.
+Expected<TissueFile> read_tissue_file(std::string_view text);
+std::string write_tissue_file(const TissueFile& file);
+
 /// Stand-in Anterolateral.
 Side read_side(const JsonPlace& place);
 

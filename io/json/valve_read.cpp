@@ -344,4 +344,17 @@ Expected<Valve> read_any_valve(std::string_view text) {
   return checked(*json, has_leaflets(*json) ? read_leaflet_form : read_form);
 }
 
+Expected<TissueFile> read_tissue_file(std::string_view text) {
+  const auto json = parse_json(text);
+  if (!json) return json.errors();
+  ProblemList problems;
+  TissueFile file;
+  read_fields({*json, problems},
+              {{"schema", [](const JsonPlace& place) { read_schema(place, "coapt.tissue/1"); }},
+               {"pressure_kpa", into(file.pressure_kpa, read_number)},
+               {"tissue", into(file.tissue, read_tissue)}});
+  if (!problems.empty()) return std::move(problems).take();
+  return file;
+}
+
 }  // namespace coapt

@@ -201,4 +201,11 @@ std::string write_valve(const Valve& valve) {
   return text + "\n}\n";
 }
 
+std::string write_tissue_file(const TissueFile& file) {
+  const ordered_json json = {{"schema", "coapt.tissue/1"},
+                             {"pressure_kpa", file.pressure_kpa},
+                             {"tissue", tissue_json(file.tissue)}};
+  return json.dump(2) + '\n';
+}
+
 }  // namespace coapt

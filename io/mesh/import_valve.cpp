@@ -199,7 +199,7 @@ std::vector<ImportDecision> closed_decisions(const Skirt& skirt, double hidden_m
 }
 
 std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Skirt& skirt,
-                                           const Valve& valve) {
+                                           const Valve& valve, bool own_tissue) {
   const auto bare = std::count(skirt.interpolated.begin(), skirt.interpolated.end(), true);
   const Deviation off = deviation(source.leaflets, skirt);
   double input_area = 0.0;
@@ -224,14 +224,15 @@ std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Ski
                   counted(bare) + " stations without sheet interpolated between their neighbours",
                   "which closes the commissures"});
   told.push_back(landmark_decision(skirt));
-  told.push_back({"state",
-                  valve.tissue.reference == TissueReference::InVivo
-                      ? "the imaged state is taken as that of the unpressurised heart"
-                      : "the imaged state is taken as unstressed",
-                  std::string(source.pressed_annulus_mm.rows() > 0
-                                  ? "annulus and papillary tips under pressure came with it"
-                                  : "its annulus and papillary tips as those under pressure") +
-                      "; tissue of thesis table 2.1"});
+  told.push_back(
+      {"state",
+       valve.tissue.reference == TissueReference::InVivo
+           ? "the imaged state is taken as that of the unpressurised heart"
+           : "the imaged state is taken as unstressed",
+       std::string(source.pressed_annulus_mm.rows() > 0
+                       ? "annulus and papillary tips under pressure came with it"
+                       : "its annulus and papillary tips as those under pressure") +
+           (own_tissue ? "; tissue and pressure, too" : "; tissue of thesis table 2.1")});
   return told;
 }
 
@@ -282,13 +283,15 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
   valve.provenance = source.provenance;
   valve.patient = framed->patient;
   valve.tissue.reference = options.closed ? TissueReference::InVivo : options.reference;
+  if (source.tissue) valve.tissue = *source.tissue;
+  if (source.pressure_kpa) valve.pressure_kpa = *source.pressure_kpa;
   add_mesh(*skirt, valve);
   if (framed->pressed_annulus_mm.rows() > 0)
     for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();
   valve.landmarks = find_landmarks(*skirt, framed->landmarks);
-  std::vector<ImportDecision> decisions = options.closed
-                                              ? closed_decisions(*skirt, options.hidden_mm, valve)
-                                              : mesh_decisions(*framed, *skirt, valve);
+  std::vector<ImportDecision> decisions =
+      options.closed ? closed_decisions(*skirt, options.hidden_mm, valve)
+                     : mesh_decisions(*framed, *skirt, valve, source.tissue.has_value());
   decisions.insert(
       decisions.begin(),
       {{"units", to_string(unit), options.units ? "as given" : "by the annulus's circumference"},

@@ -73,6 +73,8 @@ struct ImportSource {
   std::vector<ImportedTip> tips;  ///< taken only where chordae are drawn
   GivenLandmarks landmarks = {};
   std::vector<ImportDecision> decisions;  ///< that reading it took, before those of the import
+  std::optional<Tissue> tissue;        ///< else thesis table 2.1, by ImportOptions::reference
+  std::optional<double> pressure_kpa;  ///< else 16
 };
 
 struct ImportOptions {

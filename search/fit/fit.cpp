@@ -1,6 +1,8 @@
 #include "search/fit/fit.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 
 #include "core/valve/number_text.h"
@@ -19,9 +21,12 @@ constexpr int kPasses = 2;
 constexpr double kFirstNoise_mm = 0.5, kLeastNoise_mm = 0.01;
 constexpr double kFirstShare = 0.1;  // of points that are independent
 constexpr double kIdentified = 0.5;
+constexpr double kMostTimesAsGiven = 10.0;  // steps of a closure
 // Of the variance of fitted values over that of the linearised posterior, in 20 twins (coapt-lab chart twins; 20 others
 // judge it): residuals of a fit are less alike than the errors that it has absorbed, and the mesh adds its own.
 constexpr double kDiscrepancy = 3.5;
+
+using Clock = std::chrono::steady_clock;
 
 double rms(const std::vector<double>& values) {
   double sum = 0.0;
@@ -72,11 +77,26 @@ FittedValues uncertainty(const ValveFit& fit) {
 
 }  // namespace
 
+const char* to_string(FitStop stop) {
+  switch (stop) {
+    case FitStop::AtRest:
+      return "at_rest";
+    case FitStop::RoundLimit:
+      return "round_limit";
+    case FitStop::TimeLimit:
+      return "time_limit";
+    case FitStop::Cancelled:
+      return "cancelled";
+  }
+  return "";
+}
+
 Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured,
                              const FitOptions& options) {
   if (!(measured.points_mm.array().abs() <= kMostCoordinate_mm).all())
     return Error{ErrorCode::OutOfRange, "/points_mm",
                  "has coordinates that are no numbers from -1e5 to 1e5 mm"};
+  const Clock::time_point began = Clock::now();
   ValveFit fit;
   fit.points_mm = thinned(measured.points_mm, options.most_points);
   FitProblem problem(valve, measured, options, fit.points_mm);
@@ -88,7 +108,6 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   FitWeights weights{kFirstNoise_mm, kFirstShare * static_cast<double>(fit.points_mm.rows())};
   Eigen::VectorXd point = problem.prior();
   FitAnswer answer;
-  bool stopped = false;
   int first_pass = 0;
   const bool goes_on =
       options.from && options.from->squares.point.size() == std::ssize(problem.parameters());
@@ -98,7 +117,23 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
     fit.rounds = options.from->rounds;
     problem.count_before(options.from->closures);
   }
-  for (int pass = first_pass; pass < kPasses && !stopped; ++pass) {
+  const double most_steps = kMostTimesAsGiven * fit.before.closure.steps;
+  const ClosureBudget unhurried{most_steps * static_cast<double>(valve.rest_mm.rows()), {}};
+  // Closures that are to come: two for each parameter, and what is fitted twice.
+  const double last_closures = 2.0 * static_cast<double>(point.size()) + 2.0;
+  const auto out_of_time = [&] {
+    const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
+    return seconds * (1.0 + last_closures / (1.0 + problem.closures())) > options.most_seconds;
+  };
+  std::atomic<FitStop> ended = FitStop::AtRest;
+  const auto halted = [&] {  // on any thread, and from then on
+    if (ended == FitStop::AtRest && out_of_time()) ended = FitStop::TimeLimit;
+    if (ended == FitStop::AtRest && options.cancelled && options.cancelled())
+      ended = FitStop::Cancelled;
+    return ended != FitStop::AtRest;
+  };
+  for (int pass = first_pass; pass < kPasses && ended == FitStop::AtRest; ++pass) {
+    problem.allow({unhurried.vertex_steps, halted});
     const ResidualsAt residuals = [&](const std::vector<Eigen::VectorXd>& points) {
       const std::vector<FitAnswer> answers = problem.answers(points);
       std::vector<Eigen::VectorXd> all;
@@ -110,8 +145,9 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
     fitting.most_rounds = options.most_rounds;
     fitting.progress = [&](int round, double cost) {
       const double rms_mm = std::sqrt(cost / weights.independent) * weights.noise_mm;
-      stopped = options.progress && !options.progress(fit.rounds + round, rms_mm);
-      return !stopped;
+      if (options.progress && !options.progress(fit.rounds + round, rms_mm))
+        ended = FitStop::Cancelled;
+      return !halted();
     };
     fitting.keep = [&](const LeastSquaresState& squares) {
       if (options.keep)
@@ -124,7 +160,10 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
                 : fit_least_squares(residuals, point, fitting);
     point = found.point;
     fit.rounds += found.rounds;
-    fit.finished = !stopped && found.rounds < options.most_rounds;
+    fit.stop = ended;
+    if (fit.stop == FitStop::AtRest && found.rounds >= options.most_rounds)
+      fit.stop = FitStop::RoundLimit;
+    problem.allow(unhurried);
     answer = problem.answers({point}).front();
     const CorrelatedNoise noise = correlated_noise(fit.points_mm, answer.distances_mm);
     weights = {std::max(kLeastNoise_mm, noise.sd_mm), noise.independent / kDiscrepancy};

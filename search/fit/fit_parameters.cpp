@@ -6,6 +6,7 @@
 
 #include "core/valve/leaflet_coordinates.h"
 #include "core/valve/leaflet_of.h"
+#include "core/valve/leaflets.h"
 #include "core/valve/validate.h"
 
 namespace coapt {
@@ -13,6 +14,8 @@ namespace {
 
 constexpr double kBounds_sd = 3.0;
 constexpr double kShownHeight = 0.5;  // of a leaflet, above its hidden part
+constexpr double kOneMuscle_mm = 5.0;
+constexpr double kDrawnSlack_sd = 0.12;  // of a mean of 1; three of them hold a third more; assumed
 
 template <class... Cases>
 struct Overloaded : Cases... {
@@ -31,38 +34,85 @@ const char* marginal_place(Segment segment) {
   return leaflet_of(segment) == Leaflet::Anterior ? "anterior" : "posterior";
 }
 
-/// Marginal chordae by leaflet, others by kind; of each muscle. Neochordae have the length that was chosen.
+/// A papillary muscle.
+struct Muscle {
+  std::string name;
+  std::vector<int> heads;  ///< into Valve::heads
+};
+
+bool holds(const Muscle& muscle, int head) {
+  return std::find(muscle.heads.begin(), muscle.heads.end(), head) != muscle.heads.end();
+}
+
+Muscle muscle_of(const Valve& valve, Side side) {
+  Muscle muscle{side == Side::Anterolateral ? "AL" : "PM", {}};
+  for (std::size_t i = 0; i < valve.heads.size(); ++i)
+    if (valve.heads[i].side == side) muscle.heads.push_back(static_cast<int>(i));
+  return muscle;
+}
+
+/// Of a mitral valve both sides, of another one heads that are near each other, in the order of their first.
+std::vector<Muscle> muscles_of(const Valve& valve) {
+  if (is_mitral(valve))
+    return {muscle_of(valve, Side::Anterolateral), muscle_of(valve, Side::Posteromedial)};
+  std::vector<Muscle> muscles;
+  std::vector<bool> taken(valve.heads.size(), false);
+  for (std::size_t first = 0; first < valve.heads.size(); ++first) {
+    if (taken[first]) continue;
+    taken[first] = true;
+    Muscle muscle{valve.heads[first].id, {static_cast<int>(first)}};
+    for (std::size_t done = 0; done < muscle.heads.size(); ++done)
+      for (std::size_t other = 0; other < valve.heads.size(); ++other) {
+        const PapillaryHead& head = valve.heads[static_cast<std::size_t>(muscle.heads[done])];
+        if (taken[other] || (valve.heads[other].rest_mm - head.rest_mm).norm() >= kOneMuscle_mm)
+          continue;
+        taken[other] = true;
+        muscle.heads.push_back(static_cast<int>(other));
+      }
+    muscles.push_back(std::move(muscle));
+  }
+  return muscles;
+}
+
+/// Marginal chordae by leaflet, or where nobody has seen them by segment, because elongated ones let a scallop prolapse; others by
+/// kind; of a valve that is not mitral all by leaflet.
 std::string group_name(const Valve& valve, const Chorda& chorda) {
   const auto face = static_cast<std::size_t>(first_face(chorda));
   std::string where;
-  if (valve.segments.empty())
-    where = valve.leaflets[static_cast<std::size_t>(valve.face_leaflet[face])].name;
+  if (!is_mitral(valve))
+    where = leaflet_name(valve, static_cast<int>(face));
   else if (chorda.kind == ChordaKind::Marginal)
-    where = marginal_place(valve.segments[face]);
+    where = valve.drawn_chordae ? to_string(valve.segments[face])
+                                : marginal_place(valve.segments[face]);
   else
     where = to_string(chorda.kind);
-  const Side side = valve.heads[static_cast<std::size_t>(chorda.head)].side;
-  return "slack_" + where + (side == Side::Anterolateral ? "_AL" : "_PM");
+  return "slack_" + where + "_";
 }
 
-void add_slack(const Valve& valve, double sd, std::vector<FitParameter>& parameters) {
+/// By muscle, too. Neochordae have the length that was chosen.
+void add_slack(const Valve& valve, const std::vector<Muscle>& muscles, double sd,
+               std::vector<FitParameter>& parameters) {
+  if (valve.drawn_chordae) sd = std::max(sd, kDrawnSlack_sd);
   std::map<std::string, ChordalGroup> groups;
   for (std::size_t i = 0; i < valve.chordae.size(); ++i) {
     const Chorda& chorda = valve.chordae[i];
     if (chorda.kind == ChordaKind::Neochorda || chorda.ruptured) continue;
-    groups[group_name(valve, chorda)].chordae.push_back(static_cast<int>(i));
+    const auto muscle = std::find_if(muscles.begin(), muscles.end(), [&](const Muscle& candidate) {
+      return holds(candidate, chorda.head);
+    });
+    groups[group_name(valve, chorda) + muscle->name].chordae.push_back(static_cast<int>(i));
   }
   for (const auto& [name, group] : groups)
     parameters.push_back({name, "1", 1.0, sd, 1.0 - kBounds_sd * sd, 1.0 + kBounds_sd * sd, group});
 }
 
-void add_tips(double sd_mm, std::vector<FitParameter>& parameters) {
-  for (const Side side : {Side::Anterolateral, Side::Posteromedial})
+void add_tips(const std::vector<Muscle>& muscles, double sd_mm,
+              std::vector<FitParameter>& parameters) {
+  for (const Muscle& muscle : muscles)
     for (int axis = 0; axis < 3; ++axis)
-      parameters.push_back({std::string(side == Side::Anterolateral ? "tip_AL_" : "tip_PM_") +
-                                "xyz"[static_cast<std::size_t>(axis)],
+      parameters.push_back({"tip_" + muscle.name + '_' + "xyz"[static_cast<std::size_t>(axis)],
                             "mm", 0.0, sd_mm, -kBounds_sd * sd_mm, kBounds_sd * sd_mm,
-                            TipPlace{side, axis}});
+                            TipPlace{muscle.heads, axis}});
 }
 
 void add_prestretch(const Tissue& tissue, const FitUnknowns& unknowns,
@@ -133,12 +183,12 @@ void turn_fibres(Valve& valve) {
 
 std::vector<FitParameter> fit_parameters(const Valve& valve, const FitUnknowns& unknowns) {
   std::vector<FitParameter> parameters;
-  if (unknowns.slack) add_slack(valve, unknowns.slack_sd, parameters);
-  if (unknowns.tips) add_tips(unknowns.tip_sd_mm, parameters);
+  const std::vector<Muscle> muscles = muscles_of(valve);
+  if (unknowns.slack) add_slack(valve, muscles, unknowns.slack_sd, parameters);
+  if (unknowns.tips) add_tips(muscles, unknowns.tip_sd_mm, parameters);
   if (unknowns.prestretch && valve.tissue.reference == TissueReference::InVivo)
     add_prestretch(valve.tissue, unknowns, parameters);
-  if (unknowns.hidden && !valve.segments.empty())
-    add_hidden(valve, unknowns.hidden_sd_mm, parameters);
+  if (unknowns.hidden && is_mitral(valve)) add_hidden(valve, unknowns.hidden_sd_mm, parameters);
   return parameters;
 }
 
@@ -155,8 +205,8 @@ Expected<Valve> with_parameters(const Valve& valve, const std::vector<FitParamet
                          segment.rest_length_mm *= value;
                    },
                    [&](const TipPlace& tip) {
-                     for (PapillaryHead& head : changed.heads) {
-                       if (head.side != tip.side) continue;
+                     for (const int at : tip.heads) {
+                       PapillaryHead& head = changed.heads[static_cast<std::size_t>(at)];
                        head.rest_mm(tip.axis) += value;
                        head.tip_mm(tip.axis) += value;
                      }

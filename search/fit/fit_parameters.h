@@ -17,7 +17,7 @@ struct ChordalGroup {
 
 /// All heads of one muscle, along one axis of the valve's frame; lengths of chordae stay.
 struct TipPlace {
-  Side side = Side::Anterolateral;
+  std::vector<int> heads;  ///< into Valve::heads
   int axis = 0;
 };
 
@@ -52,7 +52,8 @@ struct FitUnknowns {
   double hidden_sd_mm = 1.5;  ///< assumed
 };
 
-/// In the order slack, tips, prestretch, hidden. Bounds: three standard deviations, and where validate() would refuse.
+/// In the order slack, tips, prestretch, hidden. Muscles of a valve that is not mitral are heads less than 5 mm from one
+/// another, named by their first: slack_septal_8598, tip_8598_x. Bounds: three standard deviations, and where validate() would refuse.
 std::vector<FitParameter> fit_parameters(const Valve& valve, const FitUnknowns& unknowns);
 
 /// The valve with its parameters at these values. Errors: what validate() refuses.

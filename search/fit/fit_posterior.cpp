@@ -15,6 +15,7 @@ constexpr double kStep_sd = 0.5;  // prior standard deviations
 Eigen::VectorXd difference(const std::array<double, 3>& at, const Eigen::VectorXd& low,
                            const Eigen::VectorXd& middle, const Eigen::VectorXd& high) {
   constexpr double kSteeper = 2.0;
+  if (at[0] == at[2]) return Eigen::VectorXd::Zero(middle.size());
   if (at[0] == at[1]) return (high - middle) / (at[2] - at[1]);
   if (at[2] == at[1]) return (middle - low) / (at[1] - at[0]);
   const Eigen::VectorXd below = (middle - low) / (at[1] - at[0]),
@@ -39,18 +40,28 @@ FitPosterior posterior_at(FitProblem& problem, const Eigen::VectorXd& point,
     }
   }
   sides.push_back(point);
-  const std::vector<FitAnswer> answers = problem.answers(sides);
+  std::vector<FitAnswer> answers = problem.answers(sides);
+  // A side that does not close says nothing: the other one has to do, or the prior.
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (!answers[i].trusted) {
+      sides[i] = point;
+      answers[i] = answers.back();
+    }
   std::vector<Eigen::VectorXd> residuals;
   for (std::size_t i = 0; i < sides.size(); ++i)
     residuals.push_back(problem.residual(sides[i], answers[i], weights));
   Eigen::MatrixXd jacobian(residuals.back().size(), m);
-  Eigen::VectorXd leak_gradient(m);
+  Eigen::VectorXd leak_gradient = Eigen::VectorXd::Zero(m);
   for (Eigen::Index i = 0; i < m; ++i) {
     const auto low = static_cast<std::size_t>(2 * i), high = low + 1;
     const FitParameter& p = problem.parameters()[static_cast<std::size_t>(i)];
     const double scale = p.upper - p.lower;
     jacobian.col(i) = difference({sides[low](i) * scale, point(i) * scale, sides[high](i) * scale},
                                  residuals[low], residuals.back(), residuals[high]);
+    if (sides[low](i) == sides[high](i)) {  // the prior alone
+      jacobian(jacobian.rows() - m + i, i) = 1.0 / p.prior_sd;
+      continue;
+    }
     leak_gradient(i) = (answers[high].leak_mm2 - answers[low].leak_mm2) /
                        (scale * (sides[high](i) - sides[low](i)));
   }

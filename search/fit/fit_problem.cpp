@@ -45,25 +45,24 @@ std::vector<double> FitProblem::values(const Eigen::VectorXd& point) const {
 }
 
 FitAnswer FitProblem::answer_of(const ClosedValve& closed) const {
-  return {signed_distances_mm(
-              points_mm_,
-              {closed.closure.closed_mm, closed.valve.faces, closed.valve.tissue.thickness_mm},
-              measured_.side),
-          leak_mm2(closed.measure)};
+  return {signed_distances_mm(points_mm_, surface_of(closed), measured_.side),
+          leak_mm2(closed.measure), true};
 }
 
 std::vector<FitAnswer> FitProblem::answers(const std::vector<Eigen::VectorXd>& points) {
   std::vector<FitAnswer> all(points.size());
+  ClosureOptions closing = options_.closure;
+  closing.budget = budget_;
   for_each_index(static_cast<int>(points.size()), options_.threads, [&](int at) {
     FitAnswer& answer = all[static_cast<std::size_t>(at)];
     const Expected<Valve> changed =
         with_parameters(valve_, parameters_, values(points[static_cast<std::size_t>(at)]));
     answer.distances_mm.assign(static_cast<std::size_t>(points_mm_.rows()), kUntrusted_mm);
-    if (!changed) return;
-    const ClosedValve closed = close_and_measure(*changed, options_.closure);
+    if (!changed || (budget_.cancelled && budget_.cancelled())) return;
+    const ClosedValve closed = close_and_measure(*changed, closing);
     if (trusted(closed.closure)) answer = answer_of(closed);
+    ++closures_;
   });
-  closures_ += static_cast<int>(points.size());
   return all;
 }
 

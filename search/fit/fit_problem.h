@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <atomic>
+#include <utility>
 #include <vector>
 
 #include "search/fit/fit.h"
@@ -12,6 +14,7 @@ namespace coapt {
 struct FitAnswer {
   std::vector<double> distances_mm;  ///< of the measured points
   double leak_mm2 = 0.0;
+  bool trusted = false;  ///< it closes; else the numbers are large and mean nothing
 };
 
 /// How residuals are weighed.
@@ -31,6 +34,9 @@ class FitProblem {
   /// Those of a run that was broken off, whose last answer is asked for once more.
   void count_before(int closures) { closures_ = closures - 1; }
 
+  /// What each closure from now on may cost.
+  void allow(ClosureBudget budget) { budget_ = std::move(budget); }
+
   Eigen::VectorXd prior() const;  ///< in the cube
   std::vector<double> values(const Eigen::VectorXd& point) const;
 
@@ -47,7 +53,8 @@ class FitProblem {
   const FitOptions& options_;
   const Points& points_mm_;
   std::vector<FitParameter> parameters_;
-  int closures_ = 0;
+  ClosureBudget budget_;
+  std::atomic<int> closures_ = 0;
 };
 
 }  // namespace coapt

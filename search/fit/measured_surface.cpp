@@ -32,11 +32,17 @@ Points thinned(const Points& points_mm, int most) {
   return points_mm(kept, Eigen::all);
 }
 
+ClosedSurface surface_of(const ClosedValve& closed) {
+  ClosedSurface surface{closed.closure.closed_mm, closed.valve.faces, {}};
+  for (int face = 0; face < static_cast<int>(surface.faces.rows()); ++face)
+    surface.thickness_mm.push_back(thickness_mm(closed.valve, face));
+  return surface;
+}
+
 std::vector<double> signed_distances_mm(const Points& points_mm, const ClosedSurface& model,
                                         MeasuredSide side) {
   const SurfaceTree tree(model.closed_mm, model.faces);
   const SurfaceEdge edge(model.faces);
-  const double above_mm = side == MeasuredSide::Atrial ? 0.5 * model.thickness_mm : 0.0;
   std::vector<double> distances;
   distances.reserve(static_cast<std::size_t>(points_mm.rows()));
   for (Eigen::Index i = 0; i < points_mm.rows(); ++i) {
@@ -47,6 +53,9 @@ std::vector<double> signed_distances_mm(const Points& points_mm, const ClosedSur
     };
     const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
     const bool below = normal.dot(point - nearest.point_mm) < 0.0 && !edge.holds(nearest);
+    const double above_mm = side == MeasuredSide::Atrial
+                                ? 0.5 * model.thickness_mm[static_cast<std::size_t>(nearest.face)]
+                                : 0.0;
     distances.push_back((below ? -1.0 : 1.0) * nearest.distance_mm - above_mm);
   }
   return distances;

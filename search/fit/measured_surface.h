@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/valve/types.h"
+#include "core/closed/closed_valve.h"
 
 namespace coapt {
 
@@ -20,8 +20,10 @@ Points thinned(const Points& points_mm, int most);
 struct ClosedSurface {
   Points closed_mm;  ///< |V| x 3
   Faces faces;
-  double thickness_mm = 0.0;
+  std::vector<double> thickness_mm;  ///< |F|
 };
+
+ClosedSurface surface_of(const ClosedValve& closed);
 
 /// Per point: how far it is from the model's measured side, mm, > 0 towards the atrium. From a point beyond an edge of the
 /// model the distance is positive, whatever the side.

@@ -1,5 +1,6 @@
 #include "server/jobs/import_job.h"
 
+#include <algorithm>
 #include "io/exchange/decisions_json.h"
 #include "io/json/fit_json.h"
 #include "io/json/valve_json.h"
@@ -53,7 +54,7 @@ ImportDecision fit_decision(const ValveFit& fit) {
               " mm rms before, " + fixed(fit.rms_mm, 2) + " mm after",
           std::to_string(known) + " of " + std::to_string(fit.parameters.size()) +
               " unknowns are told by the surface; the others stay as uncertain as they were" +
-              (fit.finished ? "" : "; stopped before it came to rest")};
+              (fit.stop == FitStop::AtRest ? "" : "; stopped before it came to rest")};
 }
 
 /// What a fit has made of an imported valve.
@@ -74,7 +75,8 @@ Expected<Fitted> fit_import(const ImportJob& work, RunningJob& job, const Import
                                  asked.leak_sd_mm2};
   FitOptions options = asked.options;
   options.threads = work.limits.threads;
-  options.closure.budget.cancelled = [&] { return work.board.stopping(); };
+  options.cancelled = [&] { return work.board.stopping() || job.cancelled; };
+  options.most_seconds = std::max(0.0, work.limits.seconds - job.seconds());
   JobProgress progress{.stage = "fitting", .closures = from ? from->closures : 0};
   job.note(progress);
   options.from = std::move(from);
@@ -87,7 +89,7 @@ Expected<Fitted> fit_import(const ImportJob& work, RunningJob& job, const Import
   options.progress = [&](int, double rms_mm) {
     progress.rms_mm = rms_mm;
     job.note(progress);
-    return !job.cancelled && job.seconds() < work.limits.seconds;
+    return true;
   };
   const Expected<ValveFit> fit = fit_valve(imported.valve, measured, options);
   if (work.board.stopping()) throw std::runtime_error(kJobStops);

@@ -76,7 +76,10 @@ class Fit(ProgramTest):
         given, _, closed = self.displaced()
         run = coapt("fit", given, "--closed", closed, "--rounds", "1", "-o", self.folder / "f.json")
         self.assertEqual(run.returncode, NOT_CLOSED)
-        self.assertIn("stopped before it came to rest", run.stdout)
+        self.assertIn("stopped before it came to rest (--rounds)", run.stdout)
+        timed = coapt("fit", given, "--closed", closed, "--seconds", "0.1", "--json", "-o", self.folder / "f.json")
+        self.assertEqual(timed.returncode, NOT_CLOSED)
+        self.assertEqual(json.loads(timed.stdout)["stop"], "time_limit")
 
     def test_what_cannot_be_fitted_is_refused(self):
         given, _, closed = self.displaced()

@@ -6,6 +6,7 @@
 
 #include "core/presets/presets.h"
 #include "core/valve/leaflet_coordinates.h"
+#include "tests/scenes/leaflet_valves.h"
 
 namespace coapt {
 namespace {
@@ -103,6 +104,37 @@ TEST(FitParameters, AnExcisedValveHasNoPrestretch) {
   valve.tissue.reference = TissueReference::Excised;
   for (const FitParameter& parameter : fit_parameters(valve, {}))
     EXPECT_FALSE(std::holds_alternative<Prestretch>(parameter.changes));
+}
+
+TEST(FitParameters, ChordaeThatNobodyHasSeenAreGroupedByScallop) {
+  Valve valve = *make_preset("human-normal", 300);
+  valve.drawn_chordae = DrawnChordae{};
+  const std::vector<FitParameter> parameters = fit_parameters(valve, {});
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [](const FitParameter& p) { return p.name == "slack_P2_AL"; });
+  ASSERT_NE(found, parameters.end());
+  EXPECT_GT(found->prior_sd, FitUnknowns{}.slack_sd);
+}
+
+TEST(FitParameters, MusclesOfAValveThatIsNotMitralAreHeadsNearEachOther) {
+  Valve valve = three_leaflets();
+  std::vector<std::string> names;
+  for (const FitParameter& parameter : fit_parameters(valve, {})) {
+    names.push_back(parameter.name);
+    if (const auto* tip = std::get_if<TipPlace>(&parameter.changes)) {
+      EXPECT_FALSE(tip->heads.empty());
+    }
+  }
+  // Each muscle has its three coordinates, and each leaflet that it holds a slack.
+  const std::string first = valve.heads.front().id;
+  EXPECT_EQ(std::count(names.begin(), names.end(), "tip_" + first + "_x"), 1);
+  PapillaryHead beside = valve.heads.front();
+  beside.id = "beside";
+  beside.rest_mm.x() += 1.0;
+  valve.heads.push_back(beside);
+  EXPECT_EQ(fit_parameters(valve, {}).size(), names.size());
+  valve.heads.back().rest_mm.x() += 10.0 + 1000.0;
+  EXPECT_EQ(fit_parameters(valve, {}).size(), names.size() + 3);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "core/presets/presets.h"
@@ -28,7 +29,7 @@ TEST(Fit, FindsTheTipsOfAClosedStateThatItsModelCanReach) {
   const Valve valve = *make_preset("human-functional-mr", 300);
   const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), tips_alone());
   ASSERT_TRUE(fit);
-  EXPECT_TRUE(fit->finished);
+  EXPECT_EQ(fit->stop, FitStop::AtRest);
   EXPECT_GT(fit->rms_before_mm, 0.3);
   EXPECT_LT(fit->rms_mm, 0.05);
   const std::vector<double> truth = {-1.0, 0.0, -1.5, 0.0, 0.0, 0.0};
@@ -73,7 +74,7 @@ TEST(Fit, BrokenOffAfterAnyRoundItGoesOnToTheSameBits) {
     EXPECT_EQ(resumed->covariance, whole->covariance);
     EXPECT_EQ(resumed->rounds, whole->rounds);
     EXPECT_EQ(resumed->closures, whole->closures);
-    EXPECT_EQ(resumed->finished, whole->finished);
+    EXPECT_EQ(resumed->stop, whole->stop);
   }
 }
 
@@ -93,7 +94,33 @@ TEST(Fit, StopsWhereItIsToldTo) {
   options.progress = [](int, double) { return false; };
   const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), options);
   ASSERT_TRUE(fit);
-  EXPECT_FALSE(fit->finished);
+  EXPECT_EQ(fit->stop, FitStop::Cancelled);
+}
+
+TEST(Fit, EndsWhenItsTimeIsOverWithTheBestSoFarAndItsUncertainty) {
+  const Valve valve = *make_preset("human-functional-mr", 200);
+  FitOptions options = tips_alone();
+  options.most_seconds = 1e-6;
+  const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), options);
+  ASSERT_TRUE(fit);
+  EXPECT_EQ(fit->stop, FitStop::TimeLimit);
+  EXPECT_EQ(fit->rms_mm, fit->rms_before_mm);
+  for (const FittedParameter& fitted : fit->parameters) {
+    EXPECT_EQ(fitted.value, fitted.parameter.prior);
+    EXPECT_GT(fitted.sd, 0.0);
+    EXPECT_LE(fitted.sd, fitted.parameter.prior_sd);
+  }
+}
+
+TEST(Fit, EndsInTheMiddleOfARoundIfItIsCancelled) {
+  const Valve valve = *make_preset("human-functional-mr", 200);
+  FitOptions options = tips_alone();
+  std::atomic<int> asked = 0;
+  options.cancelled = [&] { return ++asked > 100; };
+  const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), options);
+  ASSERT_TRUE(fit);
+  EXPECT_EQ(fit->stop, FitStop::Cancelled);
+  EXPECT_EQ(fit->rounds, 1);
 }
 
 TEST(Fit, RefusesWhatCannotBeFitted) {

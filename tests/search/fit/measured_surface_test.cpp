@@ -14,7 +14,7 @@ ClosedSurface triangle(double thickness_mm) {
   surface.closed_mm << 0, 0, 0, 10, 0, 0, 0, 10, 0;
   surface.faces.resize(1, 3);
   surface.faces << 0, 1, 2;
-  surface.thickness_mm = thickness_mm;
+  surface.thickness_mm = {thickness_mm};
   return surface;
 }
 

@@ -983,6 +983,11 @@ export interface components {
             closures: number;
             /** @description Whether it came to rest before its limit of rounds, of time, or a cancellation. */
             finished: boolean;
+            /**
+             * @description Why it ended.
+             * @enum {string}
+             */
+            stop?: "at_rest" | "round_limit" | "time_limit" | "cancelled";
         };
         /** @description One unknown of a fit. */
         FittedParameter: {
