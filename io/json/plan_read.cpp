@@ -138,8 +138,9 @@ RepairStep read_resection(const JsonPlace& place) {
   LeafletResection step;
   const auto shape = read_member(place, "shape");
   if (!shape) return step;
-  step.shape =
-      read_name<ResectionShape>(*shape, {ResectionShape::Triangular, ResectionShape::Quadrangular});
+  const auto choice = read_choice(*shape, {"triangular", "quadrangular"});
+  if (!choice) return step;
+  step.shape = *choice == 0 ? ResectionShape::Triangular : ResectionShape::Quadrangular;
   const JsonField along = {"along", number_into(step.along, kResectionAlong)};
   if (step.shape == ResectionShape::Quadrangular) {
     read_fields(place, {tag("step"),

@@ -242,6 +242,8 @@ inline SearchRequest search_request() {
   options.rules.chordal_length_change = true;
   options.rules.chordal_excision = true;
   options.rules.chordal_transfer = true;
+  options.rules.leaflet_resection = true;
+  options.rules.edge_to_edge = true;
   options.rules.suture_lattice_mm = 1.0;
   options.rules.neochorda_lattice_mm = 2.0;
   options.rules.most_movement_mm = 12.5;

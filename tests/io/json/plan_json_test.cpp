@@ -62,7 +62,10 @@ TEST(PlanJson, WhatAResectionOfThatShapeHasNotIsRefused) {
             (Found{{OutOfRange, "/steps/0/width_mm"},
                    {UnknownField, "/steps/0/height"},
                    {OutOfRange, "/steps/1/height"},
-                   {Unsupported, "/steps/2/shape"}}));
+                   {BadReference, "/steps/2/shape"},
+                   {BadReference, "/steps/3/device"},
+                   {OutOfRange, "/steps/3/along"},
+                   {OutOfRange, "/steps/3/width_mm"}}));
 }
 
 TEST(PlanJson, ProblemsOfAllStepsAreListed) {

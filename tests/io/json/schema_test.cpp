@@ -214,7 +214,7 @@ TEST(ValveSchema, AgreesWithTheReaderOnPlacesAndWeights) {
         "/papillary_heads/1/tip_mm/0", "/chordae/0/segments/0/branch_point_mm/1"}) {
     expect_range_is_known(kinds["point"]["items"], at);
   }
-  const nlohmann::json& insertion = kinds["segment"]["properties"]["insertion"]["properties"];
+  const nlohmann::json& insertion = kinds["insertion"]["properties"];
   expect_range_is_known(insertion["weights"]["items"], "/chordae/0/segments/1/insertion/weights/0");
 }
 
@@ -235,6 +235,13 @@ TEST(PlanSchema, HasTheLimitsOfTheRepairSteps) {
   EXPECT_EQ(range("catalogue_ring", "size_mm"), pair(kRingSizesMm));
   EXPECT_EQ(steps["catalogue_ring"]["properties"]["size_mm"]["multipleOf"], kRingSizeStep_mm);
   EXPECT_EQ(range("neochorda", "length_mm"), pair(kNeochordaMm));
+  EXPECT_EQ(range("edge_to_edge", "along"), pair(kEdgeAlong));
+  EXPECT_EQ(range("edge_to_edge", "width_mm"), pair(kEdgeWidthMm));
+  for (const char* shape : {"triangular_resection", "quadrangular_resection"})
+    EXPECT_EQ(range(shape, "along"), pair(kResectionAlong));
+  EXPECT_EQ(range("triangular_resection", "width_mm"), pair(kTriangularMm));
+  EXPECT_EQ(range("triangular_resection", "height"), pair(kTriangularHeight));
+  EXPECT_EQ(range("quadrangular_resection", "width_mm"), pair(kQuadrangularMm));
   EXPECT_EQ(range("chordal_length_change", "change_mm"), pair(kLengthChangeMm));
   EXPECT_EQ(range("approximation_to_landmark", "suture_length_mm"), pair(kSutureMm));
   EXPECT_EQ(range("approximation_to_point", "suture_length_mm"), pair(kSutureMm));

@@ -133,9 +133,11 @@ export interface components {
                 id: string;
                 anterior: components["schemas"]["Valve.insertion"];
                 posterior: components["schemas"]["Valve.insertion"];
+                /** @description Slack up to this length. */
                 rest_length_mm: number;
                 /** @description Radius of the disc of either leaflet that it pulls at. */
                 zone_mm: number;
+                /** @description Beyond it. */
                 stiffness_n_per_mm: number;
             }[];
             /** @description There if chordae and heads were drawn from anatomy because images show none. */
