@@ -11,10 +11,13 @@ namespace coapt {
 namespace {
 
 constexpr std::size_t kLongestName = 200;
+constexpr Index kServiceVoxels = Index{1}
+                                 << 26;  // of a label map: 128 MiB; a CT of 512 x 512 x 256
 
 struct Asked {
   std::optional<std::vector<NamedFile>> leaflets, slicerheart;
-  std::optional<NamedFile> annulus, chordae, tips;
+  std::optional<NamedFile> annulus, chordae, tips, labels;
+  ImportReading reading;
   std::string name = "imported";
   std::vector<std::string> provenance;
   ImportOptions options;
@@ -60,6 +63,19 @@ LengthUnit read_unit(const JsonPlace& place) {
                                {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre});
 }
 
+PatientAxes read_axes(const JsonPlace& place) {
+  return read_name<PatientAxes>(place, {PatientAxes::LPS, PatientAxes::RAS});
+}
+
+LabelNumbers read_label_numbers(const JsonPlace& place) {
+  LabelNumbers numbers;
+  const auto label = [](const JsonPlace& at) { return read_integer_in(at, 1, 65535); };
+  read_fields(place, std::vector<JsonField>{{"anterior", into(numbers.anterior, label), false},
+                                            {"posterior", into(numbers.posterior, label), false},
+                                            {"annulus", into(numbers.annulus, label), false}});
+  return numbers;
+}
+
 /// Either all of one kind of files or all of the other; chordae that were seen, or a seed of those to be drawn.
 Errors check_files(const Asked& asked) {
   ProblemList problems;
@@ -67,9 +83,13 @@ Errors check_files(const Asked& asked) {
                                     {asked.annulus.has_value(), "/annulus"}}) {
     if (given && asked.slicerheart)
       problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
-    if (!given && !asked.slicerheart)
-      problems.add(ErrorCode::MissingField, path, "is missing (or give slicerheart)");
+    if (!given && !asked.slicerheart && !asked.labels)
+      problems.add(ErrorCode::MissingField, path, "is missing (or give labels or slicerheart)");
   }
+  if (asked.labels && asked.slicerheart)
+    problems.add(ErrorCode::UnknownField, "/labels", "cannot be given together with slicerheart");
+  if (asked.labels && asked.leaflets)
+    problems.add(ErrorCode::UnknownField, "/labels", "cannot be given together with leaflets");
   const bool drawn = asked.options.chordae_seed.has_value();
   if (asked.chordae && asked.slicerheart)
     problems.add(ErrorCode::UnknownField, "/chordae", "cannot be given together with slicerheart");
@@ -105,7 +125,9 @@ Expected<ImportedValve> imported(const Asked& asked) {
   Expected<ImportSource> source =
       asked.slicerheart
           ? read_slicerheart(*asked.slicerheart)
-          : read_import_files({*asked.leaflets, *asked.annulus, asked.chordae, asked.tips});
+          : read_import_files({asked.leaflets.value_or(std::vector<NamedFile>()), asked.annulus,
+                               asked.chordae, asked.tips, asked.labels},
+                              asked.reading);
   if (!source) return asked.slicerheart ? below_folder(source.errors()) : source.errors();
   source->name = asked.name;
   source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),
@@ -123,6 +145,7 @@ Expected<ImportedValve> imported(const Asked& asked) {
 
 Answer ImportValve::operator()(const Request& request) const {
   Asked asked;
+  asked.reading.most_voxels = kServiceVoxels;
   ImportOptions& options = asked.options;
   const auto whole = [](int min, int max) {
     return [=](const JsonPlace& place) { return read_integer_in(place, min, max); };
@@ -140,6 +163,9 @@ Answer ImportValve::operator()(const Request& request) const {
                      {"closed", into(options.closed, read_boolean), false},
                      {"hidden_mm", into(options.hidden_mm, number(0.0, 15.0)), false},
                      {"slicerheart", into(asked.slicerheart, read_files), false},
+                     {"labels", into(asked.labels, read_file), false},
+                     {"label_numbers", into(asked.reading.labels, read_label_numbers), false},
+                     {"frame", into(asked.reading.axes, read_axes), false},
                      {"name", into(asked.name, read_short_text), false},
                      {"provenance", into(asked.provenance, read_short_texts), false},
                      {"triangles", into(options.triangles, whole(100, 100'000)), false},
