@@ -187,13 +187,16 @@ asan-build:
 	cmake --preset asan
 	cmake --build --preset asan
 
-fuzz:  ## 100,000 damaged valves, plans and requests each through readers and endpoints, under the sanitizers
+fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each through readers and endpoints, under the sanitizers
 	@cmake/install_packages.sh build fuzz
 	cmake --preset fuzz
-	cmake --build --preset fuzz --target fuzz_read_valve fuzz_read_plan fuzz_endpoints fuzz_seeds
+	cmake --build --preset fuzz --target fuzz_read_valve fuzz_read_plan fuzz_mesh fuzz_image fuzz_endpoints fuzz_seeds
 	build/fuzz/bin/fuzz_seeds build/fuzz/corpus
+	tests/fuzz/file_seeds.py build/fuzz/corpus
 	build/fuzz/bin/fuzz_read_valve $(FUZZ) build/fuzz/corpus/valve
 	build/fuzz/bin/fuzz_read_plan $(FUZZ) build/fuzz/corpus/plan
+	build/fuzz/bin/fuzz_mesh -runs=100000 -seed=1 build/fuzz/corpus/mesh
+	build/fuzz/bin/fuzz_image -runs=100000 -seed=1 build/fuzz/corpus/image
 	TMPDIR=/dev/shm build/fuzz/bin/fuzz_endpoints $(FUZZ) build/fuzz/corpus/endpoints
 
 clean:  ## remove what was built

@@ -116,11 +116,10 @@ int read_named(const ImportInputs& inputs, bool draws_chordae, ImportFiles& file
     files.leaflets.push_back(*std::move(file));
   }
   const std::string chordae = draws_chordae ? "" : inputs.chordae;
-  for (const auto& [path, pointer, file] :
-       {std::tuple(inputs.annulus, "/annulus", &files.annulus),
-        {chordae, "/chordae", &files.chordae},
-        {inputs.tips, "/tips", &files.tips},
-        {inputs.labels, "/labels", &files.labels}})
+  for (const auto& [path, pointer, file] : {std::tuple(inputs.annulus, "/annulus", &files.annulus),
+                                            {chordae, "/chordae", &files.chordae},
+                                            {inputs.tips, "/tips", &files.tips},
+                                            {inputs.labels, "/labels", &files.labels}})
     if (const int failed = read_file(path, pointer, *file, places)) return failed;
   return exit_code::kOk;
 }

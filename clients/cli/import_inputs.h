@@ -9,7 +9,8 @@
 namespace coapt {
 
 struct ImportInputs {
-  std::vector<std::string> bare;  ///< files whose part is guessed, a SlicerHeart folder, or one of a DICOM series
+  std::vector<std::string>
+      bare;  ///< files whose part is guessed, a SlicerHeart folder, or one of a DICOM series
   std::vector<std::string> leaflets;
   std::string annulus, chordae, tips, labels, slicerheart, series;
   std::vector<std::string> label_numbers;  ///< "anterior=1"

@@ -72,7 +72,8 @@ int run(ValveImportArguments& arguments) {
   ImportSource& source = read.source;
   const std::string folder = arguments.inputs.slicerheart;
   // Bare files and label maps hold what was seen; where that is no chordae, they are drawn.
-  const bool named = !folder.empty() || (arguments.inputs.bare.empty() && arguments.inputs.labels.empty());
+  const bool named =
+      !folder.empty() || (arguments.inputs.bare.empty() && arguments.inputs.labels.empty());
   if (synthesises || (!named && source.chordae.empty()))
     arguments.options.chordae_seed = arguments.seed;
   source.name = arguments.name;
@@ -106,7 +107,8 @@ void add_valve_import(Command parent, int& status) {
   ImportInputs& inputs = arguments->inputs;
   command.add_option(
       "files", inputs.bare,
-      "Files whose part is guessed from name and content, and listed by --json: a label map (.nrrd, "
+      "Files whose part is guessed from name and content, and listed by --json: a label map "
+      "(.nrrd, "
       ".nii, .nii.gz), meshes, markups, tables; a folder of SlicerHeart, or of a DICOM series");
   command
       .add_option(
@@ -231,7 +233,8 @@ void add_valve_import(Command parent, int& status) {
       "    --chordae synthesise -o open.json\n\n"
       "A segmentation of an echo or CT, and nothing else:\n"
       "  coapt valve import segmentation.seg.nrrd -o valve.json\n"
-      "  coapt valve import labels.nii.gz --label anterior=4 --label posterior=5 --label annulus=7 \\\n"
+      "  coapt valve import labels.nii.gz --label anterior=4 --label posterior=5 --label annulus=7 "
+      "\\\n"
       "    --series DICOM/ -o valve.json\n\n"
       "A folder holds the leaflets and the chordae as .vtk (chordae as lines, or as .csv tables),\n"
       "the annulus as a closed curve and the papillary tips, labelled AL and PM, as .mrk.json:\n"

@@ -104,7 +104,9 @@ def main():
     parser.add_argument("--bare", action="store_true")
     asked = parser.parse_args()
     step = asked.voxel / 2
-    sheets = [points_on(*read_obj(asked.source / f"{side}_leaflet_sheet.obj"), step) for side in ("anterior", "posterior")]
+    sheets = [
+        points_on(*read_obj(asked.source / f"{side}_leaflet_sheet.obj"), step) for side in ("anterior", "posterior")
+    ]
     loop = numpy.loadtxt(asked.source / "annulus_centerline.csv", delimiter=",", comments="#", usecols=(0, 1, 2))
     ring = loop_points(loop, step)
     axes = oblique_axes()
@@ -121,7 +123,10 @@ def main():
     labels[numpy.isfinite(leaflets)] = numpy.where(found[0] <= found[1], 1, 2)[numpy.isfinite(leaflets)]
     write_nrrd(asked.output, labels, origin, axes, asked.voxel, not asked.bare)
     counts = [int((labels == value).sum()) for value in (1, 2, 3)]
-    print(f"{asked.output}: {' x '.join(map(str, size))} voxels of {asked.voxel} mm; labels 1 to 3 have {counts}", file=sys.stderr)
+    print(
+        f"{asked.output}: {' x '.join(map(str, size))} voxels of {asked.voxel} mm; labels 1 to 3 have {counts}",
+        file=sys.stderr,
+    )
 
 
 if __name__ == "__main__":

@@ -19,13 +19,13 @@ constexpr double kSameDirection = 1e-3, kSameSpacing = 0.02;  // of unit vectors
 
 /// One image, or one frame of an image.
 struct Slice {
-  std::array<Index, 2> size = {0, 0};   ///< columns, rows
-  std::optional<Vec3> position_mm;      ///< of the first pixel's centre
+  std::array<Index, 2> size = {0, 0};  ///< columns, rows
+  std::optional<Vec3> position_mm;     ///< of the first pixel's centre
   Vec3 along_row = Vec3::UnitX(), along_column = Vec3::UnitY();
-  bool oriented = false;                ///< to the patient
+  bool oriented = false;                          ///< to the patient
   std::array<double, 2> spacing_mm = {0.0, 0.0};  ///< from column to column, from row to row
-  double thickness_mm = 0.0;            ///< distance to the next one, as the file says; 0: it does not
-  std::string series;                   ///< compared, never shown
+  double thickness_mm = 0.0;  ///< distance to the next one, as the file says; 0: it does not
+  std::string series;         ///< compared, never shown
 };
 
 std::optional<std::vector<double>> numbers(DcmItem& item, const DcmTagKey& tag, unsigned count) {
@@ -36,7 +36,8 @@ std::optional<std::vector<double>> numbers(DcmItem& item, const DcmTagKey& tag, 
 }
 
 void read_plane(DcmItem& item, const DcmTagKey& tag, std::optional<Vec3>& position_mm) {
-  if (const auto list = numbers(item, tag, 3)) position_mm = Vec3((*list)[0], (*list)[1], (*list)[2]);
+  if (const auto list = numbers(item, tag, 3))
+    position_mm = Vec3((*list)[0], (*list)[1], (*list)[2]);
 }
 
 bool read_directions(DcmItem& item, const DcmTagKey& tag, Slice& slice) {
@@ -48,7 +49,8 @@ bool read_directions(DcmItem& item, const DcmTagKey& tag, Slice& slice) {
 }
 
 void read_spacing(DcmItem& item, Slice& slice) {
-  if (const auto list = numbers(item, DCM_PixelSpacing, 2)) slice.spacing_mm = {(*list)[1], (*list)[0]};
+  if (const auto list = numbers(item, DCM_PixelSpacing, 2))
+    slice.spacing_mm = {(*list)[1], (*list)[0]};
   if (const auto between = numbers(item, DCM_SpacingBetweenSlices, 1))
     slice.thickness_mm = (*between)[0];
   else if (const auto thickness = numbers(item, DCM_SliceThickness, 1))
@@ -99,7 +101,8 @@ Errors read_file(const std::string& path, std::vector<Slice>& slices) {
     slices.push_back(slice);
     return {};
   }
-  for (long i = 0; data.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frame, i).good(); ++i) {
+  for (long i = 0;
+       data.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frame, i).good(); ++i) {
     if (i == kMostFrames) return {refused("has an image of more than 10,000 frames")};
     slices.push_back(slice);
     read_group(*frame, slices.back());
@@ -131,13 +134,14 @@ Errors check(const std::vector<Slice>& slices) {
 Expected<Vec3> step_mm(const std::vector<Slice>& slices, const Vec3& normal) {
   const Slice& first = slices.front();
   if (slices.size() == 1 || !first.position_mm) return Vec3(first.thickness_mm * normal);
-  const Vec3 step = (*slices.back().position_mm - *first.position_mm) /
-                    static_cast<double>(slices.size() - 1);
+  const Vec3 step =
+      (*slices.back().position_mm - *first.position_mm) / static_cast<double>(slices.size() - 1);
   for (std::size_t i = 0; i < slices.size(); ++i) {
     const Vec3 off = *slices[i].position_mm - *first.position_mm - static_cast<double>(i) * step;
     if (!(off.norm() <= kSameSpacing * step.norm() + 1e-9) || !(step.norm() > 0.0))
-      return refused("has images at unequal distances, or twice at one place (phases of a heart "
-                     "beat?); must be one volume");
+      return refused(
+          "has images at unequal distances, or twice at one place (phases of a heart "
+          "beat?); must be one volume");
   }
   return step;
 }
@@ -177,8 +181,9 @@ Expected<ImageGeometry> read_series_geometry(const std::vector<std::string>& pat
   ProblemList problems;
   check_voxel_steps(image.to_lps_mm, "", problems);
   if (!problems.empty())
-    return refused("does not say how large its voxels are (pixel spacing, and the distance of its "
-                   "images), or what it says is not from 0.01 to 20 mm");
+    return refused(
+        "does not say how large its voxels are (pixel spacing, and the distance of its "
+        "images), or what it says is not from 0.01 to 20 mm");
   return image;
 }
 

@@ -50,8 +50,7 @@ GuessedRole role_of_table(const std::string& bytes) {
     return {FileRole::Chordae, "its columns are those of chordae"};
   if (has("papillary") || (row.size() == 4 && !to_number(row[0])))
     return {FileRole::Tips, "its columns are papillary, x, y, z"};
-  if (row.size() == 3 && to_number(row[0]))
-    return {FileRole::Annulus, "its columns are x, y, z"};
+  if (row.size() == 3 && to_number(row[0])) return {FileRole::Annulus, "its columns are x, y, z"};
   return {};
 }
 
@@ -80,7 +79,8 @@ void guess_meshes(const std::vector<std::size_t>& meshes, std::vector<GuessedRol
   if (meshes.size() != 2) return;
   GuessedRole &first = roles[meshes[0]], &second = roles[meshes[1]];
   if (first.role == FileRole::None && second.role == FileRole::None) {
-    first = {FileRole::Anterior, "of two meshes without telling names the anterior one comes first"};
+    first = {FileRole::Anterior,
+             "of two meshes without telling names the anterior one comes first"};
     second = {FileRole::Posterior, first.reason};
   } else if (first.role == FileRole::None || second.role == FileRole::None) {
     const bool anterior = first.role == FileRole::Anterior || second.role == FileRole::Anterior;
@@ -116,7 +116,8 @@ std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files) {
   std::vector<std::size_t> meshes;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string format = format_of(files[i].name);
-    const std::optional<NamedPart> part = part_named(files[i].name.substr(0, files[i].name.rfind('.')));
+    const std::optional<NamedPart> part =
+        part_named(files[i].name.substr(0, files[i].name.rfind('.')));
     if (is_label_map_format(format)) {
       roles[i] = {FileRole::Labels, "it is an image, ." + format};
     } else if (format == "json") {
@@ -129,7 +130,9 @@ std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files) {
         roles[i] = {role_of(*part), "its name says so"};
       continue;
     }
-    if (roles[i].role == FileRole::None && part && (format == "json" || format == "csv"))
+    const bool is_leaflet = part == NamedPart::Anterior || part == NamedPart::Posterior;
+    if (roles[i].role == FileRole::None && part && !is_leaflet &&
+        (format == "json" || format == "csv"))
       roles[i] = {role_of(*part), "its name says so"};
   }
   guess_meshes(meshes, roles);
@@ -145,10 +148,11 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
     const std::string path = "/files/" + std::to_string(i);
     const FileRole role = roles[i].role;
     if (role == FileRole::None) {
-      problems.add(ErrorCode::Unsupported, path,
-                   "does not tell what it holds; must be a label map (.nrrd, .nii, .nii.gz), one or "
-                   "two meshes named anterior and posterior, or markups or a table of annulus, "
-                   "chordae or tips; or give it by its option (--leaflet, --annulus, ...)");
+      problems.add(
+          ErrorCode::Unsupported, path,
+          "does not tell what it holds; must be a label map (.nrrd, .nii, .nii.gz), one or "
+          "two meshes named anterior and posterior, or markups or a table of annulus, "
+          "chordae or tips; or give it by its option (--leaflet, --annulus, ...)");
       continue;
     }
     if (const auto [other, is_first] = first.try_emplace(role, i); !is_first) {
@@ -157,7 +161,8 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
                        std::to_string(other->second + 1) + "; must be one of each");
       continue;
     }
-    const bool skirt = role == FileRole::Anterior && roles[i].reason.find("skirt") != std::string::npos;
+    const bool skirt =
+        role == FileRole::Anterior && roles[i].reason.find("skirt") != std::string::npos;
     sorted.decisions.push_back({"files",
                                 "file " + std::to_string(i + 1) + " of " +
                                     std::to_string(files.size()) + " (." +

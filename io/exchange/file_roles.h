@@ -19,8 +19,10 @@ std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files);
 
 struct SortedFiles {
   ImportFiles files;
-  std::vector<ImportDecision> decisions;  ///< "file 2 of 3 (.stl) is ...": no names, which may be a person's
-  std::vector<std::pair<std::string, std::size_t>> places;  ///< pointer into ImportFiles, index of the file
+  std::vector<ImportDecision>
+      decisions;  ///< "file 2 of 3 (.stl) is ...": no names, which may be a person's
+  std::vector<std::pair<std::string, std::size_t>>
+      places;  ///< pointer into ImportFiles, index of the file
 };
 
 /// Errors at "/files/I": a role that nothing tells, two files of one role.

@@ -61,29 +61,32 @@ Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::s
 
 namespace {
 
-/// The axes of the files in words: "file (.vtk) of leaflet 1: RAS, turned to LPS".
+/// Which files are turned to LPS, and why, one decision for all that are alike.
 class AxesOfFiles {
  public:
   explicit AxesOfFiles(const std::optional<PatientAxes>& given) : given_(given) {}
 
-  /// Whether the numbers of a file are to be turned to LPS.
-  bool turned(const NamedFile& file, const std::string& part) {
-    const bool is_markup = format_of(file.name) == "json" && part != "chordae";
-    const std::optional<PatientAxes> stated = is_markup ? PatientAxes::LPS : stated_axes(file.bytes);
-    const PatientAxes axes = is_markup ? PatientAxes::LPS : given_.value_or(stated.value_or(PatientAxes::LPS));
-    const bool turns = axes == PatientAxes::RAS;
-    std::string reason = is_markup ? "markups say it themselves"
-                         : given_  ? "as given"
-                         : stated  ? "its header says SPACE=" + std::string(to_string(*stated))
-                                   : "it does not say, and LPS is DICOM's";
-    if (!is_markup && given_ && stated && *stated != *given_)
-      reason += std::string(", against its header, which says SPACE=") + to_string(*stated);
-    decisions_.push_back({"axes",
-                          part + (is_markup ? " brought to LPS"
-                                  : turns   ? ": RAS, turned to LPS"
-                                            : ": LPS"),
-                          reason});
-    return turns;
+  /// Whether the numbers of a file are to be turned. Markups say their axes themselves (markups.h).
+  bool turned(const NamedFile& file, const std::string& part, bool is_markup = false) {
+    const auto stated = is_markup ? PatientAxes::LPS : stated_axes(file.bytes);
+    const bool overruled = given_ && !is_markup;
+    const PatientAxes axes = overruled ? *given_ : stated.value_or(PatientAxes::LPS);
+    std::string reason = is_markup   ? "markups say their axes"
+                         : overruled ? "as given"
+                         : stated    ? std::string("their headers say SPACE=") + to_string(*stated)
+                                     : "they do not say, and LPS is DICOM's";
+    if (overruled && stated && *stated != *given_)
+      reason += std::string(", against their headers, which say SPACE=") + to_string(*stated);
+    const char* done = axes == PatientAxes::RAS ? "RAS, turned to LPS" : "LPS";
+    if (decisions_.empty() || decisions_.back().reason != reason || done != done_) {
+      decisions_.push_back({"axes", part + ": " + done, reason});
+      parts_ = part;
+    } else {
+      parts_ += ", " + part;
+      decisions_.back().decision = parts_ + ": " + done;
+    }
+    done_ = done;
+    return axes == PatientAxes::RAS;
   }
 
   std::vector<ImportDecision> take() && { return std::move(decisions_); }
@@ -91,6 +94,7 @@ class AxesOfFiles {
  private:
   std::optional<PatientAxes> given_;
   std::vector<ImportDecision> decisions_;
+  std::string parts_, done_;  ///< of the last decision
 };
 
 void take_labels(const ImportFiles& files, const ImportReading& reading, ImportSource& source,
@@ -126,7 +130,7 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
     TriangleMesh& mesh = source.leaflets.emplace_back();
     take((reading.packed ? read_packed_mesh : read_mesh)(file.bytes, format_of(file.name)),
          "/leaflets/" + std::to_string(i), problems, mesh);
-    if (axes.turned(file, "leaflet mesh " + std::to_string(i + 1))) turn_axes(mesh.vertices_mm);
+    if (axes.turned(file, "leaflet " + std::to_string(i + 1))) turn_axes(mesh.vertices_mm);
   }
   if (files.labels)
     take_labels(files, reading, source, problems);
@@ -135,7 +139,8 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
   if (files.annulus) {
     take(read_closed_loop(files.annulus->bytes, format_of(files.annulus->name)), "/annulus",
          problems, source.annulus_mm);
-    if (axes.turned(*files.annulus, "annulus")) turn_axes(source.annulus_mm);
+    if (axes.turned(*files.annulus, "annulus", format_of(files.annulus->name) == "json"))
+      turn_axes(source.annulus_mm);
   }
   if (files.chordae) {
     take(read_chordae(files.chordae->bytes, format_of(files.chordae->name)), "/chordae", problems,
@@ -145,7 +150,7 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
   }
   if (files.tips) {
     take(read_tips(files.tips->bytes, format_of(files.tips->name)), "/tips", problems, source.tips);
-    if (axes.turned(*files.tips, "papillary tips"))
+    if (axes.turned(*files.tips, "papillary tips", format_of(files.tips->name) == "json"))
       for (ImportedTip& tip : source.tips) tip.position_mm.head<2>() *= -1.0;
   }
   if (!problems.empty()) return std::move(problems).take();

@@ -17,15 +17,16 @@ struct ImportFiles {
   std::optional<NamedFile> annulus = {};  ///< CSV, or a closed curve of Slicer (.mrk.json)
   std::optional<NamedFile> chordae = {};  ///< CSV or JSON; none: they are to be drawn
   std::optional<NamedFile> tips = {};     ///< of such chordae: CSV, or labelled points of Slicer
-  std::optional<NamedFile> labels = {};   ///< NRRD or NIfTI, instead of leaflets; also of the annulus if that has no file
+  std::optional<NamedFile> labels =
+      {};  ///< NRRD or NIfTI, instead of leaflets; also of the annulus if that has no file
 };
 
 /// What the files leave open.
 struct ImportReading {
   LabelNumbers labels;
-  std::optional<PatientAxes> axes = {};  ///< of meshes and tables; none: as they say, else LPS
+  std::optional<PatientAxes> axes = {};      ///< of meshes and tables; none: as they say, else LPS
   std::optional<ImageGeometry> series = {};  ///< of the images that the labels were drawn on
-  bool packed = false;  ///< .vtp and .vtu, too (read_packed_mesh)
+  bool packed = false;                       ///< .vtp and .vtu, too (read_packed_mesh)
   Index most_voxels = kMostVoxels;
 };
 

@@ -73,7 +73,8 @@ class LabelChoice {
       return Chosen{*label, "by the name that the file gives it"};
     if (!named_)
       if (const auto label = label_of_number(labels_, wanted.number))
-        return Chosen{*label, "without names 1 is the anterior leaflet, 2 the posterior one, 3 the annulus"};
+        return Chosen{
+            *label, "without names 1 is the anterior leaflet, 2 the posterior one, 3 the annulus"};
     if (wanted.part != NamedPart::Annulus)
       miss(wanted, std::string("is missing: no label is named the ") + wanted.name +
                        (named_ ? "" : ", and none is " + std::to_string(wanted.number)));
@@ -130,10 +131,9 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
   LabelParts parts;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     if (!chosen[i]) continue;
-    parts.decisions.push_back({"labels",
-                               "label " + std::to_string(chosen[i]->label.value) + " is the " +
-                                   wanted[i].name,
-                               chosen[i]->reason});
+    parts.decisions.push_back(
+        {"labels", "label " + std::to_string(chosen[i]->label.value) + " is the " + wanted[i].name,
+         chosen[i]->reason});
     const auto take = [&](const Errors& errors) {
       for (const Error& error : errors) problems.add(error.code, "/labels", error.message);
     };
@@ -148,8 +148,9 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
   if (!problems.empty()) return std::move(problems).take();
   parts.decisions.push_back(
       {"labels", frame_words(map) + (map.placed ? ", in the patient's frame, LPS" : ""),
-       map.placed ? "as the label map says"
-                  : "the label map does not say where the patient is; axes are those of its voxels"});
+       map.placed
+           ? "as the label map says"
+           : "the label map does not say where the patient is; axes are those of its voxels"});
   return parts;
 }
 

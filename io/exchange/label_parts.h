@@ -14,13 +14,15 @@ struct LabelNumbers {
 };
 
 struct LabelParts {
-  std::vector<TriangleMesh> leaflets;  ///< the anterior, then the posterior one; closed, oriented outwards
-  Points annulus_mm;                   ///< empty if there is no such label
+  std::vector<TriangleMesh>
+      leaflets;       ///< the anterior, then the posterior one; closed, oriented outwards
+  Points annulus_mm;  ///< empty if there is no such label
   std::vector<ImportDecision> decisions;
 };
 
 /// Errors: labels that are not there ("/label_numbers/anterior"), and those of label_surface() and label_curve().
 /// No decision repeats a name that stands in the file.
-Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& numbers, bool with_annulus);
+Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& numbers,
+                                 bool with_annulus);
 
 }  // namespace coapt

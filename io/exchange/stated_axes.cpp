@@ -3,7 +3,8 @@
 namespace coapt {
 namespace {
 
-constexpr std::size_t kHeadBytes = 1024;  // Slicer's note stands in the first lines, of STL in its first 80 bytes
+constexpr std::size_t kHeadBytes =
+    1024;  // Slicer's note stands in the first lines, of STL in its first 80 bytes
 
 void turn(Vec3& point_mm) { point_mm.head<2>() *= -1.0; }
 

@@ -29,9 +29,9 @@ double apart_mm(const LabelMap& map, const ImageGeometry& image) {
   for (int reversed = 0; reversed < 8; ++reversed) {
     double most = 0.0;
     for (int corner = 0; corner < 8; ++corner)
-      most = std::max(most, (map.to_lps_mm * corner_of(corner) -
-                             image.to_lps_mm * corner_of(corner ^ reversed))
-                                .norm());
+      most = std::max(
+          most, (map.to_lps_mm * corner_of(corner) - image.to_lps_mm * corner_of(corner ^ reversed))
+                    .norm());
     least = std::min(least, most);
   }
   return least;

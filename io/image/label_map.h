@@ -40,8 +40,8 @@ struct LabelAt {
 
 /// Of all layers together, 512 x 512 x 512; 256 MiB in memory.
 inline constexpr Index kMostVoxels = Index{1} << 27;
-/// Of what a service is sent: 32 MiB in memory; 256 x 256 x 256 voxels of an echo are twice as fine as needed.
-inline constexpr Index kMostVoxelsSent = Index{1} << 24;
+/// Of what a service is sent: 128 MiB in memory, a CT of 512 x 512 x 256.
+inline constexpr Index kMostVoxelsSent = Index{1} << 26;
 
 /// Attached data (no detached header), encodings raw, gzip and ascii, whole numbers from 0 to 65535 of any type, both byte
 /// orders, three axes and at most one of layers, as Slicer writes in .seg.nrrd. `most_voxels`: of all layers together.

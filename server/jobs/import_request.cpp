@@ -142,7 +142,7 @@ std::vector<JsonField> import_fields(ImportRequest& asked) {
   return {{"leaflets", into(asked.leaflets, read_named_files), false},
           {"labels", into(asked.labels, read_file), false},
           {"label_numbers", into(asked.reading.labels, read_label_numbers), false},
-          {"axes", into(asked.reading.axes, read_axes), false},
+          {"frame", into(asked.reading.axes, read_axes), false},
           {"annulus", into(asked.annulus, read_file), false},
           {"chordae", into(asked.chordae, read_file), false},
           {"chordae_seed", into(options.chordae_seed, whole(0, 2147483647)), false},

@@ -19,6 +19,8 @@ _coapt_values() {
   case $1 in
     --method) echo fast thesis ;;
     --membrane) echo springs continuum ;;
+    --units) echo mm cm m ;;
+    --label) echo anterior= posterior= annulus= ;;
     --align) echo auto none rigid ;;
     --side) echo atrial middle ;;
     --known) echo slack tips prestretch hidden ;;

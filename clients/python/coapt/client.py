@@ -125,7 +125,7 @@ class Client:
         :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
             "cm" or "m"; left out, they are guessed from the annulus), closed (True or False: the leaflets were imaged
             closed or open; left out, that is guessed), hidden_mm (of closed leaflets, what coaptation hides), label_numbers
-            (of a label map: a mapping of "anterior", "posterior" and "annulus" to numbers), axes ("LPS" or "RAS")
+            (of a label map: a mapping of "anterior", "posterior" and "annulus" to numbers), frame ("LPS" or "RAS")
         :raises Refused: what is wrong with which file
         """
         return self._imported(files_to_import(leaflets, annulus, chordae, tips), name, options)

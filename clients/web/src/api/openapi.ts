@@ -720,22 +720,6 @@ export interface components {
             ] | [
                 components["schemas"]["FileToImport"]
             ];
-            /** @description Instead of leaflets: a label map of them and, perhaps, of the annulus (NRRD or NIfTI, at most 16,777,216 voxels). */
-            labels?: components["schemas"]["FileToImport"];
-            /** @description Which label is what; left out: by the names in the file, else 1, 2 and 3. */
-            label_numbers?: {
-                /** @description Of the anterior leaflet. */
-                anterior?: number;
-                /** @description Of the posterior leaflet. */
-                posterior?: number;
-                /** @description Of the annulus. */
-                annulus?: number;
-            };
-            /**
-             * @description Patient's axes of meshes and tables; left out: as each file says, else LPS. Markups and label maps always say.
-             * @enum {string}
-             */
-            axes?: "LPS" | "RAS";
             /** @description Closed loop: CSV of x,y,z, or a closed curve of Slicer (.mrk.json). Left out: the annulus of the label map, else found at the leaflets' outer rim. */
             annulus?: components["schemas"]["FileToImport"];
             /** @description Insertions and papillary tips: CSV of id,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z, or JSON. */
@@ -756,6 +740,14 @@ export interface components {
              * @default 3
              */
             hidden_mm?: number;
+            /** @description Instead of leaflets: a label map (.nrrd, .nii, .nii.gz, at most 67,108,864 voxels) of the leaflets as they were segmented and, perhaps, of the annulus. Of what the file holds besides geometry and labels nothing is kept. */
+            labels?: components["schemas"]["FileToImport"];
+            label_numbers?: components["schemas"]["LabelNumbers"];
+            /**
+             * @description Patient's axes of meshes and tables; left out: as each file's header says (SPACE=RAS of Slicer), else LPS. Markups and label maps say it themselves.
+             * @enum {string}
+             */
+            frame?: "LPS" | "RAS";
             /** @description The files of a folder that SlicerHeart's ValveFemExport or coapt export wrote. */
             slicerheart?: components["schemas"]["FileToImport"][];
             /**
@@ -813,7 +805,7 @@ export interface components {
             leaflets?: components["schemas"]["FilesToImport"]["leaflets"];
             labels?: components["schemas"]["FilesToImport"]["labels"];
             label_numbers?: components["schemas"]["FilesToImport"]["label_numbers"];
-            axes?: components["schemas"]["FilesToImport"]["axes"];
+            frame?: components["schemas"]["FilesToImport"]["frame"];
             annulus?: components["schemas"]["FilesToImport"]["annulus"];
             chordae?: components["schemas"]["FilesToImport"]["chordae"];
             chordae_seed?: components["schemas"]["FilesToImport"]["chordae_seed"];
@@ -1024,9 +1016,18 @@ export interface components {
             decisions?: components["schemas"]["ImportDecision"][];
             notice: components["schemas"]["Notice"];
         };
+        /** @description Which label of a label map is what; left out: by the names that the file gives its labels, else 1, 2 and 3. */
+        LabelNumbers: {
+            /** @description Label of the anterior leaflet. */
+            anterior?: number;
+            /** @description Label of the posterior leaflet. */
+            posterior?: number;
+            /** @description Label of the annulus, a closed band. */
+            annulus?: number;
+        };
         /** @description What an import settled that its files leave open, or changed. The valve's provenance says the same. */
         ImportDecision: {
-            /** @description units, frame, mesh, annulus, commissures, landmarks, state, chordae or fit. */
+            /** @description files, labels, series, axes, units, frame, mesh, annulus, commissures, landmarks, state, imaged state, thickness, chordae or fit. */
             about: string;
             /** @description What was done, with numbers. */
             decision: string;

@@ -1,0 +1,157 @@
+"""Label maps, DICOM series and bare files of `coapt valve import`, and that no patient is named by what comes of them."""
+
+import gzip
+import json
+import unittest
+
+from programs import BAD_INPUT, SOURCE, ProgramTest, coapt
+
+IMAGES = SOURCE / "tests/io/image/files"
+SHEETS = SOURCE / "examples/valves/source/bodyparts3d"
+# What write_image_files.py and the keys below hold of a patient.
+SECRETS = ["DOE", "JANE", "MRN", "Elsewhere", "19480229"]
+
+
+def plate_labels(ring=True):
+    """Two plates of labels 1 and 2 and a band of label 3 about them."""
+    size = (60, 60, 8)
+
+    def label(i, j, k):
+        out = ((2 * i - 59) ** 2 + (2 * j - 59) ** 2) ** 0.5
+        if out < 44 and k in (3, 4):
+            return 1 if j < 29 else 2 if j > 30 else 0
+        return 3 if ring and 44 <= out < 52 and 2 <= k <= 5 else 0
+
+    return size, bytes(label(i, j, k) for k in range(size[2]) for j in range(size[1]) for i in range(size[0]))
+
+
+def nrrd(keys="", space="space: left-posterior-superior\nspace directions: (0.7,0,0) (0,0.7,0) (0,0,0.7)\n"):
+    size, labels = plate_labels()
+    head = f"NRRD0004\ntype: uchar\ndimension: 3\nsizes: {' '.join(map(str, size))}\n{space}encoding: gzip\n{keys}\n"
+    return head.encode() + gzip.compress(labels)
+
+
+class LabelMaps(ProgramTest):
+    def refused(self, *arguments):
+        result = coapt("valve", "import", *arguments, "-o", self.folder / "valve.json")
+        self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
+        self.assertNotIn("terminate", result.stderr)
+        return result.stderr
+
+    def test_bare_files_are_the_valve_that_options_give(self):
+        files = [
+            SHEETS / f"{name}.{kind}"
+            for name, kind in [
+                ("anterior_leaflet_sheet", "obj"),
+                ("posterior_leaflet_sheet", "obj"),
+                ("annulus_centerline", "csv"),
+                ("chordae", "csv"),
+            ]
+        ]
+        bare, named = self.folder / "bare.json", self.folder / "named.json"
+        result = self.run_ok("valve", "import", *reversed(files), "-o", bare, "--json")
+        decisions = json.loads(result.stdout)["decisions"]
+        self.assertEqual([d["about"] for d in decisions[:4]], ["files"] * 4)
+        self.assertEqual(decisions[0]["decision"], "file 1 of 4 (.csv) is chordae")
+        self.run_ok(
+            "valve",
+            "import",
+            "--leaflet",
+            files[0],
+            files[1],
+            "--annulus",
+            files[2],
+            "--chordae",
+            files[3],
+            "-o",
+            named,
+        )
+        first, second = (json.loads(path.read_text()) for path in (bare, named))
+        for valve in (first, second):
+            del valve["provenance"]
+        self.assertEqual(first, second)
+
+    def test_bare_files_without_chordae_get_drawn_ones(self):
+        out = self.folder / "valve.json"
+        files = [
+            SHEETS / "anterior_leaflet_sheet.obj",
+            SHEETS / "posterior_leaflet_sheet.obj",
+            SHEETS / "annulus_centerline.csv",
+        ]
+        self.run_ok("valve", "import", *files, "--seed", "3", "-o", out)
+        self.assertIn("seed 3", out.read_text())
+
+    def test_a_frame_turns_half_round_the_body_axis_and_the_valve_stays(self):
+        files = [
+            "--leaflet",
+            SHEETS / "anterior_leaflet_sheet.obj",
+            SHEETS / "posterior_leaflet_sheet.obj",
+            "--annulus",
+            SHEETS / "annulus_centerline.csv",
+            "--chordae",
+            SHEETS / "chordae.csv",
+        ]
+        lps, ras = self.folder / "lps.json", self.folder / "ras.json"
+        self.run_ok("valve", "import", *files, "-o", lps)
+        self.run_ok("valve", "import", *files, "--frame", "RAS", "-o", ras)
+        first, second = (json.loads(path.read_text())["patient_frame"] for path in (lps, ras))
+        for row in range(3):
+            for column in range(4):
+                sign = -1 if row < 2 else 1
+                self.assertAlmostEqual(first[row][column], sign * second[row][column], 9)
+
+    def test_wrong_words_and_files_are_named(self):
+        image = IMAGES / "no-frame.nii.gz"
+        self.assertIn("--label: is front=1", self.refused(image, "--label", "front=1"))
+        self.assertIn("--label/anterior: is 9", self.refused(image, "--label", "anterior=9"))
+        self.assertIn("is no ring", self.refused(image))
+        self.assertIn("has no DICOM image", self.refused(image, "--series", SHEETS))
+        self.assertIn("does not tell what it holds", self.refused(SOURCE / "README.md"))
+        self.assertIn(
+            "the series places a label map",
+            self.refused(
+                "--leaflet",
+                SHEETS / "anterior_leaflet_sheet.obj",
+                "--series",
+                IMAGES / "series",
+                "--annulus",
+                SHEETS / "annulus_centerline.csv",
+                "--chordae",
+                "synthesise",
+            ),
+        )
+
+    def test_nothing_that_comes_of_images_names_a_patient(self):
+        """Neither the valve nor the decisions nor any message."""
+        keys = "PatientName:=DOE^JANE\nSegment0_Name:=DOE JANE anterior\nSegment0_LabelValue:=1\n"
+        keys += "Segment1_Name:=MRN-4711 posterior\nSegment1_LabelValue:=2\ncontent: DOE^JANE 1948\n"
+        (self.folder / "DOE_JANE.seg.nrrd").write_bytes(nrrd(keys))
+        out = self.folder / "valve.json"
+        cases = [
+            [self.folder / "DOE_JANE.seg.nrrd"],
+            [self.folder / "DOE_JANE.seg.nrrd", "--series", IMAGES / "series"],
+            [IMAGES / "qform.nii", IMAGES / "series"],
+            [IMAGES / "no-frame.nii.gz", "--series", IMAGES / "series-without-orientation"],
+        ]
+        for arguments in cases:
+            with self.subTest(arguments):
+                out.unlink(missing_ok=True)
+                result = coapt("valve", "import", *arguments, "-o", out, "--json")
+                written = result.stdout + (out.read_text() if out.exists() else "")
+                # The path that was typed is the user's own.
+                written += result.stderr.replace(str(arguments[0]), "")
+                for secret in SECRETS:
+                    self.assertNotIn(secret, written)
+
+    def test_names_in_headers_of_meshes_stay_there(self):
+        out, mesh = self.folder / "valve.json", self.folder / "anterior.obj"
+        mesh.write_text("# DOE^JANE MRN-4711\no DOE\n" + (SHEETS / "anterior_leaflet_sheet.obj").read_text())
+        ring = self.folder / "annulus.csv"
+        ring.write_text("# DOE^JANE 1948\n" + (SHEETS / "annulus_centerline.csv").read_text())
+        result = self.run_ok("valve", "import", mesh, SHEETS / "posterior_leaflet_sheet.obj", ring, "-o", out, "--json")
+        for secret in SECRETS:
+            self.assertNotIn(secret, result.stdout + out.read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
