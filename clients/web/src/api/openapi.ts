@@ -120,6 +120,17 @@ export interface components {
             papillary_heads: components["schemas"]["Valve.head"][];
             /** @description Chordae, each a tree from one papillary head to one or more insertions. */
             chordae: components["schemas"]["Valve.chorda"][];
+            /** @description Sutures or clips that hold two points of the leaflets together: tension only. */
+            ties?: {
+                /** @description Unique. */
+                id: string;
+                anterior: components["schemas"]["Valve.insertion"];
+                posterior: components["schemas"]["Valve.insertion"];
+                rest_length_mm: number;
+                /** @description Radius of the disc of either leaflet that it pulls at. */
+                zone_mm: number;
+                stiffness_n_per_mm: number;
+            }[];
             /** @description There if chordae and heads were drawn from anatomy because images show none. */
             drawn_chordae?: {
                 /** @description Of the draw; 0: the mean anatomy. */
@@ -160,6 +171,17 @@ export interface components {
                     number,
                     number
                 ][]
+            ];
+        };
+        /** @description Barycentric weights on the vertices of a face. */
+        "Valve.insertion": {
+            /** @description Index of the face. */
+            face: number;
+            /** @description One for each vertex of the face; together 1. */
+            weights: [
+                number,
+                number,
+                number
             ];
         };
         "Valve.point": [
@@ -204,17 +226,7 @@ export interface components {
             diameter_mm: number;
             /** @description Modulus of this piece; left out: that of the tissue's chordae. */
             modulus_kpa?: number;
-            /** @description Barycentric weights on the vertices of a face. */
-            insertion?: {
-                /** @description Index of the face. */
-                face: number;
-                /** @description One for each vertex of the face; together 1. */
-                weights: [
-                    number,
-                    number,
-                    number
-                ];
-            };
+            insertion?: components["schemas"]["Valve.insertion"];
             /**
              * @description Radius of the disc of the leaflet that an inserting segment pulls at; 0: the face of the insertion alone.
              * @default 2
@@ -234,7 +246,7 @@ export interface components {
              */
             schema: "coapt.plan/1";
             /** @description Surgical steps; none: the valve stays as it is. */
-            steps: (components["schemas"]["Plan.annuloplasty"] | components["schemas"]["Plan.neochorda"] | components["schemas"]["Plan.chordal_length_change"] | components["schemas"]["Plan.chordal_excision"] | components["schemas"]["Plan.chordal_transfer"] | components["schemas"]["Plan.papillary_approximation"])[];
+            steps: (components["schemas"]["Plan.annuloplasty"] | components["schemas"]["Plan.neochorda"] | components["schemas"]["Plan.chordal_length_change"] | components["schemas"]["Plan.chordal_excision"] | components["schemas"]["Plan.chordal_transfer"] | components["schemas"]["Plan.papillary_approximation"] | components["schemas"]["Plan.edge_to_edge"])[];
         };
         /** @description A point of a leaflet, the same on every mesh. */
         "Plan.leaflet_point": {
@@ -321,6 +333,23 @@ export interface components {
             step: "chordal_excision";
             /** @description Id of the chorda. */
             chorda: string;
+        };
+        /** @description Opposite points of the free edges are held together. */
+        "Plan.edge_to_edge": {
+            /**
+             * @description Kind of step. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            step: "edge_to_edge";
+            /**
+             * @description A stitch along both free edges (Alfieri), or a clip, whose arms hold the leaflets 5 mm above them, too.
+             * @enum {string}
+             */
+            device: "stitch" | "clip";
+            /** @description Place on both edges: 0 anterolateral commissure, 0.5 A2 to P2, 1 posteromedial commissure. */
+            along: number;
+            /** @description Along the edges. */
+            width_mm: number;
         };
         /** @description A chorda moved to another point of the leaflets. */
         "Plan.chordal_transfer": {
@@ -614,7 +643,7 @@ export interface components {
             /** @description Its bytes (RFC 4648); then without text. */
             base64?: string;
         };
-        /** @description Either leaflets and annulus with chordae or chordae_seed, in one coordinate system and one unit, or slicerheart. */
+        /** @description Either leaflets and annulus, or labels, with chordae or chordae_seed, in one unit; or slicerheart. */
         FilesToImport: {
             /** @description Open surfaces (OBJ, PLY, STL, VTK): the anterior, then the posterior sheet, or one skirt. */
             leaflets?: [
@@ -639,6 +668,14 @@ export interface components {
              * @default 3
              */
             hidden_mm?: number;
+            /** @description Instead of leaflets: a label map (.nrrd, .nii, .nii.gz, at most 67,108,864 voxels) of the leaflets as they were segmented and, perhaps, of the annulus. Of what the file holds besides geometry and labels nothing is kept. */
+            labels?: components["schemas"]["FileToImport"];
+            label_numbers?: components["schemas"]["LabelNumbers"];
+            /**
+             * @description Patient's axes of meshes and tables; left out: as each file's header says (SPACE=RAS of Slicer), else LPS. Markups and label maps say it themselves.
+             * @enum {string}
+             */
+            frame?: "LPS" | "RAS";
             /** @description The files of a folder that SlicerHeart's ValveFemExport or coapt export wrote. */
             slicerheart?: components["schemas"]["FileToImport"][];
             /**
@@ -693,9 +730,18 @@ export interface components {
             decisions?: components["schemas"]["ImportDecision"][];
             notice: components["schemas"]["Notice"];
         };
+        /** @description Which label of a label map is what; left out: by the names that the file gives its labels, else 1, 2 and 3. */
+        LabelNumbers: {
+            /** @description Label of the anterior leaflet. */
+            anterior?: number;
+            /** @description Label of the posterior leaflet. */
+            posterior?: number;
+            /** @description Label of the annulus, a closed band. */
+            annulus?: number;
+        };
         /** @description What an import settled that its files leave open, or changed. The valve's provenance says the same. */
         ImportDecision: {
-            /** @description units, frame, mesh, annulus, commissures, landmarks, state or chordae. */
+            /** @description files, labels, series, axes, units, frame, mesh, annulus, commissures, landmarks, state or chordae. */
             about: string;
             /** @description What was done, with numbers. */
             decision: string;
