@@ -286,7 +286,6 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
       decisions.begin(),
       {{"units", to_string(unit), options.units ? "as given" : "by the annulus's circumference"},
        framed->change});
-  decisions.insert(decisions.begin(), source.decisions.begin(), source.decisions.end());
   if (options.chordae_seed) {
     Expected<Valve> made = drawn(std::move(valve), framed->tips, *options.chordae_seed, decisions);
     if (!made) return made.errors();
@@ -295,6 +294,7 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
              !errors.empty()) {
     return errors;
   }
+  decisions.insert(decisions.begin(), source.decisions.begin(), source.decisions.end());
   for (const ImportDecision& decision : decisions) valve.provenance.push_back(sentence(decision));
   Errors invalid = validate(valve);
   for (Error& error : invalid) error.message = "of the resampled valve " + error.message;

@@ -50,12 +50,7 @@ struct ImportedTip {
 enum class LengthUnit { Millimetre, Centimetre, Metre };
 const char* to_string(LengthUnit unit);  ///< mm, cm, m
 
-/// One thing that an import decided, as its valve's provenance says it: "about: decision; reason".
-struct ImportDecision {
-  std::string about;     ///< "units", "frame", "mesh", ...
-  std::string decision;  ///< what was taken or made
-  std::string reason;    ///< why, or by what rule; empty where that is the decision itself
-};
+struct ImportDecision;
 
 struct ImportSource {
   std::string name;
@@ -83,6 +78,13 @@ struct ImportOptions {
   std::optional<int> chordae_seed = {};
   std::optional<LengthUnit>
       units;  ///< of the source; none: guessed from the annulus's circumference
+};
+
+/// One thing that an import decided, as its valve's provenance says it: "about: decision; reason".
+struct ImportDecision {
+  std::string about;     ///< "units", "frame", "mesh", ...
+  std::string decision;  ///< what was taken or made
+  std::string reason;    ///< why, or by what rule; empty where that is the decision itself
 };
 
 struct ImportedValve {
