@@ -32,10 +32,10 @@ struct Header {
   std::map<std::string, std::string, std::less<>> fields;  ///< names in lower case
   std::map<std::string, std::string, std::less<>> keys;
   std::string_view data;  ///< behind the empty line
-  std::string field(std::string_view name, std::string_view other = "") const {
+  std::string_view field(std::string_view name, std::string_view other = "") const {
     auto found = fields.find(name);
     if (found == fields.end()) found = fields.find(other);
-    return found == fields.end() ? std::string() : found->second;
+    return found == fields.end() ? std::string_view() : found->second;
   }
 };
 
@@ -256,8 +256,7 @@ class NrrdReader {
   }
 
   std::vector<Vec3> spacings(const Axes& axes) {
-    const std::string text = header_.field("spacings");
-    const auto numbers = words(text);
+    const auto numbers = words(header_.field("spacings"));
     std::vector<Vec3> steps;
     for (std::size_t i = 0; i < numbers.size() && i < axes.sizes.size(); ++i) {
       if (static_cast<int>(i) == axes.list) continue;
@@ -302,7 +301,7 @@ class NrrdReader {
   /// "line skip" and "byte skip", -1: what a raw file ends with.
   Errors skip(std::string_view& data, bool raw, const VoxelLayout& layout) const {
     const auto number = [&](std::string_view name, std::string_view other) {
-      const std::string text = header_.field(name, other);
+      const std::string_view text = header_.field(name, other);
       return text.empty() ? std::optional<long long>(0) : to_integer(text);
     };
     const auto line_count = number("line skip", "lineskip");

@@ -298,7 +298,6 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
        framed->change});
   if (const std::string given = given_names(framed->landmarks); !given.empty())
     decisions.push_back({"landmarks", given + " as given", "moved to the annulus"});
-  decisions.insert(decisions.begin(), source.decisions.begin(), source.decisions.end());
   if (options.chordae_seed) {
     Expected<Valve> made = drawn(std::move(valve), framed->tips, *options.chordae_seed, decisions);
     if (!made) return made.errors();
@@ -307,6 +306,7 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
              !errors.empty()) {
     return errors;
   }
+  decisions.insert(decisions.begin(), source.decisions.begin(), source.decisions.end());
   for (const ImportDecision& decision : decisions) valve.provenance.push_back(sentence(decision));
   Errors invalid = validate(valve);
   for (Error& error : invalid) error.message = "of the resampled valve " + error.message;

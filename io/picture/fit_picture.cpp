@@ -16,10 +16,8 @@ std::string words(const FittedParameter& fitted) {
 
 std::string fit_map_png(const LeafletMesh& surface, const ValveFit& fit, MeasuredSide side,
                         const std::string& name) {
-  const std::vector<double> distances = signed_distances_mm(
-      surface.vertices_mm,
-      {fit.closed.closure.closed_mm, fit.closed.valve.faces, fit.closed.valve.tissue.thickness_mm},
-      side);
+  const std::vector<double> distances =
+      signed_distances_mm(surface.vertices_mm, surface_of(fit.closed), side);
   return distance_map_png(
       {surface.vertices_mm, surface.faces, distances, round_range_mm(2.0 * fit.rms_mm),
        name + " against the fitted valve",
