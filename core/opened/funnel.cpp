@@ -38,17 +38,26 @@ std::vector<std::array<int, 2>> free_edges(const Valve& valve) {
   return edges;
 }
 
-Axis funnel_axis(const Valve& valve, const Points& open_mm) {
-  Axis axis;
-  axis.from_mm = valve.annulus_mm.colwise().mean();
+/// Of a line, whatever the distances of its points.
+struct MeanByLength {
   Vec3 sum = Vec3::Zero();
   double length_mm = 0.0;
-  for (const auto& [a, b] : free_edges(valve)) {
-    const Vec3 from = open_mm.row(a), to = open_mm.row(b);
+  void add(const Vec3& from, const Vec3& to) {
     sum += 0.5 * (to - from).norm() * (from + to);
     length_mm += (to - from).norm();
   }
-  if (length_mm > 0.0) axis.along = (sum / length_mm - axis.from_mm).normalized();
+  Vec3 mean() const { return sum / length_mm; }
+};
+
+Axis funnel_axis(const Valve& valve, const Points& open_mm) {
+  Axis axis;
+  MeanByLength annulus, edges;
+  const Eigen::Index count = valve.annulus_mm.rows();
+  for (Eigen::Index i = 0; i < count; ++i)
+    annulus.add(valve.annulus_mm.row(i), valve.annulus_mm.row((i + 1) % count));
+  for (const auto& [a, b] : free_edges(valve)) edges.add(open_mm.row(a), open_mm.row(b));
+  axis.from_mm = annulus.mean();
+  if (edges.length_mm > 0.0) axis.along = (edges.mean() - axis.from_mm).normalized();
   axis.x = axis.along.unitOrthogonal();
   axis.y = axis.along.cross(axis.x);
   return axis;

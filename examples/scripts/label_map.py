@@ -7,7 +7,7 @@ with anterior_leaflet_sheet.obj, posterior_leaflet_sheet.obj and annulus_centerl
 examples/valves/source. --bare leaves the labels without names and the annulus out. Then, from this to a report:
 
     coapt valve import FILE.seg.nrrd -o valve.json
-    coapt plan valve.json --report report.html
+    coapt plan valve.json -o report.html
 """
 
 import argparse
