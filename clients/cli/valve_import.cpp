@@ -15,6 +15,8 @@
 #include "io/exchange/slicerheart.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
+#include "io/mesh/imaged_state.h"
+#include "io/mesh/text_scan.h"
 
 namespace coapt {
 namespace {
@@ -24,8 +26,10 @@ struct ValveImportArguments {
   std::string annulus, chordae, slicerheart, abaqus, tips;
   int seed = 1;
   LengthUnit units = LengthUnit::Millimetre;  // if given
-  std::string name;
+  std::string name, thickness;
   std::vector<std::string> provenance;
+  bool closed = false;
+  ImagedState state = ImagedState::Open;  // if given
   ImportOptions options;
   std::string output;
   bool json = false;
@@ -64,7 +68,7 @@ Expected<std::vector<NamedFile>> read_folder(const std::string& path) {
   return files;
 }
 
-/// coapt.import/1. Keys that scripts rely on: decisions[] (about, decision, reason).
+/// coapt.import/1. Keys that scripts rely on: decisions[] (about, decision, reason, look).
 nlohmann::ordered_json import_to_json(const ImportedValve& imported) {
   return {{"schema", "coapt.import/1"},
           {"version", version()},
@@ -72,14 +76,14 @@ nlohmann::ordered_json import_to_json(const ImportedValve& imported) {
           {"name", imported.valve.name},
           {"triangles", imported.valve.faces.rows()},
           {"chordae", imported.valve.chordae.size()},
+          {"thickness", to_json(imported.thickness)},
           {"decisions", to_json(imported.decisions)}};
 }
 
 /// The files that options name one by one.
 int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
   for (const auto& [missing, option] : {std::pair(arguments.leaflets.empty(), "--leaflet"),
-                                        {arguments.annulus.empty(), "--annulus"},
-                                        {arguments.chordae.empty(), "--chordae"}}) {
+                                            {arguments.chordae.empty(), "--chordae"}}) {
     if (!missing) continue;
     std::cerr << "coapt: valve import: " << option << " is required (or --slicerheart)"
               << (arguments.chordae.empty() ? "; --chordae synthesise draws chordae that were not "
@@ -91,9 +95,9 @@ int read_parts(const ValveImportArguments& arguments, ImportSource& source) {
     source.leaflets.emplace_back();
     if (const int failed = read_part(path, read_packed_mesh, source.leaflets.back())) return failed;
   }
-  if (const int failed = read_part(arguments.annulus, read_closed_loop, source.annulus_mm)) {
-    return failed;
-  }
+  if (!arguments.annulus.empty())
+    if (const int failed = read_part(arguments.annulus, read_closed_loop, source.annulus_mm))
+      return failed;
   if (arguments.chordae == kSynthesise) return exit_code::kOk;
   return read_part(arguments.chordae, read_chordae, source.chordae);
 }
@@ -113,6 +117,14 @@ int run_abaqus(const ValveImportArguments& arguments) {
   const Expected<Valve> valve = read_abaqus_valve(*text, {arguments.name, arguments.provenance});
   if (!valve) return report_errors(arguments.abaqus, valve.errors());
   return write_output(arguments.output, write_valve(*valve));
+}
+
+/// Whether it is a number or the word measured.
+bool take_thickness(const std::string& text, ImportOptions& options) {
+  options.thickness_measured = text == "measured";
+  if (text.empty() || options.thickness_measured) return true;
+  options.thickness_mm = to_number(text);
+  return options.thickness_mm.has_value();
 }
 
 int run(const ValveImportArguments& arguments) {
@@ -144,7 +156,9 @@ int run(const ValveImportArguments& arguments) {
                                 {{"/leaflets", "--leaflet"},
                                  {"/annulus_mm", "--annulus"},
                                  {"/tips", "--tips"},
-                                 {"/tips_mm", "--tips"}});
+                                 {"/tips_mm", "--tips"},
+                                 {"/thickness_measured", "--thickness"},
+                                 {"/tissue/thickness_mm", "--thickness"}});
   }
   const int failed = write_output(arguments.output, write_valve(valve->valve));
   if (failed == exit_code::kOk && arguments.json)
@@ -162,10 +176,12 @@ void add_valve_import(Command parent, int& status) {
   command
       .add_option(
           "--leaflet", arguments->leaflets,
-          "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, or one skirt")
+          "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, or one skirt; "
+          "sheets or thick shells, which become their mid-surfaces")
       .count(1, 2);
   command.add_option("--annulus", arguments->annulus,
-                     "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json)");
+                     "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json); without it, it is "
+                     "found along the leaflets' outlines");
   command.add_option(
       "--chordae", arguments->chordae,
       "Insertions and papillary tips, CSV or JSON; or the word synthesise: drawn from "
@@ -211,12 +227,23 @@ void add_valve_import(Command parent, int& status) {
           "What the meshes show: excised (default), leaflets free of stress; in_vivo, those of the "
           "unpressurised heart, which are stretched already")
       .show_argument("STATE");
+  const std::map<std::string, ImagedState> states = {{"open", ImagedState::Open},
+                                                     {"closed", ImagedState::Closed}};
   command
-      .add_flag(
-          "--closed", options.closed,
-          "The leaflets were imaged closed, under pressure: the open ones are derived from what "
-          "is seen of them; with --chordae synthesise")
-      .excludes("--reference");
+      .add_choice("--state", arguments->state, states,
+                  "How the leaflets were imaged, open or closed (default: judged from how much of the "
+                  "annulus they cover); of closed ones, under pressure, the open ones are derived, with "
+                  "--chordae synthesise")
+      .show_argument("STATE");
+  command.add_flag("--closed", arguments->closed, "The same as --state closed")
+      .excludes("--reference")
+      .excludes("--state");
+  command
+      .add_option("--thickness", arguments->thickness,
+                  "Of the tissue: a number of millimetres, or the word measured: the mean of thick "
+                  "leaflets (default: 1 mm, because segmentation thickens by about a voxel)")
+      .show_argument("MM")
+      .excludes("--abaqus");
   command
       .add_option("--hidden", options.hidden_mm,
                   "Height of closed leaflets that coaptation hides, mm; coapt fit finds it")
@@ -258,6 +285,13 @@ void add_valve_import(Command parent, int& status) {
   command.on_run([arguments, command, &status] {
     if (arguments->chordae == kSynthesise) arguments->options.chordae_seed = arguments->seed;
     if (command.has("--units")) arguments->options.units = arguments->units;
+    if (arguments->closed) arguments->options.closed = true;
+    if (command.has("--state")) arguments->options.closed = arguments->state == ImagedState::Closed;
+    if (!take_thickness(arguments->thickness, arguments->options)) {
+      std::cerr << "coapt: valve import: --thickness must be a number of millimetres, or measured\n";
+      status = exit_code::kBadInput;
+      return;
+    }
     if (arguments->json && arguments->output == "-") {
       std::cerr << "coapt: valve import: --json takes standard output, so -o must name a file\n";
       status = exit_code::kBadInput;

@@ -64,8 +64,9 @@ Expected<ImportSource> read_import_files(const ImportFiles& files) {
   for (std::size_t i = 0; i < files.leaflets.size(); ++i)
     take(read_mesh(files.leaflets[i].bytes, format_of(files.leaflets[i].name)),
          "/leaflets/" + std::to_string(i), problems, source.leaflets.emplace_back());
-  take(read_closed_loop(files.annulus.bytes, format_of(files.annulus.name)), "/annulus", problems,
-       source.annulus_mm);
+  if (files.annulus)
+    take(read_closed_loop(files.annulus->bytes, format_of(files.annulus->name)), "/annulus",
+         problems, source.annulus_mm);
   if (files.chordae)
     take(read_chordae(files.chordae->bytes, format_of(files.chordae->name)), "/chordae", problems,
          source.chordae);

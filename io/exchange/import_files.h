@@ -11,7 +11,8 @@ namespace coapt {
 struct ImportFiles {
   std::vector<NamedFile>
       leaflets;       ///< OBJ, PLY, STL, VTK: the anterior, then the posterior sheet, or one skirt
-  NamedFile annulus;  ///< CSV, or a closed curve of Slicer (.mrk.json)
+  std::optional<NamedFile>
+      annulus;  ///< CSV, or a closed curve of Slicer (.mrk.json); none: it is found
   std::optional<NamedFile> chordae = {};  ///< CSV or JSON; none: they are to be drawn
   std::optional<NamedFile> tips = {};     ///< of such chordae: CSV, or labelled points of Slicer
 };

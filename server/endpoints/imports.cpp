@@ -67,9 +67,9 @@ Errors check_files(const Asked& asked) {
                                     {asked.annulus.has_value(), "/annulus"}}) {
     if (given && asked.slicerheart)
       problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
-    if (!given && !asked.slicerheart)
-      problems.add(ErrorCode::MissingField, path, "is missing (or give slicerheart)");
   }
+  if (!asked.leaflets && !asked.slicerheart)
+    problems.add(ErrorCode::MissingField, "/leaflets", "is missing (or give slicerheart)");
   const bool drawn = asked.options.chordae_seed.has_value();
   if (asked.chordae && asked.slicerheart)
     problems.add(ErrorCode::UnknownField, "/chordae", "cannot be given together with slicerheart");
@@ -105,7 +105,7 @@ Expected<ImportedValve> imported(const Asked& asked) {
   Expected<ImportSource> source =
       asked.slicerheart
           ? read_slicerheart(*asked.slicerheart)
-          : read_import_files({*asked.leaflets, *asked.annulus, asked.chordae, asked.tips});
+          : read_import_files({*asked.leaflets, asked.annulus, asked.chordae, asked.tips});
   if (!source) return asked.slicerheart ? below_folder(source.errors()) : source.errors();
   source->name = asked.name;
   source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),
