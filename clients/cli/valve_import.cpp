@@ -12,6 +12,8 @@
 #include "io/exchange/decisions_json.h"
 #include "io/exchange/import_files.h"
 #include "io/json/valve_json.h"
+#include "io/mesh/imaged_state.h"
+#include "io/mesh/text_scan.h"
 #include "io/picture/import_picture.h"
 
 namespace coapt {
@@ -23,8 +25,10 @@ struct ValveImportArguments {
   PatientAxes axes = PatientAxes::LPS;  // if given
   int seed = 1;
   LengthUnit units = LengthUnit::Millimetre;  // if given
-  std::string name;
+  std::string name, thickness;
   std::vector<std::string> provenance;
+  bool closed = false;
+  ImagedState state = ImagedState::Open;  // if given
   ImportOptions options;
   std::string output, picture;
   bool json = false;
@@ -40,6 +44,14 @@ int run_abaqus(const ValveImportArguments& arguments) {
   return write_output(arguments.output, write_valve(*valve));
 }
 
+/// Whether it is a number or the word measured.
+bool take_thickness(const std::string& text, ImportOptions& options) {
+  options.thickness_measured = text == "measured";
+  if (text.empty() || options.thickness_measured) return true;
+  options.thickness_mm = to_number(text);
+  return options.thickness_mm.has_value();
+}
+
 /// What cannot be given together, or is missing.
 std::string misused(const ValveImportArguments& arguments) {
   const ImportInputs& inputs = arguments.inputs;
@@ -51,8 +63,6 @@ std::string misused(const ValveImportArguments& arguments) {
   if (!inputs.bare.empty() || !inputs.slicerheart.empty()) return "";
   const bool leaflets = !inputs.leaflets.empty() || !inputs.labels.empty();
   if (!leaflets) return "--leaflet is required (or --labels, --slicerheart, or bare files)";
-  if (inputs.annulus.empty() && inputs.labels.empty())
-    return "--annulus is required (or --slicerheart)";
   if (inputs.chordae.empty() && inputs.labels.empty())
     return "--chordae is required (or --slicerheart); --chordae synthesise draws chordae that were "
            "not seen from anatomy";
@@ -86,7 +96,9 @@ int run(ValveImportArguments& arguments) {
                                 {{"/leaflets", "--leaflet"},
                                  {"/annulus_mm", "--annulus"},
                                  {"/tips", "--tips"},
-                                 {"/tips_mm", "--tips"}});
+                                 {"/tips_mm", "--tips"},
+                                 {"/thickness_measured", "--thickness"},
+                                 {"/tissue/thickness_mm", "--thickness"}});
   }
   if (const int failed = write_output(arguments.output, write_valve(valve->valve))) return failed;
   if (!arguments.picture.empty())
@@ -113,7 +125,8 @@ void add_valve_import(Command parent, int& status) {
   command
       .add_option(
           "--leaflet", inputs.leaflets,
-          "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, or one skirt")
+          "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, or one skirt; "
+          "sheets or thick shells, which become their mid-surfaces")
       .count(1, 2);
   command
       .add_option("--labels", inputs.labels,
@@ -128,7 +141,8 @@ void add_valve_import(Command parent, int& status) {
                      "Folder of the DICOM series that the labels were drawn on: spacing and frame "
                      "where the label map has none, else checked");
   command.add_option("--annulus", inputs.annulus,
-                     "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json)");
+                     "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json); without it, "
+                     "it is found along the leaflets' outlines");
   command.add_option(
       "--chordae", inputs.chordae,
       "Insertions and papillary tips, CSV or JSON; or the word synthesise: drawn from "
@@ -178,12 +192,23 @@ void add_valve_import(Command parent, int& status) {
           "What the meshes show: excised (default), leaflets free of stress; in_vivo, those of the "
           "unpressurised heart, which are stretched already")
       .show_argument("STATE");
+  const std::map<std::string, ImagedState> states = {{"open", ImagedState::Open},
+                                                     {"closed", ImagedState::Closed}};
   command
-      .add_flag(
-          "--closed", options.closed,
-          "The leaflets were imaged closed, under pressure: the open ones are derived from what "
-          "is seen of them; with --chordae synthesise")
-      .excludes("--reference");
+      .add_choice("--state", arguments->state, states,
+                  "How the leaflets were imaged, open or closed (default: judged from how much of the "
+                  "annulus they cover); of closed ones, under pressure, the open ones are derived, with "
+                  "--chordae synthesise")
+      .show_argument("STATE");
+  command.add_flag("--closed", arguments->closed, "The same as --state closed")
+      .excludes("--reference")
+      .excludes("--state");
+  command
+      .add_option("--thickness", arguments->thickness,
+                  "Of the tissue: a number of millimetres, or the word measured: the mean of thick "
+                  "leaflets (default: 1 mm, because segmentation thickens by about a voxel)")
+      .show_argument("MM")
+      .excludes("--abaqus");
   command
       .add_option("--hidden", options.hidden_mm,
                   "Height of closed leaflets that coaptation hides, mm; coapt fit finds it")
@@ -244,6 +269,13 @@ void add_valve_import(Command parent, int& status) {
   command.on_run([arguments, command, &status] {
     if (command.has("--frame")) arguments->inputs.axes = arguments->axes;
     if (command.has("--units")) arguments->options.units = arguments->units;
+    if (arguments->closed) arguments->options.closed = true;
+    if (command.has("--state")) arguments->options.closed = arguments->state == ImagedState::Closed;
+    if (!take_thickness(arguments->thickness, arguments->options)) {
+      std::cerr << "coapt: valve import: --thickness must be a number of millimetres, or measured\n";
+      status = exit_code::kBadInput;
+      return;
+    }
     if (arguments->json && arguments->output == "-") {
       std::cerr << "coapt: valve import: --json takes standard output, so -o must name a file\n";
       status = exit_code::kBadInput;

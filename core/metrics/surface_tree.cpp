@@ -12,6 +12,23 @@ namespace {
 
 constexpr int kLeafFaces = 4;
 
+/// Where a ray enters a box; infinity where it misses.
+double entry_mm(const Eigen::AlignedBox3d& box, const Vec3& from_mm, const Vec3& direction) {
+  double enters = 0.0, leaves = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    if (direction[k] == 0.0) {
+      if (from_mm[k] < box.min()[k] || from_mm[k] > box.max()[k]) return leaves;
+      continue;
+    }
+    double near = (box.min()[k] - from_mm[k]) / direction[k];
+    double far = (box.max()[k] - from_mm[k]) / direction[k];
+    if (near > far) std::swap(near, far);
+    enters = std::max(enters, near);
+    leaves = std::min(leaves, far);
+  }
+  return enters <= leaves ? enters : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 SurfaceTree::SurfaceTree(Points vertices_mm, Faces faces)
@@ -95,6 +112,39 @@ TreePoint SurfaceTree::nearest(const Vec3& point_mm) const {
 TreePoint SurfaceTree::nearest_within(const Vec3& point_mm, double limit_mm,
                                       const std::function<bool(int)>& counts) const {
   return search(point_mm, limit_mm, counts);
+}
+
+TreePoint SurfaceTree::first_hit(const Vec3& from_mm, const Vec3& direction, double limit_mm,
+                                 const std::function<bool(int)>& counts) const {
+  TreePoint hit;
+  hit.distance_mm = limit_mm;
+  std::vector<int> open = {0};
+  while (!open.empty()) {
+    const Node& node = nodes_[static_cast<std::size_t>(open.back())];
+    open.pop_back();
+    if (entry_mm(node.box, from_mm, direction) > hit.distance_mm) continue;
+    if (node.left >= 0) {
+      open.insert(open.end(), {node.left + 1, node.left});
+      continue;
+    }
+    for (int i = node.first; i < node.last; ++i) {
+      const int face = order_[static_cast<std::size_t>(i)];
+      if (!counts(face)) continue;
+      const Vec3 a = vertices_mm_.row(faces_(face, 0)).transpose();
+      const Vec3 ab = vertices_mm_.row(faces_(face, 1)).transpose() - a;
+      const Vec3 ac = vertices_mm_.row(faces_(face, 2)).transpose() - a;
+      // Moeller and Trumbore 1997.
+      const Vec3 p = direction.cross(ac), s = from_mm - a, q = s.cross(ab);
+      const double determinant = ab.dot(p);
+      if (determinant == 0.0) continue;
+      const double u = s.dot(p) / determinant, v = direction.dot(q) / determinant;
+      const double away = ac.dot(q) / determinant;
+      if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && away > 0.0)) continue;
+      if (away < hit.distance_mm || (away == hit.distance_mm && face < hit.face))
+        hit = {face, {1.0 - u - v, u, v}, from_mm + away * direction, away};
+    }
+  }
+  return hit;
 }
 
 SurfaceEdge::SurfaceEdge(const Faces& faces)

@@ -30,6 +30,11 @@ class SurfaceTree {
   TreePoint nearest_within(const Vec3& point_mm, double limit_mm,
                            const std::function<bool(int)>& counts) const;
 
+  /// Where a ray first meets a face that `counts` says yes to, nearer than `limit_mm`; faces that it runs along do not count.
+  /// @param direction of length 1
+  TreePoint first_hit(const Vec3& from_mm, const Vec3& direction, double limit_mm,
+                      const std::function<bool(int)>& counts) const;
+
   const Points& vertices_mm() const { return vertices_mm_; }
   const Faces& faces() const { return faces_; }
 

@@ -9,11 +9,22 @@
 
 namespace coapt {
 
-/// [{"about", "decision", "reason"}, ...]
+/// [{"about", "decision", "reason", "look"}, ...]
 inline nlohmann::ordered_json to_json(const std::vector<ImportDecision>& decisions) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ImportDecision& of : decisions)
-    list.push_back({{"about", of.about}, {"decision", of.decision}, {"reason", of.reason}});
+    list.push_back({{"about", of.about}, {"decision", of.decision}, {"reason", of.reason}, {"look", of.look}});
+  return list;
+}
+
+/// [{"leaflet", "mean_mm", "p10_mm", "p90_mm"}, ...] of leaflets that came as shells; leaflets count from 0.
+inline nlohmann::ordered_json to_json(const std::vector<MeasuredThickness>& thickness) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const MeasuredThickness& of : thickness)
+    list.push_back({{"leaflet", of.leaflet},
+                    {"mean_mm", of.mean_mm},
+                    {"p10_mm", of.p10_mm},
+                    {"p90_mm", of.p90_mm}});
   return list;
 }
 
@@ -25,6 +36,7 @@ inline nlohmann::ordered_json import_to_json(const ImportedValve& imported) {
           {"name", imported.valve.name},
           {"triangles", imported.valve.faces.rows()},
           {"chordae", imported.valve.chordae.size()},
+          {"thickness", to_json(imported.thickness)},
           {"decisions", to_json(imported.decisions)}};
 }
 

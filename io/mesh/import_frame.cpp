@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <set>
 
@@ -17,7 +16,6 @@ namespace coapt {
 namespace {
 
 constexpr double kLeastSaddle_mm = 0.5;  // half its height, of annuli that orient a closed valve
-constexpr Eigen::Index kMostFaces = 1'000'000;
 constexpr Eigen::Index kMinAnnulus = 12;
 constexpr std::size_t kMaxChordae = 2000;
 constexpr Range kTipDepthMm = {3.0, 100.0};
@@ -25,23 +23,6 @@ constexpr double kSamePoint_mm = 1e-6;
 
 std::string at(const std::string& path, std::ptrdiff_t index) {
   return path + '/' + std::to_string(index);
-}
-
-/// Whether some edge belongs to one face only.
-bool has_boundary(const Faces& faces) {
-  std::vector<std::array<int, 2>> edges;
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const int a = faces(f, k), b = faces(f, (k + 1) % 3);
-      edges.push_back({std::min(a, b), std::max(a, b)});
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
-    while (next < edges.size() && edges[next] == edges[i]) ++next;
-    if (next == i + 1) return true;
-  }
-  return false;
 }
 
 void check_leaflets(const std::vector<TriangleMesh>& leaflets, ProblemList& problems) {
@@ -61,10 +42,6 @@ void check_leaflets(const std::vector<TriangleMesh>& leaflets, ProblemList& prob
       problems.add(
           ErrorCode::BadReference, path + "/faces",
           "must hold indices of vertices, 0 to " + std::to_string(mesh.vertices_mm.rows() - 1));
-    }
-    if (mesh.faces.rows() <= kMostFaces && !has_boundary(mesh.faces)) {
-      problems.add(ErrorCode::BadTopology, path + "/faces",
-                   "is a closed surface; must be one sheet, with a free edge");
     }
     if (!mesh.vertices_mm.allFinite()) {
       problems.add(ErrorCode::OutOfRange, path + "/vertices_mm", "must be finite numbers");

@@ -12,7 +12,10 @@
 #include "io/mesh/hanging_profile.h"
 #include "io/mesh/import_chordae.h"
 #include "io/mesh/import_frame.h"
+#include "io/mesh/import_sheets.h"
+#include "io/mesh/imaged_state.h"
 #include "io/mesh/mesh_distance.h"
+#include "io/mesh/sheet_repair.h"
 #include "io/mesh/skirt.h"
 #include "io/mesh/source_units.h"
 
@@ -25,6 +28,7 @@ constexpr double kCommissureAlong = 0.07;  // share of a leaflet's arc that coun
 constexpr double kPeakBias_mm =
     0.5;  // a flat annulus has its saddle peak in the middle of the front
 constexpr double kDiagonalRatio = 1.3;
+constexpr double kLongestInMetres = 0.5, kLongestInCentimetres = 15.0;  // of the leaflets' box
 constexpr int kMaxSamples = 4000;  // for the deviation
 
 void check_options(const ImportSource& source, const ImportOptions& options,
@@ -35,7 +39,7 @@ void check_options(const ImportSource& source, const ImportOptions& options,
   check_range(problems, "/slack", options.slack, {0.8, 1.5});
   if (options.chordae_seed)
     check_range(problems, "/chordae_seed", *options.chordae_seed, {0, 2147483647});
-  if (!options.closed) return;
+  if (!options.closed.value_or(false)) return;
   check_range(problems, "/hidden_mm", options.hidden_mm, {0, 15}, " mm");
   if (!options.chordae_seed)
     problems.add(ErrorCode::Unsupported, "/closed",
@@ -155,17 +159,6 @@ Deviation deviation(const std::vector<TriangleMesh>& sheets, const Skirt& skirt)
   return found;
 }
 
-double area_mm2(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
-    const Vec3 a = mesh.vertices_mm.row(mesh.faces(f, 0)),
-               b = mesh.vertices_mm.row(mesh.faces(f, 1)),
-               c = mesh.vertices_mm.row(mesh.faces(f, 2));
-    sum += 0.5 * (b - a).cross(c - a).norm();
-  }
-  return sum;
-}
-
 ImportDecision landmark_decision(const Skirt& skirt) {
   return {"landmarks",
           std::string("commissures ") +
@@ -259,6 +252,98 @@ Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips, int see
   return made;
 }
 
+/// Of the whole source, while its unit is not known: what its annulus or, without one, its leaflets fit.
+LengthUnit unit_of(const ImportSource& source) {
+  if (source.annulus_mm.rows() > 0)
+    return guessed_unit(source.annulus_mm).value_or(LengthUnit::Millimetre);
+  Eigen::AlignedBox3d box;
+  for (const TriangleMesh& mesh : source.leaflets)
+    if (mesh.vertices_mm.allFinite())
+      for (const auto& vertex : mesh.vertices_mm.rowwise()) box.extend(vertex.transpose());
+  const double diagonal = box.isEmpty() ? 50.0 : box.diagonal().norm();
+  return diagonal < kLongestInMetres      ? LengthUnit::Metre
+         : diagonal < kLongestInCentimetres ? LengthUnit::Centimetre
+                                            : LengthUnit::Millimetre;
+}
+
+/// Whether what judged_state() looks at is there; into_import_frame() names what is not.
+bool can_be_judged(const ImportSource& source) {
+  return source.annulus_mm.rows() >= 3 && source.annulus_mm.allFinite() &&
+         std::all_of(source.leaflets.begin(), source.leaflets.end(), [](const TriangleMesh& mesh) {
+           return mesh.vertices_mm.allFinite() && mesh.faces.rows() > 0 &&
+                  mesh.faces.minCoeff() >= 0 && mesh.faces.maxCoeff() < mesh.vertices_mm.rows();
+         });
+}
+
+/// What the images show, as given or judged; `closed` of the result is how the import goes on.
+struct JudgedState {
+  bool closed = false;
+  std::vector<ImportDecision> decisions;
+};
+
+JudgedState judged_state(const ImportSource& source, const ImportOptions& options,
+                         const std::vector<MeasuredThickness>& thickness) {
+  double thickness_mm = Tissue{}.thickness_mm;
+  for (const MeasuredThickness& of : thickness) thickness_mm = std::max(thickness_mm, of.mean_mm);
+  const StateSigns signs = imaged_state(source.leaflets, source.annulus_mm, thickness_mm);
+  const std::string seen = "they leave " + significant(100.0 * signs.uncovered_share, 2) +
+                           " % of the annulus's area uncovered";
+  const char* looks = signs.state == ImagedState::Closed       ? "closed"
+                      : signs.state == ImagedState::HalfClosed ? "half closed"
+                                                               : "open";
+  if (options.closed) {
+    const bool agrees = *options.closed == (signs.state == ImagedState::Closed);
+    return {*options.closed,
+            {{"state",
+              std::string(*options.closed ? "closed" : "open") + ", as given" +
+                  (agrees ? "" : std::string("; the leaflets look ") + looks),
+              seen, !agrees}}};
+  }
+  if (signs.state == ImagedState::Open) return {false, {{"state", "imaged open", seen}}};
+  if (signs.state == ImagedState::HalfClosed)
+    return {false,
+            {{"state", "imaged half closed, taken as open",
+              seen + "; from 12 to 25 % is neither: what is stretched already counts as unstressed",
+              true}}};
+  if (!options.chordae_seed)
+    return {false,
+            {{"state", "the leaflets look closed, but are taken as open: chordae were given",
+              seen + "; the open shape is derived only where chordae are drawn (--chordae "
+                     "synthesise)",
+              true}}};
+  if (source.leaflets.size() != 2)
+    return {false,
+            {{"state", "the leaflets look closed, but are taken as open: they came as one skirt",
+              seen + "; the open shape is derived from an anterior and a posterior one", true}}};
+  return {true, {{"state", "imaged closed", seen + ", 12 % at most is closed", true}}};
+}
+
+/// Of the tissue, by the options.
+Expected<double> tissue_thickness(const ImportOptions& options,
+                                  const std::vector<MeasuredThickness>& measured, double own_mm,
+                                  std::vector<ImportDecision>& decisions) {
+  double mean_mm = 0.0;
+  for (const MeasuredThickness& of : measured)
+    mean_mm += of.mean_mm / static_cast<double>(measured.size());
+  if (options.thickness_measured) {
+    if (measured.empty())
+      return Error{ErrorCode::MissingField, "/thickness_measured",
+                   "needs thick leaflets; these are sheets, so give a thickness in millimetres"};
+    decisions.push_back({"thickness", significant(mean_mm, 2) + " mm", "as measured", true});
+    return mean_mm;
+  }
+  if (options.thickness_mm) {
+    decisions.push_back({"thickness", significant(*options.thickness_mm, 3) + " mm", "as given"});
+    return *options.thickness_mm;
+  }
+  if (!measured.empty())
+    decisions.push_back({"thickness",
+                         "tissue keeps " + significant(own_mm, 2) + " mm; the shells measure " +
+                             significant(mean_mm, 2) + " mm",
+                         "segmentation thickens by about a voxel (--thickness measured takes it)"});
+  return own_mm;
+}
+
 std::string sentence(const ImportDecision& of) {
   return of.about + ": " + of.decision + (of.reason.empty() ? "" : "; " + of.reason);
 }
@@ -269,35 +354,48 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
   ProblemList problems;
   check_options(source, options, problems);
   if (!problems.empty()) return std::move(problems).take();
-  const LengthUnit unit =
-      options.units.value_or(guessed_unit(source.annulus_mm).value_or(LengthUnit::Millimetre));
+  const LengthUnit unit = options.units.value_or(unit_of(source));
   scale(source, in_mm(unit));
+  const bool ring_given = source.annulus_mm.rows() > 0;
+  Expected<SheetPreparation> prepared = prepare_sheets(source);
+  if (!prepared) return prepared.errors();
+  JudgedState state;
+  if (can_be_judged(source)) state = judged_state(source, options, prepared->thickness);
   const Expected<FramedSource> framed =
-      into_import_frame(source, options.chordae_seed.has_value(), options.closed);
+      into_import_frame(source, options.chordae_seed.has_value(), state.closed);
   if (!framed) return framed.errors();
   const Expected<Skirt> skirt =
-      resample_skirt(*framed, options.triangles, {options.closed, options.hidden_mm});
+      resample_skirt(*framed, options.triangles, {state.closed, options.hidden_mm});
   if (!skirt) return skirt.errors();
   Valve valve;
   valve.name = source.name.empty() ? "imported" : source.name;
   valve.provenance = source.provenance;
   valve.patient = framed->patient;
-  valve.tissue.reference = options.closed ? TissueReference::InVivo : options.reference;
+  valve.tissue.reference = state.closed ? TissueReference::InVivo : options.reference;
   if (source.tissue) valve.tissue = *source.tissue;
   if (source.pressure_kpa) valve.pressure_kpa = *source.pressure_kpa;
   add_mesh(*skirt, valve);
   if (framed->pressed_annulus_mm.rows() > 0)
     for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();
   valve.landmarks = find_landmarks(*skirt, framed->landmarks);
-  std::vector<ImportDecision> decisions =
-      options.closed ? closed_decisions(*skirt, options.hidden_mm, valve)
-                     : mesh_decisions(*framed, *skirt, valve, source.tissue.has_value());
-  decisions.insert(
-      decisions.begin(),
-      {{"units", to_string(unit), options.units ? "as given" : "by the annulus's circumference"},
-       framed->change});
+  std::vector<ImportDecision> decisions = state.closed
+                                              ? closed_decisions(*skirt, options.hidden_mm, valve)
+                                              : mesh_decisions(*framed, *skirt, valve, source.tissue.has_value());
+  std::vector<ImportDecision> first = {
+      {"units", to_string(unit),
+       options.units ? "as given"
+       : ring_given  ? "by the annulus's circumference"
+                     : "by the leaflets' size"},
+      framed->change};
+  first.insert(first.end(), prepared->decisions.begin(), prepared->decisions.end());
+  first.insert(first.end(), state.decisions.begin(), state.decisions.end());
+  decisions.insert(decisions.begin(), first.begin(), first.end());
   if (const std::string given = given_names(framed->landmarks); !given.empty())
     decisions.push_back({"landmarks", given + " as given", "moved to the annulus"});
+  const Expected<double> thickness_mm =
+      tissue_thickness(options, prepared->thickness, valve.tissue.thickness_mm, decisions);
+  if (!thickness_mm) return thickness_mm.errors();
+  valve.tissue.thickness_mm = *thickness_mm;
   if (options.chordae_seed) {
     Expected<Valve> made = drawn(std::move(valve), framed->tips, *options.chordae_seed, decisions);
     if (!made) return made.errors();
@@ -314,8 +412,9 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
   return ImportedValve{
       std::move(valve),
       std::move(decisions),
-      {framed->leaflets, framed->annulus_mm, framed->chordae, framed->tips, options.closed},
-      unit};
+      {framed->leaflets, framed->annulus_mm, framed->chordae, framed->tips, state.closed},
+      unit,
+      std::move(prepared->thickness)};
 }
 
 Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) {

@@ -1,9 +1,11 @@
 // A valve from leaflet meshes, chordae and an annulus: the sheets are cut by half-planes through
 // the annulus axis, which resamples them to a structured skirt and closes the commissures.
 //
-// Assumed: sheets and annulus are star-shaped about that axis, sheets are open surfaces that begin
-// within 3 mm of the annulus, coordinates are right-handed, in one unit of length; any frame. The papillary
-// tips orient the valve (import_frame.h). The imaged state is taken as unstressed, and its annulus
+// Before, faults of the meshes are named and mended (sheet_repair.h), thick shells become sheets (mid_surface.h), the annulus
+// is found where none was traced (find_annulus.h), and it is judged whether the leaflets were imaged closed (imaged_state.h).
+//
+// Assumed: sheets and annulus are star-shaped about that axis, sheets begin within 3 mm of the annulus,
+// coordinates are right-handed, in one unit of length; any frame. The papillary tips orient the valve (import_frame.h). The imaged state is taken as unstressed, and its annulus
 // and tips as those under pressure, unless those are given, too.
 #pragma once
 
@@ -61,13 +63,16 @@ struct ImportDecision {
   std::string about;     ///< "units", "frame", "mesh", ...
   std::string decision;  ///< what was taken or made
   std::string reason;    ///< why, or by what rule; empty where that is the decision itself
+  bool look = false;     ///< a person should check it against the images
 };
+
+inline constexpr Eigen::Index kMostFaces = 1'000'000;  ///< of a leaflet's mesh
 
 struct ImportSource {
   std::string name;
   std::vector<std::string> provenance;
-  std::vector<TriangleMesh> leaflets;  ///< the anterior, then the posterior sheet, or one skirt
-  Points annulus_mm;                   ///< closed loop, n x 3, either direction
+  std::vector<TriangleMesh> leaflets;  ///< the anterior, then the posterior one, or one skirt: sheets or thick shells
+  Points annulus_mm;                   ///< closed loop, n x 3, either direction; empty: found
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
   std::vector<ImportedTip> tips;  ///< taken only where chordae are drawn
@@ -84,14 +89,24 @@ struct ImportOptions {
   double slack = 1.0;       ///< chordae lengths over straight distances, [0.8, 1.5]
   TissueReference reference = TissueReference::Excised;  ///< what the sheets are
   /// The sheets are the closed leaflets under pressure, of which the part in coaptation was not seen: the open ones are
-  /// derived (hanging_profile.h). Two sheets, without chordae.
-  bool closed = false;
+  /// derived (hanging_profile.h). Two sheets, without chordae. None: judged from how much of the annulus they cover.
+  std::optional<bool> closed = {};
   double hidden_mm = 3.0;  ///< height in coaptation, [0, 15]; of preset human-normal 2.7
   /// Of a source without chordae: they are drawn from anatomy (core/presets/synthetic_chordae.h), and the
   /// papillary tips, too, where there are none on both sides. Branches and slack are the draw's.
   std::optional<int> chordae_seed = {};
   std::optional<LengthUnit>
-      units;  ///< of the source; none: guessed from the annulus's circumference
+      units;  ///< of the source; none: guessed from the annulus's circumference, or from the leaflets
+  /// Of the valve's tissue; none: that of Tissue, whatever thick leaflets measure, because segmentation thickens.
+  std::optional<double> thickness_mm = {};
+  bool thickness_measured = false;  ///< the mean of thick leaflets, instead of thickness_mm
+};
+
+/// Of a leaflet that came as a shell.
+struct MeasuredThickness {
+  std::size_t leaflet = 0;           ///< of ImportSource::leaflets
+  std::vector<double> vertices_mm;   ///< at the vertices of its mid-surface
+  double mean_mm = 0.0, p10_mm = 0.0, p90_mm = 0.0;
 };
 
 /// What was given, in millimetres and in the frame of the valve made of it.
@@ -108,6 +123,7 @@ struct ImportedValve {
   std::vector<ImportDecision> decisions;  ///< in the order of the provenance that they end
   ImportInput input;
   LengthUnit unit = LengthUnit::Millimetre;  ///< that the source's numbers were taken as
+  std::vector<MeasuredThickness> thickness;  ///< of leaflets that came as shells
 };
 
 /// A valve that passes validate(). Every change made is appended to its provenance. Errors point

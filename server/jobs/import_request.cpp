@@ -193,7 +193,7 @@ Errors check_import(const ImportRequest& asked) {
     problems.add(ErrorCode::OutOfRange, "/leaflets",
                  "has " + std::to_string(asked.leaflets->size()) +
                      " files, must have 1 (a skirt) or 2 (the anterior, then the posterior sheet)");
-  if (asked.fit && !asked.fit->surface && !asked.options.closed)
+  if (asked.fit && !asked.fit->surface && !asked.options.closed.value_or(false))
     problems.add(
         ErrorCode::MissingField, "/fit/surface",
         "is missing; only leaflets that were imaged closed are a closed surface themselves");

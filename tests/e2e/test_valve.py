@@ -299,6 +299,22 @@ class Import(ProgramTest):
         self.assertEqual(sum(info["chordae"].values()), 24)
         self.assertIn("from BodyParts3D", info["provenance"])
 
+    def test_a_valve_without_its_annulus_is_imported_and_says_so(self):
+        leaflets = [self.DATA / "anterior_leaflet_sheet.obj", self.DATA / "posterior_leaflet_sheet.obj"]
+        given = ["--chordae", self.DATA / "chordae.csv", "-o", self.folder / "valve.json", "--json"]
+        found = json.loads(self.run_ok("valve", "import", "--leaflet", *leaflets, *given, "--thickness", "1.5").stdout)
+        look = {of["about"] for of in found["decisions"] if of["look"]}
+        self.assertIn("annulus", look)
+        self.assertIn("state", {of["about"] for of in found["decisions"]})
+        self.assertEqual(found["thickness"], [])
+        valve = json.loads((self.folder / "valve.json").read_text())
+        self.assertEqual(valve["tissue"]["thickness_mm"], 1.5)
+        result = coapt("valve", "import", "--leaflet", *leaflets, *given, "--thickness", "thick")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("--thickness must be", result.stderr)
+        result = coapt("valve", "import", "--leaflet", *leaflets, *given, "--thickness", "measured")
+        self.assertIn("needs thick leaflets", result.stderr)
+
     def test_a_mesh_that_is_none_is_named(self):
         mesh = self.write("leaflet.obj", "v 1 2\n")
         points = self.write("annulus.csv", "0,0,0\n1,0,0\n0,1,0\n")

@@ -11,11 +11,13 @@ from .repair import Plan
 
 @dataclass(frozen=True)
 class ImportDecision:
-    """What an import settled that its files leave open, with the reason ("" where there is none to give)."""
+    """What an import settled that its files leave open, with the reason ("" where there is none to give). look: a person
+    should check it against the images."""
 
     about: str
     decision: str
     reason: str
+    look: bool = False
 
 
 @dataclass(frozen=True)

@@ -76,6 +76,24 @@ TEST(ImportRealValve, RotationAndTranslationOfTheInputChangeNothing) {
   }
 }
 
+TEST(ImportRealValve, ItsAnnulusIsFoundWithoutItsTrace) {
+  ImportSource source = real_source();
+  const Points traced_mm = source.annulus_mm;
+  source.annulus_mm.resize(0, 3);
+  const auto valve = import_valve(source, {});
+  ASSERT_TRUE(valve) << valve.errors()[0].message;
+  double square_mm2 = 0.0;
+  for (const auto& p : valve->annulus_mm.rowwise()) {
+    const Vec3 there = valve->patient->axes * Vec3(p.transpose()) + valve->patient->origin_mm;
+    double best = 1e300;
+    for (const auto& q : traced_mm.rowwise())
+      best = std::min(best, (Vec3(q.transpose()) - there).squaredNorm());
+    square_mm2 += best / static_cast<double>(valve->annulus_mm.rows());
+  }
+  EXPECT_LT(std::sqrt(square_mm2), 1.5);
+  EXPECT_LT(measure(*valve, close_valve(*valve)).orifice.area_mm2, 4.0);
+}
+
 TEST(ImportRealValve, ItClosesWithoutCrossingAndLeaksLittle) {
   const auto valve = import_valve(real_source(), {});
   ASSERT_TRUE(valve);

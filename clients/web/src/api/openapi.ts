@@ -715,7 +715,7 @@ export interface components {
         };
         /** @description Either leaflets or labels, with chordae or chordae_seed, in one coordinate system and one unit, or slicerheart. */
         FilesToImport: {
-            /** @description Open surfaces (OBJ, PLY, STL, VTK): the anterior, then the posterior sheet, or one skirt. */
+            /** @description Sheets or thick shells, which become their mid-surfaces (OBJ, PLY, STL, VTK): the anterior, then the posterior leaflet, or one skirt. */
             leaflets?: [
             ] | [
                 components["schemas"]["FileToImport"]
@@ -730,10 +730,7 @@ export interface components {
             tips?: components["schemas"]["FileToImport"];
             /** @description Places that a person saw; those left out are found. */
             landmarks?: components["schemas"]["SeenLandmarks"];
-            /**
-             * @description The two leaflets were imaged closed, under pressure: the open ones are derived from what is seen of them. With chordae_seed.
-             * @default false
-             */
+            /** @description Whether the two leaflets were imaged closed, under pressure: the open ones are then derived from what is seen of them, with chordae_seed. Left out, it is judged from how much of the annulus they cover; a decision says it. */
             closed?: boolean;
             /**
              * @description Height of closed leaflets that coaptation hides.
@@ -913,6 +910,17 @@ export interface components {
             triangles: number;
             /** @description Number of chordae. */
             chordae: number;
+            /** @description Measured, of leaflets that came as thick shells. */
+            thickness?: {
+                /** @description Which of the leaflets given, from 0. */
+                leaflet?: number;
+                /** @description Mean over the leaflet. */
+                mean_mm?: number;
+                /** @description A tenth of it is thinner. */
+                p10_mm?: number;
+                /** @description A tenth of it is thicker. */
+                p90_mm?: number;
+            }[];
             /** @description What the import and the fit settled, in this order. */
             decisions: components["schemas"]["ImportDecision"][];
             /** @description Id of the valve made: the fitted one if there was a fit. */
@@ -1027,12 +1035,14 @@ export interface components {
         };
         /** @description What an import settled that its files leave open, or changed. The valve's provenance says the same. */
         ImportDecision: {
-            /** @description files, labels, series, axes, units, frame, mesh, annulus, commissures, landmarks, state, imaged state, thickness, chordae or fit. */
+            /** @description files, labels, series, axes, units, frame, anterior leaflet, posterior leaflet, skirt, annulus, state, mesh, commissures, landmarks, thickness, chordae or fit. */
             about: string;
             /** @description What was done, with numbers. */
             decision: string;
             /** @description Why, or by what rule. */
             reason: string;
+            /** @description A person should check it against the images. */
+            look: boolean;
         };
         /** @description Whether a document is a valve. */
         Validation: {

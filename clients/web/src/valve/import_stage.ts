@@ -133,7 +133,7 @@ function fitted(fit: FitResult): HTMLElement {
 /// Those that a person should look at first, first.
 export function decisionList(decisions: ImportDecision[]): HTMLElement {
   const list = h('dl', { class: valveStyle.decisions, 'data-part': 'decisions' })
-  const toLook = (decision: ImportDecision & { look?: boolean }): boolean => decision.look === true
+  const toLook = (decision: ImportDecision): boolean => decision.look === true
   for (const decision of [...decisions.filter(toLook), ...decisions.filter((one) => !toLook(one))])
     list.append(
       h('dt', {}, decision.about, toLook(decision) && h('span', { class: `${parts.badge} ${parts.warn}` }, 'check')),

@@ -1,0 +1,175 @@
+#include "io/mesh/import_sheets.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/valve/number_text.h"
+#include "core/valve/problem_list.h"
+#include "io/mesh/find_annulus.h"
+#include "io/mesh/mid_surface.h"
+#include "io/mesh/sheet_repair.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kThickOfArea = 0.6;        // with an opposite side, of a shell that has an edge
+constexpr int kToldHoles = 5;
+constexpr double kThickestSheet_mm = 4.0;   // above it, sides of a folded sheet are meant
+
+bool is_sound(const std::vector<TriangleMesh>& leaflets) {
+  return !leaflets.empty() && leaflets.size() <= 2 &&
+         std::all_of(leaflets.begin(), leaflets.end(), [](const TriangleMesh& mesh) {
+           return mesh.faces.rows() > 0 && mesh.faces.rows() <= kMostFaces &&
+                  mesh.faces.minCoeff() >= 0 && mesh.faces.maxCoeff() < mesh.vertices_mm.rows() &&
+                  mesh.vertices_mm.allFinite();
+         });
+}
+
+std::string which(const std::vector<TriangleMesh>& leaflets, std::size_t i) {
+  if (leaflets.size() == 1) return "skirt";
+  return i == 0 ? "anterior leaflet" : "posterior leaflet";
+}
+
+std::string counted(int count, const char* what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+std::string place(const Vec3& point) {
+  return '(' + significant(point.x(), 3) + ", " + significant(point.y(), 3) + ", " +
+         significant(point.z(), 3) + ')';
+}
+
+void tell_repairs(const RepairedSheet& sheet, const std::string& name,
+                  std::vector<ImportDecision>& told) {
+  if (sheet.collapsed > 0)
+    told.push_back({name, counted(sheet.collapsed, "collapsed triangle") + " dropped",
+                    "two of their corners lie in the same place"});
+  if (sheet.turned > 0)
+    told.push_back({name, counted(sheet.turned, "triangle") + " turned over",
+                    "they faced the other way than their neighbours"});
+  if (sheet.islands > 0)
+    told.push_back({name,
+                    counted(sheet.islands, "loose piece") + " of " +
+                        significant(sheet.islands_mm2, 2) + " mm2 dropped",
+                    "each less than 5 % of the leaflet's " + significant(sheet.area_mm2, 3) +
+                        " mm2",
+                    true});
+  if (sheet.branching_edges > 0)
+    told.push_back({name,
+                    counted(sheet.branching_edges, "edge") +
+                        " shared by more than two triangles, left as they are",
+                    "cuts follow two of the triangles", true});
+  std::string widths;
+  int filled = 0;
+  for (const SheetHole& hole : sheet.holes) {
+    if (!hole.filled || ++filled > kToldHoles) continue;
+    widths += (filled == 1 ? "" : ", ") + significant(hole.width_mm, 2) + " mm at " +
+              place(hole.centre_mm);
+  }
+  const int small = static_cast<int>(sheet.holes.size()) - filled;
+  if (filled > 0)
+    told.push_back({name, counted(filled, "hole") + " filled",
+                    "at most 6 mm wide, taken for gaps of the segmentation, not for perforations: " +
+                        widths + (filled > kToldHoles ? ", ..." : "") + " in the files' axes",
+                    true});
+  if (small > 0)
+    told.push_back({name, counted(small, "hole") + " of at most 3 mm bridged by the cuts",
+                    "that narrow they are gaps of the segmentation or between roots of chordae"});
+}
+
+MeasuredThickness measured(const std::vector<double>& values, std::size_t leaflet) {
+  MeasuredThickness thickness{leaflet, values};
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  const auto share = [&](double q) {
+    return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1))];
+  };
+  thickness.p10_mm = share(0.1);
+  thickness.p90_mm = share(0.9);
+  thickness.mean_mm =
+      std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  return thickness;
+}
+
+/// A shell becomes its mid-surface; a sheet stays.
+Errors flatten(TriangleMesh& mesh, std::size_t i, std::size_t outlines, const std::string& name,
+               SheetPreparation& prepared) {
+  const std::vector<std::vector<int>> edges = boundary_loops(mesh);
+  const bool closed = edges.empty();
+  if (!closed && opposed_share(mesh) < kThickOfArea) return {};
+  Expected<MidSurface> middle = mid_surface(mesh);
+  if (!middle) return closed ? middle.errors() : Errors{};
+  MeasuredThickness thickness = measured(middle->thickness_mm, i);
+  if (!closed && thickness.mean_mm > kThickestSheet_mm) return {};
+  if (outlines == 2) {
+    const auto loops = boundary_loops(middle->sheet);
+    if (loops.size() < 2 || length_mm(loops[1], middle->sheet.vertices_mm) <
+                                0.2 * length_mm(loops[0], middle->sheet.vertices_mm))
+      return {{ErrorCode::BadTopology, "/faces",
+               "is one closed surface without an opening: if both leaflets are fused in it, give "
+               "the anterior and the posterior one as meshes of their own"}};
+  }
+  prepared.decisions.push_back(
+      {name,
+       "thick shell (" + std::string(closed ? "closed surface" : "two sides and an open rim") +
+           ") replaced by its mid-surface; measured " + significant(thickness.mean_mm, 2) +
+           " mm thick (p10 " + significant(thickness.p10_mm, 2) + ", p90 " +
+           significant(thickness.p90_mm, 2) + ")",
+       "triangles that face each other across at most 8 mm are its two sides; area " +
+           significant(area_mm2(middle->sheet), 3) + " mm2"});
+  prepared.thickness.push_back(std::move(thickness));
+  mesh = std::move(middle->sheet);
+  return {};
+}
+
+}  // namespace
+
+Expected<SheetPreparation> prepare_sheets(ImportSource& source) {
+  SheetPreparation prepared;
+  if (!is_sound(source.leaflets)) return prepared;
+  ProblemList problems;
+  const std::size_t outlines = source.leaflets.size() == 1 ? 2 : 1;
+  for (std::size_t i = 0; i < source.leaflets.size(); ++i) {
+    TriangleMesh& mesh = source.leaflets[i];
+    const std::string name = which(source.leaflets, i);
+    const auto add = [&](const Errors& errors) {
+      for (const Error& error : errors)
+        problems.add(error.code, "/leaflets/" + std::to_string(i) + error.path, error.message);
+    };
+    Expected<RepairedSheet> repaired = repaired_sheet(mesh, outlines);
+    if (!repaired) {
+      add(repaired.errors());
+      continue;
+    }
+    tell_repairs(*repaired, name, prepared.decisions);
+    mesh = std::move(repaired->mesh);
+    const std::size_t shells = prepared.thickness.size();
+    if (Errors errors = flatten(mesh, i, outlines, name, prepared); !errors.empty()) {
+      add(errors);
+    } else if (prepared.thickness.size() > shells) {  // holes that trimming left
+      Expected<RepairedSheet> again = repaired_sheet(mesh, outlines);
+      if (!again) {
+        add(again.errors());
+        continue;
+      }
+      tell_repairs(*again, name, prepared.decisions);
+      mesh = std::move(again->mesh);
+    }
+  }
+  if (!problems.empty()) return std::move(problems).take();
+  if (source.annulus_mm.rows() > 0) return prepared;
+  Expected<FoundAnnulus> found = find_annulus(source);
+  if (!found) return found.errors();
+  prepared.decisions.push_back(
+      {"annulus",
+       "not given; found along the leaflets' outlines, " +
+           significant(100.0 * found->margin, 2) + " % ahead of the next likely loop",
+       "the widest, flattest loop that their edges make; " + significant(found->off_plane_mm, 2) +
+           " mm from a plane (rms), " + significant(found->gap_mm, 2) +
+           " mm between the leaflets where they meet",
+       true});
+  source.annulus_mm = std::move(found->annulus_mm);
+  return prepared;
+}
+
+}  // namespace coapt

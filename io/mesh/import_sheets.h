@@ -1,0 +1,18 @@
+// What an import does to leaflets before it has a frame: faults are named and mended, thick shells become sheets, and the
+// annulus is found where it was not traced.
+#pragma once
+
+#include "io/mesh/import_valve.h"
+
+namespace coapt {
+
+struct SheetPreparation {
+  std::vector<ImportDecision> decisions;
+  std::vector<MeasuredThickness> thickness;  ///< of thick leaflets
+};
+
+/// Changes leaflets and, if it is empty, the annulus; lengths must be millimetres. A source whose leaflets have no
+/// triangles, bad indices or numbers is left as it is: into_import_frame() names that.
+Expected<SheetPreparation> prepare_sheets(ImportSource& source);
+
+}  // namespace coapt

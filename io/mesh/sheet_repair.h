@@ -1,0 +1,52 @@
+// Faults of segmented meshes, each named: corners in the same place, faces that are turned over, loose pieces, holes.
+//
+// Mended: corners welded, collapsed triangles dropped, faces turned alike, loose pieces of less than kIslandShare of the
+// area dropped. A hole is what a boundary loop beside the outline encloses. One of at most kBridged_mm is left to the cuts, which
+// go straight across (leaflet_cut.h; all but the longest cuts across the widest); a wider one is filled by a fan about its centre, up to kWidestHole_mm: across w
+// of a leaflet with a radius of curvature of 15 mm a flat filling strays by w^2 / (8 * 15 mm), 0.3 mm at 6 mm.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/mesh/mesh_file.h"
+
+namespace coapt {
+
+inline constexpr double kIslandShare = 0.05;
+inline constexpr double kBridged_mm = 3.0;
+inline constexpr double kWidestHole_mm = 6.0;
+
+struct SheetHole {
+  Vec3 centre_mm = Vec3::Zero();
+  double width_mm = 0.0;  ///< twice the mean distance of its edge from its centre
+  bool filled = false;
+};
+
+struct RepairedSheet {
+  TriangleMesh mesh;
+  int welded = 0, collapsed = 0, turned = 0;
+  int branching_edges = 0;  ///< that more than two triangles share
+  int islands = 0;          ///< dropped
+  double islands_mm2 = 0.0, area_mm2 = 0.0;
+  std::vector<SheetHole> holes;
+};
+
+/// Closed lines of edges that one face alone has, the longest first.
+std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh);
+
+double length_mm(const std::vector<int>& loop, const Points& vertices_mm);
+
+double area_mm2(const TriangleMesh& mesh);
+
+/// The piece of a mesh that has the faces where `kept` says so, without unused vertices.
+TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<bool>& kept);
+
+/// Number of each face's piece (faces that share an edge), from 0.
+std::vector<int> face_pieces(const Faces& faces);
+
+/// Indices must be in range, vertices finite. Pointers of errors are relative to the mesh: /faces.
+/// @param outlines loops that are no holes: 1 of a leaflet, 2 of a skirt.
+Expected<RepairedSheet> repaired_sheet(const TriangleMesh& mesh, std::size_t outlines);
+
+}  // namespace coapt
