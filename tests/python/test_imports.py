@@ -48,7 +48,8 @@ class Imports(ClientTest):
         leaflets = [folder / "anterior_leaflet.vtk", folder / "posterior_leaflet.vtk"]
         stored = self.client.import_valve(leaflets, folder / "annulus.mrk.json", 1, name="drawn", triangles=300)
         self.assertEqual(self.client.get_valve(stored.id)["drawn_chordae"], {"seed": 1, "tips_given": False})
-        self.assertEqual((stored.decisions[0].about, stored.decisions[-1].about), ("units", "chordae"))
+        self.assertIn("units", [decision.about for decision in stored.decisions])
+        self.assertEqual(stored.decisions[-1].about, "chordae")
 
     def test_what_is_wrong_is_said_of_the_file(self):
         skirt, annulus, chordae = self.files()

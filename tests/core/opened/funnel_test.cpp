@@ -53,10 +53,10 @@ TEST(Funnel, AnHourglassIsNarrowestAtItsWaist) {
     return Eigen::Vector2d(10.0 + 6.0 * std::abs(2.0 * height - 1.0), -16.0 * height);
   });
   const FunnelPassage passage = narrowest_passage(valve, points);
-  // The waist of the mesh is the row of vertices that is nearest to it; a plane misses it by 0.25 mm at most, 0.2 mm of radius.
+  // Vertices lie up to a quarter of a row off the waist, at some stations more than at others; half a millimetre of tissue.
   const double waist_mm = points.leftCols(2).rowwise().norm().minCoeff();
-  EXPECT_GT(passage.area_mm2, kPi * std::pow(waist_mm - 0.6, 2.0));
-  EXPECT_LT(passage.area_mm2, kPi * std::pow(waist_mm - 0.2, 2.0));
+  EXPECT_GT(passage.area_mm2, kPi * std::pow(waist_mm - 0.5, 2.0));
+  EXPECT_LT(passage.area_mm2, kPi * std::pow(waist_mm, 2.0));
   EXPECT_NEAR(passage.depth_mm, 8.0, 1.5);
 }
 

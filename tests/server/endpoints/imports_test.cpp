@@ -49,6 +49,13 @@ ordered_json cone_request(bool as_stl = false) {
           {"triangles", 300}};
 }
 
+/// The first one; null if there is none.
+ordered_json decision_about(const ordered_json& decisions, const std::string& what) {
+  const auto found = std::find_if(decisions.begin(), decisions.end(),
+                                  [&](const ordered_json& of) { return of["about"] == what; });
+  return found == decisions.end() ? ordered_json() : *found;
+}
+
 TEST_F(ImportsTest, FilesBecomeAValveThatIsStored) {
   ordered_json request = cone_request();
   request["name"] = "a cone";
@@ -58,11 +65,11 @@ TEST_F(ImportsTest, FilesBecomeAValveThatIsStored) {
   const ordered_json valve = json_of(get("/v1/valves/" + json_of(answer)["id"].get<std::string>()));
   EXPECT_EQ(valve["name"], "a cone");
   EXPECT_EQ(valve["provenance"][0], "made up");
-  const ordered_json decisions = json_of(answer)["decisions"];
-  ASSERT_EQ(decisions.size(), 8U);
-  EXPECT_EQ(decisions[0], (ordered_json{{"about", "units"},
-                                        {"decision", "mm"},
-                                        {"reason", "by the annulus's circumference"}}));
+  EXPECT_EQ(decision_about(json_of(answer)["decisions"], "units"),
+            (ordered_json{{"about", "units"},
+                          {"decision", "mm"},
+                          {"reason", "by the annulus's circumference"},
+                          {"look", false}}));
   EXPECT_EQ(valve["faces"].size(), json_of(answer)["triangles"]);
   EXPECT_EQ(post("/v1/valves:import", request).status, 200);
 }
@@ -169,7 +176,10 @@ TEST_F(ImportsTest, LandmarksThatWereSeenAreTaken) {
                           {"mid_posterior", {3.0, -17.7, 0.0}}};
   const Answer answer = post("/v1/valves:import", request);
   ASSERT_EQ(answer.status, 201) << json_of(answer);
-  EXPECT_EQ(json_of(answer)["decisions"][7]["decision"], "saddle peak, mid-posterior as given");
+  const ordered_json decisions = json_of(answer)["decisions"];
+  EXPECT_TRUE(std::any_of(decisions.begin(), decisions.end(), [](const ordered_json& of) {
+    return of["decision"] == "saddle peak, mid-posterior as given";
+  }));
   request["landmarks"] = {{"saddle_peak", {0.0, 40.0, 0.0}}};
   EXPECT_EQ(refusal(post("/v1/valves:import", request)),
             (Refused{422, {"/landmarks/saddle_peak"}}));
@@ -228,7 +238,7 @@ TEST_F(ImportsTest, AsAJobAPictureStandsBesideTheValve) {
   const ordered_json result = json_of(get(ended["links"]["result"]));
   EXPECT_EQ(result["schema"], "coapt.import/1");
   EXPECT_EQ(result["valve"], ended["made"]);
-  EXPECT_EQ(result["decisions"].size(), 8U);
+  EXPECT_EQ(decision_about(result["decisions"], "units")["decision"], "mm");
   EXPECT_TRUE(result["fit"].is_null());
   EXPECT_TRUE(bytes_of(get(ended["links"]["picture"])).starts_with("\x89PNG"));
   const std::string document = bytes_of(get("/v1/jobs/" + job + "/files/valve.json"));
