@@ -140,9 +140,10 @@ void add_valve_import(Command parent, int& status) {
   command.add_option("--series", inputs.series,
                      "Folder of the DICOM series that the labels were drawn on: spacing and frame "
                      "where the label map has none, else checked");
-  command.add_option("--annulus", inputs.annulus,
-                     "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json); without it, "
-                     "it is found along the leaflets' outlines");
+  command.add_option(
+      "--annulus", inputs.annulus,
+      "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json); without it, "
+      "it is found along the leaflets' outlines");
   command.add_option(
       "--chordae", inputs.chordae,
       "Insertions and papillary tips, CSV or JSON; or the word synthesise: drawn from "
@@ -195,10 +196,11 @@ void add_valve_import(Command parent, int& status) {
   const std::map<std::string, ImagedState> states = {{"open", ImagedState::Open},
                                                      {"closed", ImagedState::Closed}};
   command
-      .add_choice("--state", arguments->state, states,
-                  "How the leaflets were imaged, open or closed (default: judged from how much of the "
-                  "annulus they cover); of closed ones, under pressure, the open ones are derived, with "
-                  "--chordae synthesise")
+      .add_choice(
+          "--state", arguments->state, states,
+          "How the leaflets were imaged, open or closed (default: judged from how much of the "
+          "annulus they cover); of closed ones, under pressure, the open ones are derived, with "
+          "--chordae synthesise")
       .show_argument("STATE");
   command.add_flag("--closed", arguments->closed, "The same as --state closed")
       .excludes("--reference")
@@ -272,7 +274,8 @@ void add_valve_import(Command parent, int& status) {
     if (arguments->closed) arguments->options.closed = true;
     if (command.has("--state")) arguments->options.closed = arguments->state == ImagedState::Closed;
     if (!take_thickness(arguments->thickness, arguments->options)) {
-      std::cerr << "coapt: valve import: --thickness must be a number of millimetres, or measured\n";
+      std::cerr
+          << "coapt: valve import: --thickness must be a number of millimetres, or measured\n";
       status = exit_code::kBadInput;
       return;
     }

@@ -13,7 +13,8 @@ namespace coapt {
 inline nlohmann::ordered_json to_json(const std::vector<ImportDecision>& decisions) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ImportDecision& of : decisions)
-    list.push_back({{"about", of.about}, {"decision", of.decision}, {"reason", of.reason}, {"look", of.look}});
+    list.push_back(
+        {{"about", of.about}, {"decision", of.decision}, {"reason", of.reason}, {"look", of.look}});
   return list;
 }
 

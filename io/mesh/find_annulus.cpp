@@ -14,12 +14,13 @@
 namespace coapt {
 namespace {
 
-constexpr int kSteps = 120;     // of an outline
-constexpr int kAngles = 96;     // of the annulus
-constexpr double kEnds = 2.0;   // weight of the distance at the ends of a stretch
-constexpr double kJoin = 1.5;  // weight of the gap to the other sheet's stretch, less than that of an end's distance
+constexpr int kSteps = 120;    // of an outline
+constexpr int kAngles = 96;    // of the annulus
+constexpr double kEnds = 2.0;  // weight of the distance at the ends of a stretch
+constexpr double kJoin =
+    1.5;  // weight of the gap to the other sheet's stretch, less than that of an end's distance
 constexpr int kRounds = 3;
-constexpr double kApart_mm = 3.0;     // loops further apart than this, in the mean, are different ones
+constexpr double kApart_mm = 3.0;  // loops further apart than this, in the mean, are different ones
 constexpr double kBeyond_mm = 1.5;    // outside the loop, of billowing leaflets and noise
 constexpr double kOutside = 2.0;      // weight of the share outside
 constexpr double kSaddle = 0.1;       // of the loop's mean radius: off its plane for nothing, rms

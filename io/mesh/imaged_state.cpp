@@ -44,8 +44,8 @@ bool is_inside(const Eigen::MatrixX2d& loop, const Vec2& p) {
   bool inside = false;
   for (Eigen::Index i = 0, j = loop.rows() - 1; i < loop.rows(); j = i++)
     if ((loop(i, 1) > p.y()) != (loop(j, 1) > p.y()) &&
-        p.x() < loop(i, 0) + (loop(j, 0) - loop(i, 0)) * (p.y() - loop(i, 1)) /
-                                 (loop(j, 1) - loop(i, 1)))
+        p.x() < loop(i, 0) +
+                    (loop(j, 0) - loop(i, 0)) * (p.y() - loop(i, 1)) / (loop(j, 1) - loop(i, 1)))
       inside = !inside;
   return inside;
 }
@@ -61,8 +61,7 @@ StateSigns imaged_state(const std::vector<TriangleMesh>& leaflets, const Points&
   const Eigen::MatrixX2d loop = centred * plane;
   Lattice lattice;
   lattice.low = loop.colwise().minCoeff().transpose();
-  lattice.step_mm =
-      (loop.colwise().maxCoeff() - loop.colwise().minCoeff()).maxCoeff() / kLattice;
+  lattice.step_mm = (loop.colwise().maxCoeff() - loop.colwise().minCoeff()).maxCoeff() / kLattice;
   StateSigns signs;
   if (!(lattice.step_mm > 0.0)) return signs;
   for (const TriangleMesh& sheet : leaflets) {
@@ -85,7 +84,7 @@ StateSigns imaged_state(const std::vector<TriangleMesh>& leaflets, const Points&
       bare += covered ? 0 : 1;
     }
   signs.uncovered_share = inside > 0 ? static_cast<double>(bare) / inside : 0.0;
-  signs.state = signs.uncovered_share <= kMostClosed  ? ImagedState::Closed
+  signs.state = signs.uncovered_share <= kMostClosed ? ImagedState::Closed
                 : signs.uncovered_share < kLeastOpen ? ImagedState::HalfClosed
                                                      : ImagedState::Open;
   return signs;

@@ -12,9 +12,9 @@
 namespace coapt {
 namespace {
 
-constexpr double kThickOfArea = 0.6;        // with an opposite side, of a shell that has an edge
+constexpr double kThickOfArea = 0.6;  // with an opposite side, of a shell that has an edge
 constexpr int kToldHoles = 5;
-constexpr double kThickestSheet_mm = 4.0;   // above it, sides of a folded sheet are meant
+constexpr double kThickestSheet_mm = 4.0;  // above it, sides of a folded sheet are meant
 
 bool is_sound(const std::vector<TriangleMesh>& leaflets) {
   return !leaflets.empty() && leaflets.size() <= 2 &&
@@ -48,12 +48,11 @@ void tell_repairs(const RepairedSheet& sheet, const std::string& name,
     told.push_back({name, counted(sheet.turned, "triangle") + " turned over",
                     "they faced the other way than their neighbours"});
   if (sheet.islands > 0)
-    told.push_back({name,
-                    counted(sheet.islands, "loose piece") + " of " +
-                        significant(sheet.islands_mm2, 2) + " mm2 dropped",
-                    "each less than 5 % of the leaflet's " + significant(sheet.area_mm2, 3) +
-                        " mm2",
-                    true});
+    told.push_back(
+        {name,
+         counted(sheet.islands, "loose piece") + " of " + significant(sheet.islands_mm2, 2) +
+             " mm2 dropped",
+         "each less than 5 % of the leaflet's " + significant(sheet.area_mm2, 3) + " mm2", true});
   if (sheet.branching_edges > 0)
     told.push_back({name,
                     counted(sheet.branching_edges, "edge") +
@@ -68,10 +67,11 @@ void tell_repairs(const RepairedSheet& sheet, const std::string& name,
   }
   const int small = static_cast<int>(sheet.holes.size()) - filled;
   if (filled > 0)
-    told.push_back({name, counted(filled, "hole") + " filled",
-                    "at most 6 mm wide, taken for gaps of the segmentation, not for perforations: " +
-                        widths + (filled > kToldHoles ? ", ..." : "") + " in the files' axes",
-                    true});
+    told.push_back(
+        {name, counted(filled, "hole") + " filled",
+         "at most 6 mm wide, taken for gaps of the segmentation, not for perforations: " + widths +
+             (filled > kToldHoles ? ", ..." : "") + " in the files' axes",
+         true});
   if (small > 0)
     told.push_back({name, counted(small, "hole") + " of at most 3 mm bridged by the cuts",
                     "that narrow they are gaps of the segmentation or between roots of chordae"});
@@ -162,8 +162,8 @@ Expected<SheetPreparation> prepare_sheets(ImportSource& source) {
   if (!found) return found.errors();
   prepared.decisions.push_back(
       {"annulus",
-       "not given; found along the leaflets' outlines, " +
-           significant(100.0 * found->margin, 2) + " % ahead of the next likely loop",
+       "not given; found along the leaflets' outlines, " + significant(100.0 * found->margin, 2) +
+           " % ahead of the next likely loop",
        "the widest, flattest loop that their edges make; " + significant(found->off_plane_mm, 2) +
            " mm from a plane (rms), " + significant(found->gap_mm, 2) +
            " mm between the leaflets where they meet",

@@ -10,10 +10,10 @@
 #include "core/valve/validate.h"
 #include "io/mesh/given_landmarks.h"
 #include "io/mesh/hanging_profile.h"
+#include "io/mesh/imaged_state.h"
 #include "io/mesh/import_chordae.h"
 #include "io/mesh/import_frame.h"
 #include "io/mesh/import_sheets.h"
-#include "io/mesh/imaged_state.h"
 #include "io/mesh/mesh_distance.h"
 #include "io/mesh/sheet_repair.h"
 #include "io/mesh/skirt.h"
@@ -29,7 +29,7 @@ constexpr double kPeakBias_mm =
     0.5;  // a flat annulus has its saddle peak in the middle of the front
 constexpr double kDiagonalRatio = 1.3;
 constexpr double kLongestInMetres = 0.5, kLongestInCentimetres = 15.0;  // of the leaflets' box
-constexpr int kMaxSamples = 4000;  // for the deviation
+constexpr int kMaxSamples = 4000;                                       // for the deviation
 
 void check_options(const ImportSource& source, const ImportOptions& options,
                    ProblemList& problems) {
@@ -261,7 +261,7 @@ LengthUnit unit_of(const ImportSource& source) {
     if (mesh.vertices_mm.allFinite())
       for (const auto& vertex : mesh.vertices_mm.rowwise()) box.extend(vertex.transpose());
   const double diagonal = box.isEmpty() ? 50.0 : box.diagonal().norm();
-  return diagonal < kLongestInMetres      ? LengthUnit::Metre
+  return diagonal < kLongestInMetres        ? LengthUnit::Metre
          : diagonal < kLongestInCentimetres ? LengthUnit::Centimetre
                                             : LengthUnit::Millimetre;
 }
@@ -378,15 +378,14 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
   if (framed->pressed_annulus_mm.rows() > 0)
     for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();
   valve.landmarks = find_landmarks(*skirt, framed->landmarks);
-  std::vector<ImportDecision> decisions = state.closed
-                                              ? closed_decisions(*skirt, options.hidden_mm, valve)
-                                              : mesh_decisions(*framed, *skirt, valve, source.tissue.has_value());
-  std::vector<ImportDecision> first = {
-      {"units", to_string(unit),
-       options.units ? "as given"
-       : ring_given  ? "by the annulus's circumference"
-                     : "by the leaflets' size"},
-      framed->change};
+  std::vector<ImportDecision> decisions =
+      state.closed ? closed_decisions(*skirt, options.hidden_mm, valve)
+                   : mesh_decisions(*framed, *skirt, valve, source.tissue.has_value());
+  std::vector<ImportDecision> first = {{"units", to_string(unit),
+                                        options.units ? "as given"
+                                        : ring_given  ? "by the annulus's circumference"
+                                                      : "by the leaflets' size"},
+                                       framed->change};
   first.insert(first.end(), prepared->decisions.begin(), prepared->decisions.end());
   first.insert(first.end(), state.decisions.begin(), state.decisions.end());
   decisions.insert(decisions.begin(), first.begin(), first.end());

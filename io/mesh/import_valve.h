@@ -71,15 +71,16 @@ inline constexpr Eigen::Index kMostFaces = 1'000'000;  ///< of a leaflet's mesh
 struct ImportSource {
   std::string name;
   std::vector<std::string> provenance;
-  std::vector<TriangleMesh> leaflets;  ///< the anterior, then the posterior one, or one skirt: sheets or thick shells
-  Points annulus_mm;                   ///< closed loop, n x 3, either direction; empty: found
+  std::vector<TriangleMesh>
+      leaflets;  ///< the anterior, then the posterior one, or one skirt: sheets or thick shells
+  Points annulus_mm;          ///< closed loop, n x 3, either direction; empty: found
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
   std::vector<ImportedTip> tips;  ///< taken only where chordae are drawn
   GivenLandmarks landmarks = {};
   std::vector<ImportDecision> decisions;  ///< that reading it took, before those of the import
-  std::optional<Tissue> tissue;        ///< else thesis table 2.1, by ImportOptions::reference
-  std::optional<double> pressure_kpa;  ///< else 16
+  std::optional<Tissue> tissue;           ///< else thesis table 2.1, by ImportOptions::reference
+  std::optional<double> pressure_kpa;     ///< else 16
 };
 
 struct ImportOptions {
@@ -104,8 +105,8 @@ struct ImportOptions {
 
 /// Of a leaflet that came as a shell.
 struct MeasuredThickness {
-  std::size_t leaflet = 0;           ///< of ImportSource::leaflets
-  std::vector<double> vertices_mm;   ///< at the vertices of its mid-surface
+  std::size_t leaflet = 0;          ///< of ImportSource::leaflets
+  std::vector<double> vertices_mm;  ///< at the vertices of its mid-surface
   double mean_mm = 0.0, p10_mm = 0.0, p90_mm = 0.0;
 };
 

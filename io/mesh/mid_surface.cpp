@@ -152,10 +152,9 @@ Shell facing_itself(const TriangleMesh& input) {
     const TreePoint hit = tree.first_hit(centre, -Vec3(shell.normals.row(f)), kThickest_mm,
                                          [f](int face) { return face != f; });
     const bool opposed =
-        hit.face >= 0 &&
-        (shell.normals.row(f).dot(shell.normals.row(hit.face)) < kOpposed ||
-         area_vector(gentle, f).normalized().dot(area_vector(gentle, hit.face).normalized()) <
-             kOpposed);
+        hit.face >= 0 && (shell.normals.row(f).dot(shell.normals.row(hit.face)) < kOpposed ||
+                          area_vector(gentle, f).normalized().dot(
+                              area_vector(gentle, hit.face).normalized()) < kOpposed);
     shell.opposite.push_back(opposed ? hit.face : -1);
     away[static_cast<std::size_t>(f)] = hit.distance_mm;
     if (opposed) lengths.push_back(hit.distance_mm);
@@ -259,9 +258,10 @@ std::vector<bool> largest_piece(const TriangleMesh& mesh, const std::vector<int>
   std::map<int, double> areas;
   for (std::size_t i = 0; i < chosen.size(); ++i)
     areas[piece[i]] += area_vector(mesh, chosen[i]).norm();
-  const int largest = std::max_element(areas.begin(), areas.end(), [](const auto& a, const auto& b) {
-                        return a.second < b.second;
-                      })->first;
+  const int largest =
+      std::max_element(areas.begin(), areas.end(), [](const auto& a, const auto& b) {
+        return a.second < b.second;
+      })->first;
   for (std::size_t i = 0; i < chosen.size(); ++i) kept[at(chosen[i])] = piece[i] == largest;
   return kept;
 }
@@ -300,8 +300,7 @@ Expected<MidSurface> mid_surface(const TriangleMesh& input) {
     const Vec3 from = side.vertices_mm.row(v);
     TreePoint hit = other.first_hit(from, -Vec3(normals.row(v)), limit_mm, counts);
     if (hit.face < 0) hit = other.nearest_within(from, limit_mm, counts);
-    thickness[static_cast<std::size_t>(v)] =
-        hit.face >= 0 ? hit.distance_mm : shell.thickness_mm;
+    thickness[static_cast<std::size_t>(v)] = hit.face >= 0 ? hit.distance_mm : shell.thickness_mm;
   }
   const Neighbours near = vertex_neighbours(side);
   for (int step = 0; step < kThicknessSmoothings; ++step) {

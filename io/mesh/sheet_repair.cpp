@@ -76,8 +76,8 @@ int weld(TriangleMesh& mesh) {
 void turn_alike(RepairedSheet& sheet) {
   Faces& faces = sheet.mesh.faces;
   const std::vector<FaceSide> sides = sorted_sides(faces);
-  std::vector<std::array<std::pair<int, bool>, 3>> next(
-      static_cast<std::size_t>(faces.rows()), {{{-1, false}, {-1, false}, {-1, false}}});
+  std::vector<std::array<std::pair<int, bool>, 3>> next(static_cast<std::size_t>(faces.rows()),
+                                                        {{{-1, false}, {-1, false}, {-1, false}}});
   std::vector<int> used(next.size(), 0);
   for_edges(sides, [&](auto first, auto last) {
     sheet.branching_edges += last - first > 2 ? 1 : 0;
@@ -87,7 +87,7 @@ void turn_alike(RepairedSheet& sheet) {
     for (const auto& [from, to] : {std::pair(first, second), std::pair(second, first)}) {
       int& slot = used[static_cast<std::size_t>(from->face)];
       next[static_cast<std::size_t>(from->face)][static_cast<std::size_t>(slot++)] = {to->face,
-                                                                                    alike};
+                                                                                      alike};
     }
   });
   std::vector<int> turned(next.size(), -1);
@@ -102,8 +102,8 @@ void turn_alike(RepairedSheet& sheet) {
         piece.push_back(static_cast<std::size_t>(to));
       }
     }
-    const auto count = std::count_if(piece.begin(), piece.end(),
-                                     [&](std::size_t f) { return turned[f] == 1; });
+    const auto count =
+        std::count_if(piece.begin(), piece.end(), [&](std::size_t f) { return turned[f] == 1; });
     const bool keeps = 2 * count <= std::ssize(piece);
     for (const std::size_t f : piece) {
       if ((turned[f] == 1) != keeps) continue;
@@ -123,18 +123,18 @@ std::string all_sizes(const std::vector<double>& areas) {
 /// Keeps the largest piece. Errors: another one of kIslandShare or more.
 Errors drop_islands(RepairedSheet& sheet) {
   const std::vector<int> piece = face_pieces(sheet.mesh.faces);
-  std::vector<double> areas(static_cast<std::size_t>(*std::max_element(piece.begin(), piece.end())) +
-                            1);
+  std::vector<double> areas(
+      static_cast<std::size_t>(*std::max_element(piece.begin(), piece.end())) + 1);
   for (std::size_t f = 0; f < piece.size(); ++f)
-    areas[static_cast<std::size_t>(piece[f])] +=
-        area_of(sheet.mesh, static_cast<Eigen::Index>(f));
+    areas[static_cast<std::size_t>(piece[f])] += area_of(sheet.mesh, static_cast<Eigen::Index>(f));
   const auto largest = std::max_element(areas.begin(), areas.end());
   const int kept = static_cast<int>(largest - areas.begin());
   std::vector<double> large;
   for (const double area : areas)
     if (area >= kIslandShare * *largest) large.push_back(area);
   std::sort(large.rbegin(), large.rend());
-  if (!(*largest > 0.0)) return {{ErrorCode::BadGeometry, "/faces", "has no triangle with an area"}};
+  if (!(*largest > 0.0))
+    return {{ErrorCode::BadGeometry, "/faces", "has no triangle with an area"}};
   if (large.size() > 1)
     return {{ErrorCode::BadTopology, "/faces",
              "comes in " + std::to_string(large.size()) + " parts of " + all_sizes(large) +

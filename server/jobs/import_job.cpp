@@ -1,6 +1,7 @@
 #include "server/jobs/import_job.h"
 
 #include <algorithm>
+
 #include "io/exchange/decisions_json.h"
 #include "io/json/fit_json.h"
 #include "io/json/valve_json.h"

@@ -57,26 +57,41 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   constexpr double kPi = std::numbers::pi;
   ImportSource source;
   source.leaflets = {funnel(0.1, kPi - 0.1, (given & 1) != 0)};
-  if ((given & 2) == 0) source.leaflets.push_back(funnel(kPi + 0.1, 2 * kPi - 0.1, (given & 4) != 0));
+  if ((given & 2) == 0)
+    source.leaflets.push_back(funnel(kPi + 0.1, 2 * kPi - 0.1, (given & 4) != 0));
   for (std::size_t i = 1; i + 3 < size; i += 4) {
     TriangleMesh& mesh = source.leaflets[bytes[i] % source.leaflets.size()];
     const auto v = bytes[i + 1] % mesh.vertices_mm.rows();
     const auto f = bytes[i + 2] % mesh.faces.rows();
     const double share = (bytes[i + 3] - 128) / 16.0;
     switch (bytes[i] / 2 % 8) {
-      case 0: mesh.vertices_mm(v, f % 3) += share; break;
-      case 1: mesh.vertices_mm.row(v) = mesh.vertices_mm.row(f % mesh.vertices_mm.rows()); break;
-      case 2: mesh.faces(f, bytes[i + 3] % 3) = static_cast<int>(v); break;
-      case 3: mesh.faces.row(f) = mesh.faces.row(bytes[i + 3] % mesh.faces.rows()).eval(); break;
-      case 4: mesh.faces.row(f).reverseInPlace(); break;
+      case 0:
+        mesh.vertices_mm(v, f % 3) += share;
+        break;
+      case 1:
+        mesh.vertices_mm.row(v) = mesh.vertices_mm.row(f % mesh.vertices_mm.rows());
+        break;
+      case 2:
+        mesh.faces(f, bytes[i + 3] % 3) = static_cast<int>(v);
+        break;
+      case 3:
+        mesh.faces.row(f) = mesh.faces.row(bytes[i + 3] % mesh.faces.rows()).eval();
+        break;
+      case 4:
+        mesh.faces.row(f).reverseInPlace();
+        break;
       case 5:
         if (mesh.faces.rows() > 1) {
           mesh.faces.row(f) = mesh.faces.row(mesh.faces.rows() - 1).eval();
           mesh.faces.conservativeResize(mesh.faces.rows() - 1, 3);
         }
         break;
-      case 6: mesh.vertices_mm.col(v % 3) *= share; break;
-      default: mesh.vertices_mm(v, f % 3) = std::ldexp(share, bytes[i + 3] * 8 - 1020); break;
+      case 6:
+        mesh.vertices_mm.col(v % 3) *= share;
+        break;
+      default:
+        mesh.vertices_mm(v, f % 3) = std::ldexp(share, bytes[i + 3] * 8 - 1020);
+        break;
     }
   }
   if ((given & 8) == 0) {
@@ -93,8 +108,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if ((given & 32) != 0) options.closed = (given & 64) != 0;
   options.thickness_measured = (given & 128) != 0;
   // Chordae that are not seen would be closed with the valve; straight ones are enough here.
-  source.chordae = {{"a", Side::Anterolateral, ChordaKind::Marginal, {-12.0, 0.0, -15.0}, {-10.0, 0.0, -25.0}},
-                    {"b", Side::Posteromedial, ChordaKind::Marginal, {12.0, 0.0, -15.0}, {10.0, 0.0, -25.0}}};
+  source.chordae = {
+      {"a", Side::Anterolateral, ChordaKind::Marginal, {-12.0, 0.0, -15.0}, {-10.0, 0.0, -25.0}},
+      {"b", Side::Posteromedial, ChordaKind::Marginal, {12.0, 0.0, -15.0}, {10.0, 0.0, -25.0}}};
   const Expected<ImportedValve> imported = import_with_decisions(source, options);
   if (imported && !imported->valve.rest_mm.allFinite()) std::abort();
   return 0;

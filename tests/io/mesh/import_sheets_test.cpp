@@ -25,9 +25,7 @@ std::vector<const char*> presets() {
   return all;
 }
 
-double leak_mm2(const Valve& valve) {
-  return measure(valve, close_valve(valve)).orifice.area_mm2;
-}
+double leak_mm2(const Valve& valve) { return measure(valve, close_valve(valve)).orifice.area_mm2; }
 
 double loop_rms_mm(const Points& found, const Points& given) {
   double sum = 0.0;
@@ -35,8 +33,7 @@ double loop_rms_mm(const Points& found, const Points& given) {
     double best = 1e300;
     for (Eigen::Index i = 0; i < given.rows(); ++i) {
       const Vec3 a = given.row(i), along = Vec3(given.row((i + 1) % given.rows())) - a;
-      const double share =
-          std::clamp(along.dot(Vec3(p) - a) / along.squaredNorm(), 0.0, 1.0);
+      const double share = std::clamp(along.dot(Vec3(p) - a) / along.squaredNorm(), 0.0, 1.0);
       best = std::min(best, (a + share * along - Vec3(p)).norm());
     }
     sum += best * best;

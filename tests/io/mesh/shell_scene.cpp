@@ -33,9 +33,9 @@ TriangleMesh thickened(const TriangleMesh& sheet, double thickness_mm, double no
   std::normal_distribution<double> deviate(0.0, 1.0);
   TriangleMesh shell{Points(2 * n, 3), sheet.faces};
   for (Eigen::Index v = 0; v < 2 * n; ++v)
-    shell.vertices_mm.row(v) = sheet.vertices_mm.row(v % n) +
-                               ((v < n ? 0.5 : -0.5) * thickness_mm + noise_mm * deviate(engine)) *
-                                   normals.row(v % n);
+    shell.vertices_mm.row(v) =
+        sheet.vertices_mm.row(v % n) +
+        ((v < n ? 0.5 : -0.5) * thickness_mm + noise_mm * deviate(engine)) * normals.row(v % n);
   std::vector<std::array<int, 2>> rim;
   for (const std::vector<int>& loop : boundary_loops(sheet))
     for (std::size_t i = 0; i < loop.size(); ++i)

@@ -47,7 +47,8 @@ export function placed<T>(files: T[], roles: Role[]): Map<string, T> {
   const of = (role: Role): T[] => files.filter((_, i) => roles[i] === role)
   const places = new Map<string, T>()
   for (const [i, file] of [...of('anterior'), ...of('posterior')].entries()) places.set(`/leaflets/${i}`, file)
-  for (const role of ['labels', 'annulus', 'chordae', 'tips'] as const) for (const file of of(role)) places.set(`/${role}`, file)
+  for (const role of ['labels', 'annulus', 'chordae', 'tips'] as const)
+    for (const file of of(role)) places.set(`/${role}`, file)
   for (const file of of('surface')) places.set('/fit/surface', file)
   for (const [i, file] of of('folder').entries()) places.set(`/slicerheart/${i}`, file)
   return places
