@@ -94,7 +94,7 @@ class Export(ProgramTest):
             self.run_ok(*folder, "--chordae", "synthesise", "--json", "-o", self.folder / "v.json").stdout
         )
         self.assertEqual(told["schema"], "coapt.import/1")
-        self.assertEqual([decision["about"] for decision in told["decisions"]][:3], ["units", "frame", "mesh"])
+        self.assertEqual([decision["about"] for decision in told["decisions"]][:4], ["units", "frame", "state", "mesh"])
         self.assertEqual(json.loads((self.folder / "v.json").read_text()), drawn[0])
         self.assertEqual(coapt(*folder, "--chordae", "synthesise", "--json", "-o", "-").returncode, BAD_INPUT)
         valve = self.write("drawn.json", json.dumps(drawn[0]))
@@ -105,7 +105,7 @@ class Export(ProgramTest):
     def test_import_needs_either_a_folder_or_all_parts(self):
         result = coapt("valve", "import", "--leaflet", "a.obj", "-o", "-")
         self.assertEqual(result.returncode, BAD_INPUT)
-        self.assertIn("--annulus is required", result.stderr)
+        self.assertIn("--chordae is required", result.stderr)
         result = coapt("valve", "import", "--slicerheart", self.folder / "none", "-o", "-")
         self.assertEqual(result.returncode, BAD_INPUT)
 
