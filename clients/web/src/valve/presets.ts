@@ -41,7 +41,7 @@ const PRESETS: Readonly<Record<string, PresetWords>> = {
   },
   'secondary-mr': {
     group: 'Disease',
-    title: 'Secondary leak, remodelled',
+    title: 'Secondary leak',
     about: 'A ventricle that has grown tethers leaflets that have become stiffer across their fibres.',
     leak_mm2: 31.6,
   },
