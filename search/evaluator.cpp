@@ -22,10 +22,6 @@ std::shared_ptr<const ClosedValve> closed_valve(const Valve& valve, const Closed
       ClosedValve{valve, *closed.closure, closed.evaluation.measure});
 }
 
-bool trusted(const ClosureResult& closure) {
-  return closure.status == ClosureStatus::Converged && !closure.crossing;
-}
-
 bool trusted(const Evaluation& evaluation) {
   return evaluation.status == ClosureStatus::Converged && !evaluation.crossing &&
          std::isfinite(leak_mm2(evaluation.measure));

@@ -29,9 +29,6 @@ std::shared_ptr<const ClosedValve> closed_valve(const Valve& valve, const Closed
 
 Evaluator closing_evaluator(const ClosureOptions& options);
 
-/// Converged, without leaflets through each other.
-bool trusted(const ClosureResult& closure);
-
 /// Converged, without leaflets through each other, its leak a number: only then do the measures
 /// mean anything.
 bool trusted(const Evaluation& evaluation);

@@ -44,7 +44,7 @@ Shape closed_shape_of(const Valve& valve, const ClosureOptions& options) {
   const ClosedValve closed = close_and_measure(valve, options);
   const bool is_finite = closed.closure.closed_mm.allFinite();
   return {is_finite ? shape_of(closed) : LeafletMesh{}, valve.tissue.thickness_mm,
-          closed.closure.status == ClosureStatus::Converged && !closed.closure.crossing};
+          trusted(closed.closure)};
 }
 
 /// A mesh by the end of its name, a scene, or a valve, which is closed.

@@ -9,7 +9,6 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/plan_option.h"
-#include "core/repair/apply_plan.h"
 #include "core/valve/number_text.h"
 #include "io/exchange/formats.h"
 #include "io/json/plan_json.h"
@@ -82,17 +81,13 @@ void note_attachment(const ExportArguments& arguments, const ClosedValve& export
 }
 
 int run(const ExportArguments& arguments) {
-  const Expected<Valve> valve = read_valve_argument(arguments.valve);
-  if (!valve) return report_errors(arguments.valve, valve.errors());
-  const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
-  if (!plan) return report_errors(arguments.plan.file, plan.errors());
-  const Expected<Valve> repaired = apply_plan(*valve, *plan);
-  if (!repaired) return report_errors(arguments.plan.file, repaired.errors());
+  const PlannedValve planned = read_planned_valve(arguments.valve, arguments.plan);
+  if (planned.failed) return planned.failed;
   for (const std::string& path : arguments.outputs)
     if (const int failed = is_folder(path) ? exit_code::kOk : check_output(path)) return failed;
 
-  const ClosedValve exported =
-      with_repair(close_and_measure(*repaired, {.motion = true}), *valve, *plan);
+  const ClosedValve exported = with_repair(close_and_measure(planned.repaired, {.motion = true}),
+                                           planned.valve, planned.plan);
   for (const std::string& path : arguments.outputs) {
     const auto write = is_folder(path) ? write_folder : write_file;
     if (const int failed = write(path, exported, arguments.options)) return failed;

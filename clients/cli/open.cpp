@@ -8,7 +8,6 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/plan_option.h"
-#include "core/repair/apply_plan.h"
 #include "core/valve/number_text.h"
 #include "io/exchange/import_files.h"
 #include "io/json/opening_json.h"
@@ -29,8 +28,7 @@ std::string cm2(double mm2) { return with_decimals(0.01 * mm2, 1) + " cm2"; }
 
 void print(const OpenedValve& opened, const OpeningOptions& options) {
   const OpeningMeasure& measure = opened.measure;
-  const bool settled =
-      opened.closure.status == ClosureStatus::Converged && !opened.closure.crossing;
+  const bool settled = trusted(opened.closure);
   std::cout << opened.valve.name << ": "
             << (settled                   ? "open, at rest"
                 : opened.closure.crossing ? "leaflets cross, no opening is measured"
@@ -54,15 +52,11 @@ void print(const OpenedValve& opened, const OpeningOptions& options) {
 }
 
 int run(const OpenArguments& arguments) {
-  const Expected<Valve> valve = read_valve_argument(arguments.valve);
-  if (!valve) return report_errors(arguments.valve, valve.errors());
-  const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
-  if (!plan) return report_errors(arguments.plan.file, plan.errors());
-  const Expected<Valve> repaired = apply_plan(*valve, *plan);
-  if (!repaired) return report_errors(arguments.plan.file, repaired.errors());
+  const PlannedValve planned = read_planned_valve(arguments.valve, arguments.plan);
+  if (planned.failed) return planned.failed;
   if (const int failed = check_output(arguments.opened)) return failed;
   const auto start = std::chrono::steady_clock::now();
-  const Expected<OpenedValve> opened = open_valve(*repaired, arguments.options);
+  const Expected<OpenedValve> opened = open_valve(planned.repaired, arguments.options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (!opened)
     return report_option_errors(
@@ -78,9 +72,7 @@ int run(const OpenArguments& arguments) {
     if (!mesh) return report_errors(arguments.opened, mesh.errors());
     if (const int failed = write_output(arguments.opened, *mesh)) return failed;
   }
-  return opened->closure.status == ClosureStatus::Converged && !opened->closure.crossing
-             ? exit_code::kOk
-             : exit_code::kNotClosed;
+  return trusted(opened->closure) ? exit_code::kOk : exit_code::kNotClosed;
 }
 
 }  // namespace

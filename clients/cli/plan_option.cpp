@@ -1,6 +1,8 @@
 #include "clients/cli/plan_option.h"
 
+#include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "core/repair/apply_plan.h"
 
 namespace coapt {
 
@@ -16,6 +18,16 @@ void add_plan_option(Command command, PlanOption& option) {
 Expected<RepairPlan> read_plan_option(const PlanOption& option) {
   if (option.file.empty()) return RepairPlan{};
   return read_plan_argument(option.file, option.rank);
+}
+
+PlannedValve read_planned_valve(const std::string& argument, const PlanOption& option) {
+  Expected<Valve> valve = read_valve_argument(argument);
+  if (!valve) return {.failed = report_errors(argument, valve.errors())};
+  Expected<RepairPlan> plan = read_plan_option(option);
+  if (!plan) return {.failed = report_errors(option.file, plan.errors())};
+  Expected<Valve> repaired = apply_plan(*valve, *plan);
+  if (!repaired) return {.failed = report_errors(option.file, repaired.errors())};
+  return {0, *std::move(valve), *std::move(plan), *std::move(repaired)};
 }
 
 }  // namespace coapt

@@ -11,7 +11,6 @@
 #include "clients/cli/interrupt.h"
 #include "clients/cli/plan_option.h"
 #include "clients/cli/progress_bar.h"
-#include "core/repair/apply_plan.h"
 #include "core/valve/number_text.h"
 #include "io/command_line/command_line.h"
 #include "io/json/model_study_json.h"
@@ -123,12 +122,8 @@ int exit_code_of(const ModelStudy& study, bool interrupted) {
 
 int run(StudyModelArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const Expected<Valve> valve = read_valve_argument(arguments.valve);
-  if (!valve) return report_errors(arguments.valve, valve.errors());
-  const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
-  if (!plan) return report_errors(arguments.plan.file, plan.errors());
-  const Expected<Valve> repaired = apply_plan(*valve, *plan);
-  if (!repaired) return report_errors(arguments.plan.file, repaired.errors());
+  const PlannedValve given = read_planned_valve(arguments.valve, arguments.plan);
+  if (given.failed) return given.failed;
   if (const Errors errors = make_directory(arguments.directory); !errors.empty()) {
     report_errors("study model", errors);
     return exit_code::kFailure;
@@ -139,16 +134,16 @@ int run(StudyModelArguments arguments) {
     arguments.study.progress = [&](int done, int planned) {
       if (done % 8 == 0 || done == planned) bar.show(done, planned, "closures");
     };
-    return study_model(*repaired, arguments.study);
+    return study_model(given.repaired, arguments.study);
   };
   const ModelStudy study = study_it();
-  const std::string json = to_json(study, valve->name).dump(2) + "\n";
-  if (const int failed = write_all(arguments, study, json, valve->name)) return failed;
+  const std::string json = to_json(study, given.valve.name).dump(2) + "\n";
+  if (const int failed = write_all(arguments, study, json, given.valve.name)) return failed;
   if (arguments.json) {
     std::cout << json;
     return exit_code_of(study, interrupted);
   }
-  std::cout << valve->name << ": " << lead_of(study) << "\n\n";
+  std::cout << given.valve.name << ": " << lead_of(study) << "\n\n";
   print_table(areas_table(study));
   std::cout << "\n" << decides_words(study) << "\n\n";
   print_table(parameters_table(study));

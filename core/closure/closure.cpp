@@ -196,9 +196,7 @@ std::vector<Rung> exponential_ladder(const ClosureModel& model, const ClosureOpt
 /// The neighbour's end as a start for this valve, whose tips are in place at once.
 std::optional<ClosureRun> start_from(const Valve& valve, const ClosureModel& model,
                                      const ClosureResult& neighbour) {
-  if (neighbour.status != ClosureStatus::Converged || neighbour.crossing ||
-      neighbour.closed_mm.rows() != model.vertices)
-    return std::nullopt;
+  if (!trusted(neighbour) || neighbour.closed_mm.rows() != model.vertices) return std::nullopt;
   ClosureRun start;
   start.x_mm = model.target_mm;
   start.x_mm.topRows(model.vertices) = neighbour.closed_mm;

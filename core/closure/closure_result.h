@@ -47,4 +47,9 @@ struct ClosureResult {
   bool unfinished = false;  ///< the budget was spent or the closure cancelled: not all was tried
 };
 
+/// Converged, without leaflets through each other.
+inline bool trusted(const ClosureResult& closure) {
+  return closure.status == ClosureStatus::Converged && !closure.crossing;
+}
+
 }  // namespace coapt

@@ -15,8 +15,7 @@ constexpr double kNearest = 0.05;
 constexpr double kRankTolerance = 1e-9;
 
 bool is_usable(const ClosureResult& closure, const ClosureResult& first) {
-  if (closure.status != ClosureStatus::Converged || closure.crossing ||
-      closure.closed_mm.rows() != first.closed_mm.rows() ||
+  if (!trusted(closure) || closure.closed_mm.rows() != first.closed_mm.rows() ||
       closure.branch_points_mm.size() != first.branch_points_mm.size())
     return false;
   for (std::size_t c = 0; c < closure.branch_points_mm.size(); ++c)

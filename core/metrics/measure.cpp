@@ -41,8 +41,7 @@ bool is_finite(const ClosureResult& closure) {
 AreaErrors errors_of(const Valve& valve, const ClosureResult& closure,
                      const ValveMeasure& measure) {
   AreaErrors errors;
-  if (!is_mitral(valve) || closure.status != ClosureStatus::Converged || closure.crossing)
-    return errors;
+  if (!is_mitral(valve) || !trusted(closure)) return errors;
   const AreaPrecision precision = precision_of(valve, closure);
   errors.orifice_mm2 = area_error_mm2(measure.orifice.area_mm2, precision);
   errors.gap_mm2 = area_error_mm2(measure.coaptation.gap_area_mm2, precision);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "core/metrics/free_area.h"
+#include "core/metrics/outline.h"
 #include "core/metrics/section.h"
 
 namespace coapt {
@@ -21,21 +21,6 @@ struct Axis {
 
 Vec2 across(const Axis& axis, const Vec3& point_mm) {
   return {axis.x.dot(point_mm - axis.from_mm), axis.y.dot(point_mm - axis.from_mm)};
-}
-
-/// Edges of one face alone that are not the annulus's.
-std::vector<std::array<int, 2>> free_edges(const Valve& valve) {
-  std::map<std::pair<int, int>, int> faces_at;
-  for (Index f = 0; f < valve.faces.rows(); ++f)
-    for (int k = 0; k < 3; ++k)
-      ++faces_at[std::minmax(int{valve.faces(f, k)}, int{valve.faces(f, (k + 1) % 3)})];
-  std::vector<bool> on_annulus(valve.rest_mm.rows(), false);
-  for (const int vertex : valve.annulus) on_annulus[vertex] = true;
-  std::vector<std::array<int, 2>> edges;
-  for (const auto& [edge, faces] : faces_at)
-    if (faces == 1 && !(on_annulus[edge.first] && on_annulus[edge.second]))
-      edges.push_back({edge.first, edge.second});
-  return edges;
 }
 
 /// Of a line, whatever the distances of its points.
@@ -55,7 +40,15 @@ Axis funnel_axis(const Valve& valve, const Points& open_mm) {
   const Eigen::Index count = valve.annulus_mm.rows();
   for (Eigen::Index i = 0; i < count; ++i)
     annulus.add(valve.annulus_mm.row(i), valve.annulus_mm.row((i + 1) % count));
-  for (const auto& [a, b] : free_edges(valve)) edges.add(open_mm.row(a), open_mm.row(b));
+  std::vector<bool> on_annulus(valve.rest_mm.rows(), false);
+  for (const int vertex : valve.annulus) on_annulus[vertex] = true;
+  std::vector<std::array<int, 3>> faces;
+  for (const auto& face : valve.faces.rowwise()) faces.push_back({face[0], face[1], face[2]});
+  for (const std::vector<int>& walk : outline(faces))
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+      const int a = walk[i], b = walk[(i + 1) % walk.size()];
+      if (!(on_annulus[a] && on_annulus[b])) edges.add(open_mm.row(a), open_mm.row(b));
+    }
   axis.from_mm = annulus.mean();
   if (edges.length_mm > 0.0) axis.along = (edges.mean() - axis.from_mm).normalized();
   axis.x = axis.along.unitOrthogonal();

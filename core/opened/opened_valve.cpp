@@ -22,7 +22,7 @@ OpeningMeasure measured(const Valve& valve, const ClosureResult& closure,
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   OpeningMeasure measure;
   measure.annulus_area_mm2 = measure_annulus(valve).area_mm2;
-  if (closure.status != ClosureStatus::Converged || closure.crossing) {
+  if (!trusted(closure)) {
     measure.opening_area_mm2 = measure.passage_depth_mm = measure.tilt_deg = kUnknown;
     measure.projected_area_mm2 = measure.gradient_mmhg = measure.gradient_exercise_mmhg = kUnknown;
     return measure;

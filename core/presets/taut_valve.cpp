@@ -43,7 +43,7 @@ Expected<Valve> taut_when_closed(const Valve& valve) {
   to_rest.residual_tolerance = 1e-4;
   to_rest.way_tolerance_mm = 1e-3;
   const ClosureResult closed = close_valve(valve, to_rest);
-  if (closed.status != ClosureStatus::Converged || closed.crossing)
+  if (!trusted(closed))
     return Error{ErrorCode::BadGeometry, "",
                  "does not close without leaflets passing through each other: lengths of chordae "
                  "cannot be taken from it"};

@@ -62,6 +62,16 @@ FilePreview csv_preview(const std::string& text) {
   return {FileContent::Unknown, {}, {}, {}, points.errors()};
 }
 
+/// Anterior and posterior leaflet as one surface.
+FilePreview labels_preview(const std::string& bytes) {
+  const Expected<LabelMap> map = read_label_map(bytes, kMostVoxelsSent);
+  if (!map) return {FileContent::Unknown, {}, {}, {}, map.errors()};
+  const Expected<LabelParts> parts = label_parts(*map, {}, false);
+  if (!parts) return {FileContent::Unknown, {}, {}, {}, parts.errors()};
+  const TriangleMesh leaflets = joined(parts->leaflets);
+  return {FileContent::Labels, leaflets.vertices_mm, leaflets.faces, {}, {}};
+}
+
 }  // namespace
 
 const char* to_string(FileContent content) {
@@ -83,28 +93,6 @@ const char* to_string(FileContent content) {
   }
   return "";
 }
-
-namespace {
-
-/// Anterior and posterior leaflet as one surface.
-FilePreview labels_preview(const std::string& bytes) {
-  const Expected<LabelMap> map = read_label_map(bytes, kMostVoxelsSent);
-  if (!map) return {FileContent::Unknown, {}, {}, {}, map.errors()};
-  const Expected<LabelParts> parts = label_parts(*map, {}, false);
-  if (!parts) return {FileContent::Unknown, {}, {}, {}, parts.errors()};
-  FilePreview preview{FileContent::Labels, {}, {}, {}, {}};
-  for (const TriangleMesh& mesh : parts->leaflets) {
-    const Eigen::Index vertices = preview.points.rows(), faces = preview.faces.rows();
-    preview.points.conservativeResize(vertices + mesh.vertices_mm.rows(), 3);
-    preview.points.bottomRows(mesh.vertices_mm.rows()) = mesh.vertices_mm;
-    preview.faces.conservativeResize(faces + mesh.faces.rows(), 3);
-    preview.faces.bottomRows(mesh.faces.rows()) =
-        (mesh.faces.array() + static_cast<int>(vertices)).matrix();
-  }
-  return preview;
-}
-
-}  // namespace
 
 FilePreview preview_file(const NamedFile& file) {
   const std::string format = format_of(file.name);

@@ -16,15 +16,6 @@ constexpr double kThickOfArea = 0.6;  // with an opposite side, of a shell that 
 constexpr int kToldHoles = 5;
 constexpr double kThickestSheet_mm = 4.0;  // above it, sides of a folded sheet are meant
 
-bool is_sound(const std::vector<TriangleMesh>& leaflets) {
-  return !leaflets.empty() && leaflets.size() <= 2 &&
-         std::all_of(leaflets.begin(), leaflets.end(), [](const TriangleMesh& mesh) {
-           return mesh.faces.rows() > 0 && mesh.faces.rows() <= kMostFaces &&
-                  mesh.faces.minCoeff() >= 0 && mesh.faces.maxCoeff() < mesh.vertices_mm.rows() &&
-                  mesh.vertices_mm.allFinite();
-         });
-}
-
 std::string which(const std::vector<TriangleMesh>& leaflets, std::size_t i) {
   if (leaflets.size() == 1) return "skirt";
   return i == 0 ? "anterior leaflet" : "posterior leaflet";
@@ -124,6 +115,15 @@ Errors flatten(TriangleMesh& mesh, std::size_t i, std::size_t outlines, const st
 
 }  // namespace
 
+bool is_sound(const std::vector<TriangleMesh>& leaflets) {
+  return !leaflets.empty() && leaflets.size() <= 2 &&
+         std::all_of(leaflets.begin(), leaflets.end(), [](const TriangleMesh& mesh) {
+           return mesh.faces.rows() > 0 && mesh.faces.rows() <= kMostFaces &&
+                  mesh.faces.minCoeff() >= 0 && mesh.faces.maxCoeff() < mesh.vertices_mm.rows() &&
+                  mesh.vertices_mm.allFinite();
+         });
+}
+
 Expected<SheetPreparation> prepare_sheets(ImportSource& source) {
   SheetPreparation prepared;
   if (!is_sound(source.leaflets)) return prepared;
@@ -136,25 +136,22 @@ Expected<SheetPreparation> prepare_sheets(ImportSource& source) {
       for (const Error& error : errors)
         problems.add(error.code, "/leaflets/" + std::to_string(i) + error.path, error.message);
     };
-    Expected<RepairedSheet> repaired = repaired_sheet(mesh, outlines);
-    if (!repaired) {
-      add(repaired.errors());
-      continue;
-    }
-    tell_repairs(*repaired, name, prepared.decisions);
-    mesh = std::move(repaired->mesh);
-    const std::size_t shells = prepared.thickness.size();
-    if (Errors errors = flatten(mesh, i, outlines, name, prepared); !errors.empty()) {
-      add(errors);
-    } else if (prepared.thickness.size() > shells) {  // holes that trimming left
-      Expected<RepairedSheet> again = repaired_sheet(mesh, outlines);
-      if (!again) {
-        add(again.errors());
-        continue;
+    const auto is_mended = [&] {
+      Expected<RepairedSheet> repaired = repaired_sheet(mesh, outlines);
+      if (!repaired) {
+        add(repaired.errors());
+        return false;
       }
-      tell_repairs(*again, name, prepared.decisions);
-      mesh = std::move(again->mesh);
-    }
+      tell_repairs(*repaired, name, prepared.decisions);
+      mesh = std::move(repaired->mesh);
+      return true;
+    };
+    if (!is_mended()) continue;
+    const std::size_t shells = prepared.thickness.size();
+    if (Errors errors = flatten(mesh, i, outlines, name, prepared); !errors.empty())
+      add(errors);
+    else if (prepared.thickness.size() > shells)
+      is_mended();  // holes that trimming left
   }
   if (!problems.empty()) return std::move(problems).take();
   if (source.annulus_mm.rows() > 0) return prepared;

@@ -11,8 +11,11 @@ struct SheetPreparation {
   std::vector<MeasuredThickness> thickness;  ///< of thick leaflets
 };
 
-/// Changes leaflets and, if it is empty, the annulus; lengths must be millimetres. A source whose leaflets have no
-/// triangles, bad indices or numbers is left as it is: into_import_frame() names that.
+/// One or two, with triangles but not too many, indices and coordinates as they must be.
+bool is_sound(const std::vector<TriangleMesh>& leaflets);
+
+/// Changes leaflets and, if it is empty, the annulus; lengths must be millimetres. A source whose leaflets are
+/// not sound is left as it is: into_import_frame() names that.
 Expected<SheetPreparation> prepare_sheets(ImportSource& source);
 
 }  // namespace coapt

@@ -269,10 +269,7 @@ LengthUnit unit_of(const ImportSource& source) {
 /// Whether what judged_state() looks at is there; into_import_frame() names what is not.
 bool can_be_judged(const ImportSource& source) {
   return source.annulus_mm.rows() >= 3 && source.annulus_mm.allFinite() &&
-         std::all_of(source.leaflets.begin(), source.leaflets.end(), [](const TriangleMesh& mesh) {
-           return mesh.vertices_mm.allFinite() && mesh.faces.rows() > 0 &&
-                  mesh.faces.minCoeff() >= 0 && mesh.faces.maxCoeff() < mesh.vertices_mm.rows();
-         });
+         is_sound(source.leaflets);
 }
 
 /// What the images show, as given or judged; `closed` of the result is how the import goes on.

@@ -105,6 +105,19 @@ Expected<Points> MeshBuilder::take_points() && {
   return as_points(vertices_);
 }
 
+TriangleMesh joined(const std::vector<TriangleMesh>& meshes) {
+  TriangleMesh all;
+  for (const TriangleMesh& mesh : meshes) {
+    const Eigen::Index vertices = all.vertices_mm.rows(), faces = all.faces.rows();
+    all.vertices_mm.conservativeResize(vertices + mesh.vertices_mm.rows(), 3);
+    all.vertices_mm.bottomRows(mesh.vertices_mm.rows()) = mesh.vertices_mm;
+    all.faces.conservativeResize(faces + mesh.faces.rows(), 3);
+    all.faces.bottomRows(mesh.faces.rows()) =
+        (mesh.faces.array() + static_cast<int>(vertices)).matrix();
+  }
+  return all;
+}
+
 Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format) {
   if (format == "obj") return read_obj(bytes);
   if (format == "ply") return read_ply(bytes);

@@ -16,6 +16,9 @@ struct TriangleMesh {
   std::vector<int> polygons{};  ///< m: which polygon or cell of the file each is of, from 0
 };
 
+/// One after the other; `polygons` are left out.
+TriangleMesh joined(const std::vector<TriangleMesh>& meshes);
+
 /// @param format "obj", "ply", "stl" or "vtk". Polygons are split into fans; STL vertices are welded.
 Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format);
 

@@ -40,23 +40,6 @@ Neighbours vertex_neighbours(const TriangleMesh& mesh) {
   return near;
 }
 
-Neighbours face_neighbours(const Faces& faces) {
-  std::vector<std::array<int, 3>> sides;
-  for (Eigen::Index f = 0; f < faces.rows(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(faces(f, k), faces(f, (k + 1) % 3));
-      sides.push_back({low, high, static_cast<int>(f)});
-    }
-  std::sort(sides.begin(), sides.end());
-  Neighbours near(static_cast<std::size_t>(faces.rows()));
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    if (sides[i][0] != sides[i + 1][0] || sides[i][1] != sides[i + 1][1]) continue;
-    near[at(sides[i][2])].push_back(sides[i + 1][2]);
-    near[at(sides[i + 1][2])].push_back(sides[i][2]);
-  }
-  return near;
-}
-
 /// Vertices of the surface's edge stay.
 Points smoothed(const TriangleMesh& mesh, int pairs) {
   const Neighbours near = vertex_neighbours(mesh);
@@ -75,12 +58,6 @@ Points smoothed(const TriangleMesh& mesh, int pairs) {
     x = std::move(next);
   }
   return x;
-}
-
-Vec3 area_vector(const TriangleMesh& mesh, Eigen::Index f) {
-  const Vec3 a = mesh.vertices_mm.row(mesh.faces(f, 0)), b = mesh.vertices_mm.row(mesh.faces(f, 1)),
-             c = mesh.vertices_mm.row(mesh.faces(f, 2));
-  return 0.5 * (b - a).cross(c - a);
 }
 
 /// Means of the faces around, by area; zero where there are none.

@@ -43,12 +43,6 @@ void for_edges(const std::vector<FaceSide>& sides, const Use& use) {
   }
 }
 
-double area_of(const TriangleMesh& mesh, Eigen::Index f) {
-  const Vec3 a = mesh.vertices_mm.row(mesh.faces(f, 0)), b = mesh.vertices_mm.row(mesh.faces(f, 1)),
-             c = mesh.vertices_mm.row(mesh.faces(f, 2));
-  return 0.5 * (b - a).cross(c - a).norm();
-}
-
 /// Vertices in the same place become the first of them.
 int weld(TriangleMesh& mesh) {
   std::vector<int> order(static_cast<std::size_t>(mesh.vertices_mm.rows()));
@@ -126,7 +120,8 @@ Errors drop_islands(RepairedSheet& sheet) {
   std::vector<double> areas(
       static_cast<std::size_t>(*std::max_element(piece.begin(), piece.end())) + 1);
   for (std::size_t f = 0; f < piece.size(); ++f)
-    areas[static_cast<std::size_t>(piece[f])] += area_of(sheet.mesh, static_cast<Eigen::Index>(f));
+    areas[static_cast<std::size_t>(piece[f])] +=
+        area_vector(sheet.mesh, static_cast<Eigen::Index>(f)).norm();
   const auto largest = std::max_element(areas.begin(), areas.end());
   const int kept = static_cast<int>(largest - areas.begin());
   std::vector<double> large;
@@ -187,9 +182,16 @@ Errors mend_holes(RepairedSheet& sheet, std::size_t outlines) {
 
 }  // namespace
 
+Vec3 area_vector(const TriangleMesh& mesh, Eigen::Index face) {
+  const Vec3 a = mesh.vertices_mm.row(mesh.faces(face, 0)),
+             b = mesh.vertices_mm.row(mesh.faces(face, 1)),
+             c = mesh.vertices_mm.row(mesh.faces(face, 2));
+  return 0.5 * (b - a).cross(c - a);
+}
+
 double area_mm2(const TriangleMesh& mesh) {
   double sum = 0.0;
-  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) sum += area_of(mesh, f);
+  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) sum += area_vector(mesh, f).norm();
   return sum;
 }
 
@@ -245,6 +247,17 @@ TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<bool>& kept) {
   TriangleMesh part{mesh.vertices_mm(vertices, Eigen::all), mesh.faces(faces, Eigen::all)};
   for (int& corner : part.faces.reshaped()) corner = number[static_cast<std::size_t>(corner)];
   return part;
+}
+
+std::vector<std::vector<int>> face_neighbours(const Faces& faces) {
+  std::vector<std::vector<int>> near(static_cast<std::size_t>(faces.rows()));
+  for_edges(sorted_sides(faces), [&](auto first, auto last) {
+    for (auto side = first + 1; side < last; ++side) {
+      near[static_cast<std::size_t>((side - 1)->face)].push_back(side->face);
+      near[static_cast<std::size_t>(side->face)].push_back((side - 1)->face);
+    }
+  });
+  return near;
 }
 
 std::vector<int> face_pieces(const Faces& faces) {

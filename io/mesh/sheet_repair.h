@@ -37,10 +37,16 @@ std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh);
 
 double length_mm(const std::vector<int>& loop, const Points& vertices_mm);
 
+/// Along a face's normal, as long as its area.
+Vec3 area_vector(const TriangleMesh& mesh, Eigen::Index face);
+
 double area_mm2(const TriangleMesh& mesh);
 
 /// The piece of a mesh that has the faces where `kept` says so, without unused vertices.
 TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<bool>& kept);
+
+/// The faces across the edges of each face; of more than two at an edge, those next to each other in number.
+std::vector<std::vector<int>> face_neighbours(const Faces& faces);
 
 /// Number of each face's piece (faces that share an edge), from 0.
 std::vector<int> face_pieces(const Faces& faces);

@@ -221,14 +221,9 @@ Expected<ImportedValve> make_import(const ImportRequest& asked) {
 Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedValve& imported) {
   LeafletMesh surface;
   if (!request.fit->surface) {
-    for (const TriangleMesh& sheet : imported.input.leaflets) {
-      const Eigen::Index vertices = surface.vertices_mm.rows(), faces = surface.faces.rows();
-      surface.vertices_mm.conservativeResize(vertices + sheet.vertices_mm.rows(), 3);
-      surface.vertices_mm.bottomRows(sheet.vertices_mm.rows()) = sheet.vertices_mm;
-      surface.faces.conservativeResize(faces + sheet.faces.rows(), 3);
-      surface.faces.bottomRows(sheet.faces.rows()) =
-          (sheet.faces.array() + static_cast<int>(vertices)).matrix();
-    }
+    const TriangleMesh leaflets = joined(imported.input.leaflets);
+    surface.vertices_mm = leaflets.vertices_mm;
+    surface.faces = leaflets.faces;
     return surface;
   }
   const NamedFile& file = *request.fit->surface;
