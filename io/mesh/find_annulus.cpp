@@ -43,11 +43,17 @@ Eigen::Matrix3d axes_with(const Vec3& z) {
   return axes;
 }
 
-/// Between the ends of two stretches, the sum over both; 0 without another.
-double gap_mm(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Points& other) {
-  if (other.rows() == 0) return 0.0;
-  return std::min((a - other.row(0)).norm() + (b - other.row(1)).norm(),
-                  (a - other.row(1)).norm() + (b - other.row(0)).norm());
+/// Distances of each point from the two ends of the other sheet's stretch, n x 2; zero without another.
+Eigen::MatrixX2d from_ends(const Points& line, const Points& other) {
+  Eigen::MatrixX2d distances_mm = Eigen::MatrixX2d::Zero(line.rows(), 2);
+  for (Eigen::Index end = 0; end < other.rows(); ++end)
+    distances_mm.col(end) = (line.rowwise() - other.row(end)).rowwise().norm();
+  return distances_mm;
+}
+
+/// Between the ends of two stretches, the sum over both, of points `i` and `j` of from_ends().
+double gap_mm(const Eigen::MatrixX2d& from_ends_mm, Eigen::Index i, Eigen::Index j) {
+  return std::min(from_ends_mm(i, 0) + from_ends_mm(j, 1), from_ends_mm(i, 1) + from_ends_mm(j, 0));
 }
 
 Points ends_of(const Points& line) {
@@ -70,6 +76,7 @@ Points annular_stretch(const Points& framed, double depth_mm, const Points& othe
     const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.head<2>().dot(b.head<2>()));
     advance[i] = 0.5 * (g[i] + g[(i + 1) % n]) / mean * r * turn;
   }
+  const Eigen::MatrixX2d apart_mm = from_ends(framed, other);
   Eigen::Index from = 0, length = 0;
   double best = -1e300;
   for (const double sense : {1.0, -1.0}) {
@@ -77,8 +84,8 @@ Points annular_stretch(const Points& framed, double depth_mm, const Points& othe
       double sum = 0.0;
       for (Eigen::Index k = 1; k < n; ++k) {
         sum += sense * advance[(i + k - 1) % n];
-        const double score = sum + kEnds * (g[i] + g[(i + k) % n]) -
-                             kJoin * gap_mm(framed.row(i), framed.row((i + k) % n), other);
+        const double score =
+            sum + kEnds * (g[i] + g[(i + k) % n]) - kJoin * gap_mm(apart_mm, i, (i + k) % n);
         if (score <= best) continue;
         best = score;
         from = i;
@@ -189,8 +196,7 @@ Candidate candidate(const std::vector<Points>& outlines, const Vec3& axis, const
   found.axis = axis;
   Points loop = by_angle(stretches);
   if (loop.rows() == 0) return found;
-  const Points first = ends_of(stretches[0]);
-  found.gap_mm = 0.5 * gap_mm(first.row(0), first.row(1), ends_of(stretches[1]));
+  found.gap_mm = 0.5 * gap_mm(from_ends(ends_of(stretches[0]), ends_of(stretches[1])), 0, 1);
   double area = 0.0;
   for (int i = 0; i < kAngles; ++i) {
     const Eigen::RowVector3d a = loop.row(i), b = loop.row((i + 1) % kAngles);

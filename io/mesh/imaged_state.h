@@ -1,6 +1,6 @@
 // Whether leaflets were imaged open, half closed or closed.
 //
-// Measured: the share of the annulus's area, seen along its axis, that no sheet covers. A lattice point is covered where a
+// Measured: the share of the annulus's area, seen along its axis, that no sheet covers. A pixel is covered where a
 // triangle lies over or under it, or within half the leaflet's thickness of one that does: mid-surfaces of leaflets that
 // touch are a thickness apart.
 #pragma once

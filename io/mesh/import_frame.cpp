@@ -10,6 +10,7 @@
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "io/mesh/given_landmarks.h"
+#include "io/mesh/import_sheets.h"
 #include "io/mesh/source_units.h"
 
 namespace coapt {
@@ -25,30 +26,6 @@ std::string at(const std::string& path, std::ptrdiff_t index) {
   return path + '/' + std::to_string(index);
 }
 
-void check_leaflets(const std::vector<TriangleMesh>& leaflets, ProblemList& problems) {
-  if (leaflets.empty() || leaflets.size() > 2) {
-    problems.add(ErrorCode::OutOfRange, "/leaflets",
-                 "has " + std::to_string(leaflets.size()) +
-                     " meshes, must be the anterior and the posterior sheet, or one skirt");
-  }
-  for (std::size_t i = 0; i < leaflets.size(); ++i) {
-    const TriangleMesh& mesh = leaflets[i];
-    const std::string path = at("/leaflets", static_cast<std::ptrdiff_t>(i));
-    if (mesh.faces.rows() == 0 || mesh.faces.rows() > kMostFaces) {
-      problems.add(
-          ErrorCode::OutOfRange, path + "/faces",
-          "has " + std::to_string(mesh.faces.rows()) + " triangles, must have 1 to 1000000");
-    } else if (mesh.faces.minCoeff() < 0 || mesh.faces.maxCoeff() >= mesh.vertices_mm.rows()) {
-      problems.add(
-          ErrorCode::BadReference, path + "/faces",
-          "must hold indices of vertices, 0 to " + std::to_string(mesh.vertices_mm.rows() - 1));
-    }
-    if (!mesh.vertices_mm.allFinite()) {
-      problems.add(ErrorCode::OutOfRange, path + "/vertices_mm", "must be finite numbers");
-    }
-  }
-}
-
 void check_annulus(const Points& annulus, ProblemList& problems) {
   if (annulus.rows() < kMinAnnulus || !annulus.allFinite()) {
     problems.add(ErrorCode::OutOfRange, "/annulus_mm",
@@ -57,7 +34,7 @@ void check_annulus(const Points& annulus, ProblemList& problems) {
     return;
   }
   const double length = ArcLength(annulus).total_mm();
-  if (length >= kCircumferenceMm.min && length <= kCircumferenceMm.max) return;
+  if (is_circumference_mm(length)) return;
   const char* unit = length == 0.0   ? ": all points are the same;"
                      : length < 1.0  ? ", looks like metres;"
                      : length < 20.0 ? ", looks like centimetres;"

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kThickOfArea = 0.6;  // with an opposite side, of a shell that has an edge
 constexpr int kToldHoles = 5;
+constexpr double kFurthest_mm = 1e6;       // further away, products of coordinates lose the valve
 constexpr double kThickestSheet_mm = 4.0;  // above it, sides of a folded sheet are meant
 
 std::string which(const std::vector<TriangleMesh>& leaflets, std::size_t i) {
@@ -115,13 +116,34 @@ Errors flatten(TriangleMesh& mesh, std::size_t i, std::size_t outlines, const st
 
 }  // namespace
 
+void check_leaflets(const std::vector<TriangleMesh>& leaflets, ProblemList& problems) {
+  if (leaflets.empty() || leaflets.size() > 2) {
+    problems.add(ErrorCode::OutOfRange, "/leaflets",
+                 "has " + std::to_string(leaflets.size()) +
+                     " meshes, must be the anterior and the posterior sheet, or one skirt");
+  }
+  for (std::size_t i = 0; i < leaflets.size(); ++i) {
+    const TriangleMesh& mesh = leaflets[i];
+    const std::string path = "/leaflets/" + std::to_string(i);
+    if (mesh.faces.rows() == 0 || mesh.faces.rows() > kMostFaces) {
+      problems.add(
+          ErrorCode::OutOfRange, path + "/faces",
+          "has " + std::to_string(mesh.faces.rows()) + " triangles, must have 1 to 1000000");
+    } else if (mesh.faces.minCoeff() < 0 || mesh.faces.maxCoeff() >= mesh.vertices_mm.rows()) {
+      problems.add(
+          ErrorCode::BadReference, path + "/faces",
+          "must hold indices of vertices, 0 to " + std::to_string(mesh.vertices_mm.rows() - 1));
+    }
+    if (!(mesh.vertices_mm.array().abs() <= kFurthest_mm).all())
+      problems.add(ErrorCode::OutOfRange, path + "/vertices_mm",
+                   "must be numbers from -1e6 to 1e6 mm");
+  }
+}
+
 bool is_sound(const std::vector<TriangleMesh>& leaflets) {
-  return !leaflets.empty() && leaflets.size() <= 2 &&
-         std::all_of(leaflets.begin(), leaflets.end(), [](const TriangleMesh& mesh) {
-           return mesh.faces.rows() > 0 && mesh.faces.rows() <= kMostFaces &&
-                  mesh.faces.minCoeff() >= 0 && mesh.faces.maxCoeff() < mesh.vertices_mm.rows() &&
-                  mesh.vertices_mm.allFinite();
-         });
+  ProblemList problems;
+  check_leaflets(leaflets, problems);
+  return problems.empty();
 }
 
 Expected<SheetPreparation> prepare_sheets(ImportSource& source) {

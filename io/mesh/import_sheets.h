@@ -2,6 +2,7 @@
 // annulus is found where it was not traced.
 #pragma once
 
+#include "core/valve/problem_list.h"
 #include "io/mesh/import_valve.h"
 
 namespace coapt {
@@ -11,7 +12,10 @@ struct SheetPreparation {
   std::vector<MeasuredThickness> thickness;  ///< of thick leaflets
 };
 
-/// One or two, with triangles but not too many, indices and coordinates as they must be.
+/// One or two, with triangles but not too many, indices and coordinates as they must be: problems at "/leaflets".
+void check_leaflets(const std::vector<TriangleMesh>& leaflets, ProblemList& problems);
+
+/// None of these problems.
 bool is_sound(const std::vector<TriangleMesh>& leaflets);
 
 /// Changes leaflets and, if it is empty, the annulus; lengths must be millimetres. A source whose leaflets are

@@ -1,5 +1,7 @@
 #include "io/mesh/source_units.h"
 
+#include <Eigen/Geometry>
+
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
@@ -9,6 +11,7 @@ namespace coapt {
 namespace {
 
 constexpr double kMixed = 4.0;  // leaflets and tips lie within one diameter of the annulus
+constexpr double kLongestInMetres = 0.5, kLongestInCentimetres = 15.0;  // of the leaflets' box
 
 /// Diagonal of the box about the points.
 double extent(const Points& points) {
@@ -27,6 +30,10 @@ void check_extent(const std::string& path, const Points& part, double annulus_ex
 
 }  // namespace
 
+bool is_circumference_mm(double length) {
+  return length >= kCircumferenceMm.min && length <= kCircumferenceMm.max;
+}
+
 double in_mm(LengthUnit unit) {
   if (unit == LengthUnit::Metre) return 1000.0;
   return unit == LengthUnit::Centimetre ? 10.0 : 1.0;
@@ -43,9 +50,22 @@ std::optional<LengthUnit> guessed_unit(const Points& annulus) {
   const LengthUnit unit = length < 1.0    ? LengthUnit::Metre
                           : length < 20.0 ? LengthUnit::Centimetre
                                           : LengthUnit::Millimetre;
-  const double circumference_mm = in_mm(unit) * length;
-  if (circumference_mm < kCircumferenceMm.min || circumference_mm > kCircumferenceMm.max) return {};
+  if (!is_circumference_mm(in_mm(unit) * length)) return {};
   return unit;
+}
+
+LengthUnit unit_of(const ImportSource& source) {
+  if (source.annulus_mm.rows() > 0)
+    return guessed_unit(source.annulus_mm).value_or(LengthUnit::Millimetre);
+  Eigen::AlignedBox3d box;
+  for (const TriangleMesh& mesh : source.leaflets)
+    if (mesh.vertices_mm.allFinite())
+      for (const auto& vertex : mesh.vertices_mm.rowwise()) box.extend(vertex.transpose());
+  if (box.isEmpty()) return LengthUnit::Millimetre;
+  const double diagonal = box.diagonal().norm();
+  return diagonal < kLongestInMetres        ? LengthUnit::Metre
+         : diagonal < kLongestInCentimetres ? LengthUnit::Centimetre
+                                            : LengthUnit::Millimetre;
 }
 
 void scale(ImportSource& source, double factor) {

@@ -1,0 +1,108 @@
+#include "io/mesh/mesh_decisions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/valve/number_text.h"
+#include "io/mesh/hanging_profile.h"
+#include "io/mesh/mesh_distance.h"
+#include "io/mesh/sheet_repair.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kMaxSamples = 4000;  // for the deviation
+
+struct Deviation {
+  double rms_mm = 0.0, max_mm = 0.0;
+};
+
+/// Of the resampled vertices below the annulus from the sheets, where there is a sheet.
+Deviation deviation(const std::vector<TriangleMesh>& sheets, const Skirt& skirt) {
+  const int first = skirt.stations, last = static_cast<int>(skirt.vertices_mm.rows());
+  const int stride = 1 + (last - first) / kMaxSamples;
+  Deviation found;
+  int count = 0;
+  for (int v = first; v < last; v += stride) {
+    if (skirt.interpolated[static_cast<std::size_t>(v % skirt.stations)]) continue;
+    const double distance = distance_mm(sheets, skirt.vertices_mm.row(v));
+    found.rms_mm += distance * distance;
+    found.max_mm = std::max(found.max_mm, distance);
+    ++count;
+  }
+  found.rms_mm = std::sqrt(found.rms_mm / std::max(1, count));
+  return found;
+}
+
+ImportDecision landmark_decision(const Skirt& skirt) {
+  return {"landmarks",
+          std::string("commissures ") +
+              (skirt.commissures_given      ? "as given"
+               : skirt.commissures_measured ? "where the two sheets meet"
+                                            : "38 % of the annulus apart about its front") +
+              ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
+              "from the peak to the commissures; segments by thirds of arc, fibres circumferential",
+          skirt.commissures_measured || skirt.commissures_given
+              ? ""
+              : "one skirt does not tell where leaflets meet"};
+}
+
+}  // namespace
+
+std::vector<ImportDecision> closed_decisions(const Skirt& skirt, double hidden_mm,
+                                             const Valve& valve) {
+  return {
+      {"mesh",
+       std::to_string(skirt.stations) + " stations of equal annulus arc (" +
+           significant(skirt.spacing_mm, 3) + " mm) x " + std::to_string(skirt.rows) + " rows, " +
+           std::to_string(valve.faces.rows()) + " triangles",
+       "the leaflets hang from the annulus, 20 degrees inwards"},
+      landmark_decision(skirt),
+      {"state",
+       "imaged closed, under pressure; heights of the open leaflets are the exposed lengths / " +
+           significant(kClosedStretch, 3) + " + " + significant(hidden_mm, 2) +
+           " mm hidden in coaptation, at the commissures those of a human valve",
+       "exposed at A2 " + significant(skirt.anterior_exposed_mm, 3) + " mm, at P2 " +
+           significant(skirt.posterior_exposed_mm, 3) +
+           " mm; coapt fit finds the hidden height, chordae and tips from the same surface"}};
+}
+
+std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Skirt& skirt,
+                                           const Valve& valve, bool own_tissue) {
+  const auto bare = std::count(skirt.interpolated.begin(), skirt.interpolated.end(), true);
+  const Deviation off = deviation(source.leaflets, skirt);
+  double input_area = 0.0;
+  for (const TriangleMesh& sheet : source.leaflets) input_area += area_mm2(sheet);
+  const auto counted = [](auto number) { return std::to_string(number); };
+  std::vector<ImportDecision> told;
+  told.push_back({"mesh",
+                  "cut by half-planes through the annulus axis to " + counted(skirt.stations) +
+                      " stations of equal annulus arc (" + significant(skirt.spacing_mm, 3) +
+                      " mm) x " + counted(skirt.rows) + " rows, " + counted(valve.faces.rows()) +
+                      " triangles; smoothed along the annulus by a hat of " +
+                      significant(skirt.hat_mm, 3) + " mm to either side, not otherwise",
+                  "distance from the sheets " + significant(off.rms_mm, 3) + " mm RMS, " +
+                      significant(off.max_mm, 3) + " mm at most; area " +
+                      counted(std::lround(area_mm2({valve.rest_mm, valve.faces}))) +
+                      " mm2 (sheets " + counted(std::lround(input_area)) + " mm2)"});
+  told.push_back({"annulus",
+                  "sheets joined to the annulus line; holes and bites bridged, " +
+                      significant(skirt.widest_bridge_mm, 3) + " mm at the widest",
+                  "they were " + significant(skirt.annulus_gap_mm, 3) + " mm away in the mean"});
+  told.push_back({"commissures",
+                  counted(bare) + " stations without sheet interpolated between their neighbours",
+                  "which closes the commissures"});
+  told.push_back(landmark_decision(skirt));
+  told.push_back(
+      {"state",
+       valve.tissue.reference == TissueReference::InVivo
+           ? "the imaged state is taken as that of the unpressurised heart"
+           : "the imaged state is taken as unstressed",
+       std::string(source.pressed_annulus_mm.rows() > 0
+                       ? "annulus and papillary tips under pressure came with it"
+                       : "its annulus and papillary tips as those under pressure") +
+           (own_tissue ? "; tissue and pressure, too" : "; tissue of thesis table 2.1")});
+  return told;
+}
+
+}  // namespace coapt
