@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
@@ -85,6 +86,24 @@ void print_fine(std::ostream& out, const ordered_json& plan) {
   if (changed_place(plan))
     words += "; by its own mesh it would rank " + std::to_string(fine["own_mesh_rank"].get<int>());
   print_words(out, "      ", words);
+}
+
+/// "opens to 3.1 cm2, mean gradient 2.0 mmHg; bears 4.2 mm of further disease (25 % of courses all 12 mm)"
+void print_outlook(std::ostream& out, const ordered_json& plan) {
+  const auto number = [&](const char* key) {
+    const auto found = plan.find(key);  // a result of release 0.1 has none
+    return found == plan.end() ? std::numeric_limits<double>::quiet_NaN() : number_of(*found);
+  };
+  const double area = std::min(number("opening_area_mm2"), number("projected_area_mm2"));
+  std::string words;
+  if (std::isfinite(area))
+    words = "opens to " + fixed(0.01 * area, 1) + " cm2, mean gradient " +
+            fixed(number("gradient_mmhg"), 1) + " mmHg at rest";
+  if (const double lasts = number("durability_mm"); std::isfinite(lasts))
+    words += (words.empty() ? "bears " : "; bears ") + fixed(lasts, 1) +
+             " mm of further disease before it leaks 5 mm2 (" + percent(number("outlasting")) +
+             " of courses all 12 mm)";
+  if (!words.empty()) print_words(out, "      ", words);
 }
 
 void print_model_draws(std::ostream& out, const ordered_json& result) {
@@ -172,6 +191,7 @@ void print_plan(std::ostream& out, const ordered_json& plan) {
   if (plan.contains("name")) print_words(out, "      ", plan["name"].get<std::string>() + ":");
   for (const std::string step : plan["description"]) print_words(out, "      ", step);
   if (plan["plan"]["steps"].empty()) out << "      no repair\n";
+  print_outlook(out, plan);
   print_fine(out, plan);
   print_draws(out, plan);
   print_cold_starts(out, plan);
@@ -237,7 +257,7 @@ void print_ranked(std::ostream& out, const ordered_json& result) {
                   [](const ordered_json& plan) { return plan["pareto"].get<bool>(); }))
     print_words(
         out, "* ",
-        "Pareto-optimal among the ranked plans in mean leak, its sd, steps and undersizing");
+        "Pareto-optimal among the ranked plans in leak (mean + sd), opening and durability");
   out << '\n';
   print_fine_mesh(out, result);
   print_model_draws(out, result);

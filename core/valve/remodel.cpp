@@ -47,9 +47,9 @@ TrigoneLine trigone_line(const Valve& valve, const AnnulusFrame& frame) {
 
 /// Share of its distance behind the trigone line by which each point moves backwards.
 double backward_share(const Valve& valve, const AnnulusFrame& frame, const TrigoneLine& line,
-                      double percent) {
+                      double ap_growth_mm) {
   const Vec3 back = into_frame(frame, annulus_position_mm(valve, valve.landmarks.mid_posterior));
-  return percent / 100.0 * ap_diameter_mm(valve, frame) / line.behind_mm(back);
+  return ap_growth_mm / line.behind_mm(back);
 }
 
 void dilate(const AnnulusFrame& frame, const TrigoneLine& line, double share, Valve& valve) {
@@ -102,7 +102,8 @@ Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
   Valve remodelled = valve;
   const AnnulusFrame frame = annulus_frame(valve);
   const TrigoneLine line = trigone_line(valve, frame);
-  const double share = backward_share(valve, frame, line, change.ap_dilation_percent);
+  const double share = backward_share(
+      valve, frame, line, change.ap_dilation_percent / 100.0 * ap_diameter_mm(valve, frame));
   if (!(share > -1.0 && std::isfinite(share)))
     return Error{ErrorCode::OutOfRange, "/ap_dilation_percent",
                  "is " + shown(change.ap_dilation_percent) +
@@ -116,6 +117,12 @@ Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
   if (!problems.empty()) return std::move(problems).take();
   remodelled.provenance.push_back(in_words(change));
   return remodelled;
+}
+
+void grow_annulus(double ap_growth_mm, Valve& valve) {
+  const AnnulusFrame frame = annulus_frame(valve);
+  const TrigoneLine line = trigone_line(valve, frame);
+  dilate(frame, line, backward_share(valve, frame, line, ap_growth_mm), valve);
 }
 
 }  // namespace coapt

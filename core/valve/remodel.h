@@ -27,4 +27,7 @@ struct Remodelling {
 /// that validate() refuses. @pre the valve is valid.
 Expected<Valve> remodel(const Valve& valve, const Remodelling& change);
 
+/// The annulus alone, grown so, unchecked: the anteroposterior diameter by so many mm, not below zero.
+void grow_annulus(double ap_growth_mm, Valve& valve);
+
 }  // namespace coapt

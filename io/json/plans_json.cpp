@@ -120,6 +120,28 @@ ordered_json model_json(const SearchResult& result) {
           {"fit_drawn", result.draws_fit}};
 }
 
+/// Nulls where it was not opened, or did not come to rest.
+ordered_json opening_json(const std::optional<PlanOpening>& opening) {
+  const bool known = opening && trusted(*opening);
+  const auto number = [&](double OpeningMeasure::*value) {
+    return known ? ordered_json(opening->measure.*value) : ordered_json();
+  };
+  return {{"opening_area_mm2", number(&OpeningMeasure::opening_area_mm2)},
+          {"projected_area_mm2", number(&OpeningMeasure::projected_area_mm2)},
+          {"gradient_mmhg", number(&OpeningMeasure::gradient_mmhg)},
+          {"gradient_exercise_mmhg", number(&OpeningMeasure::gradient_exercise_mmhg)}};
+}
+
+/// Nulls without the evidence.
+ordered_json durability_json(const RankedPlan& ranked) {
+  const auto number = [&](double Durability::*value) {
+    return ranked.durability ? ordered_json(*ranked.durability.*value) : ordered_json();
+  };
+  return {{"durability_mm", number(&Durability::expected_mm)},
+          {"outlasting", number(&Durability::outlasting)},
+          {"durability_price", ranked.durability_price}};
+}
+
 ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   const RegionReport& region = ranked.region;
   ordered_json json = {{"rank", ranked.rank}};
@@ -154,6 +176,8 @@ ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"remodelling", list_of(region.remodelling, remodelling_json)},
                {"gates", list_of(ranked.gates, gate_json)},
                {"warnings", ranked.warnings}});
+  json.update(opening_json(ranked.opening));
+  json.update(durability_json(ranked));
   return json;
 }
 
@@ -162,9 +186,13 @@ ordered_json progress_json(const Progress& progress) {
 }
 
 ordered_json pareto_json(const ParetoPlan& plan) {
-  return {{"plan", to_json(plan.plan)}, {"description", plan.description},
-          {"mean_mm2", plan.mean_mm2},  {"sd_mm2", plan.sd_mm2},
-          {"steps", plan.steps},        {"ring_sizes_below", plan.sizes_below},
+  return {{"plan", to_json(plan.plan)},
+          {"description", plan.description},
+          {"mean_mm2", plan.mean_mm2},
+          {"sd_mm2", plan.sd_mm2},
+          {"steps", plan.steps},
+          {"ring_sizes_below", plan.sizes_below},
+          {"opening_mm2", plan.opening_mm2},
           {"nodes", plan.nodes}};
 }
 
@@ -176,9 +204,11 @@ ordered_json ladder_json(const LadderStep& step) {
           {"skipped", step.skipped}};
 }
 
-ordered_json before_json(const Evaluation& before) {
+ordered_json before_json(const SearchResult& result) {
+  const Evaluation& before = result.before;
   ordered_json json = {{"status", to_string(before.status)}, {"crossing", before.crossing}};
   json.update(to_json(before.measure));
+  json.update(opening_json(result.opening_before));
   return json;
 }
 
@@ -194,7 +224,7 @@ ordered_json to_json(const SearchResult& result) {
   return {{"schema", "coapt.plans/1"},
           {"version", version()},
           {"notice", kResearchNotice},
-          {"before", before_json(result.before)},
+          {"before", before_json(result)},
           {"any_competent", result.any_competent},
           {"plans",
            list_of(result.plans,
@@ -236,8 +266,10 @@ ordered_json to_json(const SearchResult& result, const SearchRequest& request) {
 
 const std::vector<std::string>& not_modelled() {
   static const std::vector<std::string> kSentences = {
-      "Blood flow: pressure is static, jets and gradients are not computed.",
-      "Diastole: a repair may narrow the open valve; filling is not assessed.",
+      "Blood flow: pressure is static, jets are not computed; the gradient in diastole is that of "
+      "a "
+      "steady flow through the opening (Gorlin).",
+      "Filling: relaxation and stiffness of the ventricle, and how its flow meets sutures.",
       "The ventricle: annulus and papillary tips do not move while the valve closes.",
       "Tissue that differs from place to place, calcification, clefts that are not in the valve "
       "file, sutures that tear, healing and growth.",

@@ -132,6 +132,24 @@ std::string undersizing(const RankedPlan& plan) {
   return ring ? fixed(plan.effort.sizes_below, 1) + " sizes" : "no ring";
 }
 
+std::string opening_figure(const RankedPlan& plan) {
+  if (!plan.opening) return "";
+  if (!trusted(*plan.opening))
+    return key_figure("Opening in diastole", "not known", "it did not come to rest");
+  return key_figure("Opening in diastole", with_unit(0.01 * opening_mm2(*plan.opening), 1, "cm²"),
+                    "mean gradient " + with_unit(plan.opening->measure.gradient_mmhg, 1, "mmHg") +
+                        " at rest; below 2.0 cm² is narrow");
+}
+
+std::string durability_figure(const RankedPlan& plan) {
+  if (!plan.durability) return "";
+  return key_figure("Further disease that it bears",
+                    with_unit(plan.durability->expected_mm, 1, "mm"),
+                    "of the muscle, until it leaks " + shown(kGoodRepair_mm2) + " mm²; " +
+                        percent(plan.durability->outlasting) + " of courses outlast " +
+                        shown(kFurthestCourse_mm) + " mm");
+}
+
 /// "; model ± 1.2 (sd over 8 draws)", empty if that is not known.
 std::string model_error(const RankedPlan& plan) {
   if (!plan.model || !std::isfinite(plan.model->sd_mm2)) return "";
@@ -168,6 +186,7 @@ std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
                     "before " + with_unit(before.tension_max_n, 2, "N")) +
          key_figure("Ring undersizing", undersizing(plan),
                     shown(kUsualSizesBelow) + " usual, more is rejected") +
+         opening_figure(plan) + durability_figure(plan) +
          key_figure("Muscles moved, AL / PM", moved,
                     "more than " + shown(kUsualMovement_mm) + " mm is unusual") +
          "</dl>\n";

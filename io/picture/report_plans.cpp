@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "io/picture/html.h"
 #include "io/picture/line_chart.h"
@@ -102,10 +103,17 @@ LinePanel trade(const SearchResult& result, FrameWords words, double (*x)(const 
 }
 
 double steps(const RankedPlan& plan) { return plan.effort.steps; }
-double sizes(const RankedPlan& plan) { return plan.effort.sizes_below; }
-double mean(const RankedPlan& plan) { return plan.region.leak_mm2.mean; }
-double sd(const RankedPlan& plan) { return plan.region.leak_mm2.sd; }
-double upper(const RankedPlan& plan) { return mean(plan) + sd(plan); }
+double upper(const RankedPlan& plan) { return plan.region.leak_mm2.mean + plan.region.leak_mm2.sd; }
+/// NaN where it was not opened.
+double gradient(const RankedPlan& plan) {
+  return plan.opening && trusted(*plan.opening) ? plan.opening->measure.gradient_mmhg
+                                                : std::numeric_limits<double>::quiet_NaN();
+}
+/// NaN without the evidence.
+double not_lasted(const RankedPlan& plan) {
+  return plan.durability ? kFurthestCourse_mm - plan.durability->expected_mm
+                         : std::numeric_limits<double>::quiet_NaN();
+}
 
 std::string trade_offs(const SearchResult& result) {
   const auto drawn = [](const RankedPlan& plan) { return std::isfinite(upper(plan)); };
@@ -117,12 +125,14 @@ std::string trade_offs(const SearchResult& result) {
       "What a better closure costs",
       "Numbers are ranks; lower and further left is better." + left_out,
       {trade(result, {"", "steps of the operation", "leak, mean + sd, mm²"}, steps, upper),
-       trade(result, {"", "ring sizes below the annulus", "leak, mean + sd, mm²"}, sizes, upper),
-       trade(result, {"", "leak, mean, mm²", "leak, sd, mm²"}, mean, sd)}};
+       trade(result, {"", "mean gradient in diastole, mmHg", "leak, mean + sd, mm²"}, gradient,
+             upper),
+       trade(result, {"", "disease that it does not outlast, mm of 12", "leak, mean + sd, mm²"},
+             not_lasted, upper)}};
   return chart_html(
       line_chart_svg(chart),
-      "Each number is a plan. Filled points: plans that are Pareto-optimal in mean leak, its sd, "
-      "number of steps and undersizing. Hollow points: plans that are not.");
+      "Each number is a plan. Filled points: plans that are Pareto-optimal in leak (mean + sd), "
+      "opening and durability. Hollow points: plans that are not.");
 }
 
 }  // namespace
@@ -177,8 +187,8 @@ std::string ranked_section(const PlanReport& report) {
          "than 95 % of the draws of the model (tissue and chordae). Robust: every closure "
          "converged "
          "and mean + sd of the "
-         "leak is below 1 mm². Pareto: Pareto-optimal among the ranked plans in mean leak, its sd, "
-         "number of steps and undersizing. The orifice is anatomic, not an effective regurgitant "
+         "leak is below 1 mm². Pareto: Pareto-optimal among the ranked plans in leak (mean + sd), "
+         "opening and durability. The orifice is anatomic, not an effective regurgitant "
          "orifice area.</p>\n" +
          trade_offs(result) + "</section>\n";
 }

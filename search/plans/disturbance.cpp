@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/repair/approximation.h"
+#include "core/valve/remodel.h"
 #include "search/random_share.h"
 
 namespace coapt {
@@ -51,6 +52,25 @@ const std::array<Ray, 4> kRays = {Ray{"apical", Vec3(0, 0, 1)}, Ray{"outwards", 
                                   Ray{"posterior", Vec3(0, 1, 0)},
                                   Ray{"all three", Vec3(1, 1, 1).normalized()}};
 
+constexpr int kCourses = 8, kCourseSteps = 3;
+
+/// As disturbance.h has it, after `mm` of the posteromedial tip.
+Disturbance disease_at(int course, double mm) {
+  constexpr double kSpread = 0.5;                               // sd over mean: 3.4 / 6.8
+  constexpr double kGrowth = 4.9 / 6.5, kGrowthSd = 2.7 / 6.5;  // mm a mm
+  constexpr double kShare = 0.5, kShareSd = 0.29;               // uniform from 0 to 1
+  const auto sign = [course](int bits) {  // the product of some of the three main factors
+    double product = 1.0;
+    for (int bit = 0; bit < 3; ++bit)
+      if ((bits >> bit & 1) != 0) product *= (course >> bit & 1) != 0 ? 1.0 : -1.0;
+    return product;
+  };
+  const Vec3 way = Vec3(8.0 * (1.0 + kSpread * sign(1)), 8.0 * (1.0 + kSpread * sign(2)),
+                        5.0 * (1.0 + kSpread * sign(4)))
+                       .normalized();
+  return {{}, {}, mm * way, kShare + kShareSd * sign(3), mm * (kGrowth + kGrowthSd * sign(5))};
+}
+
 std::vector<Disturbance> make_disturbances() {
   std::vector<Disturbance> all;
   const std::vector<Perturbation> region = region_of_interest();
@@ -68,6 +88,9 @@ std::vector<Disturbance> make_disturbances() {
     all.push_back({region[k + 1], region[partners[k]]});
   for (const Ray& ray : kRays)
     for (int mm = 1; mm <= kRayLength_mm; ++mm) all.push_back({{}, {}, mm * ray.direction});
+  for (int course = 0; course < kCourses; ++course)
+    for (int step = 1; step <= kCourseSteps; ++step)
+      all.push_back(disease_at(course, step * kCourseStep_mm));
   assert(std::ssize(all) == kDisturbances);
   return all;
 }
@@ -119,8 +142,26 @@ const std::vector<RemodellingRay>& remodelling_rays() {
   return rays;
 }
 
+const std::vector<DiseaseCourse>& disease_courses() {
+  static const std::vector<DiseaseCourse> courses = [] {
+    std::vector<DiseaseCourse> all;
+    int next = kDisease.first;
+    for (int course = 0; course < kCourses; ++course) {
+      all.push_back({{0}});
+      for (int step = 1; step <= kCourseSteps; ++step) all.back().indices.push_back(next++);
+    }
+    return all;
+  }();
+  return courses;
+}
+
 Valve disturb(const Valve& repaired, const RepairPlan& plan, const Disturbance& disturbance) {
   Valve valve = repaired;
+  const bool ring = std::any_of(plan.steps.begin(), plan.steps.end(), [](const RepairStep& step) {
+    return std::holds_alternative<Annuloplasty>(step);
+  });
+  if (!ring && disturbance.annular_growth_mm > 0.0)
+    grow_annulus(disturbance.annular_growth_mm, valve);
   for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
     const bool anterolateral = side == Side::Anterolateral;
     const PapillaryApproximation* suture = suture_of(plan, side);
@@ -134,7 +175,8 @@ Valve disturb(const Valve& repaired, const RepairPlan& plan, const Disturbance& 
         anterolateral ? disturbance.anterolateral : disturbance.posteromedial;
     Vec3 moved = disturbed_tip(tip, anchor, outwards, node);
     const double reach = (moved - anchor).norm();
-    const Vec3& further = disturbance.remodelling_mm;
+    const Vec3 further =
+        (anterolateral ? disturbance.anterolateral_share : 1.0) * disturbance.remodelling_mm;
     moved += Vec3(outwards * further.x(), -further.y(), -further.z());
     const double now = (moved - anchor).norm();
     if (suture != nullptr && now > reach) moved = anchor + reach / now * (moved - anchor);

@@ -110,12 +110,13 @@ std::vector<FrameShare> independent_shares(int d) {
   return shares_of(d, frame, Fit::Linear);
 }
 
-/// From the two before it on its ray.
-std::vector<FrameShare> ray_shares(int d) {
-  for (const RemodellingRay& ray : remodelling_rays())
-    for (std::size_t mm = 2; mm < ray.indices.size(); ++mm)
-      if (ray.indices[mm] == d)
-        return shares_of(d, {ray.indices[mm - 2], ray.indices[mm - 1]}, Fit::Linear);
+/// From the two before it on its ray or course.
+template <class Way>
+std::vector<FrameShare> shares_along(const std::vector<Way>& ways, int d) {
+  for (const Way& way : ways)
+    for (std::size_t step = 2; step < way.indices.size(); ++step)
+      if (way.indices[step] == d)
+        return shares_of(d, {way.indices[step - 2], way.indices[step - 1]}, Fit::Linear);
   return {};
 }
 
@@ -127,7 +128,8 @@ std::vector<FrameShare> make_shares(int d) {
   if (is_in(kAnterolateralAlone, d)) return slice_shares(d, Side::Anterolateral);
   if (is_in(kPosteromedialAlone, d)) return slice_shares(d, Side::Posteromedial);
   if (is_in(kIndependent, d)) return independent_shares(d);
-  return ray_shares(d);
+  return is_in(kRemodelling, d) ? shares_along(remodelling_rays(), d)
+                                : shares_along(disease_courses(), d);
 }
 
 struct Frame {

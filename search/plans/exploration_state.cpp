@@ -163,6 +163,9 @@ void promote(ExplorationState& state, const std::vector<int>& trials, int to_run
     for (int node = kRungs[trial.rung]; node < kRungs[std::max(to_rung, trial.rung)]; ++node)
       wanted.push_back({trial.record, node});
   }
+  std::vector<PlanRecord*> plans;
+  for (const int i : trials) plans.push_back(state.trials[i].record);
+  if (!state.in.evaluations.open(plans, PlanEvaluations::Phase::Searching)) return;
   if (!state.in.evaluations.close(wanted, PlanEvaluations::Phase::Searching)) return;
   for (const int i : trials) {
     Trial& trial = state.trials[i];

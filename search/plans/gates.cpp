@@ -79,7 +79,7 @@ Gate ring_stenosis(const Operation& operation) {
     if (label <= kStenoticRing_mm + kGateRounding)
       tell(rule, GateSeverity::Warn,
            "ring of " + mm(label) + ": " + shown(kStenoticRing_mm) +
-               " mm or less predicts functional stenosis; filling is not simulated");
+               " mm or less predicts functional stenosis");
     else
       tell(rule, GateSeverity::Pass,
            "ring of " + mm(label) + ", more than " + shown(kStenoticRing_mm) + " mm");
@@ -103,12 +103,6 @@ Gate undersizing(const Operation& operation) {
       tell(rule, GateSeverity::Pass, figure + shown(kUsualSizesBelow) + " is usual undersizing");
   }
   return or_none(rule, "no ring");
-}
-
-Gate opening_area() {
-  return not_assessed("opening_area",
-                      "diastole is not simulated; practice rejects an opening area below 1.5 cm2 "
-                      "and is cautious below 2.0");
 }
 
 Gate papillary_movement(const Operation& operation) {
@@ -149,8 +143,9 @@ Gate filling(const Operation& operation) {
            std::string(to_string(suture.side)) +
                " muscle tied to the posterior annulus: such anchors have impaired filling, which "
                "is not simulated");
-  return rule.severity == GateSeverity::Warn ? rule
-                                             : not_assessed("filling", "diastole is not simulated");
+  return rule.severity == GateSeverity::Warn
+             ? rule
+             : not_assessed("filling", "the flow that fills the ventricle is not simulated");
 }
 
 Gate neochorda_length(const Operation& operation) {
@@ -219,10 +214,9 @@ const char* to_string(GateSeverity severity) {
 }
 
 std::vector<Gate> operation_gates(const Operation& operation) {
-  return {ring_width(operation),    ring_stenosis(operation),      undersizing(operation),
-          opening_area(),           papillary_movement(operation), suture_length(operation),
-          filling(operation),       neochorda_length(operation),   neochorda_half(operation),
-          native_chordae(operation)};
+  return {ring_width(operation),         ring_stenosis(operation),  undersizing(operation),
+          papillary_movement(operation), suture_length(operation),  filling(operation),
+          neochorda_length(operation),   neochorda_half(operation), native_chordae(operation)};
 }
 
 bool is_rejected(const std::vector<Gate>& gates) {

@@ -26,7 +26,7 @@ struct Operation {
 };
 
 /// Of what is done, whether or not the valve then closes: "ring_width", "ring_stenosis",
-/// "undersizing", "opening_area", "papillary_movement", "suture_length", "filling",
+/// "undersizing", "papillary_movement", "suture_length", "filling",
 /// "neochorda_length", "neochorda_half", "native_chordae". Always these, in this order; a rule
 /// without a subject passes.
 /// @pre apply_plan() accepts the plan.

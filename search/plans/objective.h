@@ -56,7 +56,7 @@ struct CostWeights {
   double movement = 0.2;
   /// More, per mm above what is usual.
   double movement_above_10 = 1.0;
-  /// Per size: less opening in diastole, which systole cannot see.
+  /// Per size: less annulus to move, and less opening, of which gradient_above_3 sees the narrow end alone.
   double undersizing = 0.5;
   /// More, per size above what practice accepts.
   double undersizing_above_4 = 2.0;
@@ -64,6 +64,12 @@ struct CostWeights {
   double step = 1.0;
   /// Per newton of peak chordal tension above the unrepaired valve's.
   double tension = 1.0;
+  /// Per mmHg of mean gradient in diastole above 3, what usual rings leave (plan_opening.h).
+  double gradient_above_3 = 2.0;
+  /// More, per mmHg above 5.
+  double gradient_above_5 = 10.0;
+  /// Per mm of disease that the repair does not last, of 12 (durability.h); of reported plans alone.
+  double durability = 0.25;
   /// For closures that did not converge or crossed, by their share.
   double untrusted = 1e4;
 };

@@ -43,7 +43,7 @@ class Resampling {
     const CostWeights& weights = evaluations_.context().weights;
     const double price = weights.leak + (robust ? 0.0 : weights.incompetence);
     return {!robust, plan_cost(drawn, judged_.plan->effort, evaluations_.context()) +
-                         judged_.fine_cost_change + price * error_mm2};
+                         judged_.cost_change + price * error_mm2};
   }
 
  private:

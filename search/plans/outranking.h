@@ -5,11 +5,11 @@
 
 namespace coapt {
 
-/// What a plan is closed as, and what a finer mesh says of it.
+/// What a plan is closed as, and what else is known of it.
 struct JudgedRecord {
   const PlanRecord* plan = nullptr;
   bool closes_finely = true;
-  double fine_cost_change = 0.0;
+  double cost_change = 0.0;  ///< by what a finer mesh, opening and durability say
 };
 
 /// That `a` comes before `b`, by robust closing, then by cost: the share of resamples of the

@@ -225,10 +225,30 @@ std::vector<PlanEvaluations::Task> PlanEvaluations::with_frames(std::span<const 
   return tasks;
 }
 
+bool PlanEvaluations::stopped(Phase phase) const {
+  return failed_ || (phase == Phase::Searching ? monitor_.search_stopped() : monitor_.stopped());
+}
+
+bool PlanEvaluations::open(std::span<PlanRecord* const> plans, Phase phase) {
+  if (!options_.open) return true;
+  std::vector<PlanRecord*> missing;
+  for (PlanRecord* plan : plans)
+    if (plan->possible && !plan->opening &&
+        std::find(missing.begin(), missing.end(), plan) == missing.end())
+      missing.push_back(plan);
+  for_each_index(static_cast<int>(missing.size()), options_.threads, [&](int i) {
+    if (!stopped(phase)) missing[i]->opening = options_.open(*apply_plan(valve_, missing[i]->plan));
+  });
+  return std::all_of(missing.begin(), missing.end(),
+                     [](const PlanRecord* plan) { return plan->opening.has_value(); });
+}
+
+std::optional<PlanOpening> PlanEvaluations::opening_before() const {
+  if (!options_.open) return std::nullopt;
+  return options_.open(valve_);
+}
+
 bool PlanEvaluations::close(std::span<const Wanted> wanted, Phase phase) {
-  const auto stopped = [&] {
-    return failed_ || (phase == Phase::Searching ? monitor_.search_stopped() : monitor_.stopped());
-  };
   std::vector<Wanted> missing;
   std::set<std::pair<const PlanRecord*, int>> seen;
   for (const Wanted& one : wanted) {
@@ -245,15 +265,15 @@ bool PlanEvaluations::close(std::span<const Wanted> wanted, Phase phase) {
       plans.push_back(missing[last].plan);
     }
     for_each_index(static_cast<int>(plans.size()), options_.threads, [&](int i) {
-      if (!stopped()) state_of(*plans[i]);
+      if (!stopped(phase)) state_of(*plans[i]);
     });
-    if (stopped()) break;
+    if (stopped(phase)) break;
     const std::vector<Task> tasks = with_frames(std::span(missing).subspan(first, last - first));
     for (auto level = tasks.begin(); level != tasks.end();) {
       const auto next = std::find_if(level, tasks.end(),
                                      [&](const Task& task) { return task.level > level->level; });
       for_each_index(static_cast<int>(next - level), options_.threads, [&](int i) {
-        if (stopped()) return;
+        if (stopped(phase)) return;
         const Task& task = level[i];
         if (task.wanted)
           close_one(*task.plan, task.disturbance);
@@ -293,7 +313,9 @@ double PlanEvaluations::cost(const PlanRecord& plan, int count) const {
     closures.push_back({closure, region_share(disturbances()[disturbance])});
   }
   assert(std::ssize(closures) == count);
-  return plan_cost(closures, plan.effort, context_);
+  const bool counts = count > 1 && plan.opening;
+  return plan_cost(closures, plan.effort, context_) +
+         (counts ? opening_price(*plan.opening, options_.weights) : 0.0);
 }
 
 }  // namespace coapt

@@ -23,6 +23,7 @@
 #include "search/evaluator.h"
 #include "search/plans/disturbance.h"
 #include "search/plans/objective.h"
+#include "search/plans/plan_opening.h"
 #include "search/plans/search_monitor.h"
 
 namespace coapt {
@@ -42,6 +43,7 @@ struct PlanRecord {
   double lowest_cost = 0.0;  ///< effort_price(): a bound from below
   Eigen::VectorXd place;     ///< where it puts the valve, see place_of()
   PlanClosures closures;     ///< asked for in this run
+  std::optional<PlanOpening> opening{};
 };
 
 /// A plan that cannot be done, or that practice rejects.
@@ -57,6 +59,7 @@ struct PlanEvaluationOptions {
   /// Told of each closure as it ends, from one thread at a time. What it throws ends close().
   std::function<void(const std::string& key, int disturbance, const PlanClosure&)> keep;
   CostWeights weights;
+  Opener open{};  ///< empty: open() does nothing
   /// Steps that were decided elsewhere: what rejects them rejects no plan any more.
   RepairPlan fixed{};
 };
@@ -94,6 +97,11 @@ class PlanEvaluations {
   /// The same, of one plan under the first `count` disturbances, in order, by the calling thread
   /// alone.
   bool close_here(PlanRecord& plan, int count);
+
+  /// Opens what is not opened yet; a plan's cost counts it from the second node on. False if it was stopped before all were.
+  bool open(std::span<PlanRecord* const> plans, Phase phase);
+  /// The valve as it is; none without an opener.
+  std::optional<PlanOpening> opening_before() const;
 
   /// Plans of which a gate (gates.h) rejects, and on how many each: what a search left out.
   std::map<std::string, int> rejections() const;
@@ -133,6 +141,7 @@ class PlanEvaluations {
   ClosedPlan close_disturbed(const PlanRecord& plan, State& state, int disturbance);
   bool take_known(PlanRecord& plan, int disturbance);
   void close_one(PlanRecord& plan, int disturbance);
+  bool stopped(Phase phase) const;
   void add(PlanRecord& plan, int disturbance, const PlanClosure& closure, bool was_known);
 
   const Evaluator& evaluate_;

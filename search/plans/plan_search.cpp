@@ -7,6 +7,7 @@
 #include "search/plans/exploration.h"
 #include "search/plans/fine_closures.h"
 #include "search/plans/model_closures.h"
+#include "search/plans/pareto.h"
 #include "search/plans/plan_key.h"
 #include "search/plans/ranking.h"
 #include "search/plans/search_option_table.h"
@@ -16,7 +17,14 @@ namespace {
 
 PlanEvaluationOptions evaluation_options(const SearchOptions& options,
                                          const SearchContext& context) {
-  return {options.threads, context.known, context.keep, options.weights, options.rules.fixed};
+  // What stands in for closures need not have a valve that opens.
+  const Opener open = context.open ? context.open : context.evaluate ? Opener{} : Opener{open_plan};
+  return {options.threads,
+          context.known,
+          context.keep,
+          options.weights,
+          options.openings ? open : Opener{},
+          options.rules.fixed};
 }
 
 /// What all evaluations and the ranked plans add to a result.
@@ -39,6 +47,7 @@ void summarise(const PlanEvaluations& evaluations, const SearchMonitor& monitor,
 /// Fills what a result says of the best plans.
 void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
                     const SearchOptions& options, SearchResult& result) {
+  evaluations.open(finalists, PlanEvaluations::Phase::Ranking);
   finalists = close_finalists(evaluations, std::move(finalists), options, result.ladder);
   const FineClosures fine = close_fine(evaluations, finalists, options.fine_levels);
   const ModelClosures model = close_under_draws(evaluations, finalists, options.model_draws);
@@ -46,6 +55,7 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   if (options.evidence)
     for (RankedPlan& plan : result.plans)
       plan.starts = check_starts(evaluations, evaluations.record(plan.plan), plan.region.closures);
+  result.opening_before = evaluations.opening_before();
   result.fine_mesh = fine.mesh;
   result.model_draws = model.draws;
   result.draws_fit = evaluations.valve().fitted.has_value();

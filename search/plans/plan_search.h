@@ -22,6 +22,7 @@ struct SearchContext {
   KnownPlans known{};  ///< of this valve and these closure options
   std::function<void(const std::string& key, int disturbance, const PlanClosure&)> keep{};
   Evaluator evaluate{};  ///< empty: closing_evaluator(); called from several threads at once
+  Opener open{};         ///< empty: open_plan(), or nothing where `evaluate` is not
 };
 
 /// What speaks against a search, without closing anything: options out of range, rules that the

@@ -13,7 +13,7 @@
 #include "core/valve/number_text.h"
 #include "search/plans/closure_gates.h"
 #include "search/plans/outranking.h"
-#include "search/plans/plan_key.h"
+#include "search/plans/pareto.h"
 
 namespace coapt {
 namespace {
@@ -61,7 +61,7 @@ void keep_cheapest(const PlanEvaluations& evaluations, std::vector<PlanRecord*>&
 }
 
 std::vector<DisturbanceSet> evidence_of(const RepairPlan& plan) {
-  std::vector<DisturbanceSet> sets = {kRemodelling};
+  std::vector<DisturbanceSet> sets = {kRemodelling, kDisease};
   const bool al = suture_of(plan, Side::Anterolateral) != nullptr;
   const bool pm = suture_of(plan, Side::Posteromedial) != nullptr;
   if (al) sets.push_back(kAnterolateralAlone);
@@ -84,19 +84,21 @@ bool fails_often(const RankedPlan& plan) {
 
 /// What decides between two plans.
 struct Standing {
-  bool trusted = true, fails_often = false, robust = false;
+  bool trusted = true, fails_often = false, stenotic = false, robust = false;
   double cost = 0.0;
 };
 
 /// `leak_mm2` and `cost`: more than on its own material.
 Standing standing(const RankedPlan& plan, double leak_mm2, double cost) {
-  return {trusted(plan), fails_often(plan), closes_robustly(plan, leak_mm2),
-          plan.cost + plan.fine_cost_change + cost};
+  return {trusted(plan), fails_often(plan), is_stenotic(plan.opening),
+          closes_robustly(plan, leak_mm2),
+          plan.cost + plan.fine_cost_change + plan.durability_price + cost};
 }
 
 bool is_better(const Standing& a, const Standing& b) {
   if (a.trusted != b.trusted) return a.trusted;
   if (a.fails_often != b.fails_often) return b.fails_often;
+  if (a.stenotic != b.stenotic) return b.stenotic;
   if (a.robust != b.robust) return a.robust;
   return a.cost < b.cost;
 }
@@ -142,8 +144,12 @@ double share_ahead(const PlanEvaluations& evaluations, const ModelClosures& mode
   return compared > 0 ? ahead / compared : std::numeric_limits<double>::quiet_NaN();
 }
 
-JudgedRecord judged(const Ranked& ranked) {
-  return {ranked.second, closes_finely(ranked.first), ranked.first.fine_cost_change};
+JudgedRecord judged(const PlanEvaluations& evaluations, const Ranked& ranked) {
+  const RankedPlan& plan = ranked.first;
+  const double opening =
+      plan.opening ? opening_price(*plan.opening, evaluations.context().weights) : 0.0;
+  return {ranked.second, closes_finely(plan),
+          plan.fine_cost_change + plan.durability_price + opening};
 }
 
 /// What the fine mesh says against a plan whose own mesh does not.
@@ -177,9 +183,14 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   if (const auto drawn = closed_valve(*repaired, closed))
     plan.closed =
         std::make_shared<const ClosedValve>(with_repair(*drawn, evaluations.valve(), record.plan));
+  plan.opening = record.opening;
+  plan.durability = durability(record);
+  if (plan.durability)
+    plan.durability_price = durability_price(*plan.durability, evaluations.context().weights);
   plan.gates = operation_gates({record.plan, evaluations.valve(), *repaired});
-  for (Gate& gate : closure_gates(evaluation, evaluations.before()))
-    plan.gates.push_back(std::move(gate));
+  for (const std::vector<Gate>& gates :
+       {opening_gates(record.opening), closure_gates(evaluation, evaluations.before())})
+    plan.gates.insert(plan.gates.end(), gates.begin(), gates.end());
   plan.warnings = warnings_of(plan.gates);
   if (plan.region.leak_mm2.worst > kGoodRepair_mm2)
     plan.warnings.push_back("leaks more than " + shown(kGoodRepair_mm2) +
@@ -204,7 +215,7 @@ int ranking_closures(const SearchOptions& options) {
   const int before = std::min(kBeforeTheRegion, options.region_points);
   int most = kFinalists * options.plans * before + options.plans * (options.region_points - before);
   if (options.evidence)
-    most += options.plans * (kRemodelling.count + kAnterolateralAlone.count +
+    most += options.plans * (kRemodelling.count + kDisease.count + kAnterolateralAlone.count +
                              kPosteromedialAlone.count + kIndependent.count);
   return most;
 }
@@ -268,7 +279,6 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
   sort_plans(evaluations, fine, order);
   std::vector<const PlanRecord*> records;
   for (const auto& [plan, record] : order) records.push_back(record);
-  const std::vector<ParetoPlan> front = pareto_front(evaluations, records, nodes);
   std::vector<RankedPlan> result;
   for (std::size_t i = 0; i < order.size(); ++i) {
     RankedPlan& plan = order[i].first;
@@ -277,39 +287,13 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
     if (i + 1 < order.size())
       plan.share_of_draws_ahead = share_ahead(evaluations, model, order[i], order[i + 1]);
     plan.probability_outranks_next =
-        i + 1 < order.size()
-            ? probability_ahead(evaluations, judged(order[i]), judged(order[i + 1]), nodes)
-            : std::numeric_limits<double>::quiet_NaN();
-    plan.pareto = std::any_of(front.begin(), front.end(), [&](const ParetoPlan& best) {
-      return plan_key(best.plan) == plan_key(plan.plan);
-    });
+        i + 1 < order.size() ? probability_ahead(evaluations, judged(evaluations, order[i]),
+                                                 judged(evaluations, order[i + 1]), nodes)
+                             : std::numeric_limits<double>::quiet_NaN();
   }
   for (auto& [plan, record] : order) result.push_back(std::move(plan));
+  mark_pareto(evaluations.context().weights, result);
   return result;
-}
-
-std::vector<ParetoPlan> pareto_front(const PlanEvaluations& evaluations,
-                                     const std::vector<const PlanRecord*>& plans, int nodes) {
-  std::vector<ParetoPlan> all, front;
-  for (const PlanRecord* plan : plans) {
-    const RegionReport region = region_report(*plan, nodes);
-    if (region.failures > 0 || std::isnan(region.leak_mm2.mean)) continue;
-    all.push_back({plan->plan, describe(evaluations.valve(), plan->plan), region.leak_mm2.mean,
-                   region.leak_mm2.sd, plan->effort.steps, plan->effort.sizes_below, nodes});
-  }
-  const auto beats = [](const ParetoPlan& a, const ParetoPlan& b) {
-    const bool as_good = a.mean_mm2 <= b.mean_mm2 && a.sd_mm2 <= b.sd_mm2 && a.steps <= b.steps &&
-                         a.sizes_below <= b.sizes_below;
-    return as_good && (a.mean_mm2 < b.mean_mm2 || a.sd_mm2 < b.sd_mm2 || a.steps < b.steps ||
-                       a.sizes_below < b.sizes_below);
-  };
-  for (const ParetoPlan& plan : all)
-    if (std::none_of(all.begin(), all.end(), [&](const auto& other) { return beats(other, plan); }))
-      front.push_back(plan);
-  std::stable_sort(front.begin(), front.end(), [](const ParetoPlan& a, const ParetoPlan& b) {
-    return a.steps != b.steps ? a.steps < b.steps : a.mean_mm2 < b.mean_mm2;
-  });
-  return front;
 }
 
 }  // namespace coapt

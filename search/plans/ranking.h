@@ -18,8 +18,8 @@ inline constexpr int kFinalists = 3;
 int ranking_closures(const SearchOptions& options);
 int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*>& finalists);
 
-/// Closures that the evidence for a plan takes: further remodelling, errors of each suture alone,
-/// and of both by themselves.
+/// Closures that the evidence for a plan takes: further remodelling and disease, errors of each suture
+/// alone, and of both by themselves.
 int evidence_closures(const RepairPlan& plan);
 
 /// Closes the finalists at as many nodes as the ladder goes, dropping the dearest on the way down
@@ -32,17 +32,12 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
                                          std::vector<LadderStep>& ladder);
 
 /// Plans in order: those whose own closure failed come last, before them those with more than a
-/// twentieth of the region's closures failed; robustly closing ones first; then by cost, which
-/// counts failures, too. Over the nodes that all of them have closed, at most so many. Whether a
+/// twentieth of the region's closures failed, then those that open too little (is_stenotic());
+/// robustly closing ones first; then by cost, which counts failures, too, and the price of what they do not last. Over the nodes that all of them have closed, at most so many. Whether a
 /// plan closes robustly is asked of the fine closures, too; the cost is of its own mesh. Draws of
 /// the model change no rank: they say whether it holds.
 std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
                              int most_nodes, const FineClosures& fine = {},
                              const ModelClosures& model = {});
-
-/// Of plans that may be compared (equally many nodes): no other is as good in mean, sd, steps and
-/// undersizing, and better in one.
-std::vector<ParetoPlan> pareto_front(const PlanEvaluations& evaluations,
-                                     const std::vector<const PlanRecord*>& plans, int nodes);
 
 }  // namespace coapt

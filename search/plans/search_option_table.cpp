@@ -30,6 +30,9 @@ constexpr OptionRow<SearchOptions> kOptions[] = {
      "Nodes of the region of interest, for each reported plan."},
     {"evidence", &SearchOptions::evidence, kAny, "",
      "Close the reported plans also under errors of single sutures and further remodelling."},
+    {"openings", &SearchOptions::openings, kAny, "",
+     "Open plans in diastole, too, once they are closed at more than one node: opening area and "
+     "mean gradient."},
     {"fine_levels",
      &SearchOptions::fine_levels,
      {0.0, 2.0},
@@ -106,6 +109,11 @@ constexpr OptionRow<CostWeights> kWeights[] = {
     {"step", &CostWeights::step, kPrice, "", "Per step."},
     {"tension", &CostWeights::tension, kPrice, "",
      "Per newton of peak chordal tension above the unrepaired valve's."},
+    {"gradient_above_3", &CostWeights::gradient_above_3, kPrice, "",
+     "Per mmHg of mean gradient in diastole above 3."},
+    {"gradient_above_5", &CostWeights::gradient_above_5, kPrice, "", "More, per mmHg above 5."},
+    {"durability", &CostWeights::durability, kPrice, "",
+     "Per mm of further disease that a reported plan does not last, of 12."},
     {"untrusted", &CostWeights::untrusted, kPrice, "",
      "For closures that did not converge or crossed, by their share."},
 };

@@ -22,6 +22,8 @@ struct SearchOptions {
   int region_points = 1089;
   /// Close the reported plans also under errors of single sutures and further remodelling.
   bool evidence = true;
+  /// Open plans in diastole, too, from their second node on.
+  bool openings = true;
   /// Times that the mesh is refined for the verdict on each reported plan; 0: its own mesh.
   int fine_levels = 1;
   /// Draws of the model's own values (model_draw.h) under which each reported plan is closed as

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "search/plans/durability.h"
 #include "search/plans/fine_closures.h"
 #include "search/plans/gates.h"
 #include "search/plans/ladder.h"
@@ -34,6 +35,9 @@ struct RankedPlan {
   std::shared_ptr<const ClosedValve> closed;
   Effort effort;
   RegionReport region;
+  std::optional<PlanOpening> opening{};    ///< none if openings were not asked for
+  std::optional<Durability> durability{};  ///< with the evidence; else none
+  double durability_price = 0.0;           ///< in mm2, by which it is ranked besides its cost
   /// Whose verdict counts besides that of its own mesh: see FineMesh::levels.
   int fine_levels = 0;
   /// As planned, on the refined mesh; none without levels, or if the search was cancelled before.
@@ -54,18 +58,19 @@ struct RankedPlan {
   /// That it truly comes before the next plan, by robust closing, then by cost: resampling the
   /// nodes and the scatter of closures. NaN for the last. A tie if between 0.05 and 0.95.
   double probability_outranks_next = 0.0;
-  /// No other ranked plan is as good in mean, sd, steps and undersizing, and better in one.
+  /// No other ranked plan is as good in mean + sd of the leak, opening and durability, and better in one (pareto_front.h).
   bool pareto = false;
 };
 
-/// A plan that no other one closed at as many nodes beats in mean and sd of the leak, steps and
-/// undersizing.
+/// A plan that no other one closed at as many nodes beats in mean and sd of the leak, steps and opening, or undersizing
+/// where plans were not opened.
 struct ParetoPlan {
   RepairPlan plan;
   std::vector<std::string> description;
   double mean_mm2 = 0.0, sd_mm2 = 0.0;  ///< of the leak
   int steps = 0;
   double sizes_below = 0.0;
+  double opening_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not opened
   int nodes = 0;
 };
 
@@ -83,6 +88,7 @@ struct TriedPlan {
 
 struct SearchResult {
   Evaluation before;
+  std::optional<PlanOpening> opening_before{};
   /// The valve as it is, with its closure; null if the evaluator kept none.
   std::shared_ptr<const ClosedValve> closed_before;
   /// Best first, distinct in surgical terms.

@@ -151,8 +151,9 @@ class _Place:
 @dataclass(frozen=True)
 class RankedPlan:
     """A plan with its evidence. rank 1 is the best; description is in surgical words, a line a step; cost is in mm2, lower is
-    better. margin_mm and margin_deg: how much shorter or longer a suture, how far off a tip may be before it leaks. The rest
-    (gates, Sobol indices) is in json.
+    better. margin_mm and margin_deg: how much shorter or longer a suture, how far off a tip may be before it leaks.
+    opening_area_mm2 and gradient_mmhg: in diastole, at rest; durability_mm: further disease until it leaks 5 mm2, 12 at most; None
+    where that was not asked for. The rest (gates, Sobol indices) is in json.
     """
 
     rank: int
@@ -171,6 +172,9 @@ class RankedPlan:
     pareto: bool
     tie_with_next: bool
     warnings: tuple[str, ...]
+    opening_area_mm2: float | None
+    gradient_mmhg: float | None
+    durability_mm: float | None
     json: Document = field(repr=False, compare=False)
     _place: _Place | None = field(default=None, repr=False, compare=False)
 
@@ -195,6 +199,9 @@ class RankedPlan:
             json["pareto"],
             json["tie_with_next"],
             tuple(json["warnings"]),
+            json.get("opening_area_mm2"),
+            json.get("gradient_mmhg"),
+            json.get("durability_mm"),
             json,
             place,
         )

@@ -95,8 +95,31 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "independent_leak_mm2",
                                              "remodelling",
                                              "gates",
-                                             "warnings"};
+                                             "warnings",
+                                             "opening_area_mm2",
+                                             "projected_area_mm2",
+                                             "gradient_mmhg",
+                                             "gradient_exercise_mmhg",
+                                             "durability_mm",
+                                             "outlasting",
+                                             "durability_price"};
   EXPECT_EQ(keys(scene()["plans"][0]), expected);
+}
+
+TEST(PlansJson, APlanStatesItsOpeningAndHowLongItLasts) {
+  SearchResult result = search_result();
+  result.plans[0].opening =
+      PlanOpening{ClosureStatus::Converged, false, {320.0, 4.0, 3.0, 300.0, 700.0, 1.9, 3.7}};
+  result.plans[0].durability = Durability{4.25, 0.375};
+  result.plans[1].opening = PlanOpening{ClosureStatus::StepLimit, false, {}};
+  const ordered_json plans = written(to_json(result))["plans"];
+  EXPECT_EQ(plans[0]["opening_area_mm2"], 320.0);
+  EXPECT_EQ(plans[0]["projected_area_mm2"], 300.0);
+  EXPECT_EQ(plans[0]["gradient_mmhg"], 1.9);
+  EXPECT_EQ(plans[0]["durability_mm"], 4.25);
+  EXPECT_EQ(plans[0]["outlasting"], 0.375);
+  EXPECT_TRUE(plans[1]["opening_area_mm2"].is_null());
+  EXPECT_TRUE(plans[1]["durability_mm"].is_null());
 }
 
 TEST(PlansJson, APlanStatesItsClosureOnTheFinerMesh) {

@@ -112,10 +112,12 @@ TEST(SearchOptionsJson, AProblemSaysWhatIsAccepted) {
   EXPECT_EQ(message_at(R"({"evaluations": 0})", "/evaluations"), "is 0, must be from 1 to 1000000");
   EXPECT_EQ(message_at(R"({"rules": {"most_movement_mm": 16}})", "/rules/most_movement_mm"),
             "is 16, must be from 2 to 15 mm");
-  EXPECT_EQ(message_at(R"({"weights": {"steps": 1}})", "/weights/steps"),
-            "is not a field here, must be one of leak sd_share incompetence margin coaptation gap "
-            "movement movement_above_10 undersizing undersizing_above_4 step tension untrusted; "
-            "did you mean \"step\"?");
+  EXPECT_EQ(
+      message_at(R"({"weights": {"steps": 1}})", "/weights/steps"),
+      "is not a field here, must be one of leak sd_share incompetence margin coaptation gap "
+      "movement movement_above_10 undersizing undersizing_above_4 step tension gradient_above_3 "
+      "gradient_above_5 durability untrusted; "
+      "did you mean \"step\"?");
 }
 
 }  // namespace

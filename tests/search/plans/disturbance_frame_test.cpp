@@ -5,12 +5,14 @@
 namespace coapt {
 namespace {
 
-/// By how much both tips are off, in the axes of disturbances.
+constexpr Eigen::Index kPlace = 13;
+
+/// By how much both tips and the annulus are off, in the axes of disturbances.
 Eigen::VectorXd place(int disturbance) {
-  const auto& [al, pm, remodelling] = disturbances()[disturbance];
-  Eigen::VectorXd all(9);
+  const auto& [al, pm, remodelling, share, growth] = disturbances()[disturbance];
+  Eigen::VectorXd all(kPlace);
   all << al.length_mm, al.outwards_deg, al.posterior_deg, pm.length_mm, pm.outwards_deg,
-      pm.posterior_deg, remodelling;
+      pm.posterior_deg, remodelling, share * remodelling, growth;
   return all;
 }
 
@@ -18,7 +20,7 @@ TEST(DisturbanceFrame, ReachesEachDisturbanceThatItPredicts) {
   for (int d = 0; d < kDisturbances; ++d) {
     if (predicted_from(d).empty()) continue;
     double sum = 0.0, squares = 0.0;
-    Eigen::VectorXd reached = Eigen::VectorXd::Zero(9);
+    Eigen::VectorXd reached = Eigen::VectorXd::Zero(kPlace);
     for (const auto& [part, share] : predicted_from(d)) {
       sum += share;
       squares += share * share;
@@ -57,11 +59,11 @@ TEST(DisturbanceFrame, TheSecondOfAPairIsTheFirstOnesOpposite) {
 }
 
 TEST(DisturbanceFrame, LeavesFewUnpredicted) {
-  // Three of the region, an end of each axis of each slice, one node of the rays each, one of two
-  // sutures at once.
+  // Three of the region, an end of each axis of each slice, one node of the rays and of the courses each, one of
+  // two sutures at once.
   int unpredicted = 0;
   for (int d = 1; d < kDisturbances; ++d) unpredicted += predicted_from(d).empty();
-  EXPECT_EQ(unpredicted, 3 + 4 + 4 + 1);
+  EXPECT_EQ(unpredicted, 3 + 4 + 4 + 8 + 1);
 }
 
 }  // namespace

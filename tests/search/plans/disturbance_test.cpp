@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/repair/apply_plan.h"
+#include "core/valve/annulus_frame.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -34,11 +35,11 @@ RepairPlan suture(double length_mm) {
       .side = Side::Anterolateral, .anchor = Anchor::SaddlePeak, .suture_length_mm = length_mm}}};
 }
 
-TEST(Disturbances, AreTheRegionTheSlicesTheIndependentNodesAndRemodelling) {
+TEST(Disturbances, AreTheRegionTheSlicesTheIndependentNodesRemodellingAndDisease) {
   EXPECT_EQ(std::ssize(disturbances()), kDisturbances);
   int next = 0;
   for (const DisturbanceSet& set :
-       {kRegion, kAnterolateralAlone, kPosteromedialAlone, kIndependent, kRemodelling}) {
+       {kRegion, kAnterolateralAlone, kPosteromedialAlone, kIndependent, kRemodelling, kDisease}) {
     EXPECT_EQ(set.first, next);
     next = set.first + set.count;
   }
@@ -150,6 +151,37 @@ TEST(Disturbances, RemodellingGoesOneToSixMillimetresAlongFourRays) {
   EXPECT_EQ(std::ssize(used), kRemodelling.count);
 }
 
+TEST(Disturbances, CoursesOfDiseaseHaveTheMeansAndSpreadsOfTheirSource) {
+  ASSERT_EQ(disease_courses().size(), 8u);
+  double growth = 0.0, growth2 = 0.0, share = 0.0, share2 = 0.0;
+  std::set<int> used;
+  for (const DiseaseCourse& course : disease_courses()) {
+    ASSERT_EQ(course.indices.size(), 4u);
+    EXPECT_EQ(course.indices[0], 0);
+    const Disturbance& first = disturbance(course.indices[1]);
+    for (std::size_t step = 1; step <= 3; ++step) {
+      const Disturbance& d = disturbance(course.indices[step]);
+      const double times = static_cast<double>(step);
+      EXPECT_NEAR(d.remodelling_mm.norm(), kCourseStep_mm * times, 1e-12);
+      EXPECT_NEAR((d.remodelling_mm - times * first.remodelling_mm).norm(), 0.0, 1e-12);
+      EXPECT_NEAR(d.annular_growth_mm, times * first.annular_growth_mm, 1e-12);
+      EXPECT_EQ(d.anterolateral_share, first.anterolateral_share);
+      EXPECT_GT(d.remodelling_mm.minCoeff(), 0.0);
+      used.insert(course.indices[step]);
+    }
+    const double a_mm = first.annular_growth_mm / kCourseStep_mm;
+    growth += a_mm / 8.0;
+    growth2 += a_mm * a_mm / 8.0;
+    share += first.anterolateral_share / 8.0;
+    share2 += first.anterolateral_share * first.anterolateral_share / 8.0;
+  }
+  EXPECT_EQ(std::ssize(used), kDisease.count);
+  EXPECT_NEAR(growth, 4.9 / 6.5, 1e-12);  // Tibayan 2003
+  EXPECT_NEAR(std::sqrt(growth2 - growth * growth), 2.7 / 6.5, 1e-12);
+  EXPECT_NEAR(share, 0.5, 1e-12);
+  EXPECT_NEAR(std::sqrt(share2 - share * share), 0.29, 1e-12);
+}
+
 TEST(Disturbances, TheirShareIsHowFarTheWorseMuscleGoesToTheBorder) {
   EXPECT_EQ(region_share({}), 0.0);
   EXPECT_EQ(region_share(both({-1.0, 0.0, 0.0})), 1.0);
@@ -219,6 +251,22 @@ TEST(Disturb, AnUnsuturedMuscleFollowsTheVentricle) {
   const Vec3 right = further.heads[1].tip_mm - valve.heads[1].tip_mm;
   EXPECT_NEAR((left - Vec3(-1.0, -2.0, -3.0)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((right - Vec3(1.0, -2.0, -3.0)).norm(), 0.0, 1e-12);
+}
+
+TEST(Disturb, DiseaseWidensAnAnnulusThatNoRingHolds) {
+  const Valve valve = small_valve();
+  Disturbance disease = remodelling({2.0, 0.0, 0.0});
+  disease.anterolateral_share = 0.5;
+  disease.annular_growth_mm = 1.5;
+  const Valve further = disturb(valve, {}, disease);
+  const AnnulusFrame before = annulus_frame(valve);
+  EXPECT_NEAR(ap_diameter_mm(further, annulus_frame(further)), ap_diameter_mm(valve, before) + 1.5,
+              0.02);
+  EXPECT_NEAR(further.heads[0].tip_mm.x(), valve.heads[0].tip_mm.x() - 1.0, 1e-12);
+  EXPECT_NEAR(further.heads[1].tip_mm.x(), valve.heads[1].tip_mm.x() + 2.0, 1e-12);
+  const RepairPlan ring{{Annuloplasty{OwnRing{0}}}};
+  const Valve repaired = *apply_plan(valve, ring);
+  EXPECT_EQ(disturb(repaired, ring, disease).annulus_mm, repaired.annulus_mm);
 }
 
 TEST(Disturb, ATautSutureHolds) {

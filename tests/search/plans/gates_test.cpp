@@ -55,9 +55,9 @@ RepairStep neochorda(const std::string& head, double along, double length_mm) {
 }
 
 TEST(Gates, EveryRuleIsStatedForEveryPlanInOneOrder) {
-  const std::vector<std::string> rules = {
-      "ring_width",    "ring_stenosis", "undersizing",      "opening_area",   "papillary_movement",
-      "suture_length", "filling",       "neochorda_length", "neochorda_half", "native_chordae"};
+  const std::vector<std::string> rules = {"ring_width",         "ring_stenosis",  "undersizing",
+                                          "papillary_movement", "suture_length",  "filling",
+                                          "neochorda_length",   "neochorda_half", "native_chordae"};
   EXPECT_EQ(rules_of(gates(RepairPlan{})), rules);
   EXPECT_EQ(rules_of(gates(RepairPlan{
                 {neochorda("AL1", 0.4, 20.0), own_ring(2), suture(Anchor::SaddlePeak, 25.0)}})),
@@ -68,16 +68,14 @@ TEST(Gates, EveryRuleIsStatedForEveryPlanInOneOrder) {
   }
 }
 
-TEST(Gates, ARuleWithoutASubjectPassesAndDiastoleIsNeverAssessed) {
+TEST(Gates, ARuleWithoutASubjectPassesAndFillingIsNeverAssessed) {
   const std::vector<Gate> none = gates(RepairPlan{});
   expect_gate(none, "ring_width", GateSeverity::Pass, "no ring");
   expect_gate(none, "undersizing", GateSeverity::Pass, "no ring");
   expect_gate(none, "papillary_movement", GateSeverity::Pass, "no muscle");
   expect_gate(none, "neochorda_half", GateSeverity::Pass, "no neochorda");
-  for (const std::vector<Gate>& any : {none, gates(ring(26.0))}) {
-    expect_gate(any, "opening_area", GateSeverity::NotAssessed, "diastole");
-    expect_gate(any, "filling", GateSeverity::NotAssessed, "diastole");
-  }
+  for (const std::vector<Gate>& any : {none, gates(ring(26.0))})
+    expect_gate(any, "filling", GateSeverity::NotAssessed, "not simulated");
   EXPECT_TRUE(warnings_of(none).empty());
   EXPECT_FALSE(is_rejected(none));
 }
@@ -134,7 +132,7 @@ TEST(Gates, AnchorsOnThePosteriorAnnulusImpairFilling) {
               "posterior");
   for (const double around : {0.5, 1.0, 0.25})  // the commissures, the saddle peak
     expect_gate(gates(suture(Anchor::AnnulusPoint, 26.0, around)), "filling",
-                GateSeverity::NotAssessed, "diastole");
+                GateSeverity::NotAssessed, "not simulated");
   expect_gate(gates(suture(Anchor::SaddlePeak, 25.0)), "filling", GateSeverity::NotAssessed, "");
 }
 

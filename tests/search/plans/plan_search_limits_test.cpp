@@ -181,7 +181,8 @@ TEST(SearchLimits, ListsEveryOptionOutsideItsRange) {
   options.seconds = nan;
   options.no_improvement = -1;
   options.target_mm2 = nan;
-  options.weights = {nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, -1.0, 1e7};
+  options.weights = {nan, nan, nan, nan,  nan, nan, nan,  nan,
+                     nan, nan, nan, -1.0, 1e7, nan, -1.0, nan};
   options.rules.forbidden = {"annuloplasty", "surgery"};
   options.rules.most_neochordae = 5;
   options.rules.suture_lattice_mm = nan;
@@ -206,6 +207,9 @@ TEST(SearchLimits, ListsEveryOptionOutsideItsRange) {
                                              "/weights/undersizing_above_4",
                                              "/weights/step",
                                              "/weights/tension",
+                                             "/weights/gradient_above_3",
+                                             "/weights/gradient_above_5",
+                                             "/weights/durability",
                                              "/weights/untrusted",
                                              "/rules/most_neochordae",
                                              "/rules/suture_lattice_mm",

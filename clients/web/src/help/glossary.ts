@@ -15,11 +15,11 @@ export const GLOSSARY = {
   error:
     'How far the area may be off because the mesh is coarse and the closure ends early; nine of ten valves of a comparison were nearer. It grows with the area. What tissue, imaging and pressure add is not in it.',
   margin: 'By how much a suture or a ring may be off before the valve leaks more than 1 mm².',
-  cost: 'What a search makes small: the leak with its spread, and prices in mm² of leak for steps, undersizing, movement of the muscles, too little coaptation and too much tension. The prices are judgements, not measurements; they stand under “Weights of the cost”.',
+  cost: 'What a search makes small: the leak with its spread, and prices in mm² of leak for steps, undersizing, movement of the muscles, too little coaptation, too much tension and a gradient in diastole above 3 mmHg. The prices are judgements, not measurements; they stand under “Weights of the cost”.',
   region:
     'The plan is closed many times with small errors of execution: lengths up to 1 mm and the direction of the papillary tips up to 5° off. Given are the mean and the standard deviation of the leak; 95 % of these closures leak less than the next column says.',
   pareto:
-    'No other ranked plan is better in one of mean leak, its spread, number of steps and undersizing without being worse in another of them.',
+    'No other ranked plan is better in one of leak (mean + sd), opening in diastole and further disease that it bears without being worse in another of them.',
   robust:
     'Closes also with small errors of execution: the plan was closed many times with lengths and places a little off.',
 } as const

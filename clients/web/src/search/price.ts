@@ -13,6 +13,8 @@ export interface PriceItem {
 const COMPETENT_MM2 = 1
 const USUAL_MOVEMENT_MM = 10
 const MOST_SIZES_BELOW = 4
+const USUAL_GRADIENT_MMHG = 3
+const STENOSIS_MMHG = 5
 const TOLD_MM2 = 0.05 // differences below it are not told
 const TOLD = 3 // differences, the largest first
 
@@ -40,6 +42,12 @@ export function priceItems(plan: RankedPlan, weights: Weights): PriceItem[] {
       mm2: moved
         .map((mm) => weights.movement * mm + weights.movement_above_10 * above(mm, USUAL_MOVEMENT_MM))
         .reduce((sum, price) => sum + price),
+    },
+    {
+      name: 'gradient in diastole',
+      mm2:
+        weights.gradient_above_3 * above(plan.gradient_mmhg ?? 0, USUAL_GRADIENT_MMHG) +
+        weights.gradient_above_5 * above(plan.gradient_mmhg ?? 0, STENOSIS_MMHG),
     },
     {
       name: 'closures that failed',

@@ -159,7 +159,7 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
     sections.push(
       listed(
         'Pareto front',
-        'The plans tried that are Pareto-optimal in mean leak, its sd, number of steps and undersizing.',
+        'The plans tried that are Pareto-optimal in mean leak, its sd, number of steps and opening in diastole.',
         dataTable(
           'Pareto front',
           [
@@ -167,6 +167,7 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
             { label: 'leak, mean, mm²', numeric: true },
             { label: 'sd, mm²', numeric: true },
             { label: 'steps', numeric: true },
+            { label: 'opening, cm²', numeric: true },
             { label: 'ring sizes below', numeric: true },
             { label: 'region points', numeric: true },
           ],
@@ -175,6 +176,7 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
             figure(plan.mean_mm2),
             figure(plan.sd_mm2),
             plan.steps,
+            figure(plan.opening_mm2 == null ? null : plan.opening_mm2 / 100),
             number(plan.ring_sizes_below),
             plan.nodes,
           ]),

@@ -1,0 +1,26 @@
+// How long a repair lasts while the disease goes on (thesis 5.1.3): how far tips and annulus may go before the valve leaks again.
+#pragma once
+
+#include <optional>
+
+#include "search/plans/plan_evaluations.h"
+
+namespace coapt {
+
+struct Durability {
+  /// Way of the posteromedial tip until the leak passes kGoodRepair_mm2, mean over disease_courses(); a course that
+  /// does not come to that counts with kFurthestCourse_mm. Between closures the leak is taken as linear.
+  double expected_mm = 0.0;
+  double outlasting = 0.0;  ///< share of the courses that do not come to that
+};
+
+/// As far as courses go.
+inline constexpr double kFurthestCourse_mm = 12.0;
+
+/// None unless all courses are closed. Where a closure failed the valve counts as leaking.
+std::optional<Durability> durability(const PlanRecord& plan);
+
+/// For what of kFurthestCourse_mm a plan does not last.
+double durability_price(const Durability& durability, const CostWeights& weights);
+
+}  // namespace coapt

@@ -1,0 +1,74 @@
+#include "search/plans/plan_opening.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/valve/number_text.h"
+#include "search/plans/gate_parts.h"
+
+namespace coapt {
+namespace {
+
+constexpr const char* kGradientSource =
+    "guidelines: a mean gradient above 5 mmHg at rest is stenosis";
+
+double above(double value, double limit) { return std::max(0.0, value - limit); }
+
+}  // namespace
+
+bool trusted(const PlanOpening& opening) {
+  return opening.status == ClosureStatus::Converged && !opening.crossing &&
+         std::isfinite(opening_mm2(opening)) && std::isfinite(opening.measure.gradient_mmhg);
+}
+
+double opening_mm2(const PlanOpening& opening) {
+  const double passage = opening.measure.opening_area_mm2;
+  const double seen = opening.measure.projected_area_mm2;
+  return std::isnan(passage) || std::isnan(seen) ? passage + seen : std::min(passage, seen);
+}
+
+PlanOpening open_plan(const Valve& repaired) {
+  const Expected<OpenedValve> opened = open_valve(repaired);
+  if (!opened) return {ClosureStatus::Diverged, false, {}};
+  return {opened->closure.status, opened->closure.crossing, opened->measure};
+}
+
+double opening_price(const PlanOpening& opening, const CostWeights& weights) {
+  if (!trusted(opening)) return 0.0;
+  const double gradient = opening.measure.gradient_mmhg;
+  return weights.gradient_above_3 * above(gradient, kUsualGradient_mmhg) +
+         weights.gradient_above_5 * above(gradient, kStenosis_mmhg);
+}
+
+std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
+  Gate area{"opening_area", GateSeverity::NotAssessed, "", kPractice};
+  Gate gradient{"mean_gradient", GateSeverity::NotAssessed, "", kGradientSource};
+  if (!opening || !trusted(*opening)) {
+    area.finding = gradient.finding = opening ? "the open valve did not come to rest uncrossed"
+                                              : "the repaired valve was not opened";
+    return {area, gradient};
+  }
+  const double mm2 = opening_mm2(*opening), mmhg = opening->measure.gradient_mmhg;
+  const std::string figure = "opens to " + with_decimals(0.01 * mm2, 1) + " cm2";
+  if (mm2 < kStenosis_mm2) {
+    area.severity = GateSeverity::Reject;
+    area.finding = figure + ": less than 1.5 cm2 is rejected in practice";
+  } else if (mm2 < kNarrow_mm2) {
+    area.severity = GateSeverity::Warn;
+    area.finding = figure + ": practice is cautious below 2.0 cm2";
+  } else {
+    area.severity = GateSeverity::Pass;
+    area.finding = figure + ", 2.0 or more";
+  }
+  gradient.severity = mmhg > kStenosis_mmhg ? GateSeverity::Warn : GateSeverity::Pass;
+  gradient.finding = "mean gradient of " + with_decimals(mmhg, 1) +
+                     " mmHg at rest (Gorlin): " + (mmhg > kStenosis_mmhg ? "more" : "no more") +
+                     " than 5";
+  return {area, gradient};
+}
+
+bool is_stenotic(const std::optional<PlanOpening>& opening) {
+  return opening && trusted(*opening) && opening_mm2(*opening) < kStenosis_mm2;
+}
+
+}  // namespace coapt
