@@ -20,14 +20,14 @@ void print_errors(std::ostream& out, const char* of, const RuptureErrors& errors
   const auto median = [](const std::vector<double>& values) { return quantile(values, 0.5); };
   out << "  " << of << ": rms of points " << median(errors.rms_intact_mm) << " mm intact, "
       << median(errors.rms_mm) << " mm taken (largest "
-      << *std::max_element(errors.rms_mm.begin(), errors.rms_mm.end())
-      << "); error of the leak " << median(errors.leak_intact_mm2) << " mm2 intact, "
-      << median(errors.leak_mm2) << " mm2 taken; from the twin's surface "
-      << median(errors.surface_mm) << " mm\n";
+      << *std::max_element(errors.rms_mm.begin(), errors.rms_mm.end()) << "); error of the leak "
+      << median(errors.leak_intact_mm2) << " mm2 intact, " << median(errors.leak_mm2)
+      << " mm2 taken; from the twin's surface " << median(errors.surface_mm) << " mm\n";
 }
 
 void print_rupture_half(std::ostream& out, const std::vector<const Twin*>& twins) {
-  int ruptured = 0, found = 0, elsewhere = 0, missed = 0, intact = 0, invented = 0, right_refitted = 0;
+  int ruptured = 0, found = 0, elsewhere = 0, missed = 0, intact = 0, invented = 0,
+      right_refitted = 0;
   RuptureErrors of_ruptured, of_intact;
   for (const Twin* twin : twins) {
     const bool right = twin->taken == twin->lesion;
@@ -65,7 +65,8 @@ void print_rupture_half(std::ostream& out, const std::vector<const Twin*>& twins
 
 std::string ruptures_csv(const std::vector<Twin>& twins) {
   std::ostringstream csv;
-  csv << "twin,lesion,hypothesis,taken,refitted,probability,objective,rms_mm,leak_mm2,twin_leak_mm2,"
+  csv << "twin,lesion,hypothesis,taken,refitted,probability,objective,rms_mm,leak_mm2,twin_leak_"
+         "mm2,"
          "surface_rms_mm\n";
   const auto yes = [](bool is) { return is ? "true" : "false"; };
   for (const Twin& twin : twins)

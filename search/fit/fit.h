@@ -52,7 +52,8 @@ struct FitOptions {
   /// Of a mitral valve: fits it with the marginal chordae of a scallop ruptured, too, where that may explain the surface better,
   /// and takes the more probable one (rupture_fit.h).
   bool ruptures = false;
-  std::map<std::string, double> start = {};  ///< values by name that it begins at; others at their priors
+  std::map<std::string, double> start =
+      {};  ///< values by name that it begins at; others at their priors
   /// Of the clock; the closures that the uncertainty takes at the end are counted in, by how long others took.
   double most_seconds = std::numeric_limits<double>::infinity();
   /// Rounds done of at most twice most_rounds (six times with `ruptures`), rms in mm; false stops.
@@ -84,9 +85,10 @@ struct FittedLeak {
 /// The valve as given ("intact"), or with chordae ruptured ("ruptured_P2"), as an explanation of the surface.
 struct FitHypothesis {
   std::string name;
-  double rms_mm = 0.0, leak_mm2 = 0.0;  ///< fitted, else of its better screen; nan if that did not close
-  double objective = 0.0;               ///< sum of squares; of one that was not fitted a bound from above
-  double probability = 0.0;             ///< among all hypotheses
+  double rms_mm = 0.0,
+         leak_mm2 = 0.0;     ///< fitted, else of its better screen; nan if that did not close
+  double objective = 0.0;    ///< sum of squares; of one that was not fitted a bound from above
+  double probability = 0.0;  ///< among all hypotheses
   bool refitted = false;
 };
 

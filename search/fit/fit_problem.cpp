@@ -9,8 +9,8 @@
 namespace coapt {
 namespace {
 
-constexpr double kOutlier_mm = 3.0;     // distances count as less and less beyond it
-constexpr double kUntrusted_mm = 10.0;  // distance of a valve that does not close
+constexpr double kOutlier_mm = 3.0;         // distances count as less and less beyond it
+constexpr double kUntrusted_mm = 10.0;      // distance of a valve that does not close
 constexpr double kMostTimesAsGiven = 10.0;  // steps of a closure
 
 /// Distances beyond kOutlier_mm count as little more than that (a point of another structure).

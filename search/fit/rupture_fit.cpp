@@ -24,15 +24,14 @@ struct Candidate {
   std::string name;
   Valve valve;
   Eigen::VectorXd point = {};
-  FitAnswer answer = {};                                       ///< trusted once it has closed
-  double screen = std::numeric_limits<double>::infinity();     ///< sum of squares
+  FitAnswer answer = {};                                    ///< trusted once it has closed
+  double screen = std::numeric_limits<double>::infinity();  ///< sum of squares
   std::optional<ValveFit> fit = {};
 };
 
 ValuesByName fitted_values(const ValveFit& fit) {
   ValuesByName values;
-  for (const FittedParameter& fitted : fit.parameters)
-    values[fitted.parameter.name] = fitted.value;
+  for (const FittedParameter& fitted : fit.parameters) values[fitted.parameter.name] = fitted.value;
   return values;
 }
 
@@ -125,7 +124,8 @@ class RuptureFit {
       const std::vector<FitAnswer> answers = problem.answers(points);
       closures_ += problem.closures();
       if (cut_short_ || halted()) {
-        for (; at < candidates_.size(); ++at) leave_out(candidates_[at]);
+        for (std::size_t rest = 1; rest < candidates_.size(); ++rest) leave_out(candidates_[rest]);
+        candidates_.resize(1);  // a part of them would make a biased comparison
         return false;
       }
       for (std::size_t i = 0; i < points.size(); ++i) {
@@ -145,9 +145,8 @@ class RuptureFit {
     std::vector<Candidate*> hopeful;
     for (Candidate& candidate : candidates_)
       if (candidate.screen <= most) hopeful.push_back(&candidate);
-    std::stable_sort(hopeful.begin(), hopeful.end(), [](const Candidate* a, const Candidate* b) {
-      return a->screen < b->screen;
-    });
+    std::stable_sort(hopeful.begin(), hopeful.end(),
+                     [](const Candidate* a, const Candidate* b) { return a->screen < b->screen; });
     if (std::ssize(hopeful) > kMostRefits) hopeful.resize(kMostRefits);
     for (std::size_t i = 0; i < hopeful.size(); ++i) {
       Candidate& candidate = *hopeful[i];
@@ -170,7 +169,7 @@ class RuptureFit {
     for (const Candidate& candidate : candidates_)
       if (candidate.fit && candidate.fit->noise_mm < clearest->noise_mm) clearest = &*candidate.fit;
     const FitWeights weights = weights_of(*clearest);
-    const double others = static_cast<double>(std::max<std::ptrdiff_t>(1, std::ssize(candidates_) - 1));
+    const auto others = static_cast<double>(std::ssize(candidates_) - 1);
     std::vector<FitHypothesis> hypotheses;
     std::vector<double> costs;
     std::size_t best = 0;
