@@ -87,6 +87,29 @@ const char* why(FitStop stop) {
   return "";
 }
 
+/// Those of --ruptured, if it was given.
+void print_hypotheses(std::ostream& out, const ValveFit& fit) {
+  if (fit.hypotheses.empty()) return;
+  out << "\n  " << std::left << std::setw(14) << "hypothesis" << std::right << std::setw(13)
+      << "probability" << std::setw(9) << "rms, mm" << std::setw(11) << "leak, mm2"
+      << "\n";
+  for (const FitHypothesis& of : fit.hypotheses) {
+    out << "  " << std::left << std::setw(14) << of.name << std::right << std::setw(13)
+        << fixed(of.probability, 3);
+    if (std::isnan(of.rms_mm))
+      out << "  does not close";
+    else
+      out << std::setw(9) << fixed(of.rms_mm, 3) << std::setw(11) << fixed(of.leak_mm2, 1)
+          << (of.name == fit.taken ? "  taken"
+              : of.refitted        ? ""
+                                   : "  not fitted");
+    out << '\n';
+  }
+  for (std::size_t i = 0; i < fit.left_out.size(); ++i)
+    out << (i == 0 ? "left out for lack of time: " : ", ") << fit.left_out[i];
+  if (!fit.left_out.empty()) out << '\n';
+}
+
 void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& measured) {
   out << "distance   " << fixed(fit.rms_before_mm, 3) << " mm rms before, " << fixed(fit.rms_mm, 3)
       << " mm after, of " << fit.points_mm.rows() << " points, which weigh as "
@@ -108,6 +131,7 @@ void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& me
       out << std::setw(9) << fixed(number, mm ? 2 : 3);
     out << (fitted.identifiable ? "" : "  the data say little") << '\n';
   }
+  print_hypotheses(out, fit);
   if (fit.stop != FitStop::AtRest)
     out << "\nstopped before it came to rest" << why(fit.stop) << '\n';
 }
@@ -136,7 +160,7 @@ int run(FitArguments arguments) {
     const std::atomic<bool>& interrupted = catch_interrupts();
     arguments.options.cancelled = [&] { return interrupted.load(); };
     arguments.options.progress = [&](int round, double rms_mm) {
-      bar.show(round, 2 * arguments.options.most_rounds,
+      bar.show(round, (arguments.options.ruptures ? 6 : 2) * arguments.options.most_rounds,
                "rounds at most, rms " + fixed(rms_mm, 3) + " mm");
       return true;
     };
@@ -221,6 +245,9 @@ void add_fit(Command parent, int& status) {
                   "How well the hidden height is known before, mm")
       .check(number_from(0.01, 5.0))
       .show_default();
+  command.add_flag("--ruptured", options.ruptures,
+                   "Ask for each scallop whether its marginal chordae are ruptured; the fitted "
+                   "valve is that of the most probable answer");
   command.add_option("--points", options.most_points, "Points used of the surface, at most")
       .check(number_from(100, 10000))
       .show_default();
@@ -251,6 +278,7 @@ void add_fit(Command parent, int& status) {
       "Examples:\n"
       "  coapt fit valve.json --closed systole.stl -o fitted.json --map residual.png\n"
       "  coapt fit valve.json --closed systole.vtk --leak 35 --leak-sd 10 -o fitted.json --json\n"
+      "  coapt fit flail.json --closed systole.stl --leak 40 --ruptured -o fitted.json\n"
       "  coapt fit valve.json --closed points.csv --frame valve --known tips hidden -o "
       "fitted.json");
   command.on_run([arguments, command, &status] {

@@ -36,6 +36,21 @@ ordered_json correlations_json(const Eigen::MatrixXd& covariance) {
   return rows;
 }
 
+ordered_json hypotheses_json(const ValveFit& fit) {
+  ordered_json all = ordered_json::array();
+  for (const FitHypothesis& of : fit.hypotheses) {
+    const bool closes = std::isfinite(of.rms_mm);
+    all.push_back({{"name", of.name},
+                   {"probability", of.probability},
+                   {"objective", closes ? ordered_json(of.objective) : ordered_json(nullptr)},
+                   {"rms_mm", closes ? ordered_json(of.rms_mm) : ordered_json(nullptr)},
+                   {"leak_mm2", closes ? ordered_json(of.leak_mm2) : ordered_json(nullptr)},
+                   {"refitted", of.refitted},
+                   {"taken", of.name == fit.taken}});
+  }
+  return all;
+}
+
 ordered_json leak_json(const ValveFit& fit, const MeasuredClosure& measured) {
   ordered_json leak = {
       {"before", leak_mm2(fit.before.measure)}, {"fitted", fit.leak.mm2}, {"sd", fit.leak.sd_mm2}};
@@ -80,25 +95,30 @@ std::optional<FitState> fit_state_from_json(const nlohmann::json& json) {
 
 ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files) {
   const bool atrial = files.measured.side == MeasuredSide::Atrial;
-  return {{"schema", "coapt.fit/1"},
-          {"version", version()},
-          {"notice", kResearchNotice},
-          {"valve", files.valve},
-          {"closed", files.closed},
-          {"side", atrial ? "atrial" : "middle"},
-          {"rms_mm", fit.rms_mm},
-          {"rms_before_mm", fit.rms_before_mm},
-          {"points",
-           {{"given", files.measured.points_mm.rows()},
-            {"used", fit.points_mm.rows()},
-            {"independent", fit.independent_points}}},
-          {"leak_mm2", leak_json(fit, files.measured)},
-          {"parameters", parameters_json(fit)},
-          {"correlations", correlations_json(fit.covariance)},
-          {"rounds", fit.rounds},
-          {"closures", fit.closures},
-          {"finished", fit.stop == FitStop::AtRest},
-          {"stop", to_string(fit.stop)}};
+  ordered_json json = {{"schema", "coapt.fit/1"},
+                       {"version", version()},
+                       {"notice", kResearchNotice},
+                       {"valve", files.valve},
+                       {"closed", files.closed},
+                       {"side", atrial ? "atrial" : "middle"},
+                       {"rms_mm", fit.rms_mm},
+                       {"rms_before_mm", fit.rms_before_mm},
+                       {"points",
+                        {{"given", files.measured.points_mm.rows()},
+                         {"used", fit.points_mm.rows()},
+                         {"independent", fit.independent_points}}},
+                       {"leak_mm2", leak_json(fit, files.measured)},
+                       {"parameters", parameters_json(fit)},
+                       {"correlations", correlations_json(fit.covariance)},
+                       {"rounds", fit.rounds},
+                       {"closures", fit.closures},
+                       {"finished", fit.stop == FitStop::AtRest},
+                       {"stop", to_string(fit.stop)}};
+  if (!fit.hypotheses.empty()) {
+    json["hypotheses"] = hypotheses_json(fit);
+    json["hypotheses_left_out"] = fit.left_out;
+  }
+  return json;
 }
 
 }  // namespace coapt

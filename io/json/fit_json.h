@@ -15,7 +15,8 @@ struct FittedFiles {
   MeasuredClosure measured;
 };
 
-/// coapt.fit/1. Keys that scripts rely on: rms_mm, parameters[] (name, value, sd, identifiable).
+/// coapt.fit/1. Keys that scripts rely on: rms_mm, parameters[] (name, value, sd, identifiable); with FitOptions::ruptures
+/// hypotheses[] (name, probability, rms_mm, leak_mm2, refitted, taken).
 nlohmann::ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files);
 
 /// Where a fit was, for whoever keeps it: numbers come back bit for bit. None if `json` is no such state.

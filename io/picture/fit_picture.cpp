@@ -12,6 +12,18 @@ std::string words(const FittedParameter& fitted) {
          fixed(fitted.sd, digits) + (fitted.parameter.unit == "mm" ? " mm" : "");
 }
 
+/// What a fit with ruptures decided: "; marginal chordae of P2 taken as ruptured (probability 0.99)".
+std::string lesion_words(const ValveFit& fit) {
+  for (const FitHypothesis& of : fit.hypotheses)
+    if (of.name == fit.taken) {
+      const std::string lesion =
+          of.name == "intact" ? "chordae taken as given"
+                              : "marginal chordae of " + of.name.substr(9) + " taken as ruptured";
+      return "; " + lesion + " (probability " + fixed(of.probability, 2) + ')';
+    }
+  return "";
+}
+
 }  // namespace
 
 std::string fit_map_png(const LeafletMesh& surface, const ValveFit& fit, MeasuredSide side,
@@ -26,7 +38,7 @@ std::string fit_map_png(const LeafletMesh& surface, const ValveFit& fit, Measure
 
 std::string fit_sentence(const ValveFit& fit, const std::string& name) {
   std::string text = "fitted to " + name + ": distances " + fixed(fit.rms_before_mm, 2) +
-                     " mm rms before, " + fixed(fit.rms_mm, 2) + " mm after";
+                     " mm rms before, " + fixed(fit.rms_mm, 2) + " mm after" + lesion_words(fit);
   for (const FittedParameter& fitted : fit.parameters) text += "; " + words(fitted);
   return text;
 }

@@ -478,6 +478,7 @@ CHARTS = {
     "uniqueness": {"uniqueness": uniqueness.draw_uniqueness},
     "verdicts": {"verdicts": verdicts.draw_verdicts},
     "twins": {"twins": twins.draw_twins},
+    "ruptures": {"ruptures": twins.draw_ruptures},
     "chordae": {"chordae": chordae.draw_chordae},
     "barlow": {"barlow": barlow.draw_barlow},
     "ecdf": {"ecdf": draw_ecdf},

@@ -1,4 +1,4 @@
-"""Fits of valves whose answers are known: twins.csv."""
+"""Fits of valves whose answers are known: twins.csv, ruptures.csv."""
 
 from style import BLUE, GREY, VERMILION, figure_titled, legend_beside
 
@@ -38,4 +38,24 @@ def draw_twins(rows):
         axis.set_xlabel("true")
     axes[0].set_ylabel("fitted")
     legend_beside(axes[-1], *axes[0].get_legend_handles_labels())
+    return figure
+
+
+def draw_ruptures(rows):
+    figure, axis = figure_titled("Probability of a twin's own lesion", 7, 3.2)
+    own = [row for row in rows if row["hypothesis"] == row["lesion"]]
+    for intact, colour, label in ((True, BLUE, "intact"), (False, VERMILION, "ruptured")):
+        here = [row for row in own if (row["lesion"] == "intact") == intact]
+        axis.plot(
+            [int(row["twin"]) for row in here],
+            [float(row["probability"]) for row in here],
+            "o",
+            color=colour,
+            label=label,
+        )
+    axis.axhline(0.5, color=GREY, lw=0.8)
+    axis.set_xlabel("twin (even: looked at; odd: held out)")
+    axis.set_ylabel("probability")
+    axis.set_ylim(-0.03, 1.03)
+    legend_beside(axis, *axis.get_legend_handles_labels())
     return figure

@@ -134,6 +134,7 @@ void add_chart(Command parent, int& status) {
   add_ablation(chart, status);
   add_accuracy_charts(chart, status);
   add_twins(chart, status);
+  add_ruptures(chart, status);
   add_drawn_chordae(chart, status);
   add_barlow(chart, status);
 }

@@ -7,6 +7,7 @@
 #include "core/metrics/mean_and_sd.h"
 #include "lab/cli/chart_parts.h"
 #include "lab/diseases/barlow_study.h"
+#include "lab/twins/rupture_table.h"
 #include "lab/twins/twin_table.h"
 #include "lab/verdicts/chordae_study.h"
 
@@ -136,6 +137,36 @@ void add_twins(Command chart, int& status) {
       return twins_csv(twins);
     });
     print_twins(std::cout, twins);
+  });
+}
+
+void add_ruptures(Command chart, int& status) {
+  const auto options = std::make_shared<TwinStudyOptions>();
+  options->twins = 20;
+  options->fit.ruptures = true;
+  Command command = chart.add_command(
+      "ruptures", "Fit valves, of which half have ruptured chordae that the fit gets whole");
+  const auto directory = add_output(command);
+  command.add_option("--twins", options->twins, "Random anatomies")
+      .check(number_from(1, 1000))
+      .show_default();
+  command.add_option("--seed", options->seed, "Of anatomies, lesions, draws and noise")
+      .show_default();
+  add_threads_option(command, options->fit.threads, "twins");
+  command.footer(
+      "Twins as those of coapt-lab chart twins; every second pair has the marginal chordae of a\n"
+      "random scallop ruptured. Says how many coapt fit --ruptured finds.\n\n"
+      "Example:\n"
+      "  coapt-lab chart ruptures --twins 40 -o charts");
+  command.on_run([=, &status] {
+    std::vector<Twin> twins;
+    status = run_chart(*directory, "ruptures.csv", [&] {
+      const ProgressBar bar;
+      twins =
+          study_twins(*options, [&](int done, int planned) { bar.show(done, planned, "twins"); });
+      return ruptures_csv(twins);
+    });
+    print_ruptures(std::cout, twins);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "lab/closures/varied_scenes.h"
 #include "lab/twins/normal_share.h"
 #include "search/evaluator.h"
+#include "search/fit/ruptures.h"
 #include "search/studies/generality.h"
 
 namespace coapt {
@@ -17,6 +18,7 @@ namespace {
 constexpr double kMostDrawn_sd = 2.5;
 
 struct Truth {
+  std::vector<FitParameter> parameters;
   std::vector<double> values;
   ClosedValve closed;  ///< on the refined mesh
 };
@@ -24,6 +26,7 @@ struct Truth {
 std::optional<Truth> draw_truth(const Valve& valve, const std::vector<FitParameter>& parameters,
                                 int refinements, std::mt19937_64& engine) {
   Truth truth;
+  truth.parameters = parameters;
   for (const FitParameter& p : parameters)
     truth.values.push_back(std::clamp(
         p.prior + p.prior_sd * std::clamp(normal_share(engine), -kMostDrawn_sd, kMostDrawn_sd),
@@ -48,8 +51,14 @@ double node_rms_mm(const Points& a, const Points& fine) {
 Twin judged(const ValveFit& fit, const Truth& truth, Eigen::Index points) {
   Twin twin;
   twin.points = static_cast<int>(points);
-  for (std::size_t i = 0; i < fit.parameters.size(); ++i)
-    twin.parameters.push_back({fit.parameters[i], truth.values[i]});
+  for (const FittedParameter& fitted : fit.parameters) {  // some may have ruptured away
+    const auto own = std::find_if(
+        truth.parameters.begin(), truth.parameters.end(),
+        [&](const FitParameter& drawn) { return drawn.name == fitted.parameter.name; });
+    if (own != truth.parameters.end())
+      twin.parameters.push_back(
+          {fitted, truth.values[static_cast<std::size_t>(own - truth.parameters.begin())]});
+  }
   const Points& exact = truth.closed.closure.closed_mm;
   twin.rms_before_mm = fit.rms_before_mm;
   twin.rms_mm = fit.rms_mm;
@@ -65,6 +74,8 @@ Twin judged(const ValveFit& fit, const Truth& truth, Eigen::Index points) {
   twin.independent_points = fit.independent_points;
   twin.rounds = fit.rounds;
   twin.closures = fit.closures;
+  twin.taken = fit.taken;
+  twin.hypotheses = fit.hypotheses;
   return twin;
 }
 
@@ -80,10 +91,18 @@ std::vector<Twin> study_twins(const TwinStudyOptions& options,
     std::mt19937_64 engine(options.seed * 1000003 + static_cast<std::uint64_t>(i));
     const Valve valve = varied_scene(anatomies.valves[static_cast<std::size_t>(i)], options.seed, i,
                                      SceneRings::None);
-    const std::vector<FitParameter> parameters = fit_parameters(valve, options.fit.unknowns);
+    Valve own = valve;
+    std::string lesion = "intact";
+    if (options.fit.ruptures && i / 2 % 2 == 0) {
+      const std::vector<Segment> held = held_segments(valve);
+      const Segment segment = held[engine() % held.size()];
+      own = with_ruptured(valve, segment);
+      lesion = std::string("ruptured_") + to_string(segment);
+    }
+    const std::vector<FitParameter> parameters = fit_parameters(own, options.fit.unknowns);
     std::optional<Truth> truth;
     for (int attempt = 0; attempt < 20 && !truth; ++attempt)
-      truth = draw_truth(valve, parameters, options.refinements, engine);
+      truth = draw_truth(own, parameters, options.refinements, engine);
     if (!truth) continue;
     MeasuredClosure measured;
     measured.points_mm = echo_view(truth->closed, options.echo, engine());
@@ -94,6 +113,7 @@ std::vector<Twin> study_twins(const TwinStudyOptions& options,
     if (!fit) continue;
     twins.push_back(judged(*fit, *truth, measured.points_mm.rows()));
     twins.back().number = i;
+    twins.back().lesion = lesion;
   }
   return twins;
 }

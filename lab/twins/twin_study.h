@@ -19,6 +19,8 @@ struct TwinStudyOptions {
   bool leak_known =
       true;  ///< to within FitOptions' MeasuredClosure::leak_sd_mm2, with such an error
   EchoOptions echo;
+  /// With FitOptions::ruptures every second pair of twins has the marginal chordae of a random scallop ruptured; the fit gets
+  /// them whole.
   FitOptions fit;
 };
 
@@ -39,6 +41,9 @@ struct Twin {
   FittedLeak fitted_leak;
   double independent_points = 0.0;
   int rounds = 0, closures = 0;
+  std::string lesion = "intact";  ///< its own, as a FitHypothesis is named; of ValveFit the others
+  std::string taken;
+  std::vector<FitHypothesis> hypotheses;
 };
 
 /// Twins that do not close are drawn again.

@@ -10,6 +10,7 @@
 #include "search/fit/correlated_noise.h"
 #include "search/fit/fit_posterior.h"
 #include "search/fit/fit_problem.h"
+#include "search/fit/rupture_fit.h"
 
 namespace coapt {
 namespace {
@@ -21,7 +22,6 @@ constexpr int kPasses = 2;
 constexpr double kFirstNoise_mm = 0.5, kLeastNoise_mm = 0.01;
 constexpr double kFirstShare = 0.1;  // of points that are independent
 constexpr double kIdentified = 0.5;
-constexpr double kMostTimesAsGiven = 10.0;  // steps of a closure
 // Of the variance of fitted values over that of the linearised posterior, in 20 twins (coapt-lab chart twins; 20 others
 // judge it): residuals of a fit are less alike than the errors that it has absorbed, and the mesh adds its own.
 constexpr double kDiscrepancy = 3.5;
@@ -93,6 +93,7 @@ const char* to_string(FitStop stop) {
 
 Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured,
                              const FitOptions& options) {
+  if (options.ruptures && is_mitral(valve)) return fit_with_ruptures(valve, measured, options);
   if (!(measured.points_mm.array().abs() <= kMostCoordinate_mm).all())
     return Error{ErrorCode::OutOfRange, "/points_mm",
                  "has coordinates that are no numbers from -1e5 to 1e5 mm"};
@@ -106,7 +107,7 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   fit.rms_before_mm = rms(problem.answer_of(fit.before).distances_mm);
 
   FitWeights weights{kFirstNoise_mm, kFirstShare * static_cast<double>(fit.points_mm.rows())};
-  Eigen::VectorXd point = problem.prior();
+  Eigen::VectorXd point = problem.point_of(options.start);
   FitAnswer answer;
   int first_pass = 0;
   const bool goes_on =
@@ -117,8 +118,7 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
     fit.rounds = options.from->rounds;
     problem.count_before(options.from->closures);
   }
-  const double most_steps = kMostTimesAsGiven * fit.before.closure.steps;
-  const ClosureBudget unhurried{most_steps * static_cast<double>(valve.rest_mm.rows()), {}};
+  const ClosureBudget unhurried = unhurried_budget(fit.before);
   // Closures that are to come: two for each parameter, and what is fitted twice.
   const double last_closures = 2.0 * static_cast<double>(point.size()) + 2.0;
   const auto out_of_time = [&] {
@@ -175,6 +175,7 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   fit.closed = close_and_measure(*fitted, options.closure);
   fit.distances_mm = answer.distances_mm;
   fit.rms_mm = rms(fit.distances_mm);
+  fit.noise_mm = weights.noise_mm;
   fit.independent_points = weights.independent;
   const FitPosterior posterior = posterior_at(problem, point, weights);
   fit.covariance = posterior.covariance;

@@ -15,7 +15,9 @@
 #include <Eigen/Core>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/closed/closed_valve.h"
@@ -47,12 +49,18 @@ struct FitOptions {
   int most_points = 2000;  ///< [100, 10000]; more are thinned
   int most_rounds = 30;    ///< of either pass
   int threads = 0;         ///< 0: all cores
+  /// Of a mitral valve: fits it with the marginal chordae of a scallop ruptured, too, where that may explain the surface better,
+  /// and takes the more probable one (rupture_fit.h).
+  bool ruptures = false;
+  std::map<std::string, double> start =
+      {};  ///< values by name that it begins at; others at their priors
   /// Of the clock; the closures that the uncertainty takes at the end are counted in, by how long others took.
   double most_seconds = std::numeric_limits<double>::infinity();
-  /// Rounds done of at most twice most_rounds, rms in mm; false stops.
+  /// Rounds done of at most twice most_rounds (six times with `ruptures`), rms in mm; false stops.
   std::function<bool(int, double)> progress{};
-  std::function<void(const FitState&)> keep{};  ///< called after each round, before `progress`
-  std::optional<FitState> from = {};            ///< of the same valve, surface and options
+  /// Called after each round, before `progress`; with `ruptures` only in the fit of the valve as given.
+  std::function<void(const FitState&)> keep{};
+  std::optional<FitState> from = {};  ///< of the same valve, surface and options
   /// Asked during closures, on any thread; true stops. Empty: nobody asks.
   std::function<bool()> cancelled{};
 };
@@ -74,6 +82,16 @@ struct FittedLeak {
   double mm2 = 0.0, sd_mm2 = 0.0;
 };
 
+/// The valve as given ("intact"), or with chordae ruptured ("ruptured_P2"), as an explanation of the surface.
+struct FitHypothesis {
+  std::string name;
+  double rms_mm = 0.0,
+         leak_mm2 = 0.0;     ///< fitted, else of its better screen; nan if that did not close
+  double objective = 0.0;    ///< sum of squares; of one that was not fitted a bound from above
+  double probability = 0.0;  ///< among all hypotheses
+  bool refitted = false;
+};
+
 struct ValveFit {
   ClosedValve before, closed;  ///< the valve as given and as fitted (with Valve::fitted), closed
   std::vector<FittedParameter> parameters;
@@ -81,10 +99,14 @@ struct ValveFit {
   Points points_mm;                  ///< that were used
   std::vector<double> distances_mm;  ///< of them, signed_distances_mm()
   double rms_before_mm = 0.0, rms_mm = 0.0;
-  double independent_points = 0.0;
+  double noise_mm = 0.0, independent_points = 0.0;  ///< of the distances that are left
   FittedLeak leak;
   int rounds = 0, closures = 0;
   FitStop stop = FitStop::AtRest;  ///< else it has the best so far
+  /// With FitOptions::ruptures: "intact", then by segment. The valve is that of `taken`.
+  std::vector<FitHypothesis> hypotheses;
+  std::string taken;
+  std::vector<std::string> left_out;  ///< that there was no time to screen, or to refit
 };
 
 /// Deterministic, for any number of threads. Errors: "/points_mm" too few or far from the valve, "/leak_mm2", nothing unknown, a valve that does not close.

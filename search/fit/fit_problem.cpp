@@ -1,5 +1,6 @@
 #include "search/fit/fit_problem.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "search/evaluator.h"
@@ -8,8 +9,9 @@
 namespace coapt {
 namespace {
 
-constexpr double kOutlier_mm = 3.0;     // distances count as less and less beyond it
-constexpr double kUntrusted_mm = 10.0;  // distance of a valve that does not close
+constexpr double kOutlier_mm = 3.0;         // distances count as less and less beyond it
+constexpr double kUntrusted_mm = 10.0;      // distance of a valve that does not close
+constexpr double kMostTimesAsGiven = 10.0;  // steps of a closure
 
 /// Distances beyond kOutlier_mm count as little more than that (a point of another structure).
 double capped(double distance_mm) {
@@ -17,6 +19,11 @@ double capped(double distance_mm) {
 }
 
 }  // namespace
+
+ClosureBudget unhurried_budget(const ClosedValve& before) {
+  const double most_steps = kMostTimesAsGiven * before.closure.steps;
+  return {most_steps * static_cast<double>(before.valve.rest_mm.rows()), {}};
+}
 
 FitProblem::FitProblem(const Valve& valve, const MeasuredClosure& measured,
                        const FitOptions& options, const Points& points_mm)
@@ -26,11 +33,13 @@ FitProblem::FitProblem(const Valve& valve, const MeasuredClosure& measured,
       points_mm_(points_mm),
       parameters_(fit_parameters(valve, options.unknowns)) {}
 
-Eigen::VectorXd FitProblem::prior() const {
+Eigen::VectorXd FitProblem::point_of(const std::map<std::string, double>& values) const {
   Eigen::VectorXd at(std::ssize(parameters_));
   for (Eigen::Index i = 0; i < at.size(); ++i) {
     const FitParameter& p = parameters_[static_cast<std::size_t>(i)];
-    at(i) = (p.prior - p.lower) / (p.upper - p.lower);
+    const auto given = values.find(p.name);
+    const double value = given == values.end() ? p.prior : given->second;
+    at(i) = std::clamp((value - p.lower) / (p.upper - p.lower), 0.0, 1.0);
   }
   return at;
 }

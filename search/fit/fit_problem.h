@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <atomic>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,9 @@ struct FitWeights {
   double independent = 0.0;  ///< points
 };
 
+/// Ten times the steps of the valve as given, for each closure of a fit.
+ClosureBudget unhurried_budget(const ClosedValve& before);
+
 class FitProblem {
  public:
   /// All of these must outlive it; `points_mm` are those that are used.
@@ -37,7 +42,8 @@ class FitProblem {
   /// What each closure from now on may cost.
   void allow(ClosureBudget budget) { budget_ = std::move(budget); }
 
-  Eigen::VectorXd prior() const;  ///< in the cube
+  /// In the cube; values by name, others at their priors.
+  Eigen::VectorXd point_of(const std::map<std::string, double>& values) const;
   std::vector<double> values(const Eigen::VectorXd& point) const;
 
   FitAnswer answer_of(const ClosedValve& closed) const;

@@ -46,6 +46,30 @@ class Fit(ProgramTest):
         self.run_ok("fit", given, "--closed", closed, *options, "--threads", "1")
         self.assertEqual(fitted.read_bytes(), again.read_bytes())
 
+    def test_ruptured_chordae_are_found_and_told(self):
+        torn, whole = self.folder / "torn.json", self.folder / "whole.json"
+        self.run_ok("valve", "make", "human-p2-prolapse", *self.mesh, "-o", torn)
+        valve = json.loads(torn.read_text())
+        for chorda in valve["chordae"]:
+            chorda["ruptured"] = False
+        whole.write_text(json.dumps(valve))
+        closed, fitted = self.folder / "closed.ply", self.folder / "fitted.json"
+        self.run_ok("export", torn, "--frame", "valve", "-o", closed)
+        options = ["--side", "middle", "--known", "tips", "prestretch", "hidden", "-o", fitted]
+        found = json.loads(coapt("fit", whole, "--closed", closed, *options, "--ruptured", "--json").stdout)
+        taken = [of["name"] for of in found["hypotheses"] if of["taken"]]
+        self.assertEqual(taken, ["ruptured_P2"])
+        self.assertEqual(found["hypotheses"][0]["name"], "intact")
+        self.assertGreater(found["hypotheses"][0]["rms_mm"], found["rms_mm"])
+        self.assertEqual(found["hypotheses_left_out"], [])
+        valve = json.loads(fitted.read_text())
+        self.assertIn("marginal chordae of P2 taken as ruptured", valve["provenance"][-1])
+        self.assertEqual(sum(chorda["ruptured"] for chorda in valve["chordae"]), 2)
+        table = coapt("fit", whole, "--closed", closed, *options, "--ruptured", "--rounds", "1").stdout
+        self.assertRegex(table, r"ruptured_P2 .* taken")
+        without = coapt("fit", whole, "--closed", closed, *options, "--rounds", "1", "--json").stdout
+        self.assertNotIn("hypotheses", json.loads(without))
+
     def test_points_without_triangles_and_a_table_for_people(self):
         given, _, closed = self.displaced()
         points = self.folder / "points.csv"

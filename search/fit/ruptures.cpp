@@ -1,0 +1,52 @@
+#include "search/fit/ruptures.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/valve/leaflet_of.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::array kScallops = {Segment::A1, Segment::A2, Segment::A3,
+                                  Segment::P1, Segment::P2, Segment::P3};
+
+/// That a chorda holds by its insertions; none of a commissural chorda.
+std::optional<Segment> held_by(const Valve& valve, const Chorda& chorda) {
+  std::vector<Segment> ends;
+  for (const ChordaSegment& segment : chorda.segments)
+    if (segment.inserts)
+      ends.push_back(valve.segments[static_cast<std::size_t>(segment.insertion.face)]);
+  const bool one_leaflet = std::all_of(ends.begin(), ends.end(), [&](Segment end) {
+    return leaflet_of(end) && leaflet_of(end) == leaflet_of(ends.front());
+  });
+  if (!one_leaflet) return std::nullopt;
+  const auto count = [&](Segment end) { return std::count(ends.begin(), ends.end(), end); };
+  return *std::max_element(ends.begin(), ends.end(),
+                           [&](Segment a, Segment b) { return count(a) < count(b); });
+}
+
+bool holds_still(const Valve& valve, const Chorda& chorda, Segment segment) {
+  return chorda.kind == ChordaKind::Marginal && !chorda.ruptured &&
+         held_by(valve, chorda) == segment;
+}
+
+}  // namespace
+
+std::vector<Segment> held_segments(const Valve& valve) {
+  std::vector<Segment> held;
+  for (const Segment scallop : kScallops)
+    if (std::any_of(valve.chordae.begin(), valve.chordae.end(),
+                    [&](const Chorda& chorda) { return holds_still(valve, chorda, scallop); }))
+      held.push_back(scallop);
+  return held;
+}
+
+Valve with_ruptured(Valve valve, Segment segment) {
+  for (Chorda& chorda : valve.chordae)
+    if (holds_still(valve, chorda, segment)) chorda.ruptured = true;
+  return valve;
+}
+
+}  // namespace coapt
