@@ -36,11 +36,14 @@ def read_obj(path):
 
 def points_on(vertices, faces, step):
     """Points of every triangle no further apart than step."""
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    longest = max(numpy.linalg.norm(x - y, axis=1).max() for x, y in ((a, b), (b, c), (c, a)))
-    n = int(numpy.ceil(longest / step)) + 1
-    weights = numpy.array([(i, j, n - i - j) for i in range(n + 1) for j in range(n + 1 - i)]) / n
-    return numpy.einsum("wk,kfx->wfx", weights, numpy.stack([a, b, c])).reshape(-1, 3)
+    corners = vertices[faces]
+    longest = numpy.linalg.norm(corners - numpy.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    cuts = numpy.ceil(longest / step).astype(int) + 1  # of each triangle's sides
+    found = []
+    for n in numpy.unique(cuts):
+        weights = numpy.array([(i, j, n - i - j) for i in range(n + 1) for j in range(n + 1 - i)]) / n
+        found.append(numpy.einsum("wk,fkx->wfx", weights, corners[cuts == n]).reshape(-1, 3))
+    return numpy.concatenate(found)
 
 
 def loop_points(loop, step):

@@ -9,13 +9,16 @@ preset's own. Needs python3-numpy.
 """
 
 import argparse
-import csv
 import json
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "closures"))
+from table_file import write_table  # noqa: E402
 
 VALVES = ("human-functional-mr", "human-normal", "secondary-mr", "human-p2-prolapse")  # seen while it was built
 HELD_OUT = ("barlow", "fibroelastic-flail", "marfan", "hypertrophic")
@@ -134,10 +137,7 @@ def main():
             for tips_seen in (True, False):
                 rows.append(case.row(tips_seen))
                 print(rows[-1])
-    with options.output.open("w", newline="") as file:
-        table = csv.DictWriter(file, rows[0], lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)  # empty: the import refused the valve
+    write_table(options.output, rows)  # empty: the import refused the valve
 
 
 if __name__ == "__main__":

@@ -9,7 +9,6 @@ annulus and tips and drawn chordae: all of them must close alike. Exit code 1 if
 """
 
 import argparse
-import csv
 import json
 import pathlib
 import subprocess
@@ -17,6 +16,9 @@ import sys
 import tempfile
 
 import vtk
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "closures"))
+from table_file import write_table  # noqa: E402
 
 VALVES = ("human-normal", "human-functional-mr", "human-p2-prolapse", "barlow")
 VALVES += ("fibroelastic-flail", "marfan", "secondary-mr", "hypertrophic")
@@ -97,10 +99,7 @@ def main():
     for preset in VALVES:
         with tempfile.TemporaryDirectory() as folder:
             rows += rows_of(str(options.coapt.resolve()), pathlib.Path(folder), preset)
-    with options.output.open("w", newline="") as file:
-        table = csv.DictWriter(file, rows[0], lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)
+    write_table(options.output, rows)
     outside = [row for row in rows if not row["within"]]
     print(len(rows) - len(outside), "of", len(rows), "within the printed errors", *outside)
     sys.exit(1 if outside else 0)

@@ -10,7 +10,6 @@ other cube of 4 mm; the others, hidden ones too, judge. Needs python3-numpy and 
 """
 
 import argparse
-import csv
 import json
 import pathlib
 import random
@@ -20,8 +19,10 @@ import tempfile
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "examples" / "scripts"))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "examples" / "scripts"), str(ROOT / "lab" / "closures")]
 from closed_import_table import seen_from_the_atrium  # noqa: E402
+from table_file import write_table  # noqa: E402
 from texas_trivalve import distance_to_surface, read_frame, read_ply  # noqa: E402
 
 CUBE_MM = 4.0
@@ -121,13 +122,6 @@ class Judge:
             | {"part": part, "nodes": int(of.sum()), "node_rms_mm": rms(nodes[of]), "surface_rms_mm": rms(surface[of])}
             for part, of in parts.items()
         ]
-
-
-def write_table(path, rows):
-    with path.open("w", newline="") as file:
-        table = csv.DictWriter(file, rows[0], lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)
 
 
 def main():

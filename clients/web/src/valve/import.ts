@@ -107,8 +107,9 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     h(
       'p',
       { class: parts.hint },
-      'Leaflets (OBJ, PLY, STL or VTK) and annulus (CSV, or a curve of Slicer), in one coordinate system; chordae and papillary ' +
-        'tips if they were seen; or all files of a SlicerHeart folder. Nothing that names a patient should be among them.',
+      'A label map (NRRD or NIfTI), or leaflets (OBJ, PLY, STL or VTK) and annulus (CSV, or a curve of Slicer), in one coordinate ' +
+        'system; chordae and papillary tips if they were seen; or all files of a SlicerHeart folder. Nothing that names a patient ' +
+        'should be among them.',
     ),
     field('Files', chosen),
     rows,

@@ -1,6 +1,8 @@
 // Files of a segmentation tool become a valve; what is wrong stands beside the file.
 import assert from 'node:assert/strict'
-import { readFileSync } from 'node:fs'
+import { execFileSync } from 'node:child_process'
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { test } from 'node:test'
 import { accessProblems, ROOT, openBefore, page, service } from './page.mjs'
@@ -108,4 +110,64 @@ test('a valve is fitted to closed leaflets', async () => {
   const fit = page.locator('[data-part=fit]')
   await fit.waitFor()
   assert.match(await fit.textContent(), /distance, rms\d\.\d+ mm before, 0\.[0-3]\d mm after/)
+})
+
+/// As examples/scripts/label_map.py draws it: the real valve, 0.8 mm voxels, without names of its labels.
+function labelMap() {
+  const folder = mkdtempSync(join(tmpdir(), 'coapt-map-'))
+  try {
+    const file = join(folder, 'map.nrrd')
+    const script = join(ROOT, 'examples/scripts/label_map.py')
+    execFileSync('/usr/bin/python3', [script, '--voxel', '0.8', '-o', file], { stdio: 'pipe' })
+    return readFileSync(file)
+  } finally {
+    rmSync(folder, { recursive: true })
+  }
+}
+
+test('a label map dropped on the page becomes a valve, and that a search', async () => {
+  await page.goto(`${service.url}/#/valve`)
+  const dropped = await page.evaluateHandle((letters) => {
+    const data = new DataTransfer()
+    data.items.add(new File([Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0))], 'map.nrrd'))
+    return data
+  }, labelMap().toString('base64'))
+  await page.locator('main > div').dispatchEvent('drop', { dataTransfer: dropped })
+  const panel = page.locator('[data-part=import]')
+  await panel.getByText('triangles', { exact: false }).first().waitFor()
+  await page.locator('[data-part=input-viewer] canvas').waitFor()
+  assert.equal(await panel.getByLabel('What map.nrrd is').inputValue(), 'labels')
+  assert.ok(await panel.getByLabel('Draw chordae').isChecked())
+  await panel.getByLabel('Name').fill('from a label map')
+  await panel.getByRole('button', { name: 'Import', exact: true }).click()
+  await page.getByText('from a label map is open.').waitFor()
+
+  const result = page.locator('[data-part=import-result]')
+  await result
+    .locator('img')
+    .first()
+    .evaluate((picture) => picture.decode())
+  const decisions = await result.locator('[data-part=decisions]').textContent()
+  for (const words of [
+    'label 1 is the anterior leaflet',
+    'replaced by its mid-surface',
+    'imaged open',
+    'not seen; drawn',
+  ])
+    assert.ok(decisions.includes(words), words)
+  assert.deepEqual(await accessProblems(page), [])
+
+  await result.getByRole('link', { name: 'Go on to search' }).click()
+  await page.locator('[data-part=form] h2', { hasText: 'from a label map' }).waitFor()
+  const folds = page.locator('[data-part=form] details', { hasText: 'Optimiser' })
+  await folds.evaluate((details) => (details.open = true))
+  for (const [label, value] of [
+    ['Closures', '12'],
+    ['Plans to show', '1'],
+    ['Region points', '5'],
+  ])
+    await page.getByLabel(label, { exact: true }).fill(value)
+  await page.getByLabel('Evidence').uncheck()
+  await page.getByRole('button', { name: 'Start the search' }).click()
+  await page.locator('[data-part=plan]').first().waitFor()
 })
