@@ -509,6 +509,11 @@ export interface components {
              */
             evidence?: boolean;
             /**
+             * @description Open plans in diastole, too, once they are closed at more than one node: opening area and mean gradient.
+             * @default true
+             */
+            openings?: boolean;
+            /**
              * @description Times that the mesh is refined, each triangle into four, for the verdict on each reported plan; 0: its own mesh.
              * @default 1
              */
@@ -657,6 +662,21 @@ export interface components {
              * @default 1
              */
             tension?: number;
+            /**
+             * @description Per mmHg of mean gradient in diastole above 3.
+             * @default 2
+             */
+            gradient_above_3?: number;
+            /**
+             * @description More, per mmHg above 5.
+             * @default 10
+             */
+            gradient_above_5?: number;
+            /**
+             * @description Per mm of further disease that a reported plan does not last, of 12.
+             * @default 0.25
+             */
+            durability?: number;
             /**
              * @description For closures that did not converge or crossed, by their share.
              * @default 10000
@@ -1526,7 +1546,21 @@ export interface components {
                 /** @description Share of the way to the region's border, in any direction; 1 if no node leaks; null: not closed. */
                 share: number | null;
             };
-            /** @description Pareto-optimal among the ranked plans in mean leak, its sd, steps and undersizing. */
+            /** @description Narrowest passage of the repaired valve, opened in diastole; null if it was not opened or did not come to rest. */
+            opening_area_mm2: number | null;
+            /** @description What is open in diastole along the annulus's normal; null likewise. */
+            projected_area_mm2: number | null;
+            /** @description Mean gradient at rest through the smaller of both (Gorlin, 155 ml/s); null likewise. */
+            gradient_mmhg: number | null;
+            /** @description At 1.4 times the flow; null likewise. */
+            gradient_exercise_mmhg: number | null;
+            /** @description How far disease may go on, way of the posteromedial tip, until the leak passes 5 mm2: mean over eight courses, those that do not come to it counted as 12; null without the evidence. */
+            durability_mm: number | null;
+            /** @description Share of these courses in which 12 mm are not enough; null without the evidence. */
+            outlasting: number | null;
+            /** @description What the plan is ranked by besides its cost: weights.durability for each mm of 12 that it does not last. */
+            durability_price: number;
+            /** @description Pareto-optimal among the ranked plans in mean + sd of the leak, opening and durability, to a tenth of mm2, cm2 and mm; the price of the operation decides between plans that are alike. */
             pareto: boolean;
             /** @description Probability that it is truly better than the next plan; null for the last one or without a region. */
             probability_outranks_next: number | null;
@@ -1613,6 +1647,14 @@ export interface components {
         };
         /** @description The valve as it is. */
         Before: components["schemas"]["Measure"] & {
+            /** @description Narrowest passage in diastole; null if it was not opened or did not come to rest. */
+            opening_area_mm2?: number | null;
+            /** @description What is open in diastole along the annulus's normal; null likewise. */
+            projected_area_mm2?: number | null;
+            /** @description Mean gradient at rest through the smaller of both (Gorlin, 155 ml/s); null likewise. */
+            gradient_mmhg?: number | null;
+            /** @description At 1.4 times the flow; null likewise. */
+            gradient_exercise_mmhg?: number | null;
             /**
              * @description How the closure of the valve as it is ended.
              * @enum {string}
@@ -1723,7 +1765,7 @@ export interface components {
                 /** @description Lowest cost expected by then, mm2. */
                 cost: number | null;
             }[];
-            /** @description Plans that no other one closed at as many nodes beats in mean and sd of the leak, steps and undersizing. */
+            /** @description Plans that no other one closed at as many nodes beats in mean and sd of the leak, steps and opening (undersizing where plans were not opened). */
             pareto_front: {
                 /** @description The plan, ready for another request. */
                 plan: components["schemas"]["Plan"];
@@ -1737,6 +1779,8 @@ export interface components {
                 steps: number;
                 /** @description Undersizing of the annulus in ring sizes of 2 mm. */
                 ring_sizes_below: number;
+                /** @description The smaller of both areas in diastole; null if it was not opened. */
+                opening_mm2: number | null;
                 /** @description How many nodes of the region of interest it was closed at. */
                 nodes: number;
             }[];

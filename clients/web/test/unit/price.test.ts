@@ -16,6 +16,9 @@ const weights: Weights = {
   undersizing_above_4: 2,
   step: 1,
   tension: 1,
+  gradient_above_3: 2,
+  gradient_above_5: 10,
+  durability: 0.25,
   untrusted: 10_000,
 }
 
@@ -26,9 +29,10 @@ interface Given {
   sizes?: number
   moved?: number
   tie?: boolean
+  gradient?: number | null
 }
 
-function plan({ rank = 1, cost = 3, mean = 0.5, sizes = 0, moved = 0, tie = false }: Given): RankedPlan {
+function plan({ rank = 1, cost = 3, mean = 0.5, sizes = 0, moved = 0, tie = false, gradient = null }: Given): RankedPlan {
   return {
     rank,
     cost,
@@ -40,6 +44,7 @@ function plan({ rank = 1, cost = 3, mean = 0.5, sizes = 0, moved = 0, tie = fals
     posteromedial_movement_mm: 0,
     region_closures: 100,
     region_failures: 0,
+    gradient_mmhg: gradient,
     tie_with_next: tie,
     probability_outranks_next: tie ? 0.6 : 1,
   } as unknown as RankedPlan
@@ -48,15 +53,16 @@ function plan({ rank = 1, cost = 3, mean = 0.5, sizes = 0, moved = 0, tie = fals
 const prices = (of: RankedPlan) => Object.fromEntries(priceItems(of, weights).map(({ name, mm2 }) => [name, mm2]))
 
 test('prices add up to the cost, what the region alone knows is the rest', () => {
-  const items = prices(plan({ cost: 20, mean: 1.5, sizes: 5, moved: 12 }))
+  const items = prices(plan({ cost: 40, mean: 1.5, sizes: 5, moved: 12, gradient: 6 }))
   expect(items).toEqual({
     leak: 7, // 1.5 + 0.5, and five times the 1 above 1
     'margin to leak': 0.25,
     steps: 1,
     undersizing: 4.5, // half a mm2 for each of 5, two for the fifth
     'papillary movement': 4.4, // 12 fifths, two above 10
+    'gradient in diastole': 16, // two for each of 3 mmHg above 3, ten for the one above 5
     'closures that failed': 0,
-    'coaptation, gaps and tension': expect.closeTo(2.85),
+    'coaptation, gaps and tension': expect.closeTo(6.85),
   })
 })
 
