@@ -11,7 +11,7 @@ constexpr std::chrono::seconds kPatience(1);
 }  // namespace
 
 ClosureResult RequestClosures::close(const Valve& valve, ClosureOptions options) {
-  options.budget = {limits_.vertex_steps, [this] { return cancelled(); }};
+  options.budget = budget();
   ClosureResult closure = close_valve(valve, options);
   if (closure.unfinished) throw Unfinished{};
   return closure;
@@ -21,6 +21,17 @@ ClosedValve RequestClosures::close_and_measure(const Valve& valve, const Closure
   ClosureResult closure = close(valve, options);
   const ValveMeasure measured = measure(valve, closure);
   return {valve, std::move(closure), measured};
+}
+
+Expected<OpenedValve> RequestClosures::open(const Valve& valve, OpeningOptions options) {
+  options.budget = budget();
+  Expected<OpenedValve> opened = open_valve(valve, options);
+  if (opened && opened->closure.unfinished) throw Unfinished{};
+  return opened;
+}
+
+ClosureBudget RequestClosures::budget() {
+  return {limits_.vertex_steps, [this] { return cancelled(); }};
 }
 
 bool RequestClosures::cancelled() {

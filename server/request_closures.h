@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/closed/closed_valve.h"
+#include "core/opened/opened_valve.h"
 #include "server/answers.h"
 #include "server/compute.h"
 #include "server/limits.h"
@@ -20,6 +21,8 @@ class RequestClosures {
 
   ClosureResult close(const Valve& valve, ClosureOptions options = {});
   ClosedValve close_and_measure(const Valve& valve, const ClosureOptions& options = {});
+  /// Errors: open_valve()'s.
+  Expected<OpenedValve> open(const Valve& valve, OpeningOptions options);
 
   /// Whether a closure that has begun is to end: its request is out of time, or nobody waits for it. From then on.
   bool cancelled();
@@ -28,6 +31,8 @@ class RequestClosures {
   Answer refusal() const;
 
  private:
+  ClosureBudget budget();
+
   const Request& request_;
   const ServiceLimits& limits_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();

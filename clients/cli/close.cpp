@@ -19,9 +19,10 @@
 #include "core/metrics/oblique.h"
 #include "core/repair/apply_plan.h"
 #include "io/exchange/import_files.h"
-#include "io/json/plan_json.h"
+#include "io/json/opening_json.h"
 #include "io/json/result_json.h"
 #include "io/mesh/write_mesh.h"
+#include "io/picture/opening_picture.h"
 #include "io/picture/picture.h"
 #include "search/plans/gates.h"
 
@@ -35,7 +36,7 @@ struct CloseArguments {
   ClosureOptions closure;
   std::optional<double> accuracy_mm2;
   ConvergeOption converge;
-  bool json = false, oblique = false;
+  bool json = false, oblique = false, open = false;
 };
 
 /// Prints coapt.closure/1; returns an exit code.
@@ -49,15 +50,9 @@ int show(const CloseArguments& arguments, const nlohmann::ordered_json& closure)
 }
 
 int run_by(const Service& service, const CloseArguments& arguments) {
-  const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
-  if (!valve) return report_errors(arguments.valve, valve.errors());
-  nlohmann::ordered_json request = {{"valve", *valve}};
-  const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
-  if (!plan) return report_errors(arguments.plan.file, plan.errors());
-  if (!arguments.plan.file.empty()) request["plan"] = to_json(*plan);
+  const auto [unsent, request, sources] = repair_to_send(arguments.valve, arguments.plan);
+  if (unsent) return unsent;
   if (const int failed = check_output(arguments.picture)) return failed;
-  const std::map<std::string, std::string> sources = {{"/valve", arguments.valve},
-                                                      {"/plan", arguments.plan.file}};
   const Expected<nlohmann::ordered_json> closure = post_json(service, "/v1/closures", request);
   if (!closure) return report_service_errors("close", closure.errors(), sources);
   const int status = show(arguments, *closure);
@@ -81,11 +76,12 @@ int write_closed(const CloseArguments& arguments, const Valve& valve,
 /// A valve that is not mitral: closed and measured; no plans, no picture.
 int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOptions options) {
   if (!arguments.plan.file.empty() || !arguments.picture.empty() || arguments.oblique ||
-      arguments.accuracy_mm2)
-    return report_errors(arguments.valve,
-                         {{ErrorCode::Unsupported, "/schema",
-                           "is coapt.valve/2: plans, pictures, --oblique and --accuracy need a "
-                           "mitral valve (coapt.valve/1)"}});
+      arguments.open || arguments.accuracy_mm2)
+    return report_errors(
+        arguments.valve,
+        {{ErrorCode::Unsupported, "/schema",
+          "is coapt.valve/2: plans, pictures, --open, --oblique and --accuracy need a "
+          "mitral valve (coapt.valve/1)"}});
   if (const int failed = check_output(arguments.closed)) return failed;
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(valve, options);
@@ -134,6 +130,16 @@ int run(const CloseArguments& arguments) {
   if (arguments.oblique && closure.closed_mm.allFinite())
     oblique = oblique_orifice(closed.valve, closure.closed_mm, 0.5 * repaired->tissue.thickness_mm);
 
+  std::optional<OpenedValve> opened;
+  const auto opening_start = std::chrono::steady_clock::now();
+  if (arguments.open) {
+    Expected<OpenedValve> open = open_valve(*repaired);
+    if (!open) return report_errors(arguments.valve, open.errors());
+    opened = *std::move(open);
+  }
+  const std::chrono::duration<double> opening_seconds =
+      std::chrono::steady_clock::now() - opening_start;
+
   const std::vector<std::string> warnings =
       warnings_of(operation_gates({*plan, *valve, *repaired}));
 
@@ -141,12 +147,15 @@ int run(const CloseArguments& arguments) {
   if (finer) json["convergence"] = std::move(finer->json);
   if (arguments.oblique)
     json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : nlohmann::ordered_json();
+  if (opened) json["opening"] = opening_figures_json(*opened, {}, opening_seconds.count());
   if (accurate) json["accuracy"] = to_json(*accurate, *arguments.accuracy_mm2);
   json["warnings"] = warnings;
   const int status = show(arguments, json);
   if (const int failed = write_closed(arguments, *repaired, closure)) return failed;
   if (!arguments.picture.empty()) {
-    if (const int failed = write_output(arguments.picture, closure_picture_png(closed)))
+    if (const int failed =
+            write_output(arguments.picture,
+                         closure_picture_png(closed, opened ? opening_line(*opened, {}) : "")))
       return failed;
   }
   return status;
@@ -174,6 +183,8 @@ void add_close(Command parent, int& status) {
   command
       .add_option("--closed", arguments->closed, "Write the closed leaflets (PLY, OBJ, STL or VTK)")
       .check({refuse_standard_output, "FILE"});
+  command.add_flag("--open", arguments->open,
+                   "Also open the valve as in diastole: opening and mean gradient (coapt open)");
   command.add_flag("--oblique", arguments->oblique,
                    "Also find the direction with the widest straight passage (eccentric jets)");
   command.add_flag("--json", arguments->json, "Print JSON");
@@ -184,15 +195,16 @@ void add_close(Command parent, int& status) {
       "Examples:\n"
       "  coapt close human-functional-mr --render leaking.png\n"
       "  coapt close human-p2-prolapse --oblique\n"
+      "  coapt close human-functional-mr --plan examples/plans/ring.json --open\n"
       "  coapt close valve.json --accuracy 1\n"
       "  coapt close human-functional-mr --converge\n"
       "  coapt close trivalve.json --closed closed.ply\n"
       "  coapt close valve.json --plan examples/plans/ring.json --json\n"
       "  coapt close valve.json --server http://127.0.0.1:8080");
   command.on_run([arguments, command, &status] {
-    const auto service =
-        service_of(command, arguments->server,
-                   {"--method", "--membrane", "--accuracy", "--oblique", "--converge", "--closed"});
+    const auto service = service_of(
+        command, arguments->server,
+        {"--method", "--membrane", "--accuracy", "--open", "--oblique", "--converge", "--closed"});
     if (!service) {
       status = report_errors("close", service.errors());
     } else {

@@ -14,7 +14,7 @@ inline constexpr int kNoRobustPlan = 4;  ///< the best plan is not known to clos
 inline constexpr int kInterrupted = 130;  ///< Ctrl-C; the best so far was printed
 }  // namespace exit_code
 
-/// Of coapt.closure/1.
+/// Of coapt.closure/1 or coapt.opening/1.
 int exit_code_of_closure(const nlohmann::ordered_json& closure);
 
 /// Of coapt.plans/1: kOk if the best-ranked plan closes robustly.

@@ -8,53 +8,52 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/plan_option.h"
-#include "core/valve/number_text.h"
+#include "clients/cli/print.h"
+#include "clients/cli/server_option.h"
 #include "io/exchange/import_files.h"
 #include "io/json/opening_json.h"
 #include "io/mesh/write_mesh.h"
+#include "io/picture/opening_picture.h"
+#include "search/plans/gates.h"
 
 namespace coapt {
 namespace {
 
 struct OpenArguments {
-  std::string valve, opened;
+  std::string valve, opened, picture;
   PlanOption plan;
+  ServerOption server;
   OpeningOptions options;
   bool json = false;
 };
 
-/// In cm2, as openings are given.
-std::string cm2(double mm2) { return with_decimals(0.01 * mm2, 1) + " cm2"; }
+/// Prints coapt.opening/1; returns an exit code.
+int show(const OpenArguments& arguments, const nlohmann::ordered_json& opening) {
+  if (arguments.json)
+    std::cout << opening.dump(2) << '\n';
+  else
+    print_opening(std::cout, opening);
+  return exit_code_of_closure(opening);
+}
 
-void print(const OpenedValve& opened, const OpeningOptions& options) {
-  const OpeningMeasure& measure = opened.measure;
-  const bool settled = trusted(opened.closure);
-  std::cout << opened.valve.name << ": "
-            << (settled                   ? "open, at rest"
-                : opened.closure.crossing ? "leaflets cross, no opening is measured"
-                                          : "did not come to rest, no opening is measured")
-            << '\n';
-  if (!settled) return;
-  std::cout << "  opening         " << cm2(measure.opening_area_mm2) << ", the narrowest passage, "
-            << (measure.passage_depth_mm > 0.0
-                    ? with_decimals(measure.passage_depth_mm, 0) + " mm below the annulus"
-                    : std::string("at the annulus"))
-            << "; funnel tilted by " << with_decimals(measure.tilt_deg, 0) << " degrees\n"
-            << "  seen            " << cm2(measure.projected_area_mm2)
-            << " along the annulus's normal; annulus " << cm2(measure.annulus_area_mm2)
-            << " in diastole\n"
-            << "  mean gradient   " << with_decimals(measure.gradient_mmhg, 1) << " mmHg at "
-            << significant(options.flow_ml_s, 3) << " ml/s, "
-            << with_decimals(measure.gradient_exercise_mmhg, 1) << " mmHg at "
-            << significant(options.exercise * options.flow_ml_s, 3)
-            << " ml/s (Gorlin, of the smaller area)\n"
-            << "coapt is research software, not a medical device; not for clinical decisions.\n";
+int run_by(const Service& service, const OpenArguments& arguments) {
+  auto [unsent, request, sources] = repair_to_send(arguments.valve, arguments.plan);
+  if (unsent) return unsent;
+  const OpeningOptions& options = arguments.options;
+  request["pressure_mmhg"] = options.pressure_mmhg;
+  request["flow_ml_s"] = options.flow_ml_s;
+  request["exercise"] = options.exercise;
+  Expected<nlohmann::ordered_json> opening = post_json(service, "/v1/openings", request);
+  if (!opening) return report_service_errors("open", opening.errors(), sources);
+  opening->erase("scene");
+  return show(arguments, *opening);
 }
 
 int run(const OpenArguments& arguments) {
   const PlannedValve planned = read_planned_valve(arguments.valve, arguments.plan);
   if (planned.failed) return planned.failed;
-  if (const int failed = check_output(arguments.opened)) return failed;
+  for (const std::string& output : {arguments.opened, arguments.picture})
+    if (const int failed = check_output(output)) return failed;
   const auto start = std::chrono::steady_clock::now();
   const Expected<OpenedValve> opened = open_valve(planned.repaired, arguments.options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -62,17 +61,21 @@ int run(const OpenArguments& arguments) {
     return report_option_errors(
         "open", opened.errors(),
         {{"/pressure_mmhg", "--pressure"}, {"/flow_ml_s", "--flow"}, {"/exercise", "--exercise"}});
-  if (arguments.json)
-    std::cout << opening_to_json(*opened, arguments.options, seconds.count()).dump(2) << '\n';
-  else
-    print(*opened, arguments.options);
+  auto json = opening_to_json(*opened, arguments.options, seconds.count());
+  json["warnings"] = warnings_of(operation_gates({planned.plan, planned.valve, planned.repaired}));
+  const int status = show(arguments, json);
   if (!arguments.opened.empty()) {
     const Expected<std::string> mesh = write_mesh(
         leaflet_mesh(opened->valve, opened->closure.closed_mm), format_of(arguments.opened));
     if (!mesh) return report_errors(arguments.opened, mesh.errors());
     if (const int failed = write_output(arguments.opened, *mesh)) return failed;
   }
-  return trusted(opened->closure) ? exit_code::kOk : exit_code::kNotClosed;
+  if (!arguments.picture.empty())
+    if (const int failed = write_output(
+            arguments.picture,
+            opening_picture_png(*opened, arguments.options, planned.valve, planned.plan)))
+      return failed;
+  return status;
 }
 
 }  // namespace
@@ -86,26 +89,36 @@ void add_open(Command parent, int& status) {
   command
       .add_option("--pressure", options.pressure_mmhg,
                   "Atrium over ventricle, mmHg; below 3 slack leaflets take long to settle")
-      .check(number_from(1.0, 30.0))
+      .check(number_from(kFillingPressures_mmhg.min, kFillingPressures_mmhg.max))
       .show_default();
   command.add_option("--flow", options.flow_ml_s, "Mean flow of filling at rest, ml/s")
-      .check(number_from(10.0, 1000.0))
+      .check(number_from(kFillingFlows_ml_s.min, kFillingFlows_ml_s.max))
       .show_default();
   command.add_option("--exercise", options.exercise, "Flow at exercise over that at rest")
-      .check(number_from(1.0, 5.0))
+      .check(number_from(kExercises.min, kExercises.max))
       .show_default();
+  command.add_option("--render", arguments->picture, "Write a picture of the open valve (PNG)")
+      .check({refuse_standard_output, "FILE"});
   command
       .add_option("--opened", arguments->opened, "Write the open leaflets (PLY, OBJ, STL or VTK)")
       .check({refuse_standard_output, "FILE"});
   command.add_flag("--json", arguments->json, "Print JSON (coapt.opening/1)");
+  add_server_option(command, arguments->server);
   command.footer(
       "Annulus and papillary tips are where diastole has them: the valve file's \"systole\" says\n"
       "how far systole moves them. A ring holds the annulus. Exit code 3 if the leaflets did not\n"
       "come to rest.\n\n"
       "Examples:\n"
-      "  coapt open human-normal\n"
+      "  coapt open human-normal --render open.png\n"
       "  coapt open human-functional-mr --plan examples/plans/ring.json --json");
-  command.on_run([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, command, &status] {
+    const auto service = service_of(command, arguments->server, {"--render", "--opened"});
+    if (!service) {
+      status = report_errors("open", service.errors());
+    } else {
+      status = *service ? run_by(**service, *arguments) : run(*arguments);
+    }
+  });
 }
 
 }  // namespace coapt

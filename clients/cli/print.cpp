@@ -182,6 +182,8 @@ void print_closure(std::ostream& out, const ordered_json& closure) {
   if (const auto oblique = closure.find("orifice_oblique_mm2");
       oblique != closure.end() && !oblique->is_null())
     print_oblique(out, *oblique);
+  if (const auto opening = closure.find("opening"); opening != closure.end())
+    row(out, "opening") << opening_in_short(*opening) << '\n';
   if (const auto accuracy = closure.find("accuracy"); accuracy != closure.end())
     row(out, "accuracy") << "at most " << significant(number_of((*accuracy)["error_mm2"]), 3)
                          << " mm2 asked for: "

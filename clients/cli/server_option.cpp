@@ -10,6 +10,7 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "core/valve/problem_list.h"
+#include "io/json/plan_json.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {
@@ -111,6 +112,16 @@ Expected<nlohmann::ordered_json> valve_to_send(const std::string& argument) {
   const Expected<Valve> valve = read_valve_argument(argument);
   if (!valve) return valve.errors();
   return nlohmann::ordered_json::parse(write_valve(*valve));
+}
+
+RepairToSend repair_to_send(const std::string& valve, const PlanOption& plan) {
+  const Expected<nlohmann::ordered_json> sent = valve_to_send(valve);
+  if (!sent) return {.failed = report_errors(valve, sent.errors())};
+  const Expected<RepairPlan> repair = read_plan_option(plan);
+  if (!repair) return {.failed = report_errors(plan.file, repair.errors())};
+  RepairToSend asked{0, {{"valve", *sent}}, {{"/valve", valve}, {"/plan", plan.file}}};
+  if (!plan.file.empty()) asked.request["plan"] = to_json(*repair);
+  return asked;
 }
 
 int report_service_errors(const std::string& command, const Errors& errors,

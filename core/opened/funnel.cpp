@@ -34,12 +34,8 @@ struct MeanByLength {
   Vec3 mean() const { return sum / length_mm; }
 };
 
-Axis funnel_axis(const Valve& valve, const Points& open_mm) {
-  Axis axis;
-  MeanByLength annulus, edges;
-  const Eigen::Index count = valve.annulus_mm.rows();
-  for (Eigen::Index i = 0; i < count; ++i)
-    annulus.add(valve.annulus_mm.row(i), valve.annulus_mm.row((i + 1) % count));
+std::vector<std::array<int, 2>> free_edges(const Valve& valve) {
+  std::vector<std::array<int, 2>> edges;
   std::vector<bool> on_annulus(valve.rest_mm.rows(), false);
   for (const int vertex : valve.annulus) on_annulus[vertex] = true;
   std::vector<std::array<int, 3>> faces;
@@ -47,8 +43,18 @@ Axis funnel_axis(const Valve& valve, const Points& open_mm) {
   for (const std::vector<int>& walk : outline(faces))
     for (std::size_t i = 0; i < walk.size(); ++i) {
       const int a = walk[i], b = walk[(i + 1) % walk.size()];
-      if (!(on_annulus[a] && on_annulus[b])) edges.add(open_mm.row(a), open_mm.row(b));
+      if (!(on_annulus[a] && on_annulus[b])) edges.push_back({a, b});
     }
+  return edges;
+}
+
+Axis funnel_axis(const Valve& valve, const Points& open_mm) {
+  Axis axis;
+  MeanByLength annulus, edges;
+  const Eigen::Index count = valve.annulus_mm.rows();
+  for (Eigen::Index i = 0; i < count; ++i)
+    annulus.add(valve.annulus_mm.row(i), valve.annulus_mm.row((i + 1) % count));
+  for (const auto& [a, b] : free_edges(valve)) edges.add(open_mm.row(a), open_mm.row(b));
   axis.from_mm = annulus.mean();
   if (edges.length_mm > 0.0) axis.along = (edges.mean() - axis.from_mm).normalized();
   axis.x = axis.along.unitOrthogonal();
@@ -176,6 +182,35 @@ double strip_mm2(const Gap& gap, const Radii& above, double thickness_mm) {
   return (1.0 - thickness_mm / length_mm) * std::hypot(swept_mm2, kPlane_mm * length_mm);
 }
 
+/// Where the smallest surface ends at the leaflets: its plane's lines, and between them the free edges above it.
+std::vector<Vec3> rim_of(const Crossing& crossing, const Valve& valve, const Points& open_mm,
+                         const Axis& axis, double depth_mm) {
+  std::vector<Vec3> above_mm;
+  if (!crossing.closed)
+    for (const auto& [vertex, next] : free_edges(valve)) {
+      const Vec3 point_mm = open_mm.row(vertex);
+      if (axis.along.dot(point_mm - axis.from_mm) < depth_mm) above_mm.push_back(point_mm);
+    }
+  std::vector<Vec3> rim_mm;
+  const std::vector<Gap> gaps = gaps_of(crossing);
+  for (std::size_t i = 0; i < crossing.lines.size(); ++i) {
+    for (const Vec2& point : crossing.lines[i])
+      rim_mm.push_back(axis.from_mm + depth_mm * axis.along + point.x() * axis.x +
+                       point.y() * axis.y);
+    if (crossing.closed) break;
+    const Gap& gap = gaps[i];
+    std::vector<std::pair<double, Vec3>> edge;
+    for (const Vec3& point_mm : above_mm) {
+      const double angle = angle_between(gap.from, across(axis, point_mm));
+      if (angle < angle_between(gap.from, gap.to)) edge.emplace_back(angle, point_mm);
+    }
+    std::sort(edge.begin(), edge.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [angle, point_mm] : edge) rim_mm.push_back(point_mm);
+  }
+  return rim_mm;
+}
+
 /// Whether no gap lets the axis out.
 bool surrounds_axis(const Crossing& crossing) {
   if (crossing.closed) return true;
@@ -198,11 +233,12 @@ FunnelPassage narrowest_passage(const Valve& valve, const Points& open_mm) {
   const double thickness_mm = valve.tissue.thickness_mm;
   std::vector<Vec2> ring = annulus_polygon(valve, annular_plane(valve));
   ring.push_back(ring.front());
-  FunnelPassage found{free_area_mm2(ring, {ring}, 0.5 * thickness_mm), 0.0, axis.along};
+  FunnelPassage found{free_area_mm2(ring, {ring}, 0.5 * thickness_mm), 0.0, axis.along, {}};
+  Crossing narrowest;
   double sideways_mm2 = 0.0;
   Radii above;
   for (double at_mm = top_mm + 0.5 * kPlane_mm; at_mm < bottom_mm; at_mm += kPlane_mm) {
-    const Crossing crossing = crossing_at(valve, open_mm, axis, at_mm);
+    Crossing crossing = crossing_at(valve, open_mm, axis, at_mm);
     if (!surrounds_axis(crossing)) break;
     if (!above.empty())
       for (const Gap& gap : gaps_of(crossing)) sideways_mm2 += strip_mm2(gap, above, thickness_mm);
@@ -211,12 +247,16 @@ FunnelPassage narrowest_passage(const Valve& valve, const Points& open_mm) {
     above = radii_of(outline);
     const double area_mm2 =
         free_area_mm2(outline, crossing.lines, 0.5 * thickness_mm) + sideways_mm2;
-    if (std::isnan(area_mm2)) return {area_mm2, at_mm, axis.along};
+    if (std::isnan(area_mm2)) return {area_mm2, at_mm, axis.along, {}};
     if (area_mm2 < found.area_mm2) {
       found.area_mm2 = area_mm2;
       found.depth_mm = at_mm;
+      narrowest = std::move(crossing);
     }
   }
+  found.outline_mm = rim_of(narrowest, valve, open_mm, axis, found.depth_mm);
+  if (narrowest.lines.empty())
+    for (const auto& point : valve.annulus_mm.rowwise()) found.outline_mm.push_back(point);
   return found;
 }
 

@@ -11,6 +11,8 @@
 // Limits: planes across one axis; outlines are taken as star-shaped about it where strips are counted.
 #pragma once
 
+#include <vector>
+
 #include "core/valve/valve.h"
 
 namespace coapt {
@@ -20,6 +22,8 @@ struct FunnelPassage {
   double depth_mm =
       0.0;  ///< of its plane below the annulus's centroid, along the axis; 0: the annulus's
   Vec3 axis = -Vec3::UnitZ();  ///< unit, from the annulus to the free edges
+  /// Where that surface ends, closed: the leaflets' mid-surfaces in the plane, and their free edges above it; or the annulus.
+  std::vector<Vec3> outline_mm;
 };
 
 /// @param open_mm |V| x 3, finite. @pre the valve is mitral.

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "core/metrics/exact_orifice.h"
 #include "core/opened/funnel.h"
-#include "core/valve/problem_list.h"
 
 namespace coapt {
 namespace {
@@ -17,24 +17,25 @@ constexpr double kGorlin = 37.7;  // ml/s, cm2, mmHg
 // Opening areas are within 0.03 cm2 of those at the tolerances of closures, in half of the steps.
 constexpr double kResidual = 0.02, kWay_mm = 0.1;
 
-OpeningMeasure measured(const Valve& valve, const ClosureResult& closure,
+/// @param passage nothing where the closure is not to be trusted
+OpeningMeasure measured(const Valve& valve, const Points& open_mm,
+                        const std::optional<FunnelPassage>& passage,
                         const OpeningOptions& options) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   OpeningMeasure measure;
   measure.annulus_area_mm2 = measure_annulus(valve).area_mm2;
-  if (!trusted(closure)) {
+  if (!passage) {
     measure.opening_area_mm2 = measure.passage_depth_mm = measure.tilt_deg = kUnknown;
     measure.projected_area_mm2 = measure.gradient_mmhg = measure.gradient_exercise_mmhg = kUnknown;
     return measure;
   }
-  const FunnelPassage passage = narrowest_passage(valve, closure.closed_mm);
-  measure.opening_area_mm2 = passage.area_mm2;
-  measure.passage_depth_mm = passage.depth_mm;
-  const double cosine = -passage.axis.dot(annular_plane(valve).normal);
+  measure.opening_area_mm2 = passage->area_mm2;
+  measure.passage_depth_mm = passage->depth_mm;
+  const double cosine = -passage->axis.dot(annular_plane(valve).normal);
   measure.tilt_deg = std::acos(std::min(1.0, cosine)) * 180.0 / std::numbers::pi;
   measure.projected_area_mm2 =
-      exact_orifice(valve, closure.closed_mm, 0.5 * valve.tissue.thickness_mm).area_mm2;
-  const double least_mm2 = std::min(passage.area_mm2, measure.projected_area_mm2);
+      exact_orifice(valve, open_mm, 0.5 * valve.tissue.thickness_mm).area_mm2;
+  const double least_mm2 = std::min(passage->area_mm2, measure.projected_area_mm2);
   measure.gradient_mmhg = gorlin_mmhg(least_mm2, options.flow_ml_s);
   measure.gradient_exercise_mmhg = gorlin_mmhg(least_mm2, options.exercise * options.flow_ml_s);
   return measure;
@@ -48,9 +49,9 @@ double gorlin_mmhg(double area_mm2, double flow_ml_s) {
 
 Expected<OpenedValve> open_valve(const Valve& valve, const OpeningOptions& options) {
   ProblemList problems;
-  check_range(problems, "/pressure_mmhg", options.pressure_mmhg, {1.0, 30.0}, " mmHg");
-  check_range(problems, "/flow_ml_s", options.flow_ml_s, {10.0, 1000.0}, " ml/s");
-  check_range(problems, "/exercise", options.exercise, {1.0, 5.0});
+  check_range(problems, "/pressure_mmhg", options.pressure_mmhg, kFillingPressures_mmhg, " mmHg");
+  check_range(problems, "/flow_ml_s", options.flow_ml_s, kFillingFlows_ml_s, " ml/s");
+  check_range(problems, "/exercise", options.exercise, kExercises);
   if (!problems.empty()) return std::move(problems).take();
   Expected<Valve> open = in_diastole(valve);
   if (!open) return open.errors();
@@ -58,9 +59,15 @@ Expected<OpenedValve> open_valve(const Valve& valve, const OpeningOptions& optio
   ClosureOptions closing;
   closing.residual_tolerance = kResidual;
   closing.way_tolerance_mm = kWay_mm;
+  closing.motion = options.motion;
+  closing.budget = options.budget;
   ClosureResult closure = close_valve(*open, closing);
-  const OpeningMeasure measure = measured(*open, closure, options);
-  return OpenedValve{*std::move(open), std::move(closure), measure};
+  std::optional<FunnelPassage> passage;
+  if (trusted(closure)) passage = narrowest_passage(*open, closure.closed_mm);
+  const OpeningMeasure measure = measured(*open, closure.closed_mm, passage, options);
+  std::vector<Vec3> outline_mm;
+  if (passage) outline_mm = std::move(passage->outline_mm);
+  return OpenedValve{*std::move(open), std::move(closure), measure, std::move(outline_mm)};
 }
 
 }  // namespace coapt

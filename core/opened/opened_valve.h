@@ -9,15 +9,21 @@
 
 #include "core/closure/closure.h"
 #include "core/opened/diastole.h"
+#include "core/valve/problem_list.h"
 
 namespace coapt {
 
+inline constexpr Range kFillingPressures_mmhg{1.0, 30.0}, kFillingFlows_ml_s{10.0, 1000.0},
+    kExercises{1.0, 5.0};
+
 struct OpeningOptions {
   double pressure_mmhg =
-      5.0;  ///< atrium over ventricle, [1, 30]; below 3 slack leaflets take ten times as long to settle
-  double flow_ml_s = 155.0;  ///< mean over filling, [10, 1000]
+      5.0;  ///< atrium over ventricle; below 3 slack leaflets take ten times as long to settle
+  double flow_ml_s = 155.0;  ///< mean over filling
   /// At exercise over rest: mean gradients 6.3 against 3.2 mmHg behind rings of 27 mm (Grimaldi 2012), which go as flow squared.
-  double exercise = 1.4;  ///< [1, 5]
+  double exercise = 1.4;
+  bool motion = false;  ///< keep the states on the way (ClosureResult::motion_mm)
+  ClosureBudget budget{};
 };
 
 struct OpeningMeasure {
@@ -30,11 +36,12 @@ struct OpeningMeasure {
   double gradient_mmhg = 0.0, gradient_exercise_mmhg = 0.0;  ///< mean, of the smaller area
 };
 
-/// Areas are NaN where `closure` did not converge uncrossed.
+/// Areas are NaN, and there is no passage, where `closure` did not converge uncrossed.
 struct OpenedValve {
   Valve valve;            ///< in diastole; its pressure is negative: from the atrium
   ClosureResult closure;  ///< its end is the open state
   OpeningMeasure measure;
+  std::vector<Vec3> passage_mm;  ///< outline of the narrowest passage (FunnelPassage::outline_mm)
 };
 
 /// Errors: ranges of the options by pointer, or what in_diastole() says. @pre the valve is valid and mitral.

@@ -4,14 +4,10 @@
 
 namespace coapt {
 
-nlohmann::ordered_json opening_to_json(const OpenedValve& opened, const OpeningOptions& options,
-                                       double seconds) {
+nlohmann::ordered_json opening_figures_json(const OpenedValve& opened,
+                                            const OpeningOptions& options, double seconds) {
   const OpeningMeasure& measure = opened.measure;
-  return {{"schema", "coapt.opening/1"},
-          {"version", version()},
-          {"notice", kResearchNotice},
-          {"name", opened.valve.name},
-          {"status", to_string(opened.closure.status)},
+  return {{"status", to_string(opened.closure.status)},
           {"crossing", opened.closure.crossing},
           {"opening_area_mm2", measure.opening_area_mm2},
           {"passage_depth_mm", measure.passage_depth_mm},
@@ -29,6 +25,16 @@ nlohmann::ordered_json opening_to_json(const OpenedValve& opened, const OpeningO
           {"residual", opened.closure.residual},
           {"steps", opened.closure.steps},
           {"seconds", seconds}};
+}
+
+nlohmann::ordered_json opening_to_json(const OpenedValve& opened, const OpeningOptions& options,
+                                       double seconds) {
+  nlohmann::ordered_json json = {{"schema", "coapt.opening/1"},
+                                 {"version", version()},
+                                 {"notice", kResearchNotice},
+                                 {"name", opened.valve.name}};
+  json.update(opening_figures_json(opened, options, seconds));
+  return json;
 }
 
 }  // namespace coapt

@@ -12,4 +12,8 @@ namespace coapt {
 nlohmann::ordered_json opening_to_json(const OpenedValve& opened, const OpeningOptions& options,
                                        double seconds);
 
+/// The same without schema, version, notice and name: below "opening" of a closure.
+nlohmann::ordered_json opening_figures_json(const OpenedValve& opened,
+                                            const OpeningOptions& options, double seconds);
+
 }  // namespace coapt

@@ -226,4 +226,18 @@ ordered_json scene_to_json(const Scene& scene) {
   return json;
 }
 
+ordered_json opening_scene_to_json(const OpenedValve& opened, int frames) {
+  const auto& [valve, closure, measure, passage_mm] = opened;
+  ordered_json passage = ordered_json::array();
+  for (const Vec3& at_mm : passage_mm)
+    for (const double coordinate : at_mm) passage.push_back(mm(coordinate));
+  return {{"faces", faces_json(valve.faces)},
+          {"open_mm", closure.closed_mm.allFinite() ? flat(closure.closed_mm) : nullptr},
+          {"annulus_mm", flat(valve.annulus_mm)},
+          {"heads", heads_json(valve.heads)},
+          {"chordae", chordae_json(valve, closure)},
+          {"passage_mm", std::move(passage)},
+          {"motion_mm", motion_json(closure.motion_mm, frames)}};
+}
+
 }  // namespace coapt

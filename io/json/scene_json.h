@@ -1,13 +1,15 @@
-// Everything that is drawn of a closed valve, in one document (coapt.scene/1).
+// Everything that is drawn of a closed valve, in one document (coapt.scene/1), and of an open one.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
-#include "core/closure/closure.h"
+#include "core/opened/opened_valve.h"
 #include "core/repair/plan.h"
 #include "core/valve/valve.h"
 
 namespace coapt {
+
+inline constexpr int kMostFrames = 60;  ///< that the service answers with
 
 struct Scene {
   const Valve& valve;  ///< repaired, if it is
@@ -20,5 +22,9 @@ struct Scene {
 /// digits after the point. Sections are 0.025 apart along the line between the commissures. Of a closure
 /// that flew apart there is no closed_mm, but null.
 nlohmann::ordered_json scene_to_json(const Scene& scene);
+
+/// What is drawn of an open valve (coapt.opening/1 names it scene), written alike; `frames` as of a Scene. Of an opening that
+/// flew apart there is no open_mm, but null.
+nlohmann::ordered_json opening_scene_to_json(const OpenedValve& opened, int frames);
 
 }  // namespace coapt

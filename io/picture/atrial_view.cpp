@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/metrics/orifice.h"
+#include "io/picture/atrial_names.h"
 #include "io/picture/leaflet_paint.h"
 #include "io/picture/opening_paint.h"
 #include "io/picture/repair_paint.h"
@@ -14,7 +16,9 @@
 namespace coapt {
 namespace {
 
-constexpr double kSupersampling = 2.0;  // of the sheet's own pixels
+constexpr double kSupersampling = 2.0;          // of the sheet's own pixels
+constexpr Colour kVentricle{0.93, 0.91, 0.91};  // the ventricle, through an open valve
+constexpr Colour kChordaBelow{0.66, 0.59, 0.52};
 
 void trace(const Canvas& canvas, const std::vector<Vec2>& polygon_mm, const Mapping& map) {
   for (const Vec2& point : polygon_mm)
@@ -30,79 +34,6 @@ void draw_annulus(const Canvas& canvas, const std::vector<Vec2>& annulus, const 
   cairo_stroke(cairo);
 }
 
-struct Label {
-  Vec2 at;
-  double left, right;
-};
-
-/// Lines further out, up or down, that keep it off the labels placed before.
-void keep_apart(Label& label, bool upwards, const std::vector<Label>& placed) {
-  constexpr double kLine = 15.0;
-  const auto covers = [&](const Label& other) {
-    return label.left < other.right && other.left < label.right &&
-           std::abs(label.at.y() - other.at.y()) < kLine;
-  };
-  for (int lines = 0; lines < 3 && std::any_of(placed.begin(), placed.end(), covers); ++lines)
-    label.at.y() += upwards ? -kLine : kLine;
-}
-
-void draw_landmarks(const Canvas& canvas, const Valve& valve, const AnnularPlane& plane,
-                    const Mapping& map, const Vec2& centre_px) {
-  const Landmarks& marks = valve.landmarks;
-  const std::pair<int, const char*> labelled[] = {
-      {marks.saddle_peak, "saddle peak"},           {marks.mid_posterior, "mid-posterior"},
-      {marks.anterolateral_commissure, "AL comm."}, {marks.posteromedial_commissure, "PM comm."},
-      {marks.anterolateral_trigone, "AL trigone"},  {marks.posteromedial_trigone, "PM trigone"}};
-  std::vector<Label> placed;
-  for (const auto& [vertex, words] : labelled) {
-    const Vec2 at = map(project(plane, annulus_position_mm(valve, vertex)));
-    const Vec2 outwards = (at - centre_px).normalized();
-    fill_circle(canvas, at, 5.5, palette::kAnnulus);
-    fill_circle(canvas, at, 3.5, palette::kPaper);
-    const Align align = outwards.x() > 0.35    ? Align::Left
-                        : outwards.x() < -0.35 ? Align::Right
-                                               : Align::Centre;
-    const TextStyle style{13.0, palette::kMuted, align, false, 3.0};
-    const double width = text_width(canvas, words, style);
-    Label label{at + 13.0 * outwards + Vec2(0.0, 5.0 + 4.0 * outwards.y()), 0.0, 0.0};
-    label.left = label.at.x() - (align == Align::Right    ? width
-                                 : align == Align::Centre ? 0.5 * width
-                                                          : 0.0);
-    label.right = label.left + width;
-    keep_apart(label, outwards.y() < 0.0, placed);
-    draw_text(canvas, label.at, words, style);
-    placed.push_back(label);
-  }
-}
-
-/// A1 to P3 just inside the annulus, where each segment hangs on it.
-void draw_segment_names(const Canvas& canvas, const Valve& valve, const AnnularPlane& plane,
-                        const Mapping& map, const Vec2& centre_px) {
-  constexpr double kLeastInwards = 20.0;  // px: clear of a ring
-  std::vector<char> on_annulus(static_cast<std::size_t>(valve.rest_mm.rows()), 0);
-  for (const int vertex : valve.annulus) on_annulus[static_cast<std::size_t>(vertex)] = 1;
-  for (const Segment segment :
-       {Segment::A1, Segment::A2, Segment::A3, Segment::P1, Segment::P2, Segment::P3}) {
-    Vec2 sum_mm = Vec2::Zero();
-    int count = 0;
-    for (Eigen::Index f = 0; f < valve.faces.rows(); ++f)
-      for (int k = 0; k < 3; ++k) {
-        const int vertex = valve.faces(f, k);
-        if (valve.segments[static_cast<std::size_t>(f)] != segment ||
-            !on_annulus[static_cast<std::size_t>(vertex)])
-          continue;
-        sum_mm += project(plane, annulus_position_mm(valve, vertex));
-        ++count;
-      }
-    if (count == 0) continue;
-    const Vec2 at = map(sum_mm / count);
-    const Vec2 inwards = (centre_px - at).normalized();
-    const double way = std::max(kLeastInwards, 2.6 * map.pixels_per_mm);
-    draw_text(canvas, at + way * inwards + Vec2(0.0, 5.0), to_string(segment),
-              {14.0, {0.35, 0.16, 0.12}, Align::Centre, true, 1.8});
-  }
-}
-
 /// Of the annulus that a ring drew in, on the plane of the annulus now.
 Eigen::AlignedBox2d extent_before_mm(const ClosedValve& closed, const AnnularPlane& plane) {
   Eigen::AlignedBox2d extent;
@@ -110,6 +41,97 @@ Eigen::AlignedBox2d extent_before_mm(const ClosedValve& closed, const AnnularPla
   for (Eigen::Index i = 0; i < loop_mm.rows(); ++i)
     extent.extend(project(plane, loop_mm.row(i).transpose()));
   return extent;
+}
+
+/// What differs between the views of a closed and an open valve.
+struct Painters {
+  /// The leaflets, at twice the size.
+  std::function<void(const Canvas&, const Mapping&)> below, above;
+  bool inside_alone;  ///< of the annulus: open leaflets bulge behind the atrium's wall
+  std::function<void(const Mapping&)> last;  ///< over everything
+};
+
+void draw_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed,
+               const OrificeView& view, const Painters& painters) {
+  const Valve& valve = closed.valve;
+  const std::vector<Vec2> annulus_mm = annulus_polygon(valve, view.plane);
+  const Box& box = frame.box;
+  // Before and after side by side have the annulus before at the same place.
+  const Vec2 centre_mm = closed.repair.annulus_before_mm.rows() > 0
+                             ? Vec2(extent_before_mm(closed, view.plane).center())
+                             : view.centre_mm;
+  const Mapping map{centre_mm, Vec2(box.x + 0.5 * box.width, box.y + 0.5 * box.height),
+                    frame.pixels_per_mm};
+
+  cairo_t* cairo = canvas.context.get();
+  cairo_matrix_t sheet;
+  cairo_get_matrix(cairo, &sheet);
+  const double fine = kSupersampling * sheet.xx;
+  const Canvas large =
+      make_canvas(static_cast<int>(fine * box.width), static_cast<int>(fine * box.height));
+  const Mapping large_map{centre_mm, 0.5 * fine * Vec2(box.width, box.height),
+                          fine * frame.pixels_per_mm};
+  const std::vector<PaintedFace> faces =
+      painted_faces(valve, closed.closure.closed_mm, view.plane, large_map);
+  cairo_save(large.context.get());
+  trace(large, annulus_mm, large_map);
+  cairo_clip(large.context.get());
+  painters.below(large, large_map);
+  paint_rims(large, faces, valve.tissue.thickness_mm * large_map.pixels_per_mm);
+  if (!painters.inside_alone) cairo_reset_clip(large.context.get());
+  paint_leaflets(large, faces);
+  painters.above(large, large_map);
+  cairo_restore(large.context.get());
+
+  cairo_save(cairo);
+  cairo_translate(cairo, box.x, box.y);
+  cairo_scale(cairo, 1.0 / fine, 1.0 / fine);
+  cairo_set_source_surface(cairo, large.surface.get(), 0.0, 0.0);
+  cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_GOOD);
+  cairo_paint(cairo);
+  cairo_restore(cairo);
+
+  const Vec2 middle_px = map(view.centre_mm);
+  draw_annulus(canvas, annulus_mm, map);
+  const RepairSheet repair{canvas,
+                           [&](const Vec3& point_mm) { return map(project(view.plane, point_mm)); },
+                           frame.pixels_per_mm};
+  cairo_save(cairo);
+  cairo_rectangle(cairo, box.x, box.y, box.width, box.height);
+  cairo_clip(cairo);
+  draw_ring(repair, closed);
+  cairo_restore(cairo);
+  draw_seams(repair, closed);
+  draw_segment_names(canvas, valve, view.plane, map, middle_px);
+  draw_landmarks(canvas, valve, view.plane, map, middle_px);
+  draw_sutures(repair, closed);
+  painters.last(map);
+  draw_scale_bar(canvas, frame);
+}
+
+/// Chordae under the open leaflets, those that are not ruptured.
+void paint_chordae(const Canvas& canvas, const ClosedValve& open, const AnnularPlane& plane,
+                   const Mapping& map) {
+  const Valve& valve = open.valve;
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    const Chorda& chorda = valve.chordae[c];
+    if (chorda.ruptured) continue;
+    const Points& ends_mm = open.closure.branch_points_mm[c];
+    for (std::size_t s = 0; s < chorda.segments.size(); ++s) {
+      const int parent = chorda.segments[s].parent;
+      const Vec3 from_mm = parent < 0 ? valve.heads[static_cast<std::size_t>(chorda.head)].tip_mm
+                                      : Vec3(ends_mm.row(parent).transpose());
+      const Vec3 to_mm = ends_mm.row(static_cast<Eigen::Index>(s)).transpose();
+      for (const Vec3& end_mm : {from_mm, to_mm}) {
+        const Vec2 at = map(project(plane, end_mm));
+        cairo_line_to(canvas.context.get(), at.x(), at.y());
+      }
+      cairo_new_sub_path(canvas.context.get());
+    }
+  }
+  cairo_set_line_width(canvas.context.get(), 0.35 * map.pixels_per_mm);
+  set_colour(canvas, kChordaBelow);
+  cairo_stroke(canvas.context.get());
 }
 
 }  // namespace
@@ -144,62 +166,52 @@ void draw_unknown(const Canvas& canvas, const ViewFrame& frame) {
 
 void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed) {
   if (!closed.closure.closed_mm.allFinite()) return draw_unknown(canvas, frame);
-  const Valve& valve = closed.valve;
   const OrificeView view =
-      view_orifices(valve, closed.closure.closed_mm, 0.5 * valve.tissue.thickness_mm);
-  const std::vector<Vec2> annulus_mm = annulus_polygon(valve, view.plane);
-  const Box& box = frame.box;
-  // Before and after side by side have the annulus before at the same place.
-  const Vec2 centre_mm = closed.repair.annulus_before_mm.rows() > 0
-                             ? Vec2(extent_before_mm(closed, view.plane).center())
-                             : view.centre_mm;
-  const Mapping map{centre_mm, Vec2(box.x + 0.5 * box.width, box.y + 0.5 * box.height),
-                    frame.pixels_per_mm};
-
-  cairo_t* cairo = canvas.context.get();
-  cairo_matrix_t sheet;
-  cairo_get_matrix(cairo, &sheet);
-  const double fine = kSupersampling * sheet.xx;
-  const Canvas large =
-      make_canvas(static_cast<int>(fine * box.width), static_cast<int>(fine * box.height));
-  const Mapping large_map{centre_mm, 0.5 * fine * Vec2(box.width, box.height),
-                          fine * frame.pixels_per_mm};
-  const std::vector<PaintedFace> faces =
-      painted_faces(valve, closed.closure.closed_mm, view.plane, large_map);
-  cairo_save(large.context.get());
-  trace(large, annulus_mm, large_map);
-  cairo_clip(large.context.get());
-  paint_rims(large, faces, valve.tissue.thickness_mm * large_map.pixels_per_mm);
-  cairo_restore(large.context.get());
-  paint_leaflets(large, faces);
-  paint_orifices(large, view, large_map);
+      view_orifices(closed.valve, closed.closure.closed_mm, 0.5 * closed.valve.tissue.thickness_mm);
   const std::vector<GapStrip> gaps = hidden_gaps(closed, view);
-  paint_hidden_gaps(large, gaps, large_map);
+  draw_view(canvas, frame, closed, view,
+            {[](const Canvas&, const Mapping&) {},
+             [&](const Canvas& large, const Mapping& map) {
+               paint_orifices(large, view, map);
+               paint_hidden_gaps(large, gaps, map);
+             },
+             false, [&](const Mapping& map) { label_openings(canvas, closed, view, gaps, map); }});
+}
 
-  cairo_save(cairo);
-  cairo_translate(cairo, box.x, box.y);
-  cairo_scale(cairo, 1.0 / fine, 1.0 / fine);
-  cairo_set_source_surface(cairo, large.surface.get(), 0.0, 0.0);
-  cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_GOOD);
-  cairo_paint(cairo);
-  cairo_restore(cairo);
-
-  const Vec2 middle_px = map(view.centre_mm);
-  draw_annulus(canvas, annulus_mm, map);
-  const RepairSheet repair{canvas,
-                           [&](const Vec3& point_mm) { return map(project(view.plane, point_mm)); },
-                           frame.pixels_per_mm};
-  cairo_save(cairo);
-  cairo_rectangle(cairo, box.x, box.y, box.width, box.height);
-  cairo_clip(cairo);
-  draw_ring(repair, closed);
-  cairo_restore(cairo);
-  draw_seams(repair, closed);
-  draw_segment_names(canvas, valve, view.plane, map, middle_px);
-  draw_landmarks(canvas, valve, view.plane, map, middle_px);
-  draw_sutures(repair, closed);
-  label_openings(canvas, closed, view, gaps, map);
-  draw_scale_bar(canvas, frame);
+void draw_open_atrial_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& open,
+                           const OpenPassage& passage) {
+  if (!open.closure.closed_mm.allFinite()) return draw_unknown(canvas, frame);
+  const OrificeView view =
+      view_orifices(open.valve, open.closure.closed_mm, 0.5 * open.valve.tissue.thickness_mm);
+  std::vector<Vec2> outline_mm;
+  Vec2 middle_mm = Vec2::Zero();
+  for (const Vec3& point_mm : passage.outline_mm) {
+    outline_mm.push_back(project(view.plane, point_mm));
+    middle_mm += outline_mm.back() / static_cast<double>(passage.outline_mm.size());
+  }
+  cairo_t* cairo = canvas.context.get();
+  draw_view(
+      canvas, frame, open, view,
+      {[&](const Canvas& large, const Mapping& map) {
+         set_colour(large, kVentricle);
+         cairo_paint(large.context.get());
+         paint_chordae(large, open, view.plane, map);
+       },
+       [](const Canvas&, const Mapping&) {}, true,
+       [&](const Mapping& map) {
+         if (outline_mm.empty()) return;
+         for (const auto& [width, colour] :
+              {std::pair(5.0, palette::kPaper), std::pair(2.6, palette::kOrifice)}) {
+           trace(canvas, outline_mm, map);
+           set_colour(canvas, colour);
+           cairo_set_line_width(cairo, width);
+           cairo_stroke(cairo);
+         }
+         const Vec2 at = map(middle_mm);
+         draw_text(canvas, at, passage.words, {20.0, palette::kOrifice, Align::Centre, true, 4.0});
+         draw_text(canvas, at + Vec2(0.0, 20.0), "narrowest passage",
+                   {13.0, palette::kInk, Align::Centre, false, 3.0});
+       }});
 }
 
 }  // namespace coapt

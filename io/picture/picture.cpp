@@ -57,13 +57,15 @@ std::vector<Line> caption(const ClosedValve& closed) {
   return lines;
 }
 
-void draw_caption(const Canvas& canvas, const Eigen::Vector2d& at, const ClosedValve& closed,
-                  double width) {
+/// Returns where it ends.
+double draw_caption(const Canvas& canvas, const Eigen::Vector2d& at, const ClosedValve& closed,
+                    double width) {
   double y = at.y();
   for (const Line& line : caption(closed)) {
     y += 1.5 * line.style.size;
     draw_text(canvas, {at.x(), y}, line.text, line.style, width);
   }
+  return y;
 }
 
 void draw_notice(const Canvas& canvas, double width, double height) {
@@ -83,7 +85,7 @@ double common_scale(double (*scale)(const Box&, const ClosedValve&), const Box& 
 
 }  // namespace
 
-std::string closure_picture_png(const ClosedValve& closed) {
+std::string closure_picture_png(const ClosedValve& closed, const std::string& diastole) {
   constexpr int kWidth = 1600, kHeight = 880;
   const Canvas canvas = make_canvas(kWidth, kHeight);
   fill_box(canvas, {0.0, 0.0, kWidth, kHeight}, palette::kPaper);
@@ -97,7 +99,10 @@ std::string closure_picture_png(const ClosedValve& closed) {
   draw_section_view(canvas, {section, section_scale(section, closed)}, closed);
   draw_legend(canvas, {atrial.x + 4.0, atrial.y + atrial.height + 4.0}, kWidth - 2.0 * kMargin,
               {&closed});
-  draw_caption(canvas, {section.x + 4.0, section.y + section.height + 20.0}, closed, section.width);
+  const double end = draw_caption(canvas, {section.x + 4.0, section.y + section.height + 20.0},
+                                  closed, section.width);
+  if (!diastole.empty())
+    draw_text(canvas, {section.x + 4.0, end + 22.5}, diastole, {15.0}, section.width);
   draw_notice(canvas, kWidth, kHeight);
   return to_png(canvas);
 }

@@ -8,8 +8,9 @@
 
 namespace coapt {
 
-/// PNG bytes: atrial view with the orifices coloured beside a long-axis section, captioned.
-std::string closure_picture_png(const ClosedValve& closed);
+/// PNG bytes: atrial view with the orifices coloured beside a long-axis section, captioned. `diastole`: a line about the open
+/// valve (opening_picture.h); empty: none.
+std::string closure_picture_png(const ClosedValve& closed, const std::string& diastole = "");
 
 /// PNG bytes: atrial view of before and after side by side with sections below.
 std::string comparison_picture_png(const ClosedValve& before, const ClosedValve& after);

@@ -11,8 +11,6 @@
 namespace coapt {
 namespace {
 
-constexpr int kMostFrames = 60;
-
 struct Closed {
   ClosureResult closure;
   nlohmann::ordered_json json;  ///< coapt.closure/1, with the warnings of the operation

@@ -43,6 +43,15 @@ class Close(ProgramTest):
         text = coapt("close", "human-p2-prolapse", "--oblique").stdout
         self.assertIn("widest passage", text)
 
+    def test_the_opening_is_told_where_it_is_asked_for(self):
+        printed = json.loads(coapt("open", VALVE, "--json").stdout)
+        opening = self.close(VALVE, "--open")["opening"]
+        for key in ["status", "crossing", "opening_area_mm2", "projected_area_mm2", "gradient_mmhg", "flow_ml_s"]:
+            self.assertEqual(opening[key], printed[key], key)
+        self.assertNotIn("opening", self.close(VALVE))
+        words = f"opening         {0.01 * opening['opening_area_mm2']:.1f} cm2, mean gradient "
+        self.assertIn(words, coapt("close", VALVE, "--open").stdout)
+
     def test_a_ring_makes_the_orifice_of_the_functional_valve_smaller(self):
         plan = self.write("plan.json", RING)
         before = self.close(VALVE)

@@ -70,6 +70,15 @@ class SameOutput(ThroughService):
             self.assertEqual(self.assert_same("close", *arguments).returncode, OK)
         self.assert_same("close", "-", stdin=file.read_text())
 
+    def test_openings_are_the_same(self):
+        for more in (
+            [],
+            ["--plan", self.ring],
+            ["--json"],
+            ["--flow", 200, "--exercise", 2, "--plan", self.ring, "--json"],
+        ):
+            self.assertEqual(self.assert_same("open", VALVE, *more).returncode, OK)
+
     def test_pictures_are_the_same(self):
         for more in ([], ["--plan", self.ring]):
             here, there = self.folder / "here.png", self.folder / "there.png"

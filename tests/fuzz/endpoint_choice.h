@@ -10,10 +10,10 @@ namespace coapt {
 inline constexpr std::string_view kKeptPlanPath = "/v1/kept-plans/kept";
 
 /// Requests with a body, which is what follows: POST, but for kKeptPlanPath. The byte is 'a' and the place in this list.
-inline constexpr std::array<std::string_view, 13> kBodyPaths = {
-    "/v1/valves",          "/v1/valves:validate", "/v1/closures", "/v1/scenes", "/v1/exports",
-    "/v1/pictures",        "/v1/evaluations",     "/v1/reports",  "/v1/plans",  "/v1/studies",
-    "/v1/jobs/job:cancel", "/v1/kept-plans",      kKeptPlanPath};
+inline constexpr std::array<std::string_view, 14> kBodyPaths = {
+    "/v1/valves",          "/v1/valves:validate", "/v1/closures",   "/v1/scenes", "/v1/exports",
+    "/v1/pictures",        "/v1/evaluations",     "/v1/reports",    "/v1/plans",  "/v1/studies",
+    "/v1/jobs/job:cancel", "/v1/openings",        "/v1/kept-plans", kKeptPlanPath};
 
 /// Requests without a body: what follows is path and query, as after percent-decoding. Their bytes come
 /// after those of the paths above.

@@ -55,6 +55,21 @@ class Closures(ClientTest):
         self.assertTrue(closure.trusted)
         self.assertEqual(self.client.close(VALVE, plan.to_json()).measure, closure.measure)
 
+    def test_an_opening_is_the_one_of_the_command_line(self):
+        plan = Plan(Ring("generic-classic", size_mm=30))
+        plan.write(self.folder / "plan.json")
+        arguments = ("--plan", self.folder / "plan.json", "--flow", 200, "--json")
+        printed = json.loads(coapt_command("open", VALVE, *arguments).stdout)
+        opening = self.client.open(VALVE, plan, flow_ml_s=200, frames=2)
+        told = {key: value for key, value in opening.json.items() if key != "scene"}
+        self.assertEqual(told | {"seconds": 0}, printed | {"seconds": 0})
+        self.assertEqual(opening.gradient_mmhg, printed["gradient_mmhg"])
+        self.assertTrue(opening.trusted)
+        self.assertEqual(opening.scene["motion_mm"][-1][: len(opening.scene["open_mm"])], opening.scene["open_mm"])
+        self.assertIn(f"{0.01 * printed['opening_area_mm2']:.1f} cm²", opening._repr_html_())
+        refused = self.refused(coapt.InvalidRequest, self.client.open, VALVE, exercise=9)
+        self.assertEqual([problem.path for problem in refused.problems], ["/exercise"])
+
     def test_files_for_other_programs_are_those_of_the_command_line(self):
         plan = Plan(Ring("generic-classic", size_mm=30))
         plan.write(self.folder / "plan.json")

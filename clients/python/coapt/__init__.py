@@ -34,6 +34,7 @@ from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling, Section, Table
 from .fits import Fit, FitResult, FittedParameter, ImportResult
 from .jobs import Job, show_progress
 from .meshes import Mesh, Picture
+from .openings import Opening
 from .repair import (
     ChordalExcision,
     ChordalLengthChange,
@@ -97,6 +98,7 @@ __all__ = [
     "NoSuchFile",
     "NotEnded",
     "NotFound",
+    "Opening",
     "OwnRing",
     "PapillaryApproximation",
     "QuadrangularResection",

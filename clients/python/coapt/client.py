@@ -6,49 +6,31 @@ import os
 import urllib.parse
 import uuid
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import Any, Literal
 
-from .errors import InvalidRequest, NotFound, Problem, Refused
-from .files import Path, did_you_mean
+from .asking import given
+from .errors import NotFound, Problem
+from .files import Path
 from .fits import Fit, ImportResult
 from .imports import files_to_import, packed_folder
 from .jobs import Job
-from .meshes import Picture
-from .results import Closure, Evaluations, SearchResult, StudyResult, known_fields
-from .sources import PlanSource, Valve, all_named_plans, every_valve, plan_document, valve_document
+from .results import SearchResult, StudyResult, known_fields
+from .short_work import ShortWork, repair_of
+from .sources import PlanSource, Valve, plan_document, valve_document
 from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
-from .sweep import Sweep
-from .transport import Answer, Transport
+from .transport import Transport
 
 Protocol = Literal["lookup-clamped", "lookup-extended", "closed", "optimum"]
-FileFormat = Literal["glb", "vtk", "ply", "obj", "stl", "mrk.json", "csv", "feb"]
 StudyName = Literal["annulus", "papillary", "ring", "approximation", "thesis"]
 
 LOCAL = "http://127.0.0.1:8080"
-MOST_THREADS = 32  # of a sweep: a quarter of the requests that a service answers at once
-
-
-def _repair(plan: PlanSource | None, **more: Any) -> dict[str, Any]:
-    return more | ({} if plan is None else {"plan": plan_document(plan)})
-
-
-def _scoring(
-    plans: PlanSource | Iterable[PlanSource], region_points: int | None, evidence: bool | None
-) -> dict[str, Any]:
-    documents = [plan for _, plan in all_named_plans(plans)]
-    return {"plans": documents} | _given(region_points=region_points, evidence=evidence)
 
 
 def _path(folder: str, name: str) -> str:
     return f"{folder}/{urllib.parse.quote(name, safe='')}"
 
 
-def _given(**fields: Any) -> dict[str, Any]:
-    return {name: value for name, value in fields.items() if value is not None}
-
-
-class Client:
+class Client(ShortWork):
     """A coapt-server. Threads may share a client.
 
     :param url: COAPT_SERVER or http://127.0.0.1:8080 by default
@@ -70,13 +52,14 @@ class Client:
         patience_s: float = 60.0,
         plain_http: bool = False,
     ) -> None:
-        self._transport = Transport(
+        transport = Transport(
             (url or os.environ.get("COAPT_SERVER") or LOCAL).rstrip("/"),
             token or os.environ.get("COAPT_TOKEN") or None,
             timeout_s,
             retries,
             plain_http=plain_http,
         )
+        super().__init__(transport)
         self._patience_s = patience_s
 
     @property
@@ -88,10 +71,6 @@ class Client:
         return str(self._get("/version")["version"])
 
     # Valves
-
-    def presets(self) -> list[str]:
-        """Names of the valves that coapt brings along."""
-        return [preset["name"] for preset in self._get("/v1/presets")["presets"]]
 
     def rings(self) -> list[RingShape]:
         """Shapes that Ring() may name."""
@@ -170,11 +149,11 @@ class Client:
         """
         source = valve_document(valve)
         of = source if isinstance(source, str) else self.put_valve(source).id
-        return KeptPlan.from_json(self._ask("/v1/kept-plans", of, _repair(plan, name=name)).json())
+        return KeptPlan.from_json(self._ask("/v1/kept-plans", of, repair_of(plan, name=name)).json())
 
     def kept_plans(self, valve: str | StoredValve | None = None) -> Iterator[KeptPlan]:
         """Kept plans, newest first; only those of a valve, by the id or preset's name that they were kept for."""
-        query = _given(valve=None if valve is None else valve_document(valve))
+        query = given(valve=None if valve is None else valve_document(valve))
         yield from map(KeptPlan.from_json, self._listed("/v1/kept-plans", "kept_plans", query))
 
     def rename_kept_plan(self, id: str, name: str) -> KeptPlan:
@@ -183,90 +162,6 @@ class Client:
 
     def delete_kept_plan(self, id: str) -> None:
         self._transport.request("DELETE", _path("/v1/kept-plans", id))
-
-    # Short work
-
-    def close(self, valve: Valve, plan: PlanSource | None = None) -> Closure:
-        """Closes a valve, repaired if there is a plan, and measures what leaks. Look at Closure.trusted."""
-        return self._closure(valve, None if plan is None else plan_document(plan))
-
-    def map(
-        self,
-        valves: Valve | Iterable[Valve],
-        plans: PlanSource | Iterable[PlanSource] | None = None,
-        *,
-        threads: int | None = None,
-    ) -> Sweep:
-        """Closes every valve with every plan, several at once, and yields the closures in order: all plans of the first valve,
-        then all of the second. An error of one (no such file, an impossible plan) stands in its place, and the others go on.
-
-            for item in client.map(Path("valves").glob("*.json"), "plans.json"):
-                print(item.valve, item.plan, item.closure or item.error)
-            client.map(client.presets(), [Plan(), "ring.json"]).to_frame()
-
-        A valve is read when its turn comes, so there may be any number of them; at most two closures a thread are ahead of
-        what was taken. Leaving the loop ends it.
-
-        :param plans: read at once; None: the valves as they are
-        :param threads: closures asked for at once; by default as many as this machine has cores, 32 at most. More than
-            the service's cores gain nothing
-        """
-        named = [("no repair", None)] if plans is None else all_named_plans(plans)
-        return Sweep(self._closure, every_valve(valves), named, min(threads or os.cpu_count() or 1, MOST_THREADS))
-
-    def export(
-        self,
-        valve: Valve,
-        format: FileFormat,
-        plan: PlanSource | None = None,
-        *,
-        open: bool = False,
-    ) -> bytes:
-        """A file that other programs open, of the valve closed, repaired if there is a plan.
-
-        :param open: the unstressed shape, not the closed one; not for csv
-        """
-        return self._ask("/v1/exports", valve, _repair(plan, format=format, open=open)).body
-
-    def picture(self, valve: Valve, plan: PlanSource | None = None) -> Picture:
-        """The closed valve, repaired if there is a plan, from the atrium and in section, with its figures; a notebook shows it."""
-        return Picture(self._ask("/v1/pictures", valve, _repair(plan)).body)
-
-    def scene(self, valve: Valve, plan: PlanSource | None = None, *, frames: int = 0) -> dict[str, Any]:
-        """All that is drawn of a closed valve as lists and numbers (coapt.scene/1): points, triangles, chordae with tension,
-        orifices, annulus. One end state, where close() takes the mean of five.
-
-        :param frames: 0 to 60 states on the way from open to closed
-        """
-        scene: dict[str, Any] = self._ask("/v1/scenes", valve, _repair(plan, frames=frames)).json()
-        return scene
-
-    def evaluate(
-        self,
-        valve: Valve,
-        plans: PlanSource | Iterable[PlanSource],
-        region_points: int | None = None,
-        evidence: bool | None = None,
-    ) -> Evaluations:
-        """Scores plans of one's own as a search scores its finalists, in the order given.
-
-        :param region_points: 1 to 1,089 nodes of each plan's region of interest, 1 by default; plans times nodes must stay
-            below the service's limit (1,000 closures)
-        :param evidence: each plan also under errors of single sutures and further remodelling, 24 to 284 closures more; not
-            by default
-        """
-        request = _scoring(plans, region_points, evidence)
-        return Evaluations.from_json(self._ask("/v1/evaluations", valve, request).json())
-
-    def report(
-        self,
-        valve: Valve,
-        plans: PlanSource | Iterable[PlanSource],
-        region_points: int | None = None,
-        evidence: bool | None = None,
-    ) -> str:
-        """The page about plans of one's own, ten at most, scored as evaluate() does: HTML that stands alone."""
-        return self._ask("/v1/reports", valve, _scoring(plans, region_points, evidence)).body.decode()
 
     # Long work
 
@@ -310,11 +205,11 @@ class Client:
         :param weights: of the cost, likewise
         :param idempotency_key: the same key with the same request gives the same job; a new one by default
         """
-        all_rules = dict(rules or {}) | _given(
+        all_rules = dict(rules or {}) | given(
             fixed=None if fixed is None else plan_document(fixed),
             forbidden=None if forbidden is None else list(forbidden),
         )
-        search = _given(
+        search = given(
             evaluations=evaluations,
             seed=seed,
             threads=threads,
@@ -350,7 +245,7 @@ class Client:
         :param region_points: 17 to 1,089 nodes of each region of interest
         :param scan_sites: 0 to 360 anchors around the annulus, besides trigone and saddle peak
         """
-        study = {"name": name} | _given(
+        study = {"name": name} | given(
             protocols=None if protocols is None else list(protocols),
             scan_sites=scan_sites,
             displacement_step_mm=displacement_step_mm,
@@ -386,12 +281,12 @@ class Client:
         :raises Refused: what is wrong with which file, at once
         """
         if slicerheart is not None:
-            files = {"slicerheart": packed_folder(slicerheart)} | _given(chordae_seed=chordae)
+            files = {"slicerheart": packed_folder(slicerheart)} | given(chordae_seed=chordae)
         elif leaflets == () or chordae is None:
             raise TypeError("import_job() takes leaflets and chordae, or slicerheart")
         else:
             files = files_to_import(leaflets, annulus, chordae, tips)
-        request = files | options | {"name": name} | _given(fit=None if fit is None else fit.to_json())
+        request = files | options | {"name": name} | given(fit=None if fit is None else fit.to_json())
         key = {"Idempotency-Key": idempotency_key or uuid.uuid4().hex}
         json = self._transport.request("POST", "/v1/imports", request, key).json()
         return Job(self._transport, json, ImportResult.from_json, self._patience_s)
@@ -402,51 +297,11 @@ class Client:
 
     def jobs(self, state: str | None = None) -> Iterator[Job[Any]]:
         """All jobs, newest first; only those QUEUED, RUNNING, SUCCEEDED, FAILED or CANCELLED if state says so."""
-        yield from map(self._job, self._listed("/v1/jobs", "jobs", _given(state=state)))
+        yield from map(self._job, self._listed("/v1/jobs", "jobs", given(state=state)))
 
     def _job(self, json: Mapping[str, Any]) -> Job[Any]:
         readers: dict[str, Any] = {"plans": SearchResult, "study": StudyResult, "import": ImportResult}
         return Job(self._transport, json, readers[json["kind"]].from_json, self._patience_s)
 
-    def _closure(self, valve: Valve, plan: Any) -> Closure:
-        return Closure.from_json(self._ask("/v1/closures", valve, _given(plan=plan)).json())
-
     def _submit(self, path: str, valve: Valve, request: Mapping[str, Any], key: str | None) -> Any:
         return self._ask(path, valve, request, {"Idempotency-Key": key or uuid.uuid4().hex}).json()
-
-    def _ask(
-        self, path: str, valve: Valve, request: Mapping[str, Any], headers: Mapping[str, str] | None = None
-    ) -> Answer:
-        """The answer to a request about a valve."""
-        source = valve_document(valve)
-        try:
-            return self._transport.request("POST", path, {"valve": source, **request}, headers)
-        except InvalidRequest as error:
-            if isinstance(source, str) and any(problem.path == "/valve" for problem in error.problems):
-                raise self._with_preset(error, source) from None
-            raise
-
-    def _with_preset(self, error: Refused, name: str) -> Refused:
-        """The error, with the preset that an unknown valve's name may stand for."""
-        hint = did_you_mean(name, self.presets())
-        problems = [
-            replace(problem, message=problem.message + hint) if problem.path in ("", "/valve") else problem
-            for problem in error.problems
-        ]
-        return type(error)(error.status, error.title, problems, error.retry_after_s)
-
-    def _listed(self, path: str, name: str, query: Mapping[str, Any] | None = None) -> Iterator[Any]:
-        """Every member of a list that comes in pages."""
-        asked = {"page_size": 100, **(query or {})}
-        while True:
-            page = self._transport.request("GET", path, query=asked).json()
-            yield from page[name]
-            if page["next_page_token"] is None:
-                return
-            asked["page_token"] = page["next_page_token"]
-
-    def _get(self, path: str) -> Any:
-        return self._transport.request("GET", path).json()
-
-    def _post(self, path: str, request: Any) -> Any:
-        return self._transport.request("POST", path, request).json()

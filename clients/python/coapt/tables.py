@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .meshes import Picture
+    from .openings import Opening
     from .results import Before, Closure, Measure, RankedPlan, StudyResult
 
 NOTICE = "coapt is research software, not a medical device; not for clinical decisions."
@@ -111,6 +112,26 @@ def closure_html(closure: Closure) -> str:
         f"<p>Coaptation height at nine sections, mm (blue); leaflets apart, mm (red)</p>{bars}"
         f"<p>{_list(closure.warnings, '! ')}</p>{_NOTICE_HTML}"
     )
+
+
+def opening_html(opening: Opening) -> str:
+    warned = "" if opening.trusted else "<p><b>These figures do not count.</b></p>"
+    rest, exercise = number(opening.gradient_mmhg), number(opening.gradient_exercise_mmhg)
+    rows = [
+        ("narrowest passage", f"<b>{_cm2(opening.opening_area_mm2)}</b>"),
+        ("seen along the annulus's normal", _cm2(opening.projected_area_mm2)),
+        ("annulus in diastole", _cm2(opening.annulus_area_mm2)),
+        ("mean gradient", f"{rest} mmHg at {number(opening.flow_ml_s, 0)} ml/s"),
+        ("at exercise", f"{exercise} mmHg at {number(opening.flow_exercise_ml_s, 0)} ml/s"),
+    ]
+    return (
+        f"<h4>{html.escape(opening.name)}, open: {_state(opening.status, opening.crossing)}</h4>{warned}"
+        f"{_table((), rows)}<p>{_list(opening.warnings, '! ')}</p>{_NOTICE_HTML}"
+    )
+
+
+def _cm2(mm2: float | None) -> str:
+    return f"{number(None if mm2 is None else 0.01 * mm2)} cm²"
 
 
 _FARTHEST_MM, _FARTHEST_DEG = 1.0, 5.0  # borders of the region of interest: a margin there may be larger

@@ -53,6 +53,11 @@ export function seconds(value: number): string {
   return minutes < 60 ? `${minutes} min ${whole % 60} s` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`
 }
 
+/// As openings are given.
+export function cm2(value_mm2: number | null | undefined): string {
+  return withUnit(value_mm2 === null || value_mm2 === undefined ? value_mm2 : 0.01 * value_mm2, 'cm²')
+}
+
 /// "mm2" -> "mm²", in texts of the service.
 export function typeset(text: string): string {
   return text.replaceAll(/\b([cm]m)2\b/g, '$1²')

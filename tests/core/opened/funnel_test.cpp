@@ -46,6 +46,30 @@ TEST(Funnel, AConeIsNarrowestAtItsEnd) {
   EXPECT_NEAR(passage.area_mm2, kPi * 11.6 * 11.6, 0.04 * kPi * 11.6 * 11.6);
   EXPECT_NEAR(passage.depth_mm, 14.75, 0.3);
   EXPECT_NEAR(passage.axis.z(), -1.0, 1e-3);
+  for (const Vec3& point : passage.outline_mm) {  // of the mid-surface, on the cone
+    EXPECT_NEAR(point.z(), -passage.depth_mm, 0.05);
+    EXPECT_NEAR(point.head<2>().norm(), 18.0 + 0.4 * point.z(), 0.15);
+  }
+  EXPECT_GT(passage.outline_mm.size(), 30u);
+}
+
+TEST(Funnel, TheOutlineFollowsFreeEdgesThatLieAboveTheNarrowestPlane) {
+  const auto length = [](double angle) { return 13.5 + 1.5 * std::cos(2.0 * angle); };
+  const auto [valve, points] = laid([&](double angle, double height) {
+    return Eigen::Vector2d(18.0 - 8.0 * height, -length(angle) * height);
+  });
+  const FunnelPassage passage = narrowest_passage(valve, points);
+  ASSERT_GT(passage.depth_mm, 12.5);  // the free edges are at 12 to 15
+  double highest_mm = -100.0;
+  for (std::size_t i = 0; i < passage.outline_mm.size(); ++i) {
+    const Vec3 &point = passage.outline_mm[i],
+               &next = passage.outline_mm[(i + 1) % passage.outline_mm.size()];
+    const double radius = 18.0 + 8.0 * point.z() / length(std::atan2(point.y(), point.x()));
+    EXPECT_NEAR(point.head<2>().norm(), radius, 0.25);
+    EXPECT_LT((next - point).norm(), 4.0);
+    highest_mm = std::max(highest_mm, point.z());
+  }
+  EXPECT_NEAR(highest_mm, -12.0, 0.1);
 }
 
 TEST(Funnel, AnHourglassIsNarrowestAtItsWaist) {
@@ -66,6 +90,7 @@ TEST(Funnel, AFunnelThatWidensIsNarrowestAtTheAnnulus) {
   const FunnelPassage passage = narrowest_passage(valve, points);
   EXPECT_NEAR(passage.area_mm2, kPi * 11.5 * 11.5, 0.02 * kPi * 11.5 * 11.5);
   EXPECT_EQ(passage.depth_mm, 0.0);
+  EXPECT_EQ(passage.outline_mm.size(), valve.annulus.size());
 }
 
 TEST(Funnel, WhatFlowsOutBetweenTheLeafletsCounts) {

@@ -6,6 +6,7 @@ import type {
   FileToImport,
   ImportRequest,
   Job,
+  Opening,
   Plan,
   Problem,
   Rings,
@@ -16,6 +17,11 @@ import type {
 /// `valve`: a preset's name or a stored valve's id. `frames`: states of the closing, at most.
 export function drawScene(valve: string, plan: Plan | null, frames: number, signal?: AbortSignal): Promise<Scene> {
   return postJson('/v1/scenes', { valve, frames, ...(plan ? { plan } : {}) }, signal)
+}
+
+/// The same valve in diastole. `frames`: states of the opening, at most.
+export function openValve(valve: string, plan: Plan | null, frames: number): Promise<Opening> {
+  return postJson('/v1/openings', { valve, frames, ...(plan ? { plan } : {}) })
 }
 
 export async function presets(): Promise<string[]> {

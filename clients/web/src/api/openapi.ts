@@ -1270,7 +1270,7 @@ export interface components {
              */
             method: "fast" | "thesis";
             /**
-             * @description Model of the leaflets: springs, or orthotropic finite elements; the service uses springs.
+             * @description Model of the leaflets: springs, or orthotropic finite elements; the service uses continuum.
              * @enum {string}
              */
             membrane: "springs" | "continuum";
@@ -1354,47 +1354,8 @@ export interface components {
             landmarks: {
                 [key: string]: number;
             };
-            /** @description Heads of the papillary muscles. */
-            heads: {
-                /** @description Id in the valve's document. */
-                id: string;
-                /**
-                 * @description Papillary muscle to which it belongs.
-                 * @enum {string}
-                 */
-                side: "anterolateral" | "posteromedial";
-                /** @description Place in the unpressurised valve. */
-                rest_mm: components["schemas"]["Vector"];
-                /** @description Place under pressure. */
-                tip_mm: components["schemas"]["Vector"];
-            }[];
-            /** @description Chordae under pressure, each a tree of segments. */
-            chordae: {
-                /** @description Id in the valve's document; a repair names new ones neochorda-1, neochorda-2. */
-                id: string;
-                /**
-                 * @description Kind of chorda; neochorda: artificial.
-                 * @enum {string}
-                 */
-                kind: "marginal" | "strut" | "basal" | "neochorda";
-                /** @description Index into heads. */
-                head: number;
-                /** @description Whether it is ruptured or cut, and carries nothing. */
-                ruptured: boolean;
-                /** @description Segments from the head to the leaflet; they branch. */
-                segments: {
-                    /** @description Segment at whose end it starts; -1: it starts at the head. */
-                    parent: number;
-                    /** @description Its far end: a branch point or a point of the leaflet. */
-                    end_mm: components["schemas"]["Vector"];
-                    /** @description Tension; 0 if it is slack or ruptured; null: the closure diverged. */
-                    tension_n: number | null;
-                    /** @description Index of the face into which it inserts; missing: it ends in a branch point. */
-                    face?: number;
-                    /** @description Weights of the face's vertices at the insertion; together 1. */
-                    weights?: components["schemas"]["Vector"];
-                }[];
-            }[];
+            heads: components["schemas"]["SceneHeads"];
+            chordae: components["schemas"]["SceneChordae"];
             /** @description Sutures of papillary approximation, each from the mean tip of a muscle to its anchor on the annulus. */
             sutures: {
                 /**
@@ -1466,6 +1427,118 @@ export interface components {
             /** @description What was measured of this closure. */
             closure: components["schemas"]["Closure"];
         };
+        /** @description coapt.opening/1: a valve in diastole, as `coapt open --json` prints it, and what is drawn of it. Figures are null where the leaflets did not come to rest or cross. */
+        Opening: {
+            /**
+             * @description Format and version of this document.
+             * @constant
+             */
+            schema: "coapt.opening/1";
+            /** @description Version of coapt that opened the valve. */
+            version: string;
+            notice: components["schemas"]["Notice"];
+            /** @description Name of the valve. */
+            name: string;
+            /**
+             * @description converged: at rest; step_limit: not yet at rest; diverged: unstable, there is no shape.
+             * @enum {string}
+             */
+            status: "converged" | "step_limit" | "diverged";
+            /** @description Whether leaflets pass through each other: then nothing is measured. */
+            crossing: boolean;
+            /** @description Of the narrowest passage of the open leaflets' funnel, less their half thickness. */
+            opening_area_mm2: number | null;
+            /** @description Of that passage below the annulus's centroid along the funnel's axis; 0: at the annulus. */
+            passage_depth_mm: number | null;
+            /** @description Of the funnel's axis from the normal of the annulus's plane. */
+            funnel_tilt_deg: number | null;
+            /** @description Open in the view from the atrium, leaflets with their half thickness. */
+            projected_area_mm2: number | null;
+            /** @description Of the annulus in diastole, in its plane. */
+            annulus_area_mm2: number;
+            /** @description Mean gradient at flow_ml_s by Gorlin's equation, of the smaller of passage and projected area; null: nothing is open, too. */
+            gradient_mmhg: number | null;
+            /** @description The same at flow_exercise_ml_s. */
+            gradient_exercise_mmhg: number | null;
+            /** @description Mean flow of filling at rest. */
+            flow_ml_s: number;
+            /** @description Mean flow of filling at exercise. */
+            flow_exercise_ml_s: number;
+            /** @description Of the atrium over the ventricle, on the whole of the leaflets. */
+            pressure_mmhg: number;
+            /** @description How far systole moves annulus and papillary tips: diastole has them that much further apart. */
+            systole: {
+                /** @description Share of its diastolic area that the annulus loses; 0 behind a ring. */
+                annular_contraction: number;
+                /** @description Share of their distance in diastole by which the papillary tips approach each other. */
+                tip_approach: number;
+            };
+            /** @description Force left at rest: rms free force / rms pressure force. */
+            residual: number | null;
+            /** @description Steps of all attempts. */
+            steps: number;
+            /** @description Time that opening took. */
+            seconds: number;
+            /** @description Rules of practice that the repair breaks, in words. */
+            warnings: string[];
+            scene: components["schemas"]["OpeningScene"];
+        };
+        /** @description What is drawn of an open valve. Vertices, faces, heads and chordae are in the order of Scene. */
+        OpeningScene: {
+            /** @description Vertex indices, three for each face. */
+            faces: number[];
+            /** @description Vertices of the open leaflets; null: the opening diverged. */
+            open_mm: components["schemas"]["FlatPoints"] | null;
+            /** @description Places of the annulus's vertices in diastole. */
+            annulus_mm: components["schemas"]["FlatPoints"];
+            heads: components["schemas"]["SceneHeads"];
+            chordae: components["schemas"]["SceneChordae"];
+            /** @description Outline of the narrowest passage, closed: the leaflets' mid-surfaces in its plane, and their free edges where these lie above it. Empty where it was not measured. */
+            passage_mm: components["schemas"]["FlatPoints"];
+            /** @description States on the way from the unstressed leaflets to the open ones, evenly; not real time. Points of each: vertices, branch points of chordae, heads. Empty unless frames were asked for. */
+            motion_mm: components["schemas"]["FlatPoints"][];
+        };
+        /** @description Heads of the papillary muscles. */
+        SceneHeads: {
+            /** @description Id in the valve's document. */
+            id: string;
+            /**
+             * @description Papillary muscle to which it belongs.
+             * @enum {string}
+             */
+            side: "anterolateral" | "posteromedial";
+            /** @description Place in the unpressurised valve. */
+            rest_mm: components["schemas"]["Vector"];
+            /** @description Place under pressure. */
+            tip_mm: components["schemas"]["Vector"];
+        }[];
+        /** @description Chordae under pressure, each a tree of segments. */
+        SceneChordae: {
+            /** @description Id in the valve's document; a repair names new ones neochorda-1, neochorda-2. */
+            id: string;
+            /**
+             * @description Kind of chorda; neochorda: artificial.
+             * @enum {string}
+             */
+            kind: "marginal" | "strut" | "basal" | "neochorda";
+            /** @description Index into heads. */
+            head: number;
+            /** @description Whether it is ruptured or cut, and carries nothing. */
+            ruptured: boolean;
+            /** @description Segments from the head to the leaflet; they branch. */
+            segments: {
+                /** @description Segment at whose end it starts; -1: it starts at the head. */
+                parent: number;
+                /** @description Its far end: a branch point or a point of the leaflet. */
+                end_mm: components["schemas"]["Vector"];
+                /** @description Tension; 0 if it is slack or ruptured; null: the closure diverged. */
+                tension_n: number | null;
+                /** @description Index of the face into which it inserts; missing: it ends in a branch point. */
+                face?: number;
+                /** @description Weights of the face's vertices at the insertion; together 1. */
+                weights?: components["schemas"]["Vector"];
+            }[];
+        }[];
         /** @description A point of the leaflets. */
         ScenePoint: {
             /** @description Index of the face that it lies in. */

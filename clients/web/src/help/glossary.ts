@@ -3,6 +3,10 @@ export const GLOSSARY = {
   leak: 'The larger of two areas: the orifice seen from the atrium, and the gap between the leaflets. It is an area of the closed valve, not a volume of blood.',
   orifice: 'The open area that one sees from the atrium, between leaflets with their thickness.',
   gap: 'The area of the slit between the leaflets along the line on which they are nearest, where they do not touch, also where one covers the other when seen from the atrium, as in a prolapse.',
+  opening:
+    'The narrowest passage of the open leaflets in diastole, with annulus and papillary tips as far apart as diastole has them. The leaflets rest under the pressure of filling; no blood flows in the model.',
+  gradient:
+    'The mean pressure difference that the flow of filling would need through the opening, by Gorlin’s equation, of the smaller of the narrowest passage and what is seen open along the annulus’s normal.',
   coaptation:
     'How high the contact between the leaflets is, across the line of coaptation. About 8 mm is the aim of a repair.',
   tenting_height: 'From the plane of the annulus down to where the leaflets meet.',

@@ -1,11 +1,12 @@
-// The controls of how a valve is shown: colour, names, orifices, the cut, the closing.
+// The controls of how a valve is shown: colour, names, orifices, the cut, its motion.
 import type { Scene } from '../api/types'
 import { field, h, select } from '../dom'
 import { number, withUnit } from '../format'
-import { icon, labelledButton } from '../icons'
+import { labelledButton } from '../icons'
 import { COLOUR_MODES, type ColourMode } from '../viewer/colours'
 import type { ViewName } from '../viewer/stage'
 import type { Look } from '../viewer/viewer'
+import { Motion } from './motion'
 import { ScaleRange } from './scale_range'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
@@ -17,8 +18,6 @@ const VIEWS: readonly (readonly [ViewName, short: string, label: string])[] = [
   ['lateral', 'Lateral', 'From lateral'],
   ['ventricular', 'Ventricle', 'From the ventricle'],
 ]
-const CLOSING_MS = 1800
-const PLAY = 'Play the closing'
 
 export class Looks {
   readonly element: HTMLElement
@@ -31,20 +30,11 @@ export class Looks {
   private readonly cutting = h('input', { type: 'checkbox', onchange: () => this.onChange() })
   private readonly cut = h('input', { type: 'range', min: 0, max: 36, value: 18, oninput: () => this.cutMoved() })
   private readonly cutText = h('output', {})
-  private readonly closing = h('input', {
-    type: 'range',
-    min: 0,
-    max: 1,
-    step: 0.005,
-    value: 1,
-    oninput: () => this.onChange(),
-  })
-  private readonly play: HTMLElement // the label of its button
+  readonly motion: Motion | null
   private readonly range = new ScaleRange()
-  private started = 0 // of the closing that plays; 0: none
 
   constructor(withMotion: boolean) {
-    this.play = h('span', {}, PLAY)
+    this.motion = withMotion ? new Motion() : null
     const mode = select(COLOUR_MODES, 'leaflets', (value) => {
       this.mode = value as ColourMode
       this.onChange()
@@ -60,21 +50,10 @@ export class Looks {
       field('Cut', this.cutting),
       field('Position of the cut', this.cut),
       h('p', { class: parts.hint }, this.cutText),
-      withMotion && field('Open to closed', this.closing),
-      withMotion &&
-        h(
-          'p',
-          { class: parts.row },
-          h(
-            'button',
-            { type: 'button', class: parts.labelled, onclick: () => this.playOrStop() },
-            icon('animation'),
-            this.play,
-          ),
-          h('span', { class: parts.hint }, 'the path to rest, not real time'),
-        ),
+      this.motion?.element,
     )
     this.range.onChange = () => this.onChange()
+    if (this.motion) this.motion.onChange = () => this.onChange()
     this.views = h('div', {
       class: valveStyle.views,
       role: 'group',
@@ -88,10 +67,11 @@ export class Looks {
   look(scenes: Scene[]): Look {
     const cut = this.cutting.checked ? Number(this.cut.value) : null
     this.tellCut(scenes, cut)
+    this.motion?.tell()
     return {
       mode: this.mode,
       scale: this.range.scale(this.mode, scenes),
-      share: Number(this.closing.value),
+      share: this.motion?.share ?? 1,
       orifices: this.orifices.checked,
       names: this.names.checked,
       cut,
@@ -117,28 +97,5 @@ export class Looks {
     })
     const along = scenes[0]?.sections[cut]?.along
     this.cutText.textContent = `${number(along === undefined ? null : 100 * along, 0)} % of the way from the anterolateral commissure: ${texts.join('; repaired: ')}`
-  }
-
-  private playOrStop(): void {
-    if (this.started !== 0) {
-      this.stop()
-      return
-    }
-    this.started = performance.now()
-    this.play.textContent = 'Stop'
-    const step = (now: number): void => {
-      if (this.started === 0) return
-      const share = Math.min((now - this.started) / CLOSING_MS, 1)
-      this.closing.value = String(share)
-      this.onChange()
-      if (share < 1) requestAnimationFrame(step)
-      else this.stop()
-    }
-    requestAnimationFrame(step)
-  }
-
-  private stop(): void {
-    this.started = 0
-    this.play.textContent = PLAY
   }
 }

@@ -1,4 +1,5 @@
 // A valve as it is: opened, closing, measured, cut.
+import type { Scene } from '../api/types'
 import { h } from '../dom'
 import { closureSaver } from '../files'
 import type { Figure } from '../picture/figure'
@@ -8,6 +9,7 @@ import { legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
 import type { Workspace } from '../workspace'
 import { DistanceTool } from './distance'
+import { Diastole } from './diastole'
 import { headline } from './headline'
 import { importStage } from './import_stage'
 import { Looks } from './looks'
@@ -18,6 +20,7 @@ import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 import viewerStyle from '../viewer/viewer.module.css'
 
+const FRAMES = 40 // of the opening
 const FIRST = 'first valve' // drawn: a mark for who measures the page
 
 export class ValveView implements View {
@@ -28,6 +31,7 @@ export class ValveView implements View {
   private readonly legend = h('div', {})
   private readonly inset = h('div', { class: valveStyle.inset })
   private readonly headline = h('div', {})
+  private readonly diastole = new Diastole()
   private readonly measures = h('div', {})
   private share = 1 // of the closing, as it is drawn
 
@@ -55,6 +59,7 @@ export class ValveView implements View {
           pictureSaver((width_px) => this.figure(width_px), told),
         ),
         this.headline,
+        this.diastole.element,
         told,
         h('div', { class: viewerStyle.stageBody }, this.viewer.element, this.inset, importing.element),
         this.legend,
@@ -81,6 +86,7 @@ export class ValveView implements View {
     this.viewer.element.hidden = isAside
     this.legend.hidden = isAside
     this.headline.hidden = isAside
+    this.diastole.element.hidden = isAside
     this.draw()
     if (isAside) this.inset.hidden = true
   }
@@ -95,7 +101,20 @@ export class ValveView implements View {
       if (performance.getEntriesByName(FIRST).length === 0) performance.mark(FIRST)
       this.headline.replaceChildren(headline(before, null))
       this.measures.replaceChildren(measures(before, null))
+      void this.openUp(before)
     }
+    this.draw()
+  }
+
+  /// After the closed valve, which does not wait for it. A valve that cannot be opened has a closing alone.
+  private async openUp(before: Scene): Promise<void> {
+    const reference = this.workspace.valve?.reference
+    this.looks.motion?.setOpening(null)
+    if (reference === undefined) return
+    const opening = await this.diastole.ask(before, reference, null, FRAMES)
+    if (!opening || this.viewer.shown !== before) return
+    this.viewer.setOpen(opening)
+    this.looks.motion?.setOpening(opening)
     this.draw()
   }
 
@@ -109,7 +128,7 @@ export class ValveView implements View {
       return
     }
     this.viewer.show(look)
-    this.legend.replaceChildren(legend(look.mode, look.scale))
+    this.legend.replaceChildren(legend(look.mode, look.scale, look.share <= -1))
     this.inset.replaceChildren(...(look.cut === null ? [] : [sectionInset(before, look.cut)]))
     this.inset.hidden = look.cut === null
   }

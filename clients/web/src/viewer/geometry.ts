@@ -1,6 +1,6 @@
 // Geometry of a scene, without drawing. Points are flat arrays in millimetres. A state of the valve is its nodes in the
 // order of Scene.motion_mm: vertices, branch points of chordae, heads.
-import type { Leaflet, LeafletPoint, Scene, Vector } from '../api/types'
+import type { Leaflet, LeafletPoint, OpeningScene, Scene, Vector } from '../api/types'
 
 export function at(points: ArrayLike<number>, i: number): Vector {
   return [points[3 * i] ?? NaN, points[3 * i + 1] ?? NaN, points[3 * i + 2] ?? NaN]
@@ -34,10 +34,14 @@ export function closedNodes(scene: Scene): Float32Array {
   return Float32Array.from(nodes)
 }
 
-/// The state at `share` (0 open, 1 closed) of the motion; the closed one if there is none.
-export function nodesAt(scene: Scene, share: number): Float32Array {
-  const states = scene.motion_mm
-  if (states.length < 2) return closedNodes(scene)
+/// The state at `share` of a beat: -1 open in diastole, 0 unstressed, 1 closed; the closed one if there is no motion.
+export function nodesAt(scene: Scene, share: number, opening: OpeningScene | null = null): Float32Array {
+  if (share < 0 && opening && opening.motion_mm.length > 1) return stateAt(opening.motion_mm, -share)
+  return scene.motion_mm.length < 2 ? closedNodes(scene) : stateAt(scene.motion_mm, share)
+}
+
+/// At `share` of the way from the first state to the last.
+function stateAt(states: number[][], share: number): Float32Array {
   const place = Math.min(Math.max(share, 0), 1) * (states.length - 1)
   const first = Math.min(Math.floor(place), states.length - 2)
   const a = states[first] as number[]

@@ -13,13 +13,14 @@ export const KINDS = [
   [TINTS.added, 'suture or neochorda'],
 ] as const
 
-export function legend(mode: ColourMode, scale: Scale | null): HTMLElement {
+/// `isOpen`: the valve stands open in diastole, and what is blue is its passage.
+export function legend(mode: ColourMode, scale: Scale | null, isOpen = false): HTMLElement {
   if (!scale) {
     const list = h('ul', { class: viewerStyle.legend })
     for (const [colour, words] of KINDS) {
       const swatch = h('span', { class: viewerStyle.swatch })
       swatch.style.background = colour
-      list.append(h('li', {}, swatch, words))
+      list.append(h('li', {}, swatch, isOpen && colour === TINTS.opening ? 'narrowest passage' : words))
     }
     return list
   }

@@ -1,6 +1,6 @@
 // A valve in three dimensions: leaflets, chordae, annulus, orifices, a cut, names.
 import { Plane, Vector3 } from 'three'
-import type { LeafletPoint, Scene, Segment, Step, Vector } from '../api/types'
+import type { LeafletPoint, Opening as OpenValve, Scene, Segment, Step, Vector } from '../api/types'
 import { h } from '../dom'
 import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
 import { at, chordaLines, closedNodes, dot, minus, nodesAt, seamLines, section, tieLines, unit } from './geometry'
@@ -11,6 +11,7 @@ import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines } from './lines'
 import { namedAnnulus, namesOf, wholeValve } from './marks'
 import { openingMaterials, Opening } from './opening'
+import { passageOf } from './passage'
 import { isBehind, nearestAround, pickAt, type Pick, type PickKind } from './pick'
 import { reading, Readout } from './readout'
 import { Ring } from './ring'
@@ -25,7 +26,7 @@ const TURNED_PX = 4 // a pointer that moved so far has turned the valve, not cli
 export interface Look {
   mode: ColourMode
   scale: Scale | null
-  share: number // of the closing: 0 open, 1 closed
+  share: number // of a beat: -1 open in diastole, 0 unstressed, 1 closed
   orifices: boolean
   names: boolean
   cut: number | null // index into Scene.sections
@@ -49,6 +50,7 @@ export class Viewer {
   inset: HTMLElement | null = null // lies over the canvas
   readonly handles: Handles<Step>
   private scene: Scene | null = null
+  private open: OpenValve | null = null // the same valve in diastole
   private nodes: Float32Array = new Float32Array()
   private leaflets: Leaflets | null = null
   private opening: Opening | null = null
@@ -70,6 +72,7 @@ export class Viewer {
     seams: new Lines({ width: 3, colour: TINTS.added, dashed: true, inFront: true }),
     behind: new Lines({ width: 2, colour: TINTS.added, dashed: true, inFront: true }), // sutures through tissue
     cut: new Lines({ width: 1, inMillimetres: true }),
+    passage: new Lines({ width: 2.5, colour: TINTS.opening, inFront: true }),
     drawn: new Lines({ width: 2.5, colour: '#d6336c', inFront: true }),
   }
 
@@ -103,6 +106,7 @@ export class Viewer {
   set(scene: Scene, look: Look, ring = false): void {
     const first = this.scene === null
     this.scene = scene
+    this.open = null
     this.leaflets?.dispose()
     this.opening?.dispose()
     if (this.leaflets) this.stage.scene.remove(this.leaflets.mesh)
@@ -119,6 +123,12 @@ export class Viewer {
     if (first) this.view('atrial')
   }
 
+  /// Of the valve that is shown.
+  setOpen(open: OpenValve): void {
+    this.open = open
+    this.drawn = ''
+  }
+
   show(look: Look): void {
     const { scene, leaflets, opening } = this
     this.look = look
@@ -129,7 +139,7 @@ export class Viewer {
     this.drawn = asked
     this.pointAway()
     const closed = this.isClosed(look)
-    this.nodes = closed ? closedNodes(scene) : nodesAt(scene, look.share)
+    this.nodes = closed ? closedNodes(scene) : nodesAt(scene, look.share, this.open?.scene)
     leaflets.move(this.nodes)
     const mode = this.modeOf(look)
     leaflets.paint(cornerColours(scene, mode, look.scale, this.nodes))
@@ -138,11 +148,13 @@ export class Viewer {
     this.lines.seams.set(seamLines(scene, this.nodes))
     opening.group.visible = look.orifices && closed
     this.drawCut(scene, cut)
+    const passage = look.orifices && look.share <= -1 && this.open ? passageOf(this.open) : null
+    this.lines.passage.set(passage?.line ?? [])
     const isLeft = ({ point_mm }: Label): boolean =>
       !cut || this.side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
     const names = look.names ? namesOf(scene, this.nodes).filter(isLeft) : []
     const leaks = opening.group.visible ? opening.labels.map((label) => ({ ...label, kind: 'orifice' as const })) : []
-    this.labels.set([...names, ...leaks, ...this.extra])
+    this.labels.set([...names, ...leaks, ...(passage?.labels ?? []), ...this.extra])
     this.stage.draw()
   }
 

@@ -61,6 +61,38 @@ test('the valve closes before the eyes: open it leaves no orifice drawn, closed 
   await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
 })
 
+test('a whole beat is played: open with its passage, closed with its leak, open again; the keyboard reaches all of it', async () => {
+  const expected = await (
+    await fetch(`${service.url}/v1/openings`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })
+  ).json()
+  const area = `${(0.01 * expected.opening_area_mm2).toFixed(1)} cm²`
+  await page.locator('[data-part=diastole]').waitFor()
+  const words = await page.locator('[data-part=diastole]').textContent()
+  assert.ok(words.includes(area), words)
+  assert.ok(words.includes(`mean gradient ${expected.gradient_mmhg.toFixed(1)} mmHg at 155 ml/s`), words)
+  assert.ok(await page.locator('[data-part=headline]').isVisible())
+  const slider = page.getByLabel('Open to closed')
+  const label = page.locator('[data-part=labels] [data-part=orifice]')
+  const open = page.getByRole('button', { name: 'Open', exact: true })
+  await open.focus()
+  await page.keyboard.press('Enter')
+  assert.equal(await slider.inputValue(), '-1')
+  assert.equal(await open.getAttribute('aria-pressed'), 'true')
+  await label.first().waitFor()
+  assert.deepEqual(await label.allTextContents(), [area])
+  await slider.focus()
+  await page.keyboard.press('End')
+  assert.equal(await slider.inputValue(), '1')
+  await page.getByRole('button', { name: 'Play a beat' }).focus()
+  await page.keyboard.press('Enter')
+  await label.filter({ hasText: 'mm²' }).first().waitFor({ state: 'attached' })
+  await label.filter({ hasText: area }).waitFor({ state: 'attached' })
+  await page.getByRole('button', { name: 'Play a beat' }).waitFor()
+  assert.equal(await slider.inputValue(), '-1')
+  await page.getByRole('button', { name: 'Closed', exact: true }).click()
+  assert.equal(await slider.inputValue(), '1')
+})
+
 test('every colouring has a legend', async () => {
   for (const mode of ['strain_circumferential', 'strain_radial', 'height', 'tension']) {
     await page.getByRole('combobox', { name: 'Colours' }).selectOption(mode)

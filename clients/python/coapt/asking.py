@@ -1,0 +1,62 @@
+"""How the client asks the service."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+from .errors import InvalidRequest, Refused
+from .files import did_you_mean
+from .sources import Valve, valve_document
+from .transport import Answer, Transport
+
+
+def given(**fields: Any) -> dict[str, Any]:
+    return {name: value for name, value in fields.items() if value is not None}
+
+
+class Asking:
+    def __init__(self, transport: Transport) -> None:
+        self._transport = transport
+
+    def presets(self) -> list[str]:
+        """Names of the valves that coapt brings along."""
+        return [preset["name"] for preset in self._get("/v1/presets")["presets"]]
+
+    def _ask(
+        self, path: str, valve: Valve, request: Mapping[str, Any], headers: Mapping[str, str] | None = None
+    ) -> Answer:
+        """The answer to a request about a valve."""
+        source = valve_document(valve)
+        try:
+            return self._transport.request("POST", path, {"valve": source, **request}, headers)
+        except InvalidRequest as error:
+            if isinstance(source, str) and any(problem.path == "/valve" for problem in error.problems):
+                raise self._with_preset(error, source) from None
+            raise
+
+    def _with_preset(self, error: Refused, name: str) -> Refused:
+        """The error, with the preset that an unknown valve's name may stand for."""
+        hint = did_you_mean(name, self.presets())
+        problems = [
+            replace(problem, message=problem.message + hint) if problem.path in ("", "/valve") else problem
+            for problem in error.problems
+        ]
+        return type(error)(error.status, error.title, problems, error.retry_after_s)
+
+    def _listed(self, path: str, name: str, query: Mapping[str, Any] | None = None) -> Iterator[Any]:
+        """Every member of a list that comes in pages."""
+        asked = {"page_size": 100, **(query or {})}
+        while True:
+            page = self._transport.request("GET", path, query=asked).json()
+            yield from page[name]
+            if page["next_page_token"] is None:
+                return
+            asked["page_token"] = page["next_page_token"]
+
+    def _get(self, path: str) -> Any:
+        return self._transport.request("GET", path).json()
+
+    def _post(self, path: str, request: Any) -> Any:
+        return self._transport.request("POST", path, request).json()

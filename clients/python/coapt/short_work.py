@@ -1,0 +1,136 @@
+"""What the service answers at once of a valve and a plan."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import Any, Literal
+
+from .asking import Asking, given
+from .meshes import Picture
+from .openings import Opening
+from .results import Closure, Evaluations
+from .sources import PlanSource, Valve, all_named_plans, every_valve, plan_document
+from .sweep import Sweep
+
+FileFormat = Literal["glb", "vtk", "ply", "obj", "stl", "mrk.json", "csv", "feb"]
+
+MOST_THREADS = 32  # of a sweep: a quarter of the requests that a service answers at once
+
+
+def repair_of(plan: PlanSource | None, **more: Any) -> dict[str, Any]:
+    return more | ({} if plan is None else {"plan": plan_document(plan)})
+
+
+def scoring_of(
+    plans: PlanSource | Iterable[PlanSource], region_points: int | None, evidence: bool | None
+) -> dict[str, Any]:
+    documents = [plan for _, plan in all_named_plans(plans)]
+    return {"plans": documents} | given(region_points=region_points, evidence=evidence)
+
+
+class ShortWork(Asking):
+    def close(self, valve: Valve, plan: PlanSource | None = None) -> Closure:
+        """Closes a valve, repaired if there is a plan, and measures what leaks. Look at Closure.trusted."""
+        return self._closure(valve, None if plan is None else plan_document(plan))
+
+    def open(
+        self,
+        valve: Valve,
+        plan: PlanSource | None = None,
+        *,
+        pressure_mmhg: float | None = None,
+        flow_ml_s: float | None = None,
+        exercise: float | None = None,
+        frames: int = 0,
+    ) -> Opening:
+        """Opens a valve in diastole, repaired if there is a plan, and measures its opening. Look at Opening.trusted.
+
+        :param pressure_mmhg: atrium over ventricle, 1 to 30 (5)
+        :param flow_ml_s: mean flow of filling at rest, 10 to 1,000 (155)
+        :param exercise: flow at exercise over that at rest, 1 to 5 (1.4)
+        :param frames: 0 to 60 states on the way from unstressed to open, in Opening.scene
+        """
+        options = given(pressure_mmhg=pressure_mmhg, flow_ml_s=flow_ml_s, exercise=exercise)
+        return Opening.from_json(self._ask("/v1/openings", valve, repair_of(plan, frames=frames, **options)).json())
+
+    def map(
+        self,
+        valves: Valve | Iterable[Valve],
+        plans: PlanSource | Iterable[PlanSource] | None = None,
+        *,
+        threads: int | None = None,
+    ) -> Sweep:
+        """Closes every valve with every plan, several at once, and yields the closures in order: all plans of the first valve,
+        then all of the second. An error of one (no such file, an impossible plan) stands in its place, and the others go on.
+
+            for item in client.map(Path("valves").glob("*.json"), "plans.json"):
+                print(item.valve, item.plan, item.closure or item.error)
+            client.map(client.presets(), [Plan(), "ring.json"]).to_frame()
+
+        A valve is read when its turn comes, so there may be any number of them; at most two closures a thread are ahead of
+        what was taken. Leaving the loop ends it.
+
+        :param plans: read at once; None: the valves as they are
+        :param threads: closures asked for at once; by default as many as this machine has cores, 32 at most. More than
+            the service's cores gain nothing
+        """
+        named = [("no repair", None)] if plans is None else all_named_plans(plans)
+        return Sweep(self._closure, every_valve(valves), named, min(threads or os.cpu_count() or 1, MOST_THREADS))
+
+    def export(
+        self,
+        valve: Valve,
+        format: FileFormat,
+        plan: PlanSource | None = None,
+        *,
+        open: bool = False,
+    ) -> bytes:
+        """A file that other programs open, of the valve closed, repaired if there is a plan.
+
+        :param open: the unstressed shape, not the closed one; not for csv
+        """
+        return self._ask("/v1/exports", valve, repair_of(plan, format=format, open=open)).body
+
+    def picture(self, valve: Valve, plan: PlanSource | None = None) -> Picture:
+        """The closed valve, repaired if there is a plan, from the atrium and in section, with its figures; a notebook shows it."""
+        return Picture(self._ask("/v1/pictures", valve, repair_of(plan)).body)
+
+    def scene(self, valve: Valve, plan: PlanSource | None = None, *, frames: int = 0) -> dict[str, Any]:
+        """All that is drawn of a closed valve as lists and numbers (coapt.scene/1): points, triangles, chordae with tension,
+        orifices, annulus. One end state, where close() takes the mean of five.
+
+        :param frames: 0 to 60 states on the way from open to closed
+        """
+        scene: dict[str, Any] = self._ask("/v1/scenes", valve, repair_of(plan, frames=frames)).json()
+        return scene
+
+    def evaluate(
+        self,
+        valve: Valve,
+        plans: PlanSource | Iterable[PlanSource],
+        region_points: int | None = None,
+        evidence: bool | None = None,
+    ) -> Evaluations:
+        """Scores plans of one's own as a search scores its finalists, in the order given.
+
+        :param region_points: 1 to 1,089 nodes of each plan's region of interest, 1 by default; plans times nodes must stay
+            below the service's limit (1,000 closures)
+        :param evidence: each plan also under errors of single sutures and further remodelling, 24 to 284 closures more; not
+            by default
+        """
+        request = scoring_of(plans, region_points, evidence)
+        return Evaluations.from_json(self._ask("/v1/evaluations", valve, request).json())
+
+    def report(
+        self,
+        valve: Valve,
+        plans: PlanSource | Iterable[PlanSource],
+        region_points: int | None = None,
+        evidence: bool | None = None,
+    ) -> str:
+        """The page about plans of one's own, ten at most, scored as evaluate() does: HTML that stands alone."""
+        return self._ask("/v1/reports", valve, scoring_of(plans, region_points, evidence)).body.decode()
+
+    def _closure(self, valve: Valve, plan: Any) -> Closure:
+        return Closure.from_json(self._ask("/v1/closures", valve, given(plan=plan)).json())

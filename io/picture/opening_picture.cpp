@@ -1,0 +1,97 @@
+#include "io/picture/opening_picture.h"
+
+#include <cmath>
+
+#include "core/closed/closed_valve.h"
+#include "core/valve/number_text.h"
+#include "io/json/result_json.h"
+#include "io/picture/repair_paint.h"
+#include "io/picture/text.h"
+#include "io/picture/views.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kWide = 1600, kHigh = 880;
+constexpr double kEdge = 32.0;
+
+std::string cm2(double mm2) { return fixed(0.01 * mm2, 1) + " cm²"; }
+
+/// What views draw of it.
+ClosedValve as_drawn(const OpenedValve& opened, const Valve& before, const RepairPlan& plan) {
+  ClosedValve drawn{opened.valve, opened.closure, {}};
+  drawn.measure.annulus = measure_annulus(opened.valve);
+  const Expected<Valve> open_before = in_diastole(before);
+  return open_before ? with_repair(std::move(drawn), *open_before, plan) : drawn;
+}
+
+void draw_words(const Canvas& canvas, const Vec2& at, const OpenedValve& opened,
+                const OpeningOptions& options, double width) {
+  double y = at.y();
+  double size = 24.0;
+  for (const std::string& line : opening_words(opened.measure, options)) {
+    y += 1.5 * size;
+    draw_text(canvas, {at.x(), y}, line, {size, palette::kInk, Align::Left, size > 20.0}, width);
+    size = 15.0;
+  }
+  if (trusted(opened.closure)) return;
+  draw_text(canvas, {at.x(), y + 30.0},
+            opened.closure.crossing ? "Leaflets pass through each other: nothing is measured"
+                                    : "The leaflets did not come to rest: nothing is measured",
+            {15.0, palette::kWarning, Align::Left, true}, width);
+}
+
+}  // namespace
+
+std::vector<std::string> opening_words(const OpeningMeasure& measure,
+                                       const OpeningOptions& options) {
+  if (std::isnan(measure.opening_area_mm2)) return {};
+  return {"Opening " + cm2(measure.opening_area_mm2),
+          "mean gradient " + fixed(measure.gradient_mmhg, 1) + " mmHg at " +
+              significant(options.flow_ml_s, 3) + " ml/s, " +
+              fixed(measure.gradient_exercise_mmhg, 1) + " mmHg at " +
+              significant(options.exercise * options.flow_ml_s, 3) + " ml/s",
+          "narrowest passage " +
+              (measure.passage_depth_mm > 0.0
+                   ? fixed(measure.passage_depth_mm, 0) + " mm below the annulus"
+                   : std::string("at the annulus")) +
+              "; funnel tilted by " + fixed(measure.tilt_deg, 0) + "°",
+          "seen from the atrium " + cm2(measure.projected_area_mm2) + "; annulus in diastole " +
+              cm2(measure.annulus_area_mm2)};
+}
+
+std::string opening_line(const OpenedValve& opened, const OpeningOptions& options) {
+  if (!trusted(opened.closure)) return "In diastole the leaflets cross or did not come to rest";
+  return "Opening " + cm2(opened.measure.opening_area_mm2) + ", mean gradient " +
+         fixed(opened.measure.gradient_mmhg, 1) + " mmHg at " + significant(options.flow_ml_s, 3) +
+         " ml/s in diastole";
+}
+
+std::string opening_picture_png(const OpenedValve& opened, const OpeningOptions& options,
+                                const Valve& before, const RepairPlan& plan) {
+  const Canvas canvas = make_canvas(kWide, kHigh);
+  fill_box(canvas, {0.0, 0.0, kWide, kHigh}, palette::kPaper);
+  draw_text(canvas, {kEdge, 46.0}, opened.valve.name + ", open",
+            {24.0, palette::kInk, Align::Left, true}, kWide - 2.0 * kEdge);
+  const Box atrial{kEdge, 110.0, 880.0, 700.0};
+  const Box section{960.0, 110.0, kWide - 960.0 - kEdge, 510.0};
+  const auto heading = [&](const Box& box, const char* text) {
+    draw_text(canvas, {box.x + 4.0, box.y - 12.0}, text, {16.0, palette::kMuted});
+  };
+  const ClosedValve drawn = as_drawn(opened, before, plan);
+  heading(atrial, "From the atrium, in diastole");
+  draw_open_atrial_view(canvas, {atrial, atrial_scale(atrial, drawn)}, drawn,
+                        {opened.passage_mm, cm2(opened.measure.opening_area_mm2)});
+  heading(section, "Long axis, through the middle of both leaflets");
+  draw_open_section_view(canvas, {section, section_scale(section, drawn)}, drawn,
+                         opened.passage_mm);
+  draw_legend(canvas, {atrial.x + 4.0, atrial.y + atrial.height + 4.0}, kWide - 2.0 * kEdge,
+              {&drawn});
+  draw_words(canvas, {section.x + 4.0, section.y + section.height + 20.0}, opened, options,
+             section.width);
+  draw_text(canvas, {0.5 * kWide, kHigh - 16.0}, std::string(kResearchNotice),
+            {13.0, palette::kMuted, Align::Centre}, kWide - 2.0 * kEdge);
+  return to_png(canvas);
+}
+
+}  // namespace coapt

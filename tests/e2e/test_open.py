@@ -1,0 +1,55 @@
+"""coapt open: a valve in diastole."""
+
+import json
+import unittest
+
+from programs import BAD_INPUT, OK, ProgramTest, coapt
+
+VALVE = "human-functional-mr"
+RING = {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "own", "sizes_below": 6}]}
+
+
+class Open(ProgramTest):
+    def open(self, *arguments):
+        result = coapt("open", *arguments, "--json")
+        self.assertEqual(result.returncode, OK, result.stderr)
+        return json.loads(result.stdout)
+
+    def test_json_has_the_keys_that_scripts_rely_on(self):
+        opening = self.open(VALVE)
+        self.assertEqual(
+            (opening["schema"], opening["status"], opening["crossing"]), ("coapt.opening/1", "converged", False)
+        )
+        for key in [
+            "opening_area_mm2",
+            "projected_area_mm2",
+            "annulus_area_mm2",
+            "gradient_mmhg",
+            "gradient_exercise_mmhg",
+        ]:
+            self.assertGreater(opening[key], 0.0, key)
+        self.assertEqual(opening["warnings"], [])
+        self.assertIn("mean gradient", coapt("open", VALVE).stdout)
+
+    def test_a_small_ring_narrows_the_opening_and_is_warned_of(self):
+        before, after = self.open(VALVE), self.open(VALVE, "--plan", self.write("ring.json", RING))
+        self.assertLess(after["projected_area_mm2"], before["projected_area_mm2"])
+        self.assertGreater(after["gradient_mmhg"], before["gradient_mmhg"])
+        self.assertNotEqual(after["warnings"], [])
+
+    def test_more_flow_needs_a_gradient_that_grows_with_its_square(self):
+        once, twice = self.open(VALVE, "--flow", 100), self.open(VALVE, "--flow", 200)
+        self.assertAlmostEqual(twice["gradient_mmhg"], 4.0 * once["gradient_mmhg"])
+        refused = coapt("open", VALVE, "--flow", 1)
+        self.assertEqual(refused.returncode, BAD_INPUT)
+        self.assertIn("--flow", refused.stderr)
+
+    def test_pictures_and_leaflets_are_written(self):
+        picture, leaflets = self.folder / "open.png", self.folder / "open.ply"
+        self.open(VALVE, "--render", picture, "--opened", leaflets)
+        self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
+        self.assertTrue(leaflets.read_bytes().startswith(b"ply"))
+
+
+if __name__ == "__main__":
+    unittest.main()
