@@ -130,7 +130,7 @@ void add_plan(Command parent, int& status) {
       "Closures in all: 1 of the valve as it is, at most --evaluations on searching, then for the\n"
       "ranking at most 65 for each of three times --plans finalists and the other nodes of the "
       "region\n"
-      "(--region-points) for each of the best --plans; and 24 to 284 of evidence for each of "
+      "(--region-points) for each of the best --plans; and 48 to 308 of evidence for each of "
       "those: one\n"
       "suture wrong alone, both independently, further remodelling. Then each of the best, as "
       "planned,\n"

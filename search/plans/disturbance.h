@@ -65,7 +65,8 @@ const std::vector<RemodellingRay>& remodelling_rays();
 /// ratio; Tibayan 2003, Circulation 108:II116). Outwards, posterior and apical as 8 to 8 to 5, the usual model of ischaemic
 /// displacement. Assumed: the same relative spread of all three, and that the anterolateral muscle goes 0 to 1 times as far.
 struct DiseaseCourse {
-  std::vector<int> indices;  ///< 4, at 0, 4, 8, 12 mm of the posteromedial tip: as far as mean and 1.7 sd
+  std::vector<int>
+      indices;  ///< 4, at 0, 4, 8, 12 mm of the posteromedial tip: as far as mean and 1.7 sd
 };
 inline constexpr double kCourseStep_mm = 4.0;
 const std::vector<DiseaseCourse>& disease_courses();

@@ -70,7 +70,7 @@ class Plan(ProgramTest):
                     + evaluations
                     + 2 * plans * min(65, points)
                     + plans * max(0, points - 65)
-                    + plans * (284 if evidence else 0)
+                    + plans * (308 if evidence else 0)
                 )
                 self.assertLessEqual(result["closures"], most)
                 self.assertGreaterEqual(result["closures"], 1 + result["evaluations"])

@@ -1930,7 +1930,7 @@ export interface components {
              */
             region_points?: number;
             /**
-             * @description Also errors of single sutures and further remodelling: 24 to 284 closures more for each plan.
+             * @description Also errors of single sutures and further remodelling: 48 to 308 closures more for each plan.
              * @default false
              */
             evidence?: boolean;
