@@ -7,7 +7,6 @@
 
 #include "core/valve/number_text.h"
 #include "search/evaluator.h"
-#include "search/fit/correlated_noise.h"
 #include "search/fit/fit_posterior.h"
 #include "search/fit/fit_problem.h"
 #include "search/fit/rupture_fit.h"
@@ -19,12 +18,9 @@ constexpr int kLeastPoints = 100;
 constexpr double kMostCoordinate_mm = 1e5;
 constexpr double kMostAway_mm = 15.0;  // of the median point from the valve as given
 constexpr int kPasses = 2;
-constexpr double kFirstNoise_mm = 0.5, kLeastNoise_mm = 0.01;
+constexpr double kFirstNoise_mm = 0.5;
 constexpr double kFirstShare = 0.1;  // of points that are independent
 constexpr double kIdentified = 0.5;
-// Of the variance of fitted values over that of the linearised posterior, in 20 twins (coapt-lab chart twins; 20 others
-// judge it): residuals of a fit are less alike than the errors that it has absorbed, and the mesh adds its own.
-constexpr double kDiscrepancy = 3.5;
 
 using Clock = std::chrono::steady_clock;
 
@@ -165,8 +161,7 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
       fit.stop = FitStop::RoundLimit;
     problem.allow(unhurried);
     answer = problem.answers({point}).front();
-    const CorrelatedNoise noise = correlated_noise(fit.points_mm, answer.distances_mm);
-    weights = {std::max(kLeastNoise_mm, noise.sd_mm), noise.independent / kDiscrepancy};
+    weights = weights_of(fit.points_mm, answer);
   }
 
   const std::vector<double> values = problem.values(point);
@@ -175,7 +170,6 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   fit.closed = close_and_measure(*fitted, options.closure);
   fit.distances_mm = answer.distances_mm;
   fit.rms_mm = rms(fit.distances_mm);
-  fit.noise_mm = weights.noise_mm;
   fit.independent_points = weights.independent;
   const FitPosterior posterior = posterior_at(problem, point, weights);
   fit.covariance = posterior.covariance;

@@ -99,7 +99,7 @@ struct ValveFit {
   Points points_mm;                  ///< that were used
   std::vector<double> distances_mm;  ///< of them, signed_distances_mm()
   double rms_before_mm = 0.0, rms_mm = 0.0;
-  double noise_mm = 0.0, independent_points = 0.0;  ///< of the distances that are left
+  double independent_points = 0.0;
   FittedLeak leak;
   int rounds = 0, closures = 0;
   FitStop stop = FitStop::AtRest;  ///< else it has the best so far

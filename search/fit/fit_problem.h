@@ -25,6 +25,9 @@ struct FitWeights {
   double independent = 0.0;  ///< points
 };
 
+/// By the distances that an answer leaves.
+FitWeights weights_of(const Points& points_mm, const FitAnswer& answer);
+
 /// Ten times the steps of the valve as given, for each closure of a fit.
 ClosureBudget unhurried_budget(const ClosedValve& before);
 

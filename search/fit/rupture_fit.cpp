@@ -19,11 +19,18 @@ constexpr double kIntactPrior = 0.5;  // assumed
 using Clock = std::chrono::steady_clock;
 using ValuesByName = std::map<std::string, double>;
 
+/// A closure of the screen.
+struct Screened {
+  Eigen::VectorXd point;
+  FitAnswer answer;
+};
+
 /// A valve and the values at which it explains the surface best so far.
 struct Candidate {
   std::string name;
   Valve valve;
   Eigen::VectorXd point = {};
+  std::vector<Screened> screens = {};
   FitAnswer answer = {};                                    ///< trusted once it has closed
   double screen = std::numeric_limits<double>::infinity();  ///< sum of squares
   std::optional<ValveFit> fit = {};
@@ -34,8 +41,6 @@ ValuesByName fitted_values(const ValveFit& fit) {
   for (const FittedParameter& fitted : fit.parameters) values[fitted.parameter.name] = fitted.value;
   return values;
 }
-
-FitWeights weights_of(const ValveFit& fit) { return {fit.noise_mm, fit.independent_points}; }
 
 double rms_of(const FitAnswer& answer) {
   if (!answer.trusted) return std::numeric_limits<double>::quiet_NaN();
@@ -128,20 +133,43 @@ class RuptureFit {
         candidates_.resize(1);  // a part of them would make a biased comparison
         return false;
       }
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        const double squares =
-            problem.residual(points[i], answers[i], weights_of(intact())).squaredNorm();
-        if (!answers[i].trusted || squares >= candidate.screen) continue;
-        candidate.point = points[i];
-        candidate.answer = answers[i];
-        candidate.screen = squares;
-      }
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (answers[i].trusted) candidate.screens.push_back({points[i], answers[i]});
     }
     return true;
   }
 
+  /// By the answer that leaves the least distances, of screens and fits.
+  FitWeights common_weights() const {
+    const FitAnswer* clearest = &candidates_.front().answer;
+    const auto look_at = [&](const FitAnswer& answer) {
+      if (answer.trusted && rms_of(answer) < rms_of(*clearest)) clearest = &answer;
+    };
+    for (const Candidate& candidate : candidates_) {
+      look_at(candidate.answer);
+      for (const Screened& screened : candidate.screens) look_at(screened.answer);
+    }
+    return weights_of(intact().points_mm, *clearest);
+  }
+
+  /// Each candidate at its best screen.
+  void choose_screens(const FitWeights& weights) {
+    for (Candidate& candidate : candidates_)
+      for (const Screened& screened : candidate.screens) {
+        const double sum = FitProblem(candidate.valve, measured_, options_, intact().points_mm)
+                               .residual(screened.point, screened.answer, weights)
+                               .squaredNorm();
+        if (sum >= candidate.screen) continue;
+        candidate.point = screened.point;
+        candidate.answer = screened.answer;
+        candidate.screen = sum;
+      }
+  }
+
   void refit() {
-    const double most = kHopeful * squares(candidates_.front(), weights_of(intact()));
+    const FitWeights weights = common_weights();
+    choose_screens(weights);
+    const double most = kHopeful * squares(candidates_.front(), weights);
     std::vector<Candidate*> hopeful;
     for (Candidate& candidate : candidates_)
       if (candidate.screen <= most) hopeful.push_back(&candidate);
@@ -165,10 +193,7 @@ class RuptureFit {
   }
 
   ValveFit most_probable() {
-    const ValveFit* clearest = &intact();
-    for (const Candidate& candidate : candidates_)
-      if (candidate.fit && candidate.fit->noise_mm < clearest->noise_mm) clearest = &*candidate.fit;
-    const FitWeights weights = weights_of(*clearest);
+    const FitWeights weights = common_weights();
     const auto others = static_cast<double>(std::ssize(candidates_) - 1);
     std::vector<FitHypothesis> hypotheses;
     std::vector<double> costs;

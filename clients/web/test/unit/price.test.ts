@@ -32,7 +32,15 @@ interface Given {
   gradient?: number | null
 }
 
-function plan({ rank = 1, cost = 3, mean = 0.5, sizes = 0, moved = 0, tie = false, gradient = null }: Given): RankedPlan {
+function plan({
+  rank = 1,
+  cost = 3,
+  mean = 0.5,
+  sizes = 0,
+  moved = 0,
+  tie = false,
+  gradient = null,
+}: Given): RankedPlan {
   return {
     rank,
     cost,
