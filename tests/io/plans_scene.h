@@ -244,10 +244,12 @@ inline SearchRequest search_request() {
   options.rules.chordal_transfer = true;
   options.rules.leaflet_resection = true;
   options.rules.edge_to_edge = true;
+  options.openings = false;
   options.rules.suture_lattice_mm = 1.0;
   options.rules.neochorda_lattice_mm = 2.0;
   options.rules.most_movement_mm = 12.5;
-  options.weights = {2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0};
+  options.weights = {2.0,  3.0,  4.0,  5.0,  6.0,  7.0,  8.0,  9.0,
+                     10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0};
   request.valve_hash = "0123456789abcdef0123456789abcdef";
   request.command = "coapt plan valve.json --evaluations 1500 --seed 18446744073709551615";
   return request;

@@ -174,6 +174,7 @@ class Client(ShortWork):
         plans: int | None = None,
         region_points: int | None = None,
         evidence: bool | None = None,
+        openings: bool | None = None,
         fine_levels: int | None = None,
         model_draws: int | None = None,
         seconds: float | None = None,
@@ -192,7 +193,8 @@ class Client(ShortWork):
         :param seed: the same seed gives the same plans (1)
         :param plans: how many ranked plans to report, up to 50 (5)
         :param region_points: 1 to 1,089 nodes of each reported plan's region of interest (1,089)
-        :param evidence: close the reported plans also under errors of single sutures and further remodelling (True)
+        :param evidence: close the reported plans also under errors of single sutures and further remodelling and disease (True)
+        :param openings: open plans in diastole, too, once they are closed at more than one node (True)
         :param fine_levels: times that the mesh is refined for the verdict on each reported plan, 0 to 2 (1)
         :param model_draws: draws of tissue and chordae under which each reported plan is closed as planned, 0 to 200 (8)
         :param seconds: stop after this time, the last 40 % spent on ranking; 0: no limit (0)
@@ -216,6 +218,7 @@ class Client(ShortWork):
             plans=plans,
             region_points=region_points,
             evidence=evidence,
+            openings=openings,
             fine_levels=fine_levels,
             model_draws=model_draws,
             seconds=seconds,

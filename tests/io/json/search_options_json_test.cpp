@@ -45,7 +45,7 @@ TEST(SearchOptionsJson, EveryFieldIsRead) {
                 .size_mm,
             30.0);
   EXPECT_EQ(options->rules.forbidden.at(1), "papillary_approximation:saddle_peak");
-  EXPECT_EQ(options->weights.untrusted, 14.0);
+  EXPECT_EQ(options->weights.untrusted, 17.0);
 }
 
 TEST(SearchOptionsJson, FixedStepsNeedNotSayTheirSchema) {
