@@ -26,7 +26,7 @@ VALVES = {
 }
 POINT_DATA = {"height_mm"}
 FACE_DATA = {"leaflet", "segment", "strain_circumferential", "strain_radial"}
-LINE_DATA = {"chorda", "kind", "segment", "rest_length_mm", "diameter_mm", "tension_n"}
+LINE_DATA = {"chorda", "kind", "rest_length_mm", "diameter_mm", "tension_n"}
 LINE_DATA |= {f"to_insertion_{axis}" for axis in "xyz"}
 # Of SlicerHeart's Valve Quantification, preset mitral valve (MeasurementPreset.py, MeasurementPresetMitralValve.py) and
 # module Orifice Area; names and units as there.
