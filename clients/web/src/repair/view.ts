@@ -1,5 +1,5 @@
 // A repair by hand: the valve before and after, side by side, and what it would measure.
-import type { Plan, Scene, Step } from '../api/types'
+import type { Plan, Step } from '../api/types'
 import { button, h, select } from '../dom'
 import { closureSaver, type FileSaver } from '../files'
 import type { Figure } from '../picture/figure'
@@ -8,7 +8,6 @@ import { labelledButton } from '../icons'
 import { problemList } from '../problems'
 import type { View } from '../view'
 import { Looks } from '../valve/looks'
-import { Diastole } from '../valve/diastole'
 import { headline } from '../valve/headline'
 import { measures } from '../valve/measures'
 import { sectionInset } from '../valve/section_inset'
@@ -33,7 +32,6 @@ export class RepairView implements View {
   private readonly kept: KeptPlans
   private readonly legend = h('div', {})
   private readonly headline = h('div', {})
-  private readonly diastole = new Diastole() // of the repaired valve; without a repair of the valve
   private readonly insets = {
     before: h('div', { class: valveStyle.inset, hidden: true }),
     after: h('div', { class: valveStyle.inset, hidden: true }),
@@ -74,7 +72,7 @@ export class RepairView implements View {
           this.save.element,
           pictureSaver((width_px) => this.figure(width_px), this.problems),
         ),
-        h('div', { class: repairStyle.outcome }, this.headline, this.diastole.element, this.said),
+        h('div', { class: repairStyle.outcome }, this.headline, this.said),
         this.picking,
         this.problems,
         h(
@@ -157,16 +155,6 @@ export class RepairView implements View {
     )
     this.draw()
     this.after.handles.set(this.grips())
-    this.openUp(after)
-  }
-
-  /// Not while a value is dragged: each closure then comes in the place of the one before.
-  private openUp(scene: Scene): void {
-    const { valve, plan, isAnswered, isDragging } = this.workspace
-    if (this.diastole.isOf(scene)) return
-    this.diastole.clear()
-    if (!valve || !isAnswered || isDragging) return
-    void this.diastole.ask(scene, valve.reference, this.workspace.after ? plan : null, 0)
   }
 
   /// Of the repair that is shown; none while there is none.

@@ -1,4 +1,4 @@
-// The opening of the valve that is shown, asked for once its closure is there, and told in a line beside the leak.
+// The opening of the valve that is shown, asked for once its closure is there, and told in a line above what is measured.
 import { openValve } from '../api/calls'
 import type { Opening, Plan, Scene } from '../api/types'
 import { h } from '../dom'

@@ -59,7 +59,6 @@ export class ValveView implements View {
           pictureSaver((width_px) => this.figure(width_px), told),
         ),
         this.headline,
-        this.diastole.element,
         told,
         h('div', { class: viewerStyle.stageBody }, this.viewer.element, this.inset, importing.element),
         this.legend,
@@ -68,7 +67,7 @@ export class ValveView implements View {
         'div',
         { class: parts.side },
         opening.element,
-        h('section', { class: parts.panel }, h('h2', {}, 'Measured'), this.measures),
+        h('section', { class: parts.panel }, h('h2', {}, 'Measured'), this.diastole.element, this.measures),
         this.looks.element,
       ),
     )
