@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/metrics/quantile.h"
+#include "lab/twins/twin_table.h"
 
 namespace coapt {
 namespace {
@@ -82,14 +83,7 @@ std::string ruptures_csv(const std::vector<Twin>& twins) {
 }
 
 void print_ruptures(std::ostream& out, const std::vector<Twin>& twins) {
-  for (const int odd : {0, 1}) {
-    std::vector<const Twin*> half;
-    for (const Twin& twin : twins)
-      if (twin.number % 2 == odd) half.push_back(&twin);
-    if (half.empty()) continue;
-    out << (odd == 1 ? "odd: " : "even: ");
-    print_rupture_half(out, half);
-  }
+  print_halves(out, twins, print_rupture_half);
 }
 
 }  // namespace coapt

@@ -87,7 +87,9 @@ std::string twins_csv(const std::vector<Twin>& twins) {
   return csv.str();
 }
 
-void print_twins(std::ostream& out, const std::vector<Twin>& twins) {
+void print_halves(
+    std::ostream& out, const std::vector<Twin>& twins,
+    const std::function<void(std::ostream&, const std::vector<const Twin*>&)>& print_half) {
   for (const int odd : {0, 1}) {
     std::vector<const Twin*> half;
     for (const Twin& twin : twins)
@@ -96,6 +98,10 @@ void print_twins(std::ostream& out, const std::vector<Twin>& twins) {
     out << (odd == 1 ? "odd: " : "even: ");
     print_half(out, half);
   }
+}
+
+void print_twins(std::ostream& out, const std::vector<Twin>& twins) {
+  print_halves(out, twins, print_half);
 }
 
 }  // namespace coapt

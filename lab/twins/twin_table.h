@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -15,5 +16,10 @@ std::string twins_csv(const std::vector<Twin>& twins);
 
 /// In words: distances, errors by kind of parameter, coverage of the 90 % intervals, share of even and odd twins apart.
 void print_twins(std::ostream& out, const std::vector<Twin>& twins);
+
+/// Even twins, by which fits were tuned, and odd ones, which judge: each half by `print_half`, after its name.
+void print_halves(
+    std::ostream& out, const std::vector<Twin>& twins,
+    const std::function<void(std::ostream&, const std::vector<const Twin*>&)>& print_half);
 
 }  // namespace coapt

@@ -88,10 +88,13 @@ class RuptureFit {
     left_out_.push_back(candidate.name);
   }
 
-  double squares(const Candidate& of, const FitWeights& weights) const {
-    return FitProblem(of.valve, measured_, options_, intact().points_mm)
+  double squares(const Valve& valve, const Screened& of, const FitWeights& weights) const {
+    return FitProblem(valve, measured_, options_, intact().points_mm)
         .residual(of.point, of.answer, weights)
         .squaredNorm();
+  }
+  double squares(const Candidate& of, const FitWeights& weights) const {
+    return squares(of.valve, {of.point, of.answer}, weights);
   }
 
   Errors fit(Candidate& candidate, FitOptions options) {
@@ -156,9 +159,7 @@ class RuptureFit {
   void choose_screens(const FitWeights& weights) {
     for (Candidate& candidate : candidates_)
       for (const Screened& screened : candidate.screens) {
-        const double sum = FitProblem(candidate.valve, measured_, options_, intact().points_mm)
-                               .residual(screened.point, screened.answer, weights)
-                               .squaredNorm();
+        const double sum = squares(candidate.valve, screened, weights);
         if (sum >= candidate.screen) continue;
         candidate.point = screened.point;
         candidate.answer = screened.answer;
