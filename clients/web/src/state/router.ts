@@ -23,6 +23,7 @@ export interface Routed {
 export function router(workspace: Workspace, page: Routed): Router {
   let view: ViewName = 'valve'
   let applying = 0 // addresses at once
+  let seen = '' // the address last read or written: while it is another one, that one is on its way to be read
   let left: string | null = null // what was shown when the address named nothing: until it changes, the address stays
 
   function present(of: ViewName): Omit<Address, 'faults'> {
@@ -32,20 +33,22 @@ export function router(workspace: Workspace, page: Routed): Router {
 
   /// Another valve, view or job is a new entry of the history; a changed plan takes the place of the one before.
   function write(): void {
-    if (applying > 0 || !workspace.valve || workspace.isDragging) return
-    const before = readAddress(location.hash)
+    if (applying > 0 || !workspace.valve || workspace.isDragging || location.hash !== seen) return
+    const before = readAddress(seen)
     const now = present(view)
     const address = writeAddress(now)
-    if (address === location.hash || address === left) return
+    if (address === seen || address === left) return
     left = null
     const isNew = before.valve !== null && (before.valve !== now.valve || before.view !== now.view)
     const isOtherJob = before.job !== null && before.job !== now.job
     page.fail([])
     history[isNew || isOtherJob ? 'pushState' : 'replaceState'](null, '', address)
+    seen = location.hash
   }
 
   async function apply(): Promise<void> {
-    const asked = readAddress(location.hash)
+    seen = location.hash
+    const asked = readAddress(seen)
     ++applying
     page.fail(asked.faults)
     if (asked.view) view = asked.view
