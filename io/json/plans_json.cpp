@@ -132,6 +132,12 @@ ordered_json opening_json(const std::optional<PlanOpening>& opening) {
           {"gradient_exercise_mmhg", number(&OpeningMeasure::gradient_exercise_mmhg)}};
 }
 
+ordered_json terms_json(const CostTerms& terms) {
+  ordered_json json;
+  for (int term = 0; term < kTerms; ++term) json[cost_term_rows()[term].name] = terms.amounts[term];
+  return json;
+}
+
 /// Nulls without the evidence.
 ordered_json durability_json(const RankedPlan& ranked) {
   const auto number = [&](double Durability::*value) {
@@ -151,6 +157,7 @@ ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"orifice_area_mm2", statistics_json(region.orifice_area_mm2)},
                {"leak_mm2", statistics_json(region.leak_mm2)},
                {"cost", ranked.cost},
+               {"cost_terms", terms_json(ranked.terms)},
                {"status", to_string(ranked.status)},
                {"crossing", ranked.crossing},
                {"measure", to_json(ranked.measure)},

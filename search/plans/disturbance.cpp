@@ -52,7 +52,7 @@ const std::array<Ray, 4> kRays = {Ray{"apical", Vec3(0, 0, 1)}, Ray{"outwards", 
                                   Ray{"posterior", Vec3(0, 1, 0)},
                                   Ray{"all three", Vec3(1, 1, 1).normalized()}};
 
-constexpr int kCourses = 8, kCourseSteps = 3;
+constexpr int kCourses = 8;
 
 /// As disturbance.h has it, after `mm` of the posteromedial tip.
 Disturbance disease_at(int course, double mm) {

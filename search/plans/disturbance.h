@@ -68,6 +68,7 @@ struct DiseaseCourse {
   std::vector<int>
       indices;  ///< 4, at 0, 4, 8, 12 mm of the posteromedial tip: as far as mean and 1.7 sd
 };
+inline constexpr int kCourseSteps = 3;
 inline constexpr double kCourseStep_mm = 4.0;
 const std::vector<DiseaseCourse>& disease_courses();
 

@@ -40,8 +40,10 @@ std::optional<Durability> durability(const PlanRecord& plan) {
   return all;
 }
 
-double durability_price(const Durability& durability, const CostWeights& weights) {
-  return weights.durability * (kFurthestCourse_mm - durability.expected_mm);
+CostTerms durability_terms(const Durability& durability) {
+  CostTerms terms;
+  terms[CostTerm::Durability] = kFurthestCourse_mm - durability.expected_mm;
+  return terms;
 }
 
 }  // namespace coapt

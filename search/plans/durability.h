@@ -15,12 +15,12 @@ struct Durability {
 };
 
 /// As far as courses go.
-inline constexpr double kFurthestCourse_mm = 12.0;
+inline constexpr double kFurthestCourse_mm = kCourseSteps * kCourseStep_mm;
 
 /// None unless all courses are closed. Where a closure failed the valve counts as leaking.
 std::optional<Durability> durability(const PlanRecord& plan);
 
-/// For what of kFurthestCourse_mm a plan does not last.
-double durability_price(const Durability& durability, const CostWeights& weights);
+/// What of kFurthestCourse_mm a plan does not last.
+CostTerms durability_terms(const Durability& durability);
 
 }  // namespace coapt

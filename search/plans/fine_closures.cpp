@@ -41,8 +41,9 @@ std::optional<PlanClosure> closed_finely(const PlanEvaluations& evaluations, Val
   return plan_closure(closed.evaluation);
 }
 
-double nominal_cost(const PlanClosure& closure, const Effort& effort, const CostContext& context) {
-  return plan_cost(std::array{ScoredClosure{closure, 0.0}}, effort, context);
+CostTerms nominal_terms(const PlanClosure& closure, const Effort& effort,
+                        const CostContext& context) {
+  return cost_terms(std::array{ScoredClosure{closure, 0.0}}, effort, context);
 }
 
 }  // namespace
@@ -71,16 +72,16 @@ FineClosures close_fine(PlanEvaluations& evaluations, const std::vector<PlanReco
   return fine;
 }
 
-double fine_cost_change(const PlanEvaluations& evaluations, const PlanRecord& plan,
-                        const FineClosures& fine) {
+CostTerms fine_change(const PlanEvaluations& evaluations, const PlanRecord& plan,
+                      const FineClosures& fine) {
   const auto closure = fine.plans.find(&plan);
-  if (closure == fine.plans.end()) return 0.0;
+  if (closure == fine.plans.end()) return {};
   CostContext there = evaluations.context();
   there.tension_before_n = fine.mesh.before && trusted(*fine.mesh.before)
                                ? fine.mesh.before->tension_max_n
                                : std::numeric_limits<double>::infinity();
-  return nominal_cost(closure->second, plan.effort, there) -
-         nominal_cost(plan.closures.at(0), plan.effort, evaluations.context());
+  return {nominal_terms(closure->second, plan.effort, there).amounts -
+          nominal_terms(plan.closures.at(0), plan.effort, evaluations.context()).amounts};
 }
 
 }  // namespace coapt

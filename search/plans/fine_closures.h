@@ -35,8 +35,8 @@ inline constexpr int kMostFineTriangles = 12000;
 FineClosures close_fine(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
                         int levels);
 
-/// What the cost of a plan changes by when its closure as planned is the fine one.
-double fine_cost_change(const PlanEvaluations& evaluations, const PlanRecord& plan,
-                        const FineClosures& fine);
+/// What the terms of a plan's cost change by when its closure as planned is the fine one.
+CostTerms fine_change(const PlanEvaluations& evaluations, const PlanRecord& plan,
+                      const FineClosures& fine);
 
 }  // namespace coapt

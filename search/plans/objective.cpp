@@ -27,11 +27,6 @@ double excess(double value, double limit) {
 
 }  // namespace
 
-double movement_price(double movement_mm, const CostWeights& weights) {
-  return weights.movement * movement_mm +
-         weights.movement_above_10 * excess(movement_mm, kUsualMovement_mm);
-}
-
 double ring_sizes_below(const Valve& before, const Valve& repaired) {
   const AnnulusFrame native = annulus_frame(before), ringed = annulus_frame(repaired);
   const double width = transverse_diameter_mm(before, native);
@@ -47,41 +42,64 @@ Effort effort(const Valve& before, const Valve& repaired, const RepairPlan& plan
           ring ? ring_sizes_below(before, repaired) : 0.0, static_cast<int>(plan.steps.size())};
 }
 
-double effort_price(const Effort& effort, const CostWeights& weights) {
-  double sum = weights.step * effort.steps + weights.undersizing * effort.sizes_below +
-               weights.undersizing_above_4 * excess(effort.sizes_below, kMostSizesBelow);
-  for (const double movement : {effort.anterolateral_movement_mm, effort.posteromedial_movement_mm})
-    sum += movement_price(movement, weights);
-  return sum;
+CostTerms effort_terms(const Effort& effort) {
+  CostTerms terms;
+  terms[CostTerm::Step] = effort.steps;
+  terms[CostTerm::Undersizing] = effort.sizes_below;
+  terms[CostTerm::UndersizingAbove4] = excess(effort.sizes_below, kMostSizesBelow);
+  for (const double movement :
+       {effort.anterolateral_movement_mm, effort.posteromedial_movement_mm}) {
+    terms[CostTerm::Movement] += movement;
+    terms[CostTerm::MovementAbove10] += excess(movement, kUsualMovement_mm);
+  }
+  return terms;
 }
 
-double plan_cost(std::span<const ScoredClosure> closures, const Effort& effort,
-                 const CostContext& context) {
-  const CostWeights& weights = context.weights;
-  double leaks = 0.0, squares = 0.0, slopes = 0.0, first_leak = 1.0;
+double effort_price(const Effort& effort, const CostWeights& weights) {
+  return price(effort_terms(effort), weights);
+}
+
+double movement_price(double movement_mm, const CostWeights& weights) {
+  return effort_price({.anterolateral_movement_mm = movement_mm}, weights);
+}
+
+CostTerms cost_terms(std::span<const ScoredClosure> closures, const Effort& effort,
+                     const CostContext& context) {
+  double leaks = 0.0, squares = 0.0, coaptation = 0.0, gap = 0.0, tension = 0.0, first_leak = 1.0;
   int counted = 0;
   for (const auto& [closure, disturbance] : closures) {
     if (!trusted(closure)) continue;
     const double leak = leak_mm2(closure);
-    const double slope = weights.coaptation * excess(kCoaptationAim_mm, closure.coaptation_mm) +
-                         weights.gap * excess(closure.distance_max_mm, context.thickness_mm) +
-                         weights.tension * excess(closure.tension_max_n, context.tension_before_n);
-    if (!std::isfinite(slope)) continue;  // counts as not trusted
+    const double short_by = excess(kCoaptationAim_mm, closure.coaptation_mm);
+    const double apart = excess(closure.distance_max_mm, context.thickness_mm);
+    const double pull = excess(closure.tension_max_n, context.tension_before_n);
+    if (!std::isfinite(short_by + apart + pull)) continue;  // counts as not trusted
     ++counted;
     leaks += leak;
     squares += leak * leak;
-    slopes += slope;
+    coaptation += short_by;
+    gap += apart;
+    tension += pull;
     if (leak > kCompetentLeak_mm2) first_leak = std::min(first_leak, disturbance);
   }
+  CostTerms terms = effort_terms(effort);
   const double asked = closures.empty() ? 1.0 : static_cast<double>(closures.size());
-  const double failed = 1.0 - counted / asked;
-  double sum = effort_price(effort, weights) + weights.untrusted * failed;
-  if (counted == 0) return sum + weights.untrusted;
+  terms[CostTerm::Untrusted] = 1.0 - counted / asked + (counted == 0 ? 1.0 : 0.0);
+  if (counted == 0) return terms;
   const double mean = leaks / counted;
   const double sd = std::sqrt(std::max(0.0, squares / counted - mean * mean));
-  const double robust = mean + weights.sd_share * sd;
-  return sum + weights.leak * robust + weights.incompetence * excess(robust, kCompetentLeak_mm2) +
-         weights.margin * (1.0 - first_leak) + slopes / counted;
+  terms[CostTerm::Leak] = mean + context.weights.sd_share * sd;
+  terms[CostTerm::Incompetence] = excess(terms[CostTerm::Leak], kCompetentLeak_mm2);
+  terms[CostTerm::Margin] = 1.0 - first_leak;
+  terms[CostTerm::Coaptation] = coaptation / counted;
+  terms[CostTerm::Gap] = gap / counted;
+  terms[CostTerm::Tension] = tension / counted;
+  return terms;
+}
+
+double plan_cost(std::span<const ScoredClosure> closures, const Effort& effort,
+                 const CostContext& context) {
+  return price(cost_terms(closures, effort, context), context.weights);
 }
 
 }  // namespace coapt

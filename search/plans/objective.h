@@ -10,6 +10,7 @@
 #include <span>
 
 #include "core/repair/plan.h"
+#include "search/plans/cost_terms.h"
 #include "search/plans/plan_closure.h"
 
 namespace coapt {
@@ -37,43 +38,6 @@ double ring_sizes_below(const Valve& before, const Valve& repaired);
 
 Effort effort(const Valve& before, const Valve& repaired, const RepairPlan& plan);
 
-/// Prices in mm2, each in [0, 1e6]. They are judgements, not measurements: competence may never be
-/// outbid by comfort, and between competent plans the lesser operation wins.
-struct CostWeights {
-  /// Per mm2 of mean + sd_share x sd.
-  double leak = 1.0;
-  /// Sds that count beside the mean: thesis 4.2.3 compares both.
-  double sd_share = 1.0;
-  /// More, per mm2 of that above 1: 1 mm2 outbids a whole step.
-  double incompetence = 5.0;
-  /// For a plan that leaks at once; none if no disturbance makes it leak.
-  double margin = 1.0;
-  /// Per mm that A2 with P2 falls short of 8; weak evidence.
-  double coaptation = 0.5;
-  /// Per mm by which leaflets are further apart than they are thick.
-  double gap = 2.0;
-  /// Per mm of papillary movement.
-  double movement = 0.2;
-  /// More, per mm above what is usual.
-  double movement_above_10 = 1.0;
-  /// Per size: less annulus to move, and less opening, of which gradient_above_3 sees the narrow end alone.
-  double undersizing = 0.5;
-  /// More, per size above what practice accepts.
-  double undersizing_above_4 = 2.0;
-  /// Per step: each costs time on bypass.
-  double step = 1.0;
-  /// Per newton of peak chordal tension above the unrepaired valve's.
-  double tension = 1.0;
-  /// Per mmHg of mean gradient in diastole above 3, what usual rings leave (plan_opening.h).
-  double gradient_above_3 = 2.0;
-  /// More, per mmHg above 5.
-  double gradient_above_5 = 10.0;
-  /// Per mm of disease that the repair does not last, of 12 (durability.h); of reported plans alone.
-  double durability = 0.25;
-  /// For closures that did not converge or crossed, by their share.
-  double untrusted = 1e4;
-};
-
 /// Of moving one papillary muscle, mm2.
 double movement_price(double movement_mm, const CostWeights& weights = {});
 
@@ -92,8 +56,15 @@ struct CostContext {
   CostWeights weights;
 };
 
+/// What effort_price() is of.
+CostTerms effort_terms(const Effort& effort);
+
 /// @param closures at least one, the first as planned; the same disturbances for all plans that are
 /// compared. Never NaN.
+CostTerms cost_terms(std::span<const ScoredClosure> closures, const Effort& effort,
+                     const CostContext& context);
+
+/// price() of these.
 double plan_cost(std::span<const ScoredClosure> closures, const Effort& effort,
                  const CostContext& context);
 

@@ -305,17 +305,25 @@ std::map<std::string, int> PlanEvaluations::rejections() const {
   return count;
 }
 
-double PlanEvaluations::cost(const PlanRecord& plan, int count) const {
-  if (!plan.possible) return 10.0 * options_.weights.untrusted;
+CostTerms PlanEvaluations::terms(const PlanRecord& plan, int count) const {
+  CostTerms all;
+  if (!plan.possible) {
+    all[CostTerm::Untrusted] = 10.0;
+    return all;
+  }
   std::vector<ScoredClosure> closures;
   for (const auto& [disturbance, closure] : plan.closures) {
     if (disturbance >= count) break;
     closures.push_back({closure, region_share(disturbances()[disturbance])});
   }
   assert(std::ssize(closures) == count);
-  const bool counts = count > 1 && plan.opening;
-  return plan_cost(closures, plan.effort, context_) +
-         (counts ? opening_price(*plan.opening, options_.weights) : 0.0);
+  all = cost_terms(closures, plan.effort, context_);
+  if (count > 1 && plan.opening) all.amounts += opening_terms(*plan.opening).amounts;
+  return all;
+}
+
+double PlanEvaluations::cost(const PlanRecord& plan, int count) const {
+  return price(terms(plan, count), options_.weights);
 }
 
 }  // namespace coapt

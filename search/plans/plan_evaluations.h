@@ -106,6 +106,7 @@ class PlanEvaluations {
   /// Plans of which a gate (gates.h) rejects, and on how many each: what a search left out.
   std::map<std::string, int> rejections() const;
   /// Over the first `count` nodes of the region. @pre they are closed, or the plan is impossible.
+  CostTerms terms(const PlanRecord& plan, int count) const;
   double cost(const PlanRecord& plan, int count) const;
 
   /// The plan as planned, closed again if need be (not counted).

@@ -12,8 +12,6 @@ namespace {
 constexpr const char* kGradientSource =
     "guidelines: a mean gradient above 5 mmHg at rest is stenosis";
 
-double above(double value, double limit) { return std::max(0.0, value - limit); }
-
 }  // namespace
 
 bool trusted(const PlanOpening& opening) {
@@ -33,11 +31,13 @@ PlanOpening open_plan(const Valve& repaired) {
   return {opened->closure.status, opened->closure.crossing, opened->measure};
 }
 
-double opening_price(const PlanOpening& opening, const CostWeights& weights) {
-  if (!trusted(opening)) return 0.0;
+CostTerms opening_terms(const PlanOpening& opening) {
+  CostTerms terms;
+  if (!trusted(opening)) return terms;
   const double gradient = opening.measure.gradient_mmhg;
-  return weights.gradient_above_3 * above(gradient, kUsualGradient_mmhg) +
-         weights.gradient_above_5 * above(gradient, kStenosis_mmhg);
+  terms[CostTerm::GradientAbove3] = std::max(0.0, gradient - kUsualGradient_mmhg);
+  terms[CostTerm::GradientAbove5] = std::max(0.0, gradient - kStenosis_mmhg);
+  return terms;
 }
 
 std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {

@@ -33,8 +33,8 @@ PlanOpening open_plan(const Valve& repaired);
 inline constexpr double kUsualGradient_mmhg = 3.0, kStenosis_mmhg = 5.0;
 inline constexpr double kStenosis_mm2 = 150.0, kNarrow_mm2 = 200.0;  ///< rejected, warned of
 
-/// 0 where it is not trusted: the gates say so.
-double opening_price(const PlanOpening& opening, const CostWeights& weights);
+/// GradientAbove3 and GradientAbove5; 0 where it is not trusted: the gates say so.
+CostTerms opening_terms(const PlanOpening& opening);
 
 /// "opening_area", "mean_gradient": always these, in this order; not assessed without an opening that is trusted.
 std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening);

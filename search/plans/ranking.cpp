@@ -118,7 +118,9 @@ void sort_plans(const PlanEvaluations& evaluations, const FineClosures& fine,
     int place = 0;
     for (auto& [plan, record] : order) {
       plan.own_mesh_rank = ++place;
-      plan.fine_cost_change = fine_cost_change(evaluations, *record, fine);
+      const CostTerms change = fine_change(evaluations, *record, fine);
+      plan.fine_cost_change = price(change, evaluations.context().weights);
+      plan.terms.amounts += change.amounts;
     }
     sort();
   }
@@ -147,7 +149,7 @@ double share_ahead(const PlanEvaluations& evaluations, const ModelClosures& mode
 JudgedRecord judged(const PlanEvaluations& evaluations, const Ranked& ranked) {
   const RankedPlan& plan = ranked.first;
   const double opening =
-      plan.opening ? opening_price(*plan.opening, evaluations.context().weights) : 0.0;
+      plan.opening ? price(opening_terms(*plan.opening), evaluations.context().weights) : 0.0;
   return {ranked.second, closes_finely(plan),
           plan.fine_cost_change + plan.durability_price + opening};
 }
@@ -175,7 +177,8 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   plan.crossing = evaluation.crossing;
   plan.measure = evaluation.measure;
   plan.effort = record.effort;
-  plan.cost = evaluations.cost(record, nodes);
+  plan.terms = evaluations.terms(record, nodes);
+  plan.cost = price(plan.terms, evaluations.context().weights);
   plan.subset_nodes = std::min(nodes, kChosenBy);
   plan.subset_cost = evaluations.cost(record, plan.subset_nodes);
   plan.region = region_report(record, nodes);
@@ -185,8 +188,11 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
         std::make_shared<const ClosedValve>(with_repair(*drawn, evaluations.valve(), record.plan));
   plan.opening = record.opening;
   plan.durability = durability(record);
-  if (plan.durability)
-    plan.durability_price = durability_price(*plan.durability, evaluations.context().weights);
+  if (plan.durability) {
+    const CostTerms lost = durability_terms(*plan.durability);
+    plan.durability_price = price(lost, evaluations.context().weights);
+    plan.terms.amounts += lost.amounts;
+  }
   plan.gates = operation_gates({record.plan, evaluations.valve(), *repaired});
   for (const std::vector<Gate>& gates :
        {opening_gates(record.opening), closure_gates(evaluation, evaluations.before())})

@@ -25,7 +25,9 @@ struct RankedPlan {
   std::string name;  ///< of an own plan: its name, or those of all that are the same; else empty
   RepairPlan plan;
   std::vector<std::string> description;  ///< in surgical words, one line a step
-  double cost = 0.0;         ///< over the region's nodes that all ranked plans have closed
+  double cost = 0.0;  ///< over the region's nodes that all ranked plans have closed
+  /// By which it is ranked: of cost, fine_cost_change and durability_price.
+  CostTerms terms;
   double subset_cost = 0.0;  ///< over the nodes by which it was chosen
   int subset_nodes = 0;
   ClosureStatus status = ClosureStatus::Converged;

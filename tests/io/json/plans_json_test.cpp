@@ -71,6 +71,7 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "orifice_area_mm2",
                                              "leak_mm2",
                                              "cost",
+                                             "cost_terms",
                                              "status",
                                              "crossing",
                                              "measure",

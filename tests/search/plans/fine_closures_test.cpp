@@ -98,7 +98,9 @@ TEST(FineClosures, OrderThePlansAndSayWhereTheyStoodBefore) {
   EXPECT_EQ(plans[0].rank, 1);
   EXPECT_GT(plans[0].probability_outranks_next, 0.95) << "the finer mesh decides";
   // 2 more mm2 above 1 cost six each, without steps: 6 x (8 - 2).
-  EXPECT_NEAR(fine_cost_change(scene.evaluations, ring, fine), 6.0 * 6.0, 1e-9);
+  EXPECT_NEAR(price(fine_change(scene.evaluations, ring, fine), {}), 6.0 * 6.0, 1e-9);
+  for (const RankedPlan& plan : plans)
+    EXPECT_NEAR(price(plan.terms, {}), plan.cost + plan.fine_cost_change, 1e-9);
 }
 
 TEST(FineClosures, AreTheSameForAnyNumberOfThreads) {

@@ -48,14 +48,14 @@ TEST(PlanOpening, IsNotAssessedWhereTheOpenValveDidNotComeToRest) {
     EXPECT_EQ(severities(none), (std::vector{NotAssessed, NotAssessed}));
     EXPECT_FALSE(is_stenotic(none));
   }
-  EXPECT_EQ(opening_price(unsettled, {}), 0.0);
+  EXPECT_EQ(price(opening_terms(unsettled), {}), 0.0);
 }
 
 TEST(PlanOpening, PriceRisesAboveThreeMmhgAndFasterAboveFive) {
   const CostWeights weights;  // 2 and 10 mm2 per mmHg
-  EXPECT_EQ(opening_price(opening(300.0, 3.0), weights), 0.0);
-  EXPECT_DOUBLE_EQ(opening_price(opening(200.0, 4.0), weights), 2.0);
-  EXPECT_DOUBLE_EQ(opening_price(opening(180.0, 6.0), weights), 6.0 + 10.0);
+  EXPECT_EQ(price(opening_terms(opening(300.0, 3.0)), weights), 0.0);
+  EXPECT_DOUBLE_EQ(price(opening_terms(opening(200.0, 4.0)), weights), 2.0);
+  EXPECT_DOUBLE_EQ(price(opening_terms(opening(180.0, 6.0)), weights), 6.0 + 10.0);
 }
 
 TEST(PlanOpening, CountsInTheCostFromTheSecondNodeOn) {
@@ -111,7 +111,7 @@ TEST(Durability, IsTheWayToFiveSquareMillimetresOfLeak) {
   EXPECT_EQ(durability(leaking_by(2.0))->outlasting, 0.0);
   EXPECT_DOUBLE_EQ(durability(leaking_by(0.4))->expected_mm, 12.0);
   EXPECT_DOUBLE_EQ(durability(leaking_by(0.4))->outlasting, 1.0);
-  EXPECT_DOUBLE_EQ(durability_price(*durability(leaking_by(2.0)), {}), 0.25 * 9.5);
+  EXPECT_DOUBLE_EQ(price(durability_terms(*durability(leaking_by(2.0))), {}), 0.25 * 9.5);
 }
 
 TEST(Durability, IsUnknownWithoutAllCoursesAndZeroWhereThePlanLeaksAtOnce) {

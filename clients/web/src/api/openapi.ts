@@ -1575,6 +1575,39 @@ export interface components {
             /** @description Share of the region below 20 mm2. */
             below_20: number | null;
         };
+        /** @description What a plan is ranked by: the sum of weights times these amounts is its cost, with what the finer mesh changes of it (an amount may be negative by that) and durability_price. With other weights plans are ranked anew without a closure. */
+        CostTerms: {
+            /** @description Steps. */
+            step: number;
+            /** @description Ring sizes by which the annulus is made smaller. */
+            undersizing: number;
+            /** @description Of these, above 4. */
+            undersizing_above_4: number;
+            /** @description Movement of both papillary muscles, mm. */
+            movement: number;
+            /** @description Of each, above 10 mm. */
+            movement_above_10: number;
+            /** @description Mean of the leak + weights.sd_share x its sd, mm2. */
+            leak: number;
+            /** @description Of this, above 1 mm2. */
+            incompetence: number;
+            /** @description 0 to 1: how near the first disturbance is that leaks. */
+            margin: number;
+            /** @description Mean of what A2 with P2 falls short of 8 mm. */
+            coaptation: number;
+            /** @description Mean of how much further apart leaflets are than they are thick, mm. */
+            gap: number;
+            /** @description Mean of peak chordal tension above the unrepaired valve's, N. */
+            tension: number;
+            /** @description Mean gradient above 3 mmHg. */
+            gradient_above_3: number;
+            /** @description Mean gradient above 5 mmHg. */
+            gradient_above_5: number;
+            /** @description Of 12 mm of further disease, those that the plan does not last; 0 without the evidence. */
+            durability: number;
+            /** @description Share of the closures that failed; 2 if all did. */
+            untrusted: number;
+        };
         /** @description A plan with its evidence, ranked against others. */
         RankedPlan: {
             /** @description Place among the ranked plans; 1 is the best. */
@@ -1589,6 +1622,8 @@ export interface components {
             leak_mm2: components["schemas"]["Statistics"];
             /** @description Cost in mm2 over the region; lower is better. */
             cost: number | null;
+            /** @description What it is ranked by. */
+            cost_terms: components["schemas"]["CostTerms"];
             /**
              * @description How the closure of the plan as planned ended.
              * @enum {string}
