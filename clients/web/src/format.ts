@@ -67,3 +67,8 @@ export function typeset(text: string): string {
 export function words(name: string): string {
   return name.replaceAll('_', ' ')
 }
+
+/// "a", "a and b", "a, b and c"
+export function joined(texts: string[]): string {
+  return texts.length < 2 ? texts.join() : `${texts.slice(0, -1).join(', ')} and ${texts.at(-1)}`
+}

@@ -1726,7 +1726,7 @@ export interface components {
                     posterior: number | null;
                 };
             };
-            /** @description Leak if the errors of two sutures are independent; null unless both were tied and evidence was asked for. */
+            /** @description Leak if all that is done errs by itself: each muscle within the region; a ring up to 1.5 mm off in its plane in either direction and turned by up to 5 degrees, one of its twelve sutures torn out in a quarter of the cases; neochordae up to 1 mm too short or long. 65 closures; null without the evidence. */
             independent_leak_mm2: components["schemas"]["Statistics"];
             /** @description Leak while the ventricle goes on remodelling; empty unless evidence was asked for. */
             remodelling: {
@@ -1965,7 +1965,7 @@ export interface components {
              */
             region_points?: number;
             /**
-             * @description Also errors of single sutures and further remodelling: 48 to 308 closures more for each plan.
+             * @description Also errors of single sutures and further remodelling: 112 to 308 closures more for each plan.
              * @default false
              */
             evidence?: boolean;

@@ -30,6 +30,7 @@ export type FitResult = Schemas['FitResult']
 export type Rings = Omit<Schemas['Rings'], 'notice'>
 
 export type RankedPlan = Schemas['RankedPlan']
+export type CostTerms = Schemas['CostTerms']
 export type Gate = RankedPlan['gates'][number]
 export type LeakMap = RankedPlan['leak_map'][number]
 export type SearchResult = Schemas['Plans']

@@ -20,7 +20,7 @@ export function comparison(a: RankedPlan, b: RankedPlan, all: RankedPlan[], cont
     'section',
     { class: `${parts.panel} ${searchStyle.comparison}`, 'aria-label': `Ranks ${a.rank} and ${b.rank} compared` },
     h('h2', { tabindex: -1 }, `Ranks ${a.rank} and ${b.rank} compared`),
-    tie && h('p', {}, h('strong', {}, tie)),
+    tie && h('p', {}, h('strong', {}, tie), ' This holds for the search’s own order.'),
     h('div', { class: searchStyle.two }, side(a), side(b)),
     dataTable(
       'Figures of both plans',

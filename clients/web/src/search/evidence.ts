@@ -55,7 +55,7 @@ function maps(plan: RankedPlan): Child[] {
       h(
         'p',
         { class: parts.hint },
-        `If each suture has its own error, the leak is ${meanAndSd(alone)}, at worst ${number(alone.worst)} mm².`,
+        `If all that is done errs by itself (each muscle, the ring and its sutures, neochordae), the leak is ${meanAndSd(alone)}, at worst ${number(alone.worst)} mm².`,
       ),
   ]
 }

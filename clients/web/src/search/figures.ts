@@ -1,10 +1,12 @@
 // The figures of a ranked plan that matter, and which of two plans has the better one.
 import type { LeakMap, RankedPlan } from '../api/types'
 import { number, withUnit } from '../format'
+import { rankedCost } from './price'
 
 // One closure of one plan is not known better than this (docs/researcher/accuracy.md, "Other equilibria").
 const CLOSURE_MM2 = 0.5
 const FARTHEST = { suture_length_mm: 1, angle_deg: 5 } // borders of the region of interest
+export const FURTHEST_DISEASE_MM = 12 // of the courses that durability is of
 
 export interface Figure {
   label: string
@@ -115,7 +117,10 @@ export const FIGURES: Figure[] = [
     label: 'Opening in diastole',
     unit: 'cm²',
     digits: 1,
-    value: (p) => (p.opening_area_mm2 == null ? null : Math.min(p.opening_area_mm2, p.projected_area_mm2 ?? 0) / 100),
+    value: (p) => {
+      const opening = openingMm2(p)
+      return opening === null ? null : opening / 100
+    },
     better: 'higher',
   },
   { label: 'Mean gradient at rest', unit: 'mmHg', digits: 1, value: (p) => p.gradient_mmhg ?? null, better: 'lower' },
@@ -125,11 +130,11 @@ export const FIGURES: Figure[] = [
     digits: 1,
     value: (p) => p.durability_mm ?? null,
     better: 'higher',
-    border: 12,
+    border: FURTHEST_DISEASE_MM,
   },
   { label: 'Ring sizes below the annulus', unit: '', digits: 1, value: (p) => p.ring_sizes_below, better: 'lower' },
   { label: 'Steps', unit: '', digits: 0, value: (p) => p.steps, better: 'lower' },
-  { label: 'Search cost', unit: 'mm²', digits: 2, value: (p) => p.cost, better: 'lower' },
+  { label: 'Cost, as ranked', unit: 'mm²', digits: 2, value: rankedCost, better: 'lower' },
 ]
 
 export function shownFigure(figure: Figure, plan: RankedPlan): string {
@@ -180,6 +185,13 @@ export function lengthName(plan: RankedPlan, muscle: LeakMap['muscle'] = 'both')
   return muscles === 0 ? TIP_TO_TRIGONE : muscles === 1 ? `suture or ${TIP_TO_TRIGONE}` : 'suture'
 }
 const TIP_TO_TRIGONE = 'tip to trigone distance'
+
+export type Opened = Partial<Pick<RankedPlan, 'opening_area_mm2' | 'projected_area_mm2'>>
+
+/// The smaller of what is open in diastole; null: it was not opened, or did not come to rest.
+export function openingMm2({ opening_area_mm2: passage, projected_area_mm2: seen }: Opened): number | null {
+  return passage == null || seen == null ? null : Math.min(passage, seen)
+}
 
 /// Closes also with small errors of execution.
 export function isRobust(plan: RankedPlan): boolean {

@@ -1,23 +1,28 @@
-// All ranked plans side by side, the valve as it is above them; two of them can be chosen to be compared.
+// All ranked plans side by side, the valve as it is above them; two of them can be chosen to be compared. At other prices
+// the rows change places; a plan keeps its rank as its name.
 import type { RankedPlan, SearchResult } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h, type Child } from '../dom'
 import { number } from '../format'
 import { term } from '../help/term'
 import { describe } from '../repair/steps'
-import { isRobust, meanAndSdCell } from './figures'
+import { FURTHEST_DISEASE_MM, isRobust, meanAndSdCell, openingMm2, type Opened } from './figures'
+import { costOf, isAsSearched, AS_SEARCHED, type Factors, type Weights } from './price'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
 
 export interface PlanTable {
   element: HTMLElement
   boxes: HTMLInputElement[] // by the plans, to compare them
+  show(order: RankedPlan[], factors: Factors): void
 }
 
 const columns = (): [label: Child, unit: string][] => [
   [term('cost', 'Cost'), 'mm²'],
   [term('region', 'Leak'), 'mean ± sd, mm²'],
   ['95 % below', 'mm²'],
+  [term('opening', 'Opening'), 'cm²'],
+  [term('durability', 'Outlasts'), 'disease, mm'],
   [term('coaptation', 'Coaptation'), 'mean (min), mm'],
   [term('tension', 'Tension'), 'N'],
   ['Steps', ''],
@@ -27,12 +32,20 @@ const columns = (): [label: Child, unit: string][] => [
 
 export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => string): PlanTable {
   const { before, plans } = result
-  const boxes = plans.map(() => h('input', { type: 'checkbox' }))
+  const weights = result.weights as Weights
+  const lines = plans.map((plan) => ({
+    plan,
+    box: h('input', { type: 'checkbox', 'aria-label': `Compare plan ${plan.rank}` }),
+    note: h('span', { class: searchStyle.tie, 'data-part': 'place' }),
+    cost: h('span', {}),
+  }))
   const asItIs: Child[] = [
     'Before',
     '',
     '',
     number(before.leak_mm2),
+    '',
+    opening(before),
     '',
     coaptation(before.coaptation),
     number(before.tension_max_n, 2),
@@ -40,14 +53,16 @@ export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => st
     '',
     '',
   ]
-  const rows = plans.map((plan, i): Child[] => [
-    rankCell(plan, cardId(plan), boxes[i] as HTMLInputElement),
+  const rows = lines.map(({ plan, box, note, cost }): Child[] => [
+    rankCell(plan, cardId(plan), box, note),
     plan.plan.steps.length > 0
       ? h('ul', { class: searchStyle.short }, ...plan.plan.steps.map((step) => h('li', {}, describe(step))))
       : 'No repair',
-    number(plan.cost, 2),
+    cost,
     meanAndSdCell(plan.leak_mm2),
     number(plan.leak_mm2.p95),
+    opening(plan),
+    outlasts(plan),
     coaptation(plan.measure.coaptation),
     number(plan.measure.tension_max_n, 2),
     plan.steps,
@@ -66,23 +81,59 @@ export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => st
     ],
     [asItIs, ...rows],
   )
-  return { element: h('div', { class: searchStyle.ranked }, table), boxes }
+  const [, ...places] = table.querySelectorAll('tbody tr') // by the plans, as they were made
+
+  function show(order: RankedPlan[], factors: Factors): void {
+    const own = isAsSearched(factors)
+    lines.forEach(({ plan, note, cost }, i) => {
+      const place = order.indexOf(plan)
+      cost.textContent = number(costOf(plan, weights, factors), 2)
+      note.replaceChildren(...(own ? tieNote(plan) : moved(i + 1, place + 1)))
+      note.classList.toggle(searchStyle.moved as string, !own)
+    })
+    const body = table.querySelector('tbody')
+    for (const plan of order) body?.append(places[plans.indexOf(plan)] as Node)
+  }
+
+  show(plans, AS_SEARCHED)
+  return { element: h('div', { class: searchStyle.ranked }, table), boxes: lines.map(({ box }) => box), show }
 }
 
-function rankCell(plan: RankedPlan, id: string, box: HTMLInputElement): HTMLElement {
+function rankCell(plan: RankedPlan, id: string, box: HTMLInputElement, note: HTMLElement): HTMLElement {
   const go = (event: Event) => {
     event.preventDefault() // the address holds the view
     document.getElementById(id)?.scrollIntoView()
   }
-  box.setAttribute('aria-label', `Compare plan ${plan.rank}`)
   return h(
     'span',
     { class: searchStyle.rank },
     box,
     h('a', { href: `#${id}`, onclick: go, 'aria-label': `Plan ${plan.rank}` }, `${plan.rank}.`),
     isRobust(plan) && h('span', { class: parts.good, title: 'robust' }, '✓'),
-    plan.tie_with_next && h('span', { class: searchStyle.tie }, `ties with ${plan.rank + 1}`),
+    note,
   )
+}
+
+/// Ties are of the search's own order.
+function tieNote(plan: RankedPlan): string[] {
+  return plan.tie_with_next ? [`ties with ${plan.rank + 1}`] : []
+}
+
+function moved(from: number, to: number): Node[] {
+  if (from === to) return []
+  return [
+    h('span', { 'aria-hidden': 'true' }, `${to < from ? '▲' : '▼'} ${from} → ${to}`),
+    h('span', { class: parts.unseen }, `moved from place ${from} to ${to}`),
+  ]
+}
+
+function opening(of: Opened): string {
+  const area_mm2 = openingMm2(of)
+  return number(area_mm2 === null ? null : area_mm2 / 100)
+}
+
+function outlasts({ durability_mm }: RankedPlan): string {
+  return `${(durability_mm ?? 0) >= FURTHEST_DISEASE_MM ? '≥ ' : ''}${number(durability_mm)}`
 }
 
 function coaptation({ height_mean_mm, height_min_mm }: RankedPlan['measure']['coaptation']): string {

@@ -1,80 +1,61 @@
-// What a plan's cost is made of, by the price list of the search (search/plans/objective.h), and why one plan costs less
-// than another.
-import type { RankedPlan, SearchResult } from '../api/types'
-import { number } from '../format'
-import { tieWords } from './figures'
+// What plans are ranked by: amounts that the service states of each plan (cost_terms) times the weights of the search, told
+// in the groups of the sentences, and what each objective is worth to the reader.
+import type { CostTerms, RankedPlan, SearchResult } from '../api/types'
 
 export type Weights = Required<NonNullable<SearchResult['weights']>>
+export type Objective = 'leak' | 'opening' | 'durability' | 'operation'
+
+/// What the prices of each objective are multiplied by, 0 or more.
+export type Factors = Record<Objective, number>
+export const AS_SEARCHED: Factors = { leak: 1, opening: 1, durability: 1, operation: 1 }
+
 export interface PriceItem {
   name: string
+  objective: Objective | null // null: no matter of preference
   mm2: number
 }
 
-const COMPETENT_MM2 = 1
-const USUAL_MOVEMENT_MM = 10
-const MOST_SIZES_BELOW = 4
-const USUAL_GRADIENT_MMHG = 3
-const STENOSIS_MMHG = 5
-const TOLD_MM2 = 0.05 // differences below it are not told
-const TOLD = 3 // differences, the largest first
+const ITEMS: { name: string; objective: Objective | null; terms: (keyof CostTerms)[] }[] = [
+  { name: 'leak', objective: 'leak', terms: ['leak', 'incompetence'] },
+  { name: 'margin to leak', objective: 'leak', terms: ['margin'] },
+  { name: 'too little coaptation', objective: 'leak', terms: ['coaptation'] },
+  { name: 'gaps between the leaflets', objective: 'leak', terms: ['gap'] },
+  { name: 'chordal tension', objective: 'leak', terms: ['tension'] },
+  { name: 'gradient in diastole', objective: 'opening', terms: ['gradient_above_3', 'gradient_above_5'] },
+  { name: 'disease not outlasted', objective: 'durability', terms: ['durability'] },
+  { name: 'steps', objective: 'operation', terms: ['step'] },
+  { name: 'undersizing', objective: 'operation', terms: ['undersizing', 'undersizing_above_4'] },
+  { name: 'papillary movement', objective: 'operation', terms: ['movement', 'movement_above_10'] },
+  { name: 'closures that failed', objective: null, terms: ['untrusted'] },
+]
 
-const above = (value: number, limit: number) => Math.max(0, value - limit)
-
-/// They add up to the cost. Contact and tension over the region are known only together: what is left. Empty where the
-/// region was not closed.
-export function priceItems(plan: RankedPlan, weights: Weights): PriceItem[] {
-  const { mean, sd } = plan.leak_mm2
-  if (plan.cost === null || mean === null || sd === null) return []
-  const leak = mean + weights.sd_share * sd
-  const moved = [plan.anterolateral_movement_mm, plan.posteromedial_movement_mm]
-  const items: PriceItem[] = [
-    { name: 'leak', mm2: weights.leak * leak + weights.incompetence * above(leak, COMPETENT_MM2) },
-    { name: 'margin to leak', mm2: weights.margin * (1 - (plan.margin_to_leak.share ?? 1)) },
-    { name: 'steps', mm2: weights.step * plan.steps },
-    {
-      name: 'undersizing',
-      mm2:
-        weights.undersizing * plan.ring_sizes_below +
-        weights.undersizing_above_4 * above(plan.ring_sizes_below, MOST_SIZES_BELOW),
-    },
-    {
-      name: 'papillary movement',
-      mm2: moved
-        .map((mm) => weights.movement * mm + weights.movement_above_10 * above(mm, USUAL_MOVEMENT_MM))
-        .reduce((sum, price) => sum + price),
-    },
-    {
-      name: 'gradient in diastole',
-      mm2:
-        weights.gradient_above_3 * above(plan.gradient_mmhg ?? 0, USUAL_GRADIENT_MMHG) +
-        weights.gradient_above_5 * above(plan.gradient_mmhg ?? 0, STENOSIS_MMHG),
-    },
-    {
-      name: 'closures that failed',
-      mm2: (weights.untrusted * plan.region_failures) / Math.max(1, plan.region_closures),
-    },
-  ]
-  const known = items.reduce((sum, { mm2 }) => sum + mm2, 0)
-  return [...items, { name: 'coaptation, gaps and tension', mm2: plan.cost - known }]
+/// They add up to costOf(). Empty for results of a service that did not state the amounts yet.
+export function priceItems(plan: RankedPlan, weights: Weights, factors = AS_SEARCHED): PriceItem[] {
+  const amounts = plan.cost_terms as CostTerms | undefined
+  if (!amounts) return []
+  return ITEMS.map(({ name, objective, terms }) => ({
+    name,
+    objective,
+    mm2: (objective ? factors[objective] : 1) * terms.reduce((sum, term) => sum + weights[term] * amounts[term], 0),
+  }))
 }
 
-/// Why the first of `plans` stands before the second: "Plan 1 stands first with a cost of 2.90 mm²; plan 2 has 3.37: 0.52
-/// more for undersizing." Null where there is no second, or a cost is not known.
-export function whyFirst(plans: RankedPlan[], weights: Weights): string | null {
-  const [first, second] = plans
-  if (!first || !second || first.cost === null || second.cost === null) return null
-  const items = priceItems(first, weights)
-  const differences = priceItems(second, weights)
-    .map(({ name, mm2 }, i) => ({ name, more: mm2 - (items[i]?.mm2 ?? 0) }))
-    .filter(({ more }) => Math.abs(more) >= TOLD_MM2)
-    .sort((a, b) => Math.abs(b.more) - Math.abs(a.more))
-    .slice(0, TOLD)
-    .map(({ name, more }) => `${number(Math.abs(more), 2)} ${more > 0 ? 'more' : 'less'} for ${name}`)
-  const tie = first.tie_with_next ? `${tieWords(first, second, plans) ?? ''} ` : ''
-  const costs = `Plan ${first.rank} stands first with a cost of ${number(first.cost, 2)} mm²; plan ${second.rank} has ${number(second.cost, 2)}`
-  return `${tie}${costs}${differences.length > 0 ? `: ${listed(differences)}` : ', with nearly the same prices'}.`
+/// What the search ranks a plan by: its cost over the region, with the closure on the finer mesh where all plans have one,
+/// and the price of the disease that it does not outlast.
+export function rankedCost({ cost, fine, durability_price }: RankedPlan): number | null {
+  return cost === null ? null : (fine?.cost ?? cost) + (durability_price ?? 0) // coapt 0.1 knew neither
 }
 
-function listed(words: string[]): string {
-  return words.length < 2 ? words.join() : `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`
+/// To the last bit what the search ranks by where all factors are 1: sums of rounded prices might swap equal plans.
+export function costOf(plan: RankedPlan, weights: Weights, factors: Factors): number | null {
+  const cost = rankedCost(plan)
+  if (cost === null) return null
+  return priceItems(plan, weights).reduce(
+    (sum, { objective, mm2 }) => sum + (objective ? (factors[objective] - 1) * mm2 : 0),
+    cost,
+  )
+}
+
+export function isAsSearched(factors: Factors): boolean {
+  return Object.values(factors).every((factor) => factor === 1)
 }

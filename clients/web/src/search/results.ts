@@ -1,17 +1,15 @@
-// What a search has found: the valve before, ranked plans, two of them compared, the rest of its evidence.
+// What a search has found: the valve before, its ranked plans, the rest of its evidence.
 import type { SearchResult } from '../api/types'
 import { dataTable, figure } from '../charts/data_table'
 import { h } from '../dom'
 import { number, seconds, withError, withUnit } from '../format'
 import { grouped } from '../jobs/progress_panel'
-import { cardId, planCard, type CardContext } from './card'
-import { comparison } from './compare'
+import type { CardContext } from './card'
 import { costChart, endedSeries } from './cost_chart'
 import { downloadButton, reportLink } from '../jobs/downloads'
 import { inWords } from './figures'
 import { differing, inShort } from './in_short'
-import { planTable } from './plan_table'
-import { whyFirst, type Weights } from './price'
+import { ranked } from './ranked'
 import jobsStyle from '../jobs/jobs.module.css'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -98,55 +96,6 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
     ),
     told,
   )
-}
-
-function ranked(result: SearchResult, context: CardContext): HTMLElement[] {
-  const { plans } = result
-  if (plans.length === 0)
-    return [
-      h(
-        'p',
-        { class: parts.panel },
-        'No plan was ranked: the search ended before it found one, or every plan breaks a rule.',
-      ),
-    ]
-  const compared = h('div', { 'aria-live': 'polite' })
-  const table = planTable(result, (plan) => cardId(context, plan))
-  const chosen: number[] = [] // indices of plans, at most two
-  table.boxes.forEach((box, i) => {
-    box.addEventListener('change', () => {
-      if (box.checked) chosen.push(i)
-      else chosen.splice(chosen.indexOf(i), 1)
-      const dropped = chosen.length > 2 ? chosen.shift() : undefined // the one chosen first
-      const other = dropped === undefined ? undefined : table.boxes[dropped]
-      if (other) other.checked = false
-      compare()
-    })
-  })
-
-  function compare(): void {
-    const [a, b] = [...chosen].sort((one, other) => one - other).map((i) => plans[i])
-    if (a && b) compared.replaceChildren(comparison(a, b, plans, context))
-    else
-      compared.replaceChildren(
-        ...(a ? [h('p', { class: parts.panel }, `Rank ${a.rank} is chosen: choose another to compare it with.`)] : []),
-      )
-    if (a && b) compared.scrollIntoView({ block: 'start' })
-  }
-
-  const why = whyFirst(plans, result.weights as Weights)
-  return [
-    h(
-      'section',
-      { class: parts.panel, 'data-part': 'ranked', 'aria-label': 'Ranked plans' },
-      h('h2', {}, plans.length === 1 ? 'One ranked plan' : `${plans.length} ranked plans, best first`),
-      why && h('p', { 'data-part': 'why' }, why),
-      table.element,
-      plans.length > 1 && h('p', { class: parts.hint }, 'Tick two plans to compare them.'),
-    ),
-    compared,
-    ...plans.map((plan) => planCard(plan, context)),
-  ]
 }
 
 function rest(result: SearchResult, context: CardContext): HTMLElement[] {

@@ -11,6 +11,12 @@ const unfold = (title) =>
 const start = () => page.getByRole('button', { name: 'Start the search' }).click()
 const accessible = async () => assert.deepEqual(await accessProblems(page), [])
 
+/// Of the search that is open.
+async function resultOf() {
+  const id = await page.evaluate(() => new URLSearchParams(location.hash.split('?')[1]).get('job'))
+  return (await fetch(`${service.url}/v1/jobs/${id}/result`)).json()
+}
+
 async function saved(button) {
   const [download] = await Promise.all([page.waitForEvent('download'), button.click()])
   return { name: download.suggestedFilename(), content: readFileSync(await download.path(), 'utf8') }
@@ -103,8 +109,7 @@ test('all plans stand in one table, with the reason of the first; pictures follo
 })
 
 test('a plan shows the figures of the result', async () => {
-  const id = await page.evaluate(() => new URLSearchParams(location.hash.split('?')[1]).get('job'))
-  const [best] = (await (await fetch(`${service.url}/v1/jobs/${id}/result`)).json()).plans
+  const [best] = (await resultOf()).plans
   const { mean, sd } = best.leak_mm2
   const leak = page
     .locator('[data-part=plan]')
@@ -116,6 +121,97 @@ test('a plan shows the figures of the result', async () => {
     await page.locator('[data-part=plan]').first().locator('[data-part=steps] li').allTextContents(),
     best.description,
   )
+})
+
+test('the cost in the table is the sum of prices that plans are ranked by', async () => {
+  const { plans, weights } = await resultOf()
+  const cells = await page.locator('[data-part=ranked] tbody tr:not(:first-child) td:nth-child(3)').allTextContents()
+  plans.forEach(({ cost, cost_terms, fine, durability_price }, i) => {
+    const sum = Object.entries(cost_terms).reduce((all, [name, amount]) => all + weights[name] * amount, 0)
+    const ranked = (fine?.cost ?? cost) + durability_price
+    assert.ok(Math.abs(sum - ranked) < 1e-6 * Math.abs(ranked), `plan ${i + 1}: ${sum}, ranked by ${ranked}`)
+    assert.equal(cells[i], ranked.toFixed(2))
+  })
+})
+
+test('what plans trade is drawn, told plan by plan, and stands in a table', async () => {
+  const { plans } = await resultOf()
+  const trade = page.locator('[data-part=trade-off]')
+  const plot = trade.getByRole('img', { name: /^Leak against opening in diastole\. Up and to the left is better/ })
+  await plot.focus()
+  await page.keyboard.press('ArrowRight')
+  const [{ leak_mm2, opening_area_mm2, projected_area_mm2 }] = plans
+  const leak = (leak_mm2.mean + leak_mm2.sd).toFixed(1)
+  const opening = (Math.min(opening_area_mm2, projected_area_mm2) / 100).toFixed(1)
+  const here = trade.locator('[data-part=here]')
+  assert.match(
+    await here.textContent(),
+    new RegExp(`^Plan 1: leak ${leak} mm² \\(mean \\+ sd\\), opening ${opening} cm², outlasts`),
+  )
+  await page.keyboard.press('ArrowLeft') // stays at the first
+  await page.keyboard.press('ArrowRight')
+  assert.match(await here.textContent(), /^Plan 2: /)
+  await trade.getByText('Show as table').click()
+  await trade.locator('tbody').waitFor()
+  assert.equal(await trade.locator('tbody tr').count(), 3) // the valve as it is, two plans
+  await trade.getByRole('list', { name: 'Outlasts further disease of' }).waitFor()
+})
+
+test('the reader’s own weights reorder plans without a request, and can be set back', async () => {
+  // Both robust and open: the first takes a step less, the second leaks less. 1 + 0.8 and 2 + 0.2.
+  await page.route('**/v1/jobs/*/result', async (route) => {
+    const response = await route.fetch()
+    const result = await response.json()
+    result.plans.forEach((plan, i) => {
+      const none = Object.fromEntries(Object.keys(plan.cost_terms).map((name) => [name, 0]))
+      Object.assign(plan, { status: 'converged', crossing: false, region_failures: 0, closes_robustly: true })
+      Object.assign(plan.leak_mm2, { mean: 0.1, sd: 0.1 })
+      Object.assign(plan, { opening_area_mm2: 300, projected_area_mm2: 300, fine: null, durability_price: 0 })
+      Object.assign(plan, { cost: [1.8, 2.2][i], cost_terms: { ...none, step: i + 1, leak: [0.8, 0.2][i] } })
+      plan.tie_with_next = i === 0
+    })
+    await route.fulfill({ response, json: result })
+  })
+  await page.reload()
+  await page.locator('[data-part=photo][data-taken]').nth(2).waitFor() // all that is asked for
+  const asked = []
+  const listen = (request) => asked.push(request.url())
+  page.on('request', listen)
+  const ranked = page.locator('[data-part=ranked]')
+  const links = ranked.getByRole('link')
+  const names = () => links.evaluateAll((all) => all.map((link) => link.textContent))
+  const why = ranked.locator('[data-part=why]')
+  const back = ranked.getByRole('button', { name: 'Set all back to × 1' })
+  assert.ok(await back.isDisabled())
+  await ranked.getByText('ties with 2').waitFor()
+  await ranked.getByText('The same for all these plans.').first().waitFor() // neither has a price of opening
+  await ranked.getByRole('slider', { name: /^Leak:/ }).focus()
+  await page.keyboard.press('ArrowRight') // × 1.5: 2.2 and 2.3
+  assert.deepEqual(await names(), ['1.', '2.'])
+  await page.keyboard.press('ArrowRight') // × 2: 2.6 and 2.4
+  assert.deepEqual(await names(), ['2.', '1.'])
+  assert.equal(await page.locator(':focus').getAttribute('aria-valuetext'), 'times 2')
+  assert.deepEqual(await ranked.locator('tbody td:nth-child(3)').allTextContents(), ['', '2.40', '2.60'])
+  assert.match(
+    await why.textContent(),
+    /^By your weights plan 2 stands first with a cost of 2\.40 mm²; plan 1 has 2\.60:/,
+  )
+  await ranked.getByText('2 → 1', { exact: false }).waitFor()
+  await ranked.getByText('moved from place 1 to 2').waitFor({ state: 'attached' })
+  assert.equal(await ranked.getByText('ties with 2').count(), 0)
+  assert.equal(await page.locator('[data-part=plan] h3').first().textContent(), '1.') // a rank remains a name
+  await links.first().click()
+  assert.equal(await page.getByRole('article', { name: 'Plan of rank 2' }).count(), 1)
+  await accessible()
+  await back.click()
+  assert.deepEqual(await names(), ['1.', '2.'])
+  assert.match(await why.textContent(), /Plan 1 stands first with a cost of 1\.80 mm²/)
+  await ranked.getByText('ties with 2').waitFor()
+  page.off('request', listen)
+  assert.deepEqual(asked, [])
+  await page.unroute('**/v1/jobs/*/result')
+  await page.reload()
+  await page.locator('[data-part=plan]').nth(1).waitFor()
 })
 
 test('its evidence holds a map, curves that can be read and hidden, and the rules of practice', async () => {

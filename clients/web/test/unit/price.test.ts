@@ -1,94 +1,76 @@
 import { expect, test } from 'vitest'
-import type { RankedPlan } from '../../src/api/types'
-import { priceItems, whyFirst, type Weights } from '../../src/search/price'
+import type { CostTerms } from '../../src/api/types'
+import { costOf, isAsSearched, priceItems, rankedCost, AS_SEARCHED } from '../../src/search/price'
+import { planOf, termsOf, WEIGHTS } from './plans'
 
-// The price list's defaults (search/plans/objective.h).
-const weights: Weights = {
-  leak: 1,
-  sd_share: 1,
-  incompetence: 5,
-  margin: 1,
-  coaptation: 0.5,
-  gap: 2,
-  movement: 0.2,
-  movement_above_10: 1,
-  undersizing: 0.5,
-  undersizing_above_4: 2,
-  step: 1,
-  tension: 1,
-  gradient_above_3: 2,
-  gradient_above_5: 10,
-  durability: 0.25,
-  untrusted: 10_000,
-}
+const pricesOf = (terms: Partial<CostTerms>, factors = AS_SEARCHED) =>
+  Object.fromEntries(
+    priceItems(planOf({ terms }), WEIGHTS, factors)
+      .filter(({ mm2 }) => mm2 !== 0)
+      .map(({ name, mm2 }) => [name, mm2]),
+  )
 
-interface Given {
-  rank?: number
-  cost?: number | null
-  mean?: number
-  sizes?: number
-  moved?: number
-  tie?: boolean
-  gradient?: number | null
-}
-
-function plan({
-  rank = 1,
-  cost = 3,
-  mean = 0.5,
-  sizes = 0,
-  moved = 0,
-  tie = false,
-  gradient = null,
-}: Given): RankedPlan {
-  return {
-    rank,
-    cost,
-    leak_mm2: { mean, sd: 0.5 },
-    margin_to_leak: { share: 0.75 },
-    steps: 1,
-    ring_sizes_below: sizes,
-    anterolateral_movement_mm: moved,
-    posteromedial_movement_mm: 0,
-    region_closures: 100,
-    region_failures: 0,
-    gradient_mmhg: gradient,
-    tie_with_next: tie,
-    probability_outranks_next: tie ? 0.6 : 1,
-  } as unknown as RankedPlan
-}
-
-const prices = (of: RankedPlan) => Object.fromEntries(priceItems(of, weights).map(({ name, mm2 }) => [name, mm2]))
-
-test('prices add up to the cost, what the region alone knows is the rest', () => {
-  const items = prices(plan({ cost: 40, mean: 1.5, sizes: 5, moved: 12, gradient: 6 }))
-  expect(items).toEqual({
-    leak: 7, // 1.5 + 0.5, and five times the 1 above 1
+test('prices are weights times the amounts that the service states, in the groups that are told', () => {
+  const terms = {
+    ...{ leak: 2, incompetence: 1, margin: 0.25, coaptation: 3, gap: 0.5, tension: 1.5 },
+    ...{ gradient_above_3: 3, gradient_above_5: 1, durability: 4, step: 2, undersizing: 5, undersizing_above_4: 1 },
+    ...{ movement: 12, movement_above_10: 2, untrusted: 0.01 },
+  }
+  expect(pricesOf(terms)).toEqual({
+    leak: 7, // 2, and five times the 1 above 1
     'margin to leak': 0.25,
-    steps: 1,
-    undersizing: 4.5, // half a mm2 for each of 5, two for the fifth
-    'papillary movement': 4.4, // 12 fifths, two above 10
+    'too little coaptation': 1.5, // half a mm2 for each mm
+    'gaps between the leaflets': 1, // two for each mm
+    'chordal tension': 1.5,
     'gradient in diastole': 16, // two for each of 3 mmHg above 3, ten for the one above 5
-    'closures that failed': 0,
-    'coaptation, gaps and tension': expect.closeTo(6.85),
+    'disease not outlasted': 1, // a quarter for each mm
+    steps: 2,
+    undersizing: 4.5, // half a mm2 for each of 5 sizes, two for the fifth
+    'papillary movement': expect.closeTo(4.4), // 12 fifths, two above 10
+    'closures that failed': 100,
   })
 })
 
-test('the first plan is first by the prices that differ, the largest first', () => {
-  const [first, second] = [plan({ cost: 3, mean: 0.5 }), plan({ rank: 2, cost: 3.4, mean: 0.3, sizes: 1 })]
-  expect(whyFirst([first, second], weights)).toBe(
-    'Plan 1 stands first with a cost of 3.00 mm²; plan 2 has 3.40: 0.50 more for undersizing, 0.20 less for leak and 0.10 more for coaptation, gaps and tension.',
-  )
+test('no amount is left out: each counts in exactly one price', () => {
+  const names = Object.keys(termsOf({})) as (keyof CostTerms)[]
+  for (const name of names) expect(Object.values(pricesOf({ [name]: 1 }))).toEqual([WEIGHTS[name]])
 })
 
-test('a tie is said before its prices', () => {
-  const words = whyFirst([plan({ tie: true }), plan({ rank: 2, cost: 3.01 })], weights)
-  expect(words).toBe(
-    'Plans 1 and 2 tie; plan 1 is ahead with a probability of 60 %. Plan 1 stands first with a cost of 3.00 mm²; plan 2 has 3.01, with nearly the same prices.',
-  )
+test('an amount that the finer mesh makes negative lowers the price', () => {
+  expect(pricesOf({ gap: -0.25 })).toEqual({ 'gaps between the leaflets': -0.5 })
 })
 
-test('one plan alone, or one of unknown cost, needs no reason', () => {
-  expect(whyFirst([plan({})], weights)).toBeNull()
-  expect(whyFirst([plan({}), plan({ rank: 2, cost: null })], weights)).toBeNull()
+test('a factor multiplies the prices of its objective alone, and none those of failed closures', () => {
+  const terms = { leak: 1, gradient_above_3: 1, durability: 4, step: 1, untrusted: 0.0001 }
+  const doubled = (objective: string) => pricesOf(terms, { ...AS_SEARCHED, [objective]: 2 })
+  const own = { leak: 1, 'gradient in diastole': 2, 'disease not outlasted': 1, steps: 1, 'closures that failed': 1 }
+  expect(doubled('leak')).toEqual({ ...own, leak: 2 })
+  expect(doubled('opening')).toEqual({ ...own, 'gradient in diastole': 4 })
+  expect(doubled('durability')).toEqual({ ...own, 'disease not outlasted': 2 })
+  expect(doubled('operation')).toEqual({ ...own, steps: 2 })
+})
+
+test('a plan is ranked by its cost with the closure on the finer mesh, and what it does not outlast', () => {
+  const plan = planOf({ cost: 3, durability_price: 0.5 })
+  expect(rankedCost(plan)).toBe(3.5)
+  expect(rankedCost({ ...plan, fine: { cost: 3.25 } as typeof plan.fine })).toBe(3.75)
+  expect(rankedCost({ ...plan, cost: null })).toBeNull()
+})
+
+test('at other factors the cost moves by what they change of the prices', () => {
+  const plan = planOf({ terms: { leak: 0.5, step: 2, durability: 4 } }) // 0.5 + 2 + 1
+  expect(costOf(plan, WEIGHTS, AS_SEARCHED)).toBe(3.5)
+  expect(costOf(plan, WEIGHTS, { leak: 0, opening: 4, durability: 4, operation: 0.5 })).toBe(5) // 0 + 1 + 4
+})
+
+test('a result of a service that states no amounts has its cost and no prices', () => {
+  const { cost_terms, ...old } = planOf({ cost: 3 })
+  expect(cost_terms).toBeDefined()
+  expect(priceItems(old as typeof old & { cost_terms: CostTerms }, WEIGHTS)).toEqual([])
+  expect(costOf(old as typeof old & { cost_terms: CostTerms }, WEIGHTS, AS_SEARCHED)).toBe(3)
+})
+
+test('factors are the search’s own only if all are 1', () => {
+  expect(isAsSearched(AS_SEARCHED)).toBe(true)
+  expect(isAsSearched({ ...AS_SEARCHED, opening: 0 })).toBe(false)
 })

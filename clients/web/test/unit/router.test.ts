@@ -14,10 +14,14 @@ const workspace = {
   plan: NO_PLAN,
   jobs: { plans: null, study: null, import: null },
   isDragging: false,
-  open: async (valve: ValveSource) => void (workspace.valve = valve),
+  open: async (valve: ValveSource) => {
+    workspace.valve = valve
+  },
   setPlan: async () => {},
   lookAt: () => {},
-  subscribe: (listener: () => void) => void (changed = listener),
+  subscribe: (listener: () => void) => {
+    changed = listener
+  },
 }
 
 const page = { show: async (view: ViewName) => void shown.push(view), fail: () => {}, failed: () => {} }
@@ -30,9 +34,14 @@ beforeEach(async () => {
       return hash
     },
   })
-  const write = (_state: unknown, _title: string, address: string) => void entries.push((hash = address))
+  const write = (_state: unknown, _title: string, address: string) => {
+    hash = address
+    entries.push(address)
+  }
   vi.stubGlobal('history', { pushState: write, replaceState: write })
-  vi.stubGlobal('addEventListener', (_name: string, listener: () => void) => void (arrived = listener))
+  vi.stubGlobal('addEventListener', (_name: string, listener: () => void) => {
+    arrived = listener
+  })
   await router(workspace as unknown as Workspace, page).start()
 })
 

@@ -1,0 +1,93 @@
+// The ranked plans of a search: their table and its order, what they trade, two of them compared, a card for each.
+import type { RankedPlan, SearchResult } from '../api/types'
+import { h } from '../dom'
+import { cardId, planCard, type CardContext } from './card'
+import { comparison } from './compare'
+import { reordered, whyFirst } from './order'
+import { planTable } from './plan_table'
+import { preferences } from './preferences'
+import { isAsSearched, priceItems, AS_SEARCHED, type Factors, type Weights } from './price'
+import { tradeOff } from './trade_off'
+import parts from '../style/parts.module.css'
+
+export function ranked(result: SearchResult, context: CardContext): HTMLElement[] {
+  const { plans } = result
+  if (plans.length === 0)
+    return [
+      h(
+        'p',
+        { class: parts.panel },
+        'No plan was ranked: the search ended before it found one, or every plan breaks a rule.',
+      ),
+    ]
+  const weights = result.weights as Weights
+  const title = h('h2', {})
+  const why = h('p', { 'data-part': 'why', role: 'status' })
+  const order = h('p', { class: parts.hint, 'data-part': 'order' })
+  const table = planTable(result, (plan) => cardId(context, plan))
+
+  function arrange(factors: Factors): void {
+    const own = isAsSearched(factors)
+    const arranged = reordered(plans, weights, factors)
+    title.textContent =
+      plans.length === 1
+        ? 'One ranked plan'
+        : `${plans.length} ranked plans, best first${own ? '' : ' by your weights'}`
+    why.textContent = whyFirst(arranged, weights, factors) ?? ''
+    why.hidden = why.textContent === ''
+    order.hidden = own
+    table.show(arranged, factors)
+  }
+
+  order.textContent =
+    'Plans keep the rank of the search as their name, here, in the chart and below. Ties are known for the search’s own order only.'
+  arrange(AS_SEARCHED)
+  const compared = h('div', { 'aria-live': 'polite' })
+  compareTicked(plans, table.boxes, compared, context)
+  const canWeigh = plans.length > 1 && plans.every((plan) => priceItems(plan, weights).length > 0)
+  return [
+    h(
+      'section',
+      { class: parts.panel, 'data-part': 'ranked', 'aria-label': 'Ranked plans' },
+      title,
+      why,
+      canWeigh && preferences(plans, weights, arrange),
+      table.element,
+      order,
+      plans.length > 1 && h('p', { class: parts.hint }, 'Tick two plans to compare them.'),
+    ),
+    compared,
+    tradeOff(result, context.signal),
+    ...plans.map((plan) => planCard(plan, context)),
+  ]
+}
+
+/// `boxes` by the plans; of three that are ticked the first is given up.
+function compareTicked(
+  plans: RankedPlan[],
+  boxes: HTMLInputElement[],
+  compared: HTMLElement,
+  context: CardContext,
+): void {
+  const chosen: number[] = [] // indices of plans, at most two
+  boxes.forEach((box, i) => {
+    box.addEventListener('change', () => {
+      if (box.checked) chosen.push(i)
+      else chosen.splice(chosen.indexOf(i), 1)
+      const dropped = chosen.length > 2 ? chosen.shift() : undefined // the one chosen first
+      const other = dropped === undefined ? undefined : boxes[dropped]
+      if (other) other.checked = false
+      compare()
+    })
+  })
+
+  function compare(): void {
+    const [a, b] = [...chosen].sort((one, other) => one - other).map((i) => plans[i])
+    if (a && b) compared.replaceChildren(comparison(a, b, plans, context))
+    else
+      compared.replaceChildren(
+        ...(a ? [h('p', { class: parts.panel }, `Rank ${a.rank} is chosen: choose another to compare it with.`)] : []),
+      )
+    if (a && b) compared.scrollIntoView({ block: 'start' })
+  }
+}

@@ -1,0 +1,72 @@
+import { expect, test } from 'vitest'
+import { axisOf, placeOn } from '../../src/charts/scatter_axes'
+import { lacking, tradePoints, tradeSummary } from '../../src/search/trade_off'
+import type { RankedPlan, SearchResult } from '../../src/api/types'
+import { planOf } from './plans'
+
+const resultOf = (plans: RankedPlan[], before: object = {}) =>
+  ({
+    plans,
+    before: { leak_mm2: 33.6, opening_area_mm2: 470, projected_area_mm2: 374, ...before },
+  }) as unknown as SearchResult
+
+const PLANS = [
+  planOf({ rank: 1, mean: 0.25, opening_mm2: 310, seen_mm2: 290, durability_mm: 12, pareto: true }),
+  planOf({ rank: 2, mean: 1.05, opening_mm2: 400, durability_mm: 5.9, pareto: true }),
+  planOf({ rank: 3, mean: 0.75, opening_mm2: 300, durability_mm: null }),
+]
+
+test('a point has mean + sd of the leak, the smaller opening in cm2, and a level of two millimetres each', () => {
+  const [first, second, third, before] = tradePoints(resultOf(PLANS))
+  expect(first).toEqual({
+    x: 0.5,
+    y: 2.9,
+    name: '1',
+    words:
+      'Plan 1: leak 0.5 mm² (mean + sd), opening 2.9 cm², outlasts 12.0 mm or more of further disease, Pareto-optimal.',
+    level: 5,
+    isRinged: true,
+  })
+  expect(second?.level).toBe(2)
+  expect(third).toMatchObject({
+    level: null,
+    isRinged: false,
+    words: 'Plan 3: leak 1.0 mm² (mean + sd), opening 3.0 cm².',
+  })
+  expect(before).toMatchObject({ x: 33.6, y: 3.74, name: 'before', level: 'aside' })
+})
+
+test('the summary says what can be seen', () => {
+  expect(tradeSummary(resultOf(PLANS))).toBe(
+    'Up and to the left is better: leak 0.5 to 1.3 mm² (mean + sd), opening 2.9 to 4.0 cm². They outlast 5.9 to 12.0 mm of further disease, of 12 tried. Pareto-optimal: plans 1 and 2. Before repair: 33.6 mm² and 3.7 cm².',
+  )
+})
+
+test('what is not known is said, not drawn', () => {
+  const unopened = planOf({ rank: 4, opening_mm2: null, durability_mm: null })
+  expect(tradePoints(resultOf([unopened], { opening_area_mm2: null }))).toEqual([])
+  expect(lacking([unopened])).toEqual([
+    'The opening is not known for any plan (the valve was not opened, or did not come to rest), so there is no chart.',
+    'How much further disease a repair outlasts is not known for any plan (that takes the evidence of a search).',
+  ])
+  expect(lacking([...PLANS, unopened])).toEqual([
+    'The opening is not known for plan 4 (the valve was not opened, or did not come to rest).',
+    'How much further disease a repair outlasts is not known for plans 3 and 4 (that takes the evidence of a search).',
+  ])
+  expect(lacking([planOf({ mean: null })])).toEqual([
+    'The leak over the region is not known for any plan (it was not closed), so there is no chart.',
+  ])
+  expect(lacking(PLANS.slice(0, 2))).toEqual([])
+})
+
+test('axes end at round numbers, hold their values and their least span', () => {
+  expect(axisOf([0, 1.03], 1.2)).toEqual({ from: 0, to: 1.5, ticks: [0, 0.5, 1, 1.5], digits: 1 })
+  expect(axisOf([0, 0], 1.2)).toEqual({ from: 0, to: 1.5, ticks: [0, 0.5, 1, 1.5], digits: 1 })
+  expect(axisOf([2.9, 3.1], 1)).toEqual({ from: 2.4, to: 3.6, ticks: [2.4, 2.6, 2.8, 3, 3.2, 3.4, 3.6], digits: 1 })
+  expect(axisOf([0, 40], 1)).toEqual({ from: 0, to: 40, ticks: [0, 10, 20, 30, 40], digits: 0 })
+})
+
+test('a place on an axis is proportional to its value, upwards too', () => {
+  const axis = { from: 2, to: 4 }
+  expect([2, 3, 4].map(placeOn(axis, 300, 100))).toEqual([300, 200, 100])
+})
