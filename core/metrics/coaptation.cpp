@@ -110,6 +110,12 @@ SectionLine line_from(std::vector<SectionLine> lines, const Vec3& end) {
   return nearest;
 }
 
+double length_of(const std::vector<Vec3>& line_mm) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < line_mm.size(); ++i) length += (line_mm[i] - line_mm[i - 1]).norm();
+  return length;
+}
+
 /// Coordinates in the section: `along` the annular line, `down` towards the ventricle.
 struct SectionAxes {
   Vec3 origin_mm, along, down;
@@ -226,6 +232,8 @@ Tenting measure_tenting(const Valve& valve, const Points& closed_mm,
                                 : axes(anterior_end).y() < axes(posterior_end).y() ? anterior_end
                                                                                    : posterior_end;
   tenting.height_mm = axes(tenting.coaptation_point_mm).y();
+  tenting.anterior_mm = length_of(anterior.points_mm);
+  tenting.posterior_mm = length_of(posterior.points_mm);
 
   std::vector<Vec2> outline{axes(saddle_peak)};
   for (const Vec3& point : anterior.points_mm) outline.push_back(axes(point));

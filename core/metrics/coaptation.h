@@ -58,6 +58,8 @@ Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
 struct Tenting {
   double height_mm = 0.0;
   double area_mm2 = 0.0;
+  /// Along each leaflet from the annulus to where it touches the other, or to its free edge.
+  double anterior_mm = 0.0, posterior_mm = 0.0;
   Vec3 coaptation_point_mm = Vec3::Zero();
   bool contact = false;
 };

@@ -64,6 +64,10 @@ ValveMeasure measure(const Valve& valve, const ClosureResult& closure) {
     const Tenting tenting = measure_tenting(valve, closure.closed_mm);
     measure.tenting_height_mm = tenting.height_mm;
     measure.tenting_area_mm2 = tenting.area_mm2;
+    if (tenting.contact) {
+      measure.anterior_length_mm = tenting.anterior_mm;
+      measure.posterior_length_mm = tenting.posterior_mm;
+    }
   } else {
     set_unknown(measure);
     measure.orifice = measure_orifice(valve, closure);

@@ -26,6 +26,9 @@ struct ValveMeasure {
   AnnulusMeasure annulus;
   double tenting_height_mm = 0.0;  ///< annular line to coaptation point, mid-valve section
   double tenting_area_mm2 = 0.0;   ///< annular line to leaflets there; both < 0 where they billow
+  /// Of either leaflet from the annulus to the coaptation point, mid-valve section; NaN unless they touch there.
+  double anterior_length_mm = std::numeric_limits<double>::quiet_NaN();
+  double posterior_length_mm = std::numeric_limits<double>::quiet_NaN();
   double tension_max_n = 0.0;
   double tension_sum_n = 0.0;  ///< over segments that leave a papillary head
   double strain_circumferential_max = 0.0, strain_radial_max = 0.0;  ///< 99th percentile over faces

@@ -35,13 +35,17 @@ OpeningMeasure measured(const Valve& valve, const Points& open_mm,
   measure.tilt_deg = std::acos(std::min(1.0, cosine)) * 180.0 / std::numbers::pi;
   measure.projected_area_mm2 =
       exact_orifice(valve, open_mm, 0.5 * valve.tissue.thickness_mm).area_mm2;
-  const double least_mm2 = std::min(passage->area_mm2, measure.projected_area_mm2);
+  const double least_mm2 = opening_mm2(measure);
   measure.gradient_mmhg = gorlin_mmhg(least_mm2, options.flow_ml_s);
   measure.gradient_exercise_mmhg = gorlin_mmhg(least_mm2, options.exercise * options.flow_ml_s);
   return measure;
 }
 
 }  // namespace
+
+double opening_mm2(const OpeningMeasure& measure) {
+  return std::fmin(measure.opening_area_mm2, measure.projected_area_mm2);
+}
 
 double gorlin_mmhg(double area_mm2, double flow_ml_s) {
   return std::pow(flow_ml_s / (kGorlin * 0.01 * area_mm2), 2.0);

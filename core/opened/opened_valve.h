@@ -36,6 +36,9 @@ struct OpeningMeasure {
   double gradient_mmhg = 0.0, gradient_exercise_mmhg = 0.0;  ///< mean, of the smaller area
 };
 
+/// The smaller of both areas, by which blood is held up; NaN if neither is known.
+double opening_mm2(const OpeningMeasure& measure);
+
 /// Areas are NaN, and there is no passage, where `closure` did not converge uncrossed.
 struct OpenedValve {
   Valve valve;            ///< in diastole; its pressure is negative: from the atrium

@@ -13,7 +13,7 @@ namespace {
 
 // Raise it with every change of the code that moves a closure or its orifice: what is stored is then
 // closed again.
-constexpr int kClosureRevision = 4;
+constexpr int kClosureRevision = 5;
 // Likewise of what else decides a PlanClosure: plan_key(), apply_plan(), kRingShapes, the
 // disturbance of an index, the neighbour that its closure starts from, what is measured of it.
 constexpr int kPlanRevision = 2;

@@ -12,6 +12,7 @@ uniqueness.csv          how unique the closed state is, over the leaflets' rigid
 verdicts.csv            leak and verdict of the same plans on three meshes
 twins.csv               fitted against true values of valves whose answers are known
 barlow.csv              coaptation and leak of valves with Barlow's disease against their annulus
+durable-anchors.csv     how long repairs by either anchor last while the disease goes on
 chordae.csv             leak of plans on drawn chordae against that on the anatomy's own
 growth.csv              time of the parts of a closure against the number of triangles
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
@@ -24,6 +25,7 @@ import statistics
 
 import barlow
 import chordae
+import durable_anchors
 import growth
 import mesh
 import twins
@@ -481,6 +483,7 @@ CHARTS = {
     "ruptures": {"ruptures": twins.draw_ruptures},
     "chordae": {"chordae": chordae.draw_chordae},
     "barlow": {"barlow": barlow.draw_barlow},
+    "durable-anchors": {"durable-anchors": durable_anchors.draw_durable_anchors},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},
 }

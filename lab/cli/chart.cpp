@@ -137,6 +137,7 @@ void add_chart(Command parent, int& status) {
   add_ruptures(chart, status);
   add_drawn_chordae(chart, status);
   add_barlow(chart, status);
+  add_durable_anchors(chart, status);
 }
 
 }  // namespace coapt

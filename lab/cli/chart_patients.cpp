@@ -7,6 +7,7 @@
 #include "core/metrics/mean_and_sd.h"
 #include "lab/cli/chart_parts.h"
 #include "lab/diseases/barlow_study.h"
+#include "lab/diseases/durable_anchors.h"
 #include "lab/twins/rupture_table.h"
 #include "lab/twins/twin_table.h"
 #include "lab/verdicts/chordae_study.h"
@@ -41,7 +42,44 @@ void print(std::ostream& out, const std::vector<BarlowState>& states) {
   out << "Aguilera 2023: 31 ± 6 % less for 20 % without resection; 58 ± 7 % were done\n";
 }
 
+void print(std::ostream& out, const std::vector<DurableAnchor>& repairs) {
+  for (const DurableAnchorAnswer& of : durable_anchor_answers(repairs))
+    out << to_string(of.displaced) << (of.ring ? " displaced, with a ring" : " displaced")
+        << ", tied until " << of.limit_mm2 << " mm2, " << (of.odd ? "odd" : "even")
+        << " anatomies (" << of.anatomies << "): trigone lasts longer in " << of.trigone_longer
+        << ", saddle peak in " << of.peak_longer << "; trigone less peak " << of.mean_mm << " ± "
+        << of.sd_mm << " mm, with " << of.movement_mm << " mm more movement\n";
+}
+
 }  // namespace
+
+void add_durable_anchors(Command chart, int& status) {
+  const auto options = std::make_shared<DurableAnchorOptions>();
+  Command command = chart.add_command(
+      "durable-anchors", "Ask which anchor of papillary sutures lasts longer as disease goes on");
+  const auto directory = add_output(command);
+  command.add_option("--anatomies", options->anatomies, "Random ones")
+      .check(number_from(1, 10000))
+      .show_default();
+  command.add_option("--seed", options->seed, "Of the anatomies").show_default();
+  add_threads_option(command, options->threads, "anatomies");
+  command.footer(
+      "Sutures to the ipsilateral trigone or to the saddle peak, each just short enough for a "
+      "leak\n"
+      "of 5 or of 1 mm2, then closed along eight courses of further disease.\n\n"
+      "Example:\n"
+      "  coapt-lab chart durable-anchors -o charts");
+  command.on_run([=, &status] {
+    std::vector<DurableAnchor> repairs;
+    status = run_chart(*directory, "durable-anchors.csv", [&] {
+      const ProgressBar bar;
+      repairs = study_durable_anchors(
+          *options, [&](int done, int planned) { bar.show(done, planned, "anatomies"); });
+      return durable_anchors_csv(repairs);
+    });
+    print(std::cout, repairs);
+  });
+}
 
 void add_barlow(Command chart, int& status) {
   const auto options = std::make_shared<BarlowStudyOptions>();

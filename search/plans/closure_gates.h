@@ -8,7 +8,7 @@
 namespace coapt {
 
 /// Of how the repaired valve closes as planned: "convergence", "crossing", "contact",
-/// "coaptation_height", "chordal_tension", "regurgitation_grade". Always these, in this order;
+/// "coaptation_height", "chordal_tension", "systolic_anterior_motion", "regurgitation_grade". Always these, in this order;
 /// figures of a closure that is not to be trusted are not assessed.
 std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& before);
 

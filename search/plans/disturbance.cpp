@@ -4,12 +4,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <numeric>
 #include <random>
 #include <utility>
 
 #include "core/repair/approximation.h"
+#include "core/valve/annulus_frame.h"
 #include "core/valve/remodel.h"
+#include "search/latin_hypercube.h"
 #include "search/random_share.h"
 
 namespace coapt {
@@ -71,6 +74,24 @@ Disturbance disease_at(int course, double mm) {
   return {{}, {}, mm * way, kShare + kShareSd * sign(3), mm * (kGrowth + kGrowthSd * sign(5))};
 }
 
+constexpr int kRingSutures = 12;
+constexpr double kShift_mm = 1.5, kTurn_deg = 5.0, kNeochorda_mm = 1.0, kTornShare = 0.25;
+constexpr std::uint64_t kSewingSeed = 1;
+
+/// A Latin hypercube.
+std::vector<SewingError> sewing_errors(int count) {
+  std::vector<SewingError> errors;
+  for (const std::vector<double>& share : latin_hypercube(count, 5, kSewingSeed)) {
+    const auto within = [&share](int factor, double most) {
+      return (2.0 * share[factor] - 1.0) * most;
+    };
+    errors.push_back({within(0, kShift_mm), within(1, kShift_mm), within(2, kTurn_deg),
+                      share[3] < kTornShare ? share[3] / kTornShare : -1.0,
+                      within(4, kNeochorda_mm)});
+  }
+  return errors;
+}
+
 std::vector<Disturbance> make_disturbances() {
   std::vector<Disturbance> all;
   const std::vector<Perturbation> region = region_of_interest();
@@ -84,8 +105,11 @@ std::vector<Disturbance> make_disturbances() {
                      anterolateral ? Perturbation{} : slice_at(cell)});
     }
   const std::vector<int> partners = shuffled(kIndependent.count);
+  const std::vector<SewingError> sewing = sewing_errors(kIndependent.count);
   for (std::size_t k = 0; k < partners.size(); ++k)
-    all.push_back({region[k + 1], region[partners[k]]});
+    all.push_back({.anterolateral = region[k + 1],
+                   .posteromedial = region[partners[k]],
+                   .sewing = sewing[k]});
   for (const Ray& ray : kRays)
     for (int mm = 1; mm <= kRayLength_mm; ++mm) all.push_back({{}, {}, mm * ray.direction});
   for (int course = 0; course < kCourses; ++course)
@@ -93,6 +117,43 @@ std::vector<Disturbance> make_disturbances() {
       all.push_back(disease_at(course, step * kCourseStep_mm));
   assert(std::ssize(all) == kDisturbances);
   return all;
+}
+
+/// How much of the pull of the ring's torn suture is lost at each vertex of the annulus: all at it, none at its neighbours.
+std::vector<double> torn_shares(const Valve& repaired, double torn_out) {
+  const std::size_t size = repaired.annulus.size();
+  std::size_t first = 0;
+  while (repaired.annulus[first] != repaired.landmarks.saddle_peak) ++first;
+  std::vector<double> around(size);  // way from the saddle peak
+  double length = 0.0;
+  for (std::size_t k = 0; k < size; ++k) {
+    const std::size_t i = (first + k) % size;
+    around[i] = length;
+    length += (repaired.annulus_mm.row((i + 1) % size) - repaired.annulus_mm.row(i)).norm();
+  }
+  for (double& place : around) {
+    const double apart = std::abs(place / length - torn_out);
+    const double spacings = kRingSutures * std::min(apart, 1.0 - apart);
+    place = spacings < 1.0 ? 0.5 + 0.5 * std::cos(std::numbers::pi * spacings) : 0.0;
+  }
+  return around;
+}
+
+/// Of a valve whose annulus a ring holds; `before` had none.
+void missew(const Valve& before, const SewingError& error, Valve& valve) {
+  const AnnulusFrame frame = annulus_frame(valve);
+  const std::vector<double> torn = error.torn_out < 0.0
+                                       ? std::vector<double>(valve.annulus.size(), 0.0)
+                                       : torn_shares(valve, error.torn_out);
+  const double turn = error.turn_deg * std::numbers::pi / 180.0;
+  for (std::size_t i = 0; i < torn.size(); ++i) {
+    const Vec3 sewn = into_frame(frame, valve.annulus_mm.row(i));
+    const Vec3 off(
+        std::cos(turn) * sewn.x() - std::sin(turn) * sewn.y() + error.shift_transverse_mm,
+        std::sin(turn) * sewn.x() + std::cos(turn) * sewn.y() + error.shift_anterior_mm, sewn.z());
+    const Vec3 free = before.annulus_mm.row(i);
+    valve.annulus_mm.row(i) = (1.0 - torn[i]) * out_of_frame(frame, off) + torn[i] * free;
+  }
 }
 
 double share_of(const Perturbation& node) {
@@ -155,13 +216,18 @@ const std::vector<DiseaseCourse>& disease_courses() {
   return courses;
 }
 
-Valve disturb(const Valve& repaired, const RepairPlan& plan, const Disturbance& disturbance) {
+Valve disturb(const Valve& before, const Valve& repaired, const RepairPlan& plan,
+              const Disturbance& disturbance) {
   Valve valve = repaired;
   const bool ring = std::any_of(plan.steps.begin(), plan.steps.end(), [](const RepairStep& step) {
     return std::holds_alternative<Annuloplasty>(step);
   });
   if (!ring && disturbance.annular_growth_mm > 0.0)
     grow_annulus(disturbance.annular_growth_mm, valve);
+  if (ring && disturbance.sewing != SewingError{}) missew(before, disturbance.sewing, valve);
+  for (Chorda& chorda : valve.chordae)
+    if (chorda.kind == ChordaKind::Neochorda)
+      chorda.segments.front().rest_length_mm += disturbance.sewing.neochorda_mm;
   for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
     const bool anterolateral = side == Side::Anterolateral;
     const PapillaryApproximation* suture = suture_of(plan, side);

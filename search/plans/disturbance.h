@@ -10,6 +10,18 @@
 
 namespace coapt {
 
+/// Of sewing a ring and tying neochordae. Assumed, for want of measurements of surgeons.
+struct SewingError {
+  double shift_transverse_mm = 0.0, shift_anterior_mm = 0.0;  ///< of the ring in its plane
+  double turn_deg = 0.0;                                      ///< of the ring about its normal
+  /// Where around the annulus, from the saddle peak as Valve::annulus goes, one of the ring's twelve sutures has torn out: the annulus
+  /// between its neighbours goes back to where it was. [0, 1), negative: all hold.
+  double torn_out = -1.0;
+  double neochorda_mm = 0.0;  ///< by which all of them are too long
+
+  bool operator==(const SewingError&) const = default;
+};
+
 struct Disturbance {
   Perturbation anterolateral, posteromedial;
   /// How far tips go outwards, backwards and apically. A taut suture holds: a tip goes no
@@ -17,6 +29,7 @@ struct Disturbance {
   Vec3 remodelling_mm = Vec3::Zero();
   double anterolateral_share = 1.0;  ///< of it, by which that muscle goes
   double annular_growth_mm = 0.0;    ///< of the anteroposterior diameter; a ring holds it
+  SewingError sewing{};
 };
 
 /// Indices [first, first + count) into disturbances().
@@ -30,8 +43,9 @@ inline constexpr DisturbanceSet kRegion = {0, 1089};
 /// One muscle alone, 9 suture lengths x 11 angles outwards, see slice_node(): the other stays.
 inline constexpr DisturbanceSet kAnterolateralAlone = {1089, 98};
 inline constexpr DisturbanceSet kPosteromedialAlone = {1187, 98};
-/// Two muscles at nodes of their own, each at the region's nodes 1 to 64 once, uncorrelated: two
-/// sutures are tied by two knots.
+/// All that is done, each with an error of its own: two muscles at nodes of their own, each at the
+/// region's nodes 1 to 64 once, uncorrelated; a ring up to 1.5 mm off and turned by up to 5 degrees, a suture of it torn out in a quarter;
+/// neochordae up to 1 mm wrong.
 inline constexpr DisturbanceSet kIndependent = {1285, 64};
 /// Rays of further remodelling, see remodelling_rays().
 inline constexpr DisturbanceSet kRemodelling = {1349, 24};
@@ -72,8 +86,9 @@ inline constexpr int kCourseSteps = 3;
 inline constexpr double kCourseStep_mm = 4.0;
 const std::vector<DiseaseCourse>& disease_courses();
 
-/// @param plan the repair that led to `repaired`, each of its sutures taut. A muscle without a
+/// @param plan the repair that led from `before` to `repaired`, each of its sutures taut. A muscle without a
 /// suture swings about its trigone.
-Valve disturb(const Valve& repaired, const RepairPlan& plan, const Disturbance& disturbance);
+Valve disturb(const Valve& before, const Valve& repaired, const RepairPlan& plan,
+              const Disturbance& disturbance);
 
 }  // namespace coapt

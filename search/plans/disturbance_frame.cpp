@@ -97,19 +97,6 @@ std::vector<FrameShare> slice_shares(int d, Side side) {
   return shares_of(d, {frame.begin(), frame.begin() + before}, Fit::Linear);
 }
 
-/// The region's frame moves both muscles alike, the slices' one of them in length and outwards;
-/// what is missing, backwards one by one, is in the first independent nodes.
-std::vector<FrameShare> independent_shares(int d) {
-  std::vector<int> frame = first_nodes(kLinear);
-  for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
-    const std::vector<int> slice = slice_frame(side);
-    frame.insert(frame.end(), slice.begin() + 1, slice.end());
-  }
-  for (int first = kIndependent.first; first < std::min(d, kIndependent.first + kLinear); ++first)
-    frame.push_back(first);
-  return shares_of(d, frame, Fit::Linear);
-}
-
 /// From the two before it on its ray or course.
 template <class Way>
 std::vector<FrameShare> shares_along(const std::vector<Way>& ways, int d) {
@@ -127,7 +114,7 @@ std::vector<FrameShare> make_shares(int d) {
   if (is_in(kRegion, d)) return region_shares(d);
   if (is_in(kAnterolateralAlone, d)) return slice_shares(d, Side::Anterolateral);
   if (is_in(kPosteromedialAlone, d)) return slice_shares(d, Side::Posteromedial);
-  if (is_in(kIndependent, d)) return independent_shares(d);
+  if (is_in(kIndependent, d)) return {};  // ring and neochordae err, too, which no frame spans
   return is_in(kRemodelling, d) ? shares_along(remodelling_rays(), d)
                                 : shares_along(disease_courses(), d);
 }

@@ -51,7 +51,8 @@ std::vector<ParetoPlan> pareto_front(const PlanEvaluations& evaluations,
     ParetoPlan made{plan->plan,           describe(evaluations.valve(), plan->plan),
                     region.leak_mm2.mean, region.leak_mm2.sd,
                     plan->effort.steps,   plan->effort.sizes_below};
-    if (plan->opening && trusted(*plan->opening)) made.opening_mm2 = opening_mm2(*plan->opening);
+    if (plan->opening && trusted(*plan->opening))
+      made.opening_mm2 = opening_mm2(plan->opening->measure);
     made.nodes = nodes;
     all.push_back(std::move(made));
   }
@@ -83,10 +84,11 @@ void mark_pareto(const CostWeights& weights, std::vector<RankedPlan>& plans) {
     if (!trusted(plan) || plan.region.failures > 0 || std::isnan(leak) || is_stenotic(plan.opening))
       continue;
     eligible.push_back(&plan);
-    objectives.push_back(
-        {tenths(leak),
-         opened ? -tenths(0.01 * opening_mm2(*plan.opening)) : effort_price(plan.effort, weights),
-         lasts ? -tenths(plan.durability->expected_mm) : 0.0, effort_price(plan.effort, weights)});
+    objectives.push_back({tenths(leak),
+                          opened ? -tenths(0.01 * opening_mm2(plan.opening->measure))
+                                 : effort_price(plan.effort, weights),
+                          lasts ? -tenths(plan.durability->expected_mm) : 0.0,
+                          effort_price(plan.effort, weights)});
   }
   for (std::size_t i = 0; i < eligible.size(); ++i)
     eligible[i]->pareto =

@@ -180,8 +180,9 @@ ClosedPlan PlanEvaluations::close_disturbed(const PlanRecord& plan, State& state
       shares.push_back({closures.back().get(), part.share});
     }
   const std::optional<ClosureResult> predicted = predicted_start(state.repaired.faces, shares);
-  ClosedPlan closed = evaluate_(disturb(state.repaired, plan.plan, disturbances()[disturbance]),
-                                predicted ? &*predicted : state.closed.closure.get());
+  ClosedPlan closed =
+      evaluate_(disturb(valve_, state.repaired, plan.plan, disturbances()[disturbance]),
+                predicted ? &*predicted : state.closed.closure.get());
   if (in_frame(disturbance)) {
     const std::lock_guard<std::mutex> lock(mutex_);
     state.frame.emplace(disturbance, closed.closure);

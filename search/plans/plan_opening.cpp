@@ -16,13 +16,8 @@ constexpr const char* kGradientSource =
 
 bool trusted(const PlanOpening& opening) {
   return opening.status == ClosureStatus::Converged && !opening.crossing &&
-         std::isfinite(opening_mm2(opening)) && std::isfinite(opening.measure.gradient_mmhg);
-}
-
-double opening_mm2(const PlanOpening& opening) {
-  const double passage = opening.measure.opening_area_mm2;
-  const double seen = opening.measure.projected_area_mm2;
-  return std::isnan(passage) || std::isnan(seen) ? passage + seen : std::min(passage, seen);
+         std::isfinite(opening_mm2(opening.measure)) &&
+         std::isfinite(opening.measure.gradient_mmhg);
 }
 
 PlanOpening open_plan(const Valve& repaired) {
@@ -48,7 +43,7 @@ std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
                                               : "the repaired valve was not opened";
     return {area, gradient};
   }
-  const double mm2 = opening_mm2(*opening), mmhg = opening->measure.gradient_mmhg;
+  const double mm2 = opening_mm2(opening->measure), mmhg = opening->measure.gradient_mmhg;
   const std::string figure = "opens to " + with_decimals(0.01 * mm2, 1) + " cm2";
   if (mm2 < kStenosis_mm2) {
     area.severity = GateSeverity::Reject;
@@ -68,7 +63,7 @@ std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
 }
 
 bool is_stenotic(const std::optional<PlanOpening>& opening) {
-  return opening && trusted(*opening) && opening_mm2(*opening) < kStenosis_mm2;
+  return opening && trusted(*opening) && opening_mm2(opening->measure) < kStenosis_mm2;
 }
 
 }  // namespace coapt

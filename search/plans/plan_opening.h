@@ -21,9 +21,6 @@ struct PlanOpening {
 /// Came to rest, uncrossed, its areas numbers.
 bool trusted(const PlanOpening& opening);
 
-/// The smaller of both areas, of which the gradient is.
-double opening_mm2(const PlanOpening& opening);
-
 /// Opens a repaired valve. Called from several threads at once.
 using Opener = std::function<PlanOpening(const Valve&)>;
 

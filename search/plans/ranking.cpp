@@ -14,6 +14,7 @@
 #include "search/plans/closure_gates.h"
 #include "search/plans/outranking.h"
 #include "search/plans/pareto.h"
+#include "search/plans/strength_gates.h"
 
 namespace coapt {
 namespace {
@@ -61,12 +62,11 @@ void keep_cheapest(const PlanEvaluations& evaluations, std::vector<PlanRecord*>&
 }
 
 std::vector<DisturbanceSet> evidence_of(const RepairPlan& plan) {
-  std::vector<DisturbanceSet> sets = {kRemodelling, kDisease};
+  std::vector<DisturbanceSet> sets = {kRemodelling, kDisease, kIndependent};
   const bool al = suture_of(plan, Side::Anterolateral) != nullptr;
   const bool pm = suture_of(plan, Side::Posteromedial) != nullptr;
   if (al) sets.push_back(kAnterolateralAlone);
   if (pm) sets.push_back(kPosteromedialAlone);
-  if (al && pm) sets.push_back(kIndependent);
   return sets;
 }
 
@@ -195,7 +195,8 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   }
   plan.gates = operation_gates({record.plan, evaluations.valve(), *repaired});
   for (const std::vector<Gate>& gates :
-       {opening_gates(record.opening), closure_gates(evaluation, evaluations.before())})
+       {opening_gates(record.opening), closure_gates(evaluation, evaluations.before()),
+        strength_gates(record)})
     plan.gates.insert(plan.gates.end(), gates.begin(), gates.end());
   plan.warnings = warnings_of(plan.gates);
   if (plan.region.leak_mm2.worst > kGoodRepair_mm2)

@@ -16,7 +16,8 @@ std::optional<StartCheck> check_starts(PlanEvaluations& evaluations, const PlanR
   for_each_index(count, evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
     const int node = (i + 1) * (nodes - 1) / count;
-    const Valve disturbed = disturb(*repaired, plan.plan, disturbances()[node]);
+    const Valve disturbed =
+        disturb(evaluations.valve(), *repaired, plan.plan, disturbances()[node]);
     const ClosedPlan predicted = evaluations.closed(plan, node),
                      cold = evaluations.evaluate(disturbed, nullptr);
     checks[i] = StartCheck{};

@@ -96,6 +96,8 @@ TEST(Tenting, LeafletsThatTouchTentDownToTheirContact) {
   EXPECT_NEAR(tenting.height_mm, 6.0, 0.02);
   EXPECT_NEAR(tenting.area_mm2, 0.5 * (20.0 + 1.0) * 6.0, 0.05);
   EXPECT_LT((tenting.coaptation_point_mm - Vec3(0.0, 0.0, -6.0)).norm(), 0.02);
+  EXPECT_NEAR(tenting.anterior_mm, std::hypot(9.5, 6.0), 0.02);
+  EXPECT_NEAR(tenting.posterior_mm, std::hypot(9.5, 6.0), 0.02);
 }
 
 TEST(Tenting, WithoutContactTheHigherFreeEdgeCounts) {
@@ -103,6 +105,7 @@ TEST(Tenting, WithoutContactTheHigherFreeEdgeCounts) {
   const Tenting tenting = measure_tenting(valve, valve.rest_mm);
   EXPECT_FALSE(tenting.contact);
   EXPECT_NEAR(tenting.height_mm, 5.0, 1e-9);
+  EXPECT_NEAR(tenting.anterior_mm, 10.0, 1e-9);
   EXPECT_NEAR(tenting.area_mm2, 24.0 + 22.0 + 20.0, 1e-9);
 }
 

@@ -33,6 +33,8 @@ Evaluation quiet() {
   for (CoaptationSection& section : evaluation.measure.coaptation.sections)
     section = {.height_mm = 8.0, .contact = true};
   evaluation.measure.tension_max_n = 1.0;
+  evaluation.measure.anterior_length_mm = 20.0;
+  evaluation.measure.posterior_length_mm = 10.0;
   return evaluation;
 }
 
@@ -40,13 +42,24 @@ TEST(ClosureGates, EveryRuleIsStatedAndAQuietClosurePasses) {
   const std::vector<Gate> all = closure_gates(quiet(), quiet());
   EXPECT_EQ(rules_of(all),
             (std::vector<std::string>{"convergence", "crossing", "contact", "coaptation_height",
-                                      "chordal_tension", "regurgitation_grade"}));
+                                      "chordal_tension", "systolic_anterior_motion",
+                                      "regurgitation_grade"}));
   EXPECT_TRUE(warnings_of(all).empty());
   expect_gate(all, "contact", GateSeverity::Pass, "all 9");
   expect_gate(all, "coaptation_height", GateSeverity::Pass, "8.0 mm");
   expect_gate(all, "chordal_tension", GateSeverity::Pass, "1.0 N");
   expect_gate(all, "regurgitation_grade", GateSeverity::NotAssessed, "anatomic");
   for (const Gate& gate : all) EXPECT_FALSE(gate.source.empty()) << gate.rule;
+}
+
+TEST(ClosureGates, ALongPosteriorLeafletIsASignOfSystolicAnteriorMotion) {
+  constexpr const char* kRule = "systolic_anterior_motion";
+  Evaluation repaired = quiet();
+  expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::Pass, "20 / 10 mm = 2.0");
+  repaired.measure.posterior_length_mm = 16.0;
+  expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::Warn, "below 1.3");
+  repaired.measure.posterior_length_mm = std::numeric_limits<double>::quiet_NaN();
+  expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::NotAssessed, "do not touch");
 }
 
 TEST(ClosureGates, AClosureThatIsNotToBeTrustedIsRejectedAndItsFiguresAreNotAssessed) {

@@ -192,7 +192,7 @@ TEST(Disturbances, TheirShareIsHowFarTheWorseMuscleGoesToTheBorder) {
 
 TEST(Disturb, TipsMoveOnASphereAboutTheSuturesAnchor) {
   const Valve valve = *apply_plan(small_valve(), suture(29.0));
-  const Valve disturbed = disturb(valve, suture(29.0), both({0.5, 3.0, -4.0}));
+  const Valve disturbed = disturb(valve, valve, suture(29.0), both({0.5, 3.0, -4.0}));
   const Vec3 before = valve.heads[0].tip_mm - kSaddlePeak;
   const Vec3 after = disturbed.heads[0].tip_mm - kSaddlePeak;
   EXPECT_NEAR(after.norm(), 29.5, 1e-12);
@@ -202,7 +202,7 @@ TEST(Disturb, TipsMoveOnASphereAboutTheSuturesAnchor) {
 
 TEST(Disturb, WithoutASutureTheMuscleSwingsAboutItsTrigone) {
   const Valve valve = small_valve();
-  const Valve disturbed = disturb(valve, {}, both({-1.0, 0.0, 5.0}));
+  const Valve disturbed = disturb(valve, valve, {}, both({-1.0, 0.0, 5.0}));
   const Vec3 anchor = valve.annulus_mm.row(1);
   EXPECT_NEAR((disturbed.heads[1].tip_mm - anchor).norm(),
               (valve.heads[1].tip_mm - anchor).norm() - 1.0, 1e-12);
@@ -211,21 +211,21 @@ TEST(Disturb, WithoutASutureTheMuscleSwingsAboutItsTrigone) {
 TEST(Disturb, BothMusclesGoOutwardsAndBackwardsTogether) {
   // The small valve is symmetric about x = 0.
   const Valve valve = small_valve();
-  const Valve outwards = disturb(valve, {}, both({0.0, 5.0, 0.0}));
+  const Valve outwards = disturb(valve, valve, {}, both({0.0, 5.0, 0.0}));
   EXPECT_LT(outwards.heads[0].tip_mm.x(), valve.heads[0].tip_mm.x() - 1.0);
   EXPECT_GT(outwards.heads[1].tip_mm.x(), valve.heads[1].tip_mm.x() + 1.0);
-  const Valve disturbed = disturb(valve, {}, both({0.25, 2.0, 3.0}));
+  const Valve disturbed = disturb(valve, valve, {}, both({0.25, 2.0, 3.0}));
   const Vec3 left = disturbed.heads[0].tip_mm, right = disturbed.heads[1].tip_mm;
   EXPECT_NEAR((Vec3(-left.x(), left.y(), left.z()) - right).norm(), 0.0, 1e-12);
-  EXPECT_LT(disturb(valve, {}, both({0.0, 0.0, 5.0})).heads[0].tip_mm.y(),
+  EXPECT_LT(disturb(valve, valve, {}, both({0.0, 0.0, 5.0})).heads[0].tip_mm.y(),
             valve.heads[0].tip_mm.y() - 1.0);
 }
 
 TEST(Disturb, TheUndisturbedNodeChangesNothingAndOneMuscleAloneLeavesTheOther) {
   const Valve valve = small_valve();
-  const Valve same = disturb(valve, {}, disturbance(0));
-  const Valve right =
-      disturb(valve, {}, disturbance(slice_node(Side::Posteromedial, kRegionLengths - 1, 0)));
+  const Valve same = disturb(valve, valve, {}, disturbance(0));
+  const Valve right = disturb(valve, valve, {},
+                              disturbance(slice_node(Side::Posteromedial, kRegionLengths - 1, 0)));
   for (std::size_t h = 0; h < valve.heads.size(); ++h)
     EXPECT_NEAR((same.heads[h].tip_mm - valve.heads[h].tip_mm).norm(), 0.0, 1e-12);
   EXPECT_NEAR((right.heads[0].tip_mm - valve.heads[0].tip_mm).norm(), 0.0, 1e-12);
@@ -238,7 +238,7 @@ TEST(Disturb, HeadsOfOneMuscleMoveAsOne) {
   second.id = "AL2";
   second.tip_mm += Vec3(3.0, 1.0, -2.0);
   valve.heads.push_back(second);
-  const Valve disturbed = disturb(valve, {}, both({1.0, 4.0, -2.0}));
+  const Valve disturbed = disturb(valve, valve, {}, both({1.0, 4.0, -2.0}));
   const Vec3 moved = disturbed.heads[0].tip_mm - valve.heads[0].tip_mm;
   EXPECT_GT(moved.norm(), 1.0);
   EXPECT_NEAR((disturbed.heads[2].tip_mm - second.tip_mm - moved).norm(), 0.0, 1e-12);
@@ -246,7 +246,7 @@ TEST(Disturb, HeadsOfOneMuscleMoveAsOne) {
 
 TEST(Disturb, AnUnsuturedMuscleFollowsTheVentricle) {
   const Valve valve = small_valve();
-  const Valve further = disturb(valve, {}, remodelling({1.0, 2.0, 3.0}));
+  const Valve further = disturb(valve, valve, {}, remodelling({1.0, 2.0, 3.0}));
   const Vec3 left = further.heads[0].tip_mm - valve.heads[0].tip_mm;
   const Vec3 right = further.heads[1].tip_mm - valve.heads[1].tip_mm;
   EXPECT_NEAR((left - Vec3(-1.0, -2.0, -3.0)).norm(), 0.0, 1e-12);
@@ -258,7 +258,7 @@ TEST(Disturb, DiseaseWidensAnAnnulusThatNoRingHolds) {
   Disturbance disease = remodelling({2.0, 0.0, 0.0});
   disease.anterolateral_share = 0.5;
   disease.annular_growth_mm = 1.5;
-  const Valve further = disturb(valve, {}, disease);
+  const Valve further = disturb(valve, valve, {}, disease);
   const AnnulusFrame before = annulus_frame(valve);
   EXPECT_NEAR(ap_diameter_mm(further, annulus_frame(further)), ap_diameter_mm(valve, before) + 1.5,
               0.02);
@@ -266,7 +266,70 @@ TEST(Disturb, DiseaseWidensAnAnnulusThatNoRingHolds) {
   EXPECT_NEAR(further.heads[1].tip_mm.x(), valve.heads[1].tip_mm.x() + 2.0, 1e-12);
   const RepairPlan ring{{Annuloplasty{OwnRing{0}}}};
   const Valve repaired = *apply_plan(valve, ring);
-  EXPECT_EQ(disturb(repaired, ring, disease).annulus_mm, repaired.annulus_mm);
+  EXPECT_EQ(disturb(valve, repaired, ring, disease).annulus_mm, repaired.annulus_mm);
+}
+
+TEST(Disturbances, IndependentNodesSewWithAllErrorsAndTearASutureOutOfAQuarter) {
+  int torn = 0;
+  double shift = 0.0, turn = 0.0, neochorda = 0.0;
+  for (int k = 0; k < kIndependent.count; ++k) {
+    const SewingError& error = disturbance(kIndependent.first + k).sewing;
+    torn += error.torn_out >= 0.0;
+    shift = std::max(shift, std::hypot(error.shift_transverse_mm, error.shift_anterior_mm));
+    turn = std::max(turn, std::abs(error.turn_deg));
+    neochorda = std::max(neochorda, std::abs(error.neochorda_mm));
+  }
+  EXPECT_EQ(torn, kIndependent.count / 4);
+  EXPECT_GT(shift, 1.2);
+  EXPECT_LE(shift, 1.5 * std::sqrt(2.0));
+  EXPECT_NEAR(turn, 5.0, 0.2);
+  EXPECT_NEAR(neochorda, 1.0, 0.05);
+  EXPECT_EQ(disturbance(kIndependent.first - 1).sewing, SewingError{});
+}
+
+TEST(Disturb, ARingIsSewnOffItsPlaceAndTurned) {
+  const Valve valve = small_valve();
+  const RepairPlan ring{{Annuloplasty{OwnRing{2}}}};
+  const Valve repaired = *apply_plan(valve, ring);
+  Disturbance error;
+  error.sewing = {.shift_transverse_mm = 1.0, .shift_anterior_mm = -0.5, .turn_deg = 90.0};
+  const AnnulusFrame frame = annulus_frame(repaired);
+  const Valve sewn = disturb(valve, repaired, ring, error);
+  for (Index i = 0; i < sewn.annulus_mm.rows(); ++i) {
+    const Vec3 was = into_frame(frame, repaired.annulus_mm.row(i));
+    const Vec3 is = into_frame(frame, sewn.annulus_mm.row(i));
+    EXPECT_NEAR((is - Vec3(1.0 - was.y(), was.x() - 0.5, was.z())).norm(), 0.0, 1e-9);
+  }
+  EXPECT_EQ(disturb(valve, valve, {}, error).annulus_mm, valve.annulus_mm) << "no ring, no error";
+}
+
+TEST(Disturb, WhereASutureTearsOutTheAnnulusGoesBack) {
+  const Valve valve = small_valve();
+  const RepairPlan ring{{Annuloplasty{OwnRing{2}}}};
+  const Valve repaired = *apply_plan(valve, ring);
+  Disturbance error;
+  error.sewing.torn_out = 0.0;  // at the saddle peak
+  const Valve torn = disturb(valve, repaired, ring, error);
+  for (std::size_t i = 0; i < torn.annulus.size(); ++i) {
+    const bool peak = torn.annulus[i] == torn.landmarks.saddle_peak;
+    const Points& expected = peak ? valve.annulus_mm : repaired.annulus_mm;  // an eighth apart
+    EXPECT_NEAR((torn.annulus_mm.row(i) - expected.row(i)).norm(), 0.0, 1e-9) << i;
+  }
+}
+
+TEST(Disturb, NeochordaeAreTiedTooLong) {
+  const Valve valve = small_valve();
+  const RepairPlan plan{{Neochorda{"AL1", {Leaflet::Posterior, 0.5, 0.9}, 25.0}}};
+  const Expected<Valve> repaired = apply_plan(valve, plan);
+  ASSERT_TRUE(repaired);
+  Disturbance error;
+  error.sewing.neochorda_mm = 0.75;
+  const Valve tied = disturb(valve, *repaired, plan, error);
+  for (std::size_t c = 0; c < tied.chordae.size(); ++c) {
+    const bool neochorda = tied.chordae[c].kind == ChordaKind::Neochorda;
+    EXPECT_DOUBLE_EQ(tied.chordae[c].segments[0].rest_length_mm,
+                     repaired->chordae[c].segments[0].rest_length_mm + (neochorda ? 0.75 : 0.0));
+  }
 }
 
 TEST(Disturb, ATautSutureHolds) {
@@ -274,7 +337,7 @@ TEST(Disturb, ATautSutureHolds) {
   for (const RemodellingRay& ray : remodelling_rays())
     for (std::size_t mm = 1; mm <= 6; ++mm) {
       const Disturbance& d = disturbance(ray.indices[mm]);
-      const Valve further = disturb(valve, suture(29.0), d);
+      const Valve further = disturb(valve, valve, suture(29.0), d);
       const Vec3 free = valve.heads[0].tip_mm +
                         Vec3(-d.remodelling_mm.x(), -d.remodelling_mm.y(), -d.remodelling_mm.z());
       ASSERT_GT((free - kSaddlePeak).norm(), 29.0) << "it would lengthen the suture";
@@ -289,9 +352,9 @@ TEST(Disturb, ASutureTiedLongHoldsAtItsLengthAndDoesNotPush) {
   const Valve valve = *apply_plan(small_valve(), suture(29.0));
   Disturbance tied_long = both({1.0, 0.0, 0.0});
   tied_long.remodelling_mm = Vec3(0.0, 0.0, 6.0);
-  EXPECT_NEAR((disturb(valve, suture(29.0), tied_long).heads[0].tip_mm - kSaddlePeak).norm(), 30.0,
-              1e-9);
-  const Valve nearer = disturb(valve, suture(29.0), remodelling({0.0, 0.0, -3.0}));
+  EXPECT_NEAR((disturb(valve, valve, suture(29.0), tied_long).heads[0].tip_mm - kSaddlePeak).norm(),
+              30.0, 1e-9);
+  const Valve nearer = disturb(valve, valve, suture(29.0), remodelling({0.0, 0.0, -3.0}));
   EXPECT_NEAR((nearer.heads[0].tip_mm - valve.heads[0].tip_mm - Vec3(0.0, 0.0, 3.0)).norm(), 0.0,
               1e-12);
 }

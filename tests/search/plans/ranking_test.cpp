@@ -48,7 +48,7 @@ TEST(Ranking, FinalistsClimbToTheRegionAndTheDearestAreDropped) {
   }
 }
 
-TEST(Ranking, EvidenceIsClosedForTheMusclesThatAreSutured) {
+TEST(Ranking, EvidenceIsClosedForAllAndForTheMusclesThatAreSutured) {
   EvaluationScene scene(needs_suture);
   const RepairPlan al = suture(Side::Anterolateral, 22.0), pm = suture(Side::Posteromedial, 22.0);
   std::vector<LadderStep> ladder;
@@ -59,10 +59,10 @@ TEST(Ranking, EvidenceIsClosedForTheMusclesThatAreSutured) {
   const int taken = ranking_closures(options, finalists);
   close_finalists(scene.evaluations, finalists, options, ladder);
   EXPECT_EQ(scene.evaluations.closures() - 1, taken);
-  EXPECT_EQ(finalists[0]->closures.size(), 2u + 24u + 24u);
-  EXPECT_EQ(finalists[1]->closures.size(), 2u + 24u + 24u + 98u);
-  EXPECT_EQ(finalists[2]->closures.size(), 2u + 24u + 24u + 98u);
-  EXPECT_EQ(finalists[3]->closures.size(), 2u + 24u + 24u + 98u + 98u + 64u);
+  EXPECT_EQ(finalists[0]->closures.size(), 2u + 24u + 24u + 64u);
+  EXPECT_EQ(finalists[1]->closures.size(), 2u + 24u + 24u + 64u + 98u);
+  EXPECT_EQ(finalists[2]->closures.size(), 2u + 24u + 24u + 64u + 98u);
+  EXPECT_EQ(finalists[3]->closures.size(), 2u + 24u + 24u + 64u + 98u + 98u);
   EXPECT_TRUE(finalists[1]->closures.contains(kAnterolateralAlone.first));
   EXPECT_TRUE(finalists[2]->closures.contains(kPosteromedialAlone.first));
   EXPECT_LE(scene.evaluations.closures() - 1, ranking_closures(options));
