@@ -27,7 +27,10 @@ GATES = [
     "contact",
     "coaptation_height",
     "chordal_tension",
+    "systolic_anterior_motion",
     "regurgitation_grade",
+    "neochorda_strength",
+    "ring_sutures",
 ]
 
 
