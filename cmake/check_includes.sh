@@ -16,6 +16,7 @@ search/          : core
 search/plans     : core search/ search/fit
 search/studies   : core search/ search/plans
 search/fit       : core search/
+search/preference : core search/ search/plans
 io/command_line  : core/valve
 io/json          : core search
 io/mesh          : core io/json

@@ -1,0 +1,44 @@
+#include "search/preference/comparison.h"
+
+#include <utility>
+
+namespace coapt {
+
+const char* to_string(Answer answer) {
+  switch (answer) {
+    case Answer::First:
+      return "first";
+    case Answer::Second:
+      return "second";
+    case Answer::Unable:
+      return "unable";
+  }
+  return "";
+}
+
+Answer swapped(Answer answer) {
+  switch (answer) {
+    case Answer::First:
+      return Answer::Second;
+    case Answer::Second:
+      return Answer::First;
+    case Answer::Unable:
+      return Answer::Unable;
+  }
+  return answer;
+}
+
+GivenAnswer in_order(const GivenAnswer& given) {
+  if (given.pair.first <= given.pair.second) return given;
+  return {{given.pair.of_case, given.pair.second, given.pair.first}, swapped(given.answer)};
+}
+
+CostTerms difference(const PlanPair& pair, const std::vector<PlanCase>& cases) {
+  const auto terms = [&](int plan) -> const CostTerms& {
+    const auto& plans = cases[static_cast<std::size_t>(pair.of_case)].plans;
+    return plans[static_cast<std::size_t>(plan)].terms;
+  };
+  return {terms(pair.first).amounts - terms(pair.second).amounts};
+}
+
+}  // namespace coapt
