@@ -68,14 +68,6 @@ SearchRules read_rules(const JsonPlace& place) {
   return rules;
 }
 
-CostWeights read_weights(const JsonPlace& place) {
-  CostWeights weights;
-  std::vector<JsonField> fields;
-  add_option_fields(fields, cost_weight_rows(), weights);
-  read_fields(place, fields);
-  return weights;
-}
-
 ordered_json rules_json(const SearchRules& rules) {
   ordered_json json = {{"fixed", to_json(rules.fixed)}, {"forbidden", rules.forbidden}};
   write_options(json, search_rule_rows(), rules);
@@ -84,13 +76,21 @@ ordered_json rules_json(const SearchRules& rules) {
 
 }  // namespace
 
+CostWeights read_cost_weights(const JsonPlace& place) {
+  CostWeights weights;
+  std::vector<JsonField> fields;
+  add_option_fields(fields, cost_weight_rows(), weights);
+  read_fields(place, fields);
+  return weights;
+}
+
 Expected<SearchOptions> search_options_from_json(const nlohmann::json& json) {
   ProblemList problems;
   SearchOptions options;
   std::vector<JsonField> fields;
   add_option_fields(fields, search_option_rows(), options);
   fields.push_back({"rules", into(options.rules, read_rules), false});
-  fields.push_back({"weights", into(options.weights, read_weights), false});
+  fields.push_back({"weights", into(options.weights, read_cost_weights), false});
   read_fields({json, problems}, fields);
   if (!problems.empty()) return std::move(problems).take();
   return options;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/json/json_reader.h"
 #include "search/plans/search_options.h"
 
 namespace coapt {
@@ -12,6 +13,9 @@ namespace coapt {
 /// valve is closed is not asked: a request could make each closure a thousand times as long, on top of
 /// their number. What the valve does not allow is check_rules()'s to say.
 Expected<SearchOptions> search_options_from_json(const nlohmann::json& json);
+
+/// For JsonField::read: the "weights" of such an object.
+CostWeights read_cost_weights(const JsonPlace& place);
 
 /// Every field of it, as the above reads it.
 nlohmann::ordered_json to_json(const SearchOptions& options);

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/twins/normal_share.h"
+#include "search/random_share.h"
 
 namespace coapt {
 namespace {

@@ -7,9 +7,9 @@
 #include "core/closed/close_refined.h"
 #include "core/metrics/shape_comparison.h"
 #include "lab/closures/varied_scenes.h"
-#include "lab/twins/normal_share.h"
 #include "search/evaluator.h"
 #include "search/fit/ruptures.h"
+#include "search/random_share.h"
 #include "search/studies/generality.h"
 
 namespace coapt {

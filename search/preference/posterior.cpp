@@ -1,6 +1,7 @@
 #include "search/preference/posterior.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 

@@ -1,7 +1,9 @@
 #include "search/preference/posterior_draws.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include "search/random_share.h"
@@ -10,12 +12,6 @@ namespace coapt {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-
-/// Mean 0, standard deviation 1 (Box and Muller 1958).
-double drawn_normal(std::mt19937_64& engine) {
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - random_share(engine)));
-  return radius * std::cos(2.0 * 3.14159265358979323846 * random_share(engine));
-}
 
 double bits(double share) { return share > 0.0 ? -share * std::log2(share) : 0.0; }
 
@@ -39,7 +35,7 @@ PosteriorDraws draw(const PreferencePosterior& posterior) {
   PosteriorDraws draws;
   for (int i = 0; i < kDraws; i += 2) {
     Unknowns normal;
-    for (double& value : normal) value = drawn_normal(engine);
+    for (double& value : normal) value = normal_share(engine);
     const Unknowns away = root * normal;
     for (int side = 0; side < 2; ++side) {
       const Unknowns at = posterior.mean + (side == 0 ? away : -away);
