@@ -20,6 +20,7 @@ void add_export(Command parent, int& status);
 void add_fit(Command parent, int& status);
 void add_open(Command parent, int& status);
 void add_plan(Command parent, int& status);
+void add_prefer(Command parent, int& status);
 void add_study(Command parent, int& status);
 /// Below study.
 void add_calibrate(Command parent, int& status);

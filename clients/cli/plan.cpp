@@ -16,6 +16,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
+#include "io/json/weights_json.h"
 #include "io/picture/report.h"
 #include "io/store/subject.h"
 
@@ -23,7 +24,8 @@ namespace coapt {
 namespace {
 
 /// Prints coapt.plans/1; returns an exit code.
-int show(const PlanArguments& arguments, const nlohmann::ordered_json& result) {
+int show(const PlanArguments& arguments, nlohmann::ordered_json result) {
+  if (arguments.preference) add_preferred_over_next(result, *arguments.preference);
   if (arguments.json) {
     std::cout << result.dump(2) << '\n';
   } else {
@@ -119,6 +121,9 @@ void add_plan(Command parent, int& status) {
       .one_at_a_time();
   command.add_option("--search", arguments->search,
                      "Options from a JSON file (io/schema/search.schema.json), weights included");
+  command.add_option(
+      "--weights", arguments->weights,
+      "Prices that coapt prefer learned (coapt.weights/1), in place of the defaults");
   add_store_option(command, arguments->store);
   command.add_flag("--no-evidence", arguments->no_evidence,
                    "Leave out errors of single sutures and further remodelling");

@@ -8,6 +8,7 @@
 #include "clients/cli/search_option.h"
 #include "io/json/json_reader.h"
 #include "io/json/search_options_json.h"
+#include "io/json/weights_json.h"
 
 namespace coapt {
 
@@ -17,6 +18,7 @@ std::string command_line(const PlanArguments& arguments) {
   line.precision(17);
   line << "coapt plan " << shell_quoted(arguments.valve);
   if (!arguments.search.empty()) line << " --search " << shell_quoted(arguments.search);
+  if (!arguments.weights.empty()) line << " --weights " << shell_quoted(arguments.weights);
   line << " --evaluations " << options.evaluations << " --seed " << options.seed << " --plans "
        << options.plans << " --region-points " << options.region_points;
   if (!arguments.fixed.empty()) line << " --fix " << shell_quoted(arguments.fixed);
@@ -40,12 +42,23 @@ int complete_options(const Command& command, PlanArguments& arguments) {
     if (!json) return report_errors(arguments.search, json.errors());
     Expected<SearchOptions> read = search_options_from_json(*json);
     if (!read) return report_errors(arguments.search, read.errors());
+    if (!arguments.weights.empty() && json->contains("weights"))
+      return report_errors(arguments.search, {{ErrorCode::UnknownField, "/weights",
+                                               "is not a field here beside --weights"}});
     const auto keep = [&]<class Value>(const std::string& flag, Value SearchOptions::*member) {
       if (!std::is_same_v<Value, bool> && command.has(flag)) (*read).*member = given.*member;
     };
     for (const OptionRow<SearchOptions>& row : search_option_rows())
       std::visit([&](auto member) { keep(flag_of(row), member); }, row.member);
     given = *read;
+  }
+  if (!arguments.weights.empty()) {
+    const Expected<std::string> text = read_input(arguments.weights);
+    if (!text) return report_errors(arguments.weights, text.errors());
+    const Expected<LearnedWeights> learned = read_learned_weights(*text);
+    if (!learned) return report_errors(arguments.weights, learned.errors());
+    given.weights = learned->weights;
+    arguments.preference = learned->posterior;
   }
   if (arguments.no_evidence) given.evidence = false;
   for (const std::string& word : arguments.forbidden) given.rules.forbidden.push_back(word);

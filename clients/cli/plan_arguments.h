@@ -1,17 +1,20 @@
 // What the command line of coapt plan asks for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clients/cli/server_option.h"
 #include "io/command_line/command_line.h"
 #include "search/plans/plan_search.h"
+#include "search/preference/posterior.h"
 
 namespace coapt {
 
 struct PlanArguments {
-  std::string valve, report, search, fixed, store;
+  std::string valve, report, search, weights, fixed, store;
+  std::optional<PreferencePosterior> preference;  ///< of --weights, after complete_options()
   SearchOptions options;
   std::vector<std::string> forbidden;
   ServerOption server;
@@ -22,7 +25,7 @@ struct PlanArguments {
 /// server change nothing but the time it takes.
 std::string command_line(const PlanArguments& arguments);
 
-/// Puts the search object of --search, with what the command line says in its place, into the options. Returns an exit
+/// Puts weights and the search object of --search, with what the command line says in its place, into the options. Returns an exit
 /// code.
 int complete_options(const Command& command, PlanArguments& arguments);
 

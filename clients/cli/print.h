@@ -20,6 +20,12 @@ std::string opening_in_short(const nlohmann::ordered_json& opening);
 /// went; "-" where the region is not known. At most 100 columns.
 void print_ranked(std::ostream& out, const nlohmann::ordered_json& result);
 
+/// The two plans of a question of coapt.question/1, side by side in at most 100 columns.
+void print_question(std::ostream& out, const nlohmann::ordered_json& question);
+
+/// Of coapt.weights/1: what answers say of each price, and of which they say little.
+void print_weights(std::ostream& out, const nlohmann::ordered_json& learned);
+
 /// NaN if it is null.
 double number_of(const nlohmann::ordered_json& value);
 

@@ -200,6 +200,10 @@ void print_plan(std::ostream& out, const ordered_json& plan) {
   print_warnings(out, plan);
   if (plan["tie_with_next"].get<bool>())
     out << "      ties with the next: " << tie_words(plan) << '\n';
+  if (const auto preferred = plan.find("preferred_over_next");
+      preferred != plan.end() && !preferred->is_null())
+    out << "      preferred to the next by an expert of these weights: " << percent(*preferred)
+        << '\n';
 }
 
 std::string ladder_words(const ordered_json& ladder) {

@@ -1,0 +1,233 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "clients/cli/preference_inputs.h"
+#include "clients/cli/print.h"
+#include "io/json/weights_json.h"
+#include "io/picture/text.h"
+#include "search/preference/raters.h"
+
+namespace coapt {
+namespace {
+
+struct PreferArguments {
+  std::vector<std::string> plans;
+  std::string answers, output, compare, rater;
+  Answer answer = Answer::Unable;
+  bool answered = false, next = false, json = false, hide_figures = false;
+};
+
+struct Interview {
+  const PreferArguments& arguments;
+  const PreferenceCases& of;
+  AnswerSheet sheet;
+};
+
+PreferencePosterior posterior_of(const Interview& interview) {
+  return learn_preferences(comparisons(interview.sheet.answers, interview.of.cases));
+}
+
+nlohmann::ordered_json weights_json(const Interview& interview) {
+  const std::vector<GivenAnswer>& given = interview.sheet.answers;
+  LearnedWeights learned;
+  learned.posterior = posterior_of(interview);
+  CostWeights others;
+  others.sd_share = interview.of.cases.front().sd_share;
+  learned.weights = learned_weights(learned.posterior, others);
+  AnswerCounts counts;
+  counts.answers = static_cast<int>(given.size());
+  counts.unable = static_cast<int>(std::count_if(
+      given.begin(), given.end(), [](const auto& one) { return one.answer == Answer::Unable; }));
+  counts.consistency = consistency(given);
+  return to_json(learned, counts);
+}
+
+/// Of each case the plan that is most likely the best one.
+nlohmann::ordered_json first_places_json(const Interview& interview, const PosteriorDraws& draws) {
+  auto json = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < interview.of.cases.size(); ++i) {
+    const std::vector<double> shares = best_shares(interview.of.cases[i], draws);
+    const auto most = std::max_element(shares.begin(), shares.end());
+    if (most == shares.end()) continue;
+    json.push_back({{"case", interview.of.cases[i].name},
+                    {"file", interview.of.files[i]},
+                    {"rank", most - shares.begin() + 1},
+                    {"probability", *most}});
+  }
+  return json;
+}
+
+int add_answer(Interview& interview, const Question& question, Answer given) {
+  interview.sheet.answers.push_back({question.pair, given});
+  return write_answers_file(interview.arguments.answers, interview.sheet, interview.of.cases);
+}
+
+int print_next(const Interview& interview) {
+  const PosteriorDraws draws = draw(posterior_of(interview));
+  const auto question = next_question(interview.of.cases, interview.sheet.answers, draws);
+  nlohmann::ordered_json json = {{"schema", "coapt.question/1"},
+                                 {"answers", interview.sheet.answers.size()},
+                                 {"question", nullptr},
+                                 {"first_places", first_places_json(interview, draws)}};
+  if (question)
+    json["question"] = to_json(*question, interview.of.cases, interview.arguments.hide_figures);
+  std::cout << json.dump(2) << '\n';
+  return exit_code::kOk;
+}
+
+/// To the question that --next printed, which depends on the answers before it alone.
+int take_answer(Interview& interview) {
+  const auto question =
+      next_question(interview.of.cases, interview.sheet.answers, draw(posterior_of(interview)));
+  if (!question)
+    return report_errors("prefer", {{ErrorCode::OutOfRange, "--answer", "nothing is left to ask"}});
+  return add_answer(interview, *question, interview.arguments.answer);
+}
+
+/// None to end.
+std::optional<Answer> asked(std::istream& in, std::ostream& out) {
+  for (std::string line;;) {
+    out << "Which would you rather do? 1, 2, 0 cannot tell, q ends: " << std::flush;
+    if (!std::getline(in, line) || line == "q") return {};
+    if (line == "1") return Answer::First;
+    if (line == "2") return Answer::Second;
+    if (line == "0") return Answer::Unable;
+  }
+}
+
+int ask(Interview& interview) {
+  for (;;) {
+    const PosteriorDraws draws = draw(posterior_of(interview));
+    const std::size_t count = interview.sheet.answers.size();
+    if (count > 0) {
+      std::cout << '\n' << counted(static_cast<long>(count), "answer");
+      for (const auto& place : first_places_json(interview, draws))
+        std::cout << "; best of " << place["file"].get<std::string>() << ": plan " << place["rank"]
+                  << " (" << percent(place["probability"]) << " sure)";
+      std::cout << '\n';
+    }
+    const auto question = next_question(interview.of.cases, interview.sheet.answers, draws);
+    if (!question) {
+      std::cout << "Nothing is left to ask.\n\n";
+      return exit_code::kOk;
+    }
+    std::cout << '\n';
+    print_question(std::cout,
+                   to_json(*question, interview.of.cases, interview.arguments.hide_figures));
+    const std::optional<Answer> given = asked(std::cin, std::cout);
+    if (!given) {
+      std::cout << '\n';
+      return exit_code::kOk;
+    }
+    if (const int failed = add_answer(interview, *question, *given)) return failed;
+  }
+}
+
+int compare(const Interview& interview) {
+  const PreferArguments& arguments = interview.arguments;
+  const AnswersFile other = read_answers_file(arguments.compare, interview.of.cases, "");
+  if (other.failed) return other.failed;
+  const Agreement found = agreement(interview.sheet.answers, other.sheet.answers);
+  const nlohmann::ordered_json kappa =
+      found.kappa ? nlohmann::ordered_json(*found.kappa) : nlohmann::ordered_json();
+  if (arguments.json) {
+    const nlohmann::ordered_json json = {
+        {"schema", "coapt.agreement/1"},
+        {"raters", {interview.sheet.rater, other.sheet.rater}},
+        {"pairs", found.pairs},
+        {"alike", found.pairs > 0 ? nlohmann::ordered_json(found.share) : kappa},
+        {"kappa", kappa}};
+    std::cout << json.dump(2) << '\n';
+  } else {
+    std::cout << counted(found.pairs, "pair") << " answered by both";
+    if (found.pairs > 0) std::cout << ", " << percent(found.share) << " of them alike";
+    std::cout << "; Cohen's kappa " << fixed(number_of(kappa), 2) << '\n';
+  }
+  return exit_code::kOk;
+}
+
+int run(const PreferArguments& arguments) {
+  const PreferenceCases cases = read_cases(arguments.plans);
+  if (cases.failed) return cases.failed;
+  const AnswersFile answers = read_answers_file(arguments.answers, cases.cases, arguments.rater);
+  if (answers.failed) return answers.failed;
+  if (const int failed = check_output(arguments.output)) return failed;
+  Interview interview{arguments, cases, answers.sheet};
+  if (!arguments.compare.empty()) return compare(interview);
+
+  const bool terminal = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+  const bool asks = terminal && !arguments.json && !arguments.next && !arguments.answered;
+  if (arguments.answered)
+    if (const int failed = take_answer(interview)) return failed;
+  if (asks)
+    if (const int failed = ask(interview)) return failed;
+  if (arguments.next || (!asks && !arguments.json && arguments.output.empty()))
+    return print_next(interview);
+
+  const nlohmann::ordered_json weights = weights_json(interview);
+  if (!arguments.output.empty())
+    if (const int failed = write_output(arguments.output, weights.dump(2) + '\n')) return failed;
+  if (arguments.json) {
+    std::cout << weights.dump(2) << '\n';
+  } else {
+    print_weights(std::cout, weights);
+  }
+  return exit_code::kOk;
+}
+
+}  // namespace
+
+void add_prefer(Command parent, int& status) {
+  const auto arguments = std::make_shared<PreferArguments>();
+  Command command = parent.add_command(
+      "prefer", "Learn the prices of a search from an expert's comparisons of plans");
+  command
+      .add_option("plans", arguments->plans, "What coapt plan --json printed, a file for each case")
+      .required();
+  command
+      .add_option(
+          "--answers", arguments->answers,
+          "The answers so far (coapt.answers/1), to which new ones are added; made if it is "
+          "not there")
+      .required()
+      .check({refuse_standard_output, "FILE"});
+  command.add_option("-o,--output", arguments->output, "Write the weights (coapt.weights/1)")
+      .check({refuse_standard_output, "FILE"});
+  command.add_option("--rater", arguments->rater, "Who answers, kept with the answers");
+  command.add_flag("--hide-figures", arguments->hide_figures,
+                   "Show what is done alone, without leak, opening and durability");
+  command.add_flag("--next", arguments->next, "Print the next question as JSON and end");
+  const std::map<std::string, Answer> words = {
+      {"first", Answer::First}, {"second", Answer::Second}, {"unable", Answer::Unable}};
+  command
+      .add_choice("--answer", arguments->answer, words,
+                  "Answer to that question, before what else is done: first, second or unable")
+      .show_argument("ANSWER");
+  command.add_option("--compare", arguments->compare,
+                     "Another rater's answers on the same plans: print how far the two agree");
+  command.add_flag("--json", arguments->json, "Print JSON (coapt.weights/1), ask nothing");
+  command.footer(
+      "On a terminal it asks which of two plans you would rather do, always the two whose answer\n"
+      "is expected to say most; every tenth question repeats an earlier one with sides swapped.\n"
+      "Elsewhere it prints the next question (coapt.question/1), unless weights are asked for.\n"
+      "Prices that no answer speaks of stay as they are, and are named.\n\n"
+      "Examples:\n"
+      "  coapt prefer functional.json prolapse.json --answers mine.json -o weights.json\n"
+      "  coapt prefer functional.json --answers mine.json --answer first --next\n"
+      "  coapt prefer functional.json --answers mine.json --compare yours.json\n"
+      "  coapt plan valve.json --weights weights.json");
+  command.on_run([arguments, command, &status] {
+    arguments->answered = command.has("--answer");
+    status = run(*arguments);
+  });
+}
+
+}  // namespace coapt

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "clients/cli/print.h"
+#include "io/picture/text.h"
+#include "search/preference/posterior.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t kColumn = 48;       // two and a gap make at most 100
+constexpr double kInterval90 = 1.644854;  // sds of a normal distribution
+
+/// Adds `text` in lines of at most kColumn; later ones are indented.
+void add_wrapped(std::vector<std::string>& lines, const std::string& text) {
+  std::istringstream words(printable(text));
+  std::string line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > kColumn) {
+      lines.push_back(line);
+      line = " ";
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  lines.push_back(line);
+}
+
+void add_figure(std::vector<std::string>& lines, const ordered_json& plan, const char* key,
+                const char* words, const char* unit) {
+  if (!plan.contains(key) || plan[key].is_null()) return;
+  lines.push_back(words + fixed(plan[key], 1) + ' ' + unit);
+}
+
+std::vector<std::string> column_of(const ordered_json& plan, const std::string& key) {
+  std::vector<std::string> lines = {'[' + key + ']'};
+  for (const std::string step : plan["description"]) add_wrapped(lines, step);
+  if (plan["description"].empty()) lines.push_back("no repair");
+  add_figure(lines, plan, "leak_mm2", "leaks ", "mm2 over its region");
+  add_figure(lines, plan, "opening_area_mm2", "opens to ", "mm2");
+  add_figure(lines, plan, "durability_mm", "bears ", "mm of further disease");
+  return lines;
+}
+
+std::string term_words(const std::string& name) {
+  std::string words = name;
+  for (char& letter : words)
+    if (letter == '_') letter = ' ';
+  return words;
+}
+
+}  // namespace
+
+void print_question(std::ostream& out, const ordered_json& question) {
+  const std::vector<std::string> left = column_of(question["plans"][0], "1");
+  const std::vector<std::string> right = column_of(question["plans"][1], "2");
+  for (std::size_t i = 0; i < std::max(left.size(), right.size()); ++i) {
+    const std::string first = i < left.size() ? left[i] : "";
+    out << first;
+    if (i < right.size())
+      out << std::string(kColumn + 4 - std::min(first.size(), kColumn), ' ') << right[i];
+    out << '\n';
+  }
+}
+
+void print_weights(std::ostream& out, const ordered_json& learned) {
+  out << counted(learned["answers"].get<long>(), "answer") << ", " << learned["unable"]
+      << " of them \"cannot tell\"";
+  if (!learned["consistency"].is_null())
+    out << "; repeated questions answered alike: " << percent(learned["consistency"]);
+  out << "\n\nprice, mm2             before    learned   factor (90 %)\n";
+  std::string silent;
+  for (int term = 0; term < kLearnedTerms; ++term) {
+    const std::string name = unknown_name(term);
+    const ordered_json& informed = learned["informed"];
+    if (std::find(informed.begin(), informed.end(), name) == informed.end()) {
+      silent += (silent.empty() ? "" : ", ") + term_words(name);
+      continue;
+    }
+    const double before = CostWeights{}.*cost_term_rows()[static_cast<std::size_t>(term)].weight;
+    const double after = learned["weights"][name], sd = learned["log_sd"][name];
+    const double factor = after / before, far = std::exp(kInterval90 * sd);
+    out << "  " << std::left << std::setw(20) << term_words(name) << std::right << std::setw(7)
+        << fixed(before, 2) << "  ->" << std::setw(7) << fixed(after, 2) << "   x "
+        << fixed(factor, 2) << ", " << fixed(factor / far, 2) << " to " << fixed(factor * far, 2)
+        << '\n';
+  }
+  if (!silent.empty()) out << "Answers say little of: " << silent << '\n';
+  out << "An answer's noise is " << fixed(learned["noise_mm2"], 2) << " mm2.\n";
+}
+
+}  // namespace coapt
