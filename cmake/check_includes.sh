@@ -36,6 +36,7 @@ lab/lattices     : core search io lab/rivals
 lab/verdicts     : core search lab/closures
 lab/twins        : core search lab/closures
 lab/diseases     : core search
+lab/preference   : core search
 lab/charts       : core search io lab/closures
 lab/cli          : core search io clients/cli lab
 '

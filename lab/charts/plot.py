@@ -13,6 +13,7 @@ verdicts.csv            leak and verdict of the same plans on three meshes
 twins.csv               fitted against true values of valves whose answers are known
 barlow.csv              coaptation and leak of valves with Barlow's disease against their annulus
 durable-anchors.csv     how long repairs by either anchor last while the disease goes on
+preference.csv          regret of weights that were learned from simulated experts
 chordae.csv             leak of plans on drawn chordae against that on the anatomy's own
 growth.csv              time of the parts of a closure against the number of triangles
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
@@ -28,6 +29,7 @@ import chordae
 import durable_anchors
 import growth
 import mesh
+import preference
 import twins
 import uniqueness
 import verdicts
@@ -484,6 +486,7 @@ CHARTS = {
     "chordae": {"chordae": chordae.draw_chordae},
     "barlow": {"barlow": barlow.draw_barlow},
     "durable-anchors": {"durable-anchors": durable_anchors.draw_durable_anchors},
+    "preference": {"preference": preference.draw_preference},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},
 }

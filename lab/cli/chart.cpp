@@ -8,6 +8,7 @@
 #include "lab/charts/tables.h"
 #include "lab/cli/chart_parts.h"
 #include "lab/cli/chart_patients.h"
+#include "lab/cli/chart_preference.h"
 #include "lab/cli/commands.h"
 #include "lab/comparators/newton.h"
 #include "lab/comparators/xpbd.h"
@@ -138,6 +139,7 @@ void add_chart(Command parent, int& status) {
   add_drawn_chordae(chart, status);
   add_barlow(chart, status);
   add_durable_anchors(chart, status);
+  add_preference(chart, status);
 }
 
 }  // namespace coapt
