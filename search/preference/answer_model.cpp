@@ -14,19 +14,33 @@ AnswerShares answer_shares(double advantage, double tie) {
           unable / sum};
 }
 
+AnswerShares with_slips(const AnswerShares& shares) {
+  const auto mixed = [](double share) { return (1.0 - kSlips) * share + kSlips / 3.0; };
+  return {mixed(shares.first), mixed(shares.second), mixed(shares.unable)};
+}
+
 LogShare log_share(Answer answer, double advantage, double tie) {
-  const double size = std::abs(advantage);
-  const double log_sum = 0.5 * size + std::log1p(std::exp(-size) + tie * std::exp(-0.5 * size));
   const AnswerShares shares = answer_shares(advantage, tie);
+  const double share = answer == Answer::First    ? shares.first
+                       : answer == Answer::Second ? shares.second
+                                                  : shares.unable;
   const double sign = answer == Answer::First ? 1.0 : answer == Answer::Second ? -1.0 : 0.0;
-  const double unable = answer == Answer::Unable ? 1.0 : 0.0;
   const double lead = shares.first - shares.second;
-  return {0.5 * sign * advantage + unable * std::log(tie) - log_sum,
-          0.5 * (sign - lead),
-          unable - shares.unable,
-          -0.25 * (shares.first + shares.second - lead * lead),
-          0.5 * shares.unable * lead,
-          -shares.unable * (1.0 - shares.unable)};
+  // Of the logarithm without slips.
+  const double a = 0.5 * (sign - lead);
+  const double t = (answer == Answer::Unable ? 1.0 : 0.0) - shares.unable;
+  const double aa = -0.25 * (shares.first + shares.second - lead * lead);
+  const double at = 0.5 * shares.unable * lead;
+  const double tt = -shares.unable * (1.0 - shares.unable);
+  // How likely such an answer is meant, and so counts.
+  const double mixed = (1.0 - kSlips) * share + kSlips / 3.0;
+  const double meant = (1.0 - kSlips) * share / mixed, slip = 1.0 - meant;
+  return {std::log(mixed),
+          meant * a,
+          meant * t,
+          meant * (aa + slip * a * a),
+          meant * (at + slip * a * t),
+          meant * (tt + slip * t * t)};
 }
 
 }  // namespace coapt

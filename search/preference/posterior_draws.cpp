@@ -52,7 +52,8 @@ PosteriorDraws draw(const PreferencePosterior& posterior) {
 double information_bits(const CostTerms& difference, const PosteriorDraws& draws) {
   AnswerShares mean;
   double entropy = 0.0;
-  for_each_draw(difference, draws, [&](const AnswerShares& shares) {
+  for_each_draw(difference, draws, [&](const AnswerShares& meant) {
+    const AnswerShares shares = with_slips(meant);
     mean.first += shares.first / kDraws;
     mean.second += shares.second / kDraws;
     mean.unable += shares.unable / kDraws;

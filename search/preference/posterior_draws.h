@@ -22,7 +22,7 @@ PosteriorDraws draw(const PreferencePosterior& posterior);
 /// to log2(3).
 double information_bits(const CostTerms& difference, const PosteriorDraws& draws);
 
-/// That an expert prefers the first of two plans; "cannot tell" counts a half. Averaged over the posterior.
+/// That an expert prefers the first of two plans, slips aside; "cannot tell" counts a half. Averaged over the posterior.
 double preferred(const CostTerms& difference, const PosteriorDraws& draws);
 
 /// For each plan of a case how likely it is the best, in the order of the plans: its share of the draws.
