@@ -1,5 +1,7 @@
 #include "io/json/answers_json.h"
 
+#include <cmath>
+
 #include "tests/io/json/found.h"
 
 namespace coapt {

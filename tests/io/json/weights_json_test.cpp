@@ -29,7 +29,7 @@ TEST(WeightsJson, WhatWasLearnedComesBackAsItWasWritten) {
   EXPECT_EQ(after->weights.untrusted, 1e4);
   EXPECT_EQ(json["consistency"], 0.5);
   EXPECT_EQ(json["unable"], 3);
-  EXPECT_EQ(json["informed"], ordered_json::array({"step", "leak"}));
+  EXPECT_EQ(json["informed"], ordered_json::array({"leak"}));
   EXPECT_TRUE(to_json(before, {20, 3, {}})["consistency"].is_null());
 }
 
