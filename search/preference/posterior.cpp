@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace coapt {
@@ -111,8 +110,10 @@ PreferencePosterior learn_preferences(const std::vector<Comparison>& answers,
     }
     damping = std::max(10.0 * damping, 1e-2);
   }
+  // Slips make it no concave function: where it has no curvature downwards, the prior's stands, which is wider.
   const Eigen::LLT<UnknownsMatrix> curvature(-here.hessian);
-  assert(curvature.info() == Eigen::Success);
+  if (curvature.info() != Eigen::Success)
+    return {at, prior_sd(prior).array().square().matrix().asDiagonal()};
   return {at, curvature.solve(UnknownsMatrix::Identity())};
 }
 

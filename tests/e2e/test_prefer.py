@@ -38,7 +38,9 @@ class Prefer(ProgramTest):
         self.assertEqual(sheet["rater"], "A")
         expected = {key: asked[key] for key in ("case", "first", "second")} | {"answer": "first"}
         self.assertEqual(sheet["answers"], [expected])
-        self.assertNotEqual({second["question"]["first"], second["question"]["second"]}, {asked["first"], asked["second"]})
+        self.assertNotEqual(
+            {second["question"]["first"], second["question"]["second"]}, {asked["first"], asked["second"]}
+        )
 
     def test_an_expert_who_minds_steps_makes_them_dear(self):
         question = self.next()["question"]
@@ -50,15 +52,21 @@ class Prefer(ProgramTest):
         self.assertEqual((weights["schema"], weights["answers"]), ("coapt.weights/1", 6))
         self.assertGreater(weights["weights"]["step"], 1.0)
         self.assertLess(weights["weights"]["leak"], 1.0)
-        self.assertIn("Answers say little of", self.run_ok(
-            "prefer", self.plans, "--answers", self.answers, "-o", self.folder / "weights.json").stdout)
+        self.assertIn(
+            "Answers say little of",
+            self.run_ok("prefer", self.plans, "--answers", self.answers, "-o", self.folder / "weights.json").stdout,
+        )
         refused = coapt("prefer", self.plans, "--answers", self.answers, "--answer", "first")
         self.assertEqual(refused.returncode, BAD_INPUT)
         alike = self.next("--compare", self.answers, "--json")
         self.assertEqual((alike["pairs"], alike["alike"]), (6, 1.0))
 
     def test_answers_on_other_plans_are_refused_with_their_place(self):
-        bad = {"schema": "coapt.answers/1", "rater": "A", "answers": [{"case": "x", "first": 1, "second": 9, "answer": "?"}]}
+        bad = {
+            "schema": "coapt.answers/1",
+            "rater": "A",
+            "answers": [{"case": "x", "first": 1, "second": 9, "answer": "?"}],
+        }
         self.answers.write_text(json.dumps(bad))
         refused = coapt("prefer", self.plans, "--answers", self.answers)
         self.assertEqual(refused.returncode, BAD_INPUT)
