@@ -75,8 +75,8 @@ GivenAnswer read_answer(const JsonPlace& place, const std::vector<PlanCase>& cas
   if (first > 0 && first == second)
     add_problem(place, ErrorCode::OutOfRange,
                 "compares plan " + std::to_string(first) + " with itself, must be two plans");
-  given.pair.first = first - 1;
-  given.pair.second = second - 1;
+  if (first > 0) given.pair.first = first - 1;
+  if (second > 0) given.pair.second = second - 1;
   return given;
 }
 

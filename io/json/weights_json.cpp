@@ -88,7 +88,8 @@ double read_logarithm(const JsonPlace& place) { return std::log(read_number_in(p
 Unknowns read_log_weights(const JsonPlace& place) {
   Unknowns logarithms = Unknowns::Zero();
   for (int term = 0; term < kLearnedTerms; ++term)
-    if (const std::optional<JsonPlace> at = read_member(place, unknown_name(term)))
+    if (const std::optional<JsonPlace> at = read_member(
+            place, cost_term_rows()[static_cast<std::size_t>(term)].name))  // outlives the place
       logarithms[term] = read_logarithm(*at);
   return logarithms;
 }
