@@ -1,18 +1,16 @@
 #!/usr/bin/python3
 """The Texas TriValve's chordae, their slack unknown, fitted to its closed frame: trivalve_slack.csv, trivalve_chordae.csv.
 
-  trivalve_slack.py DATA OUTPUT [--coapt build/release/bin/coapt] [--start straight wrong] [--rounds 3]
+  trivalve_slack.py DATA OUTPUT [--coapt build/release/bin/coapt] [--rounds 3]
 
-DATA has Healthy_QuasiStatic.inp and Healthy_QuasiStatic_20.vtu; OUTPUT is a folder. Two starts: `straight`, every tree of chordae
-only as long as straight lines from its head to its insertions in the open valve, as one who saw no chordae would draw them; `wrong`, the
-lengths of each group off by a factor drawn from 1 +- 0.1. Groups (leaflet and muscle) are fitted to those closed nodes that the atrium sees in every
-other cube of 4 mm; the others, hidden ones too, judge. Needs python3-numpy and python3-vtk9.
+DATA has Healthy_QuasiStatic.inp and Healthy_QuasiStatic_20.vtu; OUTPUT is a folder. The fit starts from trees of chordae only as long as straight
+lines from head to insertions in the open valve, as one who saw no chordae would draw them. Groups (leaflet and muscle) are fitted to those closed
+nodes that the atrium sees in every other cube of 4 mm; the others, hidden ones too, judge. Needs python3-numpy and python3-vtk9.
 """
 
 import argparse
 import json
 import pathlib
-import random
 import subprocess
 import sys
 import tempfile
@@ -26,7 +24,7 @@ from table_file import write_table  # noqa: E402
 from texas_trivalve import distance_to_surface, read_frame, read_ply  # noqa: E402
 
 CUBE_MM = 4.0
-WRONG_SD, STRAIGHT_SD = 0.1, 0.2  # of the lengths, as the fit is told
+SLACK_SD = 0.2  # of the lengths, as the fit is told: the most that it takes
 ONE_MUSCLE_MM = 5.0  # as search/fit/fit_parameters.cpp has it
 
 
@@ -82,16 +80,11 @@ def scaled(valve, factors):
     return changed
 
 
-def started(valve, groups, start):
-    """The valve to fit from and, by group, the mean factor that leads back to the known lengths."""
-    if start == "straight":
-        factors = [1.0 / slack(valve, chorda) for chorda in valve["chordae"]]
-    else:
-        drawn = random.Random(20)
-        wrong = {name: max(0.75, min(1.25, drawn.gauss(1.0, WRONG_SD))) for name in sorted(set(groups))}
-        factors = [wrong[group] for group in groups]
-    back = {name: [1.0 / f for g, f in zip(groups, factors) if g == name] for name in sorted(set(groups))}
-    return scaled(valve, factors), back
+def straightened(valve, groups):
+    """The valve to fit from and, by group, the factors that lead back to the known lengths."""
+    slacks = [slack(valve, chorda) for chorda in valve["chordae"]]
+    back = {name: [s for g, s in zip(groups, slacks) if g == name] for name in sorted(set(groups))}
+    return scaled(valve, [1.0 / s for s in slacks]), back
 
 
 class Judge:
@@ -129,7 +122,6 @@ def main():
     parser.add_argument("data", type=pathlib.Path)
     parser.add_argument("output", type=pathlib.Path)
     parser.add_argument("--coapt", type=pathlib.Path, default=pathlib.Path("build/release/bin/coapt"))
-    parser.add_argument("--start", nargs="+", default=["straight", "wrong"], choices=["straight", "wrong"])
     parser.add_argument("--rounds", type=int, default=3)
     options = parser.parse_args()
     distances, chordae = [], []
@@ -153,23 +145,21 @@ def main():
         groups, judge = group_names(known), Judge(options.data, np.array(known["faces"]))
         np.savetxt(folder / "seen.csv", judge.theirs[judge.fitted], delimiter=",", fmt="%.5f")
         judged("known.json", {"start": "known", "state": "as measured"})
-        for start in options.start:
-            valve, back = started(known, groups, start)
-            (folder / "start.json").write_text(json.dumps(valve))
-            judged("start.json", {"start": start, "state": "before"})
-            spread = STRAIGHT_SD if start == "straight" else WRONG_SD
-            unknown = ["--known", "tips", "--slack-sd", spread, "--rounds", options.rounds, "--seconds", 7200]
-            surface = ["--closed", "seen.csv", "--side", "middle"]
-            fit = json.loads(coapt("fit", "start.json", *surface, *unknown, "-o", "fitted.json", "--json"))
-            judged("fitted.json", {"start": start, "state": "fitted"})
-            for found in fit["parameters"]:
-                factors = back[found["name"]]
-                row = {"start": start, "group": found["name"], "chordae": len(factors)}
-                row |= {"known": round(float(np.mean(factors)), 4), "known_spread": round(float(np.std(factors)), 4)}
-                row |= {k: round(found[k], 4) for k in ("value", "sd")} | {"identifiable": int(found["identifiable"])}
-                chordae.append(row)
-                print(row, flush=True)
-            print(fit["closures"], "closures,", fit["rounds"], "rounds", flush=True)
+        start, back = straightened(known, groups)
+        (folder / "start.json").write_text(json.dumps(start))
+        judged("start.json", {"start": "straight", "state": "before"})
+        unknown = ["--known", "tips", "--slack-sd", SLACK_SD, "--rounds", options.rounds, "--seconds", 7200]
+        surface = ["--closed", "seen.csv", "--side", "middle"]
+        fit = json.loads(coapt("fit", "start.json", *surface, *unknown, "-o", "fitted.json", "--json"))
+        judged("fitted.json", {"start": "straight", "state": "fitted"})
+        for found in fit["parameters"]:
+            factors = back[found["name"]]
+            row = {"start": "straight", "group": found["name"], "chordae": len(factors)}
+            row |= {"known": round(float(np.mean(factors)), 4), "known_spread": round(float(np.std(factors)), 4)}
+            row |= {k: round(found[k], 4) for k in ("value", "sd")} | {"identifiable": int(found["identifiable"])}
+            chordae.append(row)
+            print(row, flush=True)
+        print(fit["closures"], "closures,", fit["rounds"], "rounds", flush=True)
     write_table(options.output / "trivalve_slack.csv", distances)
     write_table(options.output / "trivalve_chordae.csv", chordae)
 
