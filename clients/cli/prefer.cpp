@@ -11,7 +11,7 @@
 #include "clients/cli/files.h"
 #include "clients/cli/preference_inputs.h"
 #include "clients/cli/print.h"
-#include "io/json/weights_json.h"
+#include "io/json/preference_json.h"
 #include "io/picture/text.h"
 #include "search/preference/raters.h"
 
@@ -21,7 +21,7 @@ namespace {
 struct PreferArguments {
   std::vector<std::string> plans;
   std::string answers, output, compare, rater;
-  Answer answer = Answer::Unable;
+  Preference answer = Preference::Unable;
   bool answered = false, next = false, json = false, hide_figures = false;
 };
 
@@ -32,40 +32,20 @@ struct Interview {
 };
 
 PreferencePosterior posterior_of(const Interview& interview) {
-  return learn_preferences(comparisons(interview.sheet.answers, interview.of.cases));
+  return posterior_of(interview.of.cases, interview.sheet.answers);
 }
 
-nlohmann::ordered_json weights_json(const Interview& interview) {
-  const std::vector<GivenAnswer>& given = interview.sheet.answers;
-  LearnedWeights learned;
-  learned.posterior = posterior_of(interview);
-  CostWeights others;
-  others.sd_share = interview.of.cases.front().sd_share;
-  learned.weights = learned_weights(learned.posterior, others);
-  AnswerCounts counts;
-  counts.answers = static_cast<int>(given.size());
-  counts.unable = static_cast<int>(std::count_if(
-      given.begin(), given.end(), [](const auto& one) { return one.answer == Answer::Unable; }));
-  counts.consistency = consistency(given);
-  return to_json(learned, counts);
-}
-
-/// Of each case the plan that is most likely the best one.
+/// With the file of each case.
 nlohmann::ordered_json first_places_json(const Interview& interview, const PosteriorDraws& draws) {
-  auto json = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < interview.of.cases.size(); ++i) {
-    const std::vector<double> shares = best_shares(interview.of.cases[i], draws);
-    const auto most = std::max_element(shares.begin(), shares.end());
-    if (most == shares.end()) continue;
-    json.push_back({{"case", interview.of.cases[i].name},
-                    {"file", interview.of.files[i]},
-                    {"rank", most - shares.begin() + 1},
-                    {"probability", *most}});
-  }
+  const PreferenceCases& of = interview.of;
+  auto json = first_places_to_json(of.cases, draws);
+  for (auto& place : json)
+    for (std::size_t i = 0; i < of.cases.size(); ++i)
+      if (place["case"] == of.cases[i].name) place["file"] = of.files[i];
   return json;
 }
 
-int add_answer(Interview& interview, const Question& question, Answer given) {
+int add_answer(Interview& interview, const Question& question, Preference given) {
   interview.sheet.answers.push_back({question.pair, given});
   return write_answers_file(interview.arguments.answers, interview.sheet, interview.of.cases);
 }
@@ -93,13 +73,13 @@ int take_answer(Interview& interview) {
 }
 
 /// None to end.
-std::optional<Answer> asked(std::istream& in, std::ostream& out) {
+std::optional<Preference> asked(std::istream& in, std::ostream& out) {
   for (std::string line;;) {
     out << "Which would you rather do? 1, 2, 0 cannot tell, q ends: " << std::flush;
     if (!std::getline(in, line) || line == "q") return {};
-    if (line == "1") return Answer::First;
-    if (line == "2") return Answer::Second;
-    if (line == "0") return Answer::Unable;
+    if (line == "1") return Preference::First;
+    if (line == "2") return Preference::Second;
+    if (line == "0") return Preference::Unable;
   }
 }
 
@@ -122,7 +102,7 @@ int ask(Interview& interview) {
     std::cout << '\n';
     print_question(std::cout,
                    to_json(*question, interview.of.cases, interview.arguments.hide_figures));
-    const std::optional<Answer> given = asked(std::cin, std::cout);
+    const std::optional<Preference> given = asked(std::cin, std::cout);
     if (!given) {
       std::cout << '\n';
       return exit_code::kOk;
@@ -172,7 +152,8 @@ int run(const PreferArguments& arguments) {
   if (arguments.next || (!asks && !arguments.json && arguments.output.empty()))
     return print_next(interview);
 
-  const nlohmann::ordered_json weights = weights_json(interview);
+  const nlohmann::ordered_json weights =
+      learned_to_json(cases.cases, interview.sheet.answers, posterior_of(interview));
   if (!arguments.output.empty())
     if (const int failed = write_output(arguments.output, weights.dump(2) + '\n')) return failed;
   if (arguments.json) {
@@ -205,8 +186,8 @@ void add_prefer(Command parent, int& status) {
   command.add_flag("--hide-figures", arguments->hide_figures,
                    "Show what is done alone, without leak, opening and durability");
   command.add_flag("--next", arguments->next, "Print the next question as JSON and end");
-  const std::map<std::string, Answer> words = {
-      {"first", Answer::First}, {"second", Answer::Second}, {"unable", Answer::Unable}};
+  const std::map<std::string, Preference> words = {
+      {"first", Preference::First}, {"second", Preference::Second}, {"unable", Preference::Unable}};
   command
       .add_choice("--answer", arguments->answer, words,
                   "Answer to that question, before what else is done: first, second or unable")

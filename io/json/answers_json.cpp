@@ -66,7 +66,7 @@ GivenAnswer read_answer(const JsonPlace& place, const std::vector<PlanCase>& cas
   };
   const auto read_rank = [&](const JsonPlace& at) { return read_integer_in(at, 1, plans); };
   const auto read_choice_of = [](const JsonPlace& at) {
-    return read_name(at, std::vector{Answer::First, Answer::Second, Answer::Unable});
+    return read_name(at, std::vector{Preference::First, Preference::Second, Preference::Unable});
   };
   read_fields(place, {{"case", read_case},
                       {"first", into(first, read_rank)},
@@ -101,20 +101,28 @@ ordered_json compared_json(const ComparedPlan& plan, int rank, bool hide_figures
 
 }  // namespace
 
-Expected<PlanCase> read_plan_case(std::string_view text) {
-  const Expected<nlohmann::json> json = parse_json(text);
-  if (!json) return json.errors();
-  ProblemList problems;
+PlanCase read_plan_case(const JsonPlace& place) {
   PlanCase read;
-  const JsonPlace place{*json, problems};
   read_one(place, "schema", [](const JsonPlace& at) { read_schema(at, "coapt.plans/1"); });
   read_one(place, "plans",
            [&](const JsonPlace& at) { read.plans = read_list(at, read_compared_plan); });
   read_if_there(place, "weights", [&](const JsonPlace& at) {
     read_one(at, "sd_share", into(read.sd_share, read_number));
   });
+  return read;
+}
+
+Expected<PlanCase> read_plan_case(std::string_view text) {
+  const Expected<nlohmann::json> json = parse_json(text);
+  if (!json) return json.errors();
+  ProblemList problems;
+  PlanCase read = read_plan_case(JsonPlace{*json, problems});
   if (!problems.empty()) return std::move(problems).take();
   return read;
+}
+
+std::vector<GivenAnswer> read_answers(const JsonPlace& place, const std::vector<PlanCase>& cases) {
+  return read_list(place, [&](const JsonPlace& entry) { return read_answer(entry, cases); });
 }
 
 Expected<AnswerSheet> read_answers(std::string_view text, const std::vector<PlanCase>& cases) {
@@ -122,14 +130,10 @@ Expected<AnswerSheet> read_answers(std::string_view text, const std::vector<Plan
   if (!json) return json.errors();
   ProblemList problems;
   AnswerSheet sheet;
-  const auto read_list_of = [&](const JsonPlace& at) {
-    sheet.answers =
-        read_list(at, [&](const JsonPlace& entry) { return read_answer(entry, cases); });
-  };
   read_fields({*json, problems},
               {{"schema", [](const JsonPlace& at) { read_schema(at, "coapt.answers/1"); }},
                {"rater", into(sheet.rater, read_string)},
-               {"answers", read_list_of}});
+               {"answers", [&](const JsonPlace& at) { sheet.answers = read_answers(at, cases); }}});
   if (!problems.empty()) return std::move(problems).take();
   return sheet;
 }

@@ -6,13 +6,14 @@
 #include <string_view>
 #include <vector>
 
-#include "core/valve/types.h"
+#include "io/json/json_reader.h"
 #include "search/preference/question.h"
 
 namespace coapt {
 
 /// The plans of a coapt.plans/1; what else it holds is not looked at. The case has no name yet.
 Expected<PlanCase> read_plan_case(std::string_view text);
+PlanCase read_plan_case(const JsonPlace& place);
 
 struct AnswerSheet {
   std::string rater;
@@ -22,6 +23,8 @@ struct AnswerSheet {
 /// {"schema", "rater", "answers": [{"case", "first", "second", "answer"}]}: cases by name, plans by rank, answers "first",
 /// "second" or "unable". Errors: cases and plans that are not among `cases`, too.
 Expected<AnswerSheet> read_answers(std::string_view text, const std::vector<PlanCase>& cases);
+/// Those in that list.
+std::vector<GivenAnswer> read_answers(const JsonPlace& place, const std::vector<PlanCase>& cases);
 
 nlohmann::ordered_json to_json(const AnswerSheet& sheet, const std::vector<PlanCase>& cases);
 

@@ -16,13 +16,14 @@ SimulatedExpert drawn_expert(ExpertNoise noise, std::mt19937_64& engine) {
   return expert;
 }
 
-Answer answer(const SimulatedExpert& expert, const CostTerms& difference, std::mt19937_64& engine) {
+Preference answer(const SimulatedExpert& expert, const CostTerms& difference,
+                  std::mt19937_64& engine) {
   const double lead = advantage(difference, expert.truth), share = random_share(engine);
   if (expert.noise == ExpertNoise::Flips)
-    return (lead > 0.0) == (share >= kFlippedShare) ? Answer::First : Answer::Second;
+    return (lead > 0.0) == (share >= kFlippedShare) ? Preference::First : Preference::Second;
   const AnswerShares shares = answer_shares(lead, std::exp(expert.truth[kTie]));
-  if (share < shares.first) return Answer::First;
-  return share < shares.first + shares.second ? Answer::Second : Answer::Unable;
+  if (share < shares.first) return Preference::First;
+  return share < shares.first + shares.second ? Preference::Second : Preference::Unable;
 }
 
 double regret_mm2(const PlanCase& plans, const CostWeights& weights, const CostWeights& expert) {

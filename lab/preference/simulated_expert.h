@@ -24,7 +24,8 @@ struct SimulatedExpert {
 SimulatedExpert drawn_expert(ExpertNoise noise, std::mt19937_64& engine);
 
 /// @param difference first less second
-Answer answer(const SimulatedExpert& expert, const CostTerms& difference, std::mt19937_64& engine);
+Preference answer(const SimulatedExpert& expert, const CostTerms& difference,
+                  std::mt19937_64& engine);
 
 /// By how much the plan that `weights` rank first costs more than the best one, mm2 by the expert's weights.
 double regret_mm2(const PlanCase& plans, const CostWeights& weights, const CostWeights& expert);

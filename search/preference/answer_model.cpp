@@ -19,16 +19,16 @@ AnswerShares with_slips(const AnswerShares& shares) {
   return {mixed(shares.first), mixed(shares.second), mixed(shares.unable)};
 }
 
-LogShare log_share(Answer answer, double advantage, double tie) {
+LogShare log_share(Preference answer, double advantage, double tie) {
   const AnswerShares shares = answer_shares(advantage, tie);
-  const double share = answer == Answer::First    ? shares.first
-                       : answer == Answer::Second ? shares.second
-                                                  : shares.unable;
-  const double sign = answer == Answer::First ? 1.0 : answer == Answer::Second ? -1.0 : 0.0;
+  const double share = answer == Preference::First    ? shares.first
+                       : answer == Preference::Second ? shares.second
+                                                      : shares.unable;
+  const double sign = answer == Preference::First ? 1.0 : answer == Preference::Second ? -1.0 : 0.0;
   const double lead = shares.first - shares.second;
   // Of the logarithm without slips.
   const double a = 0.5 * (sign - lead);
-  const double t = (answer == Answer::Unable ? 1.0 : 0.0) - shares.unable;
+  const double t = (answer == Preference::Unable ? 1.0 : 0.0) - shares.unable;
   const double aa = -0.25 * (shares.first + shares.second - lead * lead);
   const double at = 0.5 * shares.unable * lead;
   const double tt = -shares.unable * (1.0 - shares.unable);

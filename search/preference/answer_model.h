@@ -29,6 +29,6 @@ struct LogShare {
   double by_a = 0.0, by_t = 0.0;
   double by_aa = 0.0, by_at = 0.0, by_tt = 0.0;
 };
-LogShare log_share(Answer answer, double advantage, double tie);
+LogShare log_share(Preference answer, double advantage, double tie);
 
 }  // namespace coapt

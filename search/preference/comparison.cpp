@@ -4,26 +4,26 @@
 
 namespace coapt {
 
-const char* to_string(Answer answer) {
+const char* to_string(Preference answer) {
   switch (answer) {
-    case Answer::First:
+    case Preference::First:
       return "first";
-    case Answer::Second:
+    case Preference::Second:
       return "second";
-    case Answer::Unable:
+    case Preference::Unable:
       return "unable";
   }
   return "";
 }
 
-Answer swapped(Answer answer) {
+Preference swapped(Preference answer) {
   switch (answer) {
-    case Answer::First:
-      return Answer::Second;
-    case Answer::Second:
-      return Answer::First;
-    case Answer::Unable:
-      return Answer::Unable;
+    case Preference::First:
+      return Preference::Second;
+    case Preference::Second:
+      return Preference::First;
+    case Preference::Unable:
+      return Preference::Unable;
   }
   return answer;
 }

@@ -10,11 +10,11 @@
 
 namespace coapt {
 
-enum class Answer { First, Second, Unable };
+enum class Preference { First, Second, Unable };
 /// "first", "second" or "unable" (cannot tell).
-const char* to_string(Answer answer);
+const char* to_string(Preference answer);
 /// What it is with the two plans on each other's side.
-Answer swapped(Answer answer);
+Preference swapped(Preference answer);
 
 /// A plan as it is compared. Figures that are not known are NaN.
 struct ComparedPlan {
@@ -42,7 +42,7 @@ struct PlanPair {
 
 struct GivenAnswer {
   PlanPair pair;
-  Answer answer = Answer::Unable;
+  Preference answer = Preference::Unable;
 };
 
 /// The pair with the lower index first, and what that makes of the answer: the same question, whatever side its plans

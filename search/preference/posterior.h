@@ -46,7 +46,7 @@ Unknowns prior_sd(const PreferencePrior& prior);
 /// What was answered, as the model sees it.
 struct Comparison {
   CostTerms difference;  ///< first less second
-  Answer answer = Answer::Unable;
+  Preference answer = Preference::Unable;
 };
 std::vector<Comparison> comparisons(const std::vector<GivenAnswer>& given,
                                     const std::vector<PlanCase>& cases);

@@ -6,8 +6,8 @@
 namespace coapt {
 namespace {
 
-std::map<PlanPair, Answer> first_answers(const std::vector<GivenAnswer>& given) {
-  std::map<PlanPair, Answer> answers;
+std::map<PlanPair, Preference> first_answers(const std::vector<GivenAnswer>& given) {
+  std::map<PlanPair, Preference> answers;
   for (const GivenAnswer& of : given) {
     const GivenAnswer ordered = in_order(of);
     answers.emplace(ordered.pair, ordered.answer);
@@ -18,7 +18,7 @@ std::map<PlanPair, Answer> first_answers(const std::vector<GivenAnswer>& given) 
 }  // namespace
 
 std::optional<double> consistency(const std::vector<GivenAnswer>& given) {
-  std::map<PlanPair, Answer> before;
+  std::map<PlanPair, Preference> before;
   int repeats = 0, alike = 0;
   for (const GivenAnswer& of : given) {
     const GivenAnswer ordered = in_order(of);
@@ -32,7 +32,7 @@ std::optional<double> consistency(const std::vector<GivenAnswer>& given) {
 }
 
 Agreement agreement(const std::vector<GivenAnswer>& one, const std::vector<GivenAnswer>& other) {
-  const std::map<PlanPair, Answer> of_other = first_answers(other);
+  const std::map<PlanPair, Preference> of_other = first_answers(other);
   Eigen::Matrix3d counts = Eigen::Matrix3d::Zero();  // answers of one x answers of the other
   for (const auto& [pair, answer] : first_answers(one))
     if (const auto found = of_other.find(pair); found != of_other.end())

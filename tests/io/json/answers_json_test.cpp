@@ -57,7 +57,7 @@ TEST(AnswersJson, AnswersComeBackAsTheyWereWritten) {
   ASSERT_TRUE(sheet);
   EXPECT_EQ(sheet->rater, "A");
   EXPECT_EQ(sheet->answers.at(0).pair, (PlanPair{0, 1, 0}));
-  EXPECT_EQ(sheet->answers.at(0).answer, Answer::Unable);
+  EXPECT_EQ(sheet->answers.at(0).answer, Preference::Unable);
   EXPECT_EQ(to_json(*sheet, cases()), nlohmann::ordered_json::parse(kSheet));
 }
 

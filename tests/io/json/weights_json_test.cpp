@@ -13,7 +13,8 @@ LearnedWeights learned() {
   difference[CostTerm::Leak] = 1.0;
   difference[CostTerm::Step] = -1.5;
   LearnedWeights weights;
-  weights.posterior = learn_preferences(std::vector<Comparison>(20, {difference, Answer::Second}));
+  weights.posterior =
+      learn_preferences(std::vector<Comparison>(20, {difference, Preference::Second}));
   weights.weights = learned_weights(weights.posterior);
   return weights;
 }

@@ -32,7 +32,8 @@ TEST(SimulatedExpert, OneAnswerInTenIsWrong) {
   worse[CostTerm::Leak] = 5.0;
   std::mt19937_64 engine(1);
   int wrong = 0;
-  for (int i = 0; i < 2000; ++i) wrong += answer(expert, worse, engine) == Answer::First ? 1 : 0;
+  for (int i = 0; i < 2000; ++i)
+    wrong += answer(expert, worse, engine) == Preference::First ? 1 : 0;
   EXPECT_NEAR(wrong / 2000.0, kFlippedShare, 0.02);
 }
 

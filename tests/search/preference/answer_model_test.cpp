@@ -24,14 +24,14 @@ TEST(AnswerModel, SharesAddUpHoweverFarApartPlansAre) {
   for (const double advantage : {-1e5, -30.0, 0.0, 2.0, 1e5}) {
     const AnswerShares shares = answer_shares(advantage, 0.5);
     EXPECT_DOUBLE_EQ(shares.first + shares.second + shares.unable, 1.0);
-    for (const Answer answer : {Answer::First, Answer::Second, Answer::Unable})
+    for (const Preference answer : {Preference::First, Preference::Second, Preference::Unable})
       EXPECT_TRUE(std::isfinite(log_share(answer, advantage, 0.5).value)) << advantage;
   }
 }
 
 TEST(AnswerModel, DerivativesAreThoseOfDifferences) {
   constexpr double kStep = 1e-5;
-  for (const Answer answer : {Answer::First, Answer::Second, Answer::Unable})
+  for (const Preference answer : {Preference::First, Preference::Second, Preference::Unable})
     for (const double a : {-2.5, 0.3, 4.0}) {
       const double t = std::log(0.4);
       const auto at = [&](double da, double dt) {
@@ -48,7 +48,7 @@ TEST(AnswerModel, DerivativesAreThoseOfDifferences) {
 }
 
 TEST(AnswerModel, ASwappedAnswerIsAsLikelyWithTheOppositeAdvantage) {
-  for (const Answer answer : {Answer::First, Answer::Second, Answer::Unable})
+  for (const Preference answer : {Preference::First, Preference::Second, Preference::Unable})
     EXPECT_EQ(log_share(answer, 1.3, 0.5).value, log_share(swapped(answer), -1.3, 0.5).value);
 }
 

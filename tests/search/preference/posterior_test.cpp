@@ -28,7 +28,7 @@ std::vector<Comparison> random_comparisons(int count) {
   std::mt19937_64 engine(7);
   std::vector<Comparison> all;
   for (int i = 0; i < count; ++i)
-    all.push_back({random_difference(engine), static_cast<Answer>(i % 3)});
+    all.push_back({random_difference(engine), static_cast<Preference>(i % 3)});
   return all;
 }
 
@@ -80,7 +80,7 @@ TEST(PreferencePosterior, ManyNoiselessAnswersGiveTheRatiosOfTheWeights) {
     CostTerms difference;
     for (const CostTerm term : used) difference[term] = 4.0 * random_share(engine) - 2.0;
     answers.push_back(
-        {difference, price(difference, expert) < 0.0 ? Answer::First : Answer::Second});
+        {difference, price(difference, expert) < 0.0 ? Preference::First : Preference::Second});
   }
   const PreferencePosterior posterior = learn_preferences(answers);
   const CostWeights learned = learned_weights(posterior);
@@ -91,7 +91,7 @@ TEST(PreferencePosterior, ManyNoiselessAnswersGiveTheRatiosOfTheWeights) {
 
 TEST(PreferencePosterior, WhatNoPairTellsApartStaysAtItsPriorAndIsSaid) {
   const std::vector<Comparison> answers(
-      20, {terms_with({{CostTerm::Leak, 1.0}, {CostTerm::Step, -1.5}}), Answer::First});
+      20, {terms_with({{CostTerm::Leak, 1.0}, {CostTerm::Step, -1.5}}), Preference::First});
   const PreferencePosterior posterior = learn_preferences(answers);
   const std::vector<bool> said = informed(posterior);
   for (int term = 0; term < kLearnedTerms; ++term) {
@@ -107,7 +107,7 @@ TEST(PreferencePosterior, WhatNoPairTellsApartStaysAtItsPriorAndIsSaid) {
 
 TEST(PreferencePosterior, TiesMakeATermCheapAndTiesMoreLikely) {
   const CostTerms step = terms_with({{CostTerm::Step, 2.0}});
-  const std::vector<Comparison> unable(20, {step, Answer::Unable});
+  const std::vector<Comparison> unable(20, {step, Preference::Unable});
   const PreferencePosterior posterior = learn_preferences(unable);
   EXPECT_LT(std::abs(advantage(step, posterior.mean)), std::abs(advantage(step, prior_mean({}))));
   EXPECT_GT(posterior.mean[kTie], prior_mean({})[kTie]);
@@ -115,7 +115,7 @@ TEST(PreferencePosterior, TiesMakeATermCheapAndTiesMoreLikely) {
 
 TEST(PreferencePosterior, AnswersAgainstAllReasonLeaveAFinitePosterior) {
   const std::vector<Comparison> answers(
-      40, {terms_with({{CostTerm::Leak, 300.0}, {CostTerm::Untrusted, 0.5}}), Answer::First});
+      40, {terms_with({{CostTerm::Leak, 300.0}, {CostTerm::Untrusted, 0.5}}), Preference::First});
   const PreferencePosterior posterior = learn_preferences(answers);
   EXPECT_TRUE(posterior.mean.allFinite());
   EXPECT_GT(log_sd(posterior).minCoeff(), 0.0);

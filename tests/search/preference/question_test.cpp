@@ -85,7 +85,7 @@ TEST(NextQuestion, AsksNoPairTwiceExceptATenthWithSidesSwapped) {
       EXPECT_EQ((given.size() + 1) % kRepeatEvery, 0u);
       EXPECT_EQ(question->pair.first, given[static_cast<std::size_t>(repeats - 1)].pair.second);
     }
-    given.push_back({question->pair, Answer::First});
+    given.push_back({question->pair, Preference::First});
   }
   EXPECT_EQ(given.size(), 16u) << "15 pairs of 6 plans and the tenth question";
   EXPECT_EQ(repeats, 1);
@@ -101,7 +101,7 @@ TEST(NextQuestion, TheSameAnswersGiveTheSameQuestionAndBothSidesComeFirst) {
     EXPECT_EQ(one->pair, two->pair);
     EXPECT_EQ(one->information_bits, two->information_bits);
     in_order_of_rank += one->pair.first < one->pair.second ? 1 : 0;
-    given.push_back({one->pair, Answer::Second});
+    given.push_back({one->pair, Preference::Second});
   }
   EXPECT_GT(in_order_of_rank, 0);
   EXPECT_LT(in_order_of_rank, 9);

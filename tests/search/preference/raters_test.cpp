@@ -5,7 +5,7 @@
 namespace coapt {
 namespace {
 
-using enum Answer;
+using enum Preference;
 
 TEST(Consistency, IsTheShareOfRepeatsAnsweredAlikeOnEitherSide) {
   EXPECT_FALSE(consistency({{{0, 0, 1}, First}, {{0, 1, 2}, First}})) << "no repeats";

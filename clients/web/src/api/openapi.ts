@@ -1575,6 +1575,99 @@ export interface components {
             /** @description Share of the region below 20 mm2. */
             below_20: number | null;
         };
+        /** @description A ranked plan as it is compared; other members are not looked at. */
+        ComparedPlan: {
+            cost_terms: components["schemas"]["CostTerms"];
+            /** @description In surgical words, a line a step. */
+            description: string[];
+            leak_mm2?: {
+                /** @description Over the region of interest. */
+                mean: number | null;
+            };
+            /** @description In diastole. */
+            opening_area_mm2?: number | null;
+            /** @description Of further disease. */
+            durability_mm?: number | null;
+        };
+        /** @description The plans of one search (coapt.plans/1) under a name; other members are not looked at. */
+        PreferenceCase: {
+            /** @constant */
+            schema: "coapt.plans/1";
+            /** @description By which answers name it; each case has its own. */
+            name: string;
+            plans: components["schemas"]["ComparedPlan"][];
+        };
+        PreferenceAnswer: {
+            /** @description Name of the case. */
+            case: string;
+            /** @description Place of a plan in its case, the first is 1. */
+            first: number;
+            /** @description Of another plan of that case. */
+            second: number;
+            /**
+             * @description Which of them is preferred; unable: cannot tell.
+             * @enum {unknown}
+             */
+            answer: "first" | "second" | "unable";
+        };
+        Preference: {
+            /** @constant */
+            schema: "coapt.preference/1";
+            /** @description The two plans whose answer is expected to say most; null when all have been asked for. */
+            question: {
+                case: string;
+                /** @description Place of the plan shown first. */
+                first: number;
+                second: number;
+                /** @description An earlier question with sides swapped, one in ten: how consistent a rater is. */
+                repeats: boolean;
+                information_bits: number;
+                /** @description rank, description and figures of both. */
+                plans: [
+                    Record<string, never>,
+                    Record<string, never>
+                ];
+            } | null;
+            /** @description Of each case the plan that is most likely the best for this expert. */
+            first_places: {
+                case: string;
+                /** @description Place in its case. */
+                rank: number;
+                probability: number;
+            }[];
+            learned: components["schemas"]["LearnedWeights"];
+        };
+        /** @description coapt.weights/1, as coapt plan --weights takes it. */
+        LearnedWeights: {
+            /** @constant */
+            schema: "coapt.weights/1";
+            version: string;
+            notice: string;
+            /** @description By name, as a search takes them; the most probable values. */
+            weights: {
+                [key: string]: number;
+            };
+            /** @description Of the expert's answers. */
+            noise_mm2: number;
+            /** @description How readily the expert cannot tell. */
+            tie: number;
+            /** @description Standard deviations of the natural logarithms, by name; 0.69 before any answer. */
+            log_sd: {
+                [key: string]: number;
+            };
+            /** @description Of the natural logarithms. */
+            covariance: {
+                names: string[];
+                matrix: number[][];
+            };
+            /** @description Weights of which the answers say something. */
+            informed: string[];
+            answers: number;
+            /** @description Of these: cannot tell. */
+            unable: number;
+            /** @description Share of repeated questions answered alike; null without any. */
+            consistency: number | null;
+        };
         /** @description What a plan is ranked by: the sum of weights times these amounts is its cost, with what the finer mesh changes of it (an amount may be negative by that) and durability_price. With other weights plans are ranked anew without a closure. */
         CostTerms: {
             /** @description Steps. */
