@@ -11,6 +11,7 @@ BODIES = (
     "/v1/openings",
     "/v1/kept-plans",
     "/v1/evaluations",
+    "/v1/preferences",
     "/v1/plans",
     "/v1/studies",
     "/v1/valves",
