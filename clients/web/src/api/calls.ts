@@ -8,6 +8,9 @@ import type {
   Job,
   Opening,
   Plan,
+  Preference,
+  PreferenceAnswer,
+  PreferenceCase,
   Problem,
   Rings,
   Scene,
@@ -58,6 +61,16 @@ export async function problemsOfValve(text: string): Promise<Problem[]> {
 
 export function evaluate(valve: string, plans: Plan[], region_points: number): Promise<Evaluations> {
   return postJson('/v1/evaluations', { valve, plans, region_points })
+}
+
+/// What the answers on plans of one search say of the weights, and the next question.
+export function learnPreference(
+  of: PreferenceCase,
+  answers: PreferenceAnswer[],
+  hide_figures: boolean,
+  signal: AbortSignal,
+): Promise<Preference> {
+  return postJson('/v1/preferences', { cases: [of], answers, hide_figures }, signal)
 }
 
 /// One HTML page.

@@ -3,7 +3,7 @@
 import type { RankedPlan } from '../api/types'
 import { joined, number } from '../format'
 import { isRobust, openingMm2, tieWords } from './figures'
-import { costOf, isAsSearched, priceItems, AS_SEARCHED, type Factors, type Weights } from './price'
+import { costOf, priceItems, type Wanted, type Weights } from './price'
 
 const OFTEN_FAILING = 0.05 // of the closures over the region: then its figures mean little
 export const STENOSIS_MM2 = 150
@@ -33,9 +33,9 @@ const REQUIREMENTS: Requirement[] = [
   { isMet: isRobust, unmet: 'it is not shown to close robustly' },
 ]
 
-/// `plans` as the search ranks them; factors of 1 leave them so.
-export function reordered(plans: RankedPlan[], weights: Weights, factors: Factors): RankedPlan[] {
-  const costs = new Map(plans.map((plan) => [plan.rank, costOf(plan, weights, factors) ?? Number.POSITIVE_INFINITY]))
+/// `plans` as the search ranks them; its own weights leave them so.
+export function reordered(plans: RankedPlan[], own: Weights, wanted: Weights): RankedPlan[] {
+  const costs = new Map(plans.map((plan) => [plan.rank, costOf(plan, own, wanted) ?? Number.POSITIVE_INFINITY]))
   return [...plans].sort((a, b) => {
     const decisive = deciding(a, b)
     if (decisive) return decisive.isMet(a) ? -1 : 1
@@ -50,23 +50,22 @@ function deciding(a: RankedPlan, b: RankedPlan): Requirement | undefined {
 
 /// Why the first of `order` stands before the second: "Plan 1 stands first with a cost of 2.90 mm²; plan 2 has 3.37: 0.52
 /// more for undersizing." Null where there is no second, or a cost is not known.
-export function whyFirst(order: RankedPlan[], weights: Weights, factors = AS_SEARCHED): string | null {
+export function whyFirst(order: RankedPlan[], own: Weights, { weights, by }: Wanted): string | null {
   const [first, second] = order
   if (!first || !second) return null
-  const [cost, other] = [costOf(first, weights, factors), costOf(second, weights, factors)]
+  const [cost, other] = [costOf(first, own, weights), costOf(second, own, weights)]
   if (cost === null || other === null) return null
-  const own = isAsSearched(factors)
-  const tie = own && first.tie_with_next ? `${tieWords(first, second, order) ?? ''} ` : ''
-  const plan = own ? 'Plan' : 'By your weights plan'
+  const tie = by === '' && first.tie_with_next ? `${tieWords(first, second, order) ?? ''} ` : ''
+  const plan = by === '' ? 'Plan' : `By ${by} plan`
   const costs = `${plan} ${first.rank} stands first with a cost of ${number(cost, 2)} mm²; plan ${second.rank} has ${number(other, 2)}`
   const decisive = deciding(first, second)
   if (decisive) return `${tie}${costs}, ${other < cost ? 'but' : 'and'} ${decisive.unmet}.`
-  return `${tie}${costs}${differences(first, second, weights, factors)}.`
+  return `${tie}${costs}${differences(first, second, weights)}.`
 }
 
-function differences(first: RankedPlan, second: RankedPlan, weights: Weights, factors: Factors): string {
-  const items = priceItems(first, weights, factors)
-  const found = priceItems(second, weights, factors)
+function differences(first: RankedPlan, second: RankedPlan, weights: Weights): string {
+  const items = priceItems(first, weights)
+  const found = priceItems(second, weights)
     .map(({ name, mm2 }, i) => ({ name, more: mm2 - (items[i]?.mm2 ?? 0) }))
     .filter(({ more }) => Math.abs(more) >= TOLD_MM2)
     .sort((a, b) => Math.abs(b.more) - Math.abs(a.more))

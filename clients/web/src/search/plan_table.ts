@@ -7,14 +7,14 @@ import { number } from '../format'
 import { term } from '../help/term'
 import { describe } from '../repair/steps'
 import { FURTHEST_DISEASE_MM, isRobust, meanAndSdCell, openingMm2, type Opened } from './figures'
-import { costOf, isAsSearched, AS_SEARCHED, type Factors, type Weights } from './price'
+import { costOf, type Wanted, type Weights } from './price'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
 
 export interface PlanTable {
   element: HTMLElement
   boxes: HTMLInputElement[] // by the plans, to compare them
-  show(order: RankedPlan[], factors: Factors): void
+  show(order: RankedPlan[], wanted: Wanted): void
 }
 
 const columns = (): [label: Child, unit: string][] => [
@@ -32,7 +32,7 @@ const columns = (): [label: Child, unit: string][] => [
 
 export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => string): PlanTable {
   const { before, plans } = result
-  const weights = result.weights as Weights
+  const own = result.weights as Weights
   const lines = plans.map((plan) => ({
     plan,
     box: h('input', { type: 'checkbox', 'aria-label': `Compare plan ${plan.rank}` }),
@@ -83,19 +83,19 @@ export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => st
   )
   const [, ...places] = table.querySelectorAll('tbody tr') // by the plans, as they were made
 
-  function show(order: RankedPlan[], factors: Factors): void {
-    const own = isAsSearched(factors)
+  function show(order: RankedPlan[], { weights, by }: Wanted): void {
+    const isOwn = by === ''
     lines.forEach(({ plan, note, cost }, i) => {
       const place = order.indexOf(plan)
-      cost.textContent = number(costOf(plan, weights, factors), 2)
-      note.replaceChildren(...(own ? tieNote(plan) : moved(i + 1, place + 1)))
-      note.classList.toggle(searchStyle.moved as string, !own)
+      cost.textContent = number(costOf(plan, own, weights), 2)
+      note.replaceChildren(...(isOwn ? tieNote(plan) : moved(i + 1, place + 1)))
+      note.classList.toggle(searchStyle.moved as string, !isOwn)
     })
     const body = table.querySelector('tbody')
     for (const plan of order) body?.append(places[plans.indexOf(plan)] as Node)
   }
 
-  show(plans, AS_SEARCHED)
+  show(plans, { weights: own, by: '' })
   return { element: h('div', { class: searchStyle.ranked }, table), boxes: lines.map(({ box }) => box), show }
 }
 

@@ -1,5 +1,5 @@
 // What plans are ranked by: amounts that the service states of each plan (cost_terms) times the weights of the search, told
-// in the groups of the sentences, and what each objective is worth to the reader.
+// in the groups of the sentences, and the weights that the reader wants instead.
 import type { CostTerms, RankedPlan, SearchResult } from '../api/types'
 
 export type Weights = Required<NonNullable<SearchResult['weights']>>
@@ -8,6 +8,12 @@ export type Objective = 'leak' | 'opening' | 'durability' | 'operation'
 /// What the prices of each objective are multiplied by, 0 or more.
 export type Factors = Record<Objective, number>
 export const AS_SEARCHED: Factors = { leak: 1, opening: 1, durability: 1, operation: 1 }
+
+/// What plans are ordered by.
+export interface Wanted {
+  weights: Weights
+  by: string // "your weights"; empty: as searched
+}
 
 export interface PriceItem {
   name: string
@@ -29,14 +35,23 @@ const ITEMS: { name: string; objective: Objective | null; terms: (keyof CostTerm
   { name: 'closures that failed', objective: null, terms: ['untrusted'] },
 ]
 
-/// They add up to costOf(). Empty for results of a service that did not state the amounts yet.
-export function priceItems(plan: RankedPlan, weights: Weights, factors = AS_SEARCHED): PriceItem[] {
+/// Those of the search, or the learned ones, times the factors; `untrusted` and `sd_share` remain the search's.
+export function wantedWeights(own: Weights, factors: Factors, learned: Partial<Weights> = {}): Weights {
+  const wanted = { ...own }
+  for (const { objective, terms } of ITEMS)
+    if (objective) for (const term of terms) wanted[term] = (learned[term] ?? own[term]) * factors[objective]
+  return wanted
+}
+
+/// At the weights of the search they add up to what it ranks by. Empty for results of a service that did not state the
+/// amounts yet.
+export function priceItems(plan: RankedPlan, weights: Weights): PriceItem[] {
   const amounts = plan.cost_terms as CostTerms | undefined
   if (!amounts) return []
   return ITEMS.map(({ name, objective, terms }) => ({
     name,
     objective,
-    mm2: (objective ? factors[objective] : 1) * terms.reduce((sum, term) => sum + weights[term] * amounts[term], 0),
+    mm2: terms.reduce((sum, term) => sum + weights[term] * amounts[term], 0),
   }))
 }
 
@@ -46,12 +61,13 @@ export function rankedCost({ cost, fine, durability_price }: RankedPlan): number
   return cost === null ? null : (fine?.cost ?? cost) + (durability_price ?? 0) // coapt 0.1 knew neither
 }
 
-/// To the last bit what the search ranks by where all factors are 1: sums of rounded prices might swap equal plans.
-export function costOf(plan: RankedPlan, weights: Weights, factors: Factors): number | null {
+/// To the last bit what the search ranks by where its own weights are wanted: sums of rounded prices might swap equal plans.
+export function costOf(plan: RankedPlan, own: Weights, wanted: Weights): number | null {
   const cost = rankedCost(plan)
-  if (cost === null) return null
-  return priceItems(plan, weights).reduce(
-    (sum, { objective, mm2 }) => sum + (objective ? (factors[objective] - 1) * mm2 : 0),
+  const amounts = plan.cost_terms as CostTerms | undefined
+  if (cost === null || !amounts) return cost
+  return ITEMS.flatMap(({ terms }) => terms).reduce(
+    (sum, term) => sum + (wanted[term] - own[term]) * amounts[term],
     cost,
   )
 }

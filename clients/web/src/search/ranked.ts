@@ -1,12 +1,15 @@
-// The ranked plans of a search: their table and its order, what they trade, two of them compared, a card for each.
+// The ranked plans of a search: their table and its order, two of them compared, which the reader prefers, what they trade,
+// a card for each.
 import type { RankedPlan, SearchResult } from '../api/types'
 import { h } from '../dom'
 import { cardId, planCard, type CardContext } from './card'
 import { comparison } from './compare'
+import { learning } from './learning'
 import { reordered, whyFirst } from './order'
 import { planTable } from './plan_table'
+import { canBeCompared } from './preference_case'
 import { preferences } from './preferences'
-import { isAsSearched, priceItems, AS_SEARCHED, type Factors, type Weights } from './price'
+import { isAsSearched, priceItems, wantedWeights, AS_SEARCHED, type Wanted, type Weights } from './price'
 import { tradeOff } from './trade_off'
 import parts from '../style/parts.module.css'
 
@@ -20,43 +23,57 @@ export function ranked(result: SearchResult, context: CardContext): HTMLElement[
         'No plan was ranked: the search ended before it found one, or every plan breaks a rule.',
       ),
     ]
-  const weights = result.weights as Weights
+  const own = result.weights as Weights
   const title = h('h2', {})
   const why = h('p', { 'data-part': 'why', role: 'status' })
   const order = h('p', { class: parts.hint, 'data-part': 'order' })
   const table = planTable(result, (plan) => cardId(context, plan))
 
-  function arrange(factors: Factors): void {
-    const own = isAsSearched(factors)
-    const arranged = reordered(plans, weights, factors)
+  let factors = AS_SEARCHED // by the sliders
+  let learned: Partial<Weights> | null = null // where the reader wants them
+  function arrange(): void {
+    const sources = [learned && 'what was learned', !isAsSearched(factors) && 'your weights']
+    const by = sources.filter((source) => typeof source === 'string').join(' and ')
+    const wanted: Wanted = { weights: wantedWeights(own, factors, learned ?? {}), by }
+    const arranged = reordered(plans, own, wanted.weights)
     title.textContent =
-      plans.length === 1
-        ? 'One ranked plan'
-        : `${plans.length} ranked plans, best first${own ? '' : ' by your weights'}`
-    why.textContent = whyFirst(arranged, weights, factors) ?? ''
+      plans.length === 1 ? 'One ranked plan' : `${plans.length} ranked plans, best first${by && ` by ${by}`}`
+    why.textContent = whyFirst(arranged, own, wanted) ?? ''
     why.hidden = why.textContent === ''
-    order.hidden = own
-    table.show(arranged, factors)
+    order.hidden = by === ''
+    table.show(arranged, wanted)
   }
 
   order.textContent =
     'Plans keep the rank of the search as their name, here, in the chart and below. Ties are known for the search’s own order only.'
-  arrange(AS_SEARCHED)
+  arrange()
   const compared = h('div', { 'aria-live': 'polite' })
   compareTicked(plans, table.boxes, compared, context)
-  const canWeigh = plans.length > 1 && plans.every((plan) => priceItems(plan, weights).length > 0)
+  const canWeigh = plans.length > 1 && plans.every((plan) => priceItems(plan, own).length > 0)
   return [
     h(
       'section',
       { class: parts.panel, 'data-part': 'ranked', 'aria-label': 'Ranked plans' },
       title,
       why,
-      canWeigh && preferences(plans, weights, arrange),
+      canWeigh &&
+        preferences(plans, own, (moved) => {
+          factors = moved
+          arrange()
+        }),
       table.element,
       order,
       plans.length > 1 && h('p', { class: parts.hint }, 'Tick two plans to compare them.'),
     ),
     compared,
+    ...(canBeCompared(plans)
+      ? [
+          learning(plans, own, context, (taken) => {
+            learned = taken
+            arrange()
+          }),
+        ]
+      : []),
     tradeOff(result, context.signal),
     ...plans.map((plan) => planCard(plan, context)),
   ]

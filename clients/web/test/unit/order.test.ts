@@ -1,11 +1,13 @@
 import { expect, test } from 'vitest'
 import type { RankedPlan } from '../../src/api/types'
 import { reordered, whyFirst } from '../../src/search/order'
-import { AS_SEARCHED, type Factors } from '../../src/search/price'
+import { wantedWeights, AS_SEARCHED, type Factors } from '../../src/search/price'
 import { planOf, WEIGHTS } from './plans'
 
-const ranks = (plans: RankedPlan[], factors: Partial<Factors> = {}) =>
-  reordered(plans, WEIGHTS, { ...AS_SEARCHED, ...factors }).map(({ rank }) => rank)
+const at = (factors: Partial<Factors>, learned = {}) => wantedWeights(WEIGHTS, { ...AS_SEARCHED, ...factors }, learned)
+const ranks = (plans: RankedPlan[], factors: Partial<Factors> = {}, learned = {}) =>
+  reordered(plans, WEIGHTS, at(factors, learned)).map(({ rank }) => rank)
+const asSearched = { weights: WEIGHTS, by: '' }
 
 // What each lacks decides before its cost, which falls from rank to rank.
 const decided = [
@@ -46,6 +48,12 @@ test('the plan that is better in what matters more comes first', () => {
   expect(ranks([lesser, tighter], { opening: 4, durability: 0 })).toEqual([1, 2]) // neither has a price of them
 })
 
+test('learned weights order the plans, and factors multiply them', () => {
+  expect(ranks([lesser, tighter], {}, { leak: 2 })).toEqual([2, 1]) // 2.6 and 2.4
+  expect(ranks([lesser, tighter], { leak: 0.5 }, { leak: 2 })).toEqual([1, 2]) // 1.8 and 2.2
+  expect(ranks([lesser, tighter], {}, { ...WEIGHTS })).toEqual([1, 2])
+})
+
 test('opening and durability matter by their own prices', () => {
   const wide = planOf({ rank: 2, terms: { step: 2, durability: 4 } }) // 2 + 1
   const lasting = planOf({ rank: 1, terms: { step: 1, gradient_above_3: 0.5 } }) // 1 + 1
@@ -76,36 +84,36 @@ test('up to a twentieth of the region may fail, a plan without a cost comes last
 test('the first plan is first by the prices that differ, the largest first', () => {
   const first = planOf({ rank: 1, terms: { step: 2, leak: 0.75, coaptation: 0.5 } }) // 2 + 0.75 + 0.25
   const second = planOf({ rank: 2, terms: { step: 2, leak: 0.55, undersizing: 1, coaptation: 0.7 } })
-  expect(whyFirst([first, second], WEIGHTS)).toBe(
+  expect(whyFirst([first, second], WEIGHTS, asSearched)).toBe(
     'Plan 1 stands first with a cost of 3.00 mm²; plan 2 has 3.40: 0.50 more for undersizing, 0.20 less for leak and 0.10 more for too little coaptation.',
   )
 })
 
 test('a tie is said before its prices', () => {
-  const words = whyFirst([planOf({ cost: 3, tie: true }), planOf({ rank: 2, cost: 3.01 })], WEIGHTS)
+  const words = whyFirst([planOf({ cost: 3, tie: true }), planOf({ rank: 2, cost: 3.01 })], WEIGHTS, asSearched)
   expect(words).toBe(
     'Plans 1 and 2 tie; plan 1 is ahead with a probability of 60 %. Plan 1 stands first with a cost of 3.00 mm²; plan 2 has 3.01, with nearly the same prices.',
   )
 })
 
 test('what decided before the cost is the reason', () => {
-  expect(whyFirst([planOf({ cost: 5 }), planOf({ rank: 2, cost: 3, robust: false })], WEIGHTS)).toBe(
+  expect(whyFirst([planOf({ cost: 5 }), planOf({ rank: 2, cost: 3, robust: false })], WEIGHTS, asSearched)).toBe(
     'Plan 1 stands first with a cost of 5.00 mm²; plan 2 has 3.00, but it is not shown to close robustly.',
   )
-  expect(whyFirst([planOf({ cost: 2 }), planOf({ rank: 2, cost: 3, opening_mm2: 120 })], WEIGHTS)).toBe(
+  expect(whyFirst([planOf({ cost: 2 }), planOf({ rank: 2, cost: 3, opening_mm2: 120 })], WEIGHTS, asSearched)).toBe(
     'Plan 1 stands first with a cost of 2.00 mm²; plan 2 has 3.00, and it opens to less than 1.5 cm².',
   )
 })
 
 test('at the reader’s own weights costs and prices are those, and nothing is said of ties', () => {
-  const factors = { ...AS_SEARCHED, leak: 2 }
-  const order = reordered([{ ...lesser, tie_with_next: true }, tighter], WEIGHTS, factors)
-  expect(whyFirst(order, WEIGHTS, factors)).toBe(
+  const weights = at({ leak: 2 })
+  const order = reordered([{ ...lesser, tie_with_next: true }, tighter], WEIGHTS, weights)
+  expect(whyFirst(order, WEIGHTS, { weights, by: 'your weights' })).toBe(
     'By your weights plan 2 stands first with a cost of 2.40 mm²; plan 1 has 2.60: 1.20 more for leak and 1.00 less for steps.',
   )
 })
 
 test('one plan alone, or one of unknown cost, needs no reason', () => {
-  expect(whyFirst([planOf({})], WEIGHTS)).toBeNull()
-  expect(whyFirst([planOf({}), planOf({ rank: 2, cost: null })], WEIGHTS)).toBeNull()
+  expect(whyFirst([planOf({})], WEIGHTS, asSearched)).toBeNull()
+  expect(whyFirst([planOf({}), planOf({ rank: 2, cost: null })], WEIGHTS, asSearched)).toBeNull()
 })

@@ -1,11 +1,11 @@
 import { expect, test } from 'vitest'
 import type { CostTerms } from '../../src/api/types'
-import { costOf, isAsSearched, priceItems, rankedCost, AS_SEARCHED } from '../../src/search/price'
+import { costOf, isAsSearched, priceItems, rankedCost, wantedWeights, AS_SEARCHED } from '../../src/search/price'
 import { planOf, termsOf, WEIGHTS } from './plans'
 
 const pricesOf = (terms: Partial<CostTerms>, factors = AS_SEARCHED) =>
   Object.fromEntries(
-    priceItems(planOf({ terms }), WEIGHTS, factors)
+    priceItems(planOf({ terms }), wantedWeights(WEIGHTS, factors))
       .filter(({ mm2 }) => mm2 !== 0)
       .map(({ name, mm2 }) => [name, mm2]),
   )
@@ -57,17 +57,33 @@ test('a plan is ranked by its cost with the closure on the finer mesh, and what 
   expect(rankedCost({ ...plan, cost: null })).toBeNull()
 })
 
-test('at other factors the cost moves by what they change of the prices', () => {
+test('learned weights stand for the search’s own and are multiplied; failures and the share of the sd remain its', () => {
+  const learned = { leak: 3, step: 0.5, untrusted: 1, sd_share: 7 }
+  expect(wantedWeights(WEIGHTS, AS_SEARCHED)).toEqual(WEIGHTS)
+  expect(wantedWeights(WEIGHTS, { ...AS_SEARCHED, leak: 2 }, learned)).toEqual({
+    ...{ ...WEIGHTS, leak: 6, step: 0.5 },
+    ...{ incompetence: 10, margin: 2, coaptation: 1, gap: 4, tension: 2 }, // not learned, of the same objective
+  })
+})
+
+test('at the search’s own weights the cost is to the last bit what it ranks by, also if it is not the sum of prices', () => {
+  const plan = planOf({ cost: 0.1 + 0.2, terms: { leak: 0.3, step: 1e9, untrusted: 1 / 3 } })
+  expect(costOf(plan, WEIGHTS, wantedWeights(WEIGHTS, AS_SEARCHED, { ...WEIGHTS }))).toBe(0.1 + 0.2)
+})
+
+test('at other weights the cost moves by what they change of the prices', () => {
   const plan = planOf({ terms: { leak: 0.5, step: 2, durability: 4 } }) // 0.5 + 2 + 1
-  expect(costOf(plan, WEIGHTS, AS_SEARCHED)).toBe(3.5)
-  expect(costOf(plan, WEIGHTS, { leak: 0, opening: 4, durability: 4, operation: 0.5 })).toBe(5) // 0 + 1 + 4
+  expect(costOf(plan, WEIGHTS, WEIGHTS)).toBe(3.5)
+  const factors = { leak: 0, opening: 4, durability: 4, operation: 0.5 }
+  expect(costOf(plan, WEIGHTS, wantedWeights(WEIGHTS, factors))).toBe(5) // 0 + 1 + 4
+  expect(costOf(plan, WEIGHTS, wantedWeights(WEIGHTS, factors, { step: 3 }))).toBe(7) // 0 + 3 + 4
 })
 
 test('a result of a service that states no amounts has its cost and no prices', () => {
   const { cost_terms, ...old } = planOf({ cost: 3 })
   expect(cost_terms).toBeDefined()
   expect(priceItems(old as typeof old & { cost_terms: CostTerms }, WEIGHTS)).toEqual([])
-  expect(costOf(old as typeof old & { cost_terms: CostTerms }, WEIGHTS, AS_SEARCHED)).toBe(3)
+  expect(costOf(old as typeof old & { cost_terms: CostTerms }, WEIGHTS, { ...WEIGHTS, step: 2 })).toBe(3)
 })
 
 test('factors are the search’s own only if all are 1', () => {
