@@ -71,6 +71,7 @@ double preferred(const CostTerms& difference, const PosteriorDraws& draws) {
 
 std::vector<double> best_shares(const PlanCase& plans, const PosteriorDraws& draws) {
   std::vector<double> shares(plans.plans.size(), 0.0);
+  if (shares.empty()) return shares;
   for (int i = 0; i < kDraws; ++i) {
     std::size_t best = 0;
     double least = 0.0;

@@ -91,6 +91,11 @@ TEST(NextQuestion, AsksNoPairTwiceExceptATenthWithSidesSwapped) {
   EXPECT_EQ(repeats, 1);
 }
 
+TEST(NextQuestion, OfACaseWithoutPlansNothingIsAskedOrFirst) {
+  EXPECT_FALSE(next_question({{.name = "none", .plans = {}}}, {}, prior_draws()));
+  EXPECT_TRUE(best_shares({.name = "none", .plans = {}}, prior_draws()).empty());
+}
+
 TEST(NextQuestion, TheSameAnswersGiveTheSameQuestionAndBothSidesComeFirst) {
   const std::vector<PlanCase> cases = staircase();
   std::vector<GivenAnswer> given;

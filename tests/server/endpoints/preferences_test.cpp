@@ -54,6 +54,14 @@ TEST_F(PreferencesTest, WhoTakesTheLeakFindsUndersizingDear) {
   EXPECT_TRUE(json["question"].is_null()) << "all three pairs were asked for";
 }
 
+TEST_F(PreferencesTest, ACaseWithoutPlansHasNoFirstPlace) {
+  ordered_json request = request_of(ordered_json::array());
+  request["cases"][0]["plans"] = ordered_json::array();
+  const ordered_json json = json_of(post("/v1/preferences", request));
+  EXPECT_TRUE(json["question"].is_null());
+  EXPECT_TRUE(json["first_places"].empty());
+}
+
 TEST_F(PreferencesTest, EachProblemIsNamed) {
   const auto refused = [this](const ordered_json& request) {
     return refusal(post("/v1/preferences", request));

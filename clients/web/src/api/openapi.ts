@@ -1580,6 +1580,7 @@ export interface components {
             cost_terms: components["schemas"]["CostTerms"];
             /** @description In surgical words, a line a step. */
             description: string[];
+            /** @description Of the plan. */
             leak_mm2?: {
                 /** @description Over the region of interest. */
                 mean: number | null;
@@ -1591,10 +1592,14 @@ export interface components {
         };
         /** @description The plans of one search (coapt.plans/1) under a name; other members are not looked at. */
         PreferenceCase: {
-            /** @constant */
+            /**
+             * @description What the plans are of.
+             * @constant
+             */
             schema: "coapt.plans/1";
             /** @description By which answers name it; each case has its own. */
             name: string;
+            /** @description In the order of their ranks. */
             plans: components["schemas"]["ComparedPlan"][];
         };
         PreferenceAnswer: {
@@ -1611,16 +1616,22 @@ export interface components {
             answer: "first" | "second" | "unable";
         };
         Preference: {
-            /** @constant */
+            /**
+             * @description Name and version of this format.
+             * @constant
+             */
             schema: "coapt.preference/1";
             /** @description The two plans whose answer is expected to say most; null when all have been asked for. */
             question: {
+                /** @description Name of the case. */
                 case: string;
                 /** @description Place of the plan shown first. */
                 first: number;
+                /** @description Place of the other plan. */
                 second: number;
                 /** @description An earlier question with sides swapped, one in ten: how consistent a rater is. */
                 repeats: boolean;
+                /** @description Expected of the answer, about the weights. */
                 information_bits: number;
                 /** @description rank, description and figures of both. */
                 plans: [
@@ -1630,19 +1641,27 @@ export interface components {
             } | null;
             /** @description Of each case the plan that is most likely the best for this expert. */
             first_places: {
+                /** @description Name of the case. */
                 case: string;
                 /** @description Place in its case. */
                 rank: number;
+                /** @description That it is the best of its case. */
                 probability: number;
             }[];
+            /** @description What the answers say. */
             learned: components["schemas"]["LearnedWeights"];
+            notice: components["schemas"]["Notice"];
         };
         /** @description coapt.weights/1, as coapt plan --weights takes it. */
         LearnedWeights: {
-            /** @constant */
+            /**
+             * @description Name and version of this format.
+             * @constant
+             */
             schema: "coapt.weights/1";
+            /** @description Of coapt. */
             version: string;
-            notice: string;
+            notice: components["schemas"]["Notice"];
             /** @description By name, as a search takes them; the most probable values. */
             weights: {
                 [key: string]: number;
@@ -1657,11 +1676,14 @@ export interface components {
             };
             /** @description Of the natural logarithms. */
             covariance: {
+                /** @description Of rows and columns. */
                 names: string[];
+                /** @description Row by row. */
                 matrix: number[][];
             };
             /** @description Weights of which the answers say something. */
             informed: string[];
+            /** @description How many. */
             answers: number;
             /** @description Of these: cannot tell. */
             unable: number;
