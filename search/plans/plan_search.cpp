@@ -109,7 +109,7 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
                                     const SearchContext& context) {
   const Expected<PlanSpace> space = space_of(valve, options);
   if (!space) return space.errors();
-  SearchMonitor monitor(options.seconds, context.cancelled, context.progress);
+  SearchMonitor monitor(options.seconds, context.cancelled, context.progress, context.now);
   monitor.plan(1 + options.evaluations + ranking_closures(options), "searching");
   const Evaluator evaluate = evaluator(options, context);
   PlanEvaluations evaluations(evaluate, valve, evaluation_options(options, context), monitor);
@@ -155,7 +155,7 @@ Expected<SearchResult> evaluate_plans(const Valve& valve, const std::vector<Name
 
   SearchOptions all = options;
   all.plans = static_cast<int>(plans.size());
-  SearchMonitor monitor(options.seconds, context.cancelled, context.progress);
+  SearchMonitor monitor(options.seconds, context.cancelled, context.progress, context.now);
   monitor.plan(1 + ranking_closures(all), "ranking");
   const Evaluator evaluate = evaluator(options, context);
   PlanEvaluations evaluations(evaluate, valve, evaluation_options(options, context), monitor);

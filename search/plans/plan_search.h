@@ -23,6 +23,7 @@ struct SearchContext {
   std::function<void(const std::string& key, int disturbance, const PlanClosure&)> keep{};
   Evaluator evaluate{};  ///< empty: closing_evaluator(); called from several threads at once
   Opener open{};         ///< empty: open_plan(), or nothing where `evaluate` is not
+  SearchClock now{};     ///< empty: the steady clock
 };
 
 /// What speaks against a search, without closing anything: options out of range, rules that the

@@ -15,16 +15,21 @@
 
 namespace coapt {
 
+/// Called from several threads at once.
+using SearchClock = std::function<std::chrono::steady_clock::time_point()>;
+
 class SearchMonitor {
  public:
   using Clock = std::chrono::steady_clock;
   using Report = std::function<void(const SearchProgress&)>;
 
-  /// @param seconds 0: no limit. @param cancelled may be null.
-  SearchMonitor(double seconds, const std::atomic<bool>* cancelled, Report report = {})
-      : seconds_(seconds), cancelled_(cancelled), report_(std::move(report)) {}
+  /// @param seconds 0: no limit. @param cancelled may be null. @param now empty: the steady clock.
+  SearchMonitor(double seconds, const std::atomic<bool>* cancelled, Report report = {},
+                SearchClock now = {})
+      : now_(now ? std::move(now) : SearchClock(&Clock::now)), seconds_(seconds),
+        cancelled_(cancelled), report_(std::move(report)) {}
 
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
+  double seconds() const { return std::chrono::duration<double>(now_() - started_).count(); }
   /// Whether to go no further.
   bool stopped() const { return cancelled() || out_of_time(1.0); }
   /// Whether to try no more plans: the rest of the time is for ranking those there are.
@@ -69,7 +74,8 @@ class SearchMonitor {
 
   bool out_of_time(double share) const { return seconds_ > 0.0 && seconds() >= share * seconds_; }
 
-  Clock::time_point started_ = Clock::now();
+  SearchClock now_;
+  Clock::time_point started_ = now_();
   double seconds_;
   const std::atomic<bool>* cancelled_;
   Report report_;

@@ -1,6 +1,5 @@
 #include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "search/plans/plan_search.h"
 #include "tests/search/plans/search_scene.h"
@@ -84,14 +83,15 @@ TEST(SearchLimits, StoppedWhileRankingItKeepsThePlansWithMostNodesAndComparesOve
 }
 
 TEST(SearchLimits, WithLittleTimeItStillClosesTheRegionOfItsPlans) {
-  const Evaluator evaluate = [](const Valve& valve, const ClosureResult* from) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return needs_suture(valve, from);
+  std::atomic<int> closures = 0;
+  SearchContext context = context_of(counted(needs_suture, closures));
+  context.now = [&closures] {
+    return SearchMonitor::Clock::time_point(std::chrono::milliseconds(closures));
   };
   SearchOptions options = small_search();
   options.evaluations = 100000;
-  options.seconds = 2.0;  // of 100; with less, a pause of the machine left none for ranking
-  const SearchResult result = searched(evaluate, options);
+  options.seconds = 0.3;  // of 100, for each closure takes 1 ms
+  const SearchResult result = searched(options, context);
   EXPECT_EQ(result.stop, SearchStop::TimeLimit);
   ASSERT_EQ(result.plans.size(), 3u);
   for (const RankedPlan& plan : result.plans) EXPECT_GT(plan.region.closures, 1);
