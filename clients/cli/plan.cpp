@@ -106,8 +106,8 @@ void add_plan(Command parent, int& status) {
   SearchOptions& options = arguments->options;
   Command command = parent.add_command("plan", "Search repair plans and rank them");
   command.add_option("valve", arguments->valve, kValveHelp).required();
-  for (const char* name : {"evaluations", "seed", "seconds", "plans", "threads", "region_points",
-                           "fine_levels", "model_draws", "no_improvement"})
+  for (const char* name : {"evaluations", "front_share", "seed", "seconds", "plans", "threads",
+                           "region_points", "fine_levels", "model_draws", "no_improvement"})
     add_search_option(command, name, options);
   command
       .add_option("--target", options.target_mm2,

@@ -23,6 +23,8 @@ std::string command_line(const PlanArguments& arguments) {
        << options.plans << " --region-points " << options.region_points;
   if (!arguments.fixed.empty()) line << " --fix " << shell_quoted(arguments.fixed);
   for (const std::string& word : arguments.forbidden) line << " --forbid " << word;
+  if (options.front_share != SearchOptions{}.front_share)
+    line << " --front-share " << options.front_share;
   if (options.no_improvement > 0) line << " --no-improvement " << options.no_improvement;
   if (options.target_mm2 >= 0.0) line << " --target " << options.target_mm2;
   if (options.fine_levels != SearchOptions{}.fine_levels)

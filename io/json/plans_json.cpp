@@ -200,6 +200,8 @@ ordered_json pareto_json(const ParetoPlan& plan) {
           {"steps", plan.steps},
           {"ring_sizes_below", plan.sizes_below},
           {"opening_mm2", plan.opening_mm2},
+          {"durability_mm", plan.durability_mm},
+          {"cost", plan.cost},
           {"nodes", plan.nodes}};
 }
 

@@ -6,6 +6,7 @@ speed-accuracy.csv      distance from a reference, and error of the orifice, aga
 stability.csv           where each method closes a valve and where it fails
 gap.csv                 the gap on growing meshes, of surfaces and of closures
 orifice-resolution.csv  error and time of the orifice's image
+front-rise.csv          how much of what plans trade the search and its rivals have found
 ecdf.csv                share of targets that the search and its rivals reach
 mesh.csv                error of areas and shapes against the number of triangles
 uniqueness.csv          how unique the closed state is, over the leaflets' rigidity
@@ -27,6 +28,7 @@ import statistics
 import barlow
 import chordae
 import durable_anchors
+import front_rise
 import growth
 import mesh
 import preference
@@ -487,6 +489,7 @@ CHARTS = {
     "barlow": {"barlow": barlow.draw_barlow},
     "durable-anchors": {"durable-anchors": durable_anchors.draw_durable_anchors},
     "preference": {"preference": preference.draw_preference},
+    "front-rise": {"front-rise": front_rise.draw_front_rise},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},
 }

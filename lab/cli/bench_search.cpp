@@ -12,6 +12,7 @@
 #include "io/command_line/command_line.h"
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
+#include "lab/cli/bench_parts.h"
 #include "lab/cli/commands.h"
 #include "lab/cli/draw.h"
 #include "lab/lattices/lattice_findings.h"
@@ -56,25 +57,6 @@ Hits hits_of(const SolvedLattice& lattice, int seeds, int threads) {
 
 std::string path_in(const BenchSearchArguments& arguments, const std::string& name) {
   return (fs::path(arguments.directory) / name).string();
-}
-
-/// Whether it is among those asked for; all are if none are.
-bool asked_for(const std::vector<std::string>& asked, const std::string& name) {
-  return asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
-}
-
-/// Errors: --lattice names one that is not there.
-Expected<std::vector<LatticeCase>> chosen_cases(const BenchSearchArguments& arguments,
-                                                const Valve& real) {
-  std::vector<LatticeCase> cases = lattice_cases(real);
-  for (const std::string& name : arguments.lattices)
-    if (std::none_of(cases.begin(), cases.end(), [&](const auto& c) { return c.name == name; }))
-      return Error{
-          ErrorCode::BadReference, "--lattice",
-          "is \"" + name +
-              "\", must be functional, porcine-both, human-pm, real, ischaemic or flail-p2"};
-  std::erase_if(cases, [&](const auto& one) { return !asked_for(arguments.lattices, one.name); });
-  return cases;
 }
 
 /// Adds the solved lattice to `solved` and writes its table for the program outside; returns an exit code.
@@ -187,7 +169,7 @@ int run(const BenchSearchArguments& arguments) {
   std::error_code failed;
   fs::create_directories(arguments.directory, failed);
   if (const int cannot = check_output(path_in(arguments, "ert.csv"))) return cannot;
-  const Expected<std::vector<LatticeCase>> cases = chosen_cases(arguments, *real);
+  const Expected<std::vector<LatticeCase>> cases = chosen_cases(arguments.lattices, *real);
   if (!cases) return report_errors("bench search", cases.errors());
   std::vector<SolvedLattice> solved;
   for (const LatticeCase& one : *cases)

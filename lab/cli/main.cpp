@@ -12,6 +12,7 @@ void add_commands(Command app, int& status) {
   bench.require_command();
   add_bench_closures(bench, status);
   add_bench_search(bench, status);
+  add_bench_front(bench, status);
   add_chart(app, status);
 }
 

@@ -43,13 +43,6 @@ RepairPlan repair(const Valve& valve, const DurableAnchor& like, double movement
   return plan;
 }
 
-std::vector<PlanEvaluations::Wanted> disease_of(PlanRecord& record) {
-  std::vector<PlanEvaluations::Wanted> wanted;
-  for (int d = kDisease.first; d < kDisease.first + kDisease.count; ++d)
-    wanted.push_back({&record, d});
-  return wanted;
-}
-
 /// Of one valve with one anchor, a repair for each limit, the looser first.
 std::vector<DurableAnchor> repairs_of(PlanEvaluations& evaluations, DurableAnchor like) {
   std::vector<DurableAnchor> repairs;
@@ -63,7 +56,8 @@ std::vector<DurableAnchor> repairs_of(PlanEvaluations& evaluations, DurableAncho
       evaluations.close_here(record, 1);
       const PlanClosure& closure = record.closures.at(0);
       if (!trusted(closure) || leak_mm2(closure) > limit) continue;
-      evaluations.close(disease_of(record), PlanEvaluations::Phase::Ranking);
+      PlanRecord* const found_plan = &record;
+      close_disease(evaluations, {&found_plan, 1}, PlanEvaluations::Phase::Ranking);
       DurableAnchor& found = repairs.back();
       found.repaired = true;
       found.movement_mm = movement;

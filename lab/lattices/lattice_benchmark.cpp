@@ -51,36 +51,40 @@ std::vector<LatticeCase> lattice_cases(const Valve& real) {
   };
 }
 
+LatticePlans plans_of(const PlanSpace& space, const FlatSpace& flat, PlanEvaluations& evaluations) {
+  const std::vector<FlatVariable>& variables = flat.variables();
+  std::size_t combinations = 1;
+  for (const FlatVariable& variable : variables)
+    combinations *= static_cast<std::size_t>(variable.count);
+  LatticePlans all;
+  std::unordered_map<const PlanRecord*, int> number;
+  std::vector<int> values(variables.size(), 0);
+  for (std::size_t i = 0; i < combinations; ++i, advance(variables, values)) {
+    all.numbers.push_back(-1);
+    const auto point = flat.point(values);
+    if (!point) continue;
+    const Branch& branch = space.branches()[point->branch];
+    PlanRecord& record = evaluations.record(space.plan(branch, point->at));
+    if (is_infeasible(record)) continue;
+    const auto [found, is_new] = number.try_emplace(&record, static_cast<int>(all.plans.size()));
+    if (is_new) all.plans.push_back(&record);
+    all.numbers.back() = found->second;
+  }
+  return all;
+}
+
 std::optional<SolvedLattice> solve_lattice(const LatticeCase& lattice, int threads,
                                            const SearchContext& context) {
   SolvedLattice solved{.of = lattice,
                        .space = std::make_shared<PlanSpace>(lattice.valve, lattice.rules)};
   solved.flat = std::make_shared<FlatSpace>(*solved.space);
-  const std::vector<FlatVariable>& variables = solved.flat->variables();
-  std::size_t combinations = 1;
-  for (const FlatVariable& variable : variables)
-    combinations *= static_cast<std::size_t>(variable.count);
-
   SearchMonitor monitor(0.0, context.cancelled, context.progress);
   const Evaluator evaluate = context.evaluate ? context.evaluate : closing_evaluator({});
   PlanEvaluations evaluations(evaluate, lattice.valve,
                               {threads, context.known, context.keep, {}, {}}, monitor);
   solved.before = evaluations.before();
-  std::vector<PlanRecord*> of_combination, plans;
-  std::unordered_map<const PlanRecord*, int> number;
-  std::vector<int> values(variables.size(), 0);
-  for (std::size_t i = 0; i < combinations; ++i, advance(variables, values)) {
-    PlanRecord* record = nullptr;
-    if (const auto point = solved.flat->point(values)) {
-      const Branch& branch = solved.space->branches()[point->branch];
-      record = &evaluations.record(solved.space->plan(branch, point->at));
-      if (is_infeasible(*record)) record = nullptr;
-    }
-    if (record != nullptr && number.try_emplace(record, static_cast<int>(plans.size())).second)
-      plans.push_back(record);
-    of_combination.push_back(record);
-    solved.plans.push_back(record == nullptr ? 0 : number.at(record));
-  }
+  const auto [plans, numbers] = plans_of(*solved.space, *solved.flat, evaluations);
+  for (const int number : numbers) solved.plans.push_back(std::max(0, number));
   monitor.plan(1 + kChosenBy * static_cast<int>(plans.size()), "solving lattice " + lattice.name);
   for (std::size_t first = 0; first < plans.size(); first += kPortion) {
     std::vector<PlanEvaluations::Wanted> wanted;
@@ -88,13 +92,14 @@ std::optional<SolvedLattice> solve_lattice(const LatticeCase& lattice, int threa
       for (int d = 0; d < kChosenBy; ++d) wanted.push_back({plans[i], d});
     if (!evaluations.close(wanted, PlanEvaluations::Phase::Ranking)) return std::nullopt;
   }
-  for (PlanRecord* plan : plans) {
+  for (const PlanRecord* plan : plans) {
     solved.sorted_costs.push_back(evaluations.cost(*plan, kChosenBy));
     solved.closures[plan->key] = plan->closures;
   }
-  for (const PlanRecord* record : of_combination)
-    solved.costs.push_back(record == nullptr ? std::numeric_limits<double>::infinity()
-                                             : evaluations.cost(*record, kChosenBy));
+  for (const int number : numbers)
+    solved.costs.push_back(
+        number < 0 ? std::numeric_limits<double>::infinity()
+                   : evaluations.cost(*plans[static_cast<std::size_t>(number)], kChosenBy));
   std::sort(solved.sorted_costs.begin(), solved.sorted_costs.end());
   solved.seconds = monitor.seconds();
   return solved;

@@ -21,6 +21,14 @@ struct LatticeCase {
 /// real (`real`: a measured one that leaks), flail-p2 (neochordae). 3,000 to 4,400 plans each.
 std::vector<LatticeCase> lattice_cases(const Valve& real);
 
+/// The plans of a lattice behind the combinations of its flat variables, the first fastest.
+struct LatticePlans {
+  std::vector<PlanRecord*> plans;  ///< each once, in the order met
+  std::vector<int>
+      numbers;  ///< of each combination; -1 where no plan is, or a rule of practice rejects it
+};
+LatticePlans plans_of(const PlanSpace& space, const FlatSpace& flat, PlanEvaluations& evaluations);
+
 /// A lattice with the cost of every plan.
 struct SolvedLattice {
   LatticeCase of;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "io/json/plan_json.h"
+#include "lab/lattices/program_lines.h"
 #include "lab/rivals/rivals.h"
 #include "search/plans/exploration.h"
 
@@ -13,20 +14,6 @@ namespace coapt {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Standard output of a command, line by line.
-std::vector<std::string> lines_of(const std::string& command) {
-  std::vector<std::string> lines;
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return lines;
-  char line[512];
-  while (std::fgets(line, sizeof line, pipe) != nullptr) {
-    lines.emplace_back(line);
-    if (!lines.back().empty() && lines.back().back() == '\n') lines.back().pop_back();
-  }
-  pclose(pipe);
-  return lines;
-}
 
 }  // namespace
 

@@ -6,6 +6,8 @@
 //     coapt-rivals LATTICE_FILE METHOD SEED BUDGET     prints method,seed,evaluations,cost, and at the
 //                                                      end method,seed,evaluations,end
 //     coapt-rivals --list                              prints the methods
+//     coapt-rivals --front FILE ... METHOD SEED BUDGET a file for each objective, METHOD pagmo_nsga2 or pagmo_moead: prints
+//                                                      the combination of each plan asked for, in order
 #if defined(__AVX__) || defined(__SANITIZE_ADDRESS__)
 #error "Eigen would allocate unlike Debian's libpagmo: no -march=native, -mavx, -fsanitize=address"
 #endif
@@ -19,11 +21,13 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "lab/rivals/dlib_rival.h"
 #include "lab/rivals/nlopt_rivals.h"
+#include "lab/rivals/pagmo_fronts.h"
 #include "lab/rivals/pagmo_rivals.h"
 #include "lab/rivals/rivals.h"
 
@@ -62,30 +66,66 @@ int fail(const std::string& message) {
   return 2;
 }
 
+Expected<LatticeTable> lattice_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) return Error{ErrorCode::InputOutput, "", path + ": cannot be read"};
+  Expected<LatticeTable> table = read_lattice(text);
+  if (!table) return Error{table.errors()[0].code, "", path + ": " + table.errors()[0].message};
+  return table;
+}
+
+/// SEED and BUDGET.
+template <class Settings>
+std::optional<std::string> read_numbers(std::span<char* const> two, Settings& settings) {
+  const auto seed = whole_number<std::uint64_t>(two[0], std::numeric_limits<std::uint64_t>::max());
+  if (!seed) return "SEED is 0 to 2^64 - 1";
+  const auto budget = whole_number<unsigned>(two[1], unsigned{kMostCombinations});
+  if (!budget) return "BUDGET is 0 to " + std::to_string(kMostCombinations);
+  settings.seed = *seed;
+  settings.budget = static_cast<int>(*budget);
+  return std::nullopt;
+}
+
+int run_front(std::span<char* const> arguments) {
+  if (arguments.size() < 5) return fail("--front FILE FILE ... METHOD SEED BUDGET");
+  std::vector<LatticeTable> objectives;
+  for (char* const path : arguments.first(arguments.size() - 3)) {
+    Expected<LatticeTable> table = lattice_of(path);
+    if (!table) return fail(table.errors()[0].message);
+    objectives.push_back(*std::move(table));
+    if (objectives.back().variables != objectives[0].variables ||
+        objectives.back().plans != objectives[0].plans)
+      return fail(std::string(path) + ": other variables or plans than the first file");
+  }
+  FrontRivalSettings settings;
+  settings.method = arguments[arguments.size() - 3];
+  const std::vector<std::string> all = pagmo_front_names();
+  if (std::find(all.begin(), all.end(), settings.method) == all.end())
+    return fail("METHOD is pagmo_nsga2 or pagmo_moead");
+  if (const auto problem = read_numbers(arguments.last(2), settings)) return fail(*problem);
+  settings.on_plan = [](std::size_t combination) { std::printf("%zu\n", combination); };
+  search_front_by_pagmo(objectives, settings);
+  return 0;
+}
+
 int run(std::span<char* const> arguments) {
   if (arguments.size() == 1 && std::string_view(arguments[0]) == "--list") {
     for (const std::string& name : names()) std::puts(name.c_str());
     return 0;
   }
-  if (arguments.size() != 4) return fail("LATTICE_FILE METHOD SEED BUDGET, or --list");
-  std::ifstream file(arguments[0], std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) return fail(std::string(arguments[0]) + ": cannot be read");
-  const Expected<LatticeTable> table = read_lattice(text);
-  if (!table) return fail(std::string(arguments[0]) + ": " + table.errors()[0].message);
+  if (!arguments.empty() && std::string_view(arguments[0]) == "--front")
+    return run_front(arguments.subspan(1));
+  if (arguments.size() != 4) return fail("LATTICE_FILE METHOD SEED BUDGET, --front, or --list");
+  const Expected<LatticeTable> table = lattice_of(arguments[0]);
+  if (!table) return fail(table.errors()[0].message);
 
   RivalSettings settings;
   settings.method = arguments[1];
   const std::vector<std::string> all = names();
   if (std::find(all.begin(), all.end(), settings.method) == all.end())
     return fail("METHOD is one of those of --list");
-  const auto seed =
-      whole_number<std::uint64_t>(arguments[2], std::numeric_limits<std::uint64_t>::max());
-  if (!seed) return fail("SEED is 0 to 2^64 - 1");
-  const auto budget = whole_number<unsigned>(arguments[3], unsigned{kMostCombinations});
-  if (!budget) return fail("BUDGET is 0 to " + std::to_string(kMostCombinations));
-  settings.seed = *seed;
-  settings.budget = static_cast<int>(*budget);
+  if (const auto problem = read_numbers(arguments.last(2), settings)) return fail(*problem);
   settings.on_improvement = [&](const Improvement& i) {
     std::printf("%s,%s,%d,%.17g\n", settings.method.c_str(), arguments[2], i.evaluations, i.cost);
     std::fflush(stdout);

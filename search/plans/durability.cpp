@@ -1,43 +1,78 @@
 #include "search/plans/durability.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace coapt {
 namespace {
 
-/// Along one course; none if a closure is missing.
-std::optional<double> lasts_mm(const PlanRecord& plan, const DiseaseCourse& course) {
+constexpr double kOneCourse = 1.0 / 8.0;  // of a course
+
+bool leaks(const PlanClosure& closure) {
+  return !trusted(closure) || leak_mm2(closure) > kGoodRepair_mm2;
+}
+
+/// Along one course; what is not closed does not leak.
+double lasts_mm(const PlanRecord& plan, const DiseaseCourse& course) {
   double before_mm2 = 0.0;
-  std::optional<double> lasts;
   for (std::size_t step = 0; step < course.indices.size(); ++step) {
     const auto found = plan.closures.find(course.indices[step]);
-    if (found == plan.closures.end()) return std::nullopt;
-    if (lasts) continue;
-    const bool closed = trusted(found->second);
-    const double leak = closed ? leak_mm2(found->second) : 0.0;
-    if (closed && leak <= kGoodRepair_mm2) {
-      before_mm2 = leak;
-      continue;
+    if (found == plan.closures.end()) break;
+    const PlanClosure& closure = found->second;
+    if (leaks(closure)) {
+      const double share = trusted(closure) && step > 0
+                               ? (kGoodRepair_mm2 - before_mm2) / (leak_mm2(closure) - before_mm2)
+                               : 0.0;
+      return kCourseStep_mm * std::max(0.0, static_cast<double>(step) - 1.0 + share);
     }
-    const double share =
-        closed && step > 0 ? (kGoodRepair_mm2 - before_mm2) / (leak - before_mm2) : 0.0;
-    lasts = kCourseStep_mm * std::max(0.0, static_cast<double>(step) - 1.0 + share);
+    before_mm2 = leak_mm2(closure);
   }
-  return lasts.value_or(kFurthestCourse_mm);
+  return kFurthestCourse_mm;
+}
+
+/// The next closure of a course; none if it is at its end or at a leak.
+std::optional<int> next_of(const PlanRecord& plan, const DiseaseCourse& course) {
+  for (const int index : course.indices) {
+    const auto found = plan.closures.find(index);
+    if (found == plan.closures.end()) return index;
+    if (leaks(found->second)) break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Durability> durability(const PlanRecord& plan) {
   Durability all;
-  const double share = 1.0 / static_cast<double>(disease_courses().size());
+  all.expected_mm = most_durable_mm(plan);
   for (const DiseaseCourse& course : disease_courses()) {
-    const std::optional<double> lasts = lasts_mm(plan, course);
-    if (!lasts) return std::nullopt;
-    all.expected_mm += share * *lasts;
-    all.outlasting += *lasts >= kFurthestCourse_mm ? share : 0.0;
+    if (next_of(plan, course)) return std::nullopt;
+    all.outlasting += lasts_mm(plan, course) >= kFurthestCourse_mm ? kOneCourse : 0.0;
   }
   return all;
+}
+
+double most_durable_mm(const PlanRecord& plan) {
+  double expected = 0.0;
+  for (const DiseaseCourse& course : disease_courses())
+    expected += kOneCourse * lasts_mm(plan, course);
+  return expected;
+}
+
+bool close_disease_step(PlanEvaluations& evaluations, std::span<PlanRecord* const> plans,
+                        PlanEvaluations::Phase phase) {
+  std::vector<PlanEvaluations::Wanted> wanted;
+  for (PlanRecord* plan : plans)
+    for (const DiseaseCourse& course : disease_courses())
+      if (const std::optional<int> next = next_of(*plan, course)) wanted.push_back({plan, *next});
+  return evaluations.close(wanted, phase);
+}
+
+bool close_disease(PlanEvaluations& evaluations, std::span<PlanRecord* const> plans,
+                   PlanEvaluations::Phase phase) {
+  for (int step = 0; step <= kCourseSteps; ++step)
+    if (!close_disease_step(evaluations, plans, phase)) return false;
+  return true;
 }
 
 CostTerms durability_terms(const Durability& durability) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "search/plans/plan_evaluations.h"
 
@@ -17,8 +18,19 @@ struct Durability {
 /// As far as courses go.
 inline constexpr double kFurthestCourse_mm = kCourseSteps * kCourseStep_mm;
 
-/// None unless all courses are closed. Where a closure failed the valve counts as leaking.
+/// None unless all courses are closed up to where the plan leaks. Where a closure failed the valve counts as leaking.
 std::optional<Durability> durability(const PlanRecord& plan);
+
+/// Durability::expected_mm if what is not closed yet does not leak.
+double most_durable_mm(const PlanRecord& plan);
+
+/// Closes the next step of each course that has not leaked. False if it was stopped.
+bool close_disease_step(PlanEvaluations& evaluations, std::span<PlanRecord* const> plans,
+                        PlanEvaluations::Phase phase);
+
+/// Closes the courses step by step, each up to where its plan leaks. False if it was stopped.
+bool close_disease(PlanEvaluations& evaluations, std::span<PlanRecord* const> plans,
+                   PlanEvaluations::Phase phase);
 
 /// What of kFurthestCourse_mm a plan does not last.
 CostTerms durability_terms(const Durability& durability);

@@ -220,24 +220,6 @@ void share_across_branches(ExplorationState& state) {
   try_points(state, points);
 }
 
-/// Uniform over the points of all branches.
-std::vector<BranchPoint> random_points(const ExplorationState& state, int count) {
-  std::vector<std::int64_t> upto;
-  std::int64_t all = 0;
-  for (const BranchState& branch : state.branches)
-    upto.push_back(all += point_count(*branch.search.branch));
-  std::mt19937_64 engine(state.in.options.seed);
-  std::vector<BranchPoint> points;
-  for (int i = 0; i < count; ++i) {
-    const auto number = static_cast<std::int64_t>(random_share(engine) * static_cast<double>(all));
-    const auto branch =
-        static_cast<int>(std::upper_bound(upto.begin(), upto.end(), number) - upto.begin());
-    const Branch& of = *state.branches[branch].search.branch;
-    points.push_back({branch, point_at(of, number - upto[branch] + point_count(of))});
-  }
-  return points;
-}
-
 void try_at_random(ExplorationState& state, int count) {
   const std::vector<BranchPoint> points = random_points(state, count);
   std::vector<PlanEvaluations::Wanted> wanted;
@@ -344,6 +326,23 @@ std::vector<const PlanRecord*> scored_plans(const ExplorationState& state) {
   for (const Trial& trial : state.trials)
     if (trial.rung == kLastRung) plans.push_back(trial.record);
   return plans;
+}
+
+std::vector<BranchPoint> random_points(const ExplorationState& state, int count) {
+  std::vector<std::int64_t> upto;
+  std::int64_t all = 0;
+  for (const BranchState& branch : state.branches)
+    upto.push_back(all += point_count(*branch.search.branch));
+  std::mt19937_64 engine(state.in.options.seed);
+  std::vector<BranchPoint> points;
+  for (int i = 0; i < count; ++i) {
+    const auto number = static_cast<std::int64_t>(random_share(engine) * static_cast<double>(all));
+    const auto branch =
+        static_cast<int>(std::upper_bound(upto.begin(), upto.end(), number) - upto.begin());
+    const Branch& of = *state.branches[branch].search.branch;
+    points.push_back({branch, point_at(of, number - upto[branch] + point_count(of))});
+  }
+  return points;
 }
 
 std::vector<Progress> random_progress(const ExplorationState& state) {

@@ -38,6 +38,9 @@ std::vector<PlanRecord*> best_plans(const ExplorationState& state, int count);
 /// All plans closed at kChosenBy nodes, in the order of trying.
 std::vector<const PlanRecord*> scored_plans(const ExplorationState& state);
 
+/// Uniform over the points of all branches, by the search's seed.
+std::vector<BranchPoint> random_points(const ExplorationState& state, int count);
+
 /// What trying plans at random is expected to reach after 1, 2, ... closures.
 std::vector<Progress> random_progress(const ExplorationState& state);
 

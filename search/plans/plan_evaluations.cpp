@@ -238,7 +238,13 @@ bool PlanEvaluations::open(std::span<PlanRecord* const> plans, Phase phase) {
         std::find(missing.begin(), missing.end(), plan) == missing.end())
       missing.push_back(plan);
   for_each_index(static_cast<int>(missing.size()), options_.threads, [&](int i) {
-    if (!stopped(phase)) missing[i]->opening = options_.open(*apply_plan(valve_, missing[i]->plan));
+    if (stopped(phase)) return;
+    PlanRecord& plan = *missing[i];
+    const auto known = options_.known_openings.find(plan.key);
+    plan.opening = known != options_.known_openings.end()
+                       ? known->second
+                       : options_.open(*apply_plan(valve_, plan.plan));
+    ++openings_;
   });
   return std::all_of(missing.begin(), missing.end(),
                      [](const PlanRecord* plan) { return plan->opening.has_value(); });

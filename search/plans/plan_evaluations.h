@@ -32,6 +32,7 @@ namespace coapt {
 using PlanClosures = std::map<int, PlanClosure>;
 /// By plan_key().
 using KnownPlans = std::unordered_map<std::string, PlanClosures>;
+using KnownOpenings = std::unordered_map<std::string, PlanOpening>;
 
 /// A plan with what has been closed of it.
 struct PlanRecord {
@@ -62,6 +63,7 @@ struct PlanEvaluationOptions {
   Opener open{};  ///< empty: open() does nothing
   /// Steps that were decided elsewhere: what rejects them rejects no plan any more.
   RepairPlan fixed{};
+  KnownOpenings known_openings{};  ///< by plan_key()
 };
 
 class PlanEvaluations {
@@ -98,6 +100,7 @@ class PlanEvaluations {
   /// alone.
   bool close_here(PlanRecord& plan, int count);
 
+  bool opens() const { return static_cast<bool>(options_.open); }
   /// Opens what is not opened yet; a plan's cost counts it from the second node on. False if it was stopped before all were.
   bool open(std::span<PlanRecord* const> plans, Phase phase);
   /// The valve as it is; none without an opener.
@@ -116,7 +119,8 @@ class PlanEvaluations {
 
   /// Asked for: closed now, or known; of the valve as it is, too.
   int closures() const { return closures_; }
-  int known() const { return known_; }  ///< of those: from an earlier run
+  int known() const { return known_; }        ///< of those: from an earlier run
+  int openings() const { return openings_; }  ///< asked for: made now, or known
   int not_converged() const { return not_converged_; }
   int crossed() const { return crossed_; }
 
@@ -159,6 +163,7 @@ class PlanEvaluations {
   std::unordered_map<const PlanRecord*, std::shared_ptr<State>> states_;
   std::deque<const PlanRecord*> newest_states_;
   int closures_ = 0, known_ = 0, not_converged_ = 0, crossed_ = 0;
+  std::atomic<int> openings_ = 0;
 };
 
 }  // namespace coapt

@@ -1,11 +1,13 @@
 #include "search/plans/plan_search.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "core/repair/apply_plan.h"
 #include "search/plans/exploration.h"
 #include "search/plans/fine_closures.h"
+#include "search/plans/front_search.h"
 #include "search/plans/model_closures.h"
 #include "search/plans/pareto.h"
 #include "search/plans/plan_key.h"
@@ -14,6 +16,8 @@
 
 namespace coapt {
 namespace {
+
+constexpr int kFrontCandidates = 2000;  // at random, beside those tried
 
 PlanEvaluationOptions evaluation_options(const SearchOptions& options,
                                          const SearchContext& context) {
@@ -64,6 +68,44 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   if (!model.before.empty()) result.before_under_draws = model_spread(model.before);
 }
 
+int front_closures(const SearchOptions& options) {
+  return static_cast<int>(options.front_share * options.evaluations);
+}
+
+/// Plans measured for what they trade, among those tried and some at random.
+std::vector<PlanRecord*> trading_plans(PlanEvaluations& evaluations, const PlanSpace& space,
+                                       const ExplorationState& exploration) {
+  const SearchOptions& options = exploration.in.options;
+  const bool stopped =
+      exploration.stop != SearchStop::EvaluationLimit && exploration.stop != SearchStop::Exhausted;
+  if (front_closures(options) == 0 || !evaluations.opens() || stopped) return {};
+  std::vector<PlanRecord*> candidates;
+  std::set<const PlanRecord*> seen;
+  const auto add = [&](PlanRecord& plan) {
+    if (!is_infeasible(plan) && seen.insert(&plan).second) candidates.push_back(&plan);
+  };
+  for (const Trial& trial : exploration.trials) add(*trial.record);
+  for (const BranchPoint& point : random_points(exploration, kFrontCandidates))
+    add(evaluations.record(space.plan(space.branches()[point.branch], point.at)));
+  std::vector<PlanRecord*> plans;
+  for (const FrontPlan& found : search_front(
+           evaluations, candidates, {.closures = front_closures(options), .seed = options.seed}))
+    plans.push_back(found.plan);
+  return plans;
+}
+
+/// Adds the cheapest of `from` that are not among `finalists` yet, `most` at most.
+void add_cheapest(const std::vector<ParetoPlan>& from, int most, PlanEvaluations& evaluations,
+                  std::vector<PlanRecord*>& finalists) {
+  for (const ParetoPlan& plan : from) {
+    if (most == 0) break;
+    PlanRecord* const record = &evaluations.record(plan.plan);
+    if (std::find(finalists.begin(), finalists.end(), record) != finalists.end()) continue;
+    finalists.push_back(record);
+    --most;
+  }
+}
+
 /// With its rank among `ranked`.
 TriedPlan tried_plan(const PlanEvaluations& evaluations, const PlanRecord& record,
                      const std::vector<RankedPlan>& ranked) {
@@ -110,7 +152,8 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   const Expected<PlanSpace> space = space_of(valve, options);
   if (!space) return space.errors();
   SearchMonitor monitor(options.seconds, context.cancelled, context.progress, context.now);
-  monitor.plan(1 + options.evaluations + ranking_closures(options), "searching");
+  monitor.plan(1 + options.evaluations + front_closures(options) + ranking_closures(options),
+               "searching");
   const Evaluator evaluate = evaluator(options, context);
   PlanEvaluations evaluations(evaluate, valve, evaluation_options(options, context), monitor);
   const ExplorationState exploration = explore({evaluations, *space, options, monitor});
@@ -123,21 +166,29 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   result.progress = exploration.progress;
   result.random_progress = random_progress(exploration);
   result.ladder = ladder_of(exploration);
-  result.pareto_front = pareto_front(evaluations, scored_plans(exploration), kChosenBy);
   result.cut = space->cut();
   for (const auto& [rule, count] : evaluations.rejections())
     result.cut.push_back(
         {std::to_string(count) + (count == 1 ? " plan" : " plans"), "rejected by rule " + rule});
   result.branches = static_cast<int>(space->branches().size());
   for (const Branch& branch : space->branches()) result.plans_possible += point_count(branch);
-  result.plans_tried = static_cast<int>(exploration.trials.size());
+
+  std::vector<const PlanRecord*> tried, scored = scored_plans(exploration);
+  for (const Trial& trial : exploration.trials) tried.push_back(trial.record);
+  for (const PlanRecord* plan : trading_plans(evaluations, *space, exploration)) {
+    if (std::find(tried.begin(), tried.end(), plan) == tried.end()) tried.push_back(plan);
+    if (std::find(scored.begin(), scored.end(), plan) == scored.end()) scored.push_back(plan);
+  }
+  result.plans_tried = static_cast<int>(tried.size());
 
   const int share = result.ladder.back().skipped ? kFinalists : kFinalists - 1;
-  const std::vector<PlanRecord*> finalists = best_plans(exploration, share * options.plans);
-  monitor.plan(1 + result.evaluations + ranking_closures(options, finalists), "ranking");
+  std::vector<PlanRecord*> finalists = best_plans(exploration, share * options.plans);
+  add_cheapest(pareto_front(evaluations, scored, kChosenBy), options.plans, evaluations, finalists);
+  monitor.plan(evaluations.closures() + ranking_closures(options, finalists), "ranking");
   rank_finalists(evaluations, finalists, options, result);
-  for (const Trial& trial : exploration.trials)
-    result.tried.push_back(tried_plan(evaluations, *trial.record, result.plans));
+  result.pareto_front = pareto_front(evaluations, scored, kChosenBy);
+  for (const PlanRecord* plan : tried)
+    result.tried.push_back(tried_plan(evaluations, *plan, result.plans));
   summarise(evaluations, monitor, result);
   return result;
 }

@@ -12,6 +12,7 @@
 #include "core/repair/describe.h"
 #include "core/valve/number_text.h"
 #include "search/plans/closure_gates.h"
+#include "search/plans/durability.h"
 #include "search/plans/outranking.h"
 #include "search/plans/pareto.h"
 #include "search/plans/strength_gates.h"
@@ -55,14 +56,18 @@ void keep_cheapest(const PlanEvaluations& evaluations, std::vector<PlanRecord*>&
     if (std::ssize(plans) > count) plans.resize(count);
     return;
   }
-  std::stable_sort(plans.begin(), plans.end(), [&](const PlanRecord* a, const PlanRecord* b) {
-    return evaluations.cost(*a, nodes) < evaluations.cost(*b, nodes);
-  });
+  const auto cost = [&](const PlanRecord& plan) {
+    const std::optional<Durability> lasts = durability(plan);
+    return evaluations.cost(plan, nodes) +
+           (lasts ? price(durability_terms(*lasts), evaluations.context().weights) : 0.0);
+  };
+  std::stable_sort(plans.begin(), plans.end(),
+                   [&](const PlanRecord* a, const PlanRecord* b) { return cost(*a) < cost(*b); });
   if (std::ssize(plans) > count) plans.resize(count);
 }
 
 std::vector<DisturbanceSet> evidence_of(const RepairPlan& plan) {
-  std::vector<DisturbanceSet> sets = {kRemodelling, kDisease, kIndependent};
+  std::vector<DisturbanceSet> sets = {kRemodelling, kIndependent};
   const bool al = suture_of(plan, Side::Anterolateral) != nullptr;
   const bool pm = suture_of(plan, Side::Posteromedial) != nullptr;
   if (al) sets.push_back(kAnterolateralAlone);
@@ -76,6 +81,13 @@ void close_evidence(PlanEvaluations& evaluations, const std::vector<PlanRecord*>
     for (const DisturbanceSet set : evidence_of(plan->plan))
       for (int d = set.first; d < set.first + set.count; ++d) wanted.push_back({plan, d});
   evaluations.close(wanted, PlanEvaluations::Phase::Ranking);
+}
+
+int disease_closures_left(const PlanRecord& plan) {
+  int left = kDisease.count;
+  for (const auto& [disturbance, closure] : plan.closures)
+    left -= kDisease.first <= disturbance && disturbance < kDisease.first + kDisease.count;
+  return durability(plan) ? 0 : left;
 }
 
 bool fails_often(const RankedPlan& plan) {
@@ -220,9 +232,11 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
 
 int ranking_closures(const SearchOptions& options) {
   const int before = std::min(kBeforeTheRegion, options.region_points);
-  int most = kFinalists * options.plans * before + options.plans * (options.region_points - before);
+  const int finalists = (kFinalists + 1) * options.plans;
+  int most = finalists * before + options.plans * (options.region_points - before);
   if (options.evidence)
-    most += options.plans * (kRemodelling.count + kDisease.count + kAnterolateralAlone.count +
+    most += finalists * kDisease.count +
+            options.plans * (kRemodelling.count + kAnterolateralAlone.count +
                              kPosteromedialAlone.count + kIndependent.count);
   return most;
 }
@@ -234,7 +248,8 @@ int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*
   std::vector<int> evidence;
   for (PlanRecord* plan : finalists) {
     most += std::max(0, before - common_nodes({plan}));
-    evidence.push_back(evidence_closures(plan->plan));
+    if (options.evidence) most += disease_closures_left(*plan);
+    evidence.push_back(evidence_closures(plan->plan) - kDisease.count);
   }
   if (!options.evidence) return most;
   std::sort(evidence.begin(), evidence.end(), std::greater<>());
@@ -242,7 +257,7 @@ int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*
 }
 
 int evidence_closures(const RepairPlan& plan) {
-  int closures = 0;
+  int closures = kDisease.count;  // at most: a course ends at its leak
   for (const DisturbanceSet set : evidence_of(plan)) closures += set.count;
   return closures;
 }
@@ -268,6 +283,9 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
       ladder.push_back(measure_ladder_step(closed, nodes, costs_of(evaluations, finalists, closed),
                                            costs_of(evaluations, finalists, nodes)));
     closed = nodes;
+    const bool last_before = nodes == std::min(kBeforeTheRegion, options.region_points);
+    if (last_before && options.evidence)
+      close_disease(evaluations, finalists, PlanEvaluations::Phase::Ranking);
     if (nodes >= std::min(kBeforeTheRegion, options.region_points))
       keep_cheapest(evaluations, finalists, nodes, options.plans);
   }

@@ -11,7 +11,7 @@
 
 namespace coapt {
 
-/// Finalists for each reported plan, where 17 nodes rank badly; else one less.
+/// Finalists for each reported plan, where 17 nodes rank badly; else one less. One more each may come from the front (pareto.h).
 inline constexpr int kFinalists = 3;
 
 /// Closures that close_finalists() takes at most: of any finalists, and of these, which have some already.
@@ -23,8 +23,8 @@ int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*
 int evidence_closures(const RepairPlan& plan);
 
 /// Closes the finalists at as many nodes as the ladder goes, dropping the dearest on the way down
-/// to options.plans; then, if asked for, the evidence: single sutures, independent errors,
-/// remodelling. Out of time or cancelled it leaves fewer nodes, but all plans that stay have equal
+/// to options.plans; the evidence, if asked for: disease before the first are dropped, whose price then counts; for those that stay single sutures,
+/// independent errors, remodelling. Out of time or cancelled it leaves fewer nodes, but all plans that stay have equal
 /// ones.
 std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
                                          std::vector<PlanRecord*> finalists,

@@ -26,8 +26,10 @@ class SearchMonitor {
   /// @param seconds 0: no limit. @param cancelled may be null. @param now empty: the steady clock.
   SearchMonitor(double seconds, const std::atomic<bool>* cancelled, Report report = {},
                 SearchClock now = {})
-      : now_(now ? std::move(now) : SearchClock(&Clock::now)), seconds_(seconds),
-        cancelled_(cancelled), report_(std::move(report)) {}
+      : now_(now ? std::move(now) : SearchClock(&Clock::now)),
+        seconds_(seconds),
+        cancelled_(cancelled),
+        report_(std::move(report)) {}
 
   double seconds() const { return std::chrono::duration<double>(now_() - started_).count(); }
   /// Whether to go no further.

@@ -16,6 +16,13 @@ constexpr OptionRow<SearchOptions> kOptions[] = {
      {1.0, kMost},
      "",
      "Closures for the search itself; ranking takes more. Fewer if nothing is left to try."},
+    {"front_share",
+     &SearchOptions::front_share,
+     {0.0, 10.0},
+     "",
+     "More closures, as a share of `evaluations`, for plans that trade leak, opening and "
+     "durability otherwise than the "
+     "best; none where plans are not opened or the search was stopped early."},
     {"seed", &SearchOptions::seed, kAny, "", "Same seed, same plans."},
     {"threads",
      &SearchOptions::threads,

@@ -64,15 +64,16 @@ struct RankedPlan {
   bool pareto = false;
 };
 
-/// A plan that no other one closed at as many nodes beats in mean and sd of the leak, steps and opening, or undersizing
-/// where plans were not opened.
+/// A plan that no other one known as well beats: in mean + sd of the leak, opening and durability (pareto.h).
 struct ParetoPlan {
   RepairPlan plan;
   std::vector<std::string> description;
   double mean_mm2 = 0.0, sd_mm2 = 0.0;  ///< of the leak
   int steps = 0;
   double sizes_below = 0.0;
-  double opening_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not opened
+  double opening_mm2 = std::numeric_limits<double>::quiet_NaN();    ///< NaN: not opened
+  double durability_mm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
+  double cost = 0.0;  ///< with the price of what it does not last
   int nodes = 0;
 };
 

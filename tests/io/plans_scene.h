@@ -245,6 +245,7 @@ inline SearchRequest search_request() {
   options.rules.leaflet_resection = true;
   options.rules.edge_to_edge = true;
   options.openings = false;
+  options.front_share = 0.5;
   options.rules.suture_lattice_mm = 1.0;
   options.rules.neochorda_lattice_mm = 2.0;
   options.rules.most_movement_mm = 12.5;

@@ -170,6 +170,7 @@ class Client(ShortWork):
         valve: Valve,
         *,
         evaluations: int | None = None,
+        front_share: float | None = None,
         seed: int | None = None,
         plans: int | None = None,
         region_points: int | None = None,
@@ -190,6 +191,7 @@ class Client(ShortWork):
         """Searches repair plans. What is left out has the service's default, in brackets.
 
         :param evaluations: closures for the search itself; ranking takes more (2,000)
+        :param front_share: more closures, as a share of those, for plans that trade leak, opening and durability otherwise than the best (0.3)
         :param seed: the same seed gives the same plans (1)
         :param plans: how many ranked plans to report, up to 50 (5)
         :param region_points: 1 to 1,089 nodes of each reported plan's region of interest (1,089)
@@ -213,6 +215,7 @@ class Client(ShortWork):
         )
         search = given(
             evaluations=evaluations,
+            front_share=front_share,
             seed=seed,
             threads=threads,
             plans=plans,

@@ -58,10 +58,12 @@ TEST(SearchOptionsJson, FixedStepsNeedNotSayTheirSchema) {
 }
 
 TEST(SearchOptionsJson, ProblemsAreListed) {
-  EXPECT_EQ(problems_of(read(R"({"evaluations": 0, "seed": -1, "threads": 1.5, "plans": 51,
+  EXPECT_EQ(problems_of(read(
+                R"({"evaluations": 0, "front_share": 11, "seed": -1, "threads": 1.5, "plans": 51,
       "region_points": 1090, "evidence": 1, "fine_levels": 3, "model_draws": 201, "seconds": -1, "no_improvement": -1,
       "target_mm2": -2, "speed": 3, "closure": {"max_steps": 10000000, "samples": 100}})")),
             (Found{{OutOfRange, "/evaluations"},
+                   {OutOfRange, "/front_share"},
                    {OutOfRange, "/seed"},
                    {WrongType, "/threads"},
                    {OutOfRange, "/plans"},

@@ -4,6 +4,7 @@
 
 #include "search/plans/disturbance.h"
 #include "search/plans/pareto.h"
+#include "search/plans/trade_off.h"
 #include "tests/search/plans/search_scene.h"
 
 namespace coapt::scene {
@@ -49,7 +50,7 @@ TEST(Ranking, FinalistsClimbToTheRegionAndTheDearestAreDropped) {
 }
 
 TEST(Ranking, EvidenceIsClosedForAllAndForTheMusclesThatAreSutured) {
-  EvaluationScene scene(needs_suture);
+  EvaluationScene scene(leak_of([](const Valve&) { return 0.0; }));  // every course to its end
   const RepairPlan al = suture(Side::Anterolateral, 22.0), pm = suture(Side::Posteromedial, 22.0);
   std::vector<LadderStep> ladder;
   const SearchOptions options = options_of(4, 2, true);
@@ -130,31 +131,52 @@ TEST(Ranking, NoPlansAreRankedAsNone) {
   EXPECT_TRUE(rank(scene.evaluations, {}, 17).empty());
 }
 
-TEST(ParetoFront, HoldsWhatNothingElseBeatsByStepsThenLeak) {
+TEST(ParetoFront, HoldsWhatNothingElseBeatsCheapestFirst) {
   PlanEvaluationOptions options = on_threads(1);
   const auto leaks = [&options](const RepairPlan& plan, double first, double second) {
     options.known[plan_key(plan)] = {{0, closure_leaking(first)}, {1, closure_leaking(second)}};
     return plan;
   };
   const RepairPlan al = suture(Side::Anterolateral, 20.0), pm = suture(Side::Posteromedial, 20.0);
-  const RepairPlan steady = leaks(al, 3.0, 3.0);                                 // mean 3, sd 0
-  const RepairPlan lower = leaks(pm, 1.0, 3.0);                                  // mean 2, sd 1
-  const RepairPlan beaten = leaks(suture(Side::Posteromedial, 21.0), 1.0, 5.0);  // mean 3, sd 2
-  const RepairPlan more = leaks(both(al, pm), 1.0, 1.0);                         // two steps
+  const RepairPlan beaten = leaks(al, 3.0, 5.0);  // mean 4, sd 1
+  const RepairPlan lower = leaks(pm, 1.0, 3.0);   // mean 2, sd 1
+  const RepairPlan milder =
+      leaks(suture(Side::Posteromedial, 21.0), 6.0, 6.0);  // a millimetre less
+  const RepairPlan more = leaks(both(al, pm), 1.0, 1.0);   // two steps
   const RepairPlan failed = leaks(suture(Side::Posteromedial, 22.0), 0.0, std::nan(""));
   EvaluationScene scene(needs_suture, std::move(options));
   std::vector<const PlanRecord*> plans;
-  for (const RepairPlan& plan : {more, beaten, steady, failed, lower})
+  for (const RepairPlan& plan : {milder, beaten, lower, failed, more})
     plans.push_back(&scene.closed(plan, 2));
   const std::vector<ParetoPlan> front = pareto_front(scene.evaluations, plans, 2);
   ASSERT_EQ(front.size(), 3u);
-  EXPECT_EQ(plan_key(front[0].plan), plan_key(lower));
-  EXPECT_EQ(front[0].mean_mm2, 2.0);
-  EXPECT_EQ(front[0].sd_mm2, 1.0);
-  EXPECT_EQ(plan_key(front[1].plan), plan_key(steady));
-  EXPECT_EQ(plan_key(front[2].plan), plan_key(more));
-  EXPECT_EQ(front[2].steps, 2);
-  EXPECT_EQ(front[2].nodes, 2);
+  EXPECT_EQ(plan_key(front[0].plan), plan_key(more));
+  EXPECT_EQ(front[0].steps, 2);
+  EXPECT_EQ(plan_key(front[1].plan), plan_key(lower));
+  EXPECT_EQ(front[1].mean_mm2, 2.0);
+  EXPECT_EQ(front[1].sd_mm2, 1.0);
+  EXPECT_EQ(front[1].nodes, 2);
+  EXPECT_TRUE(std::isnan(front[1].opening_mm2) && std::isnan(front[1].durability_mm));
+  EXPECT_EQ(plan_key(front[2].plan), plan_key(milder));
+}
+
+TEST(ParetoFront, WhereWhatSomePlansTradeIsKnownItIsOfTheseAlone) {
+  PlanEvaluationOptions options = on_threads(1);
+  options.open = [](const Valve&) {
+    PlanOpening opening;
+    opening.measure.opening_area_mm2 = opening.measure.projected_area_mm2 = 300.0;
+    return opening;
+  };
+  EvaluationScene scene(leak_of([](const Valve&) { return 0.5; }), std::move(options));
+  PlanRecord* measured = &scene.evaluations.record(own_ring(2));
+  ASSERT_TRUE(
+      measure_trade_offs(scene.evaluations, {&measured, 1}, 2, PlanEvaluations::Phase::Searching));
+  const std::vector<ParetoPlan> front =
+      pareto_front(scene.evaluations, {&scene.closed(own_ring(1), 2), measured}, 2);
+  ASSERT_EQ(front.size(), 1u);
+  EXPECT_EQ(front[0].opening_mm2, 300.0);
+  EXPECT_EQ(front[0].durability_mm, 12.0);
+  EXPECT_EQ(front[0].cost, scene.evaluations.cost(*measured, 2));
 }
 
 }  // namespace

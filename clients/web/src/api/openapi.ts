@@ -509,6 +509,11 @@ export interface components {
              */
             evidence?: boolean;
             /**
+             * @description More closures, as a share of `evaluations`, for plans that trade leak, opening and durability otherwise than the best; none where plans are not opened or the search was stopped early.
+             * @default 0.3
+             */
+            front_share?: number;
+            /**
              * @description Open plans in diastole, too, once they are closed at more than one node: opening area and mean gradient.
              * @default true
              */
@@ -1988,7 +1993,7 @@ export interface components {
                 /** @description Lowest cost expected by then, mm2. */
                 cost: number | null;
             }[];
-            /** @description Plans that no other one closed at as many nodes beats in mean and sd of the leak, steps and opening (undersizing where plans were not opened). */
+            /** @description Plans that no other one known as well beats in mean + sd of the leak, opening and durability, to the digits printed, cheapest first. Where plans were not opened, the price of the operation stands for the opening. */
             pareto_front: {
                 /** @description The plan, ready for another request. */
                 plan: components["schemas"]["Plan"];
@@ -2004,6 +2009,10 @@ export interface components {
                 ring_sizes_below: number;
                 /** @description The smaller of both areas in diastole; null if it was not opened. */
                 opening_mm2: number | null;
+                /** @description Further disease that the repair bears, 0 to 12 mm; null where it is not known. */
+                durability_mm: number | null;
+                /** @description By the weights, with the price of what it does not last, mm2. */
+                cost: number | null;
                 /** @description How many nodes of the region of interest it was closed at. */
                 nodes: number;
             }[];

@@ -108,7 +108,7 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
     sections.push(
       listed(
         'Pareto front',
-        'The plans tried that are Pareto-optimal in mean leak, its sd, number of steps and opening in diastole.',
+        'Of the plans tried, those that no other beats in leak (mean + sd), opening in diastole and durability at once, best by the weights first.',
         dataTable(
           'Pareto front',
           [
@@ -117,6 +117,8 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
             { label: 'sd, mm²', numeric: true },
             { label: 'steps', numeric: true },
             { label: 'opening, cm²', numeric: true },
+            { label: 'durability, mm', numeric: true },
+            { label: 'cost, mm²', numeric: true },
             { label: 'ring sizes below', numeric: true },
             { label: 'region points', numeric: true },
           ],
@@ -126,6 +128,8 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
             figure(plan.sd_mm2),
             plan.steps,
             figure(plan.opening_mm2 == null ? null : plan.opening_mm2 / 100),
+            figure(plan.durability_mm),
+            figure(plan.cost),
             number(plan.ring_sizes_below),
             plan.nodes,
           ]),

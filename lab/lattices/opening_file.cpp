@@ -1,0 +1,36 @@
+#include "lab/lattices/opening_file.h"
+
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace coapt {
+
+std::string write_openings(const KnownOpenings& openings) {
+  std::map<std::string, nlohmann::json> rows;
+  for (const auto& [key, opening] : openings)
+    rows[key] = {static_cast<int>(opening.status), opening.crossing,
+                 opening.measure.opening_area_mm2, opening.measure.projected_area_mm2,
+                 opening.measure.gradient_mmhg};
+  return nlohmann::json(rows).dump();
+}
+
+KnownOpenings read_openings(const std::string& text) {
+  const auto number = [](const nlohmann::json& value) {  // null: NaN
+    return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+  };
+  KnownOpenings openings;
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object()) return {};
+  for (const auto& [key, row] : json.items()) {
+    if (!row.is_array() || row.size() != 5) return {};
+    PlanOpening opening{static_cast<ClosureStatus>(row[0].get<int>()), row[1].get<bool>(), {}};
+    opening.measure.opening_area_mm2 = number(row[2]);
+    opening.measure.projected_area_mm2 = number(row[3]);
+    opening.measure.gradient_mmhg = number(row[4]);
+    openings[key] = opening;
+  }
+  return openings;
+}
+
+}  // namespace coapt

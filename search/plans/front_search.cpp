@@ -1,0 +1,214 @@
+#include "search/plans/front_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "search/parallel.h"
+#include "search/plans/durability.h"
+#include "search/plans/place_model.h"
+#include "search/random_share.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kAtFirst = 4, kAtOnce = 2;
+constexpr double kScatters = 2.0;              // better than expected
+constexpr double kLeastShare = 0.002;          // of the volume: then nothing more is expected
+constexpr int kMostKnown = 400;                // the models take as many plans
+constexpr double kUnknownOpening_mm2 = 100.0;  // above the least, while none is known
+constexpr double kMostLeak_mm2 = 100.0;        // for closures that failed, too
+
+/// A plan with what is known of it.
+struct Known {
+  Eigen::VectorXd place;
+  double leak = 0.0;  ///< asinh(mm2), over the nodes closed
+  std::optional<double> opening_mm2, durability_mm;
+};
+
+Known known_of(const PlanRecord& plan) {
+  int nodes = 0;
+  while (nodes < kChosenBy && plan.closures.contains(nodes)) ++nodes;
+  const double mm2 = region_leak_mm2(plan, nodes);
+  Known known{plan.place,
+              std::asinh(std::isnan(mm2) ? kMostLeak_mm2 : std::min(mm2, kMostLeak_mm2)),
+              {},
+              {}};
+  if (plan.opening && trusted(*plan.opening))
+    known.opening_mm2 = opening_mm2(plan.opening->measure);
+  if (const auto lasts = durability(plan)) known.durability_mm = lasts->expected_mm;
+  return known;
+}
+
+/// Models of what is known.
+class Expectations {
+ public:
+  explicit Expectations(const std::vector<Known>& known)
+      : leak_(model(known, [](const Known& one) { return std::optional(one.leak); })),
+        opening_(model(known, [](const Known& one) { return one.opening_mm2; })),
+        durability_(model(known, [](const Known& one) { return one.durability_mm; })) {}
+
+  TradeOff at(const Eigen::VectorXd& place, double scatters) const {
+    const PlaceModel::Guess leak = leak_->at(place);
+    TradeOff expected = {std::max(0.0, std::sinh(leak.mean - scatters * leak.sd)),
+                         kWorstAccepted.opening_mm2 + kUnknownOpening_mm2, kFurthestCourse_mm};
+    if (opening_) {
+      const PlaceModel::Guess opening = opening_->at(place);
+      expected.opening_mm2 = opening.mean + scatters * opening.sd;
+    }
+    if (durability_) {
+      const PlaceModel::Guess lasts = durability_->at(place);
+      expected.durability_mm =
+          std::clamp(lasts.mean + scatters * lasts.sd, 0.0, kFurthestCourse_mm);
+    }
+    return expected;
+  }
+
+ private:
+  template <class Value>
+  static std::optional<PlaceModel> model(const std::vector<Known>& known, Value value) {
+    std::vector<Eigen::VectorXd> places;
+    std::vector<double> values;
+    for (const Known& one : known)
+      if (const std::optional<double> of = value(one)) {
+        places.push_back(one.place);
+        values.push_back(*of);
+      }
+    if (values.empty()) return std::nullopt;
+    const auto n = static_cast<Eigen::Index>(values.size());
+    return PlaceModel(std::move(places), Eigen::Map<const Eigen::VectorXd>(values.data(), n));
+  }
+
+  std::optional<PlaceModel> leak_, opening_, durability_;
+};
+
+/// What is known of a plan bounds what may be expected of it.
+TradeOff bounded(TradeOff expected, const PlanRecord& plan) {
+  const Known known = known_of(plan);
+  expected.leak_mm2 = std::max(expected.leak_mm2, std::sinh(known.leak));
+  if (plan.opening) expected.opening_mm2 = known.opening_mm2.value_or(0.0);
+  expected.durability_mm = std::min(expected.durability_mm, most_durable_mm(plan));
+  return expected;
+}
+
+double improvement(std::vector<TradeOff> front, double volume, const TradeOff& by) {
+  if (by.leak_mm2 >= kWorstAccepted.leak_mm2 || by.opening_mm2 <= kWorstAccepted.opening_mm2)
+    return 0.0;
+  front.push_back(by);
+  return dominated_volume(front) - volume;
+}
+
+std::vector<PlanRecord*> at_random(std::vector<PlanRecord*> plans, int count, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const auto left = static_cast<double>(plans.size() - i);
+    std::swap(plans[i], plans[i + static_cast<std::size_t>(random_share(engine) * left)]);
+  }
+  if (std::ssize(plans) > count) plans.resize(static_cast<std::size_t>(count));
+  return plans;
+}
+
+/// Those that are expected to add most, each as if the ones before were as expected.
+std::vector<PlanRecord*> most_promising(const std::vector<PlanRecord*>& left,
+                                        std::vector<Known> known, std::vector<TradeOff> front,
+                                        int threads) {
+  std::vector<PlanRecord*> chosen;
+  std::vector<double> adds(left.size());
+  while (std::ssize(chosen) < std::min<std::ptrdiff_t>(kAtOnce, std::ssize(left))) {
+    const Expectations expected(known);
+    const double volume = dominated_volume(front);
+    for_each_index(static_cast<int>(left.size()), threads, [&](int i) {
+      adds[i] = improvement(front, volume, expected.at(left[i]->place, kScatters));
+    });
+    for (PlanRecord* plan : chosen)
+      adds[std::find(left.begin(), left.end(), plan) - left.begin()] = 0.0;
+    const auto best = std::max_element(adds.begin(), adds.end());
+    if (*best <= kLeastShare * volume) break;
+    chosen.push_back(left[best - adds.begin()]);
+    const TradeOff middle = expected.at(chosen.back()->place, 0.0);
+    known.push_back({chosen.back()->place, std::asinh(middle.leak_mm2), middle.opening_mm2,
+                     middle.durability_mm});
+    if (improvement(front, volume, middle) > 0.0) front.push_back(middle);
+  }
+  return chosen;
+}
+
+/// Measures plans by and by, each as long as it may still add something. False if it was stopped.
+bool measure(PlanEvaluations& evaluations, std::vector<PlanRecord*> plans,
+             const std::vector<Known>& known, const std::vector<TradeOff>& front) {
+  const Expectations expected(known);
+  const double volume = dominated_volume(front);
+  const auto leave = [&] {
+    std::erase_if(plans, [&](const PlanRecord* plan) {
+      const TradeOff may = bounded(expected.at(plan->place, kScatters), *plan);
+      return improvement(front, volume, may) <= kLeastShare * volume;
+    });
+  };
+  for (const int upto : {1, 5, kChosenBy}) {
+    std::vector<PlanEvaluations::Wanted> wanted;
+    for (PlanRecord* plan : plans)
+      for (int d = 0; d < upto; ++d) wanted.push_back({plan, d});
+    if (!evaluations.close(wanted, PlanEvaluations::Phase::Searching)) return false;
+    leave();
+    if (upto != 5) continue;
+    if (!evaluations.open(plans, PlanEvaluations::Phase::Searching)) return false;
+    leave();
+  }
+  while (true) {
+    const auto done = [](const PlanRecord* plan) { return durability(*plan).has_value(); };
+    std::vector<PlanRecord*> going = plans;
+    std::erase_if(going, done);
+    if (going.empty()) return true;
+    if (!close_disease_step(evaluations, going, PlanEvaluations::Phase::Searching)) return false;
+    leave();
+  }
+}
+
+}  // namespace
+
+std::vector<FrontPlan> search_front(PlanEvaluations& evaluations,
+                                    const std::vector<PlanRecord*>& candidates,
+                                    const FrontSearchOptions& options) {
+  const int before = evaluations.closures();
+  std::vector<PlanRecord*> left;
+  std::vector<FrontPlan> measured;
+  std::vector<Known> known;
+  std::vector<TradeOff> front;
+  const auto learn = [&](PlanRecord& plan) {
+    known.push_back(known_of(plan));
+    if (const std::optional<TradeOff> found = trade_off(plan, kChosenBy)) {
+      front.push_back(*found);
+      measured.push_back({&plan, evaluations.closures() - before, evaluations.openings()});
+    }
+  };
+  for (PlanRecord* plan : candidates) {
+    if (trade_off(*plan, kChosenBy)) {
+      learn(*plan);
+      continue;
+    }
+    const bool scored = !std::isnan(region_leak_mm2(*plan, kChosenBy));
+    if (scored) known.push_back(known_of(*plan));
+    const double leak = region_leak_mm2(*plan, scored ? kChosenBy : 1);
+    if (std::isnan(leak) || leak < kWorstAccepted.leak_mm2) left.push_back(plan);
+  }
+  while (!left.empty() && std::ssize(known) < kMostKnown) {
+    const bool at_first = std::ssize(known) < kAtFirst;
+    const int most = (kChosenBy + kDisease.count) * (at_first ? kAtFirst : kAtOnce);
+    if (evaluations.closures() - before + most > options.closures) break;
+    const std::vector<PlanRecord*> next =
+        at_first ? at_random(left, kAtFirst, options.seed)
+                 : most_promising(left, known, front, evaluations.threads());
+    if (next.empty()) break;
+    if (!(at_first
+              ? measure_trade_offs(evaluations, next, kChosenBy, PlanEvaluations::Phase::Searching)
+              : measure(evaluations, next, known, front)))
+      break;
+    for (PlanRecord* plan : next) learn(*plan);
+    std::erase_if(left, [&](const PlanRecord* plan) {
+      return std::find(next.begin(), next.end(), plan) != next.end();
+    });
+  }
+  return measured;
+}
+
+}  // namespace coapt
