@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "io/picture/html.h"
 #include "io/picture/line_chart.h"
 #include "io/picture/report_parts.h"
 #include "io/picture/report_words.h"
 #include "io/picture/text.h"
+#include "search/plans/plan_key.h"
 
 namespace coapt {
 namespace {
@@ -83,56 +85,84 @@ std::string rows_of(const RankedPlan& plan) {
   return html;
 }
 
-/// A point per plan with its rank beside it; dominated ones hollow.
-LinePanel trade(const SearchResult& result, FrameWords words, double (*x)(const RankedPlan&),
-                double (*y)(const RankedPlan&)) {
-  LinePanel panel{std::move(words), {}};
-  PanelSeries front{"Pareto-optimal", {}, {}, Hue::Blue, Mark::Dot};
-  PanelSeries others{"not Pareto-optimal", {}, {}, Hue::Ink, Mark::Hollow};
+/// What a plan trades; NaN where it is not known.
+struct Traded {
+  std::string name;  ///< its rank; empty: it is not ranked
+  bool pareto = false;
+  double steps = 0.0, leak_mm2 = 0.0, gradient_mmhg = 0.0, not_lasted_mm = 0.0;
+};
+
+Traded traded(const RankedPlan& plan) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const bool opened = plan.opening && trusted(*plan.opening);
+  return {std::to_string(plan.rank),
+          plan.pareto,
+          static_cast<double>(plan.effort.steps),
+          plan.region.leak_mm2.mean + plan.region.leak_mm2.sd,
+          opened ? plan.opening->measure.gradient_mmhg : kUnknown,
+          plan.durability ? kFurthestCourse_mm - plan.durability->expected_mm : kUnknown};
+}
+
+Traded traded(const ParetoPlan& plan) {
+  return {"",
+          true,
+          static_cast<double>(plan.steps),
+          plan.mean_mm2 + plan.sd_mm2,
+          gorlin_mmhg(plan.opening_mm2, OpeningOptions{}.flow_ml_s),
+          kFurthestCourse_mm - plan.durability_mm};
+}
+
+/// The ranked plans that can be drawn, then those of the front that are not among them.
+std::vector<Traded> traded_plans(const SearchResult& result) {
+  std::vector<Traded> plans;
+  std::set<std::string> ranked;
   for (const RankedPlan& plan : result.plans) {
-    if (!std::isfinite(x(plan)) || !std::isfinite(y(plan))) continue;
-    PanelSeries& series = plan.pareto ? front : others;
-    series.x.push_back(x(plan));
-    series.y.push_back(y(plan));
-    series.names.push_back(std::to_string(plan.rank));
+    ranked.insert(plan_key(plan.plan));
+    plans.push_back(traded(plan));
+  }
+  for (const ParetoPlan& plan : result.pareto_front)
+    if (!ranked.contains(plan_key(plan.plan))) plans.push_back(traded(plan));
+  std::erase_if(plans, [](const Traded& plan) { return !std::isfinite(plan.leak_mm2); });
+  return plans;
+}
+
+/// A point per plan with its rank beside it.
+LinePanel trade(const std::vector<Traded>& plans, const char* label, double Traded::*x) {
+  LinePanel panel{{"", label, "leak, mean + sd, mm²"}, {}};
+  PanelSeries front{"ranked, Pareto-optimal", {}, {}, Hue::Blue, Mark::Dot};
+  PanelSeries others{"ranked, not Pareto-optimal", {}, {}, Hue::Ink, Mark::Hollow};
+  PanelSeries found{"Pareto-optimal, not ranked", {}, {}, Hue::Orange, Mark::Hollow};
+  for (const Traded& plan : plans) {
+    if (!std::isfinite(plan.*x)) continue;
+    PanelSeries& series = plan.name.empty() ? found : plan.pareto ? front : others;
+    series.x.push_back(plan.*x);
+    series.y.push_back(plan.leak_mm2);
+    series.names.push_back(plan.name);
   }
   panel.x_holds = {0.0, 1.0};
   panel.y_holds = {0.0, 1.0};
-  panel.series = {std::move(front), std::move(others)};
+  panel.series = {std::move(front), std::move(others), std::move(found)};
   return panel;
 }
 
-double steps(const RankedPlan& plan) { return plan.effort.steps; }
-double upper(const RankedPlan& plan) { return plan.region.leak_mm2.mean + plan.region.leak_mm2.sd; }
-/// NaN where it was not opened.
-double gradient(const RankedPlan& plan) {
-  return plan.opening && trusted(*plan.opening) ? plan.opening->measure.gradient_mmhg
-                                                : std::numeric_limits<double>::quiet_NaN();
-}
-/// NaN without the evidence.
-double not_lasted(const RankedPlan& plan) {
-  return plan.durability ? kFurthestCourse_mm - plan.durability->expected_mm
-                         : std::numeric_limits<double>::quiet_NaN();
-}
-
 std::string trade_offs(const SearchResult& result) {
-  const auto drawn = [](const RankedPlan& plan) { return std::isfinite(upper(plan)); };
-  const auto count = std::count_if(result.plans.begin(), result.plans.end(), drawn);
-  if (count < 2) return "";
-  const std::string left_out =
-      count < std::ssize(result.plans) ? " Plans whose region is not known are left out." : "";
+  const std::vector<Traded> plans = traded_plans(result);
+  if (plans.size() < 2) return "";
+  const bool all =
+      std::all_of(result.plans.begin(), result.plans.end(),
+                  [](const RankedPlan& plan) { return std::isfinite(plan.region.leak_mm2.mean); });
   const LineChart chart{
       "What a better closure costs",
-      "Numbers are ranks; lower and further left is better." + left_out,
-      {trade(result, {"", "steps of the operation", "leak, mean + sd, mm²"}, steps, upper),
-       trade(result, {"", "mean gradient in diastole, mmHg", "leak, mean + sd, mm²"}, gradient,
-             upper),
-       trade(result, {"", "disease that it does not outlast, mm of 12", "leak, mean + sd, mm²"},
-             not_lasted, upper)}};
+      std::string("Numbers are ranks; lower and further left is better.") +
+          (all ? "" : " Plans whose region is not known are left out."),
+      {trade(plans, "steps of the operation", &Traded::steps),
+       trade(plans, "mean gradient in diastole, mmHg", &Traded::gradient_mmhg),
+       trade(plans, "disease that it does not outlast, mm of 12", &Traded::not_lasted_mm)}};
   return chart_html(
       line_chart_svg(chart),
-      "Each number is a plan. Filled points: plans that are Pareto-optimal in leak (mean + sd), "
-      "opening and durability. Hollow points: plans that are not.");
+      "Each point is a plan. Pareto-optimal: no other plan is as good in leak (mean + "
+      "sd), opening and durability, and better in one. Plans that are not ranked are "
+      "from all that the search tried, closed at fewer points of the region.");
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ void add_bench_front(Command parent, int& status) {
       .show_default();
   command
       .add_option("--budget", arguments->budget,
-                  "Plans that a rival may try; coapt gets as many closures as they take at most")
+                  "Plans that a rival may try; coapt stops by itself, at 3,000 closures at most")
       .check(number_from(1, 100000))
       .show_default();
   command.add_option("--real", arguments->real, "The measured valve of the lattice named real")

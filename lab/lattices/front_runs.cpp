@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kOpeningUnit_mm2 = 500.0;
 constexpr std::array kShares = {0.90, 0.95, 0.99};
-constexpr double kGridStep = 1.1;  // of closures, from 10
+constexpr int kMostClosures = 3000;  // of ours: it stops long before
+constexpr double kGridStep = 1.1;    // of closures, from 10
 constexpr double kLongest = 1e5;
 
 VolumeRise searched(const SolvedFront& front, std::uint64_t seed, int most_closures) {
@@ -85,7 +86,7 @@ double share_within(const FrontRun& run, double closures) {
 }  // namespace
 
 bool is_chosen_on(const std::string& lattice) {
-  return lattice == "functional" || lattice == "human-pm" || lattice == "flail-p2";
+  return lattice == "functional" || lattice == "porcine-both";
 }
 
 std::vector<rivals::LatticeTable> objective_tables(const SolvedFront& front) {
@@ -123,7 +124,8 @@ FrontRun front_run(const FrontTask& task, int budget, const std::string& outside
   const SolvedFront& front = *task.front;
   FrontRun run{task.method, front.of.name, task.seed, {}};
   if (task.method == "coapt") {
-    run.rise = searched(front, task.seed, (kChosenBy + kDisease.count) * budget);
+    run.rise =
+        searched(front, task.seed, std::min(kMostClosures, (kChosenBy + kDisease.count) * budget));
   } else {
     run.rise =
         volume_rise(front, task.method == "random" ? shuffled(front.outcomes.size(), task.seed)

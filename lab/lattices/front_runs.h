@@ -29,7 +29,7 @@ struct FrontRun {
 /// "coapt", "random", and those of the program outside, if there is one.
 std::vector<std::string> front_methods(const std::string& outside);
 
-/// @param budget plans that a rival may ask for; as many closures as its dearest ones would take are ours.
+/// @param budget plans that a rival may ask for; ours ends by itself.
 FrontRun front_run(const FrontTask& task, int budget, const std::string& outside);
 
 /// Closures until a run has the share; infinite if it never has.

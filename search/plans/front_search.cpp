@@ -13,11 +13,14 @@ namespace coapt {
 namespace {
 
 constexpr int kAtFirst = 4, kAtOnce = 2;
-constexpr double kScatters = 2.0;              // better than expected
-constexpr double kLeastShare = 0.002;          // of the volume: then nothing more is expected
-constexpr int kMostKnown = 400;                // the models take as many plans
+constexpr double kScatters = 2.0;      // better than expected
+constexpr double kLeastShare = 0.001;  // of the volume: then nothing more is expected
+constexpr int kDoubts = 3;       // times that a few at random are measured before that is believed
+constexpr int kMostKnown = 400;  // the models take as many plans
 constexpr double kUnknownOpening_mm2 = 100.0;  // above the least, while none is known
-constexpr double kMostLeak_mm2 = 100.0;        // for closures that failed, too
+// What these differ by from plan to plan; the leak as its asinh.
+constexpr double kUsualLeak = 1.5, kUsualOpening_mm2 = 100.0, kUsualDurability_mm = 4.0;
+constexpr double kMostLeak_mm2 = 100.0;  // for closures that failed, too
 
 /// A plan with what is known of it.
 struct Known {
@@ -44,9 +47,10 @@ Known known_of(const PlanRecord& plan) {
 class Expectations {
  public:
   explicit Expectations(const std::vector<Known>& known)
-      : leak_(model(known, [](const Known& one) { return std::optional(one.leak); })),
-        opening_(model(known, [](const Known& one) { return one.opening_mm2; })),
-        durability_(model(known, [](const Known& one) { return one.durability_mm; })) {}
+      : leak_(model(known, kUsualLeak, [](const Known& one) { return std::optional(one.leak); })),
+        opening_(model(known, kUsualOpening_mm2, [](const Known& one) { return one.opening_mm2; })),
+        durability_(model(known, kUsualDurability_mm,
+                          [](const Known& one) { return one.durability_mm; })) {}
 
   TradeOff at(const Eigen::VectorXd& place, double scatters) const {
     const PlaceModel::Guess leak = leak_->at(place);
@@ -66,7 +70,8 @@ class Expectations {
 
  private:
   template <class Value>
-  static std::optional<PlaceModel> model(const std::vector<Known>& known, Value value) {
+  static std::optional<PlaceModel> model(const std::vector<Known>& known, double usual_sd,
+                                         Value value) {
     std::vector<Eigen::VectorXd> places;
     std::vector<double> values;
     for (const Known& one : known)
@@ -76,7 +81,8 @@ class Expectations {
       }
     if (values.empty()) return std::nullopt;
     const auto n = static_cast<Eigen::Index>(values.size());
-    return PlaceModel(std::move(places), Eigen::Map<const Eigen::VectorXd>(values.data(), n));
+    return PlaceModel(std::move(places), Eigen::Map<const Eigen::VectorXd>(values.data(), n),
+                      usual_sd);
   }
 
   std::optional<PlaceModel> leak_, opening_, durability_;
@@ -191,17 +197,21 @@ std::vector<FrontPlan> search_front(PlanEvaluations& evaluations,
     const double leak = region_leak_mm2(*plan, scored ? kChosenBy : 1);
     if (std::isnan(leak) || leak < kWorstAccepted.leak_mm2) left.push_back(plan);
   }
-  while (!left.empty() && std::ssize(known) < kMostKnown) {
-    const bool at_first = std::ssize(known) < kAtFirst;
-    const int most = (kChosenBy + kDisease.count) * (at_first ? kAtFirst : kAtOnce);
+  for (int doubts = 0; !left.empty() && std::ssize(known) < kMostKnown;) {
+    const bool few = std::ssize(known) < kAtFirst;
+    const int most = (kChosenBy + kDisease.count) * (few ? kAtFirst : kAtOnce);
     if (evaluations.closures() - before + most > options.closures) break;
-    const std::vector<PlanRecord*> next =
-        at_first ? at_random(left, kAtFirst, options.seed)
-                 : most_promising(left, known, front, evaluations.threads());
-    if (next.empty()) break;
-    if (!(at_first
-              ? measure_trade_offs(evaluations, next, kChosenBy, PlanEvaluations::Phase::Searching)
-              : measure(evaluations, next, known, front)))
+    std::vector<PlanRecord*> next;
+    if (!few) next = most_promising(left, known, front, evaluations.threads());
+    const bool expected = !next.empty();
+    if (!expected) {
+      if (!few && ++doubts > kDoubts) break;
+      next = at_random(left, few ? kAtFirst : kAtOnce,
+                       options.seed + static_cast<std::uint64_t>(doubts));
+    }
+    if (!(expected ? measure(evaluations, next, known, front)
+                   : measure_trade_offs(evaluations, next, kChosenBy,
+                                        PlanEvaluations::Phase::Searching)))
       break;
     for (PlanRecord* plan : next) learn(*plan);
     std::erase_if(left, [&](const PlanRecord* plan) {

@@ -9,7 +9,7 @@ namespace {
 
 // In units of a place; as shares of the variance.
 constexpr double kLengths[] = {1.0, 2.0, 3.0, 5.0, 8.0}, kNoises[] = {1e-4, 1e-2, 1e-1};
-constexpr double kLeastVariance = 1e-6;
+constexpr double kPriorValues = 2.0;
 
 }  // namespace
 
@@ -17,7 +17,8 @@ double PlaceModel::kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b) co
   return std::exp(-0.5 * (a - b).squaredNorm() / (length_ * length_));
 }
 
-PlaceModel::PlaceModel(std::vector<Eigen::VectorXd> places, const Eigen::VectorXd& values)
+PlaceModel::PlaceModel(std::vector<Eigen::VectorXd> places, const Eigen::VectorXd& values,
+                       double usual_sd)
     : places_(std::move(places)), mean_(values.mean()) {
   const Eigen::Index n = values.size();
   const Eigen::VectorXd off = values.array() - mean_;
@@ -33,9 +34,10 @@ PlaceModel::PlaceModel(std::vector<Eigen::VectorXd> places, const Eigen::VectorX
       noisy.diagonal().array() += noise;
       const Eigen::LLT<Eigen::MatrixXd> factor(noisy);
       const Eigen::VectorXd weights = factor.solve(off);
-      const double variance = std::max(off.dot(weights) / static_cast<double>(n), kLeastVariance);
-      const double likelihood = -0.5 * static_cast<double>(n) * std::log(variance) -
-                                factor.matrixLLT().diagonal().array().log().sum();
+      const double count = static_cast<double>(n) + kPriorValues;
+      const double variance = (off.dot(weights) + kPriorValues * usual_sd * usual_sd) / count;
+      const double likelihood =
+          -0.5 * count * std::log(variance) - factor.matrixLLT().diagonal().array().log().sum();
       if (likelihood <= likeliest) continue;
       likeliest = likelihood;
       best_length = length;

@@ -13,8 +13,9 @@ class PlaceModel {
     double mean = 0.0, sd = 0.0;
   };
 
+  /// @param usual_sd what values differ by, as far as is known without them: it counts as much as two of them.
   /// @pre as many places as values, at least one; places of one length.
-  PlaceModel(std::vector<Eigen::VectorXd> places, const Eigen::VectorXd& values);
+  PlaceModel(std::vector<Eigen::VectorXd> places, const Eigen::VectorXd& values, double usual_sd);
 
   Guess at(const Eigen::VectorXd& place) const;
 

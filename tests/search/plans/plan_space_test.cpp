@@ -121,7 +121,7 @@ TEST(PlanSpace, ChordalStepsAreOfferedOnRequest) {
 }
 
 TEST(PlanSpace, ResectionAndAClipAreOfferedOnRequestWhereChordaeAreRuptured) {
-  const Valve flail = *make_preset("human-p2-prolapse");
+  const Valve flail = *make_preset("human-p2-prolapse", 150);
   SearchRules rules;
   rules.most_neochordae = 0;
   const auto leaflet_branches = [&](const Valve& valve) {
@@ -137,8 +137,8 @@ TEST(PlanSpace, ResectionAndAClipAreOfferedOnRequestWhereChordaeAreRuptured) {
   };
   const std::size_t plain = leaflet_branches(flail).size();
   rules.leaflet_resection = rules.edge_to_edge = true;
-  EXPECT_EQ(leaflet_branches(*make_preset("human-normal")).count(LeafletChoice::None),
-            leaflet_branches(*make_preset("human-normal")).size());
+  EXPECT_EQ(leaflet_branches(*make_preset("human-normal", 150)).count(LeafletChoice::None),
+            leaflet_branches(*make_preset("human-normal", 150)).size());
   auto choices = leaflet_branches(flail);
   EXPECT_EQ(choices.count(LeafletChoice::None), plain);
   // And without a ring.
