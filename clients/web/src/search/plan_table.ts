@@ -1,6 +1,6 @@
 // All ranked plans side by side, the valve as it is above them; two of them can be chosen to be compared. At other prices
 // the rows change places; a plan keeps its rank as its name.
-import type { RankedPlan, SearchResult } from '../api/types'
+import type { Plan, RankedPlan, SearchResult } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h, type Child } from '../dom'
 import { number } from '../format'
@@ -55,9 +55,7 @@ export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => st
   ]
   const rows = lines.map(({ plan, box, note, cost }): Child[] => [
     rankCell(plan, cardId(plan), box, note),
-    plan.plan.steps.length > 0
-      ? h('ul', { class: searchStyle.short }, ...plan.plan.steps.map((step) => h('li', {}, describe(step))))
-      : 'No repair',
+    shortSteps(plan.plan),
     cost,
     meanAndSdCell(plan.leak_mm2),
     number(plan.leak_mm2.p95),
@@ -99,6 +97,11 @@ export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => st
   return { element: h('div', { class: searchStyle.ranked }, table), boxes: lines.map(({ box }) => box), show }
 }
 
+export function shortSteps({ steps }: Plan): Child {
+  if (steps.length === 0) return 'No repair'
+  return h('ul', { class: searchStyle.short }, ...steps.map((step) => h('li', {}, describe(step))))
+}
+
 function rankCell(plan: RankedPlan, id: string, box: HTMLInputElement, note: HTMLElement): HTMLElement {
   const go = (event: Event) => {
     event.preventDefault() // the address holds the view
@@ -132,7 +135,8 @@ function opening(of: Opened): string {
   return number(area_mm2 === null ? null : area_mm2 / 100)
 }
 
-function outlasts({ durability_mm }: RankedPlan): string {
+/// "8.4", "≥ 12.0"
+export function outlasts({ durability_mm }: Pick<RankedPlan, 'durability_mm'>): string {
   return `${(durability_mm ?? 0) >= FURTHEST_DISEASE_MM ? '≥ ' : ''}${number(durability_mm)}`
 }
 

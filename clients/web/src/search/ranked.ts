@@ -22,6 +22,7 @@ export function ranked(result: SearchResult, context: CardContext): HTMLElement[
         { class: parts.panel },
         'No plan was ranked: the search ended before it found one, or every plan breaks a rule.',
       ),
+      ...(result.pareto_front.length > 0 ? [tradeOff(result, context.signal)] : []),
     ]
   const own = result.weights as Weights
   const title = h('h2', {})

@@ -1,13 +1,12 @@
 // What a search has found: the valve before, its ranked plans, the rest of its evidence.
 import type { SearchResult } from '../api/types'
-import { dataTable, figure } from '../charts/data_table'
+import { dataTable } from '../charts/data_table'
 import { h } from '../dom'
 import { number, seconds, withError, withUnit } from '../format'
 import { grouped } from '../jobs/progress_panel'
 import type { CardContext } from './card'
 import { costChart, endedSeries } from './cost_chart'
 import { downloadButton, reportLink } from '../jobs/downloads'
-import { inWords } from './figures'
 import { differing, inShort } from './in_short'
 import { ranked } from './ranked'
 import jobsStyle from '../jobs/jobs.module.css'
@@ -104,43 +103,10 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
     const chart = costChart(endedSeries(result.progress, result.random_progress), context.signal)
     sections.push(h('section', { class: parts.panel, 'aria-label': 'How the search went' }, chart.element))
   }
-  if (result.pareto_front.length > 0)
-    sections.push(
-      listed(
-        'Pareto front',
-        'Of the plans tried, those that no other beats in leak (mean + sd), opening in diastole and durability at once, best by the weights first.',
-        dataTable(
-          'Pareto front',
-          [
-            { label: 'plan', sentences: true },
-            { label: 'leak, mean, mm²', numeric: true },
-            { label: 'sd, mm²', numeric: true },
-            { label: 'steps', numeric: true },
-            { label: 'opening, cm²', numeric: true },
-            { label: 'durability, mm', numeric: true },
-            { label: 'cost, mm²', numeric: true },
-            { label: 'ring sizes below', numeric: true },
-            { label: 'region points', numeric: true },
-          ],
-          result.pareto_front.map((plan) => [
-            inWords(plan),
-            figure(plan.mean_mm2),
-            figure(plan.sd_mm2),
-            plan.steps,
-            figure(plan.opening_mm2 == null ? null : plan.opening_mm2 / 100),
-            figure(plan.durability_mm),
-            figure(plan.cost),
-            number(plan.ring_sizes_below),
-            plan.nodes,
-          ]),
-        ),
-      ),
-    )
   if (result.cut.length > 0)
     sections.push(
       listed(
         'What was left out',
-        '',
         dataTable(
           'What was left out',
           [{ label: 'what' }, { label: 'why', sentences: true }],
@@ -151,10 +117,6 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
   return sections
 }
 
-function listed(title: string, hint: string, table: HTMLElement): HTMLElement {
-  return h(
-    'section',
-    { class: parts.panel },
-    h('details', { class: parts.more }, h('summary', {}, title), hint && h('p', { class: parts.hint }, hint), table),
-  )
+function listed(title: string, table: HTMLElement): HTMLElement {
+  return h('section', { class: parts.panel }, h('details', { class: parts.more }, h('summary', {}, title), table))
 }

@@ -1,23 +1,25 @@
-// What plans trade: leak against opening in diastole, and the further disease that they outlast. A front in three
-// quantities is no line in two: Pareto-optimal plans are ringed, not joined.
+// What plans trade: leak against opening in diastole, and the further disease that they outlast; the ranked plans and those
+// of the Pareto front that are not ranked. A front in three quantities is no line in two: it is ringed, not joined.
 import type { RankedPlan, SearchResult } from '../api/types'
 import { dataTable } from '../charts/data_table'
-import { LEVELS, type Level } from '../charts/scatter_marks'
+import { LEVELS } from '../charts/scatter_marks'
 import { scatterChart, type ScatterPoint } from '../charts/scatter_chart'
 import { h } from '../dom'
 import { cm2, joined, number, withUnit } from '../format'
-import { doubts, FURTHEST_DISEASE_MM, openingMm2, type Opened } from './figures'
+import { doubts, FURTHEST_DISEASE_MM, openingMm2 } from './figures'
+import { frontRows, frontTable, unrankedPoints } from './front'
 import { STENOSIS_MM2 } from './order'
+import { LEVEL_MM, placeOf, tradeCells, tradeInWords, tradeOfFront, tradeOfRanked } from './trade'
 import parts from '../style/parts.module.css'
 
-const LEVEL_MM = FURTHEST_DISEASE_MM / LEVELS
 const COMPETENT_MM2 = 1
+const GOOD_REPAIR_MM2 = 5 // search/plans/objective.h
 const TITLE = 'Leak against opening in diastole'
 
 export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement {
-  const points = tradePoints(result)
+  const ranked = rankedPoints(result.plans)
   const chart =
-    points.some(({ level }) => level !== 'aside') &&
+    ranked.length > 0 &&
     scatterChart(
       {
         title: TITLE,
@@ -25,6 +27,7 @@ export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement
         x: {
           label: 'leak over the region, mean + sd, mm²',
           least: 1.2 * COMPETENT_MM2,
+          most: Math.max(GOOD_REPAIR_MM2, ...ranked.map(({ x }) => x)),
           limit: { value: COMPETENT_MM2, label: 'above 1 mm²: not robust' },
         },
         y: {
@@ -32,12 +35,13 @@ export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement
           least: 1,
           limit: { value: STENOSIS_MM2 / 100, label: 'below 1.5 cm²: stenosis' },
         },
-        points,
+        points: tradePoints(result),
         legend: {
           title: 'Outlasts further disease of',
           levels: Array.from({ length: LEVELS }, (_, i) => `${i * LEVEL_MM} to ${(i + 1) * LEVEL_MM} mm`),
           unknown: 'not known',
-          ringed: 'Pareto-optimal',
+          ringed: 'Pareto-optimal among ranked plans',
+          small: 'A, B, …: on the Pareto front, not ranked',
           aside: 'before repair',
         },
         table: () => tradeTable(result),
@@ -51,31 +55,14 @@ export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement
     chart,
     chart && h('p', { class: parts.hint }, tradeSummary(result)),
     ...lacking(result.plans).map((words) => h('p', { class: parts.hint }, words)),
+    result.pareto_front.length > 0 && frontTable(result),
   )
 }
 
-/// In the order of the ranks; at the end the valve before repair, if it was opened.
-export function tradePoints({ before, plans }: SearchResult): ScatterPoint[] {
-  const points = plans.flatMap((plan): ScatterPoint[] => {
-    const [leak, opening] = [upperLeak(plan), openingMm2(plan)]
-    if (leak === null || opening === null) return []
-    const said = [
-      `leak ${withUnit(leak, 'mm²')} (mean + sd)`,
-      `opening ${cm2(opening)}`,
-      plan.durability_mm == null ? '' : `outlasts ${outlasted(plan.durability_mm)} of further disease`,
-      plan.pareto ? 'Pareto-optimal' : '',
-    ]
-    return [
-      {
-        x: leak,
-        y: opening / 100,
-        name: String(plan.rank),
-        words: [`Plan ${plan.rank}: ${said.filter(Boolean).join(', ')}.`, ...doubts(plan)].join(' '),
-        level: levelOf(plan.durability_mm ?? null),
-        isRinged: plan.pareto,
-      },
-    ]
-  })
+/// In the order of the ranks, then of the front; at the end the valve before repair, if it was opened.
+export function tradePoints(result: SearchResult): ScatterPoint[] {
+  const points = [...rankedPoints(result.plans), ...unrankedPoints(result)]
+  const { before } = result
   const opening = openingMm2(before)
   if (opening === null || before.leak_mm2 === null) return points
   return [
@@ -87,27 +74,47 @@ export function tradePoints({ before, plans }: SearchResult): ScatterPoint[] {
       words: `Before repair: leak ${withUnit(before.leak_mm2, 'mm²')} as it is, opening ${cm2(opening)}.`,
       level: 'aside',
       isRinged: false,
+      isSmall: false,
     },
   ]
 }
 
-export function tradeSummary({ before, plans }: SearchResult): string {
-  const shown = plans.filter((plan) => upperLeak(plan) !== null && openingMm2(plan) !== null)
-  const front = shown.filter(({ pareto }) => pareto).map(({ rank }) => String(rank))
-  const lasting = shown.flatMap(({ durability_mm }) => (durability_mm == null ? [] : [durability_mm]))
+function rankedPoints(plans: RankedPlan[]): ScatterPoint[] {
+  return plans.flatMap((plan): ScatterPoint[] => {
+    const trade = tradeOfRanked(plan)
+    const place = placeOf(trade)
+    if (!place) return []
+    const said = `Plan ${plan.rank}: ${tradeInWords(trade)}${plan.pareto ? ', Pareto-optimal' : ''}.`
+    return [
+      {
+        ...place,
+        name: String(plan.rank),
+        words: [said, ...doubts(plan)].join(' '),
+        isRinged: plan.pareto,
+        isSmall: false,
+      },
+    ]
+  })
+}
+
+export function tradeSummary(result: SearchResult): string {
+  const { before, plans } = result
+  const shown = rankedPoints(plans)
+  const front = shown.filter(({ isRinged }) => isRinged).map(({ name }) => name)
+  const lasting = plans
+    .map(tradeOfRanked)
+    .flatMap((trade) => (trade.durability_mm === null || !placeOf(trade) ? [] : [trade.durability_mm]))
+  const letters = unrankedPoints(result).length
   const opening = openingMm2(before)
+  const [leaks, openings] = [shown.map(({ x }) => x), shown.map(({ y }) => y)]
   return [
-    `Up and to the left is better: leak ${range(
-      shown.map((plan) => upperLeak(plan) ?? 0),
-      'mm²',
-    )} (mean + sd), opening ${range(
-      shown.map((plan) => (openingMm2(plan) ?? 0) / 100),
-      'cm²',
-    )}.`,
+    `Up and to the left is better: leak ${range(leaks, 'mm²')} (mean + sd), opening ${range(openings, 'cm²')}.`,
     ...(lasting.length > 0
       ? [`They outlast ${range(lasting, 'mm')} of further disease, of ${FURTHEST_DISEASE_MM} tried.`]
       : []),
     ...(front.length > 0 ? [`Pareto-optimal: ${front.length === 1 ? 'plan' : 'plans'} ${joined(front)}.`] : []),
+    ...(letters === 1 ? ['A letter names a plan of the Pareto front that is not ranked.'] : []),
+    ...(letters > 1 ? [`Letters name ${letters} plans of the Pareto front that are not ranked.`] : []),
     ...(opening === null ? [] : [`Before repair: ${withUnit(before.leak_mm2, 'mm²')} and ${cm2(opening)}.`]),
   ].join(' ')
 }
@@ -119,7 +126,7 @@ export function lacking(plans: RankedPlan[]): string[] {
     {
       what: 'The leak over the region',
       why: 'it was not closed',
-      isKnown: (plan: RankedPlan) => upperLeak(plan) !== null,
+      isKnown: (plan: RankedPlan) => tradeOfRanked(plan).leak_mm2 !== null,
       ifOfAll: noChart,
     },
     {
@@ -142,11 +149,9 @@ export function lacking(plans: RankedPlan[]): string[] {
   })
 }
 
-function tradeTable({ before, plans }: SearchResult): HTMLElement {
-  const opening = (of: Opened) => {
-    const area_mm2 = openingMm2(of)
-    return number(area_mm2 === null ? null : area_mm2 / 100)
-  }
+function tradeTable(result: SearchResult): HTMLElement {
+  const { before, plans } = result
+  const asItIs = tradeCells({ leak_mm2: before.leak_mm2, opening_mm2: openingMm2(before), durability_mm: null })
   return dataTable(
     TITLE,
     [
@@ -157,29 +162,13 @@ function tradeTable({ before, plans }: SearchResult): HTMLElement {
       { label: 'Pareto-optimal' },
     ],
     [
-      ['Before', number(before.leak_mm2), opening(before), '', ''],
-      ...plans.map((plan) => [
-        plan.rank,
-        number(upperLeak(plan)),
-        opening(plan),
-        plan.durability_mm == null ? number(null) : outlasted(plan.durability_mm).replace(' mm', ''),
-        plan.pareto ? 'yes' : 'no',
-      ]),
+      ['Before', ...asItIs.slice(0, 2), '', ''],
+      ...plans.map((plan) => [plan.rank, ...tradeCells(tradeOfRanked(plan)), plan.pareto ? 'yes' : 'no']),
+      ...frontRows(result)
+        .filter(({ isRanked }) => !isRanked)
+        .map(({ name, plan }) => [name, ...tradeCells(tradeOfFront(plan)), 'yes, not ranked']),
     ],
   )
-}
-
-function upperLeak({ leak_mm2: { mean, sd } }: RankedPlan): number | null {
-  return mean === null || sd === null ? null : mean + sd
-}
-
-function levelOf(durability_mm: number | null): Level {
-  return durability_mm === null ? null : Math.min(LEVELS - 1, Math.floor(durability_mm / LEVEL_MM))
-}
-
-/// "8.4 mm", "12.0 mm or more"
-function outlasted(mm: number): string {
-  return `${withUnit(mm, 'mm')}${mm >= FURTHEST_DISEASE_MM ? ' or more' : ''}`
 }
 
 /// "0.5 to 3.7 mm²"

@@ -135,6 +135,18 @@ test('the cost in the table is the sum of prices that plans are ranked by', asyn
 })
 
 test('what plans trade is drawn, told plan by plan, and stands in a table', async () => {
+  const other = { schema: 'coapt.plan/1', steps: [{ step: 'annuloplasty', shape: 'generic-classic', size_mm: 37.5 }] }
+  await page.route('**/v1/jobs/*/result', async (route) => {
+    const response = await route.fetch()
+    const result = await response.json()
+    const known = { sd_mm2: 0.1, ring_sizes_below: 1, steps: 1, durability_mm: 9, cost: 2, nodes: 17 }
+    result.pareto_front = [
+      { ...known, plan: other, description: ['a ring of 37.5 mm'], mean_mm2: 0.3, opening_mm2: 420 },
+      { ...known, plan: result.plans[1].plan, description: ['the second'], mean_mm2: 0.2, opening_mm2: 410 },
+    ]
+    await route.fulfill({ response, json: result })
+  })
+  await page.reload()
   const { plans } = await resultOf()
   const trade = page.locator('[data-part=trade-off]')
   const plot = trade.getByRole('img', { name: /^Leak against opening in diastole\. Up and to the left is better/ })
@@ -151,10 +163,17 @@ test('what plans trade is drawn, told plan by plan, and stands in a table', asyn
   await page.keyboard.press('ArrowLeft') // stays at the first
   await page.keyboard.press('ArrowRight')
   assert.match(await here.textContent(), /^Plan 2: /)
+  await page.keyboard.press('ArrowRight')
+  assert.match(await here.textContent(), /^Plan A: leak 0\.4 mm² .*Not ranked: closed at 17 region points only\.$/)
   await trade.getByText('Show as table').click()
-  await trade.locator('tbody').waitFor()
-  assert.equal(await trade.locator('tbody tr').count(), 3) // the valve as it is, two plans
+  const rows = (part) => trade.locator(`[data-part=${part}] tbody th`)
+  await rows('as-table').first().waitFor()
+  assert.deepEqual(await rows('as-table').allTextContents(), ['Before', '1', '2', 'A'])
+  assert.deepEqual(await rows('front').allTextContents(), ['A', '2'])
   await trade.getByRole('list', { name: 'Outlasts further disease of' }).waitFor()
+  await trade.getByText('A, B, …: on the Pareto front, not ranked').waitFor()
+  await accessible()
+  await page.unroute('**/v1/jobs/*/result')
 })
 
 test('the reader’s own weights reorder plans without a request, and can be set back', async () => {

@@ -1,5 +1,5 @@
 // Ranked plans with what their order is made of, and the price list's defaults (search/plans/cost_terms.h).
-import type { CostTerms, RankedPlan } from '../../src/api/types'
+import type { CostTerms, FrontPlan, Plan, RankedPlan } from '../../src/api/types'
 import type { Weights } from '../../src/search/price'
 
 export const WEIGHTS: Weights = {
@@ -29,6 +29,7 @@ export function termsOf(known: Partial<CostTerms>): CostTerms {
 
 interface Given {
   rank?: number
+  plan?: Plan
   cost?: number | null // without it what `terms` make of it
   durability_price?: number
   terms?: Partial<CostTerms>
@@ -44,6 +45,28 @@ interface Given {
   tie?: boolean
 }
 
+/// A ring alone.
+export function ringOf(size_mm: number): Plan {
+  return { schema: 'coapt.plan/1', steps: [{ step: 'annuloplasty', shape: 'generic-classic', size_mm }] }
+}
+
+/// Of the Pareto front; leaks 0.2 + 0.1 mm2 and opens to 3 cm2, unless something else is said.
+export function frontPlanOf(plan: Plan, given: Partial<FrontPlan> = {}): FrontPlan {
+  return {
+    plan,
+    description: ['a ring'],
+    mean_mm2: 0.2,
+    sd_mm2: 0.1,
+    steps: plan.steps.length,
+    ring_sizes_below: 1,
+    opening_mm2: 300,
+    durability_mm: 9,
+    cost: 2,
+    nodes: 17,
+    ...given,
+  }
+}
+
 /// Robust, open to 3 cm2, unless something else is said.
 export function planOf(given: Given): RankedPlan {
   const { rank = 1, robust = true, tie = false, mean = 0.25, opening_mm2 = 300 } = given
@@ -54,6 +77,7 @@ export function planOf(given: Given): RankedPlan {
   )
   return {
     rank,
+    plan: given.plan ?? ringOf(30),
     cost: given.cost === undefined ? sum : given.cost,
     cost_terms: amounts,
     durability_price: given.durability_price ?? 0,

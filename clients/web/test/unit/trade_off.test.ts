@@ -1,12 +1,14 @@
 import { expect, test } from 'vitest'
 import { axisOf, placeOn } from '../../src/charts/scatter_axes'
 import { lacking, tradePoints, tradeSummary } from '../../src/search/trade_off'
-import type { RankedPlan, SearchResult } from '../../src/api/types'
-import { planOf } from './plans'
+import type { FrontPlan, RankedPlan, SearchResult } from '../../src/api/types'
+import { frontRows } from '../../src/search/front'
+import { frontPlanOf, planOf, ringOf } from './plans'
 
-const resultOf = (plans: RankedPlan[], before: object = {}) =>
+const resultOf = (plans: RankedPlan[], before: object = {}, pareto_front: FrontPlan[] = []) =>
   ({
     plans,
+    pareto_front,
     before: { leak_mm2: 33.6, opening_area_mm2: 470, projected_area_mm2: 374, ...before },
   }) as unknown as SearchResult
 
@@ -26,6 +28,7 @@ test('a point has mean + sd of the leak, the smaller opening in cm2, and a level
       'Plan 1: leak 0.5 mm² (mean + sd), opening 2.9 cm², outlasts 12.0 mm or more of further disease, Pareto-optimal.',
     level: 5,
     isRinged: true,
+    isSmall: false,
   })
   expect(second?.level).toBe(2)
   expect(third).toMatchObject({
@@ -34,6 +37,44 @@ test('a point has mean + sd of the leak, the smaller opening in cm2, and a level
     words: 'Plan 3: leak 1.0 mm² (mean + sd), opening 3.0 cm².',
   })
   expect(before).toMatchObject({ x: 33.6, y: 3.74, name: 'before', level: 'aside' })
+})
+
+test('of the Pareto front the plans that are not ranked have letters, in the order of their rows', () => {
+  const plans = [planOf({ rank: 1, plan: ringOf(30) }), planOf({ rank: 2, plan: ringOf(32) })]
+  const namesOf = (sizes: number[]) => {
+    const pareto_front = sizes.map((size) => frontPlanOf(ringOf(size)))
+    return frontRows({ plans, pareto_front }).map(({ name }) => name)
+  }
+  expect(namesOf([34, 32, 36])).toEqual(['A', '2', 'B'])
+  expect(namesOf(Array.from({ length: 28 }, (_, i) => 40 + i)).slice(24)).toEqual(['Y', 'Z', 'AA', 'AB'])
+})
+
+test('of the Pareto front only plans that are not ranked, and were opened, get a point of their own, after the ranked', () => {
+  const front = [
+    frontPlanOf(ringOf(30)), // plan 1
+    frontPlanOf(ringOf(34), { opening_mm2: 420, durability_mm: 3.5 }),
+    frontPlanOf(ringOf(36), { opening_mm2: null }),
+    frontPlanOf(ringOf(38), { durability_mm: null }),
+  ]
+  const result = resultOf([planOf({ rank: 1, plan: ringOf(30) })], {}, front)
+  const points = tradePoints(result)
+  expect(points.map(({ name }) => name)).toEqual(['1', 'A', 'C', 'before'])
+  expect(points[1]).toEqual({
+    x: 0.2 + 0.1,
+    y: 4.2,
+    name: 'A',
+    words:
+      'Plan A: leak 0.3 mm² (mean + sd), opening 4.2 cm², outlasts 3.5 mm of further disease, on the Pareto front. Not ranked: closed at 17 region points only.',
+    level: 1,
+    isRinged: true,
+    isSmall: true,
+  })
+  expect(points[2]).toMatchObject({
+    level: null,
+    words:
+      'Plan C: leak 0.3 mm² (mean + sd), opening 3.0 cm², on the Pareto front. Not ranked: closed at 17 region points only.',
+  })
+  expect(tradeSummary(result)).toContain('Letters name 2 plans of the Pareto front that are not ranked.')
 })
 
 test('the summary says what can be seen', () => {
