@@ -132,12 +132,17 @@ void add_plan(Command parent, int& status) {
       .check({refuse_standard_output, "FILE"});
   add_server_option(command, arguments->server);
   command.footer(
-      "Closures in all: 1 of the valve as it is, at most --evaluations on searching, then for the\n"
-      "ranking at most 65 for each of three times --plans finalists and the other nodes of the "
-      "region\n"
-      "(--region-points) for each of the best --plans; and 112 to 308 of evidence for each of "
-      "those: one\n"
-      "suture wrong alone, all that is done wrong independently, further disease. Then each of the "
+      "Closures in all: 1 of the valve as it is, at most --evaluations on searching and "
+      "--front-share "
+      "times\n"
+      "as many on what plans trade (from 82 on), then for the ranking at most 65 and 24 of further "
+      "disease\n"
+      "for each of four times --plans finalists and the other nodes of the region "
+      "(--region-points) "
+      "for\n"
+      "each of the best --plans; and 88 to 284 of evidence for each of those: one suture wrong "
+      "alone, all\n"
+      "that is done wrong independently, further remodelling. Then each of the "
       "best, as "
       "planned,\n"
       "and the valve as it is once on a finer mesh (--fine-levels), which has a say in whether a "

@@ -162,7 +162,7 @@ std::string trade_offs(const SearchResult& result) {
       line_chart_svg(chart),
       "Each point is a plan. Pareto-optimal: no other plan is as good in leak (mean + "
       "sd), opening and durability, and better in one. Plans that are not ranked are "
-      "from all that the search tried, closed at fewer points of the region.");
+      "from those of which all three are known, closed at fewer points of the region.");
 }
 
 }  // namespace

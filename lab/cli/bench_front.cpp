@@ -10,6 +10,7 @@
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/progress_bar.h"
 #include "io/command_line/command_line.h"
+#include "io/store/subject.h"
 #include "lab/cli/bench_parts.h"
 #include "lab/cli/commands.h"
 #include "lab/cli/draw.h"
@@ -42,14 +43,15 @@ int solve(const BenchFrontArguments& arguments, const LatticeCase& one,
   if (!store) return report_store_errors("bench front", store.errors());
   const std::string file = path_in(arguments, "openings-" + one.name + ".json");
   KnownOpenings openings;
-  if (const auto text = read_input(file)) openings = read_openings(*text);
+  const std::string subject = plan_subject_of(one.valve, {});
+  if (const auto text = read_input(file)) openings = read_openings(subject, *text);
   const ProgressBar bar;
   context.progress = [&](const SearchProgress& progress) {
     if (progress.closures % 64 == 0) bar.show(progress);
   };
-  std::optional<SolvedFront> front =
-      solve_front(one, arguments.threads, context, std::move(openings),
-                  [&](const KnownOpenings& made) { write_output(file, write_openings(made)); });
+  std::optional<SolvedFront> front = solve_front(
+      one, arguments.threads, context, std::move(openings),
+      [&](const KnownOpenings& made) { write_output(file, write_openings(subject, made)); });
   if (!front) return exit_code::kInterrupted;
   solved.push_back(std::move(*front));
   return exit_code::kOk;
@@ -58,8 +60,7 @@ int solve(const BenchFrontArguments& arguments, const LatticeCase& one,
 std::vector<FrontRun> measure(const BenchFrontArguments& arguments,
                               const std::vector<SolvedFront>& solved,
                               const std::vector<std::vector<std::string>>& files,
-                              const std::atomic<bool>& interrupted) {
-  const std::string outside = outside_program(arguments.rivals);
+                              const std::string& outside, const std::atomic<bool>& interrupted) {
   if (outside.empty())
     std::cerr << "coapt-lab: bench front: without NSGA-II and MOEA/D (make rivals builds them)\n";
   std::vector<FrontTask> tasks;
@@ -92,6 +93,12 @@ int run(const BenchFrontArguments& arguments) {
   if (const int cannot = check_output(path_in(arguments, "front.csv"))) return cannot;
   const Expected<std::vector<LatticeCase>> cases = chosen_cases(arguments.lattices, *real);
   if (!cases) return report_errors("bench front", cases.errors());
+  const std::string outside = outside_program(arguments.rivals);
+  const std::vector<std::string> methods = front_methods(outside);
+  for (const std::string& method : arguments.methods)
+    if (std::find(methods.begin(), methods.end(), method) == methods.end())
+      return report_errors("bench front",
+                           {Error{ErrorCode::BadReference, "--method", "there is no " + method}});
   std::vector<SolvedFront> solved;
   std::vector<std::vector<std::string>> files;
   for (const LatticeCase& one : *cases) {
@@ -104,7 +111,7 @@ int run(const BenchFrontArguments& arguments) {
         return cannot;
     }
   }
-  const std::vector<FrontRun> runs = measure(arguments, solved, files, interrupted);
+  const std::vector<FrontRun> runs = measure(arguments, solved, files, outside, interrupted);
   if (interrupted) return exit_code::kInterrupted;
   const std::string csv = front_csv(solved, runs);
   for (const auto& [name, content] : {std::pair<std::string, std::string>{"front.csv", csv},

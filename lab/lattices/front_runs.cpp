@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numeric>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 
-#include "core/metrics/quantile.h"
 #include "lab/lattices/program_lines.h"
 #include "search/plans/front_search.h"
 #include "search/random_share.h"
@@ -17,7 +16,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kOpeningUnit_mm2 = 500.0;
+constexpr double kOpeningUnit_mm2 = 500.0, kMostLeak_mm2 = 100.0;
 constexpr std::array kShares = {0.90, 0.95, 0.99};
 constexpr int kMostClosures = 3000;  // of ours: it stops long before
 constexpr double kGridStep = 1.1;    // of closures, from 10
@@ -28,8 +27,9 @@ VolumeRise searched(const SolvedFront& front, std::uint64_t seed, int most_closu
     return ClosedPlan{front.before, nullptr};  // asked for the unrepaired valve alone
   };
   SearchMonitor monitor(0.0, nullptr);
-  PlanEvaluationOptions options{
-      1, front.closures, {}, {}, [](const Valve&) { return PlanOpening{}; }};
+  PlanEvaluationOptions options{1, front.closures, {}, {}, [](const Valve&) -> PlanOpening {
+                                  throw std::logic_error("an opening that was not solved");
+                                }};
   options.known_openings = front.openings;
   PlanEvaluations evaluations(evaluate, front.of.valve, std::move(options), monitor);
   const std::vector<PlanRecord*> plans = plans_of(*front.space, *front.flat, evaluations).plans;
@@ -37,20 +37,24 @@ VolumeRise searched(const SolvedFront& front, std::uint64_t seed, int most_closu
   std::vector<TradeOff> found;
   for (const auto& [plan, closures, openings] :
        search_front(evaluations, plans, {.closures = most_closures, .seed = seed})) {
-    found.push_back(*trade_off(*plan, kChosenBy));
-    rise.emplace_back(closures + kOpeningClosures * openings,
-                      dominated_volume(found) / front.volume);
+    const std::optional<TradeOff> one = trade_off(*plan, kChosenBy);
+    if (!one) continue;
+    found.push_back(*one);
+    const double share = dominated_volume(found) / front.volume;
+    if (rise.empty() || share > rise.back().second)
+      rise.emplace_back(closures + kOpeningClosures * openings, share);
   }
   return rise;
 }
 
-std::vector<int> shuffled(std::size_t plans, std::uint64_t seed) {
+std::vector<int> shuffled(std::size_t plans, int budget, std::uint64_t seed) {
   std::vector<int> numbers(plans);
   std::iota(numbers.begin(), numbers.end(), 0);
   std::mt19937_64 engine(seed);
   for (std::size_t i = 0; i < plans; ++i)
     std::swap(numbers[i], numbers[i + static_cast<std::size_t>(random_share(engine) *
                                                                static_cast<double>(plans - i))]);
+  numbers.resize(std::min(plans, static_cast<std::size_t>(budget)));
   return numbers;
 }
 
@@ -59,21 +63,19 @@ std::vector<int> outside_run(const FrontTask& task, int budget, const std::strin
   for (const std::string& file : task.files) command += " '" + file + '\'';
   command += ' ' + task.method + ' ' + std::to_string(task.seed) + ' ' + std::to_string(budget);
   std::vector<int> numbers;
-  for (const std::string& line : lines_of(command))
+  int status = 0;
+  for (const std::string& line : lines_of(command, &status))
     numbers.push_back(task.front->numbers[std::stoul(line)]);
+  if (status != 0) throw std::runtime_error("failed: " + command);
   return numbers;
 }
 
-template <class Of>
-std::vector<std::string> each(const std::vector<FrontRun>& runs, Of of) {
-  std::vector<std::string> words;
-  for (const FrontRun& run : runs)
-    if (std::find(words.begin(), words.end(), of(run)) == words.end()) words.push_back(of(run));
-  return words;
-}
-
 std::vector<std::string> methods_of(const std::vector<FrontRun>& runs) {
-  return each(runs, [](const FrontRun& run) { return run.method; });
+  std::vector<std::string> methods;
+  for (const FrontRun& run : runs)
+    if (std::find(methods.begin(), methods.end(), run.method) == methods.end())
+      methods.push_back(run.method);
+  return methods;
 }
 
 double share_within(const FrontRun& run, double closures) {
@@ -103,11 +105,13 @@ std::vector<rivals::LatticeTable> objective_tables(const SolvedFront& front) {
     if (number >= 0) {
       const PlanOutcome& outcome = front.outcomes[static_cast<std::size_t>(number)];
       TradeOff of = kWorstAccepted;
-      of.leak_mm2 = std::isnan(outcome.leak_mm2) ? 100.0 : std::min(outcome.leak_mm2, 100.0);
       if (outcome.trade_off) of = *outcome.trade_off;
-      values = {of.leak_mm2 / kWorstAccepted.leak_mm2,
-                1.0 - (of.opening_mm2 - kWorstAccepted.opening_mm2) / kOpeningUnit_mm2,
-                1.0 - of.durability_mm / kFurthestCourse_mm};
+      const double leak = std::isnan(outcome.leak_mm2) ? kMostLeak_mm2 : outcome.leak_mm2;
+      const double above = std::clamp(leak, of.leak_mm2, kMostLeak_mm2) / kWorstAccepted.leak_mm2;
+      values = {
+          outcome.trade_off ? of.leak_mm2 / kWorstAccepted.leak_mm2 : 1.0 + 0.1 * std::log(above),
+          1.0 - (of.opening_mm2 - kWorstAccepted.opening_mm2) / kOpeningUnit_mm2,
+          1.0 - of.durability_mm / kFurthestCourse_mm};
     }
     for (std::size_t k = 0; k < values.size(); ++k) tables[k].costs.push_back(values[k]);
   }
@@ -127,9 +131,9 @@ FrontRun front_run(const FrontTask& task, int budget, const std::string& outside
     run.rise =
         searched(front, task.seed, std::min(kMostClosures, (kChosenBy + kDisease.count) * budget));
   } else {
-    run.rise =
-        volume_rise(front, task.method == "random" ? shuffled(front.outcomes.size(), task.seed)
-                                                   : outside_run(task, budget, outside));
+    run.rise = volume_rise(front, task.method == "random"
+                                      ? shuffled(front.outcomes.size(), budget, task.seed)
+                                      : outside_run(task, budget, outside));
   }
   return run;
 }

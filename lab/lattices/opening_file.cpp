@@ -6,24 +6,27 @@
 
 namespace coapt {
 
-std::string write_openings(const KnownOpenings& openings) {
+std::string write_openings(const std::string& subject, const KnownOpenings& openings) {
   std::map<std::string, nlohmann::json> rows;
   for (const auto& [key, opening] : openings)
     rows[key] = {static_cast<int>(opening.status), opening.crossing,
                  opening.measure.opening_area_mm2, opening.measure.projected_area_mm2,
                  opening.measure.gradient_mmhg};
-  return nlohmann::json(rows).dump();
+  return nlohmann::json{{"subject", subject}, {"openings", rows}}.dump();
 }
 
-KnownOpenings read_openings(const std::string& text) {
+KnownOpenings read_openings(const std::string& subject, const std::string& text) {
   const auto number = [](const nlohmann::json& value) {  // null: NaN
     return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
   };
   KnownOpenings openings;
   const auto json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_object()) return {};
-  for (const auto& [key, row] : json.items()) {
-    if (!row.is_array() || row.size() != 5) return {};
+  if (!json.is_object() || json.value("subject", nlohmann::json()) != subject ||
+      !json.contains("openings") || !json["openings"].is_object())
+    return {};
+  for (const auto& [key, row] : json["openings"].items()) {
+    if (!row.is_array() || row.size() != 5 || !row[0].is_number_integer() || !row[1].is_boolean())
+      return {};
     PlanOpening opening{static_cast<ClosureStatus>(row[0].get<int>()), row[1].get<bool>(), {}};
     opening.measure.opening_area_mm2 = number(row[2]);
     opening.measure.projected_area_mm2 = number(row[3]);

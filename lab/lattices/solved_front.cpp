@@ -32,7 +32,7 @@ std::optional<SolvedFront> solve_front(const LatticeCase& lattice, int threads,
   solved.before = evaluations.before();
   auto [plans, numbers] = plans_of(*solved.space, *solved.flat, evaluations);
   solved.numbers = std::move(numbers);
-  monitor.plan(1 + 2 * kChosenBy * static_cast<int>(plans.size()),
+  monitor.plan(1 + (kChosenBy + kDisease.count) * static_cast<int>(plans.size()),
                "solving lattice " + lattice.name);
   for (std::size_t first = 0; first < plans.size(); first += kPlansAtOnce) {
     const auto portion =
@@ -68,7 +68,11 @@ VolumeRise volume_rise(const SolvedFront& front, const std::vector<int>& numbers
     if (!outcome.trade_off) continue;
     found.push_back(*outcome.trade_off);
     const double share = dominated_volume(found) / front.volume;
-    if (rise.empty() || share > rise.back().second) rise.emplace_back(closures, share);
+    if (rise.empty() || share > rise.back().second) {
+      rise.emplace_back(closures, share);
+    } else {
+      found.pop_back();  // another is as good: the volume of thousands takes long
+    }
   }
   return rise;
 }

@@ -1,8 +1,6 @@
 // What every plan of a lattice trades (search/plans/trade_off.h), and how much of it a search has found after so many closures.
 #pragma once
 
-#include <array>
-
 #include "lab/lattices/lattice_benchmark.h"
 #include "search/plans/durability.h"
 #include "search/plans/trade_off.h"

@@ -68,11 +68,13 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   if (!model.before.empty()) result.before_under_draws = model_spread(model.before);
 }
 
+/// None if too few for a round.
 int front_closures(const SearchOptions& options) {
-  return static_cast<int>(options.front_share * options.evaluations);
+  const auto most = static_cast<int>(options.front_share * options.evaluations);
+  return options.openings && most >= kLeastFrontClosures ? most : 0;
 }
 
-/// Plans measured for what they trade, among those tried and some at random.
+/// Plans asked what they trade, among those tried and some at random.
 std::vector<PlanRecord*> trading_plans(PlanEvaluations& evaluations, const PlanSpace& space,
                                        const ExplorationState& exploration) {
   const SearchOptions& options = exploration.in.options;
@@ -88,9 +90,9 @@ std::vector<PlanRecord*> trading_plans(PlanEvaluations& evaluations, const PlanS
   for (const BranchPoint& point : random_points(exploration, kFrontCandidates))
     add(evaluations.record(space.plan(space.branches()[point.branch], point.at)));
   std::vector<PlanRecord*> plans;
-  for (const FrontPlan& found : search_front(
+  for (const FrontPlan& asked : search_front(
            evaluations, candidates, {.closures = front_closures(options), .seed = options.seed}))
-    plans.push_back(found.plan);
+    plans.push_back(asked.plan);
   return plans;
 }
 
@@ -175,15 +177,19 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
 
   std::vector<const PlanRecord*> tried, scored = scored_plans(exploration);
   for (const Trial& trial : exploration.trials) tried.push_back(trial.record);
-  for (const PlanRecord* plan : trading_plans(evaluations, *space, exploration)) {
+  const std::vector<PlanRecord*> trading = trading_plans(evaluations, *space, exploration);
+  for (const PlanRecord* plan : trading) {
     if (std::find(tried.begin(), tried.end(), plan) == tried.end()) tried.push_back(plan);
     if (std::find(scored.begin(), scored.end(), plan) == scored.end()) scored.push_back(plan);
   }
   result.plans_tried = static_cast<int>(tried.size());
+  if (!trading.empty() && monitor.search_stopped()) result.stop = SearchStop::TimeLimit;
 
   const int share = result.ladder.back().skipped ? kFinalists : kFinalists - 1;
   std::vector<PlanRecord*> finalists = best_plans(exploration, share * options.plans);
-  add_cheapest(pareto_front(evaluations, scored, kChosenBy), options.plans, evaluations, finalists);
+  if (!trading.empty())
+    add_cheapest(pareto_front(evaluations, scored, kChosenBy), options.plans, evaluations,
+                 finalists);
   monitor.plan(evaluations.closures() + ranking_closures(options, finalists), "ranking");
   rank_finalists(evaluations, finalists, options, result);
   result.pareto_front = pareto_front(evaluations, scored, kChosenBy);

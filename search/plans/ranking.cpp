@@ -50,16 +50,23 @@ int common_nodes(const std::vector<PlanRecord*>& plans) {
   return common;
 }
 
+/// Else it is no ground to prefer one to another.
+bool all_durabilities_known(const std::vector<PlanRecord*>& plans) {
+  return std::all_of(plans.begin(), plans.end(),
+                     [](const PlanRecord* plan) { return durability(*plan).has_value(); });
+}
+
 void keep_cheapest(const PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, int nodes,
                    int count) {
   if (nodes == 0) {  // nothing is known of some: in the order found
     if (std::ssize(plans) > count) plans.resize(count);
     return;
   }
+  const bool durable = all_durabilities_known(plans);
   const auto cost = [&](const PlanRecord& plan) {
-    const std::optional<Durability> lasts = durability(plan);
     return evaluations.cost(plan, nodes) +
-           (lasts ? price(durability_terms(*lasts), evaluations.context().weights) : 0.0);
+           (durable ? price(durability_terms(*durability(plan)), evaluations.context().weights)
+                    : 0.0);
   };
   std::stable_sort(plans.begin(), plans.end(),
                    [&](const PlanRecord* a, const PlanRecord* b) { return cost(*a) < cost(*b); });
@@ -178,8 +185,9 @@ void warn_of_fine(const FineMesh& mesh, RankedPlan& plan) {
                                     " mm2: not called competent");
 }
 
+/// @param durable the durability of all is known, and counts
 RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int nodes,
-                  const FineClosures& fine) {
+                  const FineClosures& fine, bool durable) {
   RankedPlan plan;
   plan.plan = record.plan;
   plan.description = describe(evaluations.valve(), record.plan);
@@ -200,7 +208,7 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
         std::make_shared<const ClosedValve>(with_repair(*drawn, evaluations.valve(), record.plan));
   plan.opening = record.opening;
   plan.durability = durability(record);
-  if (plan.durability) {
+  if (durable) {
     const CostTerms lost = durability_terms(*plan.durability);
     plan.durability_price = price(lost, evaluations.context().weights);
     plan.terms.amounts += lost.amounts;
@@ -298,9 +306,10 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
                              int most_nodes, const FineClosures& fine, const ModelClosures& model) {
   const int nodes = std::min(most_nodes, common_nodes(plans));
   if (nodes == 0) return {};
+  const bool durable = all_durabilities_known(plans);
   std::vector<Ranked> order;
   for (const PlanRecord* plan : plans)
-    order.emplace_back(ranked(evaluations, *plan, nodes, fine), plan);
+    order.emplace_back(ranked(evaluations, *plan, nodes, fine, durable), plan);
   sort_plans(evaluations, fine, order);
   std::vector<const PlanRecord*> records;
   for (const auto& [plan, record] : order) records.push_back(record);

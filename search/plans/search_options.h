@@ -13,7 +13,7 @@ namespace coapt {
 struct SearchOptions {
   /// Closures spent on searching; fewer if nothing is left to try.
   int evaluations = 2000;
-  /// Of them, as many more are spent after that on plans that trade leak, opening and durability otherwise (front_search.h).
+  /// As a share of these, closures spent after that on plans that trade leak, opening and durability otherwise (front_search.h).
   double front_share = 0.3;
   std::uint64_t seed = 1;
   /// 0: all cores. Does not change the result.

@@ -38,8 +38,9 @@ struct RankedPlan {
   Effort effort;
   RegionReport region;
   std::optional<PlanOpening> opening{};    ///< none if openings were not asked for
-  std::optional<Durability> durability{};  ///< with the evidence; else none
-  double durability_price = 0.0;           ///< in mm2, by which it is ranked besides its cost
+  std::optional<Durability> durability{};  ///< with the evidence, or from the front
+  double durability_price =
+      0.0;  ///< in mm2, by which it is ranked besides its cost; 0 unless all plans have a durability
   /// Whose verdict counts besides that of its own mesh: see FineMesh::levels.
   int fine_levels = 0;
   /// As planned, on the refined mesh; none without levels, or if the search was cancelled before.
@@ -60,7 +61,7 @@ struct RankedPlan {
   /// That it truly comes before the next plan, by robust closing, then by cost: resampling the
   /// nodes and the scatter of closures. NaN for the last. A tie if between 0.05 and 0.95.
   double probability_outranks_next = 0.0;
-  /// No other ranked plan is as good in mean + sd of the leak, opening and durability, and better in one (pareto_front.h).
+  /// No other ranked plan is as good in mean + sd of the leak, opening and durability, and better in one (pareto.h).
   bool pareto = false;
 };
 
@@ -110,7 +111,7 @@ struct SearchResult {
   std::vector<Progress> progress;
   /// What trying plans at random is expected to reach, likewise.
   std::vector<Progress> random_progress;
-  /// Of all plans that were closed at 17 nodes, by steps.
+  /// Cheapest first, of those whose trade-off is known; if none's is, of all closed at 17 nodes.
   std::vector<ParetoPlan> pareto_front;
   /// In the order of trying.
   std::vector<TriedPlan> tried;

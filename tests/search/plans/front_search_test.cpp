@@ -57,7 +57,7 @@ Found found(int closures, std::uint64_t seed, int threads) {
   for (const FrontPlan& one :
        search_front(scene.evaluations, candidates(scene.evaluations), {closures, seed})) {
     all.keys.push_back(one.plan->key);
-    front.push_back(*trade_off(*one.plan, kChosenBy));
+    if (const auto traded = trade_off(*one.plan, kChosenBy)) front.push_back(*traded);
     EXPECT_LE(one.closures, scene.evaluations.closures() - 1);
   }
   all.volume = dominated_volume(front);
