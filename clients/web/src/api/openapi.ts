@@ -2049,7 +2049,7 @@ export interface components {
             stop: "evaluation_limit" | "exhausted" | "no_improvement" | "target_reached" | "time_limit" | "cancelled";
             /** @description Number of closures, known ones included. */
             closures: number;
-            /** @description Closures of the search itself: neither of the valve as it is nor of ranking. */
+            /** @description Closures of the search itself: neither of the valve as it is nor of what plans trade nor of ranking. */
             evaluations: number;
             /** @description Number of closures known from an earlier run. */
             closures_known: number;
