@@ -7,7 +7,6 @@
 
 #include "search/parallel.h"
 #include "search/plans/durability.h"
-#include "search/plans/ladder.h"
 #include "search/plans/place_model.h"
 #include "search/random_share.h"
 

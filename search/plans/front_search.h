@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "search/plans/ladder.h"
 #include "search/plans/trade_off.h"
 
 namespace coapt {
