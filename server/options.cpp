@@ -33,7 +33,7 @@ void add_service_limits(Command app, ServiceLimits& service) {
   add_limit(app, "--vertices", service.vertices, 10, 1'000'000, "Vertices of a valve at most");
   add_limit(app, "--chordae", service.chordae, 1, 100'000, "Chordae of a valve at most");
   add_limit(app, "--evaluations", service.evaluations, 1, 1'000'000,
-            "Closures that a search may ask for, at most");
+            "Closures that a search may ask for, at most; what plans trade may take as many again");
   add_limit(app, "--vertex-steps", service.vertex_steps, 1e3, 1e12,
             "Steps times vertices of a closure that a client waits for, at most");
   add_limit(app, "--request-seconds", service.request_seconds, 0.1, 3600.0,

@@ -18,7 +18,7 @@ constexpr OptionRow<SearchOptions> kOptions[] = {
      "Closures for the search itself; ranking takes more. Fewer if nothing is left to try."},
     {"front_share",
      &SearchOptions::front_share,
-     {0.0, 10.0},
+     {0.0, 1.0},
      "",
      "More closures, as a share of `evaluations`, for plans that trade leak, opening and "
      "durability otherwise than the "

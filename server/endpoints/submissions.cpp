@@ -57,11 +57,8 @@ Answer answer_after_waiting(const Submitting& to, const Request& request, const 
 /// What is said against a search, more than search_options_from_json() does.
 Errors check(const Valve& valve, const SearchOptions& options, const ServiceLimits& limits) {
   ProblemList problems;
-  const double most = limits.evaluations;
-  check_range(problems, "/search/evaluations", options.evaluations, {1.0, most});
-  if (const double share_left = most / options.evaluations - 1.0; options.front_share > share_left)
-    check_range(problems, "/search/front_share", options.front_share,
-                {0.0, std::max(0.0, share_left)});
+  check_range(problems, "/search/evaluations", options.evaluations,
+              {1.0, static_cast<double>(limits.evaluations)});
   add_below(problems, "/search", check_search(valve, options));
   return std::move(problems).take();
 }
