@@ -94,9 +94,9 @@ class Evaluate(ProgramTest):
             self.assertIn(words, page)
         self.assertNotIn("How the search went", page)
 
-    def test_evidence_is_112_closures_more_for_a_plan_without_suture(self):
+    def test_evidence_is_88_closures_more_for_a_plan_without_suture_that_leaks(self):
         answer, _ = self.evaluate(self.mild, "--region-points", "2")
-        self.assertEqual(answer["closures"], 1 + 2 + 112)
+        self.assertEqual(answer["closures"], 1 + 2 + 88)
         remodelled = answer["plans"][0]["remodelling"]
         self.assertEqual([curve["direction"] for curve in remodelled], ["apical", "outwards", "posterior", "all three"])
         self.assertEqual({len(curve["leak_mm2"]) for curve in remodelled}, {7})

@@ -116,7 +116,7 @@ class ShortWork(Asking):
 
         :param region_points: 1 to 1,089 nodes of each plan's region of interest, 1 by default; plans times nodes must stay
             below the service's limit (1,000 closures)
-        :param evidence: each plan also under errors of single sutures and further remodelling, 112 to 308 closures more; not
+        :param evidence: each plan also under errors of single sutures and further remodelling, 88 to 308 closures more; not
             by default
         """
         request = scoring_of(plans, region_points, evidence)

@@ -2089,7 +2089,7 @@ export interface components {
              */
             region_points?: number;
             /**
-             * @description Also errors of single sutures and further remodelling: 112 to 308 closures more for each plan.
+             * @description Also errors of single sutures and further remodelling: 88 to 308 closures more for each plan.
              * @default false
              */
             evidence?: boolean;
