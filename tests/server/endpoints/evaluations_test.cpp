@@ -40,7 +40,8 @@ TEST_F(EvaluationsTest, RegionPointsAndEvidenceAreClosedToo) {
   const Answer answer = post("/v1/evaluations", request);
   ASSERT_EQ(answer.status, 200) << json_of(answer);
   EXPECT_EQ(json_of(answer)["plans"][0]["region_closures"], 2);
-  EXPECT_EQ(json_of(answer)["closures"], 1 + 2 + 88 + 8);  // each of 8 courses of disease leaks at its first step
+  // Each of the 8 courses of disease leaks at its first step.
+  EXPECT_EQ(json_of(answer)["closures"], 1 + 2 + 88 + 8);
 }
 
 TEST_F(EvaluationsTest, TooManyClosuresAtOnceAreRefused) {
