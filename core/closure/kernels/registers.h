@@ -22,6 +22,8 @@
 #endif
 #endif
 
+#include <cstdint>
+
 #include "core/closure/kernels/layout.h"
 
 #define COAPT_INLINE_LAMBDA __attribute__((always_inline))
@@ -56,14 +58,14 @@ struct Registers<float> {
 template <>
 struct Registers<double> {
   typedef double Real __attribute__((vector_size(kRegisterBytes)));
-  typedef long long Bits __attribute__((vector_size(kRegisterBytes)));
+  typedef std::int64_t Bits __attribute__((vector_size(kRegisterBytes)));
 #if defined(COAPT_AVX512)
   using Chosen = __mmask8;
 #else
   using Chosen = Bits;
 #endif
   typedef double Quad4 __attribute__((vector_size(32)));
-  static constexpr long long kAllButSign = 0x7FFFFFFFFFFFFFFF;
+  static constexpr std::int64_t kAllButSign = 0x7FFFFFFFFFFFFFFF;
 };
 using FloatRegister = Registers<float>::Real;
 using DoubleRegister = Registers<double>::Real;
