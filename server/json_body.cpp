@@ -33,12 +33,6 @@ Expected<Valve> found_valve(const ValveSource& source, const std::string& name) 
 
 }  // namespace
 
-void add_below(ProblemList& problems, const std::string& pointer, const Errors& errors) {
-  for (const Error& error : errors) {
-    problems.add(error.code, pointer + error.path, error.message);
-  }
-}
-
 Errors check_size(const Valve& valve, const ServiceLimits& limits) {
   Errors errors;
   const auto check = [&](const char* path, std::ptrdiff_t count, int most, const char* what) {

@@ -3,18 +3,13 @@
 
 #include <variant>
 
+#include "io/json/repair_answers.h"
 #include "server/answers.h"
 #include "server/json_body.h"
 #include "server/request_closures.h"
 #include "server/route.h"
 
 namespace coapt {
-
-struct RepairRequest {
-  Valve valve;
-  RepairPlan plan;  ///< no steps, if there is none
-  Valve repaired;   ///< the valve as the plan leaves it
-};
 
 /// A body of "valve", "plan" (optional) and the fields `more`; or its refusal: read_body()'s, or 422 if the valve does
 /// not allow the plan.

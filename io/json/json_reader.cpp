@@ -66,6 +66,12 @@ void add_problem(const JsonPlace& place, ErrorCode code, std::string message) {
   place.problems.add(code, pointer(place), std::move(message));
 }
 
+void add_below(ProblemList& problems, const std::string& pointer, const Errors& errors) {
+  for (const Error& error : errors) {
+    problems.add(error.code, pointer + error.path, error.message);
+  }
+}
+
 void read_fields(const JsonPlace& place, std::span<const JsonField> fields) {
   if (!place.value.is_object()) return wrong_type(place, "an object");
   for (const JsonField& field : fields) {

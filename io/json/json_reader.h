@@ -42,6 +42,8 @@ struct JsonPlace {
 
 std::string pointer(const JsonPlace& place);
 void add_problem(const JsonPlace& place, ErrorCode code, std::string message);
+/// Lists `errors`, whose pointers start at `pointer`.
+void add_below(ProblemList& problems, const std::string& pointer, const Errors& errors);
 
 struct JsonField {
   std::string_view name;
@@ -60,6 +62,20 @@ inline void read_fields(const JsonPlace& place, std::initializer_list<JsonField>
 template <class T, class Read>
 std::function<void(const JsonPlace&)> into(T& target, Read read) {
   return [&target, read](const JsonPlace& place) { target = read(place); };
+}
+
+/// For JsonField::read: a document read by `from_json` (plan_from_json, ...); `target` is set if it has no problem.
+template <class T>
+std::function<void(const JsonPlace&)> document(T& target,
+                                               Expected<T> (*from_json)(const nlohmann::json&)) {
+  return [&target, from_json](const JsonPlace& place) {
+    Expected<T> value = from_json(place.value);
+    if (value) {
+      target = *std::move(value);
+    } else {
+      add_below(place.problems, pointer(place), value.errors());
+    }
+  };
 }
 
 /// Calls `read` for each entry, until the problems are crowded; not at all if the value is no

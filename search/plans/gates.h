@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "search/plans/objective.h"
+#include "search/plans/effort.h"
 
 namespace coapt {
 

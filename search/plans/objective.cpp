@@ -4,20 +4,9 @@
 #include <cmath>
 
 #include "core/repair/limits.h"
-#include "core/valve/annulus_frame.h"
 
 namespace coapt {
 namespace {
-
-constexpr double kHealthyProportion =
-    0.75;  // AP over transverse: 29 / 39 (PMC7368231), classic rings
-
-double movement_mm(const Valve& before, const Valve& repaired, Side side) {
-  for (std::size_t h = 0; h < before.heads.size(); ++h)
-    if (before.heads[h].side == side)
-      return (repaired.heads[h].tip_mm - before.heads[h].tip_mm).norm();
-  return 0.0;
-}
 
 /// NaN if either is.
 double excess(double value, double limit) {
@@ -26,21 +15,6 @@ double excess(double value, double limit) {
 }
 
 }  // namespace
-
-double ring_sizes_below(const Valve& before, const Valve& repaired) {
-  const AnnulusFrame native = annulus_frame(before), ringed = annulus_frame(repaired);
-  const double width = transverse_diameter_mm(before, native);
-  const double share = ap_diameter_mm(repaired, ringed) * transverse_diameter_mm(repaired, ringed) /
-                       (kHealthyProportion * width * width);
-  return excess((1.0 - std::sqrt(share)) * width, 0.0) / kRingSizeStep_mm;
-}
-
-Effort effort(const Valve& before, const Valve& repaired, const RepairPlan& plan) {
-  const bool ring = repaired.annulus_mm != before.annulus_mm;
-  return {movement_mm(before, repaired, Side::Anterolateral),
-          movement_mm(before, repaired, Side::Posteromedial),
-          ring ? ring_sizes_below(before, repaired) : 0.0, static_cast<int>(plan.steps.size())};
-}
 
 CostTerms effort_terms(const Effort& effort) {
   CostTerms terms;

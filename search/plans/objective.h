@@ -9,8 +9,8 @@
 
 #include <span>
 
-#include "core/repair/plan.h"
 #include "search/plans/cost_terms.h"
+#include "search/plans/effort.h"
 #include "search/plans/plan_closure.h"
 
 namespace coapt {
@@ -21,22 +21,6 @@ inline constexpr double kGoodRepair_mm2 = 5.0;
 inline constexpr double kCompetentLeak_mm2 = 1.0;
 /// Coaptation of A2 with P2: an aim of surgeons, evidence is weak.
 inline constexpr double kCoaptationAim_mm = 8.0;
-
-/// What a plan asks of the patient.
-struct Effort {
-  double anterolateral_movement_mm = 0.0;  ///< of the papillary muscle
-  double posteromedial_movement_mm = 0.0;
-  double sizes_below = 0.0;  ///< see ring_sizes_below(); 0 if the annulus is left as it is
-  int steps = 0;
-};
-
-/// How small an annulus was made, in ring sizes: by how many steps of 2 mm transverse a healthy
-/// annulus of the transverse diameter before (AP 0.75 of it) would have to shrink to the area
-/// after. A ring that only restores the healthy proportion counts 0; a short, wide one counts by
-/// what it takes away.
-double ring_sizes_below(const Valve& before, const Valve& repaired);
-
-Effort effort(const Valve& before, const Valve& repaired, const RepairPlan& plan);
 
 /// Of moving one papillary muscle, mm2.
 double movement_price(double movement_mm, const CostWeights& weights = {});

@@ -2,9 +2,6 @@
 
 #include <chrono>
 
-#include "io/json/result_json.h"
-#include "io/json/scene_json.h"
-#include "search/plans/gates.h"
 #include "server/answers.h"
 #include "server/repair_request.h"
 
@@ -13,16 +10,14 @@ namespace {
 
 struct Closed {
   ClosureResult closure;
-  nlohmann::ordered_json json;  ///< coapt.closure/1, with the warnings of the operation
+  double seconds = 0.0;
 };
 
 Closed close(const RepairRequest& asked, RequestClosures& closures, const ClosureOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  Closed closed{closures.close(asked.repaired, options), {}};
+  Closed closed{closures.close(asked.repaired, options)};
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  closed.json = closure_to_json(asked.repaired, closed.closure,
-                                measure(asked.repaired, closed.closure), seconds.count());
-  closed.json["warnings"] = warnings_of(operation_gates({asked.plan, asked.valve, asked.repaired}));
+  closed.seconds = seconds.count();
   return closed;
 }
 
@@ -36,23 +31,19 @@ Answer PostClosures::operator()(const Request& request) const {
   return answer_repair(
       valves, compute, request, {{"end_states", into(end_states, read_states), false}},
       [&end_states](const RepairRequest& asked, RequestClosures& closures) {
-        return json_answer(200, close(asked, closures, {.samples = end_states}).json);
+        const Closed closed = close(asked, closures, {.samples = end_states});
+        return json_answer(200, closure_answer(asked, closed.closure, closed.seconds));
       });
 }
 
 Answer PostScenes::operator()(const Request& request) const {
   int frames = 0;
-  const auto read_frames = [](const JsonPlace& place) {
-    return read_integer_in(place, 0, kMostFrames);
-  };
-  return answer_repair(
-      valves, compute, request, {{"frames", into(frames, read_frames), false}},
-      [&frames](const RepairRequest& asked, RequestClosures& closures) {
-        Closed closed = close(asked, closures, {.motion = frames > 0});
-        auto scene = scene_to_json({asked.repaired, closed.closure, asked.plan, frames});
-        scene["closure"] = std::move(closed.json);
-        return json_answer(200, std::move(scene));
-      });
+  return answer_repair(valves, compute, request, {frames_field(frames)},
+                       [&frames](const RepairRequest& asked, RequestClosures& closures) {
+                         const Closed closed = close(asked, closures, {.motion = frames > 0});
+                         return json_answer(
+                             200, scene_answer(asked, closed.closure, frames, closed.seconds));
+                       });
 }
 
 }  // namespace coapt

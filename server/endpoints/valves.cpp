@@ -1,8 +1,7 @@
 #include "server/endpoints/valves.h"
 
 #include "core/presets/presets.h"
-#include "core/repair/limits.h"
-#include "core/repair/rings.h"
+#include "io/json/repair_answers.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
 #include "server/answers.h"
@@ -105,17 +104,7 @@ Answer GetPresets::operator()(const Request& /*request*/) const {
 }
 
 Answer GetRings::operator()(const Request& /*request*/) const {
-  nlohmann::ordered_json shapes = nlohmann::ordered_json::array();
-  for (const RingShape& ring : kRingShapes)
-    shapes.push_back({{"name", ring.name},
-                      {"ap_over_transverse", ring.ap_over_transverse},
-                      {"transverse_factor", ring.transverse_factor},
-                      {"saddle_over_transverse", ring.saddle_over_transverse},
-                      {"note", ring.note}});
-  return json_answer(
-      200, {{"rings", std::move(shapes)},
-            {"sizes_mm",
-             {{"min", kRingSizesMm.min}, {"max", kRingSizesMm.max}, {"step", kRingSizeStep_mm}}}});
+  return json_answer(200, rings_answer());
 }
 
 }  // namespace coapt

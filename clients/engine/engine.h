@@ -1,0 +1,18 @@
+// coapt's engine without a service: what it answers to requests on one valve, for the page in a browser (WebAssembly).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace coapt {
+
+struct EngineAnswer {
+  int status = 200;  ///< as of HTTP
+  std::string body;  ///< JSON
+};
+
+/// The service's own answers (server/openapi.json) to POST /v1/closures, /v1/scenes, /v1/openings and /v1/valves:validate,
+/// and to GET /v1/rings, with an empty body, and /version. A valve comes as a document, not by name; 404 for any other path.
+EngineAnswer answer(std::string_view path, std::string_view body);
+
+}  // namespace coapt

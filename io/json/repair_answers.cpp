@@ -1,0 +1,90 @@
+#include "io/json/repair_answers.h"
+
+#include "core/metrics/measure.h"
+#include "core/repair/apply_plan.h"
+#include "core/repair/limits.h"
+#include "core/repair/rings.h"
+#include "io/json/opening_json.h"
+#include "io/json/result_json.h"
+#include "io/json/scene_json.h"
+#include "search/plans/gates.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::vector<std::string> warnings(const RepairRequest& asked) {
+  return warnings_of(operation_gates({asked.plan, asked.valve, asked.repaired}));
+}
+
+JsonField number_field(const char* name, double& target, Range range, const char* unit) {
+  return {name,
+          into(target, [range, unit](
+                           const JsonPlace& place) { return read_number_in(place, range, unit); }),
+          false};
+}
+
+}  // namespace
+
+Errors apply(RepairRequest& asked) {
+  Expected<Valve> repaired = apply_plan(asked.valve, asked.plan);
+  if (!repaired) {
+    Errors errors = repaired.errors();
+    for (Error& error : errors) error.path = "/plan" + error.path;
+    return errors;
+  }
+  asked.repaired = *std::move(repaired);
+  return {};
+}
+
+std::vector<JsonField> opening_fields(OpeningOptions& options) {
+  return {number_field("pressure_mmhg", options.pressure_mmhg, kFillingPressures_mmhg, " mmHg"),
+          number_field("flow_ml_s", options.flow_ml_s, kFillingFlows_ml_s, " ml/s"),
+          number_field("exercise", options.exercise, kExercises, "")};
+}
+
+JsonField frames_field(int& frames) {
+  return {
+      "frames",
+      into(frames, [](const JsonPlace& place) { return read_integer_in(place, 0, kMostFrames); }),
+      false};
+}
+
+ordered_json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
+                            double seconds) {
+  ordered_json json =
+      closure_to_json(asked.repaired, closure, measure(asked.repaired, closure), seconds);
+  json["warnings"] = warnings(asked);
+  return json;
+}
+
+ordered_json scene_answer(const RepairRequest& asked, const ClosureResult& closure, int frames,
+                          double seconds) {
+  ordered_json scene = scene_to_json({asked.repaired, closure, asked.plan, frames});
+  scene["closure"] = closure_answer(asked, closure, seconds);
+  return scene;
+}
+
+ordered_json opening_answer(const RepairRequest& asked, const OpenedValve& opened,
+                            const OpeningOptions& options, int frames, double seconds) {
+  ordered_json json = opening_to_json(opened, options, seconds);
+  json["warnings"] = warnings(asked);
+  json["scene"] = opening_scene_to_json(opened, frames);
+  return json;
+}
+
+ordered_json rings_answer() {
+  ordered_json shapes = ordered_json::array();
+  for (const RingShape& ring : kRingShapes)
+    shapes.push_back({{"name", ring.name},
+                      {"ap_over_transverse", ring.ap_over_transverse},
+                      {"transverse_factor", ring.transverse_factor},
+                      {"saddle_over_transverse", ring.saddle_over_transverse},
+                      {"note", ring.note}});
+  return {{"rings", std::move(shapes)},
+          {"sizes_mm",
+           {{"min", kRingSizesMm.min}, {"max", kRingSizesMm.max}, {"step", kRingSizeStep_mm}}}};
+}
+
+}  // namespace coapt

@@ -1,0 +1,40 @@
+// What closing, drawing and opening a repaired valve answer, as JSON: the service's and the browser's engine's.
+#pragma once
+
+#include "core/opened/opened_valve.h"
+#include "core/repair/plan.h"
+#include "io/json/json_reader.h"
+
+namespace coapt {
+
+struct RepairRequest {
+  Valve valve;
+  RepairPlan plan;  ///< no steps, if there is none
+  Valve repaired;   ///< the valve as the plan leaves it
+};
+
+/// Applies the plan; problems point below "/plan".
+Errors apply(RepairRequest& asked);
+
+/// Fields of a request for an opening: "pressure_mmhg", "flow_ml_s", "exercise".
+std::vector<JsonField> opening_fields(OpeningOptions& options);
+
+/// Field "frames": 0 to kMostFrames.
+JsonField frames_field(int& frames);
+
+/// coapt.closure/1, with the warnings of the operation.
+nlohmann::ordered_json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
+                                      double seconds);
+
+/// coapt.scene/1, with that as "closure".
+nlohmann::ordered_json scene_answer(const RepairRequest& asked, const ClosureResult& closure,
+                                    int frames, double seconds);
+
+/// coapt.opening/1, with the warnings of the operation and "scene".
+nlohmann::ordered_json opening_answer(const RepairRequest& asked, const OpenedValve& opened,
+                                      const OpeningOptions& options, int frames, double seconds);
+
+/// Ring shapes and sizes.
+nlohmann::ordered_json rings_answer();
+
+}  // namespace coapt
