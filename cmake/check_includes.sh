@@ -29,6 +29,7 @@ server/          : core search io server/endpoints server/jobs
 server/jobs      : core search io server/
 server/endpoints : core search io server/ server/jobs
 clients/cli      : core search io
+clients/engine   : core search io/json
 lab/comparators  : core
 lab/rivals       : core
 lab/closures     : core search io
@@ -47,7 +48,7 @@ clipper[.]hpp   : core/metrics
 cairo           : io/picture
 httplib[.]h     : server clients/cli
 CLI/            : io/command_line
-nlohmann/       : io server clients/cli lab
+nlohmann/       : io server clients/cli clients/engine lab
 sqlite3[.]h     : io/store
 lzma[.]h        : io/mesh
 dcmtk/          : io/dicom

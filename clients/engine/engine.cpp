@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include "core/closure/closure.h"
 #include "io/json/plan_json.h"
@@ -14,9 +15,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-EngineAnswer json_answer(int status, ordered_json object) {
+EngineAnswer json_answer(int status, ordered_json object, Points closed_mm = {}) {
   object["notice"] = kResearchNotice;
-  return {status, object.dump(-1, ' ', false, ordered_json::error_handler_t::replace)};
+  return {status, object.dump(-1, ' ', false, ordered_json::error_handler_t::replace),
+          std::move(closed_mm)};
 }
 
 EngineAnswer problem(int status, const Errors& errors) {
@@ -55,7 +57,7 @@ EngineAnswer closed(std::string_view body) {
   if (auto refusal = read_request(body, asked, {})) return *std::move(refusal);
   const Stopwatch watch;
   const ClosureResult closure = close_valve(asked.repaired, {});
-  return json_answer(200, closure_answer(asked, closure, watch.seconds()));
+  return json_answer(200, closure_answer(asked, closure, watch.seconds()), closure.closed_mm);
 }
 
 EngineAnswer drawn(std::string_view body) {
@@ -64,7 +66,7 @@ EngineAnswer drawn(std::string_view body) {
   if (auto refusal = read_request(body, asked, {frames_field(frames)})) return *std::move(refusal);
   const Stopwatch watch;
   const ClosureResult closure = close_valve(asked.repaired, {.motion = frames > 0});
-  return json_answer(200, scene_answer(asked, closure, frames, watch.seconds()));
+  return json_answer(200, scene_answer(asked, closure, frames, watch.seconds()), closure.closed_mm);
 }
 
 EngineAnswer opened(std::string_view body) {

@@ -4,11 +4,15 @@
 #include <string>
 #include <string_view>
 
+#include "core/valve/types.h"
+
 namespace coapt {
 
 struct EngineAnswer {
   int status = 200;  ///< as of HTTP
   std::string body;  ///< JSON
+  /// What /v1/closures and /v1/scenes closed, |V| x 3, unrounded; else empty.
+  Points closed_mm = {};
 };
 
 /// The service's own answers (server/openapi.json) to POST /v1/closures, /v1/scenes, /v1/openings and /v1/valves:validate,

@@ -34,4 +34,12 @@ extern "C" {
 [[clang::export_name("coapt_answer_size")]] std::uint32_t coapt_answer_size() {
   return static_cast<std::uint32_t>(given.body.size());
 }
+
+/// What was closed: x, y, z of each vertex, mm.
+[[clang::export_name("coapt_closed_mm")]] const double* coapt_closed_mm() {
+  return given.closed_mm.data();
+}
+[[clang::export_name("coapt_closed_vertices")]] std::uint32_t coapt_closed_vertices() {
+  return static_cast<std::uint32_t>(given.closed_mm.rows());
+}
 }

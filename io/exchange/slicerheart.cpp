@@ -10,6 +10,7 @@
 #include "io/exchange/chorda_trees.h"
 #include "io/exchange/markups.h"
 #include "io/exchange/valve_vtk.h"
+#include "io/json/json_reader.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/csv_table.h"
 #include "io/mesh/vtk.h"
@@ -27,10 +28,6 @@ std::string lower(std::string text) {
 
 bool has(const std::string& text, const char* part) {
   return lower(text).find(part) != std::string::npos;
-}
-
-void add_below(ProblemList& problems, const std::string& file, const Errors& errors) {
-  for (const Error& error : errors) problems.add(error.code, file + error.path, error.message);
 }
 
 /// All that the files hold, in LPS.

@@ -14,15 +14,16 @@ namespace {
 
 constexpr int kStartBatch = 8;
 constexpr int kFewPoints = 6;         // a branch of so many is tried whole
-constexpr int kHalved = 8;            // branches in the first round of a bracket
+constexpr int kHalved = 16;           // branches in the first round of a bracket
 constexpr int kQuota = 8;             // plans each, in the first round of a bracket
 constexpr int kBoundShare = 4;        // one branch in so many is refined for its bound
-constexpr int kPromoted = 4;          // plans promoted at once
+constexpr int kPromoted = 2;          // plans promoted at once
 constexpr int kPromotedInRound = 8;   // plans promoted after a round of a bracket
 constexpr double kMoreScatter = 0.5;  // granted from bracket to bracket
 constexpr double kFreely = 2.0;       // scatters granted where few nodes say little about more
 constexpr int kRandomShare = 20;      // one of so many closures is spent on plans at random, up to
 constexpr int kMostRandom = 100;
+constexpr int kBracketsBefore = 2;
 constexpr int kLadderPlans = 12;                       // plans on all rungs
 constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // keeps seeds of branches apart
 
@@ -56,12 +57,14 @@ std::vector<BranchPoint> starts(const ExplorationState& state) {
   return points;
 }
 
-void promote_best(ExplorationState& state) {
+/// Scores the trial that is expected to cost least, unless it leaks more as planned.
+void promote_best(ExplorationState& state, double most_leak_mm2) {
   const auto best = std::min_element(
       state.trials.begin(), state.trials.end(),
       [](const Trial& a, const Trial& b) { return a.expected.cost < b.expected.cost; });
   if (best == state.trials.end() || best->rung == kLastRung || evaluations_left(state) < kChosenBy)
     return;
+  if (leak_mm2(best->record->closures.at(0)) > most_leak_mm2) return;
   promote(state, {static_cast<int>(best - state.trials.begin())}, kLastRung);
   refit_climb_models(state);
 }
@@ -258,6 +261,12 @@ std::vector<int> ladder_candidates(const ExplorationState& state) {
   return candidates;
 }
 
+/// Late, since what they tell is evidence and helps the search little.
+bool is_time_for_random(const ExplorationState& state, int bracket) {
+  return bracket > kBracketsBefore || open_branches(state).empty() ||
+         evaluations_left(state) < state.in.options.evaluations / 2;
+}
+
 void measure_ladder(ExplorationState& state) {
   const std::vector<int> candidates = ladder_candidates(state);
   const int count = static_cast<int>(candidates.size());
@@ -282,14 +291,16 @@ ExplorationState explore(const ExplorationInput& input) {
   for (auto next = points.begin(); next != points.end() && !is_over(state);) {
     const auto end = next + std::min<std::ptrdiff_t>(kStartBatch, points.end() - next);
     try_points(state, {next, end});
-    promote_best(state);
+    promote_best(state, kGoodRepair_mm2);
     next = end;
   }
+  if (!is_over(state)) promote_best(state, std::numeric_limits<double>::infinity());
   double scatters = 1.0;
-  for (; !open_branches(state).empty() && !is_over(state); scatters += kMoreScatter) {
+  for (int bracket = 1; !open_branches(state).empty() && !is_over(state);
+       ++bracket, scatters += kMoreScatter) {
     const int before = evaluations.closures();
     successive_halving(state);
-    if (state.random_plans.empty() && !is_over(state)) {
+    if (state.random_plans.empty() && is_time_for_random(state, bracket) && !is_over(state)) {
       try_at_random(state, std::min({kMostRandom, input.options.evaluations / kRandomShare,
                                      evaluations_left(state)}));
       measure_ladder(state);

@@ -20,6 +20,9 @@
 #define COAPT_PS(name) _mm_##name##_ps
 #define COAPT_PD(name) _mm_##name##_pd
 #endif
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#define COAPT_WASM_LANES
 #endif
 
 #include <cstdint>
@@ -122,6 +125,11 @@ COAPT_INLINE DoubleRegister choose(Registers<double>::Bits chosen, DoubleRegiste
                                    DoubleRegister no) {
   return _mm256_blendv_pd(no, yes, (__m256d)chosen);
 }
+#elif defined(COAPT_WASM_LANES)
+template <class Bits, class Real>
+COAPT_INLINE Real choose(Bits chosen, Real yes, Real no) {
+  return (Real)wasm_v128_bitselect((v128_t)yes, (v128_t)no, (v128_t)chosen);
+}
 #else
 template <class Bits, class Real>
 COAPT_INLINE Real choose(Bits chosen, Real yes, Real no) {
@@ -134,6 +142,13 @@ COAPT_INLINE unsigned lane_bits(Registers<float>::Bits chosen) {
 }
 COAPT_INLINE unsigned lane_bits(Registers<double>::Bits chosen) {
   return static_cast<unsigned>(COAPT_PD(movemask)((DoubleRegister)chosen));
+}
+#elif defined(COAPT_WASM_LANES)
+COAPT_INLINE unsigned lane_bits(Registers<float>::Bits chosen) {
+  return wasm_i32x4_bitmask((v128_t)chosen);
+}
+COAPT_INLINE unsigned lane_bits(Registers<double>::Bits chosen) {
+  return wasm_i64x2_bitmask((v128_t)chosen);
 }
 #else
 template <class Bits>
@@ -156,6 +171,23 @@ COAPT_INLINE DoubleRegister greater(DoubleRegister a, DoubleRegister b) {
   return COAPT_PD(max)(a, b);
 }
 COAPT_INLINE DoubleRegister root(DoubleRegister a) { return COAPT_PD(sqrt)(a); }
+#elif defined(COAPT_WASM_LANES)
+// pmin(a, b) is b < a ? b : a.
+COAPT_INLINE FloatRegister lesser(FloatRegister a, FloatRegister b) {
+  return (FloatRegister)wasm_f32x4_pmin((v128_t)b, (v128_t)a);
+}
+COAPT_INLINE DoubleRegister lesser(DoubleRegister a, DoubleRegister b) {
+  return (DoubleRegister)wasm_f64x2_pmin((v128_t)b, (v128_t)a);
+}
+COAPT_INLINE FloatRegister greater(FloatRegister a, FloatRegister b) {
+  return (FloatRegister)wasm_f32x4_pmax((v128_t)b, (v128_t)a);
+}
+COAPT_INLINE DoubleRegister greater(DoubleRegister a, DoubleRegister b) {
+  return (DoubleRegister)wasm_f64x2_pmax((v128_t)b, (v128_t)a);
+}
+COAPT_INLINE DoubleRegister root(DoubleRegister a) {
+  return (DoubleRegister)wasm_f64x2_sqrt((v128_t)a);
+}
 #else
 template <class Real>
 COAPT_INLINE Real lesser(Real a, Real b) {

@@ -1,0 +1,100 @@
+// What the engine answers without a service; tests/engine/bits.test.mjs asks the same of the module for browsers.
+#include "clients/engine/engine.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/closure/closure.h"
+#include "core/presets/presets.h"
+#include "io/json/valve_json.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::json;
+
+class EngineTest : public testing::Test {
+ protected:
+  /// A request on the valve with these members besides.
+  std::string on_valve(json more = json::object()) const {
+    more["valve"] = json::parse(write_valve(valve_));
+    return more.dump();
+  }
+  static std::vector<std::string> paths(const EngineAnswer& answer) {
+    std::vector<std::string> found;
+    for (const json& problem : json::parse(answer.body)["problems"])
+      found.push_back(problem["path"]);
+    return found;
+  }
+  const Valve valve_ = *make_preset("human-functional-mr", 150);
+};
+
+TEST_F(EngineTest, AClosureIsCloseValves) {
+  const EngineAnswer answered = answer("/v1/closures", on_valve());
+  ASSERT_EQ(answered.status, 200) << answered.body;
+  const ClosureResult closure = close_valve(valve_, {});
+  EXPECT_EQ(answered.closed_mm, closure.closed_mm);
+  const json closed = json::parse(answered.body);
+  EXPECT_EQ(closed["schema"], "coapt.closure/1");
+  EXPECT_EQ(closed["steps"], closure.steps);
+  EXPECT_TRUE(closed["warnings"].empty());
+}
+
+TEST_F(EngineTest, ASceneIsOfTheRepairedValveWithTheWarningsOfItsPlan) {
+  const json ring = {{"schema", "coapt.plan/1"},
+                     {"steps", {{{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 4}}}}};
+  const json scene =
+      json::parse(answer("/v1/scenes", on_valve({{"plan", ring}, {"frames", 2}})).body);
+  EXPECT_EQ(scene["schema"], "coapt.scene/1");
+  EXPECT_LE(scene["motion_mm"].size(), 2u);
+  EXPECT_FALSE(scene["motion_mm"].empty());
+  const json bare = json::parse(answer("/v1/closures", on_valve()).body);
+  EXPECT_LT(scene["closure"]["leak_mm2"], bare["leak_mm2"]);
+}
+
+TEST_F(EngineTest, AnOpeningHasAreaAndGradient) {
+  const json opening = json::parse(answer("/v1/openings", on_valve({{"frames", 1}})).body);
+  EXPECT_EQ(opening["schema"], "coapt.opening/1");
+  EXPECT_GT(opening["opening_area_mm2"], 100.0);
+  EXPECT_TRUE(opening.contains("scene"));
+}
+
+TEST_F(EngineTest, EveryProblemIsToldWithItsPlace) {
+  const EngineAnswer refused =
+      answer("/v1/openings", on_valve({{"frames", 61}, {"flow_ml_s", -1}, {"fly", 1}}));
+  EXPECT_EQ(refused.status, 422);
+  EXPECT_EQ(paths(refused), (std::vector<std::string>{"/flow_ml_s", "/frames", "/fly"}));
+  const json twice = {{"schema", "coapt.plan/1"},
+                      {"steps",
+                       {{{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 1}},
+                        {{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 1}}}}};
+  const EngineAnswer rings = answer("/v1/closures", on_valve({{"plan", twice}}));
+  EXPECT_EQ(rings.status, 422);
+  ASSERT_FALSE(paths(rings).empty());
+  EXPECT_EQ(paths(rings).front().substr(0, 5), "/plan");
+}
+
+TEST_F(EngineTest, WhatIsNoJsonIsRefused) {
+  EXPECT_EQ(answer("/v1/closures", "").status, 400);
+  EXPECT_EQ(answer("/v1/closures", "{").status, 400);
+  EXPECT_EQ(answer("/v1/closures", "[]").status, 422);
+}
+
+TEST_F(EngineTest, AValveIsJudgedWithoutClosingIt) {
+  EXPECT_EQ(json::parse(answer("/v1/valves:validate", write_valve(valve_)).body)["valid"], true);
+  const json judged = json::parse(answer("/v1/valves:validate", "{}").body);
+  EXPECT_EQ(judged["valid"], false);
+  EXPECT_FALSE(judged["problems"].empty());
+}
+
+TEST_F(EngineTest, RingsAreThoseOfThePlans) {
+  EXPECT_GE(json::parse(answer("/v1/rings", "").body)["rings"].size(), 3u);
+}
+
+TEST_F(EngineTest, WhatNeedsAServiceSaysSo) {
+  EXPECT_EQ(answer("/v1/plans", on_valve()).status, 404);
+}
+
+}  // namespace
+}  // namespace coapt
