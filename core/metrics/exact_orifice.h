@@ -4,10 +4,10 @@
 // The leaflets' outlines (silhouette.h) are taken away from that polygon in the plane
 // (openings.h). The leaflets' thickness is that of the raster: their union grown by a disc; a face
 // seen edge-on covers nothing by itself and grows to its full thickness. Accuracy: 1e-4 mm times
-// the outline's length at worst, 0.01 mm2 for an orifice of 100 mm2; raw, a hundredth of that.
-// What the loop of the annulus winds round counts as inside it, where its projection crosses
-// itself also (the raster takes even and odd there). Limits: coordinates over 1 m are taken as 1
-// m; as for the raster, one direction of view.
+// the outline's length at worst, 0.01 mm2 for an orifice of 100 mm2; raw, a hundredth of that; in
+// WebAssembly that of swept_openings(). What the loop of the annulus winds round counts as inside
+// it, where its projection crosses itself also (the raster takes even and odd there). Limits:
+// coordinates over 1 m are taken as 1 m; as for the raster, one direction of view.
 #pragma once
 
 #include <vector>

@@ -32,7 +32,7 @@ struct Openings {
   std::optional<std::vector<Opening>> grown;  ///< of tissue grown by the radius
 };
 
-/// By clipped_openings().
+/// By clipped_openings(), in WebAssembly by swept_openings().
 /// @param outline_mm closed, n points, either direction.
 /// @param radius_mm >= 0; at 0 lines cover nothing.
 Openings openings_of(const std::vector<Vec2>& outline_mm, const FlatTissue& tissue,
@@ -43,6 +43,13 @@ Openings openings_of(const std::vector<Vec2>& outline_mm, const FlatTissue& tiss
 /// worst; bare, a hundredth of that.
 Openings clipped_openings(const std::vector<Vec2>& outline_mm, const FlatTissue& tissue,
                           double radius_mm);
+
+/// By scan lines, without a library (openings_sweep.cpp); never fails. Accuracy: within 5e-4 mm2 of
+/// clipped_openings() on 120 closed valves, 3e-3 mm2 in whichever direction x points. Openings and
+/// tissue narrower than 0.05 mm along x can be missed, and tissue that thin can join what it parts.
+/// Takes 1 ms for 650 faces, four times as long.
+Openings swept_openings(const std::vector<Vec2>& outline_mm, const FlatTissue& tissue,
+                        double radius_mm);
 
 /// NaN where the union failed.
 double total_mm2(const std::optional<std::vector<Opening>>& openings);
