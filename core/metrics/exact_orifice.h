@@ -1,14 +1,12 @@
 // The regurgitant orifice as geometry instead of pixels: the annulus polygon minus the union of the
 // projected leaflets (thesis 4.2.1 without its image).
 //
-// Corners are rounded to a grid of 2^-20 mm, on which unions are exact up to the rounding of where
-// edges meet (Vatti's algorithm, library Clipper 6.4). Faces seen from the atrium and faces seen
-// from the ventricle are taken apart; each kind is replaced by its outline, a fifth of the edges or
-// less. The leaflets' thickness is that of the raster: their union grown by a disc, with arcs as
-// polygons within 1e-4 mm; a face seen edge-on covers nothing by itself and grows to its full
-// thickness. Accuracy: 1e-4 mm times the outline's length at worst, 0.01 mm2 for an orifice of 100
-// mm2; raw, a hundredth of that. What the loop of the annulus winds round counts as inside it,
-// where its projection crosses itself also (the raster takes even and odd there). Limits:
+// The leaflets' outlines (silhouette.h) are taken away from that polygon in the plane
+// (openings.h). The leaflets' thickness is that of the raster: their union grown by a disc; a face
+// seen edge-on covers nothing by itself and grows to its full thickness. Accuracy: 1e-4 mm times
+// the outline's length at worst, 0.01 mm2 for an orifice of 100 mm2; raw, a hundredth of that; in
+// WebAssembly that of swept_openings(). What the loop of the annulus winds round counts as inside
+// it, where its projection crosses itself also (the raster takes even and odd there). Limits:
 // coordinates over 1 m are taken as 1 m; as for the raster, one direction of view.
 #pragma once
 

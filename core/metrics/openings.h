@@ -1,0 +1,57 @@
+// What tissue in a plane leaves open of what a closed outline surrounds: connected regions with
+// their area, place and contours.
+//
+// Tissue covers what its outlines wind round, and with a radius whatever is within that of its
+// outlines and lines (its Minkowski sum with a disc). Inside the outline is what it winds round,
+// where it crosses itself also. Coordinates are rounded to the grid (plane_grid.h).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/metrics/annulus.h"
+
+namespace coapt {
+
+/// Of any number of leaves that lie over each other.
+struct FlatTissue {
+  std::vector<std::vector<Vec2>> outlines_mm;  ///< closed, wind round what is covered
+  std::vector<std::vector<Vec2>> lines_mm;     ///< open, two points or more, cover nothing bare
+};
+
+/// A region's outer boundary with the boundaries of its islands.
+struct Opening {
+  double area_mm2 = 0.0;
+  Vec2 moment_mm3 = Vec2::Zero();              ///< centroid times area
+  std::vector<std::vector<Vec2>> contours_mm;  ///< closed, outer first
+};
+
+/// Largest first; nullopt where the union failed.
+struct Openings {
+  std::optional<std::vector<Opening>> bare;   ///< of the tissue's outlines alone
+  std::optional<std::vector<Opening>> grown;  ///< of tissue grown by the radius
+};
+
+/// By clipped_openings(), in WebAssembly by swept_openings().
+/// @param outline_mm closed, n points, either direction.
+/// @param radius_mm >= 0; at 0 lines cover nothing.
+Openings openings_of(const std::vector<Vec2>& outline_mm, const FlatTissue& tissue,
+                     double radius_mm);
+
+/// By unions of polygons, exact up to the rounding of where edges meet (Vatti's algorithm, library
+/// Clipper 6.4); arcs are polygons within 1e-4 mm. Accuracy: 1e-4 mm times the contours' length at
+/// worst; bare, a hundredth of that.
+Openings clipped_openings(const std::vector<Vec2>& outline_mm, const FlatTissue& tissue,
+                          double radius_mm);
+
+/// By scan lines, without a library (openings_sweep.cpp); never fails. Accuracy: within 5e-4 mm2 of
+/// clipped_openings() on 120 closed valves, 3e-3 mm2 in whichever direction x points. Openings and
+/// tissue narrower than 0.05 mm along x can be missed, and tissue that thin can join what it parts.
+/// Takes 1 ms for 650 faces, four times as long.
+Openings swept_openings(const std::vector<Vec2>& outline_mm, const FlatTissue& tissue,
+                        double radius_mm);
+
+/// NaN where the union failed.
+double total_mm2(const std::optional<std::vector<Opening>>& openings);
+
+}  // namespace coapt
