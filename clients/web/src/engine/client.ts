@@ -23,10 +23,14 @@ interface Waiting {
 export function engineClient(thread: EngineThread, address: string): AskEngine {
   const waiting: Waiting[] = []
   let running: Waiting | null = null
+  let dead: Error | null = null // the thread, of an error of its own
   thread.postMessage(address)
   thread.onmessage = ({ data }) =>
     end((asked) => ('failed' in data ? asked.reject(new Error(data.failed)) : asked.resolve(data)))
-  thread.onerror = ({ message }) => end((asked) => asked.reject(new Error(message || 'The engine cannot be started')))
+  thread.onerror = ({ message }) => {
+    dead = new Error(message || 'The engine cannot be started; reload the page.')
+    end((asked) => asked.reject(dead))
+  }
 
   function end(settle: (asked: Waiting) => void): void {
     if (running) settle(running)
@@ -38,6 +42,10 @@ export function engineClient(thread: EngineThread, address: string): AskEngine {
     while (!running && waiting.length > 0) {
       const first = waiting.shift() as Waiting
       if (first.signal?.aborted) continue
+      if (dead) {
+        first.reject(dead)
+        continue
+      }
       running = first
       thread.postMessage(first.request)
     }

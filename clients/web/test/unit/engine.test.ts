@@ -80,6 +80,14 @@ test('an engine that aborts fails its request alone', async () => {
   expect((await second).status).toBe(200)
 })
 
+test('a thread that has died fails what waits for it, and what comes later', async () => {
+  const thread: EngineThread = { postMessage: () => {}, onmessage: null, onerror: null }
+  const ask = engineClient(thread, 'engine.wasm')
+  const asked = [ask('/1', ''), ask('/2', '')]
+  thread.onerror?.({ message: 'no such script' } as ErrorEvent)
+  for (const answer of [...asked, ask('/3', '')]) await expect(answer).rejects.toThrow('no such script')
+})
+
 test('a preset is listed, and closed as the text that it is', async () => {
   const { ask, asked } = service()
   expect(await (await ask('GET', '/v1/presets')).json()).toEqual({
