@@ -12,8 +12,11 @@ CTEST := --parallel 6
 
 WEB := clients/web
 WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public $(WEB)/index.html $(WEB)/vite.config.ts -type f)
+STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -type f)
+ENGINE := build/wasm/bin/coapt-engine.wasm
+ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve check check-packages test test-packages web types web-test web-pictures chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs-check openapi-check readers-check golden asan asan-build fuzz clean
+.PHONY: help demo serve check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs-check openapi-check readers-check golden asan asan-build fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -66,6 +69,26 @@ web-test: build web  ## types, unit tests, and the page in a real browser with a
 	@cmake/install_packages.sh browser
 	cd $(WEB) && node types.mjs --check && npx --no-install tsc --noEmit && npx --no-install vitest run
 	node --test --test-reporter=spec $(WEB)/test/page/*.test.mjs
+
+wasm: $(ENGINE)  ## the engine as a WebAssembly module for browsers, in build/wasm/bin
+
+$(ENGINE): $(ENGINE_SOURCES)
+	@cmake/install_packages.sh wasm
+	cmake --preset wasm
+	cmake --build --preset wasm
+	@touch $@
+
+static: build/static/index.html  ## the page without a service, in build/static: for any web server, and for use off-line
+
+build/static/index.html: $(WEB)/node_modules $(STATIC_SOURCES) $(ENGINE) | programs
+	cd $(WEB) && npx --no-install vite build --mode static
+	node $(WEB)/static.mjs build/static $(BIN)/coapt $(ENGINE)
+	@touch $@
+
+static-test: static  ## the page without a service: its engine against coapt, and the page in a real browser, off-line, too
+	@cmake/install_packages.sh browser
+	cd $(WEB) && npx --no-install vitest run --mode static
+	node --test --test-reporter=spec $(WEB)/test/static/page.test.mjs
 
 web-pictures: programs web  ## the page's pictures in docs/images, and its times
 	@cmake/install_packages.sh browser

@@ -2,6 +2,7 @@
 import { request } from './api/http'
 import { download, h, select } from './dom'
 import { labelledButton } from './icons'
+import { HAS_SERVICE } from './mode'
 import { problemList } from './problems'
 import { problemsOf, type Workspace } from './workspace'
 import parts from './style/parts.module.css'
@@ -43,7 +44,8 @@ export function fileSaver(
     }
     press.disabled = false
   }
-  return { element: h('span', { class: parts.joined }, press, formats), button: press }
+  const element = HAS_SERVICE ? h('span', { class: parts.joined }, press, formats) : h('span', { hidden: true })
+  return { element, button: press }
 }
 
 /// Of the open valve, as the present plan leaves it.

@@ -2,9 +2,11 @@
 import './style/base.css'
 import { onTokenNeeded, takeTokenFromAddress } from './api/http'
 import { h } from './dom'
+import { HAS_SERVICE } from './mode'
 import { askForToken } from './shell/token'
 import { footer } from './shell/footer'
 import { header } from './shell/header'
+import { needsService } from './shell/needs_service'
 import { notices } from './shell/notices'
 import { commandPalette } from './shell/palette'
 import { shortcuts } from './shell/shortcuts'
@@ -19,8 +21,12 @@ import shellStyle from './shell/shell.module.css'
 const makers: Record<ViewName, (workspace: Workspace) => Promise<View>> = {
   valve: async (workspace) => new (await import('./valve/view')).ValveView(workspace),
   repair: async (workspace) => new (await import('./repair/view')).RepairView(workspace),
-  search: async (workspace) => new (await import('./search/view')).SearchView(workspace),
-  studies: async (workspace) => new (await import('./studies/view')).StudiesView(workspace),
+  search: HAS_SERVICE
+    ? async (workspace) => new (await import('./search/view')).SearchView(workspace)
+    : async () => needsService('Search', 'A search for repair plans needs coapt-server.'),
+  studies: HAS_SERVICE
+    ? async (workspace) => new (await import('./studies/view')).StudiesView(workspace)
+    : async () => needsService('Studies', 'Studies of a valve need coapt-server.'),
 }
 
 takeTokenFromAddress()
@@ -95,4 +101,5 @@ shortcuts(workspace, palette.open)
 workspace.subscribe(() => bar.lead(route.addressOf))
 onOtherTab('kept plans', () => void workspace.loadKept())
 workspace.loadKept().catch(() => {})
+if (!HAS_SERVICE) navigator.serviceWorker?.register('sw.js').catch(() => {}) // the page works without it, on-line
 await route.start()

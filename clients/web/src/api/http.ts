@@ -1,4 +1,4 @@
-// Requests to the service. The token, where it asks for one, is kept for this tab alone.
+// Requests to the service, or to what answers in its place in a page without one (src/engine). The token, where it asks for one, is kept for this tab alone.
 import { fetchKnowing } from './health'
 import type { Problem } from './types'
 
@@ -34,6 +34,12 @@ export function hasToken(): boolean {
 }
 
 export async function request(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
+  if (import.meta.env.MODE === 'static') {
+    const { pageService } = await import('../engine/page_service')
+    const response = await pageService(method, path, body, signal)
+    if (response.ok) return response
+    throw await errorOf(response)
+  }
   const headers: Record<string, string> = {}
   const token = sessionStorage.getItem(TOKEN)
   if (token !== null) headers.Authorization = `Bearer ${token}`

@@ -5,6 +5,7 @@ import type { RankedPlan } from '../api/types'
 import { button, download, h } from '../dom'
 import { number, percent, withUnit } from '../format'
 import { iconButton } from '../icons'
+import { HAS_SERVICE } from '../mode'
 import { problemList } from '../problems'
 import type { KeptPlan } from '../state/kept_plans'
 import { nameOfValve } from '../state/valves'
@@ -47,11 +48,12 @@ export class KeptPlans {
       h(
         'p',
         { class: parts.row },
-        this.scoring,
+        HAS_SERVICE && this.scoring,
         button('Save plans', () => download('plans.json', planFile(this.workspace.kept))),
         button('Load plans', () => this.file.click()),
         this.file,
       ),
+      ...(HAS_SERVICE ? [] : [h('p', { class: parts.hint }, 'Scores and reports need coapt-server.')]),
     )
   }
 
@@ -65,7 +67,11 @@ export class KeptPlans {
     this.tellBest()
     this.list.replaceChildren(
       kept.length === 0
-        ? h('p', { class: parts.hint }, 'Keep a repair to find it here again, compare it and score it.')
+        ? h(
+            'p',
+            { class: parts.hint },
+            `Keep a repair to find it here again${HAS_SERVICE ? ', compare it and score it' : ''}.`,
+          )
         : h('ol', { class: repairStyle.kept }, ...kept.map((plan) => this.item(plan))),
     )
   }
@@ -107,7 +113,7 @@ export class KeptPlans {
       h('p', { class: parts.hint }, kept.plan.steps.map(describe).join('; ')),
       leak
         ? h('p', {}, `Leak ${number(leak.mean)} ± ${withUnit(leak.sd, 'mm²')}, below 5 mm² in ${percent(leak.below_5)}`)
-        : h('p', { class: parts.hint }, 'Not scored.'),
+        : HAS_SERVICE && h('p', { class: parts.hint }, 'Not scored.'),
       warnings.length > 0 && h('ul', { class: parts.warn }, ...warnings.map((warning) => h('li', {}, warning))),
       h(
         'p',
@@ -115,10 +121,11 @@ export class KeptPlans {
         button('Revise', () => void this.try(() => this.workspace.revise(kept)), {
           'aria-label': `Revise ${kept.name}`,
         }),
-        button('Report', () => void this.report(kept), {
-          title: 'One page to read, print and share',
-          'aria-label': `Report on ${kept.name}`,
-        }),
+        HAS_SERVICE &&
+          button('Report', () => void this.report(kept), {
+            title: 'One page to read, print and share',
+            'aria-label': `Report on ${kept.name}`,
+          }),
       ),
     )
   }

@@ -36,7 +36,7 @@ export function header(workspace: Workspace, openPalette: () => void): Header {
     h(
       'span',
       { class: shellStyle.brand },
-      h('img', { src: '/favicon.svg', alt: '', width: 24, height: 24 }),
+      h('img', { src: `${import.meta.env.BASE_URL}favicon.svg`, alt: '', width: 24, height: 24 }),
       h('span', {}, 'coapt'),
     ),
     nav,

@@ -1,6 +1,7 @@
 // Where kept plans lie: on the service, or in this browser where the service keeps none.
 import { ApiError, getJson, postJson, request } from '../api/http'
 import type { Plan } from '../api/types'
+import { HAS_SERVICE } from '../mode'
 import { store, stored } from './stored'
 
 export interface KeptPlan {
@@ -70,7 +71,7 @@ export const browserShelf: Shelf = {
 
 /// The service's, or the browser's where the service has no such thing.
 export function shelf(): Shelf {
-  let chosen: Shelf = serviceShelf
+  let chosen: Shelf = HAS_SERVICE ? serviceShelf : browserShelf
   const first = async <T>(use: (shelf: Shelf) => Promise<T>): Promise<T> => {
     try {
       return await use(chosen)

@@ -3,6 +3,7 @@ import { presets, problemsOfValve, storeValve } from '../api/calls'
 import type { Problem } from '../api/types'
 import { field, h } from '../dom'
 import { withUnit } from '../format'
+import { HAS_SERVICE } from '../mode'
 import { problemList } from '../problems'
 import { nameValve } from '../state/valves'
 import { problemsOf, type ValveSource, type Workspace } from '../workspace'
@@ -13,6 +14,7 @@ import { gradeOf, presetWords } from './presets'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
+const NO_IMPORT = 'Importing meshes needs coapt-server.'
 const CONTEXT = 60 // characters of the file around a problem
 
 export interface OpenPanel {
@@ -89,10 +91,12 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
       found.length === 1 ? 'This cannot be opened: one problem.' : `This cannot be opened: ${found.length} problems.`
   }
 
-  const imports = importPanel(async (id, name) => {
-    await open(id, name)
-    await opened.refresh()
-  }, stage)
+  const imports = HAS_SERVICE
+    ? importPanel(async (id, name) => {
+        await open(id, name)
+        await opened.refresh()
+      }, stage)
+    : { element: null, take: () => show([{ code: 'unsupported', path: '', message: NO_IMPORT }], '') }
   const opened = openedList(workspace, (id, name) => void open(id, name))
   const panel = h(
     'section',
@@ -101,7 +105,12 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
     names,
     about,
     field('Your file', file),
-    h('p', { class: parts.hint }, 'A valve file of coapt (JSON). Files may be dropped on this page, meshes too.'),
+    h(
+      'p',
+      { class: parts.hint },
+      'A valve file of coapt (JSON). Files may be dropped on this page',
+      HAS_SERVICE ? ', meshes too.' : `. ${NO_IMPORT}`,
+    ),
     imports.element,
     said,
     problems,

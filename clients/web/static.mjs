@@ -1,0 +1,45 @@
+// The page without a service, after `vite build --mode static` has built its scripts: puts presets, engine, icon, manifest
+// and the script that keeps all of it for use off-line beside them. `node static.mjs FOLDER COAPT ENGINE`
+import { execFileSync, spawnSync } from 'node:child_process'
+import { createHash } from 'node:crypto'
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+
+const SOURCES = fileURLToPath(new URL('static/', import.meta.url))
+const [folder, coapt, engine] = process.argv.slice(2)
+
+/// As `coapt` lists them when it is given another name.
+function presetNames() {
+  const { stderr } = spawnSync(coapt, ['close', 'no-such-valve'], { encoding: 'utf8' })
+  const list = /not a preset \((.+)\)/.exec(stderr ?? '')?.[1]
+  if (!list) throw new Error(`${coapt} does not list its presets: ${stderr}`)
+  return list.split(', ')
+}
+
+/// Paths of all files below the folder, sorted.
+function files() {
+  const entries = readdirSync(folder, { recursive: true, withFileTypes: true })
+  const paths = entries
+    .filter((entry) => entry.isFile())
+    .map(({ parentPath, path, name }) => join(parentPath ?? path, name))
+  return paths.map((path) => path.slice(join(folder, '/').length)).sort()
+}
+
+const presets = join(folder, 'presets')
+mkdirSync(presets, { recursive: true })
+const names = presetNames()
+for (const name of names) execFileSync(coapt, ['valve', 'make', name, '-o', join(presets, `${name}.json`)])
+writeFileSync(join(presets, 'index.json'), JSON.stringify(names))
+copyFileSync(engine, join(folder, 'coapt-engine.wasm'))
+copyFileSync(join(SOURCES, 'manifest.webmanifest'), join(folder, 'manifest.webmanifest'))
+
+const listed = files()
+const worker = readFileSync(join(SOURCES, 'sw.js'), 'utf8')
+const hash = createHash('sha256').update(worker)
+for (const file of listed) hash.update(`${file}\0`).update(readFileSync(join(folder, file)))
+const asked = listed.map((file) => (file === 'index.html' ? './' : file)) // as a browser asks for them
+writeFileSync(
+  join(folder, 'sw.js'),
+  `const FILES = ${JSON.stringify(asked)}\nconst HASH = '${hash.digest('hex').slice(0, 16)}'\n\n${worker}`,
+)

@@ -1,0 +1,145 @@
+// The page without a service, from a plain web server in a folder of it; then without any server.
+import assert from 'node:assert/strict'
+import { execFileSync, spawn } from 'node:child_process'
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { gzipSync } from 'node:zlib'
+import { accessProblems, openView, ROOT, startBrowser } from '../page/page.mjs'
+
+const COAPT = process.env.COAPT_PROGRAM ?? join(ROOT, 'build/release/bin/coapt')
+const MOST_BYTES = 1_200_000 // compressed, without the presets
+
+/// http://127.0.0.1:PORT of `python3 -m http.server`, which serves `folder`.
+async function startFiles(folder) {
+  const child = spawn('python3', ['-u', '-m', 'http.server', '0', '--bind', '127.0.0.1', '--directory', folder], {
+    stdio: ['ignore', 'pipe', 'ignore'],
+  })
+  const port = await new Promise((resolve, reject) => {
+    child.once('exit', () => reject(new Error('the web server ended')))
+    let said = ''
+    child.stdout.on('data', (part) => {
+      said += part
+      const found = /port (\d+) /.exec(said) // whole: it may come in pieces
+      if (found) resolve(found[1])
+    })
+  })
+  const stop = () =>
+    new Promise((resolve) => {
+      if (child.exitCode !== null || child.signalCode !== null) return resolve()
+      child.once('exit', resolve)
+      child.kill('SIGTERM')
+    })
+  return { url: `http://127.0.0.1:${port}`, stop }
+}
+
+let files, browser, page, complaints, folder
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'coapt-static-'))
+  files = await startFiles(join(ROOT, 'build'))
+  browser = await startBrowser()
+  ;({ page, complaints } = await openView(browser, `${files.url}/static`, 'valve'))
+  page.on('requestfailed', (request) => complaints.push(`failed ${request.url()}`))
+  page.on(
+    'response',
+    (response) => response.status() >= 400 && complaints.push(`${response.status()} ${response.url()}`),
+  )
+})
+after(async () => {
+  await browser.close()
+  await files.stop()
+  rmSync(folder, { recursive: true, force: true })
+  assert.deepEqual(complaints, [])
+})
+
+const opened = (name) => page.locator('[data-part=open-valve]', { hasText: name }).waitFor()
+const headline = () => page.locator('[data-part=headline]').first().textContent()
+const leak = () => page.locator('[data-part=measures] tr', { hasText: 'Leak' }).locator('td').allTextContents()
+const number = (text) => Number.parseFloat(text)
+
+function native(...args) {
+  return JSON.parse(execFileSync(COAPT, ['close', '--json', ...args], { encoding: 'utf8' }))
+}
+
+test('a preset is closed as natively, and its leak stands there', async () => {
+  await opened('human-functional-mr')
+  await page.getByLabel('Preset').selectOption('human-p2-prolapse')
+  await opened('human-p2-prolapse')
+  await page.waitForFunction(() => /mm²/.test(document.querySelector('[data-part=headline]')?.textContent ?? ''))
+  const expected = native('human-p2-prolapse')
+  assert.ok(Math.abs(number((await leak())[0]) - expected.leak_mm2) <= 0.5, `${await leak()}, not ${expected.leak_mm2}`)
+})
+
+test('it is opened in diastole', async () => {
+  await page.getByRole('button', { name: 'Open', exact: true }).click()
+  assert.equal(await page.getByLabel('Open to closed').inputValue(), '-1')
+  await page.locator('[data-part=diastole]', { hasText: 'mean gradient' }).waitFor({ timeout: 20_000 })
+})
+
+test('a ring closes it again', async () => {
+  await page.getByRole('link', { name: 'Repair' }).click()
+  await page.getByRole('button', { name: 'Ring' }).click()
+  await page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
+  const plan = join(folder, 'ring.json')
+  const steps = [{ step: 'annuloplasty', shape: 'own', sizes_below: 2 }]
+  writeFileSync(plan, JSON.stringify({ schema: 'coapt.plan/1', steps }))
+  const expected = native('human-p2-prolapse', '--plan', plan)
+  assert.ok(Math.abs(number((await leak())[1]) - expected.leak_mm2) <= 0.5, `${await leak()}, not ${expected.leak_mm2}`)
+  assert.match(await headline(), /→/)
+})
+
+test('a repair is kept by the browser', async () => {
+  await page.getByRole('button', { name: 'Keep this repair' }).click()
+  await page.getByText('Kept as “plan 1”.').waitFor()
+})
+
+test('what needs coapt-server is not there, or says so', async () => {
+  assert.equal(await page.getByRole('button', { name: 'Score plans' }).count(), 0)
+  assert.equal(await page.getByRole('button', { name: 'Report' }).count(), 0)
+  assert.equal(await page.getByRole('button', { name: 'Save file' }).count(), 0)
+  for (const [view, words] of [
+    ['Search', 'A search for repair plans needs coapt-server.'],
+    ['Studies', 'Studies of a valve need coapt-server.'],
+  ]) {
+    await page.getByRole('link', { name: view }).click()
+    await page.getByText(words).waitFor()
+    assert.deepEqual(await accessProblems(page), [])
+  }
+})
+
+test('a file is opened and found again after a reload; one that is wrong is not', async () => {
+  await page.getByRole('link', { name: 'Valve' }).click()
+  const valve = readFileSync(join(ROOT, 'build/static/presets/porcine-1.json'), 'utf8')
+  const file = join(folder, 'mine.json')
+  writeFileSync(file, valve.replace(/"pressure_kpa": *[\d.]+/, '"pressure_kpa": -3'))
+  await page.getByLabel('Your file').setInputFiles(file)
+  await page.locator('[data-part=problems] li', { hasText: 'Pressure: is -3' }).waitFor()
+  writeFileSync(file, valve)
+  await page.getByLabel('Your file').setInputFiles(file)
+  await opened('mine.json')
+  await page.reload()
+  await opened('mine.json')
+  assert.match(page.url(), /valve=[0-9a-f]{64}/)
+})
+
+test('without any server it is loaded and closes valves all the same', async () => {
+  await page.evaluate(() => navigator.serviceWorker.ready)
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null)
+  await files.stop()
+  await page.reload()
+  await opened('mine.json')
+  await page.getByLabel('Preset').selectOption('barlow')
+  await opened('barlow')
+  await page.getByRole('link', { name: 'Repair' }).click()
+  await page.getByRole('button', { name: 'Ring' }).click()
+  await page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
+})
+
+test('it can be loaded over a slow line', () => {
+  const built = join(ROOT, 'build/static')
+  const names = readdirSync(built, { recursive: true }).filter((name) => /\.(html|js|css|svg|wasm)$/.test(name))
+  const bytes = names.map((name) => gzipSync(readFileSync(join(built, name))).length).reduce((sum, size) => sum + size)
+  console.log(`the page without a service: ${bytes} bytes compressed`)
+  assert.ok(bytes < MOST_BYTES)
+})
