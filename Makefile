@@ -2,7 +2,7 @@
 BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
-SOURCES := $(shell find core search io server clients/cli lab tests -name "*.h" -o -name "*.cpp" -o -name "*.inl")
+SOURCES := $(shell find core search io server clients/cli clients/engine lab tests -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 PYTHON := $(shell find clients/python cmake docs examples lab tests -name "*.py")
 BLACK := black --line-length 120
@@ -36,13 +36,13 @@ check: check-packages  ## what a change must pass, as .ci/run does: every check 
 	cmake --preset release -DCOAPT_LAB=ON
 	$(MAKE) build
 	$(MAKE) sources-check readers-check
-	$(MAKE) web-test
+	$(MAKE) web-test static-test
 	$(MAKE) --jobs=2 --output-sync=target test asan-build
 	$(MAKE) asan
 
 # At once, because steps that run side by side cannot each call apt-get.
 check-packages:
-	@cmake/install_packages.sh build docs test proxy lab readers browser format lint
+	@cmake/install_packages.sh build docs test proxy lab readers browser wasm format lint
 	@command -v npm >/dev/null || cmake/install_packages.sh npm
 
 test: test-packages build  ## build and run the product's tests; in a build with the laboratory its tests, too
@@ -85,8 +85,10 @@ build/static/index.html: $(WEB)/node_modules $(STATIC_SOURCES) $(ENGINE) | progr
 	node $(WEB)/static.mjs build/static $(BIN)/coapt $(ENGINE)
 	@touch $@
 
-static-test: static  ## the page without a service: its engine against coapt, and the page in a real browser, off-line, too
+static-test: static  ## the page without a service: its engine against coapt, to the bit, and the page in a real browser, off-line, too
 	@cmake/install_packages.sh browser
+	cmake --build --preset release --target closed_presets
+	node --test --test-reporter=spec tests/engine/bits.test.mjs
 	cd $(WEB) && npx --no-install vitest run --mode static
 	node --test --test-reporter=spec $(WEB)/test/static/page.test.mjs
 
