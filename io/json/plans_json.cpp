@@ -273,18 +273,4 @@ ordered_json to_json(const SearchResult& result, const SearchRequest& request) {
   return json;
 }
 
-const std::vector<std::string>& not_modelled() {
-  static const std::vector<std::string> kSentences = {
-      "Blood flow: pressure is static, jets are not computed; the gradient in diastole is that of "
-      "a "
-      "steady flow through the opening (Gorlin).",
-      "Filling: relaxation and stiffness of the ventricle, and how its flow meets sutures.",
-      "The ventricle: annulus and papillary tips do not move while the valve closes.",
-      "Tissue that differs from place to place, calcification, clefts that are not in the valve "
-      "file, sutures that tear, healing and growth.",
-      "Gaps that tissue hides when seen from the atrium; the coaptation heights and distances are "
-      "three-dimensional and show them."};
-  return kSentences;
-}
-
 }  // namespace coapt

@@ -26,7 +26,4 @@ nlohmann::ordered_json to_json(const SearchResult& result, const SearchRequest& 
 
 nlohmann::ordered_json to_json(const StartCheck& starts);
 
-/// What coapt leaves out, a sentence each.
-const std::vector<std::string>& not_modelled();
-
 }  // namespace coapt

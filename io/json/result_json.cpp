@@ -105,6 +105,19 @@ ordered_json joined(ordered_json json, const ordered_json& more) {
 
 std::string_view version() { return COAPT_VERSION; }
 
+const std::vector<std::string>& not_modelled() {
+  static const std::vector<std::string> kSentences = {
+      "Blood flow: pressure is static, jets are not computed; the gradient in diastole is that of "
+      "a steady flow through the opening (Gorlin).",
+      "Filling: relaxation and stiffness of the ventricle, and how its flow meets sutures.",
+      "The ventricle: annulus and papillary tips do not move while the valve closes.",
+      "Tissue that differs from place to place, calcification, clefts that are not in the valve "
+      "file, sutures that tear, healing and growth.",
+      "Gaps that tissue hides when seen from the atrium; the coaptation heights and distances are "
+      "three-dimensional and show them."};
+  return kSentences;
+}
+
 ordered_json to_json(const Errors& errors) {
   ordered_json list = ordered_json::array();
   for (const Error& error : errors) {

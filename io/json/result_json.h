@@ -2,7 +2,9 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/closed/accurate_closure.h"
 #include "core/closed/mesh_convergence.h"
@@ -17,6 +19,9 @@ inline constexpr std::string_view kResearchNotice =
 
 /// Of this build: "0.1.0".
 std::string_view version();
+
+/// What coapt leaves out, a sentence each.
+const std::vector<std::string>& not_modelled();
 
 nlohmann::ordered_json to_json(const Errors& errors);  ///< [{"code","path","message"}, ...]
 /// Of such a list; a code that is not known becomes Unsupported.
