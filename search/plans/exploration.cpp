@@ -23,8 +23,9 @@ constexpr double kMoreScatter = 0.5;  // granted from bracket to bracket
 constexpr double kFreely = 2.0;       // scatters granted where few nodes say little about more
 constexpr int kRandomShare = 20;      // one of so many closures is spent on plans at random, up to
 constexpr int kMostRandom = 100;
-constexpr int kBracketsBefore = 2;
-constexpr int kLadderPlans = 12;                       // plans on all rungs
+constexpr int kBracketsBefore = 2;  // them, where closures last: they are evidence, and help little
+constexpr int kOfABracket = 1000;   // closures, about as many as it takes
+constexpr int kLadderPlans = 12;    // plans on all rungs
 constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // keeps seeds of branches apart
 
 double bound(const ExplorationState& state, const BranchPoint& point) {
@@ -261,12 +262,6 @@ std::vector<int> ladder_candidates(const ExplorationState& state) {
   return candidates;
 }
 
-/// Late, since what they tell is evidence and helps the search little.
-bool is_time_for_random(const ExplorationState& state, int bracket) {
-  return bracket > kBracketsBefore || open_branches(state).empty() ||
-         evaluations_left(state) < state.in.options.evaluations / 2;
-}
-
 void measure_ladder(ExplorationState& state) {
   const std::vector<int> candidates = ladder_candidates(state);
   const int count = static_cast<int>(candidates.size());
@@ -280,6 +275,14 @@ void measure_ladder(ExplorationState& state) {
   refit_climb_models(state);
   if (state.trials[chosen.front()].rung < kLastRung) return;  // stopped
   for (const int i : chosen) state.ladder_plans.push_back(state.trials[i].record);
+}
+
+/// Once.
+void try_random_plans(ExplorationState& state) {
+  if (!state.random_plans.empty() || is_over(state)) return;
+  try_at_random(state, std::min({kMostRandom, state.in.options.evaluations / kRandomShare,
+                                 evaluations_left(state)}));
+  measure_ladder(state);
 }
 
 }  // namespace
@@ -299,12 +302,9 @@ ExplorationState explore(const ExplorationInput& input) {
   for (int bracket = 1; !open_branches(state).empty() && !is_over(state);
        ++bracket, scatters += kMoreScatter) {
     const int before = evaluations.closures();
+    if (bracket > kBracketsBefore || evaluations_left(state) < kOfABracket) try_random_plans(state);
     successive_halving(state);
-    if (state.random_plans.empty() && is_time_for_random(state, bracket) && !is_over(state)) {
-      try_at_random(state, std::min({kMostRandom, input.options.evaluations / kRandomShare,
-                                     evaluations_left(state)}));
-      measure_ladder(state);
-    }
+    if (open_branches(state).empty()) try_random_plans(state);
     if (!is_over(state)) share_across_branches(state);
     if (!is_over(state)) promote_promising(state, std::numeric_limits<int>::max(), scatters);
     if (ladder_of(state)[1].skipped) scatters = std::max(scatters, kFreely);

@@ -36,7 +36,7 @@ test('leaks are those of the native program to 0.01 mm2', () => {
 test('what is wrong with a request is told with its place', () => {
   const { status, json } = engine.answer('/v1/scenes', `{"valve": ${valve('barlow')}, "frames": -1, "plan": {}}`)
   assert.equal(status, 422)
-  assert.deepEqual(json.problems.map(({ path }) => path).sort(), ['/frames', '/plan', '/plan'])
+  assert.deepEqual(json.problems.map(({ path }) => path).sort(), ['/frames', '/plan/schema', '/plan/steps'])
   assert.equal(engine.answer('/v1/closures', '{').status, 400)
   assert.equal(engine.answer('/v1/jobs', '').status, 404)
 })

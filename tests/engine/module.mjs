@@ -1,10 +1,10 @@
-// The engine's module in node: module(bytes) -> {answer(path, body), closed()}.
+// The module of the engine, in node or in a browser: module(bytes) -> {answer(path, body), closed()}.
 export async function module(bytes) {
   let memory
   const view = () => new DataView(memory.buffer)
   const wasi_snapshot_preview1 = {
     clock_time_get(_clock, _precision, time) {
-      view().setBigUint64(time, process.hrtime.bigint(), true)
+      view().setBigUint64(time, BigInt(Math.round(performance.now() * 1e6)), true)
       return 0
     },
     fd_close: () => 0,

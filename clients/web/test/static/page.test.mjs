@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
 import { gzipSync } from 'node:zlib'
+import { hash, module } from '../../../../tests/engine/module.mjs'
 import { accessProblems, openView, ROOT, startBrowser } from '../page/page.mjs'
 
 const COAPT = process.env.COAPT_PROGRAM ?? join(ROOT, 'build/release/bin/coapt')
@@ -121,6 +122,30 @@ test('a file is opened and found again after a reload; one that is wrong is not'
   await page.reload()
   await opened('mine.json')
   assert.match(page.url(), /valve=[0-9a-f]{64}/)
+})
+
+test('every preset closes to the bits of the native program', async () => {
+  const lines = execFileSync(join(ROOT, 'build/release/bin/closed_presets'), [folder], { encoding: 'utf8' })
+  const expected = lines
+    .trim()
+    .split('\n')
+    .map((line) => line.split(' ')) // name, steps, bits
+  const bits = await page.evaluate(`(async () => {
+    ${module}
+    ${hash}
+    const engine = await module(await (await fetch('coapt-engine.wasm')).arrayBuffer())
+    const bits = []
+    for (const name of ${JSON.stringify(expected.map(([name]) => name))}) {
+      const valve = await (await fetch('presets/' + name + '.json')).text()
+      engine.answer('/v1/closures', '{"valve": ' + valve + '}')
+      bits.push(hash(engine.closed()))
+    }
+    return bits
+  })()`)
+  assert.deepEqual(
+    bits,
+    expected.map(([, , hash]) => hash),
+  )
 })
 
 test('without any server it is loaded and closes valves all the same', async () => {
