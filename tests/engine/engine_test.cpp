@@ -23,8 +23,8 @@ class EngineTest : public testing::Test {
   }
   static std::vector<std::string> paths(const EngineAnswer& answer) {
     std::vector<std::string> found;
-    for (const json& problem : json::parse(answer.body)["problems"])
-      found.push_back(problem["path"]);
+    const json refusal = json::parse(answer.body);
+    for (const json& problem : refusal["problems"]) found.push_back(problem["path"]);
     return found;
   }
   const Valve valve_ = *make_preset("human-functional-mr", 150);
