@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "search/evaluator.h"
 #include "search/plans/gates.h"
 
 namespace coapt {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/opened/opened_valve.h"
+#include "search/plans/cost_terms.h"
 #include "search/plans/gates.h"
 
 namespace coapt {
