@@ -13,7 +13,7 @@ coapt::EngineAnswer given;
 
 extern "C" {
 
-/// Room for a request's path and body, UTF-8, to be written to before coapt_answer(). Null of a size of 0.
+/// Room for a request's path and body, UTF-8, to be written to before coapt_answer().
 [[clang::export_name("coapt_path")]] char* coapt_path(std::uint32_t size) {
   path.resize(size);
   return path.data();

@@ -1,5 +1,7 @@
 #include "io/json/repair_answers.h"
 
+#include <utility>
+
 #include "core/metrics/measure.h"
 #include "core/repair/apply_plan.h"
 #include "core/repair/limits.h"
@@ -30,9 +32,9 @@ JsonField number_field(const char* name, double& target, Range range, const char
 Errors apply(RepairRequest& asked) {
   Expected<Valve> repaired = apply_plan(asked.valve, asked.plan);
   if (!repaired) {
-    Errors errors = repaired.errors();
-    for (Error& error : errors) error.path = "/plan" + error.path;
-    return errors;
+    ProblemList problems;
+    add_below(problems, "/plan", repaired.errors());
+    return std::move(problems).take();
   }
   asked.repaired = *std::move(repaired);
   return {};

@@ -78,6 +78,6 @@ export async function report(valve: string, plans: Plan[], region_points: number
   return (await request('POST', '/v1/reports', { valve, plans, region_points, evidence })).blob()
 }
 
-export function version(): Promise<{ version: string; not_modelled?: string[] }> {
+export function version(): Promise<{ version: string; not_modelled: string[] }> {
   return getJson('/version')
 }

@@ -6,12 +6,10 @@ import shellStyle from './shell.module.css'
 export function footer(): HTMLElement {
   const build = h('span', {}, '')
   const list = h('ul', {})
-  const leftOut = h('details', {}, h('summary', {}, 'What is not modelled'), list)
   version().then(
     (answer) => {
       build.textContent = `coapt ${answer.version}`
-      list.append(...(answer.not_modelled ?? []).map((sentence) => h('li', {}, sentence)))
-      leftOut.hidden = answer.not_modelled === undefined
+      list.append(...answer.not_modelled.map((sentence) => h('li', {}, sentence)))
     },
     () => list.append(h('li', {}, 'The service did not answer.')),
   )
@@ -19,6 +17,6 @@ export function footer(): HTMLElement {
     'footer',
     { class: shellStyle.notice },
     h('p', {}, h('strong', {}, 'Research use only, not a medical device; not for clinical decisions. '), build),
-    leftOut,
+    h('details', {}, h('summary', {}, 'What is not modelled'), list),
   )
 }
