@@ -11,6 +11,7 @@ core/closure     : core/valve
 core/metrics     : core/closure core/valve
 core/closed      : core/repair core/metrics core/closure core/valve
 core/opened      : core/metrics core/closure core/valve
+core/live        : core/closure core/valve
 core/presets     : core/closure core/valve
 search/          : core
 search/plans     : core search/ search/fit

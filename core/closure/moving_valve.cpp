@@ -16,6 +16,7 @@ using kernels::kLanes;
 // margin allows for, but not through each other (pairs asleep are woken by the same rule); the last
 // step has a list of its own that allows for everything.
 constexpr double kListSteps = 12.0;
+constexpr double kArrived_mm = 1e-5;  // of single precision, 50 mm from the origin
 constexpr double kLeastMargin_mm = 0.04, kLargestMargin_mm = 0.5;
 // The slowest modes set the damping, and they are slower the finer the mesh: 1 - 0.94, 0.965 and
 // 0.98 are best at 650, 2,600 and 10,400 triangles; 0.94 at 10,400 takes six times as many steps.
@@ -64,6 +65,50 @@ void MovingValve<R>::place_fixed(double travelled) {
     const Vec3 way = model_.target_mm.row(i) - start_mm_.row(i);
     const Vec3 at = start_mm_.row(i).transpose() + travelled * way;
     place(i, at);
+  }
+}
+
+template <class R>
+double MovingValve<R>::approach_targets(double longest_mm) {
+  double longest2 = 0.0;
+  for (const int i : layout_.laid.fixed) {
+    const kernels::Quad<R>& q = x_[layout_.laid.node_of[i]];
+    const Vec3 at(q.at[0], q.at[1], q.at[2]);
+    const Vec3 way = model_.target_mm.row(i).transpose() - at;
+    const double length = way.norm();
+    if (length <= kArrived_mm) continue;
+    const double share = std::min(1.0, longest_mm / length);
+    place(i, at + share * way);
+    longest2 = std::max(longest2, share * share * length * length);
+  }
+  return std::sqrt(longest2);
+}
+
+template <class R>
+void MovingValve<R>::load(double pressure_mpa) {
+  for (kernels::FaceBlock<R>& block : layout_.laid.faces)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      if (block.least_mm4.at[lane] > R(0))
+        block.load_mpa.at[lane] = static_cast<R>(pressure_mpa / 6.0);
+}
+
+template <class R>
+Vec3 MovingValve<R>::position(const std::vector<NodeShare>& shares) const {
+  Vec3 mean = Vec3::Zero();
+  for (const NodeShare& share : shares) {
+    const kernels::Quad<R>& q = x_[layout_.laid.node_of[share.node]];
+    mean += share.weight * Vec3(q.at[0], q.at[1], q.at[2]);
+  }
+  return mean;
+}
+
+template <class R>
+void MovingValve<R>::pull(const std::vector<NodeShare>& shares, const Vec3& force_n,
+                          double stiffness_n_per_mm) {
+  for (const NodeShare& share : shares) {
+    kernels::Quad<R>& q = force_[layout_.laid.node_of[share.node]];
+    for (int k = 0; k < 3; ++k) q.at[k] += static_cast<R>(share.weight * force_n[k]);
+    q.at[3] += static_cast<R>(share.weight * stiffness_n_per_mm);
   }
 }
 

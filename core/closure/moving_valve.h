@@ -27,11 +27,25 @@ class MovingValve {
   /// start.
   void place_fixed(double travelled);
 
+  /// Moves them towards the model's targets, each at most so far. @return the longest of these moves, mm.
+  double approach_targets(double longest_mm);
+
+  /// The pressure from now on, MPa; residual() goes by the model's.
+  void load(double pressure_mpa);
+
+  /// Of nodes of the model, mm.
+  Vec3 position(const std::vector<NodeShare>& shares) const;
+
+  /// Pulls at these nodes in the next step: N, and how it grows with their way, N/mm.
+  void pull(const std::vector<NodeShare>& shares, const Vec3& force_n, double stiffness_n_per_mm);
+
   /// `fixed_move_mm`: how far fixed nodes have moved since the last step.
   void step(double fixed_move_mm);
 
   /// Lists the pairs that are near; each block of nodes has a margin that goes with its speed.
   void list();
+
+  double longest_move_mm() const { return longest_move_mm_; }  ///< of a node in the last step
 
   /// |N| x 3, mm; fixed nodes to the last bit where the model has them.
   Points positions() const;
