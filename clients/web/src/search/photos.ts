@@ -1,12 +1,18 @@
-// Pictures of a valve before and after plans, as the 3D view shows them from the atrium. One view that nobody sees takes
-// them all, one after the other, and again when the theme changes.
-import { drawScene } from '../api/calls'
-import type { Plan, Scene, Vector } from '../api/types'
+// Pictures of a valve before and after plans, as the 3D view shows them from the atrium, closed or open, or cut across the
+// line of coaptation in the middle. One view that nobody sees takes those from the atrium, one after the other, and again when
+// the theme changes.
+import { drawScene, openValve } from '../api/calls'
+import type { Opening, Plan, Scene, Vector } from '../api/types'
 import { onTheme } from '../charts/colours'
 import { h } from '../dom'
+import { sectionInset } from '../valve/section_inset'
 import type { Viewer } from '../viewer/viewer'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
+
+const ENDS = 2 // of the motion: what is open is drawn as its last state
+
+export type Beat = 'closed' | 'open'
 
 const LOOK = { mode: 'leaflets', scale: null, share: 1, orifices: true, names: false, cut: null } as const
 
@@ -32,6 +38,7 @@ async function openStudio(): Promise<Viewer> {
 
 export class Photos {
   private readonly scenes = new Map<string, Promise<Scene>>() // by the plan
+  private readonly openings = new Map<string, Promise<Opening>>()
   private readonly taken: (() => void)[] = []
   private last: Promise<unknown> = Promise.resolve() // one at a time
 
@@ -47,12 +54,12 @@ export class Photos {
   }
 
   /// Of the valve as `plan` leaves it; null: as it is.
-  photo(plan: Plan | null, alt: string): HTMLElement {
+  photo(plan: Plan | null, alt: string, beat: Beat = 'closed'): HTMLElement {
     const canvas = h('canvas', { role: 'img', 'aria-label': alt })
     const frame = h('div', { class: searchStyle.photo, 'data-part': 'photo' }, canvas)
     const take = () => {
       this.last = this.last
-        .then(() => this.take(canvas, plan))
+        .then(() => this.take(canvas, plan, beat))
         .then(
           () => {
             frame.replaceChildren(canvas)
@@ -66,15 +73,30 @@ export class Photos {
     return frame
   }
 
-  private async take(canvas: HTMLCanvasElement, plan: Plan | null): Promise<void> {
+  /// The closed valve, cut.
+  section(plan: Plan, alt: string): HTMLElement {
+    const frame = h('div', { class: searchStyle.photo, role: 'img', 'aria-label': alt, 'data-part': 'cut' })
+    this.scene(plan).then(
+      (scene) => frame.replaceChildren(sectionInset(scene, Math.floor(scene.sections.length / 2))),
+      () => frame.replaceChildren(h('p', { class: parts.hint }, 'The cut could not be drawn.')),
+    )
+    return frame
+  }
+
+  private async take(canvas: HTMLCanvasElement, plan: Plan | null, beat: Beat): Promise<void> {
     if (this.signal.aborted) return
     studio ??= openStudio().catch((error: unknown) => {
       studio = null // the next picture tries again
       throw error
     })
-    const [before, scene, viewer] = await Promise.all([this.scene(null), this.scene(plan), studio])
+    const opening = beat === 'open' ? this.opening(plan) : null
+    const [before, scene, viewer, open] = await Promise.all([this.scene(null), this.scene(plan), studio, opening])
     if (this.signal.aborted) return
     viewer.set(scene, LOOK)
+    if (open) {
+      viewer.setOpen(open)
+      viewer.show({ ...LOOK, share: -1 })
+    }
     viewer.stage.look('atrial', points(before.annulus_mm)) // all in one scale
     viewer.stage.drawNow()
     const drawn = viewer.stage.canvas
@@ -89,14 +111,23 @@ export class Photos {
   }
 
   private scene(plan: Plan | null): Promise<Scene> {
-    const key = JSON.stringify(plan?.steps ?? [])
-    const known = this.scenes.get(key)
-    if (known) return known
-    const scene = drawScene(this.valve, plan, 0, this.signal)
-    this.scenes.set(key, scene)
-    scene.catch(() => this.scenes.delete(key))
-    return scene
+    return once(this.scenes, plan, () => drawScene(this.valve, plan, 0, this.signal))
   }
+
+  private opening(plan: Plan | null): Promise<Opening> {
+    return once(this.openings, plan, () => openValve(this.valve, plan, ENDS))
+  }
+}
+
+/// Asks again only for what failed.
+function once<T>(asked: Map<string, Promise<T>>, plan: Plan | null, ask: () => Promise<T>): Promise<T> {
+  const key = JSON.stringify(plan?.steps ?? [])
+  const known = asked.get(key)
+  if (known) return known
+  const answer = ask()
+  asked.set(key, answer)
+  answer.catch(() => asked.delete(key))
+  return answer
 }
 
 type Place = (point_mm: Vector) => { x: number; y: number }

@@ -24,13 +24,13 @@ export function questionBoard(
 ): QuestionBoard {
   const heading = h('h3', { tabindex: -1 }, 'No question yet.')
   const board = h('div', { class: searchStyle.question })
-  const photos = new Map<number, HTMLElement>() // by rank: each is drawn once
+  const pictures = new Map<number, HTMLElement>() // by rank: each is drawn once
   let figures: HTMLElement[] = []
   let areHidden = false
 
-  function photoOf(plan: RankedPlan): HTMLElement {
-    const known = photos.get(plan.rank) ?? photo(plan, context)
-    photos.set(plan.rank, known)
+  function picturesOf(plan: RankedPlan): HTMLElement {
+    const known = pictures.get(plan.rank) ?? drawPictures(plan, context)
+    pictures.set(plan.rank, known)
     return known
   }
 
@@ -62,7 +62,7 @@ export function questionBoard(
     return h(
       'div',
       { class: searchStyle.side, role: 'group', 'aria-label': `Plan ${plan.rank}` },
-      photoOf(plan),
+      picturesOf(plan),
       h('h4', {}, `Plan ${plan.rank}`),
       h(
         'ul',
@@ -77,6 +77,7 @@ export function questionBoard(
   function hideFigures(hidden: boolean): void {
     areHidden = hidden
     for (const fold of figures) fold.hidden = hidden
+    board.toggleAttribute('data-plain', hidden) // nor does the cut tell how high the leaflets meet
   }
 
   return {
@@ -85,4 +86,21 @@ export function questionBoard(
     hideFigures,
     focus: () => heading.focus({ preventScroll: true }),
   }
+}
+
+/// The valve as the plan leaves it: closed, open, cut.
+function drawPictures(plan: RankedPlan, context: CardContext): HTMLElement {
+  const { photos } = context
+  const named = (name: string, picture: HTMLElement) => h('figure', {}, picture, h('figcaption', {}, name))
+  const of = `after plan ${plan.rank}`
+  return h(
+    'div',
+    { class: searchStyle.pictures },
+    named('Closed, seen from the atrium', photo(plan, context)),
+    named(
+      'Open in diastole',
+      photos.photo(plan.plan, `The valve open in diastole, seen from the atrium ${of}`, 'open'),
+    ),
+    named('Closed, cut in the middle', photos.section(plan.plan, `The closed valve cut across its middle ${of}`)),
+  )
 }

@@ -165,7 +165,8 @@ export class Viewer {
   }
 
   private isClosed(look: Look): boolean {
-    return look.share >= 1 || (this.scene?.motion_mm.length ?? 0) < 2
+    const states = [this.scene?.motion_mm, look.share < 0 ? this.open?.scene.motion_mm : []]
+    return look.share >= 1 || states.every((motion_mm) => (motion_mm?.length ?? 0) < 2)
   }
 
   /// Strain and tension are those of the closed valve.

@@ -106,10 +106,11 @@ test('an answer is asked for at once, one at a time, and the focus stays at the 
     cases[0].plans.map(({ cost_terms }) => cost_terms.step),
     [1, 2, 3],
   )
-  await panel().locator('[data-part=photo][data-taken]').nth(1).waitFor()
+  await panel().locator('[data-part=photo][data-taken]').nth(3).waitFor() // of either plan, closed and open
+  await panel().locator('[data-part=cut] svg').nth(1).waitFor()
   assert.equal(await panel().locator('dd').count(), 6)
   await panel().getByLabel('Hide figures').check()
-  assert.equal(await panel().locator('dd:visible').count(), 0)
+  assert.equal(await panel().locator('dd:visible, svg text:visible').count(), 0)
   await accessible()
 
   let go
