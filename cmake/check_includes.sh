@@ -31,6 +31,7 @@ server/jobs      : core search io server/
 server/endpoints : core search io server/ server/jobs
 clients/cli      : core search io
 clients/engine   : core search io/json
+clients/live     : core io clients/cli
 lab/comparators  : core
 lab/rivals       : core
 lab/closures     : core search io
@@ -49,10 +50,11 @@ clipper[.]hpp   : core/metrics
 cairo           : io/picture
 httplib[.]h     : server clients/cli
 CLI/            : io/command_line
-nlohmann/       : io server clients/cli clients/engine lab
+nlohmann/       : io server clients/cli clients/engine clients/live lab
 sqlite3[.]h     : io/store
 lzma[.]h        : io/mesh
 dcmtk/          : io/dicom
+boost/          : clients/live
 pagmo/          : lab/rivals
 dlib/           : lab/rivals
 '

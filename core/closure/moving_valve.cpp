@@ -113,6 +113,19 @@ void MovingValve<R>::pull(const std::vector<NodeShare>& shares, const Vec3& forc
 }
 
 template <class R>
+void MovingValve<R>::draw(const Points& to_mm, double stiffness_n_per_mm, double largest_n) {
+  for (Index i = 0; i < to_mm.rows(); ++i) {
+    if (model_.fixed[i]) continue;
+    const kernels::Quad<R>& q = x_[layout_.laid.node_of[i]];
+    const Vec3 way = to_mm.row(i).transpose() - Vec3(q.at[0], q.at[1], q.at[2]);
+    const double spring = std::min(stiffness_n_per_mm, largest_n / std::max(way.norm(), 1e-12));
+    kernels::Quad<R>& force = force_[layout_.laid.node_of[i]];
+    for (int k = 0; k < 3; ++k) force.at[k] += static_cast<R>(spring * way[k]);
+    force.at[3] += static_cast<R>(spring);
+  }
+}
+
+template <class R>
 void MovingValve<R>::step(double fixed_move_mm) {
   fixed_move_mm_ = fixed_move_mm;
   fixed_share_ += fixed_move_mm / fixed_margin_mm_;

@@ -39,6 +39,9 @@ class MovingValve {
   /// Pulls at these nodes in the next step: N, and how it grows with their way, N/mm.
   void pull(const std::vector<NodeShare>& shares, const Vec3& force_n, double stiffness_n_per_mm);
 
+  /// Pulls each node that moves by itself towards a place, |N| x 3, in the next step: a spring, at most so hard.
+  void draw(const Points& to_mm, double stiffness_n_per_mm, double largest_n);
+
   /// `fixed_move_mm`: how far fixed nodes have moved since the last step.
   void step(double fixed_move_mm);
 

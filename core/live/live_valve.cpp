@@ -21,7 +21,12 @@ constexpr int kLook_steps = 30;
 constexpr int kMostReturns = 3;  // before hooks give way
 constexpr double kStill_mm = 1e-4;
 constexpr int kStill_steps = 100;
-constexpr int kBeat_steps = 20000;  // until a valve that is let go closes again, at most
+constexpr int kBeat_steps = 4000;  // until a valve that is let go closes again, at most
+// Nothing but bending holds an unloaded leaflet in its shape: by itself it takes over 20,000 steps to come back, and may stay
+// folded. These bring it there in 1,000, too weak to press it through another one.
+constexpr double kDrawn_n_per_mm = 0.005, kDrawn_n = 0.01;  // on each node
+constexpr double kDrawnStill_mm =
+    1e-3;  // drawn into contact, nodes tremble by a few 1e-4 mm for good
 
 /// Which node a segment of a chorda ends in, where that is a branch point.
 std::map<std::pair<int, int>, int> branch_nodes(const ClosureModel& model) {
@@ -88,7 +93,7 @@ struct LiveValve::State {
   }
 
   /// What acts on the valve from now on. A beat goes back to where closures start from: no pressure, annulus and tips where they
-  /// are in the unstressed valve.
+  /// are in the unstressed valve, every node drawn to its place there.
   void load() {
     if (beat_steps > 0)
       model.target_mm = model.rest_mm;
@@ -142,9 +147,11 @@ struct LiveValve::State {
       const Vec3 force = pull_n(*hook, moving->position(hook->shares), limits);
       moving->pull(hook->shares, force, hook->constant_n ? 0.0 : limits.stiffness_n_per_mm);
     }
+    if (beat_steps > 0) moving->draw(model.rest_mm, kDrawn_n_per_mm, kDrawn_n);
     moving->step(moving->approach_targets(kLongestTravel_mm));
     longest_move_mm = moving->longest_move_mm();
-    still_steps = longest_move_mm < kStill_mm ? still_steps + 1 : 0;
+    still_steps =
+        longest_move_mm < (beat_steps > 0 ? kDrawnStill_mm : kStill_mm) ? still_steps + 1 : 0;
     if (beat_steps > 0 && (--beat_steps == 0 || still_steps >= kStill_steps)) end_beat();
   }
 
@@ -251,6 +258,7 @@ void LiveValve::advance(int steps) {
 }
 
 const Points& LiveValve::vertices_mm() const { return state_->shown_mm; }
+int LiveValve::vertices() const { return state_->model.vertices; }
 
 std::vector<LiveCable> LiveValve::cables() const {
   std::vector<LiveCable> cables;

@@ -63,8 +63,9 @@ class LiveValve {
   /// So many steps, at least; then a look for crossings.
   void advance(int steps);
 
-  /// Of the last state that was uncrossed, |V| x 3, mm.
+  /// Of the last state that was uncrossed, |N| x 3, mm: the leaflets' vertices, then branch points and knots.
   const Points& vertices_mm() const;
+  int vertices() const;  ///< |V|
   std::vector<LiveCable> cables() const;
   /// On the tissue, N; zero if it holds nothing.
   Vec3 force_n(int hook) const;

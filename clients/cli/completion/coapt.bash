@@ -1,4 +1,4 @@
-# Completion of coapt and coapt-server for bash. Commands and options come from the program's own --help, so that none is
+# Completion of coapt, coapt-live and coapt-server for bash. Commands and options come from the program's own --help, so that none is
 # missing; what options take stands here.
 
 # Options of a command: the first words of lines that begin with a dash.
@@ -26,6 +26,7 @@ _coapt_values() {
     --known) echo slack tips prestretch hidden ;;
     --protocol) echo lookup-clamped lookup-extended closed optimum ;;
     --displacement-step) echo 1 2 3 6 ;;
+    --device) echo haply ;;
     --server) echo http://127.0.0.1:8080 ;;
     --forbid)
       echo annuloplasty papillary_approximation neochorda chordal_length_change chordal_excision chordal_transfer \
@@ -71,4 +72,4 @@ _coapt() {
 }
 
 # Where nothing fits, and beside presets, files are offered.
-complete -o bashdefault -o default -F _coapt coapt coapt-server
+complete -o bashdefault -o default -F _coapt coapt coapt-live coapt-server

@@ -1,0 +1,27 @@
+// What a session was, for people, as JSON, and period by period.
+#pragma once
+
+#include <iosfwd>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "clients/live/live_session.h"
+
+namespace coapt {
+
+/// Sorts `values`; 0 where there are none.
+struct Spread {
+  double median = 0.0, p99 = 0.0, largest = 0.0;
+};
+Spread spread_of(std::vector<double> values);
+
+/// coapt.live/1.
+nlohmann::ordered_json to_json(const SessionResult& session, double rate_hz);
+
+void print_session(std::ostream& out, const SessionResult& session, double rate_hz);
+
+/// CSV: t_ms, late_us, x, y, z (stylus, mm), fx, fy, fz (on the hand, N), holds, spot_x, spot_y, spot_z (mm), energy_mj.
+std::string session_csv(const std::vector<SessionRow>& rows);
+
+}  // namespace coapt

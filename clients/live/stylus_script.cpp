@@ -1,0 +1,81 @@
+#include "clients/live/stylus_script.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/valve/problem_list.h"
+#include "io/mesh/csv_table.h"
+
+namespace coapt {
+namespace {
+
+constexpr std::array<std::string_view, 5> kColumns = {"t_ms", "x", "y", "z", "button"};
+constexpr double kFarthest_mm = 1000.0;
+
+/// What speaks against it, but for its place in the order; "" if nothing does.
+std::string problem_with(const std::array<double, 5>& row) {
+  for (std::size_t k = 0; k < row.size(); ++k)
+    if (!std::isfinite(row[k])) return std::string(kColumns[k]) + " is not a number";
+  for (std::size_t k = 1; k <= 3; ++k)
+    if (std::abs(row[k]) > kFarthest_mm)
+      return std::string(kColumns[k]) + " is " + shown(row[k]) + ", must be from -1000 to 1000 mm";
+  if (row[4] != 0.0 && row[4] != 1.0) return "button is " + shown(row[4]) + ", must be 0 or 1";
+  return row[0] < 0.0 ? "t_ms is " + shown(row[0]) + ", must be at least 0" : "";
+}
+
+}  // namespace
+
+Expected<std::vector<StylusSample>> read_stylus_script(std::string_view csv) {
+  const Expected<CsvTable> table = read_csv(csv, {"t_ms"});
+  if (!table) return table.errors();
+  std::array<std::size_t, 5> at = {0, 1, 2, 3, 4};
+  ProblemList problems;
+  for (std::size_t k = 0; k < at.size() && !table->names.empty(); ++k) {
+    const auto found = std::find(table->names.begin(), table->names.end(), kColumns[k]);
+    at[k] = static_cast<std::size_t>(found - table->names.begin());
+    if (found == table->names.end())
+      problems.add(ErrorCode::MissingField, "", "has no column " + std::string(kColumns[k]));
+  }
+  if (table->rows.empty()) problems.add(ErrorCode::MissingField, "", "has no samples");
+  if (!problems.empty()) return std::move(problems).take();
+  std::vector<StylusSample> script;
+  for (const CsvRow& row : table->rows) {
+    std::array<double, 5> numbers{};
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const auto number =
+          at[k] < row.fields.size() ? to_number(row.fields[at[k]]) : std::optional<double>{};
+      numbers[k] = number.value_or(std::nan(""));
+    }
+    std::string problem = problem_with(numbers);
+    if (problem.empty() && !script.empty() && numbers[0] <= script.back().time_ms)
+      problem = "t_ms is " + shown(numbers[0]) + ", must be above that of the line before";
+    if (!problem.empty())
+      problems.add(ErrorCode::OutOfRange, "", "line " + std::to_string(row.line) + ": " + problem);
+    script.push_back({numbers[0], {numbers[1], numbers[2], numbers[3]}, numbers[4] == 1.0});
+  }
+  if (!problems.empty()) return std::move(problems).take();
+  return script;
+}
+
+StylusState stylus_at(const std::vector<StylusSample>& script, double time_ms) {
+  const auto after = std::upper_bound(
+      script.begin(), script.end(), time_ms,
+      [](double time, const StylusSample& sample) { return time < sample.time_ms; });
+  if (after == script.begin()) return {after->position_mm};
+  const StylusSample& from = *(after - 1);
+  if (after == script.end()) return {from.position_mm, from.grabs, true};
+  const double share = (time_ms - from.time_ms) / (after->time_ms - from.time_ms);
+  return {from.position_mm + share * (after->position_mm - from.position_mm), from.grabs};
+}
+
+HapticDevice scripted_stylus(std::vector<StylusSample> script) {
+  return {[script = std::move(script)](double time_ms) -> Expected<StylusState> {
+            return stylus_at(script, time_ms);
+          },
+          [](const Vec3&) {}};
+}
+
+}  // namespace coapt
