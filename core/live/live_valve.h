@@ -63,7 +63,7 @@ class LiveValve {
   /// So many steps, at least; then a look for crossings.
   void advance(int steps);
 
-  /// Of the last state that was uncrossed, |V| x 3, mm.
+  /// Of the last state that was uncrossed, mm: the vertices, then the other nodes of a ClosureModel.
   const Points& vertices_mm() const;
   std::vector<LiveCable> cables() const;
   /// On the tissue, N; zero if it holds nothing.
