@@ -1,32 +1,16 @@
 #include "clients/engine/engine.h"
 
 #include <chrono>
-#include <optional>
 #include <utility>
 
+#include "clients/engine/requests.h"
 #include "core/closure/closure.h"
-#include "io/json/plan_json.h"
 #include "io/json/repair_answers.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {
 namespace {
-
-using nlohmann::ordered_json;
-
-EngineAnswer json_answer(int status, ordered_json object, Points closed_mm = {}) {
-  object["notice"] = kResearchNotice;
-  return {status, object.dump(-1, ' ', false, ordered_json::error_handler_t::replace),
-          std::move(closed_mm)};
-}
-
-EngineAnswer problem(int status, const Errors& errors) {
-  return json_answer(status, {{"title", status == 404 ? "Not found" : "Unprocessable content"},
-                              {"status", status},
-                              {"detail", errors.front().message},
-                              {"problems", to_json(errors)}});
-}
 
 class Stopwatch {
  public:
@@ -37,20 +21,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-/// A body of "valve", "plan" (optional) and the fields `more`; or its refusal.
-std::optional<EngineAnswer> read_request(std::string_view body, RepairRequest& asked,
-                                         std::vector<JsonField> more) {
-  const Expected<nlohmann::json> json = parse_json(body);
-  if (!json) return problem(400, json.errors());
-  more.insert(more.begin(), {{"valve", document(asked.valve, valve_from_json)},
-                             {"plan", document(asked.plan, plan_from_json), false}});
-  ProblemList problems;
-  read_fields({*json, problems}, more);
-  if (!problems.empty()) return problem(422, std::move(problems).take());
-  if (const Errors errors = apply(asked); !errors.empty()) return problem(422, errors);
-  return std::nullopt;
-}
 
 EngineAnswer closed(std::string_view body) {
   RepairRequest asked;

@@ -190,34 +190,63 @@ ordered_json motion_json(const std::vector<Points>& states, int frames) {
   return list;
 }
 
+/// Where chordae are in the unstressed valve, without tension.
+ClosureResult unloaded(const Valve& valve) {
+  ClosureResult state;
+  for (const Chorda& chorda : valve.chordae) {
+    state.tension_n.emplace_back(chorda.segments.size(), 0.0);
+    Points& ends = state.branch_points_mm.emplace_back(std::ssize(chorda.segments), 3);
+    for (Eigen::Index s = 0; s < ends.rows(); ++s) {
+      const auto& [face, weights] = chorda.segments[static_cast<std::size_t>(s)].insertion;
+      ends.row(s) = chorda.segments[static_cast<std::size_t>(s)].branch_point_mm;
+      if (!chorda.segments[static_cast<std::size_t>(s)].inserts) continue;
+      ends.row(s).setZero();
+      for (int k = 0; k < 3; ++k)
+        ends.row(s) +=
+            weights[static_cast<std::size_t>(k)] * valve.rest_mm.row(valve.faces(face, k));
+    }
+  }
+  state.tie_tension_n.assign(valve.ties.size(), 0.0);
+  return state;
+}
+
+/// All but what is measured of a closed state.
+ordered_json without_closed_state(const Valve& valve, const RepairPlan& plan,
+                                  const ClosureResult& closure) {
+  return {{"schema", "coapt.scene/1"},
+          {"plane", plane_json(annular_plane(valve))},
+          {"thickness_mm", valve.tissue.thickness_mm},
+          {"rest_mm", flat(valve.rest_mm)},
+          {"closed_mm", nullptr},
+          {"faces", faces_json(valve.faces)},
+          {"segments", list_of(valve.segments, [](Segment s) { return to_string(s); })},
+          {"leaflet_coordinates", coordinates_json(valve)},
+          {"annulus", valve.annulus},
+          {"annulus_mm", flat(valve.annulus_mm)},
+          {"landmarks", landmarks_json(valve.landmarks)},
+          {"heads", heads_json(valve.heads)},
+          {"chordae", chordae_json(valve, closure)},
+          {"sutures", sutures_json(valve, plan)},
+          {"ties", ties_json(valve, closure)},
+          {"seams", seams_json(valve, plan)},
+          {"strain", nullptr},
+          {"orifices", ordered_json::array()},
+          {"gap", ordered_json::array()},
+          {"sections", ordered_json::array()},
+          {"motion_mm", ordered_json::array()}};
+}
+
 }  // namespace
+
+ordered_json unloaded_scene_to_json(const Valve& valve, const RepairPlan& plan) {
+  return without_closed_state(valve, plan, unloaded(valve));
+}
 
 ordered_json scene_to_json(const Scene& scene) {
   const auto& [valve, closure, plan, frames] = scene;
-  const bool is_finite = closure.closed_mm.allFinite();
-  ordered_json json = {
-      {"schema", "coapt.scene/1"},
-      {"plane", plane_json(annular_plane(valve))},
-      {"thickness_mm", valve.tissue.thickness_mm},
-      {"rest_mm", flat(valve.rest_mm)},
-      {"closed_mm", nullptr},
-      {"faces", faces_json(valve.faces)},
-      {"segments", list_of(valve.segments, [](Segment s) { return to_string(s); })},
-      {"leaflet_coordinates", coordinates_json(valve)},
-      {"annulus", valve.annulus},
-      {"annulus_mm", flat(valve.annulus_mm)},
-      {"landmarks", landmarks_json(valve.landmarks)},
-      {"heads", heads_json(valve.heads)},
-      {"chordae", chordae_json(valve, closure)},
-      {"sutures", sutures_json(valve, plan)},
-      {"ties", ties_json(valve, closure)},
-      {"seams", seams_json(valve, plan)},
-      {"strain", nullptr},
-      {"orifices", ordered_json::array()},
-      {"gap", ordered_json::array()},
-      {"sections", ordered_json::array()},
-      {"motion_mm", motion_json(closure.motion_mm, frames)}};
-  if (!is_finite) return json;
+  ordered_json json = without_closed_state(valve, plan, closure);
+  json["motion_mm"] = motion_json(closure.motion_mm, frames);
+  if (!closure.closed_mm.allFinite()) return json;
   json["closed_mm"] = flat(closure.closed_mm);
   json["strain"] = strains_json(valve, closure.closed_mm);
   json["orifices"] = orifices_json(valve, closure.closed_mm);

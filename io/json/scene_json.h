@@ -23,6 +23,9 @@ struct Scene {
 /// that flew apart there is no closed_mm, but null.
 nlohmann::ordered_json scene_to_json(const Scene& scene);
 
+/// What is drawn of a valve that is not closed: all that does not move, and closed_mm null. `plan`: as of a Scene.
+nlohmann::ordered_json unloaded_scene_to_json(const Valve& valve, const RepairPlan& plan);
+
 /// What is drawn of an open valve (coapt.opening/1 names it scene), written alike; `frames` as of a Scene. Of an opening that
 /// flew apart there is no open_mm, but null.
 nlohmann::ordered_json opening_scene_to_json(const OpenedValve& opened, int frames);

@@ -17,6 +17,8 @@ export type Step = Plan['steps'][number]
 export type Measure = Schemas['Measure']
 export type Closure = Schemas['Closure']
 export type Scene = Schemas['Scene']
+/// What of a scene does not need a closure.
+export type ValveShape = Omit<Scene, 'closure'>
 export type Opening = Schemas['Opening']
 export type OpeningScene = Schemas['OpeningScene']
 export type Segment = Scene['segments'][number]

@@ -1,4 +1,4 @@
-// The engine: a WebAssembly module that answers requests as the service does (clients/engine).
+// The engine: a WebAssembly module that answers requests as the service does, and moves a valve (clients/engine).
 import { wasi } from './wasi'
 
 export interface EngineAnswer {
@@ -6,8 +6,27 @@ export interface EngineAnswer {
   body: Uint8Array<ArrayBuffer> // JSON, UTF-8
 }
 
-/// Takes 30 ms to some seconds. Throws WebAssembly.RuntimeError if the engine aborts; it is of no use then.
-export type Engine = (path: string, body: string) => EngineAnswer
+/// Each call may throw WebAssembly.RuntimeError if the engine aborts; it is of no use then.
+export interface Engine {
+  answer(path: string, body: string): EngineAnswer // takes 30 ms to some seconds
+  closed(): Uint8Array<ArrayBuffer> // of the valve closed last: x, y, z of each vertex, doubles, mm
+  live: LiveEngine
+}
+
+/// One valve that moves; what makes no sense is left alone (clients/engine/live.h). Millimetres, newtons.
+export interface LiveEngine {
+  start(body: string): EngineAnswer
+  change(body: string): EngineAnswer
+  pressure(mmhg: number): void
+  grab(hook: number, vertex: number): void
+  grabCable(hook: number, cable: number, share: number): void
+  move(hook: number, x: number, y: number, z: number): void
+  release(hook: number): void
+  advance(steps: number): void
+  isAtRest(): boolean
+  picture(): Float32Array<ArrayBuffer> // as picture.ts reads it
+  vertices(): Uint8Array<ArrayBuffer> // of the moving valve, as closed()
+}
 
 interface Exports {
   memory: WebAssembly.Memory
@@ -17,7 +36,24 @@ interface Exports {
   coapt_answer(): number
   coapt_answer_bytes(): number
   coapt_answer_size(): number
+  coapt_closed_mm(): number
+  coapt_closed_vertices(): number
+  coapt_live_start(): number
+  coapt_live_change(): number
+  coapt_live_pressure(mmhg: number): void
+  coapt_live_grab(hook: number, vertex: number): void
+  coapt_live_grab_cable(hook: number, cable: number, share: number): void
+  coapt_live_move(hook: number, x: number, y: number, z: number): void
+  coapt_live_release(hook: number): void
+  coapt_live_advance(steps: number): void
+  coapt_live_at_rest(): number
+  coapt_live_picture(): number
+  coapt_live_picture_at(): number
+  coapt_live_vertices_mm(): number
+  coapt_live_vertices(): number
 }
+
+const POINT_BYTES = 24
 
 export async function startEngine(module: WebAssembly.Module): Promise<Engine> {
   let memory: WebAssembly.Memory | null = null
@@ -31,13 +67,50 @@ export async function startEngine(module: WebAssembly.Module): Promise<Engine> {
   engine._initialize()
 
   const encoder = new TextEncoder()
-  return (path, body) => {
-    const [path_bytes, body_bytes] = [encoder.encode(path), encoder.encode(body)]
-    const [path_at, body_at] = [engine.coapt_path(path_bytes.length), engine.coapt_body(body_bytes.length)]
-    new Uint8Array(engine.memory.buffer).set(path_bytes, path_at) // after both calls: each may move the buffer
-    new Uint8Array(engine.memory.buffer).set(body_bytes, body_at)
-    const status = engine.coapt_answer()
+  /// `room` may move the memory's buffer.
+  const put = (text: string, room: (size: number) => number): void => {
+    const bytes = encoder.encode(text)
+    const at = room(bytes.length)
+    new Uint8Array(engine.memory.buffer).set(bytes, at)
+  }
+  const copied = (at: number, size: number) =>
+    new Uint8Array(engine.memory.buffer, at, size).slice() as Uint8Array<ArrayBuffer>
+  const answered = (status: number): EngineAnswer => {
     const at = engine.coapt_answer_bytes()
-    return { status, body: new Uint8Array(engine.memory.buffer, at, engine.coapt_answer_size()).slice() }
+    return { status, body: copied(at, engine.coapt_answer_size()) }
+  }
+  return {
+    answer(path, body) {
+      put(path, engine.coapt_path)
+      put(body, engine.coapt_body)
+      return answered(engine.coapt_answer())
+    },
+    closed: () => copied(engine.coapt_closed_mm(), POINT_BYTES * engine.coapt_closed_vertices()),
+    live: {
+      start(body) {
+        put(body, engine.coapt_body)
+        return answered(engine.coapt_live_start())
+      },
+      change(body) {
+        put(body, engine.coapt_body)
+        return answered(engine.coapt_live_change())
+      },
+      pressure: engine.coapt_live_pressure,
+      grab: engine.coapt_live_grab,
+      grabCable: engine.coapt_live_grab_cable,
+      move: engine.coapt_live_move,
+      release: engine.coapt_live_release,
+      advance: engine.coapt_live_advance,
+      isAtRest: () => engine.coapt_live_at_rest() !== 0,
+      picture() {
+        const size = engine.coapt_live_picture()
+        return new Float32Array(
+          engine.memory.buffer,
+          engine.coapt_live_picture_at(),
+          size,
+        ).slice() as Float32Array<ArrayBuffer>
+      },
+      vertices: () => copied(engine.coapt_live_vertices_mm(), POINT_BYTES * engine.coapt_live_vertices()),
+    },
   }
 }

@@ -1,5 +1,6 @@
-// The thread of the engine, so that the page stays responsive while a valve closes. The first message is the address of
-// the engine's file, each later one a request; every request gets one reply, in order.
+// A thread of the engine, so that the page stays responsive while a valve closes or moves. The first message is the address
+// of the engine's file, each later one a request, which gets one reply, in order, or a command to the valve that moves.
+import { type LiveCommand, LiveLoop, type LiveReply } from './live_loop'
 import { type Engine, type EngineAnswer, startEngine } from './module'
 
 export interface EngineRequest {
@@ -11,6 +12,7 @@ export type EngineReply = EngineAnswer | { failed: string }
 let address = ''
 let module: Promise<WebAssembly.Module> | null = null
 let engine: Promise<Engine> | null = null
+let loop: LiveLoop | null = null
 
 async function fetchModule(): Promise<WebAssembly.Module> {
   const response = await fetch(address)
@@ -32,19 +34,63 @@ async function start(): Promise<Engine> {
 async function reply({ path, body }: EngineRequest): Promise<EngineReply> {
   try {
     engine ??= start()
-    return (await engine)(path, body)
+    return (await engine).answer(path, body)
   } catch (error) {
     engine = null
-    return { failed: error instanceof Error ? error.message : String(error) }
+    return { failed: said(error) }
   }
 }
 
-addEventListener('message', ({ data }: MessageEvent<string | EngineRequest>) => {
+const channel = new MessageChannel() // a timer would wait for 4 ms
+let next = (): void => {}
+channel.port1.onmessage = () => attempt(next)
+
+/// A valve that fails moves no more until it is started anew.
+function attempt(does: () => void): void {
+  try {
+    does()
+  } catch (error) {
+    engine = loop = null
+    send({ live: 'failed', message: said(error) })
+  }
+}
+
+function send(answer: LiveReply): void {
+  const transfer =
+    answer.live === 'picture' ? [answer.numbers.buffer] : answer.live === 'started' ? [answer.body.buffer] : []
+  postMessage(answer, { transfer })
+}
+
+async function move(command: LiveCommand): Promise<void> {
+  try {
+    engine ??= start()
+    const { live } = await engine
+    loop ??= new LiveLoop(live, {
+      send,
+      later(does) {
+        next = does
+        channel.port2.postMessage(null)
+      },
+      now: () => performance.now(),
+    })
+  } catch (error) {
+    engine = null
+    return send({ live: 'failed', message: said(error) })
+  }
+  attempt(() => loop?.take(command))
+}
+
+function said(error: unknown): string {
+  return error instanceof Error ? error.message : String(error)
+}
+
+addEventListener('message', ({ data }: MessageEvent<string | EngineRequest | LiveCommand>) => {
   if (typeof data === 'string') {
     address = data
     engine = start()
     engine.catch(() => {}) // said with the first reply
     return
   }
+  if ('live' in data) return void move(data)
   void reply(data).then((said) => postMessage(said, { transfer: 'body' in said ? [said.body.buffer] : [] }))
 })

@@ -3,21 +3,12 @@ import { rings as askForRings } from '../api/calls'
 import type { LeafletPoint, Rings, Scene, Step } from '../api/types'
 import { button, h, select } from '../dom'
 import { iconButton } from '../icons'
-import type { Pick, PickKind } from '../viewer/pick'
 import { problemsOf, type Workspace } from '../workspace'
 import { stepForm, type StepContext } from './forms'
+import type { AskForPick } from './picking'
 import { describe, FREE_EDGE, newApproximation, newNeochorda, SIDES, type Anatomy } from './steps'
 import parts from '../style/parts.module.css'
 import repairStyle from './repair.module.css'
-
-/// A click on the valve that is waited for, or a choice from a list instead. Nothing is applied before one is made.
-export interface PickRequest {
-  hint: string // what to click
-  kinds: PickKind[]
-  use(pick: Pick): void
-  list?: { label: string; options: (readonly [value: string, label: string])[]; use(value: string): void }
-}
-export type AskForPick = (request: PickRequest) => void
 
 export class PlanEditor {
   readonly element = h('section', { class: parts.panel, 'aria-label': 'The plan' })

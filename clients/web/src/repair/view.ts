@@ -1,6 +1,6 @@
 // A repair by hand: the valve before and after, side by side, and what it would measure.
-import type { Plan, Step } from '../api/types'
-import { button, h, select } from '../dom'
+import type { Step } from '../api/types'
+import { h } from '../dom'
 import { closureSaver, type FileSaver } from '../files'
 import type { Figure } from '../picture/figure'
 import { figureLines, pictureSaver } from '../picture/saver'
@@ -17,7 +17,8 @@ import { Viewer } from '../viewer/viewer'
 import { problemsOf, type Workspace } from '../workspace'
 import { handlesOf } from './handles'
 import { KeptPlans } from './kept_plans'
-import { PlanEditor, type PickRequest } from './plan_editor'
+import { Picking } from './picking'
+import { PlanEditor } from './plan_editor'
 import parts from '../style/parts.module.css'
 import repairStyle from './repair.module.css'
 import valveStyle from '../valve/valve.module.css'
@@ -39,9 +40,11 @@ export class RepairView implements View {
   private readonly measures = h('section', { class: parts.panel, 'aria-label': 'Measured' })
   private readonly problems = h('div', {})
   private readonly said = h('p', { class: repairStyle.answer, 'data-part': 'answer', 'aria-live': 'polite' })
-  private readonly picking = h('div', { class: repairStyle.picking, 'data-part': 'picking', hidden: true })
+  /// Chordae of the plan itself are none that it may change.
+  private readonly picking = new Picking((kinds) =>
+    kinds.includes('chorda') ? [this.before] : [this.before, this.after],
+  )
   private readonly save: FileSaver
-  private pickedFor: Plan | null = null
   private ringed = false // the valve on the right has a ring
   private readonly afterTitle = h('figcaption', {})
   private readonly accept = labelledButton('keep', 'Keep', 'Keep this repair', () => void this.keep(), {
@@ -50,7 +53,7 @@ export class RepairView implements View {
 
   constructor(private readonly workspace: Workspace) {
     this.save = closureSaver(workspace, true, this.problems)
-    this.editor = new PlanEditor(workspace, (request) => this.pick(request))
+    this.editor = new PlanEditor(workspace, (request) => this.picking.ask(request, workspace.plan))
     this.kept = new KeptPlans(workspace)
     this.before.stage.pair(this.after.stage)
     this.before.inset = this.insets.before
@@ -73,7 +76,7 @@ export class RepairView implements View {
           pictureSaver((width_px) => this.figure(width_px), this.problems),
         ),
         h('div', { class: repairStyle.outcome }, this.headline, this.said),
-        this.picking,
+        this.picking.element,
         this.problems,
         h(
           'div',
@@ -85,7 +88,7 @@ export class RepairView implements View {
       ),
       h('div', { class: parts.side }, this.editor.element, this.measures, this.kept.element, this.looks.element),
     )
-    this.element.addEventListener('keydown', (event) => event.key === 'Escape' && this.endPicking())
+    this.element.addEventListener('keydown', (event) => event.key === 'Escape' && this.picking.end())
     workspace.subscribe(() => this.take())
   }
 
@@ -93,39 +96,13 @@ export class RepairView implements View {
     this.take()
   }
   hide(): void {
-    this.endPicking()
-  }
-
-  /// Chordae of the plan itself are none that it may change.
-  private pick({ hint, kinds, use, list }: PickRequest): void {
-    const end = <T>(then: (value: T) => void): ((value: T) => void) => {
-      return (value) => {
-        this.endPicking()
-        then(value)
-      }
-    }
-    this.picking.replaceChildren(h('span', { role: 'status' }, hint))
-    if (list) {
-      const choice = select([['', list.label], ...list.options], '', end(list.use))
-      choice.setAttribute('aria-label', list.label)
-      this.picking.append(choice)
-    }
-    this.picking.append(button('Cancel', () => this.endPicking()))
-    this.picking.hidden = false
-    this.pickedFor = this.workspace.plan
-    for (const viewer of kinds.includes('chorda') ? [this.before] : [this.before, this.after])
-      Object.assign(viewer, { picks: kinds, onPick: end(use) })
-  }
-
-  private endPicking(): void {
-    this.picking.hidden = true
-    for (const viewer of [this.before, this.after]) Object.assign(viewer, { picks: [], onPick: null })
+    this.picking.end()
   }
 
   private take(): void {
     const { before, problems, plan, answer_ms, isAnswered } = this.workspace
     if (!before || !this.element.isConnected) return
-    if (plan !== this.pickedFor) this.endPicking()
+    this.picking.follow(plan)
     this.element.setAttribute('aria-busy', String(!isAnswered))
     const after = this.workspace.after ?? before
     const isClosed = this.workspace.after !== null

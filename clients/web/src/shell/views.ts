@@ -2,6 +2,7 @@
 export const VIEWS = [
   ['valve', 'Valve'],
   ['repair', 'Repair'],
+  ['live', 'Live'],
   ['search', 'Search'],
   ['studies', 'Studies'],
 ] as const

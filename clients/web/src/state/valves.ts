@@ -52,6 +52,12 @@ export async function removeValve(id: string): Promise<void> {
   tellTabs('valves')
 }
 
+/// Its document, as the text that it is.
+export async function valveText(reference: string): Promise<string> {
+  const folder = isId(reference) ? 'valves' : 'presets'
+  return (await request('GET', `/v1/${folder}/${encodeURIComponent(reference)}`)).text()
+}
+
 /// Else it is a preset's name.
 function isId(reference: string): boolean {
   return /^[0-9a-f-]{16,}$/.test(reference)

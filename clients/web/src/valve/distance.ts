@@ -2,10 +2,20 @@
 import { h } from '../dom'
 import { withUnit } from '../format'
 import { iconButton } from '../icons'
+import type { Vector } from '../api/types'
 import { blend, distance } from '../viewer/geometry'
-import type { Pick } from '../viewer/pick'
-import type { Viewer } from '../viewer/viewer'
+import type { Label } from '../viewer/labels'
+import type { Pick, PickKind } from '../viewer/pick'
 import parts from '../style/parts.module.css'
+
+/// Of a viewer, what is used here.
+export interface Measured {
+  picks: PickKind[]
+  onPick: ((pick: Pick) => void) | null
+  extra: Label[]
+  draw(points: number[]): void
+  placeOf?(pick: Pick): Vector // of a valve that moves
+}
 
 export class DistanceTool {
   readonly element: HTMLElement
@@ -13,8 +23,9 @@ export class DistanceTool {
   private readonly toggle: HTMLButtonElement
   private readonly said = h('output', { class: parts.hint })
   private first: Pick | null = null
+  private ends: [Pick, Pick] | null = null
 
-  constructor(private readonly viewer: Viewer) {
+  constructor(private readonly viewer: Measured) {
     this.toggle = iconButton('distance', 'Measure a distance', () => this.switch(), { 'aria-pressed': 'false' })
     this.element = h('div', { class: parts.row }, this.toggle, this.said)
   }
@@ -29,7 +40,7 @@ export class DistanceTool {
 
   /// Of another state of the valve nothing is measured.
   clear(): void {
-    this.first = null
+    this.first = this.ends = null
     this.said.textContent = this.viewer.onPick ? 'Click two points on leaflets, annulus or papillary tips.' : ''
     this.viewer.extra = []
     this.viewer.draw([])
@@ -43,12 +54,19 @@ export class DistanceTool {
       this.said.textContent = 'Now click the second point.'
       return
     }
-    const [a, b] = [this.first.point_mm, pick.point_mm]
+    this.ends = [this.first, pick]
+    this.first = null
+    this.update()
+  }
+
+  /// Between the two points as they are now.
+  update(): void {
+    if (!this.ends) return
+    const [a, b] = this.ends.map((pick) => this.viewer.placeOf?.(pick) ?? pick.point_mm) as [Vector, Vector]
     const text = withUnit(distance(a, b), 'mm')
     this.viewer.draw([...a, ...b])
     this.viewer.extra = [{ point_mm: blend(a, b, 0.5), text, kind: 'distance' }]
     this.said.textContent = `${text} in a straight line. Click again to start over.`
-    this.first = null
     this.onResult()
   }
 }

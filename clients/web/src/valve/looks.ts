@@ -19,6 +19,16 @@ const VIEWS: readonly (readonly [ViewName, short: string, label: string])[] = [
   ['ventricular', 'Ventricle', 'From the ventricle'],
 ]
 
+export function viewButtons(onView: (view: ViewName) => void): HTMLElement {
+  return h(
+    'div',
+    { class: valveStyle.views, role: 'group', 'aria-label': 'Direction of view' },
+    ...VIEWS.map(([name, short, label]) =>
+      labelledButton(name, short, label, () => onView(name), { class: parts.quiet }),
+    ),
+  )
+}
+
 export class Looks {
   readonly element: HTMLElement
   readonly views: HTMLElement
@@ -54,13 +64,7 @@ export class Looks {
     )
     this.range.onChange = () => this.onChange()
     if (this.motion) this.motion.onChange = () => this.onChange()
-    this.views = h('div', {
-      class: valveStyle.views,
-      role: 'group',
-      'aria-label': 'Direction of view',
-    })
-    for (const [name, short, label] of VIEWS)
-      this.views.append(labelledButton(name, short, label, () => this.onView(name), { class: parts.quiet }))
+    this.views = viewButtons((view) => this.onView(view))
   }
 
   /// For these scenes, which share one scale of colours.

@@ -1,5 +1,5 @@
 // What colours mean. Scales are readable to colour-blind people and in both themes.
-import type { Scene, Segment } from '../api/types'
+import type { Scene, Segment, ValveShape } from '../api/types'
 import { at, dot, minus, vertexCount } from './geometry'
 
 export type Rgb = [number, number, number] // 0 to 1, sRGB
@@ -37,7 +37,7 @@ const SEGMENTS: Record<Segment, Rgb> = {
   PC: rgb(TINTS.commissure),
 }
 const TISSUE: Rgb = rgb('#cdb7b0')
-const RISING = ['#2c1160', '#711f81', '#b63679', '#ee605e', '#fdae78', '#fcfdbf'].map(rgb) // after matplotlib's magma
+export const RISING = ['#2c1160', '#711f81', '#b63679', '#ee605e', '#fdae78', '#fcfdbf'].map(rgb) // after matplotlib's magma
 const BALANCED = ['#2166ac', '#92c5de', '#f0eee8', '#f4a582', '#b2182b'].map(rgb) // after ColorBrewer's RdBu
 
 export interface Scale {
@@ -117,13 +117,13 @@ export function scaleOf(mode: ColourMode, scenes: Scene[]): Scale | null {
   }
 }
 
-function heights({ plane, rest_mm }: Scene, nodes: ArrayLike<number>): number[] {
+export function heights({ plane, rest_mm }: ValveShape, nodes: ArrayLike<number>): number[] {
   return Array.from({ length: rest_mm.length / 3 }, (_, i) => dot(minus(at(nodes, i), plane.origin_mm), plane.normal))
 }
 
 /// One colour for each corner of each face; `nodes` is the state that is drawn.
 export function cornerColours(
-  scene: Scene,
+  scene: ValveShape,
   mode: ColourMode,
   scale: Scale | null,
   nodes: ArrayLike<number>,
@@ -140,7 +140,7 @@ export function cornerColours(
 }
 
 /// What a mode shows at each vertex, in the unit of its scale: strain is the mean over the faces around it. Null: nothing.
-export function vertexValues(scene: Scene, mode: ColourMode, nodes: ArrayLike<number>): number[] | null {
+export function vertexValues(scene: ValveShape, mode: ColourMode, nodes: ArrayLike<number>): number[] | null {
   if (mode === 'height') return heights(scene, nodes)
   if (mode !== 'strain_radial' && mode !== 'strain_circumferential') return null
   const strain = scene.strain?.[mode === 'strain_radial' ? 'radial' : 'circumferential']

@@ -1,6 +1,6 @@
 // Geometry of a scene, without drawing. Points are flat arrays in millimetres. A state of the valve is its nodes in the
 // order of Scene.motion_mm: vertices, branch points of chordae, heads.
-import type { Leaflet, LeafletPoint, OpeningScene, Scene, Vector } from '../api/types'
+import type { Leaflet, LeafletPoint, OpeningScene, ValveShape, Vector } from '../api/types'
 
 export function at(points: ArrayLike<number>, i: number): Vector {
   return [points[3 * i] ?? NaN, points[3 * i + 1] ?? NaN, points[3 * i + 2] ?? NaN]
@@ -21,12 +21,12 @@ export function blend(a: Vector, b: Vector, share: number): Vector {
   return [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])]
 }
 
-export function vertexCount(scene: Scene): number {
+export function vertexCount(scene: ValveShape): number {
   return scene.rest_mm.length / 3
 }
 
 /// The closed state; the open one if the closure flew apart.
-export function closedNodes(scene: Scene): Float32Array {
+export function closedNodes(scene: ValveShape): Float32Array {
   const nodes = [...(scene.closed_mm ?? scene.rest_mm)]
   for (const chorda of scene.chordae)
     for (const segment of chorda.segments) if (segment.face === undefined) nodes.push(...segment.end_mm)
@@ -35,7 +35,7 @@ export function closedNodes(scene: Scene): Float32Array {
 }
 
 /// The state at `share` of a beat: -1 open in diastole, 0 unstressed, 1 closed; the closed one if there is no motion.
-export function nodesAt(scene: Scene, share: number, opening: OpeningScene | null = null): Float32Array {
+export function nodesAt(scene: ValveShape, share: number, opening: OpeningScene | null = null): Float32Array {
   if (share < 0 && opening && opening.motion_mm.length > 1) return stateAt(opening.motion_mm, -share)
   return scene.motion_mm.length < 2 ? closedNodes(scene) : stateAt(scene.motion_mm, share)
 }
@@ -50,7 +50,7 @@ function stateAt(states: number[][], share: number): Float32Array {
 }
 
 /// Six numbers a chorda segment, its two ends, in the order of chordae and segments.
-export function chordaLines(scene: Scene, nodes: ArrayLike<number>): number[] {
+export function chordaLines(scene: ValveShape, nodes: ArrayLike<number>): number[] {
   const lines: number[] = []
   let branch = vertexCount(scene)
   let heads = branch
@@ -71,7 +71,7 @@ export function chordaLines(scene: Scene, nodes: ArrayLike<number>): number[] {
 }
 
 /// Six numbers a tie of an edge-to-edge repair, its two ends.
-export function tieLines(scene: Scene, nodes: ArrayLike<number>): number[] {
+export function tieLines(scene: ValveShape, nodes: ArrayLike<number>): number[] {
   return scene.ties.flatMap(({ anterior, posterior }) => [
     ...onFace(scene, nodes, anterior.face, anterior.weights),
     ...onFace(scene, nodes, posterior.face, posterior.weights),
@@ -79,14 +79,14 @@ export function tieLines(scene: Scene, nodes: ArrayLike<number>): number[] {
 }
 
 /// Six numbers a piece of a resection's seam.
-export function seamLines(scene: Scene, nodes: ArrayLike<number>): number[] {
+export function seamLines(scene: ValveShape, nodes: ArrayLike<number>): number[] {
   return scene.seams.flatMap((seam) => {
     const points = seam.map(({ face, weights }) => onFace(scene, nodes, face, weights))
     return points.slice(1).flatMap((point, i) => [...(points[i] as Vector), ...point])
   })
 }
 
-export function onFace(scene: Scene, nodes: ArrayLike<number>, face: number, weights: Vector): Vector {
+export function onFace(scene: ValveShape, nodes: ArrayLike<number>, face: number, weights: Vector): Vector {
   const point: Vector = [0, 0, 0]
   for (let k = 0; k < 3; ++k) {
     const corner = at(nodes, scene.faces[3 * face + k] as number)
@@ -115,7 +115,7 @@ export interface SectionPiece {
 }
 
 /// Where a plane cuts the leaflets. A vertex on the plane counts as being in front of it.
-export function section(scene: Scene, nodes: ArrayLike<number>, point: Vector, normal: Vector): SectionPiece[] {
+export function section(scene: ValveShape, nodes: ArrayLike<number>, point: Vector, normal: Vector): SectionPiece[] {
   const pieces: SectionPiece[] = []
   for (let face = 0; 3 * face < scene.faces.length; ++face) {
     const corners = [0, 1, 2].map((k) => at(nodes, scene.faces[3 * face + k] as number)) as [Vector, Vector, Vector]
@@ -137,7 +137,7 @@ export function leafletPlace(around: number): { leaflet: Leaflet; along: number 
   return turn < 0.5 ? { leaflet: 'anterior', along: 1 - 2 * turn } : { leaflet: 'posterior', along: 2 * turn - 1 }
 }
 
-export function leafletPointAt(scene: Scene, face: number, weights: Vector): LeafletPoint {
+export function leafletPointAt(scene: ValveShape, face: number, weights: Vector): LeafletPoint {
   const { around, height } = scene.leaflet_coordinates
   const corners = [0, 1, 2].map((k) => scene.faces[3 * face + k] as number)
   const first = around[corners[0] as number] as number
@@ -152,7 +152,7 @@ export function leafletPointAt(scene: Scene, face: number, weights: Vector): Lea
 }
 
 /// The point of the annulus under pressure at `around`.
-export function annulusPoint(scene: Scene, around: number): Vector {
+export function annulusPoint(scene: ValveShape, around: number): Vector {
   const count = scene.annulus.length
   for (let i = 0; i < count; ++i) {
     const from = scene.leaflet_coordinates.around[scene.annulus[i] as number] as number
@@ -165,7 +165,7 @@ export function annulusPoint(scene: Scene, around: number): Vector {
 }
 
 /// Mean position under pressure of the heads of a side.
-export function papillaryTip(scene: Scene, side: string): Vector {
+export function papillaryTip(scene: ValveShape, side: string): Vector {
   const heads = scene.heads.filter((head) => head.side === side)
   const sum: Vector = [0, 0, 0]
   for (const head of heads) for (let k = 0; k < 3; ++k) (sum[k] as number) += (head.tip_mm[k] as number) / heads.length

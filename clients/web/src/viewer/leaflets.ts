@@ -1,6 +1,6 @@
 // The leaflets as a lit, thick surface: corners are not shared between faces, so that each segment has its own colour.
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial, type Plane } from 'three'
-import type { Scene } from '../api/types'
+import type { ValveShape } from '../api/types'
 import { toLinear } from './colours'
 import { boundaryEdges, vertexCount } from './geometry'
 import { outwards, type ThickSheet, thickSheet, vertexNormals } from './thick_sheet'
@@ -14,7 +14,7 @@ export class Leaflets {
 
   /// `material`: leafletMaterial(), the same for all closures of a view.
   constructor(
-    private readonly scene: Scene,
+    private readonly scene: ValveShape,
     material: MeshLambertMaterial,
   ) {
     this.sheet = thickSheet(scene)

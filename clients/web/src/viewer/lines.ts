@@ -1,5 +1,5 @@
 // Lines of a width in pixels or millimetres: chordae, sutures, the cut, outlines.
-import type { Plane } from 'three'
+import type { InterleavedBufferAttribute, Plane } from 'three'
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js'
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js'
@@ -44,11 +44,21 @@ export class Lines {
     if (points.length !== this.count) {
       this.object.geometry.dispose()
       this.object.geometry = new LineSegmentsGeometry()
+      this.object.geometry.setPositions(points)
+      if (colours) this.object.geometry.setColors(colours.map(toLinear))
       this.count = points.length
+    } else {
+      this.refill('instanceStart', points)
+      if (colours) this.refill('instanceColorStart', colours.map(toLinear))
     }
-    this.object.geometry.setPositions(points)
-    if (colours) this.object.geometry.setColors(colours.map(toLinear))
     if (this.material.dashed) this.object.computeLineDistances()
+  }
+
+  /// In place: what moves does not get new buffers for each picture.
+  private refill(name: string, numbers: number[]): void {
+    const { data } = this.object.geometry.getAttribute(name) as InterleavedBufferAttribute
+    data.set(numbers)
+    data.needsUpdate = true
   }
 
   set width(width: number) {

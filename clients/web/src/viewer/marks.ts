@@ -1,5 +1,5 @@
 // What is named on a valve: landmarks of the annulus, segments of the leaflets, tips.
-import type { Scene, Segment, Vector } from '../api/types'
+import type { Segment, ValveShape, Vector } from '../api/types'
 import { at, blend, distance, onFace, plus, times, vertexCount } from './geometry'
 import type { Label } from './labels'
 
@@ -15,7 +15,7 @@ const BELLY = { from: 0.1, to: 0.6 } // of the way from annulus to free edge
 const OUTSIDE = 1.14 // of the way from the middle of the annulus: beside it
 
 /// Landmarks, segments (at their middle face) and heads of the papillary muscles.
-export function namesOf(scene: Scene, nodes: ArrayLike<number>): Label[] {
+export function namesOf(scene: ValveShape, nodes: ArrayLike<number>): Label[] {
   const labels: Label[] = []
   for (const [name, vertex] of Object.entries(scene.landmarks)) {
     const place = at(nodes, vertex)
@@ -35,7 +35,7 @@ export function namesOf(scene: Scene, nodes: ArrayLike<number>): Label[] {
 }
 
 /// The middle face of a segment's belly: a point of tissue, which the other leaflet seldom hides.
-function segmentMiddles(scene: Scene, nodes: ArrayLike<number>): Map<Segment, Vector> {
+function segmentMiddles(scene: ValveShape, nodes: ArrayLike<number>): Map<Segment, Vector> {
   const bellies = new Map<Segment, Vector[]>()
   const alls = new Map<Segment, Vector[]>()
   scene.segments.forEach((segment, face) => {
@@ -65,7 +65,7 @@ function nearestTo(place: Vector, points: Vector[]): Vector {
 }
 
 /// Leaflets and papillary tips, unloaded.
-export function wholeValve(scene: Scene): Vector[] {
+export function wholeValve(scene: ValveShape): Vector[] {
   return [
     ...Array.from({ length: vertexCount(scene) }, (_, i) => at(scene.rest_mm, i)),
     ...scene.heads.map((head) => head.tip_mm),
@@ -73,7 +73,7 @@ export function wholeValve(scene: Scene): Vector[] {
 }
 
 /// The annulus and the names of its landmarks around it.
-export function namedAnnulus(scene: Scene): Vector[] {
+export function namedAnnulus(scene: ValveShape): Vector[] {
   const points = Array.from({ length: scene.annulus_mm.length / 3 }, (_, i) => at(scene.annulus_mm, i))
   return [...points, ...points.map((point) => blend(scene.plane.origin_mm, point, OUTSIDE))]
 }

@@ -1,6 +1,6 @@
 // What lies under the pointer, in terms of a repair plan.
 import { Raycaster, Triangle, Vector3, type Intersection, type Material } from 'three'
-import type { LeafletPoint, Scene, Vector } from '../api/types'
+import type { LeafletPoint, ValveShape, Vector } from '../api/types'
 import { annulusPoint, at, chordaLines, leafletPointAt } from './geometry'
 import type { Leaflets } from './leaflets'
 import type { Stage } from './stage'
@@ -19,7 +19,7 @@ const REACH_PX = 14 // of points and lines
 export function pickAt(
   event: MouseEvent,
   stage: Stage,
-  scene: Scene,
+  scene: ValveShape,
   nodes: Float32Array,
   leaflets: Leaflets,
   kinds: PickKind[],
@@ -68,7 +68,7 @@ export function pickAt(
 }
 
 /// The place of the annulus, 0 to 1, that is seen nearest to the pointer.
-export function nearestAround(event: MouseEvent, stage: Stage, scene: Scene): number {
+export function nearestAround(event: MouseEvent, stage: Stage, scene: ValveShape): number {
   const box = stage.canvas.getBoundingClientRect()
   const away = (around: number): number => {
     const { x, y } = stage.place(annulusPoint(scene, around))
@@ -113,7 +113,7 @@ function nearest<T>(candidates: T[], away: (candidate: T) => number): T | null {
 }
 
 /// Points along all chordae.
-function chordaPoints(scene: Scene, nodes: Float32Array): { id: string; point: Vector }[] {
+function chordaPoints(scene: ValveShape, nodes: Float32Array): { id: string; point: Vector }[] {
   const lines = chordaLines(scene, nodes)
   const points: { id: string; point: Vector }[] = []
   let i = 0

@@ -1,6 +1,6 @@
 // A ring that is sutured to the annulus: a tube on its atrial side.
 import { CatmullRomCurve3, Mesh, MeshLambertMaterial, type Plane, TubeGeometry, Vector3 } from 'three'
-import type { Scene } from '../api/types'
+import type { ValveShape } from '../api/types'
 import { at, plus, times } from './geometry'
 
 const RADIUS_MM = 1.1
@@ -10,7 +10,7 @@ const PIECES = 4 // between two vertices of the annulus
 export class Ring {
   readonly mesh = new Mesh(undefined, new MeshLambertMaterial({ color: '#e4e7ec' }))
 
-  set(scene: Scene | null): void {
+  set(scene: ValveShape | null): void {
     this.mesh.visible = scene !== null
     if (!scene) return
     this.mesh.geometry.dispose()

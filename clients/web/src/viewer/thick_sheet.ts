@@ -1,6 +1,6 @@
 // The leaflets with their thickness: the mid-surface moved by half of it to either side along its normals, and round
 // edges along annulus and free edge, which reach out as far as the service's orifice counts tissue. Without drawing.
-import type { Scene, Vector } from '../api/types'
+import type { ValveShape, Vector } from '../api/types'
 import { at, blend, boundaryEdges, cross, length, minus, plus, times, unit } from './geometry'
 
 const EDGE_DEG = [90, 45, 0, -45, -90] // of a round edge, from its atrial side to its ventricular one
@@ -11,7 +11,7 @@ export interface ThickSheet {
   outs: Float32Array // and how far out over the edge
 }
 
-export function thickSheet(scene: Scene): ThickSheet {
+export function thickSheet(scene: ValveShape): ThickSheet {
   const source: number[] = []
   const ups: number[] = []
   const outs: number[] = []

@@ -1,6 +1,6 @@
 // The page without a service, from a plain web server in a folder of it; then without any server.
 import assert from 'node:assert/strict'
-import { execFileSync, spawn } from 'node:child_process'
+import { execFileSync } from 'node:child_process'
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -8,32 +8,10 @@ import { after, before, test } from 'node:test'
 import { gzipSync } from 'node:zlib'
 import { hash, module } from '../../../../tests/engine/module.mjs'
 import { accessProblems, openView, ROOT, startBrowser } from '../page/page.mjs'
+import { startFiles } from './files.mjs'
 
 const COAPT = process.env.COAPT_PROGRAM ?? join(ROOT, 'build/release/bin/coapt')
 const MOST_BYTES = 1_200_000 // compressed, without the presets
-
-/// http://127.0.0.1:PORT of `python3 -m http.server`, which serves `folder`.
-async function startFiles(folder) {
-  const child = spawn('python3', ['-u', '-m', 'http.server', '0', '--bind', '127.0.0.1', '--directory', folder], {
-    stdio: ['ignore', 'pipe', 'ignore'],
-  })
-  const port = await new Promise((resolve, reject) => {
-    child.once('exit', () => reject(new Error('the web server ended')))
-    let said = ''
-    child.stdout.on('data', (part) => {
-      said += part
-      const found = /port (\d+) /.exec(said) // whole: it may come in pieces
-      if (found) resolve(found[1])
-    })
-  })
-  const stop = () =>
-    new Promise((resolve) => {
-      if (child.exitCode !== null || child.signalCode !== null) return resolve()
-      child.once('exit', resolve)
-      child.kill('SIGTERM')
-    })
-  return { url: `http://127.0.0.1:${port}`, stop }
-}
 
 let files, browser, page, complaints, folder
 before(async () => {

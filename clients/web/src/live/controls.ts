@@ -1,0 +1,177 @@
+// The controls beside a valve that is pulled: pressure, hooks, what is shown.
+import { button, field, h, select } from '../dom'
+import { number, withUnit } from '../format'
+import { HOOKS, type Picture } from '../engine/picture'
+import { dot, minus } from '../viewer/geometry'
+import type { LiveCanvas } from './canvas'
+import type { LiveValve } from './client'
+import type { LiveLook } from './drawing'
+import parts from '../style/parts.module.css'
+import liveStyle from './live.module.css'
+
+const SEGMENTS = ['A1', 'A2', 'A3', 'P1', 'P2', 'P3', 'AC', 'PC'].map((name) => [name, name] as const)
+
+/// A slider from flaccid to systole.
+export class Pressure {
+  readonly element: HTMLElement
+  private systole_mmhg = 120
+  private readonly text = h('output', {})
+  private readonly slider = h('input', {
+    type: 'range',
+    min: 0,
+    max: 120,
+    step: 1,
+    value: 120,
+    'aria-label': 'Pressure, mmHg',
+    oninput: () => this.set(Number(this.slider.value)),
+  })
+
+  constructor(private readonly apply: (mmhg: number) => void) {
+    this.element = h(
+      'div',
+      {},
+      field('Pressure', this.slider),
+      h(
+        'p',
+        { class: parts.row },
+        button('Flaccid', () => this.set(0), { title: 'No pressure: the valve hangs open' }),
+        button('Systole', () => this.set(this.systole_mmhg), { title: 'The pressure that closes it' }),
+        this.text,
+      ),
+    )
+  }
+
+  begin({ systole_mmhg }: LiveValve): void {
+    this.systole_mmhg = Math.round(systole_mmhg)
+    this.slider.max = String(this.systole_mmhg)
+    this.tell(this.systole_mmhg)
+  }
+
+  set(mmhg: number): void {
+    this.apply(mmhg)
+    this.tell(mmhg)
+  }
+
+  private tell(mmhg: number): void {
+    this.slider.value = String(mmhg)
+    this.text.textContent = withUnit(mmhg, 'mmHg', 0)
+  }
+}
+
+/// What each hook pulls with, and how high its spot is above the annular plane.
+export class HookPanel {
+  readonly element: HTMLElement
+  private readonly cells = Array.from({ length: HOOKS }, () => ({ force: h('td', {}), height: h('td', {}) }))
+
+  constructor(canvas: LiveCanvas) {
+    const pins = h('input', { type: 'checkbox', onchange: () => (canvas.hooks.pins = pins.checked) })
+    let segment = 'P2'
+    const segments = select(SEGMENTS, segment, (name) => (segment = name))
+    const rows = this.cells.map(({ force, height }, hook) =>
+      h(
+        'tr',
+        {},
+        h('th', { scope: 'row' }, `Hook ${hook + 1}`),
+        force,
+        height,
+        h(
+          'td',
+          {},
+          button('Let go', () => canvas.hooks.release(hook), { 'aria-label': `Let go of hook ${hook + 1}` }),
+        ),
+      ),
+    )
+    this.element = h(
+      'div',
+      {},
+      h(
+        'table',
+        { class: liveStyle.force, 'data-part': 'forces' },
+        h(
+          'tr',
+          {},
+          h('td', {}),
+          h('th', { scope: 'col' }, 'Force'),
+          h('th', { scope: 'col', title: 'of the tissue that it holds, above the annular plane' }, 'Height'),
+          h('td', {}),
+        ),
+        ...rows,
+      ),
+      h('label', { class: parts.check }, pins, 'Pin hooks where they are let go'),
+      h(
+        'p',
+        { class: parts.row },
+        field('Free edge of', segments),
+        button('Grab', () => canvas.grabEdge(segment), {
+          title: 'A hook at the middle of this segment, for arrow keys',
+        }),
+      ),
+      h(
+        'details',
+        { class: parts.more },
+        h('summary', {}, 'How to pull'),
+        h(
+          'ul',
+          { class: parts.hint },
+          h('li', {}, 'Press a leaflet or a chorda and drag; the wheel moves the hook along the view.'),
+          h(
+            'li',
+            {},
+            'Two hooks: two fingers, or pin the first (P while dragging, Shift when letting go) and press again.',
+          ),
+          h(
+            'li',
+            {},
+            'Keys: Enter grabs the middle of the picture, arrows and Page Up or Down move the hook, Escape lets go.',
+          ),
+          h('li', {}, 'The arrow is the force on the tissue, six millimetres a newton.'),
+          h(
+            'li',
+            {},
+            'Let go under pressure, the valve beats once: it opens and closes again, as no hook had been there.',
+          ),
+        ),
+      ),
+    )
+  }
+
+  tell({ hooks }: Picture, { scene: { plane } }: LiveValve): void {
+    for (const [hook, { force, height }] of this.cells.entries()) {
+      const state = hooks[hook]
+      force.textContent = state ? withUnit(state.force_n, 'N', 2) : '–'
+      height.textContent = state ? `${number(dot(minus(state.spot_mm, plane.origin_mm), plane.normal))} mm` : '–'
+    }
+  }
+}
+
+/// What is drawn; `onChange` after each change.
+export function lookControls(look: LiveLook, onChange: () => void): HTMLElement {
+  const box = (label: string, key: 'strain' | 'prolapse' | 'plane'): HTMLElement => {
+    const input = h('input', {
+      type: 'checkbox',
+      checked: look[key],
+      onchange: () => {
+        look[key] = input.checked
+        onChange()
+      },
+    })
+    return h('label', { class: parts.check }, input, label)
+  }
+  const cutting = h('input', { type: 'checkbox', onchange: () => cut() })
+  const place = h('input', { type: 'range', min: -1, max: 1, step: 0.05, value: 0, oninput: () => cut(true) })
+  const cut = (isMoved = false): void => {
+    cutting.checked ||= isMoved
+    look.cut = cutting.checked ? Number(place.value) : null
+    onChange()
+  }
+  return h(
+    'fieldset',
+    { class: parts.panel, 'data-part': 'looks' },
+    h('legend', {}, 'Show'),
+    box('Strain of chordae in colour', 'strain'),
+    box('Tissue above the annular plane', 'prolapse'),
+    box('Annular plane', 'plane'),
+    h('label', { class: parts.check }, cutting, 'Cut'),
+    field('Position of the cut', place),
+  )
+}

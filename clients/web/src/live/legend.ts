@@ -1,0 +1,23 @@
+// What the colours of a valve that moves mean.
+import { h } from '../dom'
+import { TINTS } from '../viewer/colours'
+import { legend } from '../viewer/legend'
+import type { LiveLook } from './drawing'
+import { ABOVE, STRAIN } from './surface'
+import viewerStyle from '../viewer/viewer.module.css'
+
+export function liveLegend({ strain, prolapse }: LiveLook): HTMLElement {
+  const list = h('ul', { class: viewerStyle.legend })
+  for (const [colour, words] of [
+    [TINTS.anterior, 'anterior leaflet'],
+    [TINTS.posterior, 'posterior leaflet'],
+    [TINTS.commissure, 'commissures'],
+    ...(prolapse ? [[ABOVE, 'above the annular plane'] as const] : []),
+    [TINTS.added, 'suture or neochorda'],
+  ] as const) {
+    const swatch = h('span', { class: viewerStyle.swatch })
+    swatch.style.background = colour
+    list.append(h('li', {}, swatch, words))
+  }
+  return h('div', {}, list, strain && legend('tension', STRAIN))
+}

@@ -1,0 +1,187 @@
+// The valve under the hand: pulled, pressed, repaired while it moves.
+import type { Plan } from '../api/types'
+import { h } from '../dom'
+import { labelledButton } from '../icons'
+import type { Picture } from '../engine/picture'
+import { problemList } from '../problems'
+import { KeptPlans } from '../repair/kept_plans'
+import { Picking } from '../repair/picking'
+import { PlanEditor } from '../repair/plan_editor'
+import { valveText } from '../state/valves'
+import { DistanceTool } from '../valve/distance'
+import { headline } from '../valve/headline'
+import { viewButtons } from '../valve/looks'
+import type { View } from '../view'
+import { liveLegend } from './legend'
+import { problemsOf, type Workspace } from '../workspace'
+import { LiveCanvas } from './canvas'
+import type { LiveValve } from './client'
+import { HookPanel, lookControls, Pressure } from './controls'
+import { liveScripts, offer } from './scripting'
+import parts from '../style/parts.module.css'
+import viewerStyle from '../viewer/viewer.module.css'
+import liveStyle from './live.module.css'
+
+export class LiveView implements View {
+  readonly element: HTMLElement
+  private readonly canvas = new LiveCanvas({
+    label: 'The valve that moves: press it and drag; Enter grabs the middle, arrow keys turn it, plus and minus zoom',
+    view: 'atrial',
+    isFixed: false,
+    look: { strain: true, prolapse: true, plane: false, cut: null },
+  })
+  private readonly pressure = new Pressure((mmhg) => this.canvas.setPressure(mmhg))
+  private readonly hooks = new HookPanel(this.canvas)
+  private readonly distance = new DistanceTool(this.canvas)
+  private readonly picking = new Picking(() => [this.canvas])
+  private readonly editor: PlanEditor
+  private readonly kept: KeptPlans
+  private readonly accept = labelledButton('keep', 'Keep', 'Keep this repair', () => void this.keep(), {
+    class: parts.primary,
+  })
+  private readonly headline = h('div', {})
+  private readonly legend = h('div', {})
+  private readonly state = h('p', { class: liveStyle.state, role: 'status', 'data-part': 'live-state' })
+  private readonly told = h('div', {})
+  private valve: LiveValve | null = null
+  private text = '' // the document of the valve that moves
+  private shown: { reference: string; plan: Plan } | null = null // asked for last
+  private isAsking = false
+
+  constructor(private readonly workspace: Workspace) {
+    this.editor = new PlanEditor(workspace, (request) => this.picking.ask(request, workspace.plan))
+    this.kept = new KeptPlans(workspace)
+    this.canvas.onPicture = (picture) => this.tell(picture)
+    this.canvas.onFailure = (message) => this.refuse(new Error(message))
+    this.distance.onResult = () => this.canvas.label()
+    const { look } = this.canvas
+    const looked = (): void => {
+      this.legend.replaceChildren(liveLegend(look))
+      this.canvas.redraw()
+    }
+    looked()
+    this.element = h(
+      'div',
+      { class: parts.sides },
+      h(
+        'div',
+        { class: viewerStyle.stage },
+        h('h1', { class: parts.unseen }, 'Live'),
+        h(
+          'div',
+          { class: viewerStyle.tools },
+          viewButtons((view) => this.canvas.view(view)),
+          this.distance.element,
+          this.accept,
+        ),
+        this.headline,
+        this.state,
+        this.picking.element,
+        this.told,
+        h('div', { class: viewerStyle.stageBody }, this.canvas.element),
+        this.legend,
+      ),
+      h(
+        'div',
+        { class: parts.side },
+        h(
+          'section',
+          { class: parts.panel, 'aria-label': 'Press and pull' },
+          h('h2', {}, 'Press and pull'),
+          this.pressure.element,
+          this.hooks.element,
+        ),
+        lookControls(look, looked),
+        this.editor.element,
+        this.kept.element,
+      ),
+    )
+    this.element.addEventListener('keydown', (event) => event.key === 'Escape' && this.picking.end())
+    offer(liveScripts(this.canvas, (mmhg) => this.pressure.set(mmhg)))
+    workspace.subscribe(() => this.take())
+  }
+
+  show(): void {
+    this.canvas.show()
+    this.take()
+  }
+  hide(): void {
+    this.canvas.hide()
+    this.picking.end()
+  }
+
+  private take(): void {
+    const { before, after, plan, isAnswered } = this.workspace
+    if (!before || !this.element.isConnected) return
+    this.picking.follow(plan)
+    this.editor.update()
+    this.kept.update()
+    this.accept.disabled = after === null || !isAnswered
+    this.headline.replaceChildren(headline(before, after))
+    void this.follow()
+  }
+
+  /// The valve and the plan of the workspace; those that were only passed through meanwhile are left out.
+  private async follow(): Promise<void> {
+    if (this.isAsking) return
+    this.isAsking = true
+    while (this.isBehind()) await this.askPresent()
+    this.isAsking = false
+  }
+
+  private isBehind(): boolean {
+    const { valve, plan } = this.workspace
+    return valve !== null && (this.shown?.reference !== valve.reference || this.shown.plan !== plan)
+  }
+
+  private async askPresent(): Promise<void> {
+    const { valve, plan } = this.workspace
+    if (!valve) return
+    const isOther = this.shown?.reference !== valve.reference
+    this.shown = { reference: valve.reference, plan }
+    try {
+      if (isOther) this.text = await valveText(valve.reference)
+      this.valve = isOther ? await this.canvas.start(this.text, plan) : await this.canvas.change(this.text, plan)
+      if (isOther) this.pressure.begin(this.valve)
+      if (isOther) this.distance.clear()
+      this.told.replaceChildren()
+    } catch (error) {
+      this.refuse(error)
+    }
+  }
+
+  /// The valve before goes on; if there is none, with the next valve that is opened another attempt is made.
+  private refuse(error: unknown): void {
+    this.told.replaceChildren(problemList(problemsOf(error)))
+  }
+
+  private tell(picture: Picture): void {
+    if (this.valve) this.hooks.tell(picture, this.valve)
+    this.distance.update()
+    const words = stateWords(picture)
+    if (words !== this.state.textContent) this.state.textContent = words
+  }
+
+  private async keep(): Promise<void> {
+    try {
+      const { kept, isNew } = await this.workspace.keep(`plan ${this.workspace.kept.length + 1}`)
+      this.told.replaceChildren(
+        h(
+          'p',
+          { role: 'status' },
+          isNew ? `Kept as “${kept.name}”.` : `This repair is kept already, as “${kept.name}”.`,
+        ),
+      )
+    } catch (error) {
+      this.refuse(error)
+    }
+  }
+}
+
+export function stateWords({ beats, at_rest, hooks, pressure_mmhg }: Picture): string {
+  if (beats) return 'The valve beats: it opens to its unstressed shape and closes again.'
+  const held = hooks.filter((hook) => hook !== null).length
+  if (held > 0) return held === 1 ? 'Pulled by a hook.' : 'Pulled by two hooks.'
+  if (!at_rest) return 'Moving.'
+  return pressure_mmhg === 0 ? 'At rest, flaccid.' : `At rest under ${Math.round(pressure_mmhg)} mmHg.`
+}
