@@ -18,6 +18,7 @@ search/plans     : core search/ search/fit
 search/studies   : core search/ search/plans
 search/fit       : core search/
 search/preference : core search/ search/plans
+search/training  : core search/
 io/command_line  : core/valve
 io/json          : core search
 io/mesh          : core io/json

@@ -22,6 +22,7 @@ void add_open(Command parent, int& status);
 void add_plan(Command parent, int& status);
 void add_prefer(Command parent, int& status);
 void add_study(Command parent, int& status);
+void add_train(Command parent, int& status);
 /// Below study.
 void add_calibrate(Command parent, int& status);
 void add_anchor_question(Command parent, int& status);

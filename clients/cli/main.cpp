@@ -23,6 +23,7 @@ void add_commands(Command app, int& status) {
   add_plan(app, status);
   add_prefer(app, status);
   add_study(app, status);
+  add_train(app, status);
   add_moved(app, status);
 }
 

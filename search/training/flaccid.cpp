@@ -1,0 +1,33 @@
+#include "search/training/flaccid.h"
+
+#include "core/live/live_valve.h"
+
+namespace coapt {
+namespace {
+
+constexpr int kFlaccid_steps = 1800;
+constexpr int kArrival_steps = 90;  // annulus and tips, 0.1 mm a step
+constexpr int kPull_steps = 1800;
+
+}  // namespace
+
+Points flaccid_mm(const Valve& valve) {
+  LiveValve live(valve);
+  live.advance(kFlaccid_steps);
+  return live.vertices_mm();
+}
+
+SegmentHeights pulled_heights_mm(const Valve& valve, const FreeEdge& edge, double pull_n) {
+  SegmentHeights heights{};
+  for (std::size_t s = 0; s < kSegments; ++s) {
+    LiveValve live(valve);
+    live.advance(kArrival_steps);
+    live.grab(0, edge.middle_vertex[s]);
+    live.pull_with(0, Vec3(0.0, 0.0, pull_n));
+    live.advance(kPull_steps);
+    heights[s] = live.spot_mm(0).z();
+  }
+  return heights;
+}
+
+}  // namespace coapt

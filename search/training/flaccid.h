@@ -1,0 +1,26 @@
+// The valve without pressure: how it lies, and how far its free edge can be pulled towards the atrium.
+#pragma once
+
+#include <array>
+
+#include "search/training/free_edge.h"
+
+namespace coapt {
+
+/// The leaflets without pressure, annulus and tips where they are in systole, |V| x 3. After 1,800 steps of the moving valve
+/// (core/live): within 0.2 mm rms of where it would come to rest after 8,000 (presets), and two valves of one mesh are no more
+/// than 0.02 mm farther apart than there.
+Points flaccid_mm(const Valve& valve);
+
+/// By Segment.
+using SegmentHeights = std::array<double, kSegments>;
+
+/// Surgical force of a nerve hook on one segment.
+inline constexpr double kAnalysisPull_n = 0.2;
+
+/// Heights (z) that the middles of the free edges reach when each is pulled by itself towards the atrium, within 0.1 mm of where they
+/// come to rest; the difference of two valves of one mesh within 0.05 mm.
+SegmentHeights pulled_heights_mm(const Valve& valve, const FreeEdge& edge,
+                                 double pull_n = kAnalysisPull_n);
+
+}  // namespace coapt
