@@ -131,7 +131,7 @@ rivals:  ## coapt-rivals, the optimisers of pagmo and dlib that the search is me
 lab:  ## the laboratory: coapt-lab and its benchmarks
 	@cmake/install_packages.sh build lab
 	cmake --preset release -DCOAPT_LAB=ON
-	cmake --build --preset release --target coapt-lab closure_benchmark tolerances orifice_resolution
+	cmake --build --preset release --target coapt-lab closure_benchmark tolerances orifice_resolution random_hand
 
 lab-test: lab  ## build and run the laboratory's tests
 	@cmake/install_packages.sh test

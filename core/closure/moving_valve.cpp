@@ -69,19 +69,23 @@ void MovingValve<R>::place_fixed(double travelled) {
 }
 
 template <class R>
-double MovingValve<R>::approach_targets(double longest_mm) {
+double MovingValve<R>::way_to_targets_mm() const {
   double longest2 = 0.0;
+  for (const int i : layout_.laid.fixed)
+    longest2 = std::max(longest2, (model_.target_mm.row(i).transpose() - at(i)).squaredNorm());
+  return longest2 > kArrived_mm * kArrived_mm ? std::sqrt(longest2) : 0.0;
+}
+
+template <class R>
+double MovingValve<R>::approach_targets(double longest_mm) {
+  const double way_mm = way_to_targets_mm();
+  if (way_mm == 0.0) return 0.0;
+  const double share = std::min(1.0, longest_mm / way_mm);
   for (const int i : layout_.laid.fixed) {
-    const kernels::Quad<R>& q = x_[layout_.laid.node_of[i]];
-    const Vec3 at(q.at[0], q.at[1], q.at[2]);
-    const Vec3 way = model_.target_mm.row(i).transpose() - at;
-    const double length = way.norm();
-    if (length <= kArrived_mm) continue;
-    const double share = std::min(1.0, longest_mm / length);
-    place(i, at + share * way);
-    longest2 = std::max(longest2, share * share * length * length);
+    const Vec3 from = at(i);
+    place(i, from + share * (model_.target_mm.row(i).transpose() - from));
   }
-  return std::sqrt(longest2);
+  return share * way_mm;
 }
 
 template <class R>
@@ -95,10 +99,7 @@ void MovingValve<R>::load(double pressure_mpa) {
 template <class R>
 Vec3 MovingValve<R>::position(const std::vector<NodeShare>& shares) const {
   Vec3 mean = Vec3::Zero();
-  for (const NodeShare& share : shares) {
-    const kernels::Quad<R>& q = x_[layout_.laid.node_of[share.node]];
-    mean += share.weight * Vec3(q.at[0], q.at[1], q.at[2]);
-  }
+  for (const NodeShare& share : shares) mean += share.weight * at(share.node);
   return mean;
 }
 
@@ -116,8 +117,7 @@ template <class R>
 void MovingValve<R>::draw(const Points& to_mm, double stiffness_n_per_mm, double largest_n) {
   for (Index i = 0; i < to_mm.rows(); ++i) {
     if (model_.fixed[i]) continue;
-    const kernels::Quad<R>& q = x_[layout_.laid.node_of[i]];
-    const Vec3 way = to_mm.row(i).transpose() - Vec3(q.at[0], q.at[1], q.at[2]);
+    const Vec3 way = to_mm.row(i).transpose() - at(i);
     const double spring = std::min(stiffness_n_per_mm, largest_n / std::max(way.norm(), 1e-12));
     kernels::Quad<R>& force = force_[layout_.laid.node_of[i]];
     for (int k = 0; k < 3; ++k) force.at[k] += static_cast<R>(spring * way[k]);
@@ -264,6 +264,12 @@ void MovingValve<R>::pull_faces() {
   faces.x = x_.data();
   faces.corners = corners_.data();
   kernels_.pull_faces(faces);
+}
+
+template <class R>
+Vec3 MovingValve<R>::at(Index i) const {
+  const kernels::Quad<R>& q = x_[layout_.laid.node_of[i]];
+  return Vec3(q.at[0], q.at[1], q.at[2]);
 }
 
 template <class R>

@@ -27,7 +27,10 @@ class MovingValve {
   /// start.
   void place_fixed(double travelled);
 
-  /// Moves them towards the model's targets, each at most so far. @return the longest of these moves, mm.
+  /// Longest way of theirs to the model's targets, mm; 0 when they have arrived.
+  double way_to_targets_mm() const;
+
+  /// Moves them towards the targets, so far at most; all arrive together. @return the longest of these moves, mm.
   double approach_targets(double longest_mm);
 
   /// The pressure from now on, MPa; residual() goes by the model's.
@@ -68,6 +71,7 @@ class MovingValve {
  private:
   void pull_chordae();
   void pull_faces();
+  Vec3 at(Index i) const;
   void place(Index i, const Vec3& p);
 
   const ClosureModel& model_;

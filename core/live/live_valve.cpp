@@ -13,15 +13,21 @@ namespace coapt {
 namespace {
 
 constexpr double kMpaPerMmhg = 1.33322e-4;
-constexpr double kLongestTravel_mm = 0.1;  // of annulus and tips in one step
-constexpr double kLongestMove_mm = 0.15;   // of a node
-constexpr double kShortestMove_mm = 0.02;  // where leaflets would cross
-constexpr double kLonger = 1.2;            // than the moves before the last uncrossed look
+// Of annulus and tips, as in relaxation.cpp: another way to the same place may lead to another end.
+constexpr double kLongestTravel_mm = 0.15;  // in one step
+constexpr int kTravelSteps = 60;            // at least
+constexpr double kLongestMove_mm = 0.15;    // of a node
+constexpr double kShortestMove_mm = 0.02;   // where leaflets would cross
+constexpr double kLonger = 1.2;             // than the moves before the last uncrossed look
 constexpr int kLook_steps = 30;
+// Leaflets that cross on the way may come apart by themselves. A closure looks every 90 steps, and what it does not see must not
+// lead the live valve elsewhere.
+constexpr int kLooksToReturn = 3;
 constexpr int kMostReturns = 3;  // before hooks give way
 constexpr double kStill_mm = 1e-4;
 constexpr int kStill_steps = 100;
-constexpr int kBeat_steps = 4000;  // until a valve that is let go closes again, at most
+constexpr int kBeat_steps =
+    3000;  // whole looks, until a valve that is let go closes again, at most
 // Nothing but bending holds an unloaded leaflet in its shape: by itself it takes over 20,000 steps to come back, and may stay
 // folded. These bring it there in 1,000, too weak to press it through another one.
 constexpr double kDrawn_n_per_mm = 0.005, kDrawn_n = 0.01;  // on each node
@@ -71,9 +77,11 @@ struct LiveValve::State {
   MovingValve<float>::Moment uncrossed{};
   Points shown_mm{};  // |N| x 3, of that moment
   std::array<Vec3, kHooks> hook_mm{};
+  double travel_mm = 0.0;  // of annulus and tips in one step
   double longest_move_mm = 0.0;
   bool guarded = false;  // edges have contact
   int beat_steps = 0;    // left, at most, until the beat that has begun closes
+  int looks = 0;
   int returns_here = 0, returns = 0, still_steps = 0;
 
   State(const Valve& v, double pressure, const HookLimits& hook_limits)
@@ -88,6 +96,7 @@ struct LiveValve::State {
     settings.longest_move_mm = kLongestMove_mm;
     moving.emplace(model, settings, start_mm);
     guarded = false;
+    looks = 0;
     load();
     keep();
   }
@@ -101,6 +110,7 @@ struct LiveValve::State {
       set_targets(valve, model);
     model.pressure_mpa = beat_steps > 0 ? 0.0 : kMpaPerMmhg * pressure_mmhg;
     moving->load(model.pressure_mpa);
+    travel_mm = std::min(kLongestTravel_mm, moving->way_to_targets_mm() / kTravelSteps);
     still_steps = 0;
   }
 
@@ -111,9 +121,11 @@ struct LiveValve::State {
     load();
   }
 
+  /// Closes from the unstressed shape to the last bit, as a cold closure does. Where folds that have caught in each other held
+  /// some nodes back, they leap there.
   void end_beat() {
     beat_steps = 0;
-    load();
+    begin(model.rest_mm);
   }
 
   void keep() {
@@ -148,18 +160,22 @@ struct LiveValve::State {
       moving->pull(hook->shares, force, hook->constant_n ? 0.0 : limits.stiffness_n_per_mm);
     }
     if (beat_steps > 0) moving->draw(model.rest_mm, kDrawn_n_per_mm, kDrawn_n);
-    moving->step(moving->approach_targets(kLongestTravel_mm));
+    moving->step(moving->approach_targets(travel_mm));
     longest_move_mm = moving->longest_move_mm();
     still_steps =
         longest_move_mm < (beat_steps > 0 ? kDrawnStill_mm : kStill_mm) ? still_steps + 1 : 0;
-    if (beat_steps > 0 && (--beat_steps == 0 || still_steps >= kStill_steps)) end_beat();
   }
 
   void look() {
+    ++looks;
+    if (beat_steps > 0) {
+      beat_steps -= kLook_steps;
+      if (beat_steps <= 0 || still_steps >= kStill_steps) return end_beat();
+    }
     if (moving->crossings().empty() && !has_diverged(moving->positions())) {
       settings.longest_move_mm = std::min(kLongestMove_mm, kLonger * settings.longest_move_mm);
       keep();
-    } else {
+    } else if (looks % kLooksToReturn == 0) {
       go_back();
     }
   }
@@ -168,7 +184,10 @@ struct LiveValve::State {
     const Vec3 spot = mean_position(shares, shown_mm);
     hooks[at] = Hook{std::move(shares), spot, spot};
     hook_mm[at] = spot;
-    if (beat_steps > 0) end_beat();
+    if (beat_steps > 0) {
+      beat_steps = 0;
+      load();
+    }
     still_steps = 0;
   }
 };

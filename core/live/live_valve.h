@@ -5,7 +5,7 @@
 // uncrossed and goes on in shorter moves and with contact of edges; if that does not help, hooks give way to where the tissue is.
 //
 // A valve has more than one closed state, and a hook may leave it in another one than it closes to. So a valve under pressure that
-// is let go beats once: it goes back to its unstressed shape and closes from there, as close_valve does.
+// is let go beats once: it goes back to its unstressed shape and closes from there, step by step as close_valve does.
 #pragma once
 
 #include <array>
