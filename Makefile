@@ -51,10 +51,11 @@ test: test-packages build  ## build and run the product's tests; in a build with
 test-packages:
 	@cmake/install_packages.sh build docs test proxy
 
-web: build/web/index.html  ## the page, in build/web
+web: build/web/index.html  ## the page, in build/web, with the engine for its live view if make wasm has built it
 
-build/web/index.html: $(WEB)/node_modules $(WEB_SOURCES)
+build/web/index.html: $(WEB)/node_modules $(WEB_SOURCES) $(wildcard $(ENGINE))
 	cd $(WEB) && npx --no-install vite build
+	@[ ! -e $(ENGINE) ] || cp $(ENGINE) build/web/
 	@touch $@
 
 $(WEB)/node_modules: $(WEB)/package-lock.json
@@ -87,10 +88,9 @@ build/static/index.html: $(WEB)/node_modules $(STATIC_SOURCES) $(ENGINE) | progr
 
 static-test: static  ## the page without a service: its engine against coapt, to the bit, and the page in a real browser, off-line, too
 	@cmake/install_packages.sh browser
-	cmake --build --preset release --target closed_presets
-	node --test --test-reporter=spec tests/engine/bits.test.mjs
+	cmake --build --preset release --target closed_presets live_pull coapt-server
 	cd $(WEB) && npx --no-install vitest run --mode static
-	node --test --test-reporter=spec $(WEB)/test/static/page.test.mjs
+	node --test --test-reporter=spec $(WEB)/test/static/page.test.mjs $(WEB)/test/static/live.test.mjs
 
 web-pictures: programs web  ## the page's pictures in docs/images, and its times
 	@cmake/install_packages.sh browser

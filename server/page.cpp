@@ -12,11 +12,15 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 constexpr const char* kAssets = "/assets/";
+constexpr const char* kEngine = "/coapt-engine.wasm";
+constexpr const char* kIcon = "/favicon.svg";
 
-// The page's own files and nothing else: no inline script or style, no other host. WebGL pictures leave as blobs.
+// The page's own files and nothing else: no inline script or style, no other host. The engine is WebAssembly, which
+// 'wasm-unsafe-eval' lets compile, and nothing more; it runs in a worker. WebGL pictures leave as blobs.
 constexpr const char* kPolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
-    "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; "
+    "style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; base-uri 'none'; "
+    "form-action 'none'; frame-ancestors 'none'";
 
 std::string media_type(const fs::path& file) {
   const std::string extension = file.extension();
@@ -24,6 +28,7 @@ std::string media_type(const fs::path& file) {
   if (extension == ".js") return "text/javascript; charset=utf-8";
   if (extension == ".css") return "text/css; charset=utf-8";
   if (extension == ".svg") return "image/svg+xml";
+  if (extension == ".wasm") return "application/wasm";
   return "application/octet-stream";
 }
 
@@ -49,9 +54,11 @@ Expected<Page> read_page(const std::string& folder) {
   if (const Errors errors = add_file(page, "/", root / "index.html"); !errors.empty())
     return errors;
   std::error_code failed;
-  if (fs::exists(root / "favicon.svg", failed))
-    if (const Errors errors = add_file(page, "/favicon.svg", root / "favicon.svg"); !errors.empty())
-      return errors;
+  for (const std::string path : {kIcon, kEngine}) {
+    const fs::path file = root / path.substr(1);
+    if (!fs::exists(file, failed)) continue;
+    if (const Errors errors = add_file(page, path, file); !errors.empty()) return errors;
+  }
   fs::directory_iterator assets(root / "assets", failed);
   if (failed)
     return Error{ErrorCode::InputOutput, "", (root / "assets").string() + " cannot be read"};
@@ -87,7 +94,7 @@ Answer GetPage::operator()(const Request& request) const {
 }
 
 bool is_page_path(std::string_view path) {
-  return path == "/" || path == "/favicon.svg" || path.starts_with(kAssets);
+  return path == "/" || path == kIcon || path == kEngine || path.starts_with(kAssets);
 }
 
 }  // namespace coapt

@@ -8,10 +8,10 @@
 
 namespace coapt {
 
-/// By path: "/" (index.html), "/favicon.svg", "/assets/NAME".
+/// By path: "/" (index.html), "/favicon.svg", "/coapt-engine.wasm", "/assets/NAME".
 using Page = std::map<std::string, Content>;
 
-/// index.html, favicon.svg and what lies in assets/; other files and links are left out. InputOutput: `folder` has no index.html or assets/, a
+/// index.html, favicon.svg and coapt-engine.wasm, if they are there, and what lies in assets/; other files and links are left out. InputOutput: `folder` has no index.html or assets/, a
 /// file cannot be read, or is larger than 16 MiB.
 Expected<Page> read_page(const std::string& folder);
 
@@ -19,7 +19,7 @@ Expected<Page> read_page(const std::string& folder);
 /// else empty.
 std::string usual_page_folder();
 
-/// GET /, /favicon.svg, /assets/{name}: needs no token, as it tells nothing of any valve. What the page itself asks for
+/// GET /, /favicon.svg, /coapt-engine.wasm, /assets/{name}: needs no token, as it tells nothing of any valve. What the page itself asks for
 /// does. Assets have their content's hash in their name and may be kept for ever.
 struct GetPage {
   const Page& page;

@@ -72,6 +72,7 @@ Routes routes_of(const Service& service) {
       {"GET", "/openapi.json", GetOpenApi{}},
       {"GET", "/", GetPage{page}},
       {"GET", "/favicon.svg", GetPage{page}},
+      {"GET", "/coapt-engine.wasm", GetPage{page}},
       {"GET", "/assets/{name}", GetPage{page}},
   };
 }

@@ -1,4 +1,4 @@
-// What the engine answers without a service; tests/engine/bits.test.mjs asks the same of the module for browsers.
+// What the engine answers without a service; clients/web/test/static/engine.test.mjs asks the same of the module for browsers.
 #include "clients/engine/engine.h"
 
 #include <gtest/gtest.h>

@@ -51,8 +51,19 @@ TEST_F(PageFolder, GivesItsFilesWithTheirTypesAndNothingElse) {
   EXPECT_EQ(content_type(get(*page, "/")), "text/html; charset=utf-8");
   EXPECT_EQ(content_type(get(*page, "/assets/a-1.js")), "text/javascript; charset=utf-8");
   EXPECT_EQ(content_type(get(*page, "/assets/a-1.css")), "text/css; charset=utf-8");
-  for (const char* path : {"/notes.txt", "/favicon.svg", "/assets/../notes.txt", "/assets/b.js"})
+  for (const char* path :
+       {"/notes.txt", "/favicon.svg", "/coapt-engine.wasm", "/assets/../notes.txt", "/assets/b.js"})
     EXPECT_EQ(get(*page, path).status, 404) << path;
+}
+
+TEST_F(PageFolder, GivesTheEngineThatLiesBesideIt) {
+  write("coapt-engine.wasm", std::string("\0asm", 4));
+  const Expected<Page> page = read_page(root_.string());
+  ASSERT_TRUE(page);
+  const Answer engine = get(*page, "/coapt-engine.wasm");
+  EXPECT_EQ(content_type(engine), "application/wasm");
+  EXPECT_EQ(content_bytes(engine), std::string("\0asm", 4));
+  EXPECT_EQ(header_of(engine, "Cache-Control"), "no-cache");
 }
 
 TEST_F(PageFolder, ItsLinksAreNotFollowed) {
@@ -67,8 +78,9 @@ TEST_F(PageFolder, MayRunItsOwnScriptsOnlyAndItsAssetsMayBeKept) {
   const Expected<Page> page = read_page(root_.string());
   ASSERT_TRUE(page);
   const std::string policy = header_of(get(*page, "/"), "Content-Security-Policy");
-  EXPECT_NE(policy.find("script-src 'self';"), std::string::npos);
-  EXPECT_EQ(policy.find("unsafe"), std::string::npos);
+  EXPECT_NE(policy.find("script-src 'self' 'wasm-unsafe-eval'; worker-src 'self';"),
+            std::string::npos);
+  EXPECT_EQ(policy.find("'unsafe"), std::string::npos);
   EXPECT_EQ(header_of(get(*page, "/"), "Cache-Control"), "no-cache");
   EXPECT_NE(header_of(get(*page, "/assets/a-1.js"), "Cache-Control").find("immutable"),
             std::string::npos);
@@ -92,7 +104,7 @@ TEST_F(PageFolder, TheirsNeedNoTokenAndTheDataDo) {
   Request request;
   request.method = "GET";
   request.headers["host"] = "localhost";
-  for (const char* path : {"/", "/favicon.svg", "/assets/a-1.js"}) {
+  for (const char* path : {"/", "/favicon.svg", "/coapt-engine.wasm", "/assets/a-1.js"}) {
     request.path = path;
     EXPECT_FALSE(refuse(access, request)) << path;
   }

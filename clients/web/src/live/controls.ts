@@ -169,7 +169,7 @@ export function lookControls(look: LiveLook, onChange: () => void): HTMLElement 
     { class: parts.panel, 'data-part': 'looks' },
     h('legend', {}, 'Show'),
     box('Strain of chordae in colour', 'strain'),
-    box('Tissue above the annular plane', 'prolapse'),
+    box('Prolapse in colour', 'prolapse'),
     box('Annular plane', 'plane'),
     h('label', { class: parts.check }, cutting, 'Cut'),
     field('Position of the cut', place),

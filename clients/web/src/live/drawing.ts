@@ -22,11 +22,11 @@ import { Lines } from '../viewer/lines'
 import { Ring } from '../viewer/ring'
 import type { Stage } from '../viewer/stage'
 import type { LiveValve } from './client'
-import { above, annulusBeside, highlighted, strainColour } from './surface'
+import { annulusBeside, highlighted, prolapse, strainColour } from './surface'
 
 export interface LiveLook {
   strain: boolean // of chordae, in colour
-  prolapse: boolean // tissue above the annular plane, highlighted
+  prolapse: boolean // of leaflets, in colour
   plane: boolean // the annular plane
   cut: number | null // -1 to 1: from the anterolateral end of the annulus to the posteromedial one
 }
@@ -119,7 +119,7 @@ export class LiveDrawing {
   private paint(look: LiveLook): void {
     const { leaflets, valve, nodes, beside, plain } = this
     if (!leaflets || !valve) return
-    const isAbove = look.prolapse ? above(valve.scene, nodes, beside) : []
+    const isAbove = look.prolapse ? prolapse(valve.scene, nodes, beside) : []
     const key = `p${isAbove.map(Number).join('')}`
     if (key === this.isAbove) return
     this.isAbove = key

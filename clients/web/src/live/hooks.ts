@@ -23,6 +23,12 @@ interface Held {
   isPinned: boolean
 }
 
+interface Handle {
+  whole: HTMLElement
+  button: HTMLButtonElement
+  force: HTMLElement // what the hook pulls with
+}
+
 const REACH_PX = 8 // of a chorda
 const BEHIND_MM = 1 // a chorda that lies so far behind tissue is hidden
 const STEP_MM = 0.5 // a key press
@@ -36,7 +42,7 @@ export class Hooks {
   path_mm = 0 // of the hands while they hold
   largest_n = 0 // force so far
   private readonly held: (Held | null)[] = Array<Held | null>(HOOKS).fill(null)
-  private readonly handles: { button: HTMLButtonElement; force: HTMLElement }[]
+  private readonly handles: Handle[]
 
   /// `body`: the canvas's parent, which sees events before the camera's controls do.
   constructor(
@@ -47,7 +53,7 @@ export class Hooks {
     private readonly isAside: () => boolean, // a press is not for the hooks
   ) {
     this.handles = NAMES.map((name, hook) => this.handle(name, hook))
-    this.element.append(...this.handles.map(({ button }) => button))
+    this.element.append(...this.handles.map(({ whole }) => whole))
     const early = { capture: true }
     body.addEventListener('pointerdown', (event) => this.press(event), early)
     body.addEventListener('pointermove', (event) => this.drag(event), early)
@@ -74,9 +80,8 @@ export class Hooks {
     if (!this.held[hook]) return
     this.held[hook] = null
     this.send({ live: 'release', hook })
-    const { button } = this.handles[hook] as { button: HTMLButtonElement }
-    if (document.activeElement === button) this.stage.canvas.focus()
-    button.hidden = true
+    if (document.activeElement === this.handles[hook]?.button) this.stage.canvas.focus()
+    this.place()
   }
 
   releaseAll(): void {
@@ -119,8 +124,8 @@ export class Hooks {
   /// Tells the forces of a picture.
   tell({ hooks }: Picture): void {
     for (const [hook, state] of hooks.entries()) {
-      const { force } = this.handles[hook] as { force: HTMLElement }
-      force.textContent = `${number(state?.force_n, 2)} N`
+      const handle = this.handles[hook]
+      if (handle) handle.force.textContent = `${number(state?.force_n, 2)} N`
       if (state && this.held[hook]) this.largest_n = Math.max(this.largest_n, state.force_n)
     }
     this.place()
@@ -128,31 +133,26 @@ export class Hooks {
 
   /// The handles to where the hands are seen.
   place(): void {
-    for (const [hook, { button }] of this.handles.entries()) {
+    for (const [hook, { whole }] of this.handles.entries()) {
       const held = this.held[hook]
-      button.hidden = !held
+      whole.hidden = !held
       if (!held) continue
       const { x, y } = this.stage.place(held.hand_mm)
-      button.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`
+      whole.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`
     }
   }
 
-  private handle(name: string, hook: number): { button: HTMLButtonElement; force: HTMLElement } {
+  private handle(name: string, hook: number): Handle {
     const force = h('span', { 'aria-hidden': 'true', 'data-part': 'force' })
     const label = `${name}: drag, or arrow keys; Page Up and Page Down along the view; Escape lets go`
-    const button = h(
-      'button',
-      {
-        type: 'button',
-        'aria-label': label,
-        title: label,
-        'data-part': 'hook',
-        hidden: true,
-        onkeydown: (event: KeyboardEvent) => this.step(hook, event),
-      },
-      force,
-    )
-    return { button, force }
+    const button = h('button', {
+      type: 'button',
+      'aria-label': label,
+      title: label,
+      onkeydown: (event: KeyboardEvent) => this.step(hook, event),
+    })
+    const whole = h('div', { class: liveStyle.hook, 'data-part': 'hook', hidden: true }, button, force)
+    return { whole, button, force }
   }
 
   private take(hook: number, grip: Grip, pointer: number | null, offset_mm: Vector): void {

@@ -3,7 +3,7 @@ import { h } from '../dom'
 import { TINTS } from '../viewer/colours'
 import { legend } from '../viewer/legend'
 import type { LiveLook } from './drawing'
-import { ABOVE, STRAIN } from './surface'
+import { ABOVE, PROLAPSE_MM, STRAIN } from './surface'
 import viewerStyle from '../viewer/viewer.module.css'
 
 export function liveLegend({ strain, prolapse }: LiveLook): HTMLElement {
@@ -12,7 +12,7 @@ export function liveLegend({ strain, prolapse }: LiveLook): HTMLElement {
     [TINTS.anterior, 'anterior leaflet'],
     [TINTS.posterior, 'posterior leaflet'],
     [TINTS.commissure, 'commissures'],
-    ...(prolapse ? [[ABOVE, 'above the annular plane'] as const] : []),
+    ...(prolapse ? [[ABOVE, `prolapse: ${PROLAPSE_MM} mm above the annulus or more`] as const] : []),
     [TINTS.added, 'suture or neochorda'],
   ] as const) {
     const swatch = h('span', { class: viewerStyle.swatch })

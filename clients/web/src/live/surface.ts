@@ -1,17 +1,20 @@
-// What is told by colour of a valve that moves: tissue above the annular plane, strain of chordae.
+// What is told by colour of a valve that moves: tissue that prolapses, strain of chordae.
 import type { ValveShape } from '../api/types'
 import { colourOf, rgb, heights, RISING, type Rgb, type Scale } from '../viewer/colours'
 
-export const ABOVE = '#7a3ff2' // tissue above the annular plane
-const LEAST_MM = 0.5 // above it
+export const ABOVE = '#7a3ff2' // tissue that prolapses
+export const PROLAPSE_MM = 2 // above the annulus, from where it is called so
 
 export const STRAIN: Scale = { title: 'strain of chordae', unit: '%', from: 0, to: 15, stops: RISING }
 
-/// Of each vertex whether it prolapses: lies above the annular plane, and above the annulus beside it, which is a saddle and
-/// itself above the plane at its peaks. `beside`: annulusBeside().
-export function above(scene: ValveShape, nodes: ArrayLike<number>, beside: readonly number[]): boolean[] {
+/// Of each vertex whether it prolapses: lies 2 mm or more above a surface that begins at the annulus, which is a saddle and
+/// itself above its plane at the peaks, and is that plane at the free edge. `beside`: annulusBeside().
+export function prolapse(scene: ValveShape, nodes: ArrayLike<number>, beside: readonly number[]): boolean[] {
   const z = heights(scene, nodes)
-  return beside.map((vertex, i) => (z[i] as number) > LEAST_MM + Math.max(0, z[vertex] as number))
+  const { height } = scene.leaflet_coordinates
+  return beside.map(
+    (vertex, i) => (z[i] as number) >= PROLAPSE_MM + (1 - (height[i] as number)) * (z[vertex] as number),
+  )
 }
 
 /// Of each vertex the vertex of the annulus that is nearest around.
@@ -23,7 +26,7 @@ export function annulusBeside({ annulus, leaflet_coordinates: { around } }: Valv
   return around.map((_, i) => annulus.reduce((best, vertex) => (apart(i, vertex) < apart(i, best) ? vertex : best)))
 }
 
-/// Colours of the corners of Scene.faces with those of `isAbove` in their own.
+/// Colours of the corners of Scene.faces, where it prolapses another one.
 export function highlighted(scene: ValveShape, plain: Float32Array, isAbove: readonly boolean[]): Float32Array {
   const colours = plain.slice()
   const colour = rgb(ABOVE)

@@ -74,7 +74,6 @@ export class LiveView implements View {
           this.distance.element,
           this.accept,
         ),
-        this.headline,
         this.state,
         this.picking.element,
         this.told,
@@ -93,6 +92,7 @@ export class LiveView implements View {
         ),
         lookControls(look, looked),
         this.editor.element,
+        h('section', { class: parts.panel }, h('h2', {}, 'Closed, without hooks'), this.headline),
         this.kept.element,
       ),
     )

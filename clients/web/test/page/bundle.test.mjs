@@ -25,8 +25,8 @@ test('all of it is below 400 kB, compressed', () => {
 test('the page may run its own scripts only, and its assets are kept', async () => {
   const page = await fetch(service.url)
   const policy = page.headers.get('content-security-policy')
-  assert.match(policy, /default-src 'none'; script-src 'self'; style-src 'self'/)
-  assert.doesNotMatch(policy, /unsafe/)
+  assert.match(policy, /default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'/)
+  assert.doesNotMatch(policy, /'unsafe/)
   assert.equal(page.headers.get('cache-control'), 'no-cache')
   const asset = /\/assets\/[^"]+\.js/.exec(await page.text())[0]
   const script = await fetch(service.url + asset)

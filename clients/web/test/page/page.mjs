@@ -17,11 +17,14 @@ const AXE = createRequire(import.meta.url).resolve('axe-core/axe.min.js')
 export const PATIENCE_MS = 300_000 // machines are shared and slow
 
 /// The service; `stop` ends it and removes what it kept, `kill` leaves that for another one at the same place.
-export async function startService(flags = [], { port = 0, folder = mkdtempSync(join(tmpdir(), 'coapt-page-')) } = {}) {
+export async function startService(
+  flags = [],
+  { port = 0, folder = mkdtempSync(join(tmpdir(), 'coapt-page-')), web = join(ROOT, 'build/web') } = {},
+) {
   const child = spawn(
     SERVER,
     [
-      ...['--port', String(port), '--db', join(folder, 'jobs.sqlite'), '--web', join(ROOT, 'build/web')],
+      ...['--port', String(port), '--db', join(folder, 'jobs.sqlite'), '--web', web],
       ...['--no-token', '--request-seconds', String(PATIENCE_MS / 1000), ...flags],
     ],
     {

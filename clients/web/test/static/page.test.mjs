@@ -6,8 +6,8 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
 import { gzipSync } from 'node:zlib'
-import { hash, module } from '../../../../tests/engine/module.mjs'
 import { accessProblems, openView, ROOT, startBrowser } from '../page/page.mjs'
+import { engineScript, hash } from './bits.mjs'
 import { startFiles } from './files.mjs'
 
 const COAPT = process.env.COAPT_PROGRAM ?? join(ROOT, 'build/release/bin/coapt')
@@ -109,9 +109,10 @@ test('every preset closes to the bits of the native program', async () => {
     .split('\n')
     .map((line) => line.split(' ')) // name, steps, bits
   const bits = await page.evaluate(`(async () => {
-    ${module}
+    ${await engineScript()}
     ${hash}
-    const engine = await module(await (await fetch('coapt-engine.wasm')).arrayBuffer())
+    const engine = await coaptEngine.startEngine(
+      await WebAssembly.compile(await (await fetch('coapt-engine.wasm')).arrayBuffer()))
     const bits = []
     for (const name of ${JSON.stringify(expected.map(([name]) => name))}) {
       const valve = await (await fetch('presets/' + name + '.json')).text()
