@@ -26,6 +26,7 @@ _coapt_values() {
     --known) echo slack tips prestretch hidden ;;
     --protocol) echo lookup-clamped lookup-extended closed optimum ;;
     --displacement-step) echo 1 2 3 6 ;;
+    --exam) echo A B ;;
     --server) echo http://127.0.0.1:8080 ;;
     --forbid)
       echo annuloplasty papillary_approximation neochorda chordal_length_change chordal_excision chordal_transfer \
