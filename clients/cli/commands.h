@@ -23,6 +23,9 @@ void add_plan(Command parent, int& status);
 void add_prefer(Command parent, int& status);
 void add_study(Command parent, int& status);
 void add_train(Command parent, int& status);
+/// Below train.
+void add_train_exam(Command parent, int& status);
+void add_train_score(Command parent, int& status);
 /// Below study.
 void add_calibrate(Command parent, int& status);
 void add_anchor_question(Command parent, int& status);

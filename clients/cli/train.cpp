@@ -46,7 +46,7 @@ void print_case(const nlohmann::ordered_json& made, const std::string& directory
             << fixed(made["difficulty"], 2) << " (smallest difference "
             << fixed(made["smallest_difference"], 2) << " times the limit)\n";
   if (made.contains("answer")) {
-    std::cout << "CaseChoice " << made["answer"] << " is shown without pressure.\n";
+    std::cout << "Choice " << made["answer"] << " is shown without pressure.\n";
   } else {
     for (const auto& segment : made["segments"])
       std::cout << "  " << segment["segment"].get<std::string>() << "  "
@@ -140,9 +140,12 @@ void add_train_case(Command parent, int& status) {
 }  // namespace
 
 void add_train(Command parent, int& status) {
-  Command train = parent.add_command("train", "Exams in valve analysis: make cases, score answers");
+  Command train = parent.add_command(
+      "train", "Exams in valve analysis: make cases, lay out trials, score answers");
   train.require_command();
   add_train_case(train, status);
+  add_train_exam(train, status);
+  add_train_score(train, status);
 }
 
 }  // namespace coapt

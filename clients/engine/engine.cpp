@@ -7,6 +7,10 @@
 #include "core/closure/closure.h"
 #include "io/json/repair_answers.h"
 #include "io/json/result_json.h"
+#include "io/json/schedule_json.h"
+#include "io/json/score_json.h"
+#include "io/json/training_json.h"
+#include "io/json/trials_csv.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {
@@ -63,6 +67,68 @@ EngineAnswer validated(std::string_view body) {
                            {"problems", to_json(valve ? Errors{} : valve.errors())}});
 }
 
+std::uint64_t read_seed(const JsonPlace& place) { return read_unsigned(place); }
+
+/// The case of a seed with its shapes, or why there is none.
+template <class Case>
+EngineAnswer case_answer(const Expected<Case>& made, const Valve& from) {
+  if (!made) {
+    ProblemList problems;
+    add_below(problems, "/valve", made.errors());
+    return problem(422, std::move(problems).take());
+  }
+  ordered_json json = to_json(*made, from);
+  add_shapes(json, *made);
+  return json_answer(200, std::move(json));
+}
+
+EngineAnswer training_case(std::string_view body) {
+  const Expected<nlohmann::json> json = parse_json(body);
+  if (!json) return problem(400, json.errors());
+  Valve valve;
+  bool segments = false;
+  std::uint64_t seed = 1;
+  ProblemList problems;
+  read_fields({*json, problems},
+              {{"valve", document(valve, valve_from_json)},
+               {"exam", into(segments,
+                             [](const JsonPlace& place) {
+                               return read_choice(place, {"A", "B"}).value_or(0) == 1;
+                             })},
+               {"seed", into(seed, read_seed)}});
+  if (!problems.empty()) return problem(422, std::move(problems).take());
+  return segments ? case_answer(make_exam_b(valve, seed), valve)
+                  : case_answer(make_exam_a(valve, seed), valve);
+}
+
+EngineAnswer training_exam(std::string_view body) {
+  const Expected<nlohmann::json> json = parse_json(body);
+  if (!json) return problem(400, json.errors());
+  Schedule schedule;
+  std::uint64_t seed = 1, first_case = 1;
+  ProblemList problems;
+  read_fields({*json, problems}, {{"schedule", document(schedule, schedule_from_json)},
+                                  {"seed", into(seed, read_seed)},
+                                  {"first_case", into(first_case, read_seed), false}});
+  if (!problems.empty()) return problem(422, std::move(problems).take());
+  return json_answer(200, exam_to_json(schedule, seed, first_case));
+}
+
+EngineAnswer training_score(std::string_view body) {
+  const Expected<nlohmann::json> json = parse_json(body);
+  if (!json) return problem(400, json.errors());
+  std::string table;
+  ProblemList problems;
+  read_fields({*json, problems}, {{"trials_csv", into(table, read_string)}});
+  if (!problems.empty()) return problem(422, std::move(problems).take());
+  const Expected<std::vector<TrainingTrial>> trials = read_trials_csv(table);
+  if (!trials) {
+    add_below(problems, "/trials_csv", trials.errors());
+    return problem(422, std::move(problems).take());
+  }
+  return json_answer(200, score_to_json(*trials));
+}
+
 }  // namespace
 
 EngineAnswer answer(std::string_view path, std::string_view body) {
@@ -70,6 +136,9 @@ EngineAnswer answer(std::string_view path, std::string_view body) {
   if (path == "/v1/scenes") return drawn(body);
   if (path == "/v1/openings") return opened(body);
   if (path == "/v1/valves:validate") return validated(body);
+  if (path == "/v1/training/cases") return training_case(body);
+  if (path == "/v1/training/exams") return training_exam(body);
+  if (path == "/v1/training/scores") return training_score(body);
   if (path == "/v1/rings") return json_answer(200, rings_answer());
   if (path == "/version")
     return json_answer(200, {{"version", version()}, {"not_modelled", not_modelled()}});

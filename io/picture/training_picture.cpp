@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/metrics/annulus.h"
 #include "io/json/result_json.h"
 #include "io/picture/views.h"
 
@@ -50,6 +51,7 @@ std::string flaccid_picture_png(const Valve& valve, const Points& flaccid_mm) {
   ClosedValve flaccid{valve, {}, {}};
   flaccid.valve.chordae.clear();
   flaccid.closure.closed_mm = flaccid_mm;
+  flaccid.measure.annulus = measure_annulus(valve);
   const Box box{kRim, kTitle, kCaseWidth, kCaseHeight};
   draw_case_title(canvas, box, "Without pressure, from the atrium");
   draw_open_atrial_view(canvas, {box, atrial_scale(box, flaccid)}, flaccid, {});

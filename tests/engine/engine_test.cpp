@@ -96,5 +96,44 @@ TEST_F(EngineTest, WhatNeedsAServiceSaysSo) {
   EXPECT_EQ(answer("/v1/plans", on_valve()).status, 404);
 }
 
+TEST(TrainingEngine, MakesTheCaseOfASeedWithItsShapes) {
+  const Valve valve = *make_preset("human-normal");
+  json asked = {{"valve", json::parse(write_valve(valve))}, {"exam", "A"}, {"seed", 5}};
+  const EngineAnswer made = answer("/v1/training/cases", asked.dump());
+  ASSERT_EQ(made.status, 200) << made.body;
+  const json of_five = json::parse(made.body);
+  EXPECT_EQ(of_five["schema"], "coapt.training_case/1");
+  ASSERT_EQ(of_five["choices"].size(), 4u);
+  const auto numbers = static_cast<std::size_t>(3 * valve.rest_mm.rows());
+  EXPECT_EQ(of_five["choices"][3]["closed_mm"].size(), numbers);
+  EXPECT_EQ(of_five["flaccid_mm"].size(), numbers);
+  EXPECT_TRUE(valve_from_json(of_five["valve"]));
+  EXPECT_EQ(of_five["differences"].size(), 6u);
+  EXPECT_EQ(answer("/v1/training/cases", asked.dump()).body, made.body);
+}
+
+TEST(TrainingEngine, RefusesWhatIsWrong) {
+  const json asked = {{"valve", json::object()}, {"exam", "C"}, {"seed", -1}};
+  const EngineAnswer refused = answer("/v1/training/cases", asked.dump());
+  EXPECT_EQ(refused.status, 422);
+  EXPECT_NE(refused.body.find("/exam"), std::string::npos);
+  EXPECT_NE(refused.body.find("/seed"), std::string::npos);
+  const EngineAnswer table =
+      answer("/v1/training/scores", json({{"trials_csv", "learner\n1\n"}}).dump());
+  EXPECT_EQ(table.status, 422);
+  EXPECT_NE(table.body.find("/trials_csv/1"), std::string::npos);
+}
+
+TEST(TrainingEngine, LaysOutAScheduleForALearner) {
+  const json schedule = {{"schema", "coapt.training_schedule/1"},
+                         {"name", "short"},
+                         {"title", "Three cases"},
+                         {"blocks", {{{"name", "exam"}, {"exam", "B"}, {"cases", 3}}}}};
+  const EngineAnswer laid =
+      answer("/v1/training/exams", json({{"schedule", schedule}, {"seed", 2}}).dump());
+  ASSERT_EQ(laid.status, 200) << laid.body;
+  EXPECT_EQ(json::parse(laid.body)["blocks"][0]["trials"].size(), 3u);
+}
+
 }  // namespace
 }  // namespace coapt

@@ -27,6 +27,7 @@ _coapt_values() {
     --protocol) echo lookup-clamped lookup-extended closed optimum ;;
     --displacement-step) echo 1 2 3 6 ;;
     --device) echo haply ;;
+    --exam) echo A B ;;
     --server) echo http://127.0.0.1:8080 ;;
     --forbid)
       echo annuloplasty papillary_approximation neochorda chordal_length_change chordal_excision chordal_transfer \
