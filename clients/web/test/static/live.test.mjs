@@ -183,7 +183,7 @@ test('a cut, the annular plane and a distance are shown', async () => {
   await page.getByLabel('Annular plane').check()
   await page.getByRole('slider', { name: 'Position of the cut' }).fill('0.2')
   await page.getByRole('button', { name: 'Measure a distance' }).click()
-  const [a, b] = [await tissue(-0.1), await tissue(-0.15)]
+  const [a, b] = [await tissue(0.12), await tissue(0.18)] // what the cut leaves
   await page.mouse.click(a.x, a.y)
   await page.mouse.click(b.x, b.y)
   await page.locator('[data-part=labels] [data-part=distance]', { hasText: /mm/ }).waitFor()
