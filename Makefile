@@ -86,7 +86,7 @@ build/static/index.html: $(WEB)/node_modules $(STATIC_SOURCES) $(ENGINE) | progr
 	node $(WEB)/static.mjs build/static $(BIN)/coapt $(ENGINE)
 	@touch $@
 
-static-test: static  ## the page without a service: its engine against coapt, to the bit, and the page in a real browser, off-line, too
+static-test: static web  ## the page without a service: its engine against coapt, to the bit, and the page in a real browser, off-line, too
 	@cmake/install_packages.sh browser
 	cmake --build --preset release --target closed_presets live_pull coapt-server
 	cd $(WEB) && npx --no-install vitest run --mode static

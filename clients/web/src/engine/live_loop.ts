@@ -1,13 +1,18 @@
 // Moves a valve in the engine's thread, in batches short enough that messages are read between them. It sleeps while the
 // valve is at rest, and sends a picture each time that one is asked for and there is something new.
+import type { Vector } from '../api/types'
+import { minus, plus } from '../viewer/geometry'
 import type { EngineAnswer, LiveEngine } from './module'
+import { readPicture } from './picture'
 
+/// `at_mm`: where the hand took hold: a hook holds the tissue around, whose mean is a little elsewhere, and moves go from there.
+/// Null: moves say where the hand is to be.
 export type LiveCommand =
   | { live: 'start' | 'change'; body: string; id: number } // answered with that id
   | { live: 'pressure'; mmhg: number }
-  | { live: 'grab'; hook: number; vertex: number }
-  | { live: 'grab cable'; hook: number; cable: number; share: number }
-  | { live: 'move'; hook: number; to_mm: readonly [number, number, number]; asked_ms: number }
+  | { live: 'grab'; hook: number; vertex: number; at_mm: Vector | null }
+  | { live: 'grab cable'; hook: number; cable: number; share: number; at_mm: Vector | null }
+  | { live: 'move'; hook: number; to_mm: Vector; asked_ms: number }
   | { live: 'release'; hook: number }
   | { live: 'picture' } // the next one is wanted
 
@@ -23,6 +28,7 @@ export type LiveReply =
   | { live: 'failed'; message: string }
 
 const BATCH_MS = 4 // a quarter of the time between two pictures
+const NOWHERE: Vector = [0, 0, 0]
 const STEPS = 30 // between two looks at the clock, and for crossings
 
 export interface LoopParts {
@@ -39,6 +45,7 @@ export class LiveLoop {
   private running_ms = 0
   private last_ms = 0 // end of the last batch
   private asked_ms: number | null = null // of the last move; no step has followed it yet
+  private readonly shifts: Vector[] = [] // of each hook: from where the hand took hold to the middle of what is held
   private shown_ms: number | null = null // of the last move that the valve has felt
 
   constructor(
@@ -57,12 +64,14 @@ export class LiveLoop {
         break
       case 'grab':
         this.engine.grab(command.hook, command.vertex)
+        this.hold(command)
         break
       case 'grab cable':
         this.engine.grabCable(command.hook, command.cable, command.share)
+        this.hold(command)
         break
       case 'move':
-        this.engine.move(command.hook, ...command.to_mm)
+        this.engine.move(command.hook, ...plus(command.to_mm, this.shifts[command.hook] ?? NOWHERE))
         this.asked_ms = command.asked_ms
         break
       case 'release':
@@ -78,6 +87,11 @@ export class LiveLoop {
     this.isRunning = true
     this.last_ms = this.parts.now()
     this.parts.later(() => this.run())
+  }
+
+  private hold({ hook, at_mm }: Extract<LiveCommand, { at_mm: unknown }>): void {
+    const spot_mm = readPicture(this.engine.picture(), 0).hooks[hook]?.spot_mm
+    this.shifts[hook] = at_mm && spot_mm ? minus(spot_mm, at_mm) : NOWHERE
   }
 
   private run(): void {

@@ -98,7 +98,10 @@ export class LiveCanvas {
 
   view(name: ViewName): void {
     const scene = this.drawing.valve?.scene
-    if (scene) this.stage.look(name, name === 'atrial' ? namedAnnulus(scene) : wholeValve(scene))
+    if (!scene) return
+    const { vertices } = this
+    const present = Array.from({ length: vertices.length / 3 }, (_, i) => at(vertices, i))
+    this.stage.look(name, name === 'atrial' ? namedAnnulus(scene) : [...wholeValve(scene), ...present])
   }
 
   /// While it is hidden no picture is asked for; the valve comes to rest.
@@ -197,10 +200,8 @@ export class LiveCanvas {
 
   private rateWords(): string {
     const steps = Math.round(this.stepsPerSecond / 100) * 100
-    const words = [
-      `${steps.toLocaleString('en')} steps a second`,
-      `${Math.round(this.picturesPerSecond)} pictures a second`,
-    ]
+    const words = [`${steps.toLocaleString('en')} steps a second`]
+    if (this.picturesPerSecond > 0) words.push(`${Math.round(this.picturesPerSecond)} pictures a second`)
     if (this.latency_ms !== null) words.push(`${number(this.latency_ms, 0)} ms from drag to picture`)
     return words.join(' · ')
   }

@@ -63,8 +63,9 @@ export class Hooks {
     stage.canvas.addEventListener('keydown', (event) => this.key(event))
   }
 
+  /// Moves say where the middle of what it holds is pulled to.
   grab(hook: number, grip: Grip): void {
-    this.take(hook, grip, null, [0, 0, 0])
+    this.take(hook, grip, null, null)
   }
 
   /// Of a hook that holds something. `asked_ms`: when the person moved, of performance.now().
@@ -105,7 +106,7 @@ export class Hooks {
   }
 
   grabWithFocus(hook: number, vertex: number): void {
-    this.grab(hook, { vertex, at_mm: at(this.drawing.nodes, vertex) })
+    this.take(hook, { vertex, at_mm: at(this.drawing.nodes, vertex) }, null, [0, 0, 0])
     this.place()
     this.handles[hook]?.button.focus()
   }
@@ -155,10 +156,12 @@ export class Hooks {
     return { whole, button, force }
   }
 
-  private take(hook: number, grip: Grip, pointer: number | null, offset_mm: Vector): void {
-    this.held[hook] = { hand_mm: grip.at_mm, pointer, offset_mm, isPinned: pointer === null }
-    if ('vertex' in grip) this.send({ live: 'grab', hook, vertex: grip.vertex })
-    else this.send({ live: 'grab cable', hook, cable: grip.cable, share: grip.share })
+  /// `offset_mm`: from the pointer to the hand; null: of no hand.
+  private take(hook: number, grip: Grip, pointer: number | null, offset_mm: Vector | null): void {
+    this.held[hook] = { hand_mm: grip.at_mm, pointer, offset_mm: offset_mm ?? [0, 0, 0], isPinned: pointer === null }
+    const at_mm = offset_mm && grip.at_mm
+    if ('vertex' in grip) this.send({ live: 'grab', hook, vertex: grip.vertex, at_mm })
+    else this.send({ live: 'grab cable', hook, cable: grip.cable, share: grip.share, at_mm })
   }
 
   private press(event: PointerEvent): void {

@@ -12,12 +12,13 @@ import { DistanceTool } from '../valve/distance'
 import { headline } from '../valve/headline'
 import { viewButtons } from '../valve/looks'
 import type { View } from '../view'
-import { liveLegend } from './legend'
 import { problemsOf, type Workspace } from '../workspace'
 import { LiveCanvas } from './canvas'
 import type { LiveValve } from './client'
 import { HookPanel, lookControls, Pressure } from './controls'
+import { liveLegend } from './legend'
 import { liveScripts, offer } from './scripting'
+import { stateWords } from './state_words'
 import parts from '../style/parts.module.css'
 import viewerStyle from '../viewer/viewer.module.css'
 import liveStyle from './live.module.css'
@@ -176,12 +177,4 @@ export class LiveView implements View {
       this.refuse(error)
     }
   }
-}
-
-export function stateWords({ beats, at_rest, hooks, pressure_mmhg }: Picture): string {
-  if (beats) return 'The valve beats: it opens to its unstressed shape and closes again.'
-  const held = hooks.filter((hook) => hook !== null).length
-  if (held > 0) return held === 1 ? 'Pulled by a hook.' : 'Pulled by two hooks.'
-  if (!at_rest) return 'Moving.'
-  return pressure_mmhg === 0 ? 'At rest, flaccid.' : `At rest under ${Math.round(pressure_mmhg)} mmHg.`
 }

@@ -1,6 +1,7 @@
 // The valve that is pulled, in a browser: by mouse, fingers, keys and scripts.
 import assert from 'node:assert/strict'
-import { readFileSync } from 'node:fs'
+import { copyFileSync, cpSync, mkdtempSync, readFileSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
 import { accessProblems, openView, ROOT, startBrowser, startService } from '../page/page.mjs'
@@ -183,7 +184,7 @@ test('a cut, the annular plane and a distance are shown', async () => {
   await page.getByLabel('Annular plane').check()
   await page.getByRole('slider', { name: 'Position of the cut' }).fill('0.2')
   await page.getByRole('button', { name: 'Measure a distance' }).click()
-  const [a, b] = [await tissue(-0.1), await tissue(-0.15)]
+  const [a, b] = [await tissue(0.12), await tissue(0.18)] // what the cut leaves
   await page.mouse.click(a.x, a.y)
   await page.mouse.click(b.x, b.y)
   await page.locator('[data-part=labels] [data-part=distance]', { hasText: /mm/ }).waitFor()
@@ -200,14 +201,17 @@ test('where browser or engine is missing the page says what', async () => {
 })
 
 test('coapt-server hands it out under a policy that lets it run; without the engine the page says how to get it', async () => {
-  const service = await startService([], { web: STATIC })
-  const context = await browser.newContext({ serviceWorkers: 'block' })
-  const served = await context.newPage()
-  await served.goto(`${service.url}/#live`)
+  const web = mkdtempSync(join(tmpdir(), 'coapt-web-'))
+  cpSync(join(ROOT, 'build/web'), web, { recursive: true })
+  copyFileSync(join(STATIC, 'coapt-engine.wasm'), join(web, 'coapt-engine.wasm'))
+  const service = await startService([], { web })
+  const { page: served, complaints: others } = await openView(browser, service.url, 'live')
   await atRest(served)
+  assert.deepEqual(others, [])
   await served.route('**/coapt-engine.wasm', (route) => route.fulfill({ status: 404 }))
   await served.reload()
   await served.getByText('make wasm').first().waitFor()
-  await context.close()
+  await served.context().close()
   await service.stop()
+  rmSync(web, { recursive: true })
 })
