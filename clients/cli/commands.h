@@ -25,6 +25,7 @@ void add_study(Command parent, int& status);
 void add_train(Command parent, int& status);
 /// Below train.
 void add_train_exam(Command parent, int& status);
+void add_train_raters(Command parent, int& status);
 void add_train_score(Command parent, int& status);
 /// Below study.
 void add_calibrate(Command parent, int& status);

@@ -146,6 +146,7 @@ void add_train(Command parent, int& status) {
   add_train_case(train, status);
   add_train_exam(train, status);
   add_train_score(train, status);
+  add_train_raters(train, status);
 }
 
 }  // namespace coapt

@@ -12,10 +12,6 @@
 namespace coapt {
 namespace {
 
-double flaccid_difference_mm(const Points& one_mm, const Points& other_mm) {
-  return std::sqrt((one_mm - other_mm).rowwise().squaredNorm().mean());
-}
-
 ClosedDifference difference(const FreeEdge& edge, const ClosedValve& one,
                             const ClosedValve& other) {
   return {edge_difference_mm(edge, one.closure.closed_mm, other.closure.closed_mm),
@@ -38,7 +34,7 @@ std::optional<CaseChoice> choice_of(const Unchanged& from, CaseLesions lesions,
   if (!changed) return std::nullopt;
   const FreeEdge& edge = from.edge;
   CaseChoice choice{std::move(lesions), {}, flaccid_mm(*changed), {}};
-  if (flaccid_difference_mm(choice.flaccid_mm, from.flaccid_mm) >= 0.5 * rules.flaccid_mm)
+  if (flaccid_difference_mm(edge, choice.flaccid_mm, from.flaccid_mm) >= 0.5 * rules.flaccid_mm)
     return std::nullopt;
   choice.closed = close_and_measure(*changed);
   if (!trusted(choice.closed.closure)) return std::nullopt;
@@ -59,9 +55,9 @@ void compare_choices(const FreeEdge& edge, const ExamARules& rules, ExamACase& m
       made.differences[i][j] = difference(edge, made.choices[i].closed, made.choices[j].closed);
       made.smallest_difference =
           std::min(made.smallest_difference, scaled(made.differences[i][j], rules));
-      made.largest_flaccid_mm =
-          std::max(made.largest_flaccid_mm,
-                   flaccid_difference_mm(made.choices[i].flaccid_mm, made.choices[j].flaccid_mm));
+      made.largest_flaccid_mm = std::max(
+          made.largest_flaccid_mm,
+          flaccid_difference_mm(edge, made.choices[i].flaccid_mm, made.choices[j].flaccid_mm));
     }
   made.difficulty = -std::log(made.smallest_difference);
 }

@@ -25,7 +25,7 @@ struct ClosedDifference {
 };
 
 struct ExamARules {
-  /// Two flaccid valves are nearer than this, rms over all vertices: each is nearer than half of it to the valve without lesions,
+  /// Two flaccid valves are nearer than this (flaccid_difference_mm()): each is nearer than half of it to the valve without lesions,
   /// so that no valve is rejected for another one's sake.
   double flaccid_mm = 0.3;
   /// Two closed valves differ by at least one of these.

@@ -51,7 +51,7 @@ std::optional<ExamBCase> case_of(const Unlesioned& before, CaseLesions lesions,
   ExamBCase made;
   made.flaccid_mm = flaccid_mm(*changed);
   made.flaccid_difference_mm =
-      std::sqrt((made.flaccid_mm - before.flaccid_mm).rowwise().squaredNorm().mean());
+      flaccid_difference_mm(before.edge, made.flaccid_mm, before.flaccid_mm);
   if (made.flaccid_difference_mm >= rules.flaccid_mm) return std::nullopt;
   made.closed = close_and_measure(*changed);
   if (!trusted(made.closed.closure)) return std::nullopt;

@@ -24,7 +24,7 @@ struct ExamBRules {
   double limit_mm = 2.0;
   /// No segment's change is nearer to the limit than this, which is more than heights are uncertain by.
   double margin_mm = 0.25;
-  double flaccid_mm = 0.3;  ///< rms over all vertices, from the unlesioned valve without pressure
+  double flaccid_mm = 0.3;  ///< flaccid_difference_mm() from the unlesioned valve
   int most_draws = 60;      ///< of valves
   LesionRanges lesions{.fewest_segments = 3,
                        .most_segments = 5,

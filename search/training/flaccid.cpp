@@ -1,5 +1,8 @@
 #include "search/training/flaccid.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/live/live_valve.h"
 
 namespace coapt {
@@ -15,6 +18,13 @@ Points flaccid_mm(const Valve& valve) {
   LiveValve live(valve);
   live.advance(kFlaccid_steps);
   return live.vertices_mm();
+}
+
+double flaccid_difference_mm(const FreeEdge& edge, const Points& one_mm, const Points& other_mm) {
+  const Eigen::VectorXd squared = (one_mm - other_mm).rowwise().squaredNorm();
+  double on_edge = 0.0;
+  for (const int vertex : edge.vertices) on_edge += squared[vertex];
+  return std::sqrt(std::max(squared.mean(), on_edge / static_cast<double>(edge.vertices.size())));
 }
 
 SegmentHeights pulled_heights_mm(const Valve& valve, const FreeEdge& edge, double pull_n) {

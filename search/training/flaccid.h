@@ -12,6 +12,10 @@ namespace coapt {
 /// than 0.02 mm farther apart than there.
 Points flaccid_mm(const Valve& valve);
 
+/// Between two valves of one mesh without pressure, rms: over all vertices or over those of the free edge, which an eye follows,
+/// whichever is more. @param one_mm |V| x 3
+double flaccid_difference_mm(const FreeEdge& edge, const Points& one_mm, const Points& other_mm);
+
 /// By Segment.
 using SegmentHeights = std::array<double, kSegments>;
 
