@@ -124,7 +124,7 @@ export class HookPanel {
             {},
             'Keys: Enter grabs the middle of the picture, arrows and Page Up or Down move the hook, Escape lets go.',
           ),
-          h('li', {}, 'The arrow is the force on the tissue, six millimetres a newton.'),
+          h('li', {}, 'The arrow is the force on the tissue, four millimetres a newton.'),
           h(
             'li',
             {},

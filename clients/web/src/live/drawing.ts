@@ -22,7 +22,7 @@ import { Lines } from '../viewer/lines'
 import { Ring } from '../viewer/ring'
 import type { Stage } from '../viewer/stage'
 import type { LiveValve } from './client'
-import { annulusBeside, highlighted, prolapse, strainColour } from './surface'
+import { highlighted, prolapse, strainColour } from './surface'
 
 export interface LiveLook {
   strain: boolean // of chordae, in colour
@@ -32,7 +32,7 @@ export interface LiveLook {
 }
 
 const CHORDA: Rgb = rgb('#978a72')
-const ARROW_MM = 6 // a newton
+const ARROW_MM = 4 // a newton
 const HEAD_MM = 1.6 // of an arrow
 const RING_MOVED_MM = 0.05 // from where it is drawn anew
 const OUTSIDE = 1.12 // the annular plane reaches beyond the annulus
@@ -60,7 +60,6 @@ export class LiveDrawing {
     measured: new Lines({ width: 2.5, colour: '#d6336c', inFront: true }),
   }
   private plain: Float32Array = new Float32Array() // colours of the corners
-  private beside: number[] = []
   private places: number[] = [] // of each cable: of its line among chordaLines(), -1 for ties
   private isAbove = '' // as painted
   private hasRing = false
@@ -83,7 +82,6 @@ export class LiveDrawing {
     this.leaflets = new Leaflets(scene, this.material)
     this.stage.add(this.leaflets.mesh)
     this.plain = cornerColours(scene, 'leaflets', null, scene.rest_mm)
-    this.beside = annulusBeside(scene)
     this.isAbove = ''
     const first: number[] = [] // of each chorda
     let count = 0
@@ -117,9 +115,9 @@ export class LiveDrawing {
   }
 
   private paint(look: LiveLook): void {
-    const { leaflets, valve, nodes, beside, plain } = this
+    const { leaflets, valve, nodes, plain } = this
     if (!leaflets || !valve) return
-    const isAbove = look.prolapse ? prolapse(valve.scene, nodes, beside) : []
+    const isAbove = look.prolapse ? prolapse(valve.scene, nodes) : []
     const key = `p${isAbove.map(Number).join('')}`
     if (key === this.isAbove) return
     this.isAbove = key
@@ -165,7 +163,7 @@ export class LiveDrawing {
     this.ring.set({ ...scene, annulus_mm: annulus.flat() })
   }
 
-  /// A force is drawn as an arrow at the tissue, six millimetres a newton.
+  /// A force is drawn as an arrow at the tissue, four millimetres a newton.
   private drawHooks(hooks: (HookState | null)[]): void {
     const threads: number[] = []
     const arrows: number[] = []

@@ -1,29 +1,44 @@
 // What is told by colour of a valve that moves: tissue that prolapses, strain of chordae.
-import type { ValveShape } from '../api/types'
-import { colourOf, rgb, heights, RISING, type Rgb, type Scale } from '../viewer/colours'
+import type { ValveShape, Vector } from '../api/types'
+import { at, dot, minus } from '../viewer/geometry'
+import { colourOf, rgb, RISING, type Rgb, type Scale } from '../viewer/colours'
 
 export const ABOVE = '#7a3ff2' // tissue that prolapses
 export const PROLAPSE_MM = 2 // above the annulus, from where it is called so
 
+const BASE = 0.2 // of the way from annulus to free edge
+
 export const STRAIN: Scale = { title: 'strain of chordae', unit: '%', from: 0, to: 15, stops: RISING }
 
-/// Of each vertex whether it prolapses: lies 2 mm or more above a surface that begins at the annulus, which is a saddle and
-/// itself above its plane at the peaks, and is that plane at the free edge. `beside`: annulusBeside().
-export function prolapse(scene: ValveShape, nodes: ArrayLike<number>, beside: readonly number[]): boolean[] {
-  const z = heights(scene, nodes)
-  const { height } = scene.leaflet_coordinates
-  return beside.map(
-    (vertex, i) => (z[i] as number) >= PROLAPSE_MM + (1 - (height[i] as number)) * (z[vertex] as number),
-  )
+/// Of each vertex whether it prolapses: lies 2 mm or more above the annular plane and above the line between the two hinges of
+/// its long axis, as echocardiography has it. What begins at the annulus bulges over it in healthy valves, too, and does not count.
+export function prolapse(scene: ValveShape, nodes: ArrayLike<number>): boolean[] {
+  const { plane, annulus, leaflet_coordinates } = scene
+  const places = leaflet_coordinates.height.map((_, i): Vector => {
+    const from = minus(at(nodes, i), plane.origin_mm)
+    return [dot(from, plane.x), dot(from, plane.y), dot(from, plane.normal)]
+  })
+  const hinges = annulus.map((vertex) => places[vertex] as Vector)
+  return places.map(([x, y, z], i) => {
+    if (z < PROLAPSE_MM || (leaflet_coordinates.height[i] as number) < BASE) return false
+    return z >= PROLAPSE_MM + lineHeight(hinges, x, y)
+  })
 }
 
-/// Of each vertex the vertex of the annulus that is nearest around.
-export function annulusBeside({ annulus, leaflet_coordinates: { around } }: ValveShape): number[] {
-  const apart = (a: number, b: number): number => {
-    const way = Math.abs((around[a] as number) - (around[b] as number))
-    return Math.min(way, 1 - way)
+/// At (x, y), of the line along y between the front and the back of an outline; without one minus infinity.
+function lineHeight(outline: readonly Vector[], x: number, y: number): number {
+  const ends: [y: number, z: number][] = []
+  for (const [i, a] of outline.entries()) {
+    const b = outline[(i + 1) % outline.length] as Vector
+    if (a[0] < x === b[0] < x) continue
+    const share = (x - a[0]) / (b[0] - a[0])
+    ends.push([a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])])
   }
-  return around.map((_, i) => annulus.reduce((best, vertex) => (apart(i, vertex) < apart(i, best) ? vertex : best)))
+  ends.sort(([first], [second]) => first - second)
+  const [back, front] = [ends[0], ends.at(-1)]
+  if (!back || !front) return -Infinity
+  const share = Math.min(Math.max((y - back[0]) / (front[0] - back[0] || 1), 0), 1)
+  return back[1] + share * (front[1] - back[1])
 }
 
 /// Colours of the corners of Scene.faces, where it prolapses another one.

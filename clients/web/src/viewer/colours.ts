@@ -117,7 +117,7 @@ export function scaleOf(mode: ColourMode, scenes: Scene[]): Scale | null {
   }
 }
 
-export function heights({ plane, rest_mm }: ValveShape, nodes: ArrayLike<number>): number[] {
+function heights({ plane, rest_mm }: ValveShape, nodes: ArrayLike<number>): number[] {
   return Array.from({ length: rest_mm.length / 3 }, (_, i) => dot(minus(at(nodes, i), plane.origin_mm), plane.normal))
 }
 

@@ -4,7 +4,7 @@ import { type LiveCommand, LiveLoop, type LiveReply } from '../../src/engine/liv
 import { readPicture } from '../../src/engine/picture'
 import { hasSimd, LiveClient, type LiveThread } from '../../src/live/client'
 import { Pictures, Rate } from '../../src/live/rates'
-import { annulusBeside, edgeOf, highlighted, prolapse } from '../../src/live/surface'
+import { edgeOf, highlighted, prolapse } from '../../src/live/surface'
 import { stateWords } from '../../src/live/state_words'
 import { pyramid } from './scenes'
 
@@ -178,16 +178,16 @@ test('a pause is no slow picture', () => {
   expect(pictures.aSecond).toBeCloseTo(50)
 })
 
-test('tissue prolapses 2 mm above a surface from the annulus to its plane at the free edge', () => {
-  const scene = pyramid() // the annulus at 0, the free edge is vertex 4
-  const beside = annulusBeside(scene)
-  expect(beside).toEqual([0, 1, 2, 3, 1])
+test('tissue prolapses 2 mm above the annular plane and the line between its hinges', () => {
+  const scene = pyramid() // the annulus at 0; vertex 4 is the free edge, above the middle
   const at = (z: number) => [...scene.rest_mm.slice(0, 14), z]
-  expect(prolapse(scene, at(1.9), beside)).toEqual([false, false, false, false, false])
-  expect(prolapse(scene, at(2), beside)).toEqual([false, false, false, false, true])
-  const saddle = at(2)
-  saddle[5] = 6 // its peak, beside vertex 4
-  expect(prolapse(scene, saddle, beside)).toEqual([false, false, false, false, true])
+  expect(prolapse(scene, at(1.9))).toEqual([false, false, false, false, false])
+  expect(prolapse(scene, at(2.1))).toEqual([false, false, false, false, true])
+  const saddle = at(4.9)
+  saddle[5] = 6 // its peak in front of the middle: the line is at 3 there
+  expect(prolapse(scene, saddle)[4]).toBe(false)
+  saddle[14] = 5.1
+  expect(prolapse(scene, saddle)).toEqual([false, false, false, false, true])
   const colours = highlighted(scene, new Float32Array(36), [false, false, false, false, true])
   expect([...colours.slice(0, 6)].every((part) => part === 0)).toBe(true)
   expect([...colours.slice(6, 9)].every((part) => part > 0)).toBe(true)
