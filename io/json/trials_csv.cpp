@@ -111,8 +111,8 @@ std::vector<Segment> visited_at(const RowPlace& row) {
     const std::string_view word = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (word.empty()) continue;
-    const auto* segment = std::find_if(kAllSegments.begin(), kAllSegments.end(),
-                                       [&](Segment s) { return to_string(s) == word; });
+    const auto segment = std::find_if(kAllSegments.begin(), kAllSegments.end(),
+                                      [&](Segment s) { return to_string(s) == word; });
     if (segment == kAllSegments.end()) {
       row.refuse("visited", "has " + shown_text(word) +
                                 ", must be of A1, A2, A3, P1, P2, P3, AC and PC, between blanks");
@@ -155,7 +155,7 @@ TrainingTrial trial_at(const RowPlace& row) {
 std::map<std::string_view, std::size_t> columns_of(const Cells& header, ProblemList& problems) {
   std::map<std::string_view, std::size_t> columns;
   for (std::size_t i = 0; i < header.size(); ++i) {
-    const auto* known = std::find(kColumns.begin(), kColumns.end(), header[i]);
+    const auto known = std::find(kColumns.begin(), kColumns.end(), header[i]);
     if (known == kColumns.end())
       problems.add(ErrorCode::UnknownField, "/1", "has an unknown column " + shown_text(header[i]));
     else if (!columns.emplace(*known, i).second)

@@ -17,10 +17,11 @@ struct Unlesioned {
   SegmentHeights heights_mm;
 };
 
-bool has_all_kinds(const std::array<SegmentTruth, kSegments>& truths) {
+bool has_all_kinds(const std::array<SegmentTruth, kSegments>& truths, int fewest) {
   const auto has = [&](Mobility mobility) {
-    return std::any_of(truths.begin(), truths.end(),
-                       [&](const SegmentTruth& truth) { return truth.mobility == mobility; });
+    return std::count_if(truths.begin(), truths.end(), [&](const SegmentTruth& truth) {
+             return truth.mobility == mobility;
+           }) >= fewest;
   };
   return has(Mobility::Tethered) && has(Mobility::Normal) && has(Mobility::Prolapsing);
 }
@@ -35,17 +36,15 @@ std::optional<std::array<SegmentTruth, kSegments>> truths_of(const SegmentHeight
     if (std::abs(std::abs(change_mm) - rules.limit_mm) < rules.margin_mm) return std::nullopt;
     truths[s] = {mobility_of(change_mm, rules.limit_mm), heights_mm[s], normal_mm[s]};
   }
-  if (!has_all_kinds(truths)) return std::nullopt;
+  if (!has_all_kinds(truths, rules.fewest_of_kind)) return std::nullopt;
   return truths;
 }
 
 std::optional<ExamBCase> case_of(const Unlesioned& before, CaseLesions lesions,
                                  const ExamBRules& rules) {
-  const bool shorter = std::any_of(lesions.chordae.begin(), lesions.chordae.end(),
-                                   [](const ChordaeLesion& l) { return l.factor < 1.0; });
-  const bool longer = std::any_of(lesions.chordae.begin(), lesions.chordae.end(),
-                                  [](const ChordaeLesion& l) { return l.factor > 1.0; });
-  if (!shorter || !longer) return std::nullopt;  // no case of all kinds comes of it
+  const auto shorter = std::count_if(lesions.chordae.begin(), lesions.chordae.end(),
+                                     [](const ChordaeLesion& l) { return l.factor < 1.0; });
+  if (shorter == 0 || shorter == std::ssize(lesions.chordae)) return std::nullopt;
   Expected<Valve> changed = with_lesions(before.valve, lesions);
   if (!changed) return std::nullopt;
   ExamBCase made;

@@ -24,11 +24,14 @@ struct ExamBRules {
   double limit_mm = 2.0;
   /// No segment's change is nearer to the limit than this, which is more than heights are uncertain by.
   double margin_mm = 0.25;
-  double flaccid_mm = 0.3;  ///< flaccid_difference_mm() from the unlesioned valve
-  int most_draws = 60;      ///< of valves
-  LesionRanges lesions{.fewest_segments = 3,
-                       .most_segments = 5,
-                       .shorter = {0.78, 0.88},
+  /// Nearer than this to the unlesioned valve without pressure (flaccid_difference_mm()).
+  double flaccid_mm = 0.3;
+  /// Segments of each kind in a case, so that who always says "normal" gains little.
+  int fewest_of_kind = 2;
+  int most_draws = 200;  ///< of valves
+  LesionRanges lesions{.fewest_segments = 4,
+                       .most_segments = 6,
+                       .shorter = {0.82, 0.88},
                        .longer = {1.1, 1.24},
                        .by_side = false,
                        .tip_share = 0.0};
