@@ -12,7 +12,7 @@
 namespace coapt {
 namespace {
 
-constexpr int kCases = 4;
+constexpr int kCases = 2;
 
 class TrainingCases : public testing::Test {
  protected:
