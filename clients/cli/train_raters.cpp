@@ -90,8 +90,8 @@ void print_raters(const nlohmann::ordered_json& result) {
               << " seeds gave none), " << fixed(exam["draws"], 1) << " valves drawn for each\n";
     for (const auto& rater : exam["raters"])
       std::cout << "  " << std::left << std::setw(34) << rater["rater"].get<std::string>()
-                << std::right << std::setw(4) << rater["right"] << " of " << std::setw(4)
-                << rater["answers"] << std::setw(7) << percent(rater["share"]) << " ("
+                << std::right << std::setw(4) << rater["right"].get<int>() << " of " << std::setw(4)
+                << rater["answers"].get<int>() << std::setw(7) << percent(rater["share"]) << " ("
                 << percent(rater["interval95"][0]) << " to " << percent(rater["interval95"][1])
                 << "), chance " << percent(rater["chance"]) << '\n';
   }

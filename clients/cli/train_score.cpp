@@ -50,14 +50,14 @@ void print_scores(const nlohmann::ordered_json& result) {
   for (const auto& score : result["scores"]) {
     const std::string block =
         score["block"].is_null() ? "all" : printable(score["block"].get<std::string>());
-    std::cout << std::setw(7) << score["learner"] << ' ' << std::left << std::setw(6)
+    std::cout << std::setw(7) << score["learner"].get<int>() << ' ' << std::left << std::setw(6)
               << score["exam"].get<std::string>() << std::setw(16) << block << std::right
-              << std::setw(5) << score["right"] << " of " << std::setw(4) << score["answers"]
-              << std::setw(8) << percent(score["share"]) << " (" << percent(score["interval95"][0])
-              << " to " << percent(score["interval95"][1]) << ")  " << percent(score["chance"])
-              << "  " << fixed(score["by_chance"], 3) << "  " << fixed(score["brier"], 3) << "  "
-              << fixed(score["seconds"], 0) << "  " << fixed(score["ability"], 1) << " ± "
-              << fixed(score["ability_se"], 1) << '\n';
+              << std::setw(5) << score["right"].get<int>() << " of " << std::setw(4)
+              << score["answers"].get<int>() << std::setw(8) << percent(score["share"]) << " ("
+              << percent(score["interval95"][0]) << " to " << percent(score["interval95"][1])
+              << ")  " << percent(score["chance"]) << "  " << fixed(score["by_chance"], 3) << "  "
+              << fixed(score["brier"], 3) << "  " << fixed(score["seconds"], 0) << "  "
+              << fixed(score["ability"], 1) << " ± " << fixed(score["ability_se"], 1) << '\n';
   }
   for (const auto& next : result["next"]) {
     std::cout << "Learner " << next["learner"] << ", exam " << next["exam"].get<std::string>()

@@ -47,7 +47,7 @@ ScheduleBlock read_block(const JsonPlace& place) {
         into(block.cases, [](const JsonPlace& at) { return read_integer_in(at, 1, kMostCases); })},
        {"repeats", into(block.repeats, count_up_to(kMostCases)), false},
        {"seconds", into(block.seconds, count_up_to(kMostSeconds)), false}});
-  if (block.repeats > block.cases)
+  if (block.cases > 0 && block.repeats > block.cases)
     add_problem(place, ErrorCode::OutOfRange,
                 "repeats " + std::to_string(block.repeats) + " cases, must be at most \"cases\"");
   return block;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -174,6 +175,12 @@ std::string letters_of(const std::array<Mobility, kSegments>& mobilities) {
   return letters;
 }
 
+/// The shortest that reads back as the same.
+std::string shortest(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -246,15 +253,14 @@ std::string write_trials_csv(const std::vector<TrainingTrial>& trials) {
     std::string visited;
     for (const Segment segment : trial.visited)
       visited += (visited.empty() ? "" : " ") + std::string(to_string(segment));
-    const auto number = [](double value) { return significant(value, 17); };
     for (const std::string& cell :
          {std::to_string(trial.learner), csv_cell(trial.block), std::to_string(trial.trial),
           csv_cell(trial.valve), std::string(chosen ? "A" : "B"), std::to_string(trial.seed),
-          number(trial.difficulty),
+          shortest(trial.difficulty),
           chosen ? std::to_string(chosen->choice) : letters_of(segments->choice),
           chosen ? std::to_string(chosen->answer) : letters_of(segments->answer),
-          std::to_string(right_of(trial)), number(trial.confidence), number(trial.seconds),
-          number(trial.path_mm), number(trial.largest_n)})
+          std::to_string(right_of(trial)), shortest(trial.confidence), shortest(trial.seconds),
+          shortest(trial.path_mm), shortest(trial.largest_n)})
       text += cell + ',';
     text += visited + '\n';
   }

@@ -29,7 +29,7 @@ namespace coapt {
 /// 100,000 rows.
 Expected<std::vector<TrainingTrial>> read_trials_csv(std::string_view text);
 
-/// Round trip: the same trials, numbers to 17 digits.
+/// Round trip: the same trials.
 std::string write_trials_csv(const std::vector<TrainingTrial>& trials);
 
 }  // namespace coapt

@@ -17,7 +17,8 @@ constexpr int kPull_steps = 1800;
 Points flaccid_mm(const Valve& valve) {
   LiveValve live(valve);
   live.advance(kFlaccid_steps);
-  return live.vertices_mm();
+  // Branch points of chordae follow the vertices.
+  return live.vertices_mm().topRows(valve.rest_mm.rows());
 }
 
 double flaccid_difference_mm(const FreeEdge& edge, const Points& one_mm, const Points& other_mm) {

@@ -12,9 +12,9 @@ namespace coapt {
 
 /// Instruction: no trials, a text says what is done. Trials: `cases` different cases, `repeats` of which come twice.
 struct ScheduleBlock {
-  std::string name;
-  std::string instruction;  ///< empty: a block of trials
-  bool segments = false;    ///< exam B
+  std::string name{};
+  std::string instruction{};  ///< empty: a block of trials
+  bool segments = false;      ///< exam B
   int cases = 0, repeats = 0;
   int seconds = 180;  ///< of analysis of a trial, at most; 0: no limit
   /// Blocks of instruction with the same one, not empty, change places at random.

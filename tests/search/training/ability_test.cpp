@@ -64,11 +64,11 @@ TEST(Calibration, FindsTheDifficultiesOfScriptedRaters) {
   std::vector<ItemFit> truth;
   for (const double difficulty : {-2.0, -1.0, -0.3, 0.0, 0.4, 1.0, 1.8})
     truth.push_back({0, difficulty, 1.0, 0.0});
-  const auto fits = calibrate(scripted_answers(600, truth, 0.25), 600, 7, {.chance = 0.25});
+  const auto fits = calibrate(scripted_answers(300, truth, 0.25), 300, 7, {.chance = 0.25});
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    EXPECT_EQ(fits[i].answers, 600);
+    EXPECT_EQ(fits[i].answers, 300);
     EXPECT_NEAR(fits[i].difficulty, truth[i].difficulty, 4.0 * fits[i].difficulty_se);
-    EXPECT_LT(fits[i].difficulty_se, 0.3);
+    EXPECT_LT(fits[i].difficulty_se, 0.4);
   }
 }
 
@@ -76,7 +76,7 @@ TEST(Calibration, FindsSlopesWhereItIsAsked) {
   std::vector<ItemFit> truth;
   for (int i = 0; i < 12; ++i) truth.push_back({0, -1.0 + 0.2 * i, i % 2 == 0 ? 0.6 : 1.6, 0.0});
   const auto fits =
-      calibrate(scripted_answers(800, truth, 0.25), 800, 12, {.chance = 0.25, .slopes = true});
+      calibrate(scripted_answers(400, truth, 0.25), 400, 12, {.chance = 0.25, .slopes = true});
   for (std::size_t i = 0; i < 12; i += 2) EXPECT_LT(fits[i].slope, fits[i + 1].slope);
 }
 
