@@ -44,7 +44,7 @@ test('views and steps can be reached with the keyboard alone', async () => {
   const { page } = await openView(browser, service.url, 'valve')
   await page.keyboard.press('Tab')
   assert.equal(await page.evaluate(() => document.activeElement?.textContent), 'Skip to content')
-  for (let i = 0; i < 2; ++i) await page.keyboard.press('Tab')
+  for (let i = 0; i < 3; ++i) await page.keyboard.press('Tab')
   await page.keyboard.press('Tab')
   assert.equal(
     await page.evaluate(() => document.activeElement?.getAttribute('href')),
