@@ -77,7 +77,7 @@ EngineAnswer case_answer(const Expected<Case>& made, const Valve& from) {
     add_below(problems, "/valve", made.errors());
     return problem(422, std::move(problems).take());
   }
-  ordered_json json = to_json(*made, from);
+  nlohmann::ordered_json json = to_json(*made, from);
   add_shapes(json, *made);
   return json_answer(200, std::move(json));
 }
