@@ -201,9 +201,8 @@ export class LiveDrawing {
 
   /// Across the annulus; the side that is nearer to the eye is hidden.
   private drawCut(scene: ValveShape, { cut }: LiveLook): void {
-    const { origin_mm, x } = scene.plane
-    const reaches = scene.annulus.map((_, i) => Math.abs(dot(minus(at(scene.annulus_mm, i), origin_mm), x)))
-    const point = plus(origin_mm, times((cut ?? 0) * Math.max(...reaches), x))
+    const { x } = scene.plane
+    const point = cutPoint(scene, cut ?? 0)
     const side = dot(minus(this.stage.camera.position.toArray(), point), x) < 0 ? 1 : -1
     const planes =
       cut === null
@@ -222,4 +221,10 @@ export class LiveDrawing {
       }),
     )
   }
+}
+
+/// Where a cut across the annulus lies; `cut` as of LiveLook.
+export function cutPoint({ plane: { origin_mm, x }, annulus, annulus_mm }: ValveShape, cut: number): Vector {
+  const reaches = annulus.map((_, i) => Math.abs(dot(minus(at(annulus_mm, i), origin_mm), x)))
+  return plus(origin_mm, times(cut * Math.max(...reaches), x))
 }

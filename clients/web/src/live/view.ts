@@ -1,6 +1,7 @@
 // The valve under the hand: pulled, pressed, repaired while it moves.
 import type { Plan } from '../api/types'
 import { h } from '../dom'
+import { EchoPanel } from '../echo/panel'
 import { labelledButton } from '../icons'
 import type { Picture } from '../engine/picture'
 import { problemList } from '../problems'
@@ -16,6 +17,7 @@ import { problemsOf, type Workspace } from '../workspace'
 import { LiveCanvas } from './canvas'
 import type { LiveValve } from './client'
 import { HookPanel, lookControls, Pressure } from './controls'
+import { cutPoint } from './drawing'
 import { liveLegend } from './legend'
 import { liveScripts, offer } from './scripting'
 import { stateWords } from './state_words'
@@ -40,6 +42,7 @@ export class LiveView implements View {
   private readonly accept = labelledButton('keep', 'Keep', 'Keep this repair', () => void this.keep(), {
     class: parts.primary,
   })
+  private readonly echo = new EchoPanel()
   private readonly headline = h('div', {})
   private readonly legend = h('div', {})
   private readonly state = h('p', { class: liveStyle.state, role: 'status', 'data-part': 'live-state' })
@@ -92,6 +95,7 @@ export class LiveView implements View {
           this.hooks.element,
         ),
         lookControls(look, looked),
+        this.echo.element,
         this.editor.element,
         h('section', { class: parts.panel }, h('h2', {}, 'Closed, without hooks'), this.headline),
         this.kept.element,
@@ -157,7 +161,11 @@ export class LiveView implements View {
   }
 
   private tell(picture: Picture): void {
-    if (this.valve) this.hooks.tell(picture, this.valve)
+    if (this.valve) {
+      const { scene } = this.valve
+      this.hooks.tell(picture, this.valve)
+      this.echo.tell(scene, picture.nodes, cutPoint(scene, this.canvas.look.cut ?? 0), picture.at_rest)
+    }
     this.distance.update()
     const words = stateWords(picture)
     if (words !== this.state.textContent) this.state.textContent = words
