@@ -8,8 +8,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kMmhgPerKpa = 7.50064;
-
 template <class Matrix>
 void put(std::vector<float>& list, const Matrix& numbers) {
   for (Index i = 0; i < numbers.rows(); ++i)
@@ -25,6 +23,15 @@ void put_hook(std::vector<float>& list, const LiveValve& valve, int hook) {
   put(list, valve.force_n(hook));
 }
 
+/// Valves may close under more than a live one takes.
+std::optional<EngineAnswer> refused_pressure(const Valve& valve) {
+  const Range kpa{0.0, kLivePressures_mmhg.max / kMmhgPerKpa};
+  ProblemList problems;
+  check_range(problems, "/valve/pressure_kpa", valve.pressure_kpa, kpa, " kPa");
+  if (problems.empty()) return std::nullopt;
+  return problem(422, std::move(problems).take());
+}
+
 }  // namespace
 
 EngineAnswer LiveEngine::start(std::string_view body) {
@@ -36,6 +43,7 @@ EngineAnswer LiveEngine::start(std::string_view body) {
   if (auto refusal =
           read_request(body, asked, {{"pressure_mmhg", into(pressure_mmhg, read), false}}))
     return *std::move(refusal);
+  if (auto refusal = refused_pressure(asked.repaired)) return *std::move(refusal);
   moving_.emplace(asked.repaired,
                   pressure_mmhg.value_or(kMmhgPerKpa * asked.repaired.pressure_kpa));
   return started(asked);
@@ -44,6 +52,7 @@ EngineAnswer LiveEngine::start(std::string_view body) {
 EngineAnswer LiveEngine::change(std::string_view body) {
   RepairRequest asked;
   if (auto refusal = read_request(body, asked, {})) return *std::move(refusal);
+  if (auto refusal = refused_pressure(asked.repaired)) return *std::move(refusal);
   moving_->change(asked.repaired);
   return started(asked);
 }
@@ -55,9 +64,12 @@ EngineAnswer LiveEngine::started(const RepairRequest& asked) {
   nlohmann::ordered_json cables = nlohmann::ordered_json::array();
   for (const LiveCable& cable : moving_->cables()) cables.push_back({cable.chorda, cable.segment});
   cables_ = static_cast<int>(cables.size());
+  nlohmann::ordered_json hooks = nlohmann::ordered_json::array();
+  for (int hook = 0; hook < kHooks; ++hook) hooks.push_back(moving_->hook(hook).has_value());
   return json_answer(200, {{"scene", unloaded_scene_to_json(asked.repaired, asked.plan)},
                            {"systole_mmhg", kMmhgPerKpa * asked.repaired.pressure_kpa},
-                           {"cables", std::move(cables)}});
+                           {"cables", std::move(cables)},
+                           {"hooks", std::move(hooks)}});
 }
 
 const std::vector<float>& LiveEngine::take_picture() {

@@ -1,7 +1,8 @@
 #include "clients/live/haply_message.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "clients/live/haptic_device.h"
 
 namespace coapt {
 namespace {
@@ -27,7 +28,7 @@ std::optional<Vec3> point_of(const json& state) {
     if (number == at.end() || !number->is_number()) return std::nullopt;
     point[k] = kMmPerM * number->get<double>();
   }
-  return point.allFinite() ? std::optional<Vec3>(point) : std::nullopt;
+  return (point.array().abs() <= kFarthest_mm).all() ? std::optional<Vec3>(point) : std::nullopt;
 }
 
 bool is_pressed(const json& grip) {

@@ -24,7 +24,7 @@ struct HaplyState {
   bool button = false;  ///< any of the grip's
 };
 
-/// Of the first Inverse3; none if the message has none, or is not such a message.
+/// Of the first Inverse3; none if the message has none, or is not such a message, or the place is beyond kFarthest_mm.
 std::optional<HaplyState> read_haply_state(std::string_view message);
 
 std::string haply_force_message(const std::string& device_id, const Vec3& force_n);

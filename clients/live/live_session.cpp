@@ -14,7 +14,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kLook_steps = 30;
 constexpr std::chrono::microseconds kNap(500);  // of the valve's thread where nothing moves
 constexpr double kLongestKept_s = 600.0;        // of periods in the figures: memory is taken before
 
@@ -80,8 +79,11 @@ class Hand {
   Hand(const SessionOptions& options, SessionResult& result)
       : options_(options), result_(result), period_ms_(1e3 / options.rate_hz) {}
 
-  /// The force to show, N.
-  Vec3 feel(const StylusState& stylus, Exchange& exchange) {
+  /// The force to show for a fresh state, N. The next one is expected after as long as this one took to come, and no sooner than
+  /// in a period.
+  Vec3 feel(const StylusState& stylus, double time_ms, Exchange& exchange) {
+    const double interval_ms = std::max(period_ms_, time_ms - felt_ms_);
+    felt_ms_ = time_ms;
     if (stylus.grabs && !wish_.holds) {
       ++wish_.grasp;
       account_ = {};
@@ -96,7 +98,7 @@ class Hand {
     Hook hook;
     hook.hook_mm = wish_.hand_mm + held_.shift_mm;
     const Vec3 wanted = -pull_n(hook, held_.spot_mm, HookLimits{});
-    const Vec3 shown = passive_force_n(account_, stylus.position_mm, wanted, period_ms_);
+    const Vec3 shown = passive_force_n(account_, stylus.position_mm, wanted, interval_ms);
     result_.largest_force_n = std::max(result_.largest_force_n, shown.norm());
     return shown;
   }
@@ -126,16 +128,18 @@ class Hand {
   const SessionOptions& options_;
   SessionResult& result_;
   double period_ms_;
+  double felt_ms_ = 0.0;  // the last fresh state
   Wish wish_;
   Held held_;
   PassivityAccount account_;
 };
 
-/// The device's loop. How it ended is in `result`.
+/// The device's loop, which leaves no force behind. How it ended is in `result`.
 void run_device(const HapticDevice& device, const SessionOptions& options, Exchange& exchange,
                 const std::atomic<bool>& interrupted, SessionResult& result) {
   Hand hand(options, result);
   StylusState stylus;
+  Vec3 force_n = Vec3::Zero();
   Metronome metronome(options.rate_hz);
   for (;; ++result.periods) {
     const double late_us = metronome.wait();
@@ -156,14 +160,17 @@ void run_device(const HapticDevice& device, const SessionOptions& options, Excha
     }
     stylus = *read;
     if (stylus.over) break;
-    const Vec3 force = hand.feel(stylus, exchange);
-    device.show(force);
+    if (stylus.fresh) {
+      force_n = hand.feel(stylus, time_ms, exchange);
+      device.show(force_n);
+    }
     if (result.late_us.size() < result.late_us.capacity()) result.late_us.push_back(late_us);
     if (options.record && result.rows.size() < result.rows.capacity()) {
-      SessionRow& row = result.rows.emplace_back(hand.row(stylus, force));
+      SessionRow& row = result.rows.emplace_back(hand.row(stylus, force_n));
       row.time_ms = time_ms, row.late_us = late_us;
     }
   }
+  device.show(Vec3::Zero());
   if (hand.grabs()) hand.let_go(stylus);
   result.seconds = 1e-3 * metronome.time_ms();
   result.missed = metronome.missed();

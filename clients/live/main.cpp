@@ -13,12 +13,12 @@
 #include "clients/live/live_session.h"
 #include "clients/live/session_report.h"
 #include "clients/live/stylus_script.h"
+#include "core/live/live_valve.h"
 #include "io/json/result_json.h"
 
 namespace coapt {
 namespace {
 
-constexpr double kMmhgPerKpa = 7.50062;
 constexpr int kMostSteps = 40000;  // until the valve has closed, before the hand comes
 
 struct LiveArguments {
@@ -41,7 +41,7 @@ Expected<HapticDevice> open_device(const std::string& device, const Vec3& middle
   if (device == "haply") return connect_haply(kHaplyService, middle_mm);
   if (device.starts_with("haply:")) return connect_haply(device.substr(6), middle_mm);
   return Error{ErrorCode::Unsupported, "",
-               "is no device; must be stylus:FILE, haply or haply:ws://HOST:PORT"};
+               "is not a device; must be stylus:FILE, haply or haply:ws://HOST:PORT"};
 }
 
 int exit_code_of(SessionEnd end) {
@@ -57,38 +57,57 @@ int exit_code_of(SessionEnd end) {
   return exit_code::kFailure;
 }
 
+/// Valves may close under more than a live one takes.
+Errors pressure_problems(const Valve& valve) {
+  const Range kpa{0.0, kLivePressures_mmhg.max / kMmhgPerKpa};
+  ProblemList problems;
+  check_range(problems, "/pressure_kpa", valve.pressure_kpa, kpa, " kPa, or give --pressure");
+  return std::move(problems).take();
+}
+
+/// The device is closed when this returns: its hand is free while figures are printed.
+Expected<SessionResult> run_with_device(const LiveArguments& arguments, LiveValve& live,
+                                        const std::atomic<bool>& interrupted) {
+  const Vec3 middle_mm = live.vertices_mm().topRows(live.vertices()).colwise().mean().transpose() /
+                         arguments.session.scale;
+  const Expected<HapticDevice> device = open_device(arguments.device, middle_mm);
+  if (!device) return device.errors();
+  return run_session(live, *device, arguments.session, interrupted);
+}
+
 int run(const LiveArguments& arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const PlannedValve planned = read_planned_valve(arguments.valve, arguments.plan);
   if (planned.failed != exit_code::kOk) return planned.failed;
   if (const int failed = check_output(arguments.record)) return failed;
   const Valve& valve = planned.repaired;
+  if (const Errors problems = pressure_problems(valve);
+      !arguments.pressure_mmhg && !problems.empty())
+    return report_errors(arguments.valve, problems);
   LiveValve live(valve, arguments.pressure_mmhg.value_or(kMmhgPerKpa * valve.pressure_kpa));
   for (int done = 0; done < kMostSteps && !live.at_rest() && !interrupted; done += 60)
     live.advance(60);
-  const Vec3 middle_mm = live.vertices_mm().topRows(live.vertices()).colwise().mean().transpose() /
-                         arguments.session.scale;
-  const Expected<HapticDevice> device = open_device(arguments.device, middle_mm);
-  if (!device) {
-    report_errors(arguments.device, device.errors());
-    return device.errors().front().code == ErrorCode::InputOutput &&
+  const Expected<SessionResult> session = run_with_device(arguments, live, interrupted);
+  if (!session) {
+    report_errors(arguments.device, session.errors());
+    return session.errors().front().code == ErrorCode::InputOutput &&
                    arguments.device.starts_with("haply")
                ? exit_code::kFailure
                : exit_code::kBadInput;
   }
-  const SessionResult session = run_session(live, *device, arguments.session, interrupted);
-  for (const std::string& refused : session.real_time.refused)
+  for (const std::string& refused : session->real_time.refused)
     std::cerr << "coapt-live: " << refused << "; periods may come late\n";
-  if (session.end == SessionEnd::Lost)
-    std::cerr << "coapt-live: " << arguments.device << ": " << session.lost << '\n';
+  if (session->end == SessionEnd::Lost)
+    std::cerr << "coapt-live: " << arguments.device << ": " << session->lost << '\n';
   if (arguments.json) {
-    std::cout << to_json(session, arguments.session.rate_hz).dump(2) << '\n';
+    std::cout << to_json(*session, arguments.session.rate_hz).dump(2) << '\n';
   } else {
-    print_session(std::cout, session, arguments.session.rate_hz);
+    print_session(std::cout, *session, arguments.session.rate_hz);
   }
   if (!arguments.record.empty())
-    if (const int failed = write_output(arguments.record, session_csv(session.rows))) return failed;
-  return exit_code_of(session.end);
+    if (const int failed = write_output(arguments.record, session_csv(session->rows)))
+      return failed;
+  return exit_code_of(session->end);
 }
 
 void add_options(Command app, LiveArguments& arguments) {

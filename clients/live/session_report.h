@@ -10,10 +10,10 @@
 
 namespace coapt {
 
-/// Sorts `values`; 0 where there are none.
 struct Spread {
   double median = 0.0, p99 = 0.0, largest = 0.0;
 };
+/// All 0 where there are no values.
 Spread spread_of(std::vector<double> values);
 
 /// coapt.live/1.

@@ -13,17 +13,28 @@ namespace coapt {
 namespace {
 
 constexpr std::array<std::string_view, 5> kColumns = {"t_ms", "x", "y", "z", "button"};
-constexpr double kFarthest_mm = 1000.0;
+
+bool accepts(std::size_t column, double number) {
+  if (column == 0) return number >= 0.0;
+  if (column == 4) return number == 0.0 || number == 1.0;
+  return std::abs(number) <= kFarthest_mm;
+}
+
+std::string accepted(std::size_t column) {
+  if (column == 0) return "at least 0";
+  if (column == 4) return "0 or 1";
+  return "from " + shown(-kFarthest_mm) + " to " + shown(kFarthest_mm) + " mm";
+}
 
 /// What speaks against it, but for its place in the order; "" if nothing does.
 std::string problem_with(const std::array<double, 5>& row) {
-  for (std::size_t k = 0; k < row.size(); ++k)
-    if (!std::isfinite(row[k])) return std::string(kColumns[k]) + " is not a number";
-  for (std::size_t k = 1; k <= 3; ++k)
-    if (std::abs(row[k]) > kFarthest_mm)
-      return std::string(kColumns[k]) + " is " + shown(row[k]) + ", must be from -1000 to 1000 mm";
-  if (row[4] != 0.0 && row[4] != 1.0) return "button is " + shown(row[4]) + ", must be 0 or 1";
-  return row[0] < 0.0 ? "t_ms is " + shown(row[0]) + ", must be at least 0" : "";
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const bool is_number = std::isfinite(row[k]);
+    if (is_number && accepts(k, row[k])) continue;
+    return std::string(kColumns[k]) + " is " + (is_number ? shown(row[k]) : "not a number") +
+           ", must be " + accepted(k);
+  }
+  return "";
 }
 
 }  // namespace

@@ -12,14 +12,12 @@
 namespace coapt {
 namespace {
 
-constexpr double kMpaPerMmhg = 1.33322e-4;
 // Of annulus and tips, as in relaxation.cpp: another way to the same place may lead to another end.
 constexpr double kLongestTravel_mm = 0.15;  // in one step
 constexpr int kTravelSteps = 60;            // at least
 constexpr double kLongestMove_mm = 0.15;    // of a node
 constexpr double kShortestMove_mm = 0.02;   // where leaflets would cross
 constexpr double kLonger = 1.2;             // than the moves before the last uncrossed look
-constexpr int kLook_steps = 30;
 // Leaflets that cross on the way may come apart by themselves. A closure looks every 90 steps, and what it does not see must not
 // lead the live valve elsewhere.
 constexpr int kLooksToReturn = 3;
@@ -43,10 +41,12 @@ std::map<std::pair<int, int>, int> branch_nodes(const ClosureModel& model) {
   return nodes;
 }
 
-/// Where the nodes of `to` start so that what both have stays where it is at `x_mm`.
-Points carried_over(const ClosureModel& from, const Points& x_mm, const ClosureModel& to) {
+/// Where the nodes of `to` start so that what both have stays where it is at `x_mm`. `heads`: of both, the last nodes.
+Points carried_over(const ClosureModel& from, const Points& x_mm, const ClosureModel& to,
+                    Index heads) {
   Points start = to.target_mm;
   start.topRows(to.vertices) = x_mm.topRows(to.vertices);
+  start.bottomRows(heads) = x_mm.bottomRows(heads);
   const auto before = branch_nodes(from);
   for (const auto& [segment, node] : branch_nodes(to))
     if (const auto found = before.find(segment); found != before.end())
@@ -61,6 +61,16 @@ Points carried_over(const ClosureModel& from, const Points& x_mm, const ClosureM
 
 bool same_mesh(const ClosureModel& a, const ClosureModel& b) {
   return a.vertices == b.vertices && a.faces.rows() == b.faces.rows() && a.faces == b.faces;
+}
+
+bool same_ends(const Cable& a, const Cable& b) {
+  const auto same_node = [](const NodeShare& s, const NodeShare& t) { return s.node == t.node; };
+  return a.chorda == b.chorda && a.segment == b.segment && a.start == b.start &&
+         std::equal(a.end.begin(), a.end.end(), b.end.begin(), b.end.end(), same_node);
+}
+
+bool same_cables(const ClosureModel& a, const ClosureModel& b) {
+  return std::equal(a.cables.begin(), a.cables.end(), b.cables.begin(), b.cables.end(), same_ends);
 }
 
 }  // namespace
@@ -108,7 +118,7 @@ struct LiveValve::State {
       model.target_mm = model.rest_mm;
     else
       set_targets(valve, model);
-    model.pressure_mpa = beat_steps > 0 ? 0.0 : kMpaPerMmhg * pressure_mmhg;
+    model.pressure_mpa = beat_steps > 0 ? 0.0 : kMpaPerKpa * pressure_mmhg / kMmhgPerKpa;
     moving->load(model.pressure_mpa);
     travel_mm = std::min(kLongestTravel_mm, moving->way_to_targets_mm() / kTravelSteps);
     still_steps = 0;
@@ -199,6 +209,7 @@ LiveValve::~LiveValve() = default;
 
 void LiveValve::change(const Valve& valve) {
   State& s = *state_;
+  const bool same_heads = valve.heads.size() == s.valve.heads.size();
   s.valve = valve;
   if (s.prepared->serves(valve, {})) {
     s.load();
@@ -206,14 +217,15 @@ void LiveValve::change(const Valve& valve) {
   }
   ClosureModel model = make_closure_model(valve);
   const bool same = same_mesh(s.model, model);
-  const Points start_mm = same ? carried_over(s.model, s.shown_mm, model) : model.rest_mm;
-  if (!same) s.hooks = {};
-  // A hook on a chorda holds nodes that may have another number now.
+  const Points start_mm =
+      same ? carried_over(s.model, s.shown_mm, model, same_heads ? std::ssize(valve.heads) : 0)
+           : model.rest_mm;
+  const auto holds_chorda = [&](const Hook& hook) {
+    return std::any_of(hook.shares.begin(), hook.shares.end(),
+                       [&](const NodeShare& share) { return share.node >= s.model.vertices; });
+  };
   for (std::optional<Hook>& hook : s.hooks)
-    if (hook && s.model.rest_mm.rows() != model.rest_mm.rows() &&
-        std::any_of(hook->shares.begin(), hook->shares.end(),
-                    [&](const NodeShare& share) { return share.node >= model.vertices; }))
-      hook.reset();
+    if (hook && (!same || (holds_chorda(*hook) && !same_cables(s.model, model)))) hook.reset();
   s.moving.reset();
   s.prepared.emplace(valve, ClosureOptions{});
   s.model = std::move(model);

@@ -21,8 +21,12 @@ namespace coapt {
 
 inline constexpr int kHooks = 2;
 
-/// Of the ventricle over the atrium; the valve's own (Valve::pressure_kpa) is that of systole.
+/// Of the ventricle over the atrium; the valve's own (Valve::pressure_kpa) is that of systole, and may be larger.
 inline constexpr Range kLivePressures_mmhg{-10.0, 250.0};
+inline constexpr double kMmhgPerKpa = 1.0 / 0.133322;
+
+/// Of advance(), from one look for crossings to the next.
+inline constexpr int kLook_steps = 30;
 
 /// One cable of a chorda or tie as it is drawn.
 struct LiveCable {
@@ -40,8 +44,8 @@ class LiveValve {
   LiveValve(const LiveValve&) = delete;
   LiveValve& operator=(const LiveValve&) = delete;
 
-  /// Goes on with this valve from where the leaflets are; hooks stay. Where the mesh is another one, from its unstressed shape, and
-  /// hooks are let go. @pre validate(valve) is empty.
+  /// Goes on with this valve from where the leaflets are; hooks stay, but those on chordae or ties only where these are the same.
+  /// Where the mesh is another one, from its unstressed shape, and hooks are let go. @pre validate(valve) is empty.
   void change(const Valve& valve);
 
   /// @pre in kLivePressures_mmhg.

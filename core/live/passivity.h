@@ -38,7 +38,8 @@ struct PassivityAccount {
 /// What the hand has done since the last sample, with the force that was shown meanwhile.
 void observe(PassivityAccount& account, const Vec3& hand_mm);
 
-/// Observes, and returns what to show on the hand from now on for `period_ms`: `wanted_n`, or less of it.
+/// Observes, and returns what to show on the hand from now on for `period_ms`: `wanted_n`, or less of it. The next sample must
+/// be a new one, no later than that: a place that is only repeated hides what the hand does meanwhile.
 Vec3 passive_force_n(PassivityAccount& account, const Vec3& hand_mm, const Vec3& wanted_n,
                      double period_ms, const PassivityLimits& limits = {});
 

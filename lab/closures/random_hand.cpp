@@ -23,7 +23,6 @@ namespace {
 using namespace coapt;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kMmhgPerKpa = 7.50062;
 constexpr int kMostSteps = 30000;  // until a valve that is let go must be at rest
 
 struct Tally {

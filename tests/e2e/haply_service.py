@@ -41,11 +41,18 @@ def read_frame(connection):
 def frame(payload, opcode=1):
     head = bytes([0x80 | opcode])
     length = len(payload)
-    return head + (bytes([length]) if length < 126 else b"\x7e" + struct.pack(">H", length)) + payload
+    if length < 126:
+        return head + bytes([length]) + payload
+    if length < 1 << 16:
+        return head + b"\x7e" + struct.pack(">H", length) + payload
+    return head + b"\x7f" + struct.pack(">Q", length) + payload
 
 
 class HaplyService:
-    """Listens at .url while in use. `cursor(seconds)` is ((x, y, z) in metres, pressed) or None to hang up."""
+    """Listens at .url while in use.
+
+    `cursor(seconds)` is ((x, y, z) in metres, pressed), a text to send without waiting for an answer, or None to hang up.
+    """
 
     def __init__(self, cursor, device_id="0123"):
         self.cursor, self.device_id = cursor, device_id
@@ -87,6 +94,9 @@ class HaplyService:
     def follow(self, connection):
         start = time.monotonic()
         while (now := self.cursor(time.monotonic() - start)) is not None:
+            if isinstance(now, str):
+                connection.sendall(frame(now.encode()))
+                continue
             place, pressed = now
             connection.sendall(frame(json.dumps(self.state(place, pressed)).encode()))
             told = read_frame(connection)

@@ -102,13 +102,28 @@ class Scripted(ProgramTest):
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         said = result.stderr.splitlines()
         for line, words in zip(
-            said, ("line 3: z is not", "line 4: y is 5000", "line 5: t_ms is 2", "line 6: button is 2")
+            said,
+            (
+                "line 3: z is not a number, must be from -1000 to 1000 mm",
+                "line 4: y is 5000, must be from -1000 to 1000 mm",
+                "line 5: t_ms is 2",
+                "line 6: button is 2, must be 0 or 1",
+            ),
         ):
             self.assertIn(words, line)
         self.assertEqual(len(said), 4)
         self.assertIn(
             "has no column button", live(VALVE, "--device", f"stylus:{self.write('a.csv', 't_ms,x,y,z')}").stderr
         )
+
+    def test_a_valve_under_more_pressure_than_a_live_one_takes_is_refused(self):
+        still = self.script("0,0,0,0,0", "100,0,0,0,0")
+        valve = json.loads(self.make(VALVE).read_text())
+        tense = self.write("tense.json", {**valve, "pressure_kpa": 40.0})
+        result = live(tense, "--device", f"stylus:{still}")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("/pressure_kpa: is 40, must be from 0 to 33.3305 kPa, or give --pressure", result.stderr)
+        self.assertEqual(live(tense, "--device", f"stylus:{still}", "--pressure", 120).returncode, OK)
 
     def test_bad_usage_is_refused(self):
         still = self.script("0,0,0,0,0")
@@ -153,6 +168,42 @@ class Haply(ProgramTest):
         self.assertEqual(result.returncode, FAILURE)
         self.assertEqual(json.loads(result.stdout)["end"], "lost")
         self.assertRegex(result.stderr, rf"coapt-live: haply:{service.url}: was lost: ")
+
+    def test_a_device_that_tells_no_place_is_lost(self):
+        no_place = "no Inverse3 reported a place from -1000 to 1000 mm for 1 s"
+        for name, told, problem in (
+            ("a flood of garbage", "[]", no_place),
+            ("a place out of range", ((1.5, 0, 0), False), no_place),
+            ("an oversized message", "x" * 70000, "a message of the service has more than 64 KiB"),
+        ):
+            with self.subTest(name):
+
+                def cursor(seconds, told=told):
+                    return told if seconds > 0.3 else ((0, 0, 0), False)
+
+                with HaplyService(cursor) as service:
+                    result = live(VALVE, "--device", f"haply:{service.url}", "--seconds", 5, "--json")
+                self.assertEqual(result.returncode, FAILURE)
+                self.assertEqual(json.loads(result.stdout)["end"], "lost")
+                self.assertIn(f"was lost: {problem}", result.stderr)
+
+    def test_the_account_is_that_of_the_device_where_states_come_slower_than_periods(self):
+        def cursor(seconds):
+            # 10 ms a state: up by 4 mm and back.
+            time.sleep(0.01)
+            up = 0.004 * max(0.0, 1.0 - abs(seconds - 0.9) / 0.6)
+            return (0, 0, up), 0.2 <= seconds < 1.6
+
+        with HaplyService(cursor) as service:
+            result = live(VALVE, "--device", f"haply:{service.url}", "--seconds", 1.9, "--json")
+        self.assertEqual(result.returncode, OK, result.stderr)
+        figures = json.loads(result.stdout)
+        felt = service.felt
+        self.assertEqual(figures["grasps"], 1)
+        self.assertGreater(figures["periods"] + figures["periods_missed"], 2 * len(felt))
+        work = -sum(dot(before[3], minus(after[1], before[1])) for before, after in zip(felt, felt[1:]))
+        self.assertAlmostEqual(figures["energy_mj"], 1e3 * work, delta=1e-6)
+        self.assertGreaterEqual(figures["lowest_energy_mj"], -0.001001)
 
     def test_a_service_that_is_not_there_is_said(self):
         with socket.create_server(("127.0.0.1", 0)) as free:

@@ -162,11 +162,10 @@ export class LiveCanvas {
     return client
   }
 
-  /// Of hooks in a mesh that is another one the engine has let go.
+  /// What the engine has let go, because the tissue or chorda that it held is another one, is let go here, too.
   private take(valve: LiveValve, plan: Plan | null): LiveValve {
-    const before = this.drawing.valve
     const hasRing = plan?.steps.some((step) => step.step === 'annuloplasty') ?? false
-    if (before && before.scene.faces.length !== valve.scene.faces.length) this.hooks.releaseAll()
+    for (const [hook, holds] of valve.hooks.entries()) if (!holds) this.hooks.release(hook)
     this.last = null
     this.drawing.set(valve, hasRing)
     if (!this.isStarted || this.options.isFixed) this.view(this.options.view)

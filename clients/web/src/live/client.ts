@@ -9,6 +9,7 @@ export interface LiveValve {
   scene: ValveShape
   systole_mmhg: number
   cables: [chorda: number, segment: number][] // chorda -1: of a tie
+  hooks: boolean[] // whether each holds something still
 }
 
 export type LivePicture = Extract<LiveReply, { live: 'picture' }>

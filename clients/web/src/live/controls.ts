@@ -128,7 +128,7 @@ export class HookPanel {
           h(
             'li',
             {},
-            'Let go under pressure, the valve beats once: it opens and closes again, as no hook had been there.',
+            'Let go under pressure, the valve beats once: it opens and closes again, as if no hook had been there.',
           ),
         ),
       ),

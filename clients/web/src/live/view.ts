@@ -48,8 +48,8 @@ export class LiveView implements View {
   private readonly state = h('p', { class: liveStyle.state, role: 'status', 'data-part': 'live-state' })
   private readonly told = h('div', {})
   private valve: LiveValve | null = null
-  private text = '' // the document of the valve that moves
-  private shown: { reference: string; plan: Plan } | null = null // asked for last
+  private moving: { reference: string; text: string } | null = null // the valve that moves, and its document
+  private asked: { reference: string; plan: Plan } | null = null // last
   private isAsking = false
 
   constructor(private readonly workspace: Workspace) {
@@ -136,19 +136,21 @@ export class LiveView implements View {
 
   private isBehind(): boolean {
     const { valve, plan } = this.workspace
-    return valve !== null && (this.shown?.reference !== valve.reference || this.shown.plan !== plan)
+    return valve !== null && (this.asked?.reference !== valve.reference || this.asked.plan !== plan)
   }
 
   private async askPresent(): Promise<void> {
     const { valve, plan } = this.workspace
     if (!valve) return
-    const isOther = this.shown?.reference !== valve.reference
-    this.shown = { reference: valve.reference, plan }
+    this.asked = { reference: valve.reference, plan }
+    const isOther = this.moving?.reference !== valve.reference
     try {
-      if (isOther) this.text = await valveText(valve.reference)
-      this.valve = isOther ? await this.canvas.start(this.text, plan) : await this.canvas.change(this.text, plan)
+      const text = isOther ? await valveText(valve.reference) : (this.moving?.text ?? '')
+      const before = this.valve
+      this.valve = isOther ? await this.canvas.start(text, plan) : await this.canvas.change(text, plan)
+      this.moving = { reference: valve.reference, text }
       if (isOther) this.pressure.begin(this.valve)
-      if (isOther) this.distance.clear()
+      if (isOther || before?.scene.faces.length !== this.valve.scene.faces.length) this.distance.clear()
       this.told.replaceChildren()
     } catch (error) {
       this.refuse(error)
