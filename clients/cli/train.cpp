@@ -11,6 +11,7 @@
 #include "io/picture/picture.h"
 #include "io/picture/text.h"
 #include "io/picture/training_picture.h"
+#include "search/training/seeds.h"
 
 namespace coapt {
 namespace {
@@ -24,10 +25,13 @@ struct TrainCaseArguments {
   bool json = false;
 };
 
-/// Writes into the directory of a case; the first failure ends it.
+/// Makes the directory of a case and writes into it; the first failure ends it.
 class CaseDirectory {
  public:
-  explicit CaseDirectory(std::string path) : path_(std::move(path)) {}
+  explicit CaseDirectory(std::string path) : path_(std::move(path)) {
+    if (const Errors errors = make_directory(path_); !errors.empty())
+      failed_ = report_errors(path_, errors);
+  }
 
   void write(const std::string& name, const std::string& bytes) {
     if (failed_ == exit_code::kOk)
@@ -101,8 +105,6 @@ int write_exam_b(const TrainCaseArguments& arguments, const Valve& valve) {
 int run(const TrainCaseArguments& arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
-  if (const Errors errors = make_directory(arguments.directory); !errors.empty())
-    return report_errors(arguments.directory, errors);
   return arguments.exam == Exam::A ? write_exam_a(arguments, *valve)
                                    : write_exam_b(arguments, *valve);
 }
@@ -120,7 +122,7 @@ void add_train_case(Command parent, int& status) {
       .required()
       .show_argument("A|B");
   command.add_option("--seed", arguments->seed, "The same seed makes the same case")
-      .check(number_from(std::uint64_t{0}, (std::uint64_t{1} << 53) - 1))
+      .check(number_from(std::uint64_t{0}, kLargestSeed))
       .required();
   command
       .add_option("-o,--output", arguments->directory, "Directory for case.json, valves, pictures")
@@ -130,7 +132,7 @@ void add_train_case(Command parent, int& status) {
   command.footer(
       "Lesions are lengths of chordae and places of papillary tips alone. Answers are in "
       "case.json:\n"
-      "show learners the pictures.\n\n"
+      "show learners the pictures. Some seeds make no case: then nothing is written.\n\n"
       "Examples:\n"
       "  coapt train case --exam A --seed 7 -o case-7\n"
       "  coapt train case porcine-thesis --exam B --seed 7 -o case-7 --json");

@@ -13,6 +13,7 @@
 #include "search/random_share.h"
 #include "search/training/binomial.h"
 #include "search/training/scripted_raters.h"
+#include "search/training/seeds.h"
 
 namespace coapt {
 namespace {
@@ -166,7 +167,7 @@ void add_train_raters(Command parent, int& status) {
       .check(number_from(1, 10000))
       .show_default();
   command.add_option("--first-case", arguments->first_case, "Seed of the first case")
-      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 52))
+      .check(number_from(std::uint64_t{0}, kLargestFirstCase))
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON (coapt.training_raters/1)");
   command.footer(

@@ -10,11 +10,10 @@
 #include "io/json/score_json.h"
 #include "io/json/trials_csv.h"
 #include "io/picture/text.h"
+#include "search/training/seeds.h"
 
 namespace coapt {
 namespace {
-
-constexpr std::uint64_t kLargestSeed = (std::uint64_t{1} << 53) - 1;
 
 struct TrainExamArguments {
   std::string schedule;
@@ -114,13 +113,18 @@ void add_train_exam(Command parent, int& status) {
       .add_option("--seed", arguments->seed, "Of the learner: another order of all that is random")
       .check(number_from(std::uint64_t{0}, kLargestSeed))
       .required();
-  command.add_option("--first-case", arguments->first_case, "Seed of the first case")
-      .check(number_from(std::uint64_t{0}, kLargestSeed))
+  command
+      .add_option("--first-case", arguments->first_case,
+                  "Seed of the first case, the same for all learners")
+      .check(number_from(std::uint64_t{0}, kLargestFirstCase))
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON (coapt.training_exam/1)");
   command.footer(
-      "Example:\n"
-      "  coapt train exam examples/training/study-1.json --seed 4");
+      "Some seeds make no case. coapt train raters --first-case N --cases M says how many of a\n"
+      "study's seeds make none: if any, give all learners another --first-case.\n\n"
+      "Examples:\n"
+      "  coapt train exam examples/training/study-1.json --seed 4\n"
+      "  coapt train exam examples/training/study-1.json --seed 4 --first-case 101");
   command.on_run([arguments, &status] { status = run(*arguments); });
 }
 

@@ -12,6 +12,7 @@
 #include "io/json/training_json.h"
 #include "io/json/trials_csv.h"
 #include "io/json/valve_json.h"
+#include "search/training/seeds.h"
 
 namespace coapt {
 namespace {
@@ -67,7 +68,16 @@ EngineAnswer validated(std::string_view body) {
                            {"problems", to_json(valve ? Errors{} : valve.errors())}});
 }
 
-std::uint64_t read_seed(const JsonPlace& place) { return read_unsigned(place); }
+auto seed_up_to(std::uint64_t most) {
+  return [most](const JsonPlace& place) -> std::uint64_t {
+    if (!place.value.is_number_integer()) return read_unsigned(place);
+    if (place.value.is_number_unsigned() && place.value.get<std::uint64_t>() <= most)
+      return place.value.get<std::uint64_t>();
+    add_problem(place, ErrorCode::OutOfRange,
+                "is " + place.value.dump() + ", must be from 0 to " + std::to_string(most));
+    return 0;
+  };
+}
 
 /// The case of a seed with its shapes, or why there is none.
 template <class Case>
@@ -95,7 +105,7 @@ EngineAnswer training_case(std::string_view body) {
                              [](const JsonPlace& place) {
                                return read_choice(place, {"A", "B"}).value_or(0) == 1;
                              })},
-               {"seed", into(seed, read_seed)}});
+               {"seed", into(seed, seed_up_to(kLargestSeed))}});
   if (!problems.empty()) return problem(422, std::move(problems).take());
   return segments ? case_answer(make_exam_b(valve, seed), valve)
                   : case_answer(make_exam_a(valve, seed), valve);
@@ -107,9 +117,10 @@ EngineAnswer training_exam(std::string_view body) {
   Schedule schedule;
   std::uint64_t seed = 1, first_case = 1;
   ProblemList problems;
-  read_fields({*json, problems}, {{"schedule", document(schedule, schedule_from_json)},
-                                  {"seed", into(seed, read_seed)},
-                                  {"first_case", into(first_case, read_seed), false}});
+  read_fields({*json, problems},
+              {{"schedule", document(schedule, schedule_from_json)},
+               {"seed", into(seed, seed_up_to(kLargestSeed))},
+               {"first_case", into(first_case, seed_up_to(kLargestFirstCase)), false}});
   if (!problems.empty()) return problem(422, std::move(problems).take());
   return json_answer(200, exam_to_json(schedule, seed, first_case));
 }

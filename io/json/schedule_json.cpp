@@ -13,16 +13,19 @@ using nlohmann::ordered_json;
 constexpr int kMostCases = 100, kMostSeconds = 3600;
 constexpr std::size_t kMostBlocks = 50, kLongestBlockName = 64;
 
-auto count_up_to(int most) {
-  return [most](const JsonPlace& place) { return read_integer_in(place, 0, most); };
-}
-
 std::string read_block_name(const JsonPlace& place) {
   std::string name = read_string(place);
-  if (name.empty() || name.size() > kLongestBlockName)
+  if (place.value.is_string() && (name.empty() || name.size() > kLongestBlockName))
     add_problem(place, ErrorCode::OutOfRange,
                 "must have 1 to " + std::to_string(kLongestBlockName) + " bytes");
   return name;
+}
+
+std::string read_instruction(const JsonPlace& place) {
+  std::string instruction = read_string(place);
+  if (place.value.is_string() && instruction.empty())
+    add_problem(place, ErrorCode::OutOfRange, "is empty, must say what is done");
+  return instruction;
 }
 
 bool read_exam_letter(const JsonPlace& place) {
@@ -33,23 +36,22 @@ ScheduleBlock read_block(const JsonPlace& place) {
   ScheduleBlock block;
   if (place.value.is_object() && place.value.contains("instruction")) {
     read_fields(place, {{"name", into(block.name, read_block_name)},
-                        {"instruction", into(block.instruction, read_string)},
+                        {"instruction", into(block.instruction, read_instruction)},
                         {"swap", into(block.swap, read_string), false}});
-    if (block.instruction.empty())
-      add_problem(place, ErrorCode::OutOfRange, "must say what is done in \"instruction\"");
     return block;
   }
-  read_fields(
-      place,
-      {{"name", into(block.name, read_block_name)},
-       {"exam", into(block.segments, read_exam_letter)},
-       {"cases",
-        into(block.cases, [](const JsonPlace& at) { return read_integer_in(at, 1, kMostCases); })},
-       {"repeats", into(block.repeats, count_up_to(kMostCases)), false},
-       {"seconds", into(block.seconds, count_up_to(kMostSeconds)), false}});
-  if (block.cases > 0 && block.repeats > block.cases)
-    add_problem(place, ErrorCode::OutOfRange,
-                "repeats " + std::to_string(block.repeats) + " cases, must be at most \"cases\"");
+  const auto read_cases = [](const JsonPlace& at) { return read_integer_in(at, 1, kMostCases); };
+  const auto read_repeats = [&](const JsonPlace& at) {  // "cases" are read before
+    return read_integer_in(at, 0, block.cases > 0 ? block.cases : kMostCases);
+  };
+  const auto read_seconds = [](const JsonPlace& at) {
+    return read_integer_in(at, 0, kMostSeconds);
+  };
+  read_fields(place, {{"name", into(block.name, read_block_name)},
+                      {"exam", into(block.segments, read_exam_letter)},
+                      {"cases", into(block.cases, read_cases)},
+                      {"repeats", into(block.repeats, read_repeats), false},
+                      {"seconds", into(block.seconds, read_seconds), false}});
   return block;
 }
 
@@ -68,7 +70,8 @@ Expected<Schedule> schedule_from_json(const nlohmann::json& json) {
         false},
        {"blocks", [&](const JsonPlace& place) {
           schedule.blocks = read_list(place, read_block);
-          if (schedule.blocks.empty() || schedule.blocks.size() > kMostBlocks)
+          if (place.value.is_array() &&
+              (schedule.blocks.empty() || schedule.blocks.size() > kMostBlocks))
             add_problem(place, ErrorCode::OutOfRange,
                         "must have 1 to " + std::to_string(kMostBlocks) + " blocks");
         }}});

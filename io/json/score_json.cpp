@@ -1,8 +1,7 @@
 #include "io/json/score_json.h"
 
-#include <algorithm>
 #include <map>
-#include <tuple>
+#include <utility>
 
 #include "io/json/result_json.h"
 #include "search/training/exam_a.h"
@@ -13,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kNextSuccess = 0.6;
+constexpr double kNextSuccess = 0.6;  // in the middle of 1/4 or 1/3 by chance and 1
 
 ordered_json one_score(const Score& score) {
   return {{"learner", score.learner},
@@ -38,13 +37,8 @@ ordered_json one_score(const Score& score) {
           {"ability_se", score.ability.standard_error}};
 }
 
-ordered_json next_of(const Score& score, const std::vector<TrainingTrial>& trials) {
-  std::vector<TrainingTrial> own;
-  std::copy_if(trials.begin(), trials.end(), std::back_inserter(own),
-               [&](const TrainingTrial& trial) {
-                 return trial.learner == score.learner &&
-                        std::holds_alternative<JudgedSegments>(trial.judged) == score.segments;
-               });
+/// @param own the trials of the score's learner and exam.
+ordered_json next_of(const Score& score, const std::vector<TrainingTrial>& own) {
   ordered_json repeat = ordered_json::array();
   for (const RepeatedCase& repeated : cases_to_repeat(own))
     repeat.push_back(
@@ -65,6 +59,7 @@ ordered_json calibrated(const std::vector<TrainingTrial>& trials) {
   for (const TrainingTrial& trial : trials) {
     const auto* chosen = std::get_if<ChosenValve>(&trial.judged);
     if (!chosen) continue;
+    if (first.size() == kMostCalibrationAnswers) break;
     const int rater = raters.emplace(trial.learner, raters.size()).first->second;
     const auto [item, is_new] = items.emplace(std::pair(trial.valve, trial.seed), items.size());
     if (is_new) of_item.push_back(&trial);
@@ -90,10 +85,13 @@ ordered_json calibrated(const std::vector<TrainingTrial>& trials) {
 }  // namespace
 
 ordered_json score_to_json(const std::vector<TrainingTrial>& trials) {
+  std::map<std::pair<int, bool>, std::vector<TrainingTrial>> own;  // of a learner and exam
+  for (const TrainingTrial& trial : trials)
+    own[{trial.learner, std::holds_alternative<JudgedSegments>(trial.judged)}].push_back(trial);
   ordered_json scores = ordered_json::array(), next = ordered_json::array();
   for (const Score& score : scores_of(trials)) {
     scores.push_back(one_score(score));
-    if (!score.block) next.push_back(next_of(score, trials));
+    if (!score.block) next.push_back(next_of(score, own.at({score.learner, score.segments})));
   }
   return {{"schema", "coapt.training_score/1"}, {"version", version()},
           {"notice", kResearchNotice},          {"trials", trials.size()},

@@ -1,4 +1,4 @@
-// Cases of the trainer as JSON: coapt.training_case/1, of the command line, the service's document and the browser's engine alike.
+// Cases of the trainer as JSON: coapt.training_case/1, of the command line and the browser's engine alike.
 #pragma once
 
 #include <nlohmann/json.hpp>

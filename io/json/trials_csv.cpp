@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/valve/problem_list.h"
 #include "search/training/exam_a.h"
+#include "search/training/seeds.h"
 
 namespace coapt {
 namespace {
@@ -17,8 +17,8 @@ constexpr std::array<std::string_view, 15> kColumns = {
     "learner", "block", "trial",      "valve",   "exam",    "seed",      "difficulty", "choice",
     "answer",  "right", "confidence", "seconds", "path_mm", "largest_n", "visited"};
 constexpr std::size_t kMostRows = 100'000;
-constexpr std::string_view kLetters = "TNP";  // of Mobility
-constexpr std::size_t kLongestBlock = 64, kLongestName = 200;
+constexpr std::string_view kLetters = "TNP";                   // of Mobility
+constexpr std::size_t kLongestBlock = 64, kLongestName = 200;  // bytes
 
 using Cells = std::vector<std::string>;
 
@@ -48,6 +48,15 @@ std::string shown_text(std::string_view text) {
   constexpr std::size_t kMost = 40;
   return '"' + std::string(text.substr(0, kMost)) + (text.size() > kMost ? "...\"" : "\"");
 }
+
+/// The library leaves broken sequences out.
+bool is_utf8(const std::string& text) {
+  const std::string quoted =
+      nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::ignore);
+  return nlohmann::json::parse(quoted, nullptr, false) == text;
+}
+
+bool is_control(unsigned char byte) { return byte < ' ' || byte == 127; }
 
 /// A row, and where its problems go.
 struct RowPlace {
@@ -86,9 +95,14 @@ std::uint64_t whole_at(const RowPlace& row, std::string_view column, std::uint64
 }
 
 std::string text_at(const RowPlace& row, std::string_view column, std::size_t longest) {
-  if (row.cell(column).size() > longest)
+  const std::string& text = row.cell(column);
+  if (text.size() > longest)
     row.refuse(column, "is longer than " + std::to_string(longest) + " bytes");
-  return row.cell(column);
+  else if (!is_utf8(text))
+    row.refuse(column, "must be UTF-8");
+  else if (std::ranges::any_of(text, is_control))
+    row.refuse(column, "must have no control characters");
+  return text;
 }
 
 std::array<Mobility, kSegments> mobilities_at(const RowPlace& row, std::string_view column) {
@@ -115,8 +129,9 @@ std::vector<Segment> visited_at(const RowPlace& row) {
     const auto segment = std::find_if(kAllSegments.begin(), kAllSegments.end(),
                                       [&](Segment s) { return to_string(s) == word; });
     if (segment == kAllSegments.end()) {
-      row.refuse("visited", "has " + shown_text(word) +
-                                ", must be of A1, A2, A3, P1, P2, P3, AC and PC, between blanks");
+      row.refuse("visited",
+                 "has " + shown_text(word) +
+                     ", must be segments (A1, A2, A3, P1, P2, P3, AC, PC) separated by spaces");
       break;
     }
     if (visited.empty() || visited.back() != *segment) visited.push_back(*segment);
@@ -130,7 +145,7 @@ TrainingTrial trial_at(const RowPlace& row) {
   trial.block = text_at(row, "block", kLongestBlock);
   trial.trial = static_cast<int>(whole_at(row, "trial", 1, 100'000));
   trial.valve = text_at(row, "valve", kLongestName);
-  trial.seed = whole_at(row, "seed", 0, (std::uint64_t{1} << 53) - 1);
+  trial.seed = whole_at(row, "seed", 0, kLargestSeed);
   trial.difficulty = number_at(row, "difficulty", {-10.0, 10.0});
   const std::string& exam = row.cell("exam");
   if (exam == "B") {
@@ -166,26 +181,6 @@ std::map<std::string_view, std::size_t> columns_of(const Cells& header, ProblemL
     if (!columns.contains(name))
       problems.add(ErrorCode::MissingField, "/1", "has no column " + std::string(name));
   return columns;
-}
-
-std::string letters_of(const std::array<Mobility, kSegments>& mobilities) {
-  std::string letters;
-  for (const Mobility mobility : mobilities)
-    letters += kLetters[static_cast<std::size_t>(mobility)];
-  return letters;
-}
-
-/// The shortest that reads back as the same.
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 }  // namespace
@@ -224,12 +219,14 @@ Expected<std::vector<TrainingTrial>> read_trials_csv(std::string_view text) {
     }
     ProblemList of_row;
     trials.push_back(trial_at({line, columns, *cells, of_row}));
-    const auto [before, first] = last_trial.emplace(trials.back().learner, trials.back().trial);
-    if (of_row.empty() && !first && trials.back().trial <= before->second)
-      of_row.add(ErrorCode::OutOfRange, '/' + std::to_string(line) + "/trial",
-                 "is " + std::to_string(trials.back().trial) + ", must be above " +
-                     std::to_string(before->second) + ", the learner's trial before it");
-    before->second = trials.back().trial;
+    if (of_row.empty()) {
+      const auto [before, first] = last_trial.emplace(trials.back().learner, trials.back().trial);
+      if (!first && trials.back().trial <= before->second)
+        of_row.add(ErrorCode::OutOfRange, '/' + std::to_string(line) + "/trial",
+                   "is " + std::to_string(trials.back().trial) + ", must be above " +
+                       std::to_string(before->second) + ", the learner's trial before it");
+      before->second = trials.back().trial;
+    }
     for (const Error& error : of_row.listed()) problems.add(error.code, error.path, error.message);
     if (trials.size() > kMostRows)
       return Error{ErrorCode::OutOfRange, "", "has more than the 100,000 rows accepted"};
@@ -240,31 +237,6 @@ Expected<std::vector<TrainingTrial>> read_trials_csv(std::string_view text) {
     problems.add(ErrorCode::MissingField, "", "has no trials below the line with the columns");
   if (!problems.empty()) return std::move(problems).take();
   return trials;
-}
-
-std::string write_trials_csv(const std::vector<TrainingTrial>& trials) {
-  std::string text;
-  for (const std::string_view name : kColumns)
-    text += (text.empty() ? "" : ",") + std::string(name);
-  text += '\n';
-  for (const TrainingTrial& trial : trials) {
-    const auto* chosen = std::get_if<ChosenValve>(&trial.judged);
-    const auto* segments = std::get_if<JudgedSegments>(&trial.judged);
-    std::string visited;
-    for (const Segment segment : trial.visited)
-      visited += (visited.empty() ? "" : " ") + std::string(to_string(segment));
-    for (const std::string& cell :
-         {std::to_string(trial.learner), csv_cell(trial.block), std::to_string(trial.trial),
-          csv_cell(trial.valve), std::string(chosen ? "A" : "B"), std::to_string(trial.seed),
-          shortest(trial.difficulty),
-          chosen ? std::to_string(chosen->choice) : letters_of(segments->choice),
-          chosen ? std::to_string(chosen->answer) : letters_of(segments->answer),
-          std::to_string(right_of(trial)), shortest(trial.confidence), shortest(trial.seconds),
-          shortest(trial.path_mm), shortest(trial.largest_n)})
-      text += cell + ',';
-    text += visited + '\n';
-  }
-  return text;
 }
 
 }  // namespace coapt

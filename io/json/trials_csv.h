@@ -1,9 +1,9 @@
 // The table of trials: one row a trial, no names. Columns, in any order, all of them:
 //
 //   learner     1 to 1,000,000, a number that stands for a person
-//   block       of the schedule, at most 64 characters
+//   block       of the schedule, at most 64 bytes of UTF-8 without control characters
 //   trial       1 to 100,000, ascending for each learner
-//   valve       name of the valve that the case was made of, at most 200 characters
+//   valve       name of the valve that the case was made of, at most 200 such bytes
 //   exam        A or B
 //   seed        of the case, 0 to 2^53 - 1
 //   difficulty  of the case, -10 to 10
@@ -14,10 +14,9 @@
 //   seconds     of analysis, 0 to 86,400
 //   path_mm     that the hook travelled, 0 to 1,000,000
 //   largest_n   force of the hook, 0 to 100
-//   visited     segments in the order of their visits, between blanks; may be empty
+//   visited     segments in the order of their visits, separated by spaces; may be empty
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,8 +27,5 @@ namespace coapt {
 /// Every problem is listed; "/3/confidence" is line 3 of the text. Quoted cells as RFC 4180 has them, but no line breaks in them. At most
 /// 100,000 rows.
 Expected<std::vector<TrainingTrial>> read_trials_csv(std::string_view text);
-
-/// Round trip: the same trials.
-std::string write_trials_csv(const std::vector<TrainingTrial>& trials);
 
 }  // namespace coapt

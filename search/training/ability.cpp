@@ -121,15 +121,6 @@ double difficulty_for(double ability, double chance, double target) {
   return ability - std::log(known / (1.0 - known));
 }
 
-std::size_t next_case(double ability, double chance, const std::vector<double>& difficulties,
-                      double target) {
-  const double wanted = difficulty_for(ability, chance, target);
-  const auto nearest = std::min_element(
-      difficulties.begin(), difficulties.end(),
-      [&](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
-  return static_cast<std::size_t>(nearest - difficulties.begin());
-}
-
 std::vector<ItemFit> calibrate(const std::vector<RatedItem>& rated, int raters, int items,
                                const CalibrationOptions& options) {
   std::vector<ItemFit> fits(static_cast<std::size_t>(items));

@@ -23,11 +23,7 @@ struct Ability {
 Ability ability_of(const std::vector<Response>& responses);
 
 /// Of a case that a learner of this ability gets right with probability `target`, slope 1. @pre chance < target < 1.
-double difficulty_for(double ability, double chance, double target = 0.6);
-
-/// The index of the case whose difficulty is nearest to that; the first of equally near ones. @pre there is one.
-std::size_t next_case(double ability, double chance, const std::vector<double>& difficulties,
-                      double target = 0.6);
+double difficulty_for(double ability, double chance, double target);
 
 /// An answer of a rater to an item, both counted from 0.
 struct RatedItem {

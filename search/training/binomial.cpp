@@ -31,14 +31,4 @@ double normal_quantile(double share) {
   return 0.5 * (low + high);
 }
 
-double answers_per_group(const PowerQuestion& question) {
-  const auto spread = [](double share) { return share * (1.0 - share); };
-  const double pooled = 0.5 * (question.before + question.after);
-  const double alike =
-      normal_quantile(1.0 - 0.5 * question.significance) * std::sqrt(2.0 * spread(pooled));
-  const double apart =
-      normal_quantile(question.power) * std::sqrt(spread(question.before) + spread(question.after));
-  return question.design_effect * std::pow((alike + apart) / (question.after - question.before), 2);
-}
-
 }  // namespace coapt

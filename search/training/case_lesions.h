@@ -42,7 +42,7 @@ struct LesionRanges {
 /// The segment that a chorda belongs to: that of its insertion nearest to the mean of them all.
 Segment segment_of(const Valve& valve, const Chorda& chorda);
 
-/// Segments that have chordae which a lesion may change.  Ascending
+/// Segments that have chordae which a lesion may change, ascending.
 std::vector<Segment> segments_with_chordae(const Valve& valve);
 
 /// Other draws with the same engine give other lesions. No segment twice. @pre `segments` is not empty.

@@ -37,7 +37,7 @@ struct ScheduledBlock {
 };
 
 /// The cases of a schedule are the same for all learners: seeds from `first_seed` on. The learner's seed draws which block they come in (of the
-/// same exam), their order, which of them are repeated, and the order of instruction.
+/// same exam), their order, which of them are repeated, and the order of instruction. No case is made: some seeds make none.
 std::vector<ScheduledBlock> lay_out(const Schedule& schedule, std::uint64_t learner_seed,
                                     std::uint64_t first_seed = 1);
 

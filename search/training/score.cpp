@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -49,10 +48,11 @@ Score score_of(const std::vector<const TrainingTrial*>& trials) {
   std::vector<Response> responses;
   for (const TrainingTrial* trial : trials) {
     ++score.trials;
-    score.answers += answers_of(*trial);
-    score.right += right_of(*trial);
-    score.brier +=
-        std::pow(trial->confidence - static_cast<double>(right_of(*trial)) / answers_of(*trial), 2);
+    const int answers = answers_of(*trial), right = right_of(*trial);
+    score.answers += answers;
+    score.right += right;
+    score.brier += right * std::pow(trial->confidence - 1.0, 2) +
+                   (answers - right) * std::pow(trial->confidence, 2);
     score.seconds += trial->seconds;
     score.path_mm += trial->path_mm;
     score.largest_n = std::max(score.largest_n, trial->largest_n);
@@ -63,9 +63,10 @@ Score score_of(const std::vector<const TrainingTrial*>& trials) {
     score.begins_at_p1 += order.begins_at_p1 ? 1.0 : 0.0;
     for (const Response& response : responses_of(*trial)) responses.push_back(response);
   }
-  for (double* sum : {&score.brier, &score.seconds, &score.path_mm, &score.visited_segments,
+  for (double* sum : {&score.seconds, &score.path_mm, &score.visited_segments,
                       &score.order_distance, &score.returns_to_p1, &score.begins_at_p1})
     *sum /= score.trials;
+  score.brier /= score.answers;
   score.interval95 = share_interval(score.right, score.answers);
   score.by_chance = chance_of_at_least(score.right, score.answers, score.chance);
   score.ability = ability_of(responses);
@@ -103,16 +104,16 @@ std::vector<Score> scores_of(const std::vector<TrainingTrial>& trials) {
   std::vector<Score> scores;
   for (const auto& [key, all] : groups) {
     scores.push_back(score_of(all));
-    std::vector<std::string> blocks;
-    for (const TrainingTrial* trial : all)
-      if (std::find(blocks.begin(), blocks.end(), trial->block) == blocks.end())
-        blocks.push_back(trial->block);
-    for (const std::string& block : blocks) {
-      std::vector<const TrainingTrial*> of_block;
-      std::copy_if(all.begin(), all.end(), std::back_inserter(of_block),
-                   [&](const TrainingTrial* trial) { return trial->block == block; });
+    std::map<std::string, std::size_t> index;  // of a block in `blocks`
+    std::vector<std::vector<const TrainingTrial*>> blocks;
+    for (const TrainingTrial* trial : all) {
+      const auto [known, is_new] = index.emplace(trial->block, blocks.size());
+      if (is_new) blocks.emplace_back();
+      blocks[known->second].push_back(trial);
+    }
+    for (const std::vector<const TrainingTrial*>& of_block : blocks) {
       scores.push_back(score_of(of_block));
-      scores.back().block = block;
+      scores.back().block = of_block.front()->block;
     }
   }
   return scores;

@@ -29,8 +29,8 @@ struct Score {
   double chance = 0.25;
   std::array<double, 2> interval95{};  ///< of the share of right answers
   double by_chance = 1.0;              ///< probability of as many right ones by chance alone
-  /// Mean squared difference of a trial's confidence and its share of right answers (Brier 1950): 0 best; who always says chance
-  /// has chance (1 - chance).
+  /// Mean over answers of the squared difference of the trial's confidence and 1 if the answer is right, 0 if it is wrong (Brier
+  /// 1950): 0 best; who guesses and always says chance has chance (1 - chance).
   double brier = 0.0;
   double seconds = 0.0, path_mm = 0.0;  ///< mean of a trial
   double largest_n = 0.0;

@@ -60,6 +60,22 @@ class Train(ProgramTest):
         self.assertIn("/2/choice", refused.stderr)
         self.assertIn("from 1 to 4", refused.stderr)
 
+    def test_text_that_is_not_utf8_is_refused(self):
+        table = self.folder / "trials.csv"
+        table.write_bytes(COLUMNS.encode() + b"\n1,caf\xe9,1,human-normal,A,7,-0.2,1,2,0,0.5,90,300,0.7,P1\n")
+        refused = coapt("train", "score", table)
+        self.assertEqual(refused.returncode, BAD_INPUT)
+        self.assertIn("/2/block", refused.stderr)
+        self.assertIn("must be UTF-8", refused.stderr)
+
+    def test_seeds_are_those_that_json_and_pages_can_count_with(self):
+        study = SOURCE / "examples/training/study-1.json"
+        last = 2**52
+        exam = json.loads(self.run_ok("train", "exam", study, "--seed", 4, "--first-case", last, "--json").stdout)
+        self.assertEqual(min(trial["seed"] for trial in exam["blocks"][0]["trials"]), last)
+        self.assertNotEqual(coapt("train", "exam", study, "--seed", 4, "--first-case", last + 1).returncode, 0)
+        self.assertNotEqual(coapt("train", "exam", study, "--seed", 2**53).returncode, 0)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -17,14 +17,17 @@ constexpr const char* kTable =
     "1,before,1,human-normal,A,7,-0.25,2,2,1,0.75,92.5,350,0.8,P1 AC A1 A2\n"
     "1,\"after, \"\"second\"\"\",2,human-normal,B,9,-0.5,TNNPPNNN,TNNPPNNT,7,0.5,120,800,1.2,\n";
 
-TEST(TrialsCsv, ComeBackAsTheyWere) {
+TEST(TrialsCsv, OfBothExamsAreRead) {
   const auto trials = read_trials_csv(kTable);
   ASSERT_TRUE(trials) << trials.errors()[0].path << trials.errors()[0].message;
   ASSERT_EQ(trials->size(), 2u);
   EXPECT_EQ((*trials)[1].block, "after, \"second\"");
   EXPECT_EQ((*trials)[0].visited.size(), 4u);
+  EXPECT_EQ((*trials)[0].confidence, 0.75);
+  EXPECT_EQ((*trials)[0].difficulty, -0.25);
+  EXPECT_EQ((*trials)[1].seed, 9u);
   EXPECT_EQ(right_of((*trials)[1]), 7);
-  EXPECT_EQ(write_trials_csv(*trials), kTable);
+  EXPECT_TRUE((*trials)[1].visited.empty());
 }
 
 TEST(TrialsCsv, EveryProblemHasItsLineColumnAndRange) {
@@ -58,6 +61,40 @@ TEST(TrialsCsv, ContradictionsAndColumnsAreSaid) {
   EXPECT_FALSE(read_trials_csv(std::string(kTable).substr(0, 140)));
 }
 
+TEST(TrialsCsv, TextIsUtf8WithoutControlCharacters) {
+  const auto read_block = [](const std::string& block) {
+    std::string text = kTable;
+    return read_trials_csv(text.replace(text.find("before"), 6, block));
+  };
+  EXPECT_TRUE(read_block("caf\u00e9 \\ /"));
+  const auto broken = read_block("caf\xe9");
+  ASSERT_FALSE(broken);
+  EXPECT_EQ(broken.errors()[0].path, "/2/block");
+  EXPECT_EQ(broken.errors()[0].message, "must be UTF-8");
+  const auto control = read_block("\x1b[2J");
+  ASSERT_FALSE(control);
+  EXPECT_EQ(control.errors()[0].path, "/2/block");
+  EXPECT_EQ(control.errors()[0].message, "must have no control characters");
+}
+
+TEST(TrialsCsv, SeedsAreExactInJson) {
+  const auto read_seed = [](const std::string& seed) {
+    std::string text = kTable;
+    return read_trials_csv(text.replace(text.find(",7,-0.25"), 8, ',' + seed + ",-0.25"));
+  };
+  EXPECT_EQ((*read_seed("9007199254740991"))[0].seed, 9007199254740991u);
+  EXPECT_EQ(read_seed("9007199254740992").errors()[0].path, "/2/seed");
+}
+
+TEST(TrialsCsv, ABadRowDoesNotCountAsALearnersTrial) {
+  const std::string text = std::string(kTable) +
+                           "nobody,after,50,human-normal,A,7,0,2,2,1,1,9,9,1,\n" +
+                           "1,after,3,human-normal,A,7,0,2,2,1,1,9,9,1,\n";
+  const auto trials = read_trials_csv(text);
+  ASSERT_EQ(trials.errors().size(), 1u);
+  EXPECT_EQ(trials.errors()[0].path, "/4/learner");
+}
+
 TEST(ScoreJson, HasScoresAndWhatComesNext) {
   const auto json = score_to_json(*read_trials_csv(kTable));
   EXPECT_EQ(json["schema"], "coapt.training_score/1");
@@ -84,6 +121,25 @@ TEST(ScoreJson, TenLearnersCalibrateTheirCases) {
   const auto json = score_to_json(trials);
   ASSERT_EQ(json["cases"].size(), 2u);
   EXPECT_LT(json["cases"][0]["difficulty"], json["cases"][1]["difficulty"]);
+}
+
+TEST(ScoreJson, CalibrationTakesTheFirstTenThousandAnswers) {
+  std::vector<TrainingTrial> trials;
+  for (int learner = 1; learner <= 2; ++learner)
+    for (int number = 1; number <= 5000; ++number) {
+      TrainingTrial trial;
+      trial.learner = learner;
+      trial.trial = number;
+      trial.seed = static_cast<std::uint64_t>(number);
+      trial.judged = ChosenValve{};
+      trials.push_back(trial);
+    }
+  ASSERT_EQ(trials.size(), kMostCalibrationAnswers);
+  for (int learner = 3; learner <= 10; ++learner) {
+    trials.push_back(trials.front());
+    trials.back().learner = learner;
+  }
+  EXPECT_TRUE(score_to_json(trials)["cases"].empty());
 }
 
 TEST(Schedules, OfTheThesisAreReadAndLaidOut) {
@@ -115,8 +171,22 @@ TEST(Schedules, WithProblemsAreRefused) {
   ASSERT_FALSE(bad);
   std::vector<std::string> paths;
   for (const Error& error : bad.errors()) paths.push_back(error.path);
-  EXPECT_EQ(paths, (std::vector<std::string>{"/blocks/0/exam", "/blocks/0/cases", "/blocks/1",
-                                             "/blocks/2"}));
+  EXPECT_EQ(paths, (std::vector<std::string>{"/blocks/0/exam", "/blocks/0/cases",
+                                             "/blocks/1/repeats", "/blocks/2/instruction"}));
+}
+
+TEST(Schedules, AWrongTypeIsOneProblem) {
+  const auto bad = read_schedule(
+      R"({"schema": "coapt.training_schedule/1", "name": 5, "title": "", "blocks": [
+        {"name": "a", "instruction": 5}]})");
+  ASSERT_EQ(bad.errors().size(), 2u);
+  EXPECT_EQ(bad.errors()[0].path, "/name");
+  EXPECT_EQ(bad.errors()[1].path, "/blocks/0/instruction");
+  EXPECT_EQ(read_schedule(
+                R"({"schema": "coapt.training_schedule/1", "name": "s", "title": "", "blocks": 5})")
+                .errors()
+                .size(),
+            1u);
 }
 
 }  // namespace

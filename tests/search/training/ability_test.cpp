@@ -38,10 +38,8 @@ TEST(Ability, AllRightIsFinite) {
   EXPECT_LT(all.value, 4.0);
 }
 
-TEST(NextCase, IsTheOneNearestToTheWantedProbability) {
-  const double wanted = difficulty_for(0.5, 0.25, 0.6);
-  EXPECT_NEAR(probability_right(0.5, {true, wanted, 0.25}), 0.6, 1e-12);
-  EXPECT_EQ(next_case(0.5, 0.25, {-2.0, wanted + 0.1, wanted - 0.2}), 1u);
+TEST(Difficulty, ForAProbabilityIsGotRightWithIt) {
+  EXPECT_NEAR(probability_right(0.5, {true, difficulty_for(0.5, 0.25, 0.6), 0.25}), 0.6, 1e-12);
 }
 
 /// Raters of normal abilities answer every item by the model.

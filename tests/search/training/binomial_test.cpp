@@ -28,12 +28,5 @@ TEST(NormalQuantile, IsThatOfTheTables) {
   EXPECT_NEAR(normal_quantile(0.975), 1.959963985, 1e-8);
 }
 
-TEST(Power, OfTheThesissDifferences) {
-  EXPECT_EQ(std::ceil(answers_per_group({0.25, 0.45})), 89.0);
-  EXPECT_NEAR(answers_per_group({0.33, 0.44}), 305.995, 0.01);
-  EXPECT_NEAR(answers_per_group({.before = 0.25, .after = 0.45, .design_effect = 1.5}),
-              1.5 * answers_per_group({0.25, 0.45}), 1e-9);
-}
-
 }  // namespace
 }  // namespace coapt

@@ -43,7 +43,15 @@ TEST(Score, OfSegmentsCountsEight) {
   EXPECT_EQ(scores[0].answers, 8);
   EXPECT_EQ(scores[0].right, 7);
   EXPECT_DOUBLE_EQ(scores[0].chance, 1.0 / 3.0);
-  EXPECT_DOUBLE_EQ(scores[0].brier, 0.0);
+  EXPECT_DOUBLE_EQ(scores[0].brier, (7.0 / 64.0 + 49.0 / 64.0) / 8.0);
+}
+
+TEST(Score, BlocksComeInTheOrderOfTheTrialsAlsoWhereTheyAlternate) {
+  const auto scores = scores_of({trial(2, true, 0.5), trial(3, true, 0.5), trial(1, false, 0.5)});
+  ASSERT_EQ(scores.size(), 3u);
+  EXPECT_EQ(scores[1].block, "before");
+  EXPECT_EQ(scores[1].trials, 2);
+  EXPECT_EQ(scores[2].block, "after");
 }
 
 TEST(VisitingOrder, ARoundFromP1IsNoDistanceAndReturnsAreCounted) {
