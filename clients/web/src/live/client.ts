@@ -23,7 +23,7 @@ export interface LiveThread {
   terminate(): void
 }
 
-const NO_SIMD = 'This needs WebAssembly with SIMD, which this browser does not have: use a newer one.'
+export const NO_SIMD = 'This needs WebAssembly with SIMD, which this browser does not have: use a newer one.'
 const NO_ENGINE =
   'This needs the engine beside the page (coapt-engine.wasm), which is not there: make wasm builds it, then make web puts it there; start coapt-server anew.'
 
@@ -89,11 +89,16 @@ export class LiveClient {
   }
 
   private fail(message: string): void {
-    const words = message.includes('(404)') ? NO_ENGINE : message
+    const words = engineWords(message)
     for (const { reject } of this.waiting.values()) reject(new Error(words))
     this.waiting.clear()
     this.onFailure(words)
   }
+}
+
+/// What its thread says, for a person.
+export function engineWords(message: string): string {
+  return message.includes('(404)') ? NO_ENGINE : message
 }
 
 function planField(plan: Plan | null): string {

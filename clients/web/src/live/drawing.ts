@@ -29,6 +29,8 @@ export interface LiveLook {
   prolapse: boolean // of leaflets, in colour
   plane: boolean // the annular plane
   cut: number | null // -1 to 1: from the anterolateral end of the annulus to the posteromedial one
+  noChordae?: boolean // they are not drawn, and no press grabs them
+  amplified?: number // times the length of a force's arrow
 }
 
 const CHORDA: Rgb = rgb('#978a72')
@@ -101,12 +103,12 @@ export class LiveDrawing {
     this.nodes = picture.nodes
     leaflets.move(picture.nodes)
     this.paint(look)
-    this.drawChordae(scene, picture, look)
+    if (!look.noChordae) this.drawChordae(scene, picture, look)
     this.lines.ties.set(tieLines(scene, picture.nodes))
     this.lines.seams.set(seamLines(scene, picture.nodes))
     this.drawRing(scene)
     this.plane.visible = look.plane
-    this.drawHooks(picture.hooks)
+    this.drawHooks(picture.hooks, look.amplified ?? 1)
     this.drawCut(scene, look)
   }
 
@@ -164,7 +166,7 @@ export class LiveDrawing {
   }
 
   /// A force is drawn as an arrow at the tissue, four millimetres a newton.
-  private drawHooks(hooks: (HookState | null)[]): void {
+  private drawHooks(hooks: (HookState | null)[], amplified: number): void {
     const threads: number[] = []
     const arrows: number[] = []
     const sight = this.stage.camera.getWorldDirection(new Vector3()).toArray()
@@ -173,7 +175,7 @@ export class LiveDrawing {
       threads.push(...hook.spot_mm, ...hook.hand_mm)
       if (hook.force_n === 0) continue
       const way = unit(hook.force)
-      const tip = plus(hook.spot_mm, times(ARROW_MM * hook.force_n, way))
+      const tip = plus(hook.spot_mm, times(ARROW_MM * amplified * hook.force_n, way))
       const side = unit(cross(way, sight))
       arrows.push(...hook.spot_mm, ...tip)
       for (const sign of [-1, 1])

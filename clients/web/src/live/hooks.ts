@@ -41,6 +41,7 @@ export class Hooks {
   pins = false // each hook stays where it is let go
   path_mm = 0 // of the hands while they hold
   largest_n = 0 // force so far
+  onGrab: (grip: Grip) => void = () => {}
   private readonly held: (Held | null)[] = Array<Held | null>(HOOKS).fill(null)
   private readonly handles: Handle[]
 
@@ -162,6 +163,7 @@ export class Hooks {
     const at_mm = offset_mm && grip.at_mm
     if ('vertex' in grip) this.send({ live: 'grab', hook, vertex: grip.vertex, at_mm })
     else this.send({ live: 'grab cable', hook, cable: grip.cable, share: grip.share, at_mm })
+    this.onGrab(grip)
   }
 
   private press(event: PointerEvent): void {

@@ -102,11 +102,11 @@ export class LiveView implements View {
       ),
     )
     this.element.addEventListener('keydown', (event) => event.key === 'Escape' && this.picking.end())
-    offer(liveScripts(this.canvas, (mmhg) => this.pressure.set(mmhg)))
     workspace.subscribe(() => this.take())
   }
 
   show(): void {
+    offer(liveScripts(this.canvas, (mmhg) => this.pressure.set(mmhg)))
     this.canvas.show()
     this.take()
   }
