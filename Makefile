@@ -11,7 +11,7 @@ BLACK := black --line-length 120
 CTEST := --parallel 6
 
 WEB := clients/web
-WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public $(WEB)/index.html $(WEB)/vite.config.ts -type f)
+WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public $(WEB)/index.html $(WEB)/vite.config.ts examples/training -type f)
 STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -type f)
 ENGINE := build/wasm/bin/coapt-engine.wasm
 ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
@@ -90,7 +90,7 @@ static-test: static web  ## the page without a service: its engine against coapt
 	@cmake/install_packages.sh browser
 	cmake --build --preset release --target closed_presets live_pull coapt-server
 	cd $(WEB) && npx --no-install vitest run --mode static
-	node --test --test-reporter=spec $(WEB)/test/static/page.test.mjs $(WEB)/test/static/live.test.mjs
+	node --test --test-reporter=spec $(WEB)/test/static/page.test.mjs $(WEB)/test/static/live.test.mjs $(WEB)/test/static/train.test.mjs
 
 web-pictures: programs web  ## the page's pictures in docs/images, and its times
 	@cmake/install_packages.sh browser

@@ -31,6 +31,9 @@ export default defineConfig(({ mode }) => ({
     chunkSizeWarningLimit: 900,
   },
   worker: { format: 'es' },
-  server: { proxy: { '/v1': 'http://127.0.0.1:8080', '/version': 'http://127.0.0.1:8080' } },
+  server: {
+    fs: { allow: ['../..'] }, // schedules in examples/training
+    proxy: { '/v1': 'http://127.0.0.1:8080', '/version': 'http://127.0.0.1:8080' },
+  },
   test: { include: [mode === 'static' ? 'test/static/engine.test.mjs' : 'test/unit/**/*.test.ts'], css: true },
 }))

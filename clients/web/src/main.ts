@@ -28,6 +28,7 @@ const makers: Record<ViewName, (workspace: Workspace) => Promise<View>> = {
   studies: HAS_SERVICE
     ? async (workspace) => new (await import('./studies/view')).StudiesView(workspace)
     : async () => needsService('Studies', 'Studies of a valve need coapt-server.'),
+  train: async (workspace) => new (await import('./train/view')).TrainView(workspace),
 }
 
 takeTokenFromAddress()

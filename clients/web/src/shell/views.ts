@@ -5,5 +5,6 @@ export const VIEWS = [
   ['live', 'Live'],
   ['search', 'Search'],
   ['studies', 'Studies'],
+  ['train', 'Train'],
 ] as const
 export type ViewName = (typeof VIEWS)[number][0]

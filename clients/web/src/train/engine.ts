@@ -1,0 +1,68 @@
+// The trainer's own thread of the engine: cases, the order of an exam, scores. A case takes some seconds: the next one is made
+// while a learner is busy with the one before.
+import { ApiError } from '../api/http'
+import type { Problem } from '../api/types'
+import { type AskEngine, engineClient } from '../engine/client'
+import { engineWords, NO_SIMD, hasSimd } from '../live/client'
+import { valveText } from '../state/valves'
+import type { Case, CaseA, CaseB, Exam, LaidExam, Schedule, Scores } from './types'
+
+const decoder = new TextDecoder()
+
+export class TrainEngine {
+  private thread: Worker | null = null
+  private ask: AskEngine | null = null
+  private readonly making = new Set<string>() // of the cases
+  private readonly cases = new Map<string, Promise<Case>>()
+
+  /// `valve`: a preset's name or the id of an opened valve. The same three give the same case.
+  make(valve: string, exam: 'A', seed: number): Promise<CaseA>
+  make(valve: string, exam: 'B', seed: number): Promise<CaseB>
+  make(valve: string, exam: Exam, seed: number): Promise<Case>
+  make(valve: string, exam: Exam, seed: number): Promise<Case> {
+    const key = `${exam} ${seed} ${valve}`
+    const known = this.cases.get(key)
+    if (known) return known
+    const made = valveText(valve).then((text) =>
+      this.answer<Case>('/v1/training/cases', `{"valve":${text},"exam":"${exam}","seed":${seed}}`),
+    )
+    this.cases.set(key, made)
+    this.making.add(key)
+    made.catch(() => this.cases.delete(key)).finally(() => this.making.delete(key))
+    return made
+  }
+
+  /// Cases that are being made are given up, with the thread that makes them: it cannot be interrupted.
+  drop(): void {
+    if (this.making.size === 0) return
+    this.thread?.terminate()
+    this.thread = this.ask = null
+    for (const key of this.making) this.cases.delete(key)
+    this.making.clear()
+  }
+
+  layOut(schedule: Schedule, seed: number, first_case: number): Promise<LaidExam> {
+    return this.answer('/v1/training/exams', JSON.stringify({ schedule, seed, first_case }))
+  }
+
+  scores(trials_csv: string): Promise<Scores> {
+    return this.answer('/v1/training/scores', JSON.stringify({ trials_csv }))
+  }
+
+  private begin(): AskEngine {
+    this.thread = new Worker(new URL('../engine/worker.ts', import.meta.url), { type: 'module' })
+    this.ask = engineClient(this.thread, new URL('coapt-engine.wasm', document.baseURI).href)
+    return this.ask
+  }
+
+  private async answer<T>(path: string, body: string): Promise<T> {
+    if (!hasSimd()) throw new Error(NO_SIMD)
+    const answered = await (this.ask ?? this.begin())(path, body).catch((error: unknown) => {
+      throw new Error(engineWords(error instanceof Error ? error.message : String(error)))
+    })
+    const said: unknown = JSON.parse(decoder.decode(answered.body))
+    if (answered.status === 200) return said as T
+    const { detail, problems } = said as { detail: string; problems: Problem[] }
+    throw new ApiError(answered.status, detail, problems)
+  }
+}

@@ -1,0 +1,94 @@
+// The four closed valves of exam A, turned together; one of them can be chosen. Leaflets alone: chordae would tell the lesions.
+import type { ValveShape, Vector } from '../api/types'
+import { h } from '../dom'
+import { cornerColours } from '../viewer/colours'
+import { at } from '../viewer/geometry'
+import { leafletMaterial, Leaflets } from '../viewer/leaflets'
+import { viewButtons } from '../valve/looks'
+import { Stage, type ViewName } from '../viewer/stage'
+import parts from '../style/parts.module.css'
+import viewerStyle from '../viewer/viewer.module.css'
+import trainStyle from './train.module.css'
+
+const CHOICES = [1, 2, 3, 4]
+
+export class FourValves {
+  readonly element: HTMLElement
+  onChoice: (choice: number) => void = () => {}
+  private readonly stages: Stage[]
+  private readonly radios: HTMLInputElement[]
+  private readonly words: HTMLElement[]
+  private leaflets: Leaflets[] = []
+  private held: Vector[] = [] // vertices of all four
+
+  constructor() {
+    this.stages = CHOICES.map(
+      (choice) => new Stage(`Closed valve ${choice}: drag, or arrow keys, to turn all four; plus and minus zoom`),
+    )
+    const [first, ...others] = this.stages as [Stage, ...Stage[]]
+    for (const other of others) first.pair(other)
+    this.radios = CHOICES.map((choice) =>
+      h('input', { type: 'radio', name: 'closed-valve', value: choice, onchange: () => this.onChoice(choice) }),
+    )
+    this.words = CHOICES.map((choice) => h('span', {}, `Valve ${choice}`))
+    const valves = this.stages.map((stage, i) =>
+      h(
+        'div',
+        { class: trainStyle.choice },
+        h('div', { class: viewerStyle.viewer }, stage.canvas),
+        h('label', { class: parts.check }, this.radios[i] as HTMLElement, this.words[i] as HTMLElement),
+      ),
+    )
+    this.element = h(
+      'div',
+      { class: trainStyle.closed },
+      h(
+        'div',
+        { class: viewerStyle.tools },
+        viewButtons((view) => this.view(view)),
+      ),
+      h('div', { class: trainStyle.four, 'data-part': 'four-valves' }, ...valves),
+    )
+  }
+
+  /// `closed_mm`: of each valve, in the order of the scene's vertices; the mesh is that of the scene.
+  set(scene: ValveShape, closed_mm: readonly (readonly number[])[]): void {
+    for (const [i, stage] of this.stages.entries()) {
+      const before = this.leaflets[i]
+      if (before) stage.scene.remove(before.mesh)
+      before?.dispose()
+      const leaflets = new Leaflets(scene, before?.mesh.material ?? leafletMaterial())
+      leaflets.paint(cornerColours(scene, 'leaflets', null, scene.rest_mm))
+      leaflets.move(Float32Array.from(closed_mm[i] ?? []))
+      stage.add(leaflets.mesh)
+      this.leaflets[i] = leaflets
+    }
+    this.held = closed_mm.flatMap((points) => Array.from({ length: points.length / 3 }, (_, i) => at(points, i)))
+    this.view('oblique')
+  }
+
+  view(name: ViewName): void {
+    for (const stage of this.stages) stage.look(name, this.held)
+  }
+
+  /// Radio buttons are there while a choice is asked for.
+  ask(isAsked: boolean): void {
+    for (const radio of this.radios) {
+      radio.hidden = !isAsked
+      radio.disabled = false
+      radio.checked = false
+    }
+    for (const [i, words] of this.words.entries()) words.textContent = `Valve ${i + 1}`
+  }
+
+  /// After the answer.
+  tell(answer: number, choice: number): void {
+    for (const [i, words] of this.words.entries()) {
+      const radio = this.radios[i] as HTMLInputElement
+      radio.disabled = true
+      radio.checked = i + 1 === choice
+      if (i + 1 === answer) words.textContent = `Valve ${i + 1}: the right one`
+      else if (i + 1 === choice) words.textContent = `Valve ${i + 1}: your answer`
+    }
+  }
+}
