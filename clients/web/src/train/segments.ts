@@ -9,7 +9,7 @@ import { SEGMENTS, type SegmentName } from './types'
 const OUTSIDE = 1.14 // of the way from the middle of the annulus: beside it
 
 /// Of the tissue that is held; of a chorda's cable that of the leaflet that it leads to.
-export function segmentOf({ scene, cables }: LiveValve, grip: Grip): SegmentName | null {
+export function segmentOf({ scene, cables }: Pick<LiveValve, 'scene' | 'cables'>, grip: Grip): SegmentName | null {
   if ('vertex' in grip) return ofVertex(scene, grip.vertex)
   const [chorda, segment] = cables[grip.cable] ?? [-1, -1]
   const face = insertion(scene.chordae[chorda]?.segments ?? [], segment)

@@ -86,7 +86,7 @@ test('a vertex belongs to the segment of most faces around it; a chorda leads to
     [0, 0],
     [-1, 0],
   ]
-  const valve = { scene: shape, systole_mmhg: 120, cables, hooks: [false, false] }
+  const valve = { scene: shape, systole_mmhg: 120, cables }
   expect(segmentOf(valve, { vertex: 1, at_mm: [0, 10, 0] })).toBe('A1')
   expect(segmentOf(valve, { cable: 0, share: 0.5, at_mm: [0, 0, 0] })).toBe('A3')
   expect(segmentOf(valve, { cable: 1, share: 0.5, at_mm: [0, 0, 0] })).toBeNull() // a tie
