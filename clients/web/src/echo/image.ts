@@ -13,9 +13,9 @@ interface Probe {
   noise_db: number
 }
 const PROBES: Record<Quality, Probe> = {
-  good: { axial_mm: 0.25, lateral_mm: 0.5, noise_db: -38 },
-  fair: { axial_mm: 0.35, lateral_mm: 0.9, noise_db: -28 },
-  poor: { axial_mm: 0.5, lateral_mm: 1.6, noise_db: -18 },
+  good: { axial_mm: 0.25, lateral_mm: 0.5, noise_db: -46 },
+  fair: { axial_mm: 0.35, lateral_mm: 0.9, noise_db: -36 },
+  poor: { axial_mm: 0.5, lateral_mm: 1.6, noise_db: -22 },
 }
 
 /// A piece of a leaflet in the cut: across the beam and along it, from the probe's side on, mm.
