@@ -85,6 +85,7 @@ test('a service that dies in a search is said to be away, and all goes on when i
 })
 
 test('what was found is tried by hand in a panel that is whole, and back leads to the search', async () => {
+  await page.locator('[data-part=leading] dl div').first().waitFor() // a search that is cancelled before has no plan
   await page.getByRole('button', { name: 'Cancel' }).click()
   await page.locator('[data-part=plan]').first().waitFor()
   const job = await jobOf()
