@@ -54,11 +54,7 @@ EngineAnswer opened(std::string_view body) {
   options.motion = frames > 0;
   const Stopwatch watch;
   const Expected<OpenedValve> opened = open_valve(asked.repaired, options);
-  if (!opened) {
-    ProblemList problems;
-    add_below(problems, "/valve", opened.errors());
-    return problem(422, std::move(problems).take());
-  }
+  if (!opened) return problem_below("/valve", opened.errors());
   return json_answer(200, opening_answer(asked, *opened, options, frames, watch.seconds()));
 }
 
@@ -82,61 +78,45 @@ auto seed_up_to(std::uint64_t most) {
 /// The case of a seed with its shapes, or why there is none.
 template <class Case>
 EngineAnswer case_answer(const Expected<Case>& made, const Valve& from) {
-  if (!made) {
-    ProblemList problems;
-    add_below(problems, "/valve", made.errors());
-    return problem(422, std::move(problems).take());
-  }
+  if (!made) return problem_below("/valve", made.errors());
   nlohmann::ordered_json json = to_json(*made, from);
   add_shapes(json, *made);
   return json_answer(200, std::move(json));
 }
 
 EngineAnswer training_case(std::string_view body) {
-  const Expected<nlohmann::json> json = parse_json(body);
-  if (!json) return problem(400, json.errors());
   Valve valve;
   bool segments = false;
   std::uint64_t seed = 1;
-  ProblemList problems;
-  read_fields({*json, problems},
-              {{"valve", document(valve, valve_from_json)},
-               {"exam", into(segments,
-                             [](const JsonPlace& place) {
-                               return read_choice(place, {"A", "B"}).value_or(0) == 1;
-                             })},
-               {"seed", into(seed, seed_up_to(kLargestSeed))}});
-  if (!problems.empty()) return problem(422, std::move(problems).take());
+  if (auto refusal =
+          read_body(body, {{"valve", document(valve, valve_from_json)},
+                           {"exam", into(segments,
+                                         [](const JsonPlace& place) {
+                                           return read_choice(place, {"A", "B"}).value_or(0) == 1;
+                                         })},
+                           {"seed", into(seed, seed_up_to(kLargestSeed))}}))
+    return *std::move(refusal);
   return segments ? case_answer(make_exam_b(valve, seed), valve)
                   : case_answer(make_exam_a(valve, seed), valve);
 }
 
 EngineAnswer training_exam(std::string_view body) {
-  const Expected<nlohmann::json> json = parse_json(body);
-  if (!json) return problem(400, json.errors());
   Schedule schedule;
   std::uint64_t seed = 1, first_case = 1;
-  ProblemList problems;
-  read_fields({*json, problems},
-              {{"schedule", document(schedule, schedule_from_json)},
-               {"seed", into(seed, seed_up_to(kLargestSeed))},
-               {"first_case", into(first_case, seed_up_to(kLargestFirstCase)), false}});
-  if (!problems.empty()) return problem(422, std::move(problems).take());
+  if (auto refusal =
+          read_body(body, {{"schedule", document(schedule, schedule_from_json)},
+                           {"seed", into(seed, seed_up_to(kLargestSeed))},
+                           {"first_case", into(first_case, seed_up_to(kLargestFirstCase)), false}}))
+    return *std::move(refusal);
   return json_answer(200, exam_to_json(schedule, seed, first_case));
 }
 
 EngineAnswer training_score(std::string_view body) {
-  const Expected<nlohmann::json> json = parse_json(body);
-  if (!json) return problem(400, json.errors());
   std::string table;
-  ProblemList problems;
-  read_fields({*json, problems}, {{"trials_csv", into(table, read_string)}});
-  if (!problems.empty()) return problem(422, std::move(problems).take());
+  if (auto refusal = read_body(body, {{"trials_csv", into(table, read_string)}}))
+    return *std::move(refusal);
   const Expected<std::vector<TrainingTrial>> trials = read_trials_csv(table);
-  if (!trials) {
-    add_below(problems, "/trials_csv", trials.errors());
-    return problem(422, std::move(problems).take());
-  }
+  if (!trials) return problem_below("/trials_csv", trials.errors());
   return json_answer(200, score_to_json(*trials));
 }
 

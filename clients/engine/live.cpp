@@ -25,9 +25,8 @@ void put_hook(std::vector<float>& list, const LiveValve& valve, int hook) {
 
 /// Valves may close under more than a live one takes.
 std::optional<EngineAnswer> refused_pressure(const Valve& valve) {
-  const Range kpa{0.0, kLivePressures_mmhg.max / kMmhgPerKpa};
   ProblemList problems;
-  check_range(problems, "/valve/pressure_kpa", valve.pressure_kpa, kpa, " kPa");
+  check_range(problems, "/valve/pressure_kpa", valve.pressure_kpa, kLiveSystoles_kpa, " kPa");
   if (problems.empty()) return std::nullopt;
   return problem(422, std::move(problems).take());
 }

@@ -23,15 +23,26 @@ EngineAnswer problem(int status, const Errors& errors) {
                               {"problems", to_json(errors)}});
 }
 
-std::optional<EngineAnswer> read_request(std::string_view body, RepairRequest& asked,
-                                         std::vector<JsonField> more) {
+EngineAnswer problem_below(const std::string& path, const Errors& errors) {
+  ProblemList problems;
+  add_below(problems, path, errors);
+  return problem(422, std::move(problems).take());
+}
+
+std::optional<EngineAnswer> read_body(std::string_view body, const std::vector<JsonField>& fields) {
   const Expected<nlohmann::json> json = parse_json(body);
   if (!json) return problem(400, json.errors());
+  ProblemList problems;
+  read_fields({*json, problems}, fields);
+  if (!problems.empty()) return problem(422, std::move(problems).take());
+  return std::nullopt;
+}
+
+std::optional<EngineAnswer> read_request(std::string_view body, RepairRequest& asked,
+                                         std::vector<JsonField> more) {
   more.insert(more.begin(), {{"valve", document(asked.valve, valve_from_json)},
                              {"plan", document(asked.plan, plan_from_json), false}});
-  ProblemList problems;
-  read_fields({*json, problems}, more);
-  if (!problems.empty()) return problem(422, std::move(problems).take());
+  if (auto refusal = read_body(body, more)) return refusal;
   if (const Errors errors = apply(asked); !errors.empty()) return problem(422, errors);
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,11 @@ namespace coapt {
 
 EngineAnswer json_answer(int status, nlohmann::ordered_json object, Points closed_mm = {});
 EngineAnswer problem(int status, const Errors& errors);
+/// 422, of errors whose paths begin below `path` of the body.
+EngineAnswer problem_below(const std::string& path, const Errors& errors);
+
+/// A body of these fields; or its refusal.
+std::optional<EngineAnswer> read_body(std::string_view body, const std::vector<JsonField>& fields);
 
 /// A body of "valve", "plan" (optional) and the fields `more`; or its refusal.
 std::optional<EngineAnswer> read_request(std::string_view body, RepairRequest& asked,

@@ -59,9 +59,9 @@ int exit_code_of(SessionEnd end) {
 
 /// Valves may close under more than a live one takes.
 Errors pressure_problems(const Valve& valve) {
-  const Range kpa{0.0, kLivePressures_mmhg.max / kMmhgPerKpa};
   ProblemList problems;
-  check_range(problems, "/pressure_kpa", valve.pressure_kpa, kpa, " kPa, or give --pressure");
+  check_range(problems, "/pressure_kpa", valve.pressure_kpa, kLiveSystoles_kpa,
+              " kPa, or give --pressure");
   return std::move(problems).take();
 }
 
