@@ -189,9 +189,10 @@ build/openapi-check/node_modules: server/openapi-check/package-lock.json
 	npm ci --ignore-scripts --no-audit --no-fund --prefix build/openapi-check
 	@touch $@
 
-readers-check: build build/readers-check/node_modules  ## fail if VTK, the glTF validator or another reader finds a file of coapt wrong
+readers-check: build build/readers-check/node_modules  ## fail if VTK, the glTF validator, Kubernetes's schemas or another reader finds a file of coapt wrong
 	@cmake/install_packages.sh readers
 	tests/readers/check_files.py $(BIN)/coapt env NODE_PATH=build/readers-check/node_modules node tests/readers/validate_glb.js
+	NODE_PATH=build/readers-check/node_modules node tests/readers/validate_manifests.js examples/farm/kubernetes/*.yaml
 
 build/readers-check/node_modules: tests/readers/package-lock.json
 	@command -v npm >/dev/null || cmake/install_packages.sh npm
