@@ -130,6 +130,7 @@ int serve(const ServerOptions& options, const Access& access) {
   ValveCache known;
   Compute parsing, compute;
   SearchReports reports;
+  FarmWatch farm(std::nullopt);
   const PageTokens tokens;
   HttpServer* running = nullptr;
   const Service service{options.service,
@@ -139,6 +140,7 @@ int serve(const ServerOptions& options, const Access& access) {
                         parsing,
                         compute,
                         reports,
+                        farm,
                         metrics,
                         page,
                         tokens,

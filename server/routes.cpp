@@ -15,8 +15,8 @@
 namespace coapt {
 
 Routes routes_of(const Service& service) {
-  const auto& [limits, store, jobs, known, parsing, compute, reports, metrics, page, tokens, load] =
-      service;
+  const auto& [limits, store, jobs, known, parsing, compute, reports, farm, metrics, page, tokens,
+               load] = service;
   const ValveSource valves{store, limits, known, parsing};
   const Submitting submitting{valves, jobs};
   return {
@@ -65,10 +65,12 @@ Routes routes_of(const Service& service) {
       {"GET", "/v1/jobs/{id}/files", GetFiles{store, limits, reports}},
       {"GET", "/v1/jobs/{id}/files/{name}", GetFile{store, reports}},
 
+      {"GET", "/v1/farm", GetFarm{farm}},
+
       {"GET", "/healthz/live", GetLive{}},
       {"GET", "/healthz/ready", GetReady{store, jobs}},
       {"GET", "/metrics", GetMetrics{metrics, jobs, load}},
-      {"GET", "/version", GetVersion{}},
+      {"GET", "/version", GetVersion{farm}},
       {"GET", "/openapi.json", GetOpenApi{}},
       {"GET", "/", GetPage{page}},
       {"GET", "/favicon.svg", GetPage{page}},

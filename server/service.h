@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "server/compute.h"
+#include "server/farm_watch.h"
 #include "server/http.h"
 #include "server/jobs/job_board.h"
 #include "server/jobs/search_reports.h"
@@ -24,6 +25,7 @@ struct Service {
   Compute& parsing;  ///< turns for bodies that are read
   Compute& compute;  ///< turns for closures that are waited for
   SearchReports& reports;
+  FarmWatch& farm;
   const Metrics& metrics;
   const Page& page;
   const PageTokens& tokens;

@@ -54,10 +54,19 @@ Answer GetMetrics::operator()(const Request& /*request*/) const {
                                      {"process_resident_memory_bytes", resident_bytes()}})}};
 }
 
+Answer GetFarm::operator()(const Request& /*request*/) const {
+  if (!farm.has_farm())
+    return problem(404, ErrorCode::BadReference, "this service has no farm: see --farm");
+  const Expected<nlohmann::ordered_json> status = farm.status();
+  if (!status) return retry_later(503, status.errors().front().message);
+  return json_answer(200, *status);
+}
+
 Answer GetVersion::operator()(const Request& /*request*/) const {
   return json_answer(200, {{"name", "coapt-server"},
                            {"version", version()},
                            {"api", "v1"},
+                           {"farm", farm.has_farm()},
                            {"not_modelled", not_modelled()}});
 }
 

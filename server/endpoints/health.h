@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "server/farm_watch.h"
 #include "server/jobs/job_board.h"
 #include "server/metrics.h"
 #include "server/route.h"
@@ -29,8 +30,15 @@ struct GetMetrics {
   Answer operator()(const Request& request) const;
 };
 
+/// GET /v1/farm: 404 if the service has none.
+struct GetFarm {
+  FarmWatch& farm;
+  Answer operator()(const Request& request) const;
+};
+
 /// GET /version
 struct GetVersion {
+  const FarmWatch& farm;
   Answer operator()(const Request& request) const;
 };
 

@@ -1,5 +1,6 @@
 // The page: a bar of views over one workspace. The address says which view, valve, plan and job is shown.
 import './style/base.css'
+import { version } from './api/calls'
 import { onTokenNeeded, takeTokenFromAddress } from './api/http'
 import { h } from './dom'
 import { HAS_SERVICE } from './mode'
@@ -28,6 +29,9 @@ const makers: Record<ViewName, (workspace: Workspace) => Promise<View>> = {
   studies: HAS_SERVICE
     ? async (workspace) => new (await import('./studies/view')).StudiesView(workspace)
     : async () => needsService('Studies', 'Studies of a valve need coapt-server.'),
+  farm: HAS_SERVICE
+    ? async () => new (await import('./farm/view')).FarmView()
+    : async () => needsService('Farm', 'A farm belongs to coapt-server.'),
   train: async (workspace) => new (await import('./train/view')).TrainView(workspace),
 }
 
@@ -103,5 +107,10 @@ shortcuts(workspace, palette.open)
 workspace.subscribe(() => bar.lead(route.addressOf))
 onOtherTab('kept plans', () => void workspace.loadKept())
 workspace.loadKept().catch(() => {})
-if (!HAS_SERVICE) navigator.serviceWorker?.register('sw.js').catch(() => {}) // the page works without it, on-line
+if (HAS_SERVICE)
+  version().then(
+    ({ farm }) => farm && bar.reveal('farm'),
+    () => {},
+  )
+else navigator.serviceWorker?.register('sw.js').catch(() => {}) // the page works without it, on-line
 await route.start()

@@ -42,6 +42,11 @@ TEST_F(HealthTest, VersionAndDocumentAreOfThisService) {
   EXPECT_EQ(json_of(get("/openapi.json"))["info"]["version"], version["version"]);
 }
 
+TEST_F(HealthTest, WithoutAFarmThereIsNothingToTellOfIt) {
+  EXPECT_EQ(json_of(get("/version"))["farm"], false);
+  EXPECT_EQ(get("/v1/farm").status, 404);
+}
+
 TEST_F(HealthTest, WithoutAPageThereIsNone) {
   for (const char* path : {"/", "/favicon.svg", "/assets/x.js"}) EXPECT_EQ(get(path).status, 404);
 }

@@ -107,6 +107,7 @@ class ServiceTest : public testing::Test {
   ValveCache known_;
   Compute parsing_{1, std::chrono::milliseconds(0)}, compute_{1, std::chrono::milliseconds(0)};
   SearchReports reports_{1, std::chrono::milliseconds(0)};
+  FarmWatch farm_{std::nullopt};
   Metrics metrics_;
   Page page_;
   PageTokens tokens_;
@@ -117,6 +118,7 @@ class ServiceTest : public testing::Test {
                    .parsing = parsing_,
                    .compute = compute_,
                    .reports = reports_,
+                   .farm = farm_,
                    .metrics = metrics_,
                    .page = page_,
                    .tokens = tokens_,

@@ -2,6 +2,7 @@
 import { getJson, postJson, request } from './http'
 import type {
   Evaluations,
+  Farm,
   FileLookedAt,
   FileToImport,
   ImportRequest,
@@ -78,6 +79,11 @@ export async function report(valve: string, plans: Plan[], region_points: number
   return (await request('POST', '/v1/reports', { valve, plans, region_points, evidence })).blob()
 }
 
-export function version(): Promise<{ version: string; not_modelled: string[] }> {
+/// The farm that the service hands its jobs to; ApiError 404 if it has none.
+export function farm(): Promise<Farm> {
+  return getJson('/v1/farm')
+}
+
+export function version(): Promise<{ version: string; farm: boolean; not_modelled: string[] }> {
   return getJson('/version')
 }

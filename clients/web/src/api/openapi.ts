@@ -2368,6 +2368,63 @@ export interface components {
             status: "live";
             notice: components["schemas"]["Notice"];
         };
+        Farm: {
+            /** @description Those that are open, and the newest of the others. */
+            runs: components["schemas"]["FarmRun"][];
+            /** @description Those of the last day. */
+            workers: components["schemas"]["FarmWorker"][];
+            notice: components["schemas"]["Notice"];
+        };
+        /** @description Work that was asked for once: a batch of closures, searches of several valves. */
+        FarmRun: {
+            /** @description Its number in the farm. */
+            run: number;
+            /** @description What it is for, in words. */
+            label: string;
+            /** @description What an item is: "orifices", "plans", ... */
+            kind: string;
+            /**
+             * @description holes: some items could not be computed, all others are.
+             * @enum {string}
+             */
+            state: "open" | "done" | "holes" | "cancelled";
+            /**
+             * Format: date-time
+             * @description When it was asked for, by the database's clock.
+             */
+            created: string;
+            /** @description Number of items. */
+            items: number;
+            /** @description Number of items that are settled. */
+            done: number;
+            /** @description Items a second in the last minute. */
+            rate_per_s: number;
+            /** @description Seconds left at that rate; null: not known, or it has ended. */
+            eta_s: number | null;
+            /** @description Number of live workers that may compute it. */
+            workers: number;
+            /** @description It is open, and no live worker is of the same coapt. */
+            waits_for_workers: boolean;
+            /** @description Number of its tasks that were given up. */
+            tasks_poison: number;
+            /** @description Number of its tasks that workers answered in different ways: others compute them again. */
+            tasks_disputed: number;
+        };
+        /** @description A program that computes items. */
+        FarmWorker: {
+            /** @description As it calls itself. */
+            name: string;
+            /** @description It was heard of within its lease. */
+            alive: boolean;
+            /** @description Its answers differed from those of two others: it gets no more work. */
+            barred: boolean;
+            /** @description Number of items that it has computed. */
+            items: number;
+            /** @description Items a second in the last minute. */
+            rate_per_s: number;
+            /** @description Seconds since it was heard of. */
+            seen_s: number;
+        };
         Ready: {
             /**
              * @description The service takes work.
@@ -2395,6 +2452,8 @@ export interface components {
              * @constant
              */
             api: "v1";
+            /** @description It hands jobs to a farm: see /v1/farm. */
+            farm: boolean;
             /** @description What the model leaves out, in sentences. */
             not_modelled: string[];
             notice: components["schemas"]["Notice"];

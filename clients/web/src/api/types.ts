@@ -44,6 +44,8 @@ export type Preference = Schemas['Preference']
 export type LearnedWeights = Schemas['LearnedWeights']
 export type Evaluations = Schemas['Evaluations']
 
+export type Farm = Omit<Schemas['Farm'], 'notice'>
+
 export type Job = Schemas['Job']
 export type JobState = Schemas['JobState']
 export type JobProgress = Schemas['Progress']

@@ -9,6 +9,7 @@ import shellStyle from './shell.module.css'
 export interface Header {
   element: HTMLElement
   mark(view: ViewName): void
+  reveal(view: ViewName): void // a link that is hidden at first
   lead(addressOf: (view: ViewName) => string): void // where the links lead
   complain(message: string): void // in the place of a valve, until one is open
 }
@@ -17,7 +18,7 @@ export function header(workspace: Workspace, openPalette: () => void): Header {
   const links = new Map<ViewName, HTMLElement>()
   const nav = h('nav', { 'aria-label': 'Views' })
   for (const [name, label] of VIEWS) {
-    const link = h('a', { href: `#/${name}` }, label)
+    const link = h('a', { href: `#/${name}`, hidden: name === 'farm' }, label)
     links.set(name, link)
     nav.append(link)
   }
@@ -51,6 +52,9 @@ export function header(workspace: Workspace, openPalette: () => void): Header {
         if (name === view) link.setAttribute('aria-current', 'page')
         else link.removeAttribute('aria-current')
       }
+    },
+    reveal(view) {
+      links.get(view)?.removeAttribute('hidden')
     },
     lead(addressOf) {
       for (const [name, link] of links) link.setAttribute('href', addressOf(name))

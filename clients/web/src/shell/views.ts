@@ -6,5 +6,6 @@ export const VIEWS = [
   ['search', 'Search'],
   ['studies', 'Studies'],
   ['train', 'Train'],
+  ['farm', 'Farm'], // in the bar where the service has one
 ] as const
 export type ViewName = (typeof VIEWS)[number][0]
