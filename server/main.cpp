@@ -155,13 +155,13 @@ int serve(const ServerOptions& options, const Access& access) {
   bool served = false;
   stopper.watch(board, http);
   {
-    const JobRunner runner(board,
-                           {{"plans", PlanJob{board, *store, options.service, plans}},
-                            {"study", StudyJob{board, *store, options.service, studies}},
-                            {"import", ImportJob{board, *store, options.service}}},
-                           options.service.running_jobs, [&retention](const Job& ended) {
-                             static_cast<void>(retention(ended, wall_clock_ms()));
-                           });
+    const JobRunner runner(
+        board,
+        {{"plans", PlanJob{board, *store, options.service, plans, options.farm}},
+         {"study", StudyJob{board, *store, options.service, studies, options.farm}},
+         {"import", ImportJob{board, *store, options.service}}},
+        options.service.running_jobs,
+        [&retention](const Job& ended) { static_cast<void>(retention(ended, wall_clock_ms())); });
     print_address(options.host, *port, options.token_file.empty() ? access.token : "");
     served = http.run();
     board.stop();
