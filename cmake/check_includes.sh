@@ -27,6 +27,10 @@ io/dicom         : core io/mesh io/image
 io/exchange      : core search io/json io/mesh io/image
 io/picture       : core search io/json io/mesh
 io/store         : core search io/json
+farm/work        : core search io
+farm/ask         : core search io farm/work
+farm/database    : core/valve farm/work
+farm/program     : core/valve io farm/work farm/database clients/cli
 server/          : core search io server/endpoints server/jobs
 server/jobs      : core search io server/
 server/endpoints : core search io server/ server/jobs
@@ -51,8 +55,9 @@ clipper[.]hpp   : core/metrics
 cairo           : io/picture
 httplib[.]h     : server clients/cli
 CLI/            : io/command_line
-nlohmann/       : io server clients/cli clients/engine clients/live lab
+nlohmann/       : io farm server clients/cli clients/engine clients/live lab
 sqlite3[.]h     : io/store
+libpq           : farm/database
 lzma[.]h        : io/mesh
 dcmtk/          : io/dicom
 boost/          : clients/live
@@ -98,7 +103,7 @@ while IFS=: read -r folder allowed; do
   done < <(includes "${folder%/}")
 done < <(grep : <<<"$arrows")
 
-for root in core search io server clients lab; do
+for root in core search io farm server clients lab; do
   [[ -d $root ]] || continue
   while read -r file; do
     within "$file" "${folders[@]}" || complain "$file: its folder has no row in cmake/check_includes.sh"
@@ -112,7 +117,7 @@ while IFS=: read -r pattern owners; do
     [[ $text =~ \<($pattern[^>]*)\> ]] || continue
     within "$file" "${owners[@]}" ||
       complain "$file:$line: only ${owners[*]} may include <${BASH_REMATCH[1]}>"
-  done < <(for root in core search io server clients lab; do [[ -d $root ]] && includes "$root"; done)
+  done < <(for root in core search io farm server clients lab; do [[ -d $root ]] && includes "$root"; done)
 done < <(grep : <<<"$reserved")
 
 for root in core lab/comparators; do
@@ -124,7 +129,7 @@ for root in core lab/comparators; do
   done < <(includes "$root")
 done
 
-for root in core search io server clients lab; do
+for root in core search io farm server clients lab; do
   [[ -d $root ]] || continue
   while IFS=: read -r file line _; do
     [[ $file == search/parallel.h ]] || complain "$file:$line: OpenMP only in search/parallel.h"
