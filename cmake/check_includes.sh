@@ -31,10 +31,10 @@ farm/work        : core search io
 farm/ask         : core search io farm/work
 farm/database    : core/valve farm/work
 farm/program     : core/valve io farm/work farm/database clients/cli
-server/          : core search io server/endpoints server/jobs
-server/jobs      : core search io server/
+server/          : core search io farm/work farm/ask server/endpoints server/jobs
+server/jobs      : core search io farm/work farm/ask server/
 server/endpoints : core search io server/ server/jobs
-clients/cli      : core search io
+clients/cli      : core search io farm/work farm/ask
 clients/engine   : core search io/json
 clients/live     : core io clients/cli
 lab/comparators  : core

@@ -1,14 +1,12 @@
 // Names that nobody can guess or forge.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 
-namespace coapt {
+#include "io/store/sha256.h"
 
-/// Two digits a byte, in lower case.
-std::string hexadecimal(std::span<const unsigned char> bytes);
+namespace coapt {
 
 /// SHA-256 of the bytes, 64 hexadecimal digits.
 std::string content_id(std::string_view bytes);

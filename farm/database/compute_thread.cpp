@@ -1,5 +1,6 @@
 #include "farm/database/compute_thread.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -40,7 +41,8 @@ struct ComputeThread::State {
   std::condition_variable given, taken;
   std::deque<ComputeJob> jobs;
   std::vector<ComputedTask> computed;
-  bool ends = false;
+  bool ends = false, stops = false;
+  std::shared_ptr<std::atomic<bool>> stop;  ///< of the work in progress
   std::thread thread;
 
   const Expected<Work>& work_of(const ComputeJob& job) {
@@ -54,15 +56,25 @@ struct ComputeThread::State {
     return works.front().work;
   }
 
+  void let_stop(const std::shared_ptr<std::atomic<bool>>& flag) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    stop = flag;
+    if (stops) *stop = true;
+  }
+
   ComputedTask compute(const ComputeJob& job) {
     ComputedTask task{job.key, job.count, "", "", 0.0};
     const Clock::time_point start = Clock::now();
     try {
       const Expected<Work>& work = work_of(job);
-      if (work)
+      if (work) {
+        let_stop(work->stop);
         task.bytes = work->compute(job.key.first, job.count, threads);
-      else
+      } else {
         task.error = "the request: " + text_of(work.errors());
+      }
+    } catch (const WorkStopped&) {
+      task.stopped = true;
     } catch (const std::exception& error) {
       task.error = std::string("computing: ") + error.what();
     }
@@ -96,6 +108,7 @@ ComputeThread::ComputeThread(WorkOpener open, int threads) : state_(std::make_sh
 ComputeThread::~ComputeThread() {
   if (let_go_) return;
   take_back();
+  stop();
   {
     const std::lock_guard<std::mutex> lock(state_->mutex);
     state_->ends = true;
@@ -124,6 +137,12 @@ std::vector<TaskKey> ComputeThread::take_back() {
   for (const ComputeJob& job : state_->jobs) keys.push_back(job.key);
   state_->jobs.clear();
   return keys;
+}
+
+void ComputeThread::stop() {
+  const std::lock_guard<std::mutex> lock(state_->mutex);
+  state_->stops = true;
+  if (state_->stop) *state_->stop = true;
 }
 
 void ComputeThread::let_go() {

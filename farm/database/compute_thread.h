@@ -24,7 +24,8 @@ struct ComputedTask {
   TaskKey key;
   int count = 0;
   std::string bytes;
-  std::string error;  ///< if not empty, why there are no bytes
+  std::string error;     ///< if not empty, why there are no bytes
+  bool stopped = false;  ///< by stop(): there is no answer, at no one's fault
   double seconds = 0.0;
 };
 
@@ -33,7 +34,7 @@ class ComputeThread {
  public:
   /// @param threads of each computation
   ComputeThread(WorkOpener open, int threads);
-  /// Ends with the job in progress; drops the others.
+  /// Stops the job in progress and waits for it; drops the others.
   ~ComputeThread();
   ComputeThread(const ComputeThread&) = delete;
   ComputeThread& operator=(const ComputeThread&) = delete;
@@ -43,6 +44,8 @@ class ComputeThread {
   std::vector<ComputedTask> take(std::chrono::milliseconds patience);
   /// The jobs that have not begun; they never will.
   std::vector<TaskKey> take_back();
+  /// Ends the job in progress soon, if its kind of work heeds that.
+  void stop();
   /// Leaves the job in progress alone, if there is one: the thread ends with it, or with the program. Nothing may follow
   /// but the destructor, and the program must end by std::_Exit.
   void let_go();

@@ -21,6 +21,7 @@ constexpr int kLeastAtHand = 2, kMostAtHand = 16;
 constexpr double kAhead_s = 0.2;
 constexpr double kShortestPause_s = 0.05, kLongestPause_s = 2.0;
 constexpr double kStopPatience_s = 5.0;  // to hand in, once stopped
+constexpr double kStopping_s = 1.0;      // for a computation to heed Work::stop
 constexpr double kSlack_s = 0.5;         // for the database's answers at the end
 constexpr std::chrono::milliseconds kTick(50);
 constexpr std::size_t kKnownRequests = 4;  // as ComputeThread's open works
@@ -107,7 +108,7 @@ class Worker {
   double left_s() const {
     return options_.seconds > 0.0 ? options_.seconds - seconds_since(start_) : 1e300;
   }
-  bool out_of_time() const { return left_s() < options_.grace_s + kSlack_s; }
+  bool out_of_time() const { return left_s() < options_.grace_s + kStopping_s + kSlack_s; }
 
   bool ended() {
     if (refused_ || is_dry_) return true;
@@ -206,6 +207,7 @@ class Worker {
   void hand_in(const std::vector<ComputedTask>& tasks) {
     for (const ComputedTask& task : tasks) {
       if (refused_) return;
+      if (task.stopped) continue;  // still held: it is given back
       if (task.error.empty()) {
         const auto verdict = ask<std::string>(
             [&] { return database_.finish(id_, task.key, task.seconds, task.bytes); });
@@ -238,20 +240,24 @@ class Worker {
 
   /// The task in progress may end within the grace; what has not begun goes back at once.
   void finish_up() {
+    std::size_t in_progress = held_.size();
     const std::vector<TaskKey> idle = compute_.take_back();
     if (!refused_) give_back(idle);
-    const Clock::time_point begin = Clock::now();
-    while (!refused_ && !held_.empty() && seconds_since(begin) < options_.grace_s) {
-      const std::vector<ComputedTask> computed = compute_.take(kTick);
-      hand_in(computed);
-    }
-    if (!refused_) {
-      report_.let_go = !held_.empty();
-      give_back(held_);
-      tell([&] { return database_.leave(id_); });
-    } else {
-      report_.let_go = true;
-    }
+    in_progress -= std::min(in_progress, idle.size());
+    const auto await = [&](double patience_s) {
+      const Clock::time_point begin = Clock::now();
+      while (in_progress > 0 && seconds_since(begin) < patience_s) {
+        const std::vector<ComputedTask> computed = compute_.take(kTick);
+        hand_in(computed);
+        in_progress -= std::min(in_progress, computed.size());
+      }
+    };
+    if (!refused_) await(options_.grace_s);
+    compute_.stop();
+    await(kStopping_s);
+    if (!refused_ && !held_.empty()) give_back(held_);
+    if (!refused_) tell([&] { return database_.leave(id_); });
+    report_.let_go = in_progress > 0;
     if (report_.let_go) compute_.let_go();
   }
 

@@ -76,9 +76,9 @@ bool is_search(const SearchResult& result) { return result.branches > 0 || resul
 
 std::string counts(const SearchResult& result) {
   std::string words = grouped(result.closures) + (result.closures == 1 ? " closure" : " closures") +
-                      " in " + fixed(result.seconds, 1) + " s, ranking included; " +
-                      grouped(result.closures_not_converged) + " did not converge, " +
-                      grouped(result.closures_crossed) + " crossed";
+                      (std::isnan(result.seconds) ? "" : " in " + fixed(result.seconds, 1) + " s") +
+                      ", ranking included; " + grouped(result.closures_not_converged) +
+                      " did not converge, " + grouped(result.closures_crossed) + " crossed";
   if (result.closures_known > 0)
     words += ", " + grouped(result.closures_known) + " were known from an earlier run";
   words += ". ";

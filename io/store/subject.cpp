@@ -49,6 +49,11 @@ std::string plan_subject_of(const Valve& valve, const ClosureOptions& options) {
   return fnv1a_128(text_of(valve, options) + " plans " + std::to_string(kPlanRevision));
 }
 
+std::string closures_revision() {
+  return std::string(version()) + " closures " + std::to_string(kClosureRevision) + " plans " +
+         std::to_string(kPlanRevision);
+}
+
 std::string fnv1a_128(std::string_view bytes) {
   std::uint64_t high = 0x6c62272e07bb0142, low = 0x62b821756295c58d;
   for (const char byte : bytes) {

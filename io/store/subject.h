@@ -18,6 +18,9 @@ std::string subject_of(const Valve& valve, const ClosureOptions& options);
 /// the name that subject_of() gives. @pre validate(valve) is empty.
 std::string plan_subject_of(const Valve& valve, const ClosureOptions& options);
 
+/// Version and revisions that these names hold: builds that say the same give the same closures under a name.
+std::string closures_revision();
+
 /// FNV-1a in 128 bits (Fowler, Noll, Vo; draft-eastlake-fnv), as 32 hexadecimal digits. The same on
 /// every machine. No guard against collisions made on purpose.
 std::string fnv1a_128(std::string_view bytes);

@@ -125,7 +125,7 @@ struct SearchResult {
   int evaluations = 0;     ///< of these: of the search
   int closures_known = 0;  ///< of all: from an earlier run
   int closures_not_converged = 0, closures_crossed = 0;
-  double seconds = 0.0;
+  double seconds = 0.0;  ///< NaN: not to be told
 };
 
 /// Converged, not crossed, its leak a number: as planned.

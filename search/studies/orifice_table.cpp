@@ -22,16 +22,6 @@ constexpr double kRounding = 1e-6;  // mm or percent
 std::int64_t rounded(double value) { return std::llround(value / kRounding); }
 double number(std::int64_t key) { return kRounding * static_cast<double>(key); }
 
-Configuration configuration_of(const ConfigurationKey& key) {
-  Configuration c;
-  c.change.ap_dilation_percent = number(key[0]);
-  c.change.annular_height_percent = number(key[1]);
-  c.change.anterolateral_mm = Vec3(number(key[2]), number(key[3]), number(key[4]));
-  c.change.posteromedial_mm = Vec3(number(key[5]), number(key[6]), number(key[7]));
-  c.ring_sizes_below = static_cast<int>(key[8]);
-  return c;
-}
-
 OrificeSample sample_of(const Valve& closed_valve, const ClosureResult& closure) {
   OrificeSample sample;
   double sum = 0.0, squares = 0.0;
@@ -62,6 +52,16 @@ ConfigurationKey key_of(const Configuration& c) {
           rounded(pm.y()),
           rounded(pm.z()),
           c.ring_sizes_below};
+}
+
+Configuration configuration_of(const ConfigurationKey& key) {
+  Configuration c;
+  c.change.ap_dilation_percent = number(key[0]);
+  c.change.annular_height_percent = number(key[1]);
+  c.change.anterolateral_mm = Vec3(number(key[2]), number(key[3]), number(key[4]));
+  c.change.posteromedial_mm = Vec3(number(key[5]), number(key[6]), number(key[7]));
+  c.ring_sizes_below = static_cast<int>(key[8]);
+  return c;
 }
 
 std::size_t ConfigurationKeyHash::operator()(const ConfigurationKey& key) const {
@@ -116,9 +116,13 @@ std::vector<OrificeSample> OrificeTable::at(std::span<const Configuration> confi
     for (const ConfigurationKey& part : frame.empty() ? std::vector{key} : frame)
       if (!frame_.contains(part) && needed.insert(part).second) around.push_back(part);
   }
-  const int planned = static_cast<int>(around.size() + within.size());
-  close(around, Start::Open, {0, planned});
-  close(within, Start::Predicted, {static_cast<int>(around.size()), planned});
+  if (options_.close_elsewhere) {
+    close_elsewhere({asked.begin(), asked.end()});
+  } else {
+    const int planned = static_cast<int>(around.size() + within.size());
+    close(around, Start::Open, {0, planned});
+    close(within, Start::Predicted, {static_cast<int>(around.size()), planned});
+  }
   std::vector<OrificeSample> samples;
   for (const ConfigurationKey& key : keys) samples.push_back(ask(known_.at(key)));
   return samples;
@@ -149,6 +153,19 @@ void OrificeTable::close(const std::vector<ConfigurationKey>& keys, Start start,
   closures_ += static_cast<int>(keys.size());
 }
 
+void OrificeTable::close_elsewhere(std::vector<ConfigurationKey> keys) {
+  if (keys.empty()) return;
+  // The same batch in any order of asking; and neighbours start from the same closures.
+  std::sort(keys.begin(), keys.end());
+  const std::vector<OrificeSample> samples = options_.close_elsewhere(
+      keys, options_.progress ? options_.progress : [](int, int) {});
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (options_.keep) options_.keep(keys[i], samples.at(i));
+    known_.try_emplace(keys[i], Entry{samples.at(i)});
+  }
+  closures_ += static_cast<int>(keys.size());
+}
+
 StartCheck OrificeTable::check_starts() {
   std::vector<ConfigurationKey> predicted;
   for (const auto& [key, entry] : known_)
@@ -161,7 +178,11 @@ StartCheck OrificeTable::check_starts() {
   std::vector<ConfigurationKey> around;
   for (const Configuration& configuration : sample)
     for (const ConfigurationKey& part : frame_of(key_of(configuration)))
-      if (!frame_.contains(part)) frame_[part] = close_one(part, Start::Open).closure;
+      if (frame_.try_emplace(part).second) around.push_back(part);
+  std::vector<Closure> closed(around.size());
+  for_each_index(static_cast<int>(around.size()), options_.threads,
+                 [&](int i) { closed[i] = close_one(around[i], Start::Open).closure; });
+  for (std::size_t i = 0; i < around.size(); ++i) frame_[around[i]] = std::move(closed[i]);
   std::vector<StartCheck> checks(sample.size());
   for_each_index(count, options_.threads, [&](int i) {
     const ConfigurationKey key = key_of(sample[i]);

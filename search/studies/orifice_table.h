@@ -31,11 +31,18 @@ struct OrificeSample {
 /// Dilation, height, displacements (anterolateral, posteromedial) in 1e-6 percent or mm, sizes.
 using ConfigurationKey = std::array<std::int64_t, 9>;
 ConfigurationKey key_of(const Configuration& configuration);
+/// The rounded one, which is closed.
+Configuration configuration_of(const ConfigurationKey& key);
 
 struct ConfigurationKeyHash {
   std::size_t operator()(const ConfigurationKey& key) const;
 };
 using KnownOrifices = std::unordered_map<ConfigurationKey, OrificeSample, ConfigurationKeyHash>;
+
+/// Closes these configurations somewhere else; samples in their order, the bits that a table would give.
+/// Calls its second argument with how many are done and planned. What it throws ends OrificeTable::at().
+using CloseElsewhere = std::function<std::vector<OrificeSample>(
+    const std::vector<ConfigurationKey>&, const std::function<void(int, int)>&)>;
 
 struct OrificeTableOptions {
   ClosureOptions closure;
@@ -45,6 +52,7 @@ struct OrificeTableOptions {
   std::function<void(const ConfigurationKey&, const OrificeSample&)> keep;
   /// Done and planned of the present batch, likewise.
   std::function<void(int, int)> progress;
+  CloseElsewhere close_elsewhere;  ///< all that at() does not know, in one call; empty: here
 };
 
 class OrificeTable {
@@ -52,6 +60,7 @@ class OrificeTable {
   OrificeTable(const Valve& valve, OrificeTableOptions options);
 
   const Valve& valve() const { return valve_; }
+  void use_threads(int threads) { options_.threads = threads; }  ///< from here on; 0: all cores
   /// Closes those that are not known. In the order of `configurations`.
   std::vector<OrificeSample> at(std::span<const Configuration> configurations);
   /// Null if it is not known.
@@ -61,7 +70,8 @@ class OrificeTable {
   /// all threads. These closures are not counted, nor kept.
   StartCheck check_starts();
 
-  int closures() const { return closures_; }              ///< made by this table
+  /// Made by this table, with those that others start from; or made for it elsewhere, without them.
+  int closures() const { return closures_; }
   int configurations() const { return configurations_; }  ///< asked for: closed now, or known
   int known() const { return known_before_; }             ///< of those, from an earlier run
   int untrusted() const { return untrusted_; }            ///< of those asked for
@@ -88,6 +98,7 @@ class OrificeTable {
   /// Predicted: all of its frame is at hand.
   Closed close_one(const ConfigurationKey& key, Start start) const;
   void close(const std::vector<ConfigurationKey>& keys, Start start, Share of_batch);
+  void close_elsewhere(std::vector<ConfigurationKey> keys);
 
   Valve valve_;
   OrificeTableOptions options_;

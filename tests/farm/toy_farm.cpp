@@ -42,11 +42,12 @@ Expected<Work> open_toy(const WorkRequest& request) {
   Work work;
   work.items = told["items"];
   work.task_items = told["task_items"];
-  work.compute = [told, seed, flip, more](std::int64_t first, int count, int) {
+  work.compute = [told, seed, flip, more, stop = work.stop](std::int64_t first, int count, int) {
     std::string bytes;
     for (std::int64_t item = first; item < first + count; ++item) {
       if (item == told.value("throws_at", -1)) throw std::runtime_error("item that cannot be");
       if (item == told.value("kills_at", -1)) std::raise(SIGKILL);
+      if (*stop) throw WorkStopped();
       std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(told.value("ms", 0.0)));
       std::uint64_t answer = mixed(seed ^ static_cast<std::uint64_t>(item));
       for (int i = 0; i < 8; ++i, answer >>= 8) bytes += static_cast<char>(answer & 255u);

@@ -1,0 +1,136 @@
+#include "farm/work/plan_work.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "farm/work/closure_options_json.h"
+#include "farm/work/work_parts.h"
+#include "io/json/plans_json.h"
+#include "io/json/search_options_json.h"
+#include "io/json/valve_json.h"
+#include "io/picture/report_material.h"
+#include "io/picture/search_csv.h"
+#include "io/store/subject.h"
+#include "search/plans/plan_search.h"
+
+namespace coapt {
+namespace {
+
+struct PlanWork {
+  std::vector<Valve> valves;
+  SearchOptions options;
+  std::shared_ptr<std::atomic<bool>> stop;
+};
+
+void pack_text(std::string& bytes, const std::string& text) {
+  pack(bytes, std::uint64_t{text.size()});
+  bytes += text;
+}
+
+std::optional<std::string> take_text(std::string_view& bytes) {
+  if (bytes.size() < 8) return std::nullopt;
+  const std::uint64_t size = unpacked(bytes, 0);
+  bytes.remove_prefix(8);
+  if (size > bytes.size()) return std::nullopt;
+  std::string text(bytes.substr(0, size));
+  bytes.remove_prefix(size);
+  return text;
+}
+
+/// Nothing of it depends on threads or clock.
+std::string search_one(const PlanWork& work, std::size_t index, int threads) {
+  const Valve& valve = work.valves.at(index);
+  SearchOptions options = work.options;
+  options.threads = threads;
+  options.closure.budget.cancelled = [stop = work.stop] { return stop->load(); };
+  SearchContext context;
+  context.cancelled = work.stop.get();
+  Expected<SearchResult> result = search_plans(valve, options, context);
+  if (*work.stop) throw WorkStopped();
+  if (!result) throw std::runtime_error(result.errors().front().message);
+  result->seconds = std::numeric_limits<double>::quiet_NaN();
+  const SearchRequest reproduce{work.options, subject_of(valve, work.options.closure), ""};
+  std::string bytes;
+  pack_text(bytes, to_json(*result, reproduce).dump());
+  pack_text(bytes, write_report_material(report_material(*result, reproduce)));
+  pack_text(bytes, tried_plans_csv(valve, *result));
+  return bytes;
+}
+
+Errors check_valves(const PlanWork& work) {
+  ProblemList problems;
+  for (std::size_t i = 0; i < work.valves.size(); ++i)
+    for (const Error& error : check_search(work.valves[i], work.options))
+      problems.add(error.code, "/search" + error.path,
+                   "valve " + std::to_string(i + 1) + ": " + error.message);
+  return std::move(problems).take();
+}
+
+}  // namespace
+
+Expected<WorkRequest> plan_request(const std::vector<Valve>& valves, const SearchOptions& options) {
+  ProblemList problems;
+  if (options.seconds > 0.0)
+    problems.add(ErrorCode::Unsupported, "/seconds",
+                 "a limit of time would let the machine decide the plans; must be 0");
+  const Expected<nlohmann::ordered_json> closure = closure_options_json(options.closure);
+  if (!closure || *closure != *closure_options_json({}))
+    problems.add(ErrorCode::Unsupported, "/closure", "options of the closure must be the default");
+  if (!problems.empty()) return std::move(problems).take();
+  SearchOptions sent = options;
+  sent.threads = 0;
+  nlohmann::ordered_json json = {{"search", to_json(sent)},
+                                 {"valves", nlohmann::ordered_json::array()}};
+  WorkRequest request{"plans", {""}};
+  for (const Valve& valve : valves) {
+    json["valves"].push_back(request.parts.size());
+    request.parts.push_back(write_valve(valve));
+  }
+  request.parts.front() = json.dump();
+  return request;
+}
+
+Expected<Work> open_plan_work(const WorkRequest& request) {
+  const Expected<nlohmann::json> json = parse_json(request.parts.front());
+  if (!json) return json.errors();
+  ProblemList problems;
+  Work work;
+  const auto plans = std::make_shared<PlanWork>();
+  plans->stop = work.stop;
+  read_fields({*json, problems}, {{"search", document(plans->options, search_options_from_json)},
+                                  {"valves", into(plans->valves, [&](const JsonPlace& place) {
+                                     return read_list(place, [&](const JsonPlace& at) {
+                                       return read_valve_part(at, request);
+                                     });
+                                   })}});
+  if (plans->options.seconds > 0.0)
+    problems.add(ErrorCode::Unsupported, "/search/seconds", "must be 0: no clock may decide plans");
+  if (!problems.empty()) return std::move(problems).take();
+  plans->options.threads = 0;
+  if (Errors errors = check_valves(*plans); !errors.empty()) return errors;
+  work.items = std::ssize(plans->valves);
+  work.task_items = 1;
+  work.compute = [plans](std::int64_t first, int count, int threads) {
+    std::string bytes;
+    for (std::int64_t i = first; i < first + count; ++i)
+      bytes += search_one(*plans, static_cast<std::size_t>(i), threads);
+    return bytes;
+  };
+  return work;
+}
+
+Expected<std::vector<PlanAnswer>> plan_answers(std::string_view bytes) {
+  std::vector<PlanAnswer> answers;
+  while (!bytes.empty()) {
+    PlanAnswer& answer = answers.emplace_back();
+    for (std::string* part : {&answer.plans, &answer.material, &answer.tried}) {
+      std::optional<std::string> text = take_text(bytes);
+      if (!text) return Error{ErrorCode::Unsupported, "", "an answer with plans is cut off"};
+      *part = *std::move(text);
+    }
+  }
+  return answers;
+}
+
+}  // namespace coapt

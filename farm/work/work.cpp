@@ -1,0 +1,46 @@
+#include "farm/work/work.h"
+
+#include <gnu/libc-version.h>
+
+#include "farm/work/orifice_work.h"
+#include "farm/work/plan_work.h"
+#include "farm/work/work_file.h"
+#include "io/store/sha256.h"
+#include "io/store/subject.h"
+
+namespace coapt {
+namespace {
+
+struct WorkKind {
+  std::string_view name;
+  Expected<Work> (*open)(const WorkRequest&);
+};
+
+constexpr WorkKind kKinds[] = {{"orifices", open_orifice_work}, {"plans", open_plan_work}};
+
+// Raise it with every change of how answers are packed, or of what an answer holds besides closures.
+constexpr int kAnswerRevision = 1;
+
+}  // namespace
+
+Expected<Work> open_work(const WorkRequest& request) {
+  if (request.parts.empty())
+    return Error{ErrorCode::MissingField, "", "has no parts, must have the document at least"};
+  std::string names;
+  for (const WorkKind& kind : kKinds) {
+    if (kind.name == request.kind) return kind.open(request);
+    names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  }
+  return Error{ErrorCode::Unsupported, "",
+               "kind of work is " + request.kind + ", must be one of " + names};
+}
+
+std::string work_id(const WorkRequest& request) { return sha256(write_work(request)); }
+
+std::string work_revision() {
+  // The compiler and the C library's mathematics decide last bits, too.
+  return closures_revision() + " answers " + std::to_string(kAnswerRevision) + ", compiler " +
+         __VERSION__ + ", libc " + gnu_get_libc_version();
+}
+
+}  // namespace coapt

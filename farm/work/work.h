@@ -1,0 +1,52 @@
+// What a farm computes: a pure function from a request and an index to bytes.
+//
+// A request names a kind of work and carries all that decides its answers. Its items are counted from 0; any of them may be
+// computed anywhere, in any order, more than once: the bytes are the same, which is what lets a farm compare them.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/valve/types.h"
+
+namespace coapt {
+
+/// What decides every answer, together with work_revision(): requests of the same bytes are the same work.
+struct WorkRequest {
+  std::string kind;  ///< "orifices", "plans"
+  /// The first a JSON document, the others (valves) named by it; each stored once by its content.
+  std::vector<std::string> parts;
+};
+
+/// Thrown by a computation that was stopped: it has no answer.
+struct WorkStopped : std::runtime_error {
+  WorkStopped() : std::runtime_error("the work was stopped") {}
+};
+
+/// A request that has been read.
+struct Work {
+  std::int64_t items = 0;
+  int task_items =
+      256;  ///< consecutive items that one worker takes at a time: about one or two seconds
+  /// The answers of items [first, first + count), packed one after another. On `threads` threads, the same bytes for any number.
+  /// From one thread at a time. Throws what cannot be computed (std::runtime_error), a bug or a broken machine.
+  std::function<std::string(std::int64_t first, int count, int threads)> compute;
+  /// Set from any thread, it ends a computation within a closure or two by WorkStopped.
+  std::shared_ptr<std::atomic<bool>> stop = std::make_shared<std::atomic<bool>>(false);
+};
+
+/// Errors as JSON pointers into the first part.
+Expected<Work> open_work(const WorkRequest& request);
+
+/// 64 hexadecimal digits of kind and parts (SHA-256).
+std::string work_id(const WorkRequest& request);
+
+/// Of this build: workers of another one refuse the work. version() and what else decides bits.
+std::string work_revision();
+
+}  // namespace coapt

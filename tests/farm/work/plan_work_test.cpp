@@ -1,0 +1,81 @@
+#include "farm/work/plan_work.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/presets/presets.h"
+#include "io/json/plan_document.h"
+#include "io/json/plans_json.h"
+#include "io/picture/report_material.h"
+#include "io/store/subject.h"
+#include "search/plans/plan_search.h"
+
+namespace coapt {
+namespace {
+
+SearchOptions quick_search() {
+  SearchOptions options;
+  options.evaluations = 2;
+  options.plans = 1;
+  options.region_points = 1;
+  options.evidence = false;
+  options.openings = false;
+  options.fine_levels = 0;
+  options.model_draws = 0;
+  return options;
+}
+
+TEST(PlanWork, IsTheSearchThatAnybodyElseWouldMake) {
+  const Valve valve = *make_preset("human-functional-mr");
+  SearchOptions options = quick_search();
+  options.threads = 2;
+  const auto request = plan_request({valve, valve}, options);
+  ASSERT_TRUE(request);
+  const Expected<Work> work = open_work(*request);
+  ASSERT_TRUE(work);
+  EXPECT_EQ(work->items, 2);
+  EXPECT_EQ(work->task_items, 1);
+  const std::string bytes = work->compute(0, 1, 1);
+  EXPECT_EQ(work->compute(1, 1, 2), bytes) << "threads change nothing";
+
+  const auto answers = plan_answers(bytes + bytes);
+  ASSERT_TRUE(answers);
+  ASSERT_EQ(answers->size(), 2u);
+  const PlanAnswer& answer = answers->back();
+  SearchContext context;
+  options.threads = 0;
+  const auto result = search_plans(valve, options, context);
+  nlohmann::ordered_json here = to_json(*result, {options, subject_of(valve, {}), ""});
+  here["seconds"] = nullptr;
+  EXPECT_EQ(answer.plans, here.dump());
+  EXPECT_TRUE(read_plans(answer.plans));
+  const auto report = report_page(answer.material, 0, valve);
+  ASSERT_TRUE(report);
+  EXPECT_NE(report->find(" closures, ranking included"), std::string::npos) << "no seconds";
+  EXPECT_NE(answer.tried.find('\n'), std::string::npos);
+  EXPECT_FALSE(plan_answers(std::string_view(bytes).substr(0, bytes.size() - 1)));
+}
+
+TEST(PlanWork, AStoppedSearchHasNoAnswer) {
+  const auto request = plan_request({*make_preset("human-functional-mr")}, quick_search());
+  const Expected<Work> work = open_work(*request);
+  *work->stop = true;
+  EXPECT_THROW(work->compute(0, 1, 1), WorkStopped);
+}
+
+TEST(PlanWork, RefusesWhatWouldDependOnTheMachineOrLeavesNothingToTry) {
+  const Valve valve = *make_preset("human-functional-mr");
+  SearchOptions timed = quick_search(), other = quick_search(), forbidden = quick_search();
+  timed.seconds = 60.0;
+  EXPECT_EQ(plan_request({valve}, timed).errors().front().path, "/seconds");
+  other.closure.speed = 0.5;
+  EXPECT_EQ(plan_request({valve}, other).errors().front().path, "/closure");
+  forbidden.rules.forbidden = {"magic"};
+  const Expected<Work> work = open_work(*plan_request({valve}, forbidden));
+  ASSERT_FALSE(work);
+  EXPECT_EQ(work.errors().front().path, "/search/rules/forbidden/0");
+}
+
+}  // namespace
+}  // namespace coapt
