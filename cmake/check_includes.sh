@@ -29,6 +29,8 @@ io/picture       : core search io/json io/mesh
 io/store         : core search io/json
 farm/work        : core search io
 farm/ask         : core search io farm/work
+farm/database    : core/valve farm/work
+farm/program     : core/valve io farm/work farm/database clients/cli
 server/          : core search io farm/work farm/ask server/endpoints server/jobs
 server/jobs      : core search io farm/work farm/ask server/
 server/endpoints : core search io server/ server/jobs
@@ -55,6 +57,7 @@ httplib[.]h     : server clients/cli
 CLI/            : io/command_line
 nlohmann/       : io farm server clients/cli clients/engine clients/live lab
 sqlite3[.]h     : io/store
+libpq           : farm/database
 lzma[.]h        : io/mesh
 dcmtk/          : io/dicom
 boost/          : clients/live

@@ -130,21 +130,12 @@ int serve(const ServerOptions& options, const Access& access) {
   ValveCache known;
   Compute parsing, compute;
   SearchReports reports;
-  FarmWatch farm(std::nullopt);
+  FarmWatch farm(options.farm.empty() ? std::nullopt : std::optional(farm_at(options.farm)));
   const PageTokens tokens;
   HttpServer* running = nullptr;
-  const Service service{options.service,
-                        *store,
-                        board,
-                        known,
-                        parsing,
-                        compute,
-                        reports,
-                        farm,
-                        metrics,
-                        page,
-                        tokens,
-                        [&running] { return running->load(); }};
+  const Service service{options.service, *store,  board,   known,
+                        parsing,         compute, reports, farm,
+                        metrics,         page,    tokens,  [&running] { return running->load(); }};
   const Routes routes = routes_of(service);
   HttpServer http(options.http, routes, access, [&](const Exchange& exchange) {
     metrics.observe(exchange);
@@ -157,13 +148,13 @@ int serve(const ServerOptions& options, const Access& access) {
   bool served = false;
   stopper.watch(board, http);
   {
-    const JobRunner runner(board,
-                           {{"plans", PlanJob{board, *store, options.service, plans}},
-                            {"study", StudyJob{board, *store, options.service, studies}},
-                            {"import", ImportJob{board, *store, options.service}}},
-                           options.service.running_jobs, [&retention](const Job& ended) {
-                             static_cast<void>(retention(ended, wall_clock_ms()));
-                           });
+    const JobRunner runner(
+        board,
+        {{"plans", PlanJob{board, *store, options.service, plans, options.farm}},
+         {"study", StudyJob{board, *store, options.service, studies, options.farm}},
+         {"import", ImportJob{board, *store, options.service}}},
+        options.service.running_jobs,
+        [&retention](const Job& ended) { static_cast<void>(retention(ended, wall_clock_ms())); });
     print_address(options.host, *port, options.token_file.empty() ? access.token : "");
     served = http.run();
     board.stop();

@@ -18,6 +18,7 @@ struct ServerOptions {
   bool no_token = false;             ///< none is made
   std::vector<std::string> hosts;    ///< names by which a proxy may call this server
   std::vector<std::string> origins;  ///< sites whose pages may use it
+  std::string farm;                  ///< that searches and closes for studies; empty: this process
   std::string web;                   ///< folder of the page; empty: the usual place (page.h)
   bool log_requests = false;
   HttpLimits http;

@@ -7,9 +7,13 @@ namespace {
 
 // A signal handler reaches nothing but a static object.
 std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<int> interrupted_by = 0;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-void on_signal(int /*signal*/) { interrupted = true; }
+void on_signal(int signal) {
+  interrupted_by = signal;
+  interrupted = true;
+}
 
 }  // namespace
 
@@ -21,5 +25,7 @@ const std::atomic<bool>& catch_interrupts() {
   sigaction(SIGTERM, &action, nullptr);
   return interrupted;
 }
+
+int caught_signal() { return interrupted_by; }
 
 }  // namespace coapt

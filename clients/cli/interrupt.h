@@ -8,4 +8,7 @@ namespace coapt {
 /// ends the program.
 const std::atomic<bool>& catch_interrupts();
 
+/// SIGINT or SIGTERM, whichever set the flag; 0 before.
+int caught_signal();
+
 }  // namespace coapt

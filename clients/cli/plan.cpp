@@ -4,11 +4,12 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
+#include "clients/cli/farm_option.h"
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
 #include "clients/cli/plan_arguments.h"
 #include "clients/cli/plan_store_option.h"
-#include "clients/cli/print.h"
+#include "clients/cli/plan_valves.h"
 #include "clients/cli/progress_bar.h"
 #include "clients/cli/search_option.h"
 #include "clients/cli/service_job.h"
@@ -16,23 +17,11 @@
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
-#include "io/json/weights_json.h"
 #include "io/picture/report.h"
 #include "io/store/subject.h"
 
 namespace coapt {
 namespace {
-
-/// Prints coapt.plans/1; returns an exit code.
-int show(const PlanArguments& arguments, nlohmann::ordered_json result) {
-  if (arguments.preference) add_preferred_over_next(result, *arguments.preference);
-  if (arguments.json) {
-    std::cout << result.dump(2) << '\n';
-  } else {
-    print_ranked(std::cout, result);
-  }
-  return exit_code_of_plans(result);
-}
 
 /// Errors below "/search" are those of the options, all others of the request.
 int report_refused_search(const PlanArguments& arguments, const Errors& errors) {
@@ -62,7 +51,7 @@ int run_by(const Service& service, const Command& command, PlanArguments argumen
     return job->state == "CANCELLED" ? exit_code::kInterrupted : failed;
   }
   (*result)["reproduce"]["command"] = command_line(arguments);
-  const int status = show(arguments, *result);
+  const int status = show_plans(arguments, *result);
   if (arguments.report.empty()) return status;
   const Expected<std::string> report = get(service, job->path + "/report");
   if (!report) return report_service_errors("plan", report.errors(), {});
@@ -91,7 +80,7 @@ int run(const Command& command, PlanArguments arguments) {
 
   const SearchRequest request{options, subject_of(*valve, options.closure),
                               command_line(arguments)};
-  const int status = show(arguments, to_json(*result, request));
+  const int status = show_plans(arguments, to_json(*result, request));
   if (!arguments.report.empty()) {
     const std::string report = plan_report_html(*result, request);
     if (const int failed = write_output(arguments.report, report)) return failed;
@@ -105,7 +94,10 @@ void add_plan(Command parent, int& status) {
   const auto arguments = std::make_shared<PlanArguments>();
   SearchOptions& options = arguments->options;
   Command command = parent.add_command("plan", "Search repair plans and rank them");
-  command.add_option("valve", arguments->valve, kValveHelp).required();
+  command
+      .add_option("valve", arguments->valves,
+                  std::string(kValveHelp) + "; several are planned one by one")
+      .required();
   for (const char* name : {"evaluations", "front_share", "seed", "seconds", "plans", "threads",
                            "region_points", "fine_levels", "model_draws", "no_improvement"})
     add_search_option(command, name, options);
@@ -128,8 +120,12 @@ void add_plan(Command parent, int& status) {
   command.add_flag("--no-evidence", arguments->no_evidence,
                    "Leave out errors of single sutures and further remodelling");
   command.add_flag("--json", arguments->json, "Print JSON");
-  command.add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
+  command
+      .add_option("-o,--report", arguments->report,
+                  "Write a report with pictures (HTML); of several valves, a directory of reports "
+                  "and plans")
       .check({refuse_standard_output, "FILE"});
+  add_farm_option(command, arguments->farm, "Searches, each whole,");
   add_server_option(command, arguments->server);
   command.footer(
       "Closures in all: 1 of the valve as it is, at most --evaluations on searching and "
@@ -162,14 +158,24 @@ void add_plan(Command parent, int& status) {
       "  coapt plan human-functional-mr --seed 1 -o report.html\n"
       "  coapt plan valve.json --fix ring30.json --forbid papillary_approximation:saddle_peak\n"
       "  coapt plan valve.json --plans 10 --store valve.sqlite --json > plans.json\n"
+      "  coapt plan patients/*.json --farm postgres://farm.example/coapt -o plans\n"
       "  coapt plan valve.json --server http://127.0.0.1:8080 -o report.html");
   command.on_run([arguments, command, &status] {
-    const auto service = service_of(command, arguments->server, {"--store"});
+    const auto service = service_of(command, arguments->server, {"--store", "--farm"});
     if (!service) {
       status = report_errors("plan", service.errors());
-    } else {
-      status = *service ? run_by(**service, command, *arguments) : run(command, *arguments);
+      return;
     }
+    const bool several = arguments->valves.size() > 1;
+    arguments->valve = arguments->valves.front();
+    if (*service && several)
+      status = report_errors(
+          "plan", {{ErrorCode::Unsupported, "", "a service searches one valve's plans at a time"}});
+    else if (*service)
+      status = run_by(**service, command, *arguments);
+    else
+      status = several || !arguments->farm.empty() ? plan_by_request(command, *arguments)
+                                                   : run(command, *arguments);
   });
 }
 

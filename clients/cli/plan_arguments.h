@@ -13,7 +13,9 @@
 namespace coapt {
 
 struct PlanArguments {
-  std::string valve, report, search, weights, fixed, store;
+  std::vector<std::string> valves;
+  std::string valve;  ///< the first of them
+  std::string report, search, weights, fixed, store, farm;
   std::optional<PreferencePosterior> preference;  ///< of --weights, after complete_options()
   SearchOptions options;
   std::vector<std::string> forbidden;

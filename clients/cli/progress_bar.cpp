@@ -30,12 +30,13 @@ void ProgressBar::show(const SearchProgress& progress) const {
   show(progress.closures, progress.closures_planned, "closures, " + progress.stage + best);
 }
 
-void ProgressBar::show(int done, int planned, const std::string& what) const {
+void ProgressBar::show(std::int64_t done, std::int64_t planned, const std::string& what) const {
   if (!terminal_) return;
-  const int filled = std::min(kWidth, kWidth * done / std::max(planned, 1));
+  planned = std::max<std::int64_t>(planned, 1);
+  const std::int64_t filled = std::min<std::int64_t>(kWidth, kWidth * done / planned);
   std::cerr << kClearLine << '[' << std::string(static_cast<std::size_t>(filled), '#')
             << std::string(static_cast<std::size_t>(kWidth - filled), '.') << "] " << done << " of "
-            << std::max(planned, 1) << ' ' << what << std::flush;
+            << planned << ' ' << what << std::flush;
 }
 
 }  // namespace coapt

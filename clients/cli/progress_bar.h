@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "search/plans/plan_search.h"
@@ -17,7 +18,7 @@ class ProgressBar {
 
   void show(const SearchProgress& progress) const;
   /// `what` follows the numbers: "3 of 10 closures".
-  void show(int done, int planned, const std::string& what) const;
+  void show(std::int64_t done, std::int64_t planned, const std::string& what) const;
 
  private:
   bool terminal_;

@@ -6,6 +6,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
+#include "clients/cli/farm_option.h"
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
 #include "clients/cli/server_option.h"
@@ -20,7 +21,7 @@ namespace {
 
 struct StudyArguments {
   StudyKind kind = StudyKind::Thesis;
-  std::string valve, directory;
+  std::string valve, directory, farm;
   int threads = 0;
   bool json = false;
   std::vector<std::string> protocols;
@@ -120,8 +121,9 @@ int run_by(const Service& service, StudyArguments arguments) {
 int run(StudyArguments arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
-  const Expected<std::unique_ptr<StudyDirectory>> directory =
-      StudyDirectory::open(arguments.directory, arguments.threads);
+  const Expected<std::unique_ptr<StudyDirectory>> directory = StudyDirectory::open(
+      arguments.directory,
+      {arguments.threads, arguments.farm, std::string("coapt study ") + to_string(arguments.kind)});
   if (!directory) {
     report_errors("study", directory.errors());
     return exit_code::kFailure;
@@ -150,11 +152,12 @@ Command add_one(Command parent, int& status, StudyKind kind, const char* help,
       .check(number_from(0, 1024))
       .show_default();
   command.add_flag("--json", arguments->json, "A summary as JSON on standard output");
+  add_farm_option(command, arguments->farm, "Closures");
   add_server_option(command, arguments->server);
   const std::string name = to_string(kind);
   command.footer(kResumes + ("Example:\n  coapt study " + name + " porcine-thesis -o " + name));
   command.on_run([=, &status] {
-    const auto service = service_of(command, arguments->server, {"--threads"});
+    const auto service = service_of(command, arguments->server, {"--threads", "--farm"});
     if (!service) {
       status = report_errors("study", service.errors());
     } else {
@@ -219,10 +222,12 @@ void add_study(Command parent, int& status) {
       add_one(study, status, StudyKind::Thesis,
               "All of these, with each finding of the thesis beside this valve's", everything);
   add_anchor_options(thesis, everything);
-  thesis.footer(std::string(kResumes) +
-                "Examples:\n"
-                "  coapt study thesis porcine-thesis -o thesis --threads 2 --json\n"
-                "  coapt study thesis porcine-thesis -o thesis --server http://127.0.0.1:8080");
+  thesis.footer(
+      std::string(kResumes) +
+      "Examples:\n"
+      "  coapt study thesis porcine-thesis -o thesis --threads 2 --json\n"
+      "  coapt study thesis porcine-thesis -o thesis --farm postgres://farm.example/coapt\n"
+      "  coapt study thesis porcine-thesis -o thesis --server http://127.0.0.1:8080");
   add_calibrate(study, status);
   add_anchor_question(study, status);
   add_generality(study, status);

@@ -4,6 +4,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
+#include "clients/cli/farm_option.h"
 #include "clients/cli/files.h"
 #include "clients/cli/study_directory.h"
 #include "core/presets/porcine_thesis.h"
@@ -18,7 +19,7 @@ namespace coapt {
 namespace {
 
 struct StudyAnchorsArguments {
-  std::string directory = "study-anchors";
+  std::string directory = "study-anchors", farm;
   int threads = 0;
   AnchorQuestionOptions question;
 };
@@ -42,15 +43,15 @@ std::vector<std::vector<std::string>> answer_table(const std::vector<AnchorAnswe
 }
 
 int run(const StudyAnchorsArguments& arguments) {
-  const Expected<std::unique_ptr<StudyDirectory>> opened =
-      StudyDirectory::open(arguments.directory, arguments.threads);
+  const Expected<std::unique_ptr<StudyDirectory>> opened = StudyDirectory::open(
+      arguments.directory, {arguments.threads, arguments.farm, "coapt study anchors"});
   if (!opened) {
     report_errors("study anchors", opened.errors());
     return exit_code::kFailure;
   }
   StudyDirectory& directory = **opened;
   AnchorQuestionOptions question = arguments.question;
-  int closures = 0;
+  question.at_once = directory.valves_at_once();
   directory.begin("anatomy 1 of " + std::to_string(question.anatomies));
   question.progress = [&](int done, int planned) {
     directory.begin("anatomy " + std::to_string(done + 1) + " of " + std::to_string(planned));
@@ -59,7 +60,7 @@ int run(const StudyAnchorsArguments& arguments) {
       porcine_thesis_tables(),
       [&](const Valve& valve) { return directory.table(valve, ClosureOptions{}); }, question);
   const std::vector<AnchorAnswer> answers = answer_anchor_question(scan);
-  int competent = 0;
+  int competent = 0, closures = 0;
   for (const ScannedAnatomy& scanned : scan) {
     if (scanned.competent) ++competent;
     closures += scanned.closures;
@@ -68,8 +69,7 @@ int run(const StudyAnchorsArguments& arguments) {
                            " anatomies are competent when undisturbed and were asked, each by its "
                            "displacements of 6 mm along any axes that leak more than 20 mm2, " +
                            std::to_string(question.approximation.region_points) +
-                           " nodes of each region; " + std::to_string(closures) +
-                           " closures made now, in " + fixed(directory.seconds(), 0) + " s.";
+                           " nodes of each region.";
   const std::string svg = anchor_question_svg(answers);
   const std::string page = study_page(
       "When is the trigone the better anchor?", lead,
@@ -92,7 +92,8 @@ int run(const StudyAnchorsArguments& arguments) {
     std::cout << to_string(a.protocol) << ", " << to_string(a.displaced) << ", "
               << to_string(a.objective) << ": trigone wins in " << a.trigone_wins << " of "
               << a.anatomies << " (" << a.ties << " ties)\n";
-  std::cout << lead << "\nWritten to " << arguments.directory << "/index.html\n";
+  std::cout << lead << ' ' << closures << " closures made now, in " << fixed(directory.seconds(), 0)
+            << " s.\nWritten to " << arguments.directory << "/index.html\n";
   return exit_code::kOk;
 }
 
@@ -120,12 +121,14 @@ void add_anchor_question(Command parent, int& status) {
   command.add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
       .check(number_from(0, 1024))
       .show_default();
+  add_farm_option(command, arguments->farm, "Closures");
   command.footer(
       "Tips, trigones, saddle and leaflet reserve vary around preset porcine-thesis-tables. A "
       "few\nthousand closures per anatomy. A scan that was stopped resumes when run again with the "
       "same directory.\n\n"
-      "Example:\n"
-      "  coapt study anchors --anatomies 64 -o anchors");
+      "Examples:\n"
+      "  coapt study anchors --anatomies 64 -o anchors\n"
+      "  coapt study anchors --anatomies 512 --farm postgres://farm.example/coapt -o anchors");
   command.on_run([arguments, &status] { status = run(*arguments); });
 }
 

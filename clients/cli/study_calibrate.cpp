@@ -5,6 +5,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
+#include "clients/cli/farm_option.h"
 #include "clients/cli/files.h"
 #include "clients/cli/study_directory.h"
 #include "core/presets/presets.h"
@@ -22,7 +23,7 @@ namespace coapt {
 namespace {
 
 struct StudyCalibrateArguments {
-  std::string directory = "study-calibrate";
+  std::string directory = "study-calibrate", farm;
   int starts = 1;
   bool anchors = false;
   CalibrationOptions calibration;
@@ -63,8 +64,9 @@ std::vector<std::vector<std::string>> anatomy_table(const Calibration& fit) {
 }
 
 int run(const StudyCalibrateArguments& arguments) {
-  const Expected<std::unique_ptr<StudyDirectory>> opened =
-      StudyDirectory::open(arguments.directory, arguments.calibration.threads);
+  const Expected<std::unique_ptr<StudyDirectory>> opened = StudyDirectory::open(
+      arguments.directory,
+      {arguments.calibration.threads, arguments.farm, "coapt study calibrate"});
   if (!opened) {
     report_errors("study calibrate", opened.errors());
     return exit_code::kFailure;
@@ -139,6 +141,7 @@ void add_calibrate(Command parent, int& status) {
   command.add_option("--threads", calibration.threads, "0: all cores; does not change the answer")
       .check(number_from(0, 1024))
       .show_default();
+  add_farm_option(command, arguments->farm, "What --anchors closes (the fit itself runs here)");
   command.footer(
       "About 20,000 closures per start. A fit that was stopped starts again from the beginning.\n\n"
       "Examples:\n"

@@ -5,6 +5,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
+#include "clients/cli/farm_option.h"
 #include "clients/cli/files.h"
 #include "clients/cli/study_directory.h"
 #include "core/presets/presets.h"
@@ -19,7 +20,7 @@ namespace {
 
 struct StudyGeneralityArguments {
   std::vector<std::string> valves;
-  std::string directory = "study-generality";
+  std::string directory = "study-generality", farm;
   int anatomies = 50, threads = 0;
   std::uint64_t seed = 1;
 };
@@ -91,8 +92,8 @@ int run(const StudyGeneralityArguments& arguments) {
   int drawn = 0;
   const Expected<std::vector<StudiedValve>> valves = gather(arguments, drawn);
   if (!valves) return report_errors("study generality", valves.errors());
-  const Expected<std::unique_ptr<StudyDirectory>> opened =
-      StudyDirectory::open(arguments.directory, arguments.threads);
+  const Expected<std::unique_ptr<StudyDirectory>> opened = StudyDirectory::open(
+      arguments.directory, {arguments.threads, arguments.farm, "coapt study generality"});
   if (!opened) {
     report_errors("study generality", opened.errors());
     return exit_code::kFailure;
@@ -105,10 +106,11 @@ int run(const StudyGeneralityArguments& arguments) {
   name_of(0);
   const std::vector<ValveFindings> studied = study_generality(
       *valves, [&](const Valve& valve) { return directory.table(valve, ClosureOptions{}); },
-      quick_studies(), [&](int done, int) { name_of(done); });
+      {quick_studies(), directory.valves_at_once(), [&](int done, int) { name_of(done); }});
   const std::vector<FindingShare> shares = finding_shares(studied);
-  int closures = 0, untrusted = 0;
+  int configurations = 0, closures = 0, untrusted = 0;
   for (const ValveFindings& valve : studied) {
+    configurations += valve.configurations;
     closures += valve.closures;
     untrusted += valve.untrusted;
   }
@@ -117,9 +119,8 @@ int run(const StudyGeneralityArguments& arguments) {
                            "nodes of each region. The "
                            "presets but the calibrated ones are mirror-symmetric; random asymmetry "
                            "goes either way. The random anatomies are the competent ones of " +
-                           std::to_string(drawn) + " drawn. " + std::to_string(closures) +
-                           " closures made now, " + std::to_string(untrusted) + " not trusted, " +
-                           fixed(directory.seconds(), 0) + " s.";
+                           std::to_string(drawn) + " drawn. " + std::to_string(configurations) +
+                           " configurations closed, " + std::to_string(untrusted) + " not trusted.";
   const std::string page =
       study_page("How general are the thesis's findings?", lead,
                  {{"On how many valves each holds", "", "", shares_table(shares)}});
@@ -131,7 +132,8 @@ int run(const StudyGeneralityArguments& arguments) {
   for (const FindingShare& share : shares)
     if (share.kind.empty())
       std::cout << share.agree << " of " << share.valves << "  " << share.finding << '\n';
-  std::cout << lead << "\nWritten to " << arguments.directory << "/index.html\n";
+  std::cout << lead << ' ' << closures << " closures made now, in " << fixed(directory.seconds(), 0)
+            << " s.\nWritten to " << arguments.directory << "/index.html\n";
   return exit_code::kOk;
 }
 
@@ -153,11 +155,15 @@ void add_generality(Command parent, int& status) {
   command.add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
       .check(number_from(0, 1024))
       .show_default();
+  add_farm_option(command, arguments->farm, "Closures");
   command.footer(
       "Displacements by 2 mm, approximations by 6 mm, 17 points of each region: about 2,000 "
-      "closures a valve.\n\n"
-      "Example:\n"
-      "  coapt study generality examples/valves/bodyparts3d.json -o generality");
+      "closures a valve. With --farm sixteen valves are in hand at once; random anatomies are "
+      "drawn "
+      "here.\n\n"
+      "Examples:\n"
+      "  coapt study generality examples/valves/bodyparts3d.json -o generality\n"
+      "  coapt study generality --anatomies 1000 --farm postgres://farm.example/coapt -o general");
   command.on_run([arguments, &status] { status = run(*arguments); });
 }
 

@@ -175,7 +175,9 @@ void add_study_model(Command parent, int& status) {
   command.footer(
       "Bending rigidity, insertion zones, thickness, moduli, transition strains and chordae move\n"
       "within what their sources allow, as factors of the valve's own values; half of the draws "
-      "lie\non each side of it. Neochordae keep their length.\n\n"
+      "lie\non each side of it. Neochordae keep their length. Each draw is another valve: all "
+      "close "
+      "here, not on a\nfarm.\n\n"
       "Examples:\n"
       "  coapt study model human-functional-mr -o model\n"
       "  coapt study model valve.json --plan plans.json --rank 2 --draws 128 --json");

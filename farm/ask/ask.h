@@ -19,9 +19,9 @@ struct AskProgress {
 };
 
 struct AskContext {
-  std::string label;                                 ///< what people read in the farm's lists
-  std::function<void(const AskProgress&)> progress;  ///< from one thread at a time
-  const std::atomic<bool>* cancelled = nullptr;      ///< ends the asking by an error; may be null
+  std::string label = {};                                 ///< what people read in the farm's lists
+  std::function<void(const AskProgress&)> progress = {};  ///< from one thread at a time
+  const std::atomic<bool>* cancelled = nullptr;  ///< ends the asking by an error; may be null
 };
 
 /// The answers of all items, one after another. Errors: those of open_work(), what became of the work, or that it was

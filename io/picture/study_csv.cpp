@@ -135,10 +135,10 @@ std::string anchor_answers_csv(const std::vector<AnchorAnswer>& answers) {
 }
 
 std::string generality_csv(const std::vector<ValveFindings>& studied) {
-  CsvLines csv("kind,valve,closures,untrusted,finding,agrees,ours");
+  CsvLines csv("kind,valve,configurations,untrusted,finding,agrees,ours");
   for (const ValveFindings& valve : studied)
     for (const Finding& finding : valve.findings) {
-      csv << valve.kind << valve.name << valve.closures << valve.untrusted << finding.finding
+      csv << valve.kind << valve.name << valve.configurations << valve.untrusted << finding.finding
           << finding.agrees << finding.ours;
       csv.end_line();
     }

@@ -81,7 +81,7 @@ std::string study_page(const std::string& title, const std::string& lead,
 }
 
 std::string findings_page(const std::string& valve_name, const std::vector<Finding>& findings,
-                          const std::vector<PageSection>& figures, const std::string& timing) {
+                          const std::vector<PageSection>& figures, const std::string& closures) {
   const auto hold = std::count_if(findings.begin(), findings.end(),
                                   [](const Finding& finding) { return finding.agrees; });
   std::string content = "<p class=\"verdict\">" + std::to_string(hold) + " of " +
@@ -89,7 +89,7 @@ std::string findings_page(const std::string& valve_name, const std::vector<Findi
                         (hold == 1 ? "holds" : "hold") + " on this valve.</p>\n" +
                         findings_table(findings);
   for (const PageSection& figure : figures) content += section_html(figure);
-  if (!timing.empty()) content += section_html({"Time", timing, "", {}});
+  if (!closures.empty()) content += section_html({"Closures", closures, "", {}});
   return page("Ischaemic mitral regurgitation: " + valve_name,
               "Chapter 4 of the thesis, repeated on this valve.", content);
 }

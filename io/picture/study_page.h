@@ -19,8 +19,8 @@ std::string study_page(const std::string& title, const std::string& lead,
                        const std::vector<PageSection>& sections);
 
 /// "21 of 27 findings of the thesis hold on this valve.", each finding beside what this valve shows,
-/// the figures, `timing`.
+/// the figures, what is said of the closures.
 std::string findings_page(const std::string& valve_name, const std::vector<Finding>& findings,
-                          const std::vector<PageSection>& figures, const std::string& timing);
+                          const std::vector<PageSection>& figures, const std::string& closures);
 
 }  // namespace coapt

@@ -178,6 +178,11 @@ std::string start_words(const nlohmann::ordered_json& starts) {
          fixed(starts["leak_difference_max_mm2"].get<double>(), 2) + " mm2 at most.";
 }
 
+std::string trust_words(const nlohmann::ordered_json& study) {
+  return std::to_string(study["untrusted"].get<int>()) +
+         " not trusted (not converged, or crossed)." + start_words(study["cold_starts"]);
+}
+
 }  // namespace
 
 const char* to_string(StudyKind kind) {
@@ -222,10 +227,8 @@ std::string study_timing(const nlohmann::ordered_json& study) {
   return std::to_string(study["configurations"].get<int>()) + " configurations; " +
          std::to_string(study["closures"].get<int>() - study["closures_known"].get<int>()) +
          " closed now, in " + fixed(study["seconds"].get<double>(), 1) + " s; " +
-         std::to_string(study["untrusted"].get<int>()) +
-         " not trusted (not converged, or crossed)." + start_words(study["cold_starts"]) +
-         " The thesis: " + std::to_string(thesis::kConfigurations) + " in about " +
-         fixed(thesis::kHours, 0) + " hours.";
+         trust_words(study) + " The thesis: " + std::to_string(thesis::kConfigurations) +
+         " in about " + fixed(thesis::kHours, 0) + " hours.";
 }
 
 nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, OrificeTable& table,
@@ -244,10 +247,16 @@ nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, OrificeTabl
                                    {"findings", report.findings.size()},
                                    {"agree", agree},
                                    {"notice", kResearchNotice}};
-  report.files.emplace_back("study.json", answer.dump(2) + "\n");
+  // Files are the same whoever closed, when, and how often the study was begun.
+  nlohmann::ordered_json lasting = answer;
+  lasting.erase("closures_known");
+  lasting.erase("seconds");
+  report.files.emplace_back("study.json", lasting.dump(2) + "\n");
   report.files.emplace_back("findings.json", to_json(report.findings).dump(2) + "\n");
-  report.files.emplace_back("index.html", findings_page(table.valve().name, report.findings,
-                                                        report.figures, study_timing(answer)));
+  report.files.emplace_back(
+      "index.html", findings_page(table.valve().name, report.findings, report.figures,
+                                  std::to_string(table.configurations()) + " configurations; " +
+                                      trust_words(answer)));
   return answer;
 }
 

@@ -34,7 +34,8 @@ StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOpti
 /// @param study what complete() returns
 std::string study_timing(const nlohmann::ordered_json& study);
 
-/// Adds study.json, findings.json and index.html. Returns what study.json holds.
+/// Adds study.json, findings.json and index.html. Returns what study.json holds, and besides "closures_known" and "seconds",
+/// which are of this run alone: no file depends on them.
 nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, OrificeTable& table,
                                 double seconds);
 

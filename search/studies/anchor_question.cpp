@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "core/presets/presets.h"
 #include "search/latin_hypercube.h"
+#include "search/parallel.h"
 #include "search/plans/objective.h"
 
 namespace coapt {
@@ -118,16 +120,18 @@ ParametricValve scanned_anatomy(const ParametricValve& centre, const std::vector
 
 std::vector<ScannedAnatomy> scan_anchors(const ParametricValve& centre, const OpenTable& open_table,
                                          const AnchorQuestionOptions& options) {
-  std::vector<ScannedAnatomy> scan;
-  for (const std::vector<double>& shares :
-       latin_hypercube(options.anatomies, kScanFactors, options.seed)) {
-    ScannedAnatomy scanned;
-    scanned.shares = shares;
-    const Expected<Valve> valve = make_taut_valve(scanned_anatomy(centre, shares));
-    if (valve) ask(*valve, open_table, options, scanned);
-    scan.push_back(scanned);
-    if (options.progress) options.progress(static_cast<int>(scan.size()), options.anatomies);
-  }
+  std::vector<ScannedAnatomy> scan(static_cast<std::size_t>(options.anatomies));
+  const std::vector<std::vector<double>> designs =
+      latin_hypercube(options.anatomies, kScanFactors, options.seed);
+  std::mutex mutex;
+  int done = 0;
+  for_each_index(options.anatomies, options.at_once, [&](int i) {
+    scan[i].shares = designs[i];
+    const Expected<Valve> valve = make_taut_valve(scanned_anatomy(centre, designs[i]));
+    if (valve) ask(*valve, open_table, options, scan[i]);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (options.progress) options.progress(++done, options.anatomies);
+  });
   return scan;
 }
 

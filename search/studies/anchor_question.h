@@ -38,7 +38,9 @@ struct AnchorQuestionOptions {
   std::uint64_t seed = 1;
   std::vector<Protocol> protocols = {Protocol::LookupClamped, Protocol::Closed, Protocol::Optimum};
   ApproximationOptions approximation = {6.0, 17, 20.0};
-  std::function<void(int, int)> progress;  ///< anatomies done, planned
+  int at_once = 1;  ///< anatomies: worth it where tables close elsewhere; changes no answer
+  /// Anatomies done, planned; from one thread at a time.
+  std::function<void(int, int)> progress;
 };
 
 /// A valve's table of orifices, perhaps with what an earlier run knew.
@@ -52,6 +54,7 @@ struct ScannedAnatomy {
   int closures = 0;                      ///< made for it now
 };
 
+/// `open_table` is called from several threads, if several anatomies are asked at once.
 std::vector<ScannedAnatomy> scan_anchors(const ParametricValve& centre, const OpenTable& open_table,
                                          const AnchorQuestionOptions& options = {});
 

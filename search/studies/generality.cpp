@@ -1,6 +1,7 @@
 #include "search/studies/generality.h"
 
 #include <algorithm>
+#include <mutex>
 #include <optional>
 #include <random>
 
@@ -53,15 +54,20 @@ RandomAnatomies random_anatomies(int count, std::uint64_t seed, int threads) {
 
 std::vector<ValveFindings> study_generality(const std::vector<StudiedValve>& valves,
                                             const OpenTable& open_table,
-                                            const ThesisStudyOptions& options,
-                                            const std::function<void(int, int)>& progress) {
-  std::vector<ValveFindings> all;
-  for (const StudiedValve& studied : valves) {
+                                            const GeneralityOptions& options) {
+  const int count = static_cast<int>(valves.size());
+  std::vector<ValveFindings> all(valves.size());
+  std::mutex mutex;
+  int done = 0;
+  for_each_index(count, options.at_once, [&](int i) {
+    const StudiedValve& studied = valves[i];
     OrificeTable table = open_table(studied.valve);
-    const std::vector<Finding> found = findings(study_thesis(table, options));
-    all.push_back({studied.kind, studied.valve.name, found, table.closures(), table.untrusted()});
-    if (progress) progress(static_cast<int>(all.size()), static_cast<int>(valves.size()));
-  }
+    const std::vector<Finding> found = findings(study_thesis(table, options.studies));
+    all[i] = {studied.kind,           studied.valve.name, found,
+              table.configurations(), table.untrusted(),  table.closures()};
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (options.progress) options.progress(++done, count);
+  });
   return all;
 }
 

@@ -29,14 +29,22 @@ RandomAnatomies random_anatomies(int count, std::uint64_t seed, int threads);
 struct ValveFindings {
   std::string kind, name;
   std::vector<Finding> findings;
-  int closures = 0, untrusted = 0;
+  int configurations = 0, untrusted = 0;
+  int closures = 0;  ///< made for it now
 };
 
-/// `progress`: valves done, planned.
+struct GeneralityOptions {
+  ThesisStudyOptions
+      studies;  ///< its stage is told from several threads, if several valves are studied at once
+  /// Valves studied at once. Worth it where tables close elsewhere; changes no answer.
+  int at_once = 1;
+  std::function<void(int, int)> progress;  ///< valves done, planned; from one thread at a time
+};
+
+/// `open_table` is called from several threads, if several valves are studied at once.
 std::vector<ValveFindings> study_generality(const std::vector<StudiedValve>& valves,
                                             const OpenTable& open_table,
-                                            const ThesisStudyOptions& options,
-                                            const std::function<void(int, int)>& progress = {});
+                                            const GeneralityOptions& options = {});
 
 /// On which share of the valves of a kind a finding holds; "" is all kinds.
 struct FindingShare {

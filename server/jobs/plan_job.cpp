@@ -12,6 +12,7 @@
 #include "io/store/subject.h"
 #include "server/answer.h"
 #include "server/jobs/closure_keeping.h"
+#include "server/jobs/farm_plan.h"
 #include "server/jobs/search_reports.h"
 
 namespace coapt {
@@ -52,12 +53,23 @@ void note_best(RunningJob& job, const RankedPlan& best) {
 
 }  // namespace
 
+std::string search_summary(const ordered_json& plans) {
+  ordered_json list = ordered_json::array();
+  for (const ordered_json& plan : plans["plans"]) list.push_back(summary_of(plan));
+  return ordered_json{{"stop", plans["stop"]},
+                      {"any_competent", plans["any_competent"]},
+                      {"plans", std::move(list)}}
+      .dump();
+}
+
 std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
   const Valve valve = retried<Valve>(board, job, [&] { return valve_of(store, job.job); });
   const Expected<nlohmann::json> request = parse_json(job.job.request);
   if (!request) return failed(job, request.errors());
   const Expected<SearchOptions> asked = search_options_from_json(*request);
   if (!asked) return failed(job, asked.errors());
+  if (!farm.empty() && asked->seconds == 0.0)
+    return FarmPlan{board, limits, ask_farm(farm_at(farm))}(job, valve, *asked);
   SearchOptions options = granted(*asked, limits, job.seconds());
   options.closure.budget.cancelled = [this] { return board.stopping(); };
 
@@ -87,15 +99,10 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
 
   const SearchRequest reproduce{*asked, subject_of(valve, asked->closure), ""};
   const ordered_json json = to_json(*result, reproduce);
-  ordered_json plans = ordered_json::array();
-  for (const ordered_json& plan : json["plans"]) plans.push_back(summary_of(plan));
   if (!result->plans.empty()) note_best(job, result->plans.front());
   JobEnd end =
       ended(job, result->stop == SearchStop::Cancelled ? JobState::Cancelled : JobState::Succeeded);
-  end.summary = ordered_json{{"stop", json["stop"]},
-                             {"any_competent", json["any_competent"]},
-                             {"plans", std::move(plans)}}
-                    .dump();
+  end.summary = search_summary(json);
   end.result = json.dump();
   end.material = search_material(*result, reproduce);
   end.files.push_back({kTriedPlansFile, kCsvType, tried_plans_csv(valve, *result)});

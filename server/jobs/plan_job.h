@@ -1,8 +1,10 @@
 // A job that searches repair plans.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "io/json/plans_json.h"
 #include "server/jobs/job_runner.h"
 #include "server/limits.h"
 
@@ -18,8 +20,13 @@ struct PlanJob {
   const JobStore& store;
   const ServiceLimits& limits;
   std::string closures;  ///< path
+  std::string farm;      ///< that makes searches without a limit of time; empty: this process
 
   std::optional<JobEnd> operator()(RunningJob& job) const;
 };
+
+/// What is told in the job itself of a search that has ended: {"stop", "any_competent", "plans"}.
+/// @param plans coapt.plans/1
+std::string search_summary(const nlohmann::ordered_json& plans);
 
 }  // namespace coapt

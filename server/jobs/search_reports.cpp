@@ -45,8 +45,10 @@ std::string path_of(const Job& job, const std::string& name) { return job.id + '
 }  // namespace
 
 std::string search_material(const SearchResult& result, const SearchRequest& request) {
-  return gzip(write_report_material(report_material(result, request)), kLevel);
+  return packed_material(write_report_material(report_material(result, request)));
 }
+
+std::string packed_material(const std::string& material) { return gzip(material, kLevel); }
 
 std::optional<Answer> SearchReports::report(const JobStore& store, const Job& job,
                                             const std::string& name) {

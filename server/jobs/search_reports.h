@@ -24,6 +24,8 @@ namespace coapt {
 
 /// Of JobEnd::material. @pre the search kept its closures
 std::string search_material(const SearchResult& result, const SearchRequest& request);
+/// The same of material that was written elsewhere (io/picture/report_material.h).
+std::string packed_material(const std::string& material);
 
 class SearchReports {
  public:

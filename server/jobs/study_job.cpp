@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "farm/ask/farm_closures.h"
 #include "io/json/findings_json.h"
 #include "io/store/closure_store.h"
 #include "io/store/subject.h"
@@ -70,18 +71,24 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
     progress.closures = done;
     progress.closures_planned = planned;
     job.note(progress);
+    if (job.seconds() > limits.seconds) job.cancelled = true;  // ends what a farm is asked
   };
   request.options.stage = [&](const std::string& stage) {
     progress = {stage, 0, 0};
     job.note(progress);
     go_on();
   };
+  if (!farm.empty())
+    options.close_elsewhere =
+        closures_asked_of(ask_farm(farm_at(farm)), valve, options.closure,
+                          {.label = "coapt-server study", .cancelled = &job.cancelled});
   try {
     OrificeTable table(valve, std::move(options));
     return end_of(job, request.kind, run_study(request.kind, table, request.options), table);
-  } catch (const StudyStopped&) {
+  } catch (const std::runtime_error&) {  // StudyStopped, or what a farm says when it is told to end
     if (job.cancel_asked) return ended(job, JobState::Cancelled);
     if (board.stopping()) return std::nullopt;
+    if (job.seconds() <= limits.seconds) throw;
     return failed(job, {Error{ErrorCode::OutOfRange, "/study",
                               "took longer than " + shown(limits.seconds) +
                                   " s, the limit of this service; its closures are kept: request "

@@ -157,7 +157,7 @@ TEST(StudyCsv, AnswersHaveARowForEachFactor) {
 TEST(StudyCsv, GeneralityAndSharesHaveTheirCounts) {
   const Finding finding{"table-4.1", "4.3.1", "", "1.2 / 3.4", "", true};
   EXPECT_EQ(generality_csv({{"human", "v", {finding}, 100, 2}}),
-            "kind,valve,closures,untrusted,finding,agrees,ours\n"
+            "kind,valve,configurations,untrusted,finding,agrees,ours\n"
             "human,v,100,2,table-4.1,true,1.2 / 3.4\n");
   EXPECT_EQ(finding_shares_csv({{"table-4.1", "", 5, 3}, {"table-4.1", "human", 2, 1}}),
             "finding,kind,valves,agree\n"

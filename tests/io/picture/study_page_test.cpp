@@ -23,7 +23,7 @@ TEST(StudyPage, BeginsWithTheVerdictAndTellsAgreementByWordAndSymbol) {
   const std::string html = findings_page(
       "normal",
       {finding("flattening-matters-little", true), finding("b", true), finding("c", false)},
-      {{"Annulus", "", "<svg></svg>", {}}}, "3,723 closures in 40 s");
+      {{"Annulus", "", "<svg></svg>", {}}}, "3,723 closures");
   EXPECT_EQ(count(html, "2 of 3 findings of the thesis hold on this valve."), 1u);
   EXPECT_EQ(count(html, ">Flattening matters little<"), 1u);
   EXPECT_EQ(count(html, "✓ agrees"), 2u);

@@ -1,0 +1,123 @@
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "clients/cli/interrupt.h"
+#include "farm/program/commands.h"
+#include "farm/program/farm_option.h"
+#include "farm/program/persistence.h"
+#include "farm/program/wait_for_run.h"
+#include "farm/work/work_file.h"
+
+namespace coapt {
+namespace {
+
+struct AddArguments {
+  FarmOption farm;
+  std::string file, label, team, output;
+  double check_share = 1.0 / 64.0;
+  bool wait = false, json_progress = false, json = false, quiet = false;
+};
+
+/// Without the limit that documents have: requests hold valves by the hundred.
+Expected<std::string> read_request(const std::string& path) {
+  std::ostringstream bytes;
+  if (path == "-") {
+    bytes << std::cin.rdbuf();
+    return std::move(bytes).str();
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{ErrorCode::InputOutput, "", path + ": cannot be opened"};
+  bytes << file.rdbuf();
+  return std::move(bytes).str();
+}
+
+int report_request(const std::string& file, Errors errors, bool json) {
+  if (file != "-")
+    for (Error& error : errors) error.message = file + ": " + error.message;
+  report_farm_errors(errors, json);
+  return exit_code::kBadInput;
+}
+
+int hand_out(FarmDatabase& database, std::int64_t run, const AddArguments& arguments,
+             const std::atomic<bool>& interrupted) {
+  if (arguments.output.empty()) return write_answers(database, run, false, std::cout, interrupted);
+  std::ofstream file(arguments.output, std::ios::binary);
+  return write_answers(database, run, false, file, interrupted);
+}
+
+int add(const AddArguments& arguments, const FarmKinds& kinds) {
+  const bool json = arguments.json_progress;
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  if (const int failed = check_output(arguments.output)) return failed;
+  const Expected<std::string> bytes = read_request(arguments.file);
+  if (!bytes) return report_request("-", bytes.errors(), json);
+  const Expected<WorkRequest> request = read_work(*bytes);
+  if (!request) return report_request(arguments.file, request.errors(), json);
+  const Expected<Work> work = kinds.open(*request);
+  if (!work) return report_request(arguments.file, work.errors(), json);
+  Expected<FarmDatabase> database = FarmDatabase::open(arguments.farm.url);
+  if (!database) return report_farm_errors(database.errors(), json);
+  const NewRun run{work_id(*request), kinds.revision,   arguments.label,      arguments.team,
+                   work->items,       work->task_items, arguments.check_share};
+  int status = exit_code::kOk;
+  const std::optional<std::int64_t> id = persistently(*database, interrupted, json, status,
+                                                      [&] { return database->add(*request, run); });
+  if (!id) return status;
+  if (arguments.wait) {
+    status = wait_for_run(*database, *id, {json, arguments.quiet}, interrupted);
+    return status == exit_code::kOk ? hand_out(*database, *id, arguments, interrupted) : status;
+  }
+  if (arguments.json)
+    std::cout << nlohmann::ordered_json{{"run", *id},
+                                        {"items", run.items},
+                                        {"work_id", run.work_id}}
+              << '\n';
+  else
+    std::cout << "run " << *id << ": " << run.items << " items\n";
+  return exit_code::kOk;
+}
+
+}  // namespace
+
+void add_add(Command parent, int& status, const FarmKinds& kinds) {
+  const auto arguments = std::make_shared<AddArguments>();
+  Command command = parent.add_command("add", "Ask the farm for work");
+  command.add_option("request", arguments->file, "Request (coapt.work/1), or - for standard input")
+      .required();
+  add_farm_option(command, arguments->farm);
+  command.add_option("--label", arguments->label, "What the run is called in coapt-farm status");
+  command
+      .add_option("--team", arguments->team,
+                  "Only workers of this team may answer (coapt-farm init --team)")
+      .show_argument("NAME");
+  command
+      .add_option("--check-share", arguments->check_share,
+                  "Share of tasks that two workers compute, whose answers are compared")
+      .check(number_from(0.0, 1.0))
+      .show_default("0.0156");
+  command.add_flag("--wait", arguments->wait, "Wait for the answers and write them");
+  command
+      .add_option("-o,--output", arguments->output,
+                  "With --wait: write them here, not to standard output")
+      .show_argument("FILE");
+  command.add_flag("--progress-json", arguments->json_progress,
+                   "Progress and errors on standard error as JSON, a line a second");
+  command.add_flag("--quiet", arguments->quiet, "Show no progress");
+  command.add_flag("--json", arguments->json, "Without --wait: print JSON");
+  command.footer(
+      "The same request again is the same run: whoever adds it waits for it or has its answers at "
+      "once.\nA run that was cancelled goes on, tasks that failed are tried again. Ctrl-C ends the "
+      "waiting alone.\n\n"
+      "Examples:\n"
+      "  coapt-farm add request.bin --label \"annulus, valve 3\"\n"
+      "  coapt-farm add - --wait < request.bin > answers.bin");
+  command.on_run([arguments, kinds, &status] { status = add(*arguments, kinds); });
+}
+
+}  // namespace coapt

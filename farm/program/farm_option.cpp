@@ -1,0 +1,43 @@
+#include "farm/program/farm_option.h"
+
+#include <cstdint>
+#include <iostream>
+#include <limits>
+
+#include "clients/cli/exit_code.h"
+#include "io/json/result_json.h"
+
+namespace coapt {
+
+void add_farm_option(Command command, FarmOption& option) {
+  command
+      .add_option("--db", option.url,
+                  "The farm's database: postgresql://USER@HOST/NAME, or over a socket "
+                  "postgresql:///NAME?host=/FOLDER")
+      .show_argument("URL")
+      .environment("COAPT_FARM")
+      .required();
+}
+
+void add_run_argument(Command command, std::uint64_t& run) {
+  command.add_option("run", run, "Number of the run, as coapt-farm status shows it")
+      .check(number_from(std::uint64_t{1},
+                         static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
+      .required();
+}
+
+void say(const std::string& message) { std::cerr << "coapt-farm: " + message + '\n'; }
+
+int report_farm_errors(const Errors& errors, bool json) {
+  int status = exit_code::kFailure;
+  for (const Error& error : errors) {
+    if (error.code == ErrorCode::BadReference) status = exit_code::kBadInput;
+    if (json)
+      std::cerr << nlohmann::ordered_json{{"error", to_json(Errors{error})[0]}}.dump() + '\n';
+    else
+      say((error.path.empty() ? "" : error.path + ": ") + error.message);
+  }
+  return status;
+}
+
+}  // namespace coapt

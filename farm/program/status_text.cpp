@@ -1,0 +1,160 @@
+#include "farm/program/status_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/picture/text.h"
+
+namespace coapt {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string duration(double seconds) {
+  if (seconds < 120.0) return fixed(seconds, 0) + " s";
+  if (seconds < 7200.0) return fixed(seconds / 60.0, 0) + " min";
+  if (seconds < 172800.0) return fixed(seconds / 3600.0, 1) + " h";
+  return fixed(seconds / 86400.0, 1) + " days";
+}
+
+std::string rate(double per_s) { return fixed(per_s, per_s < 10.0 ? 1 : 0) + "/s"; }
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(text.size() < width ? width - text.size() : 0, ' ');
+}
+
+std::string words_of_run(const Json& run) {
+  std::string words =
+      grouped(run["done"].get<std::int64_t>()) + " of " + grouped(run["items"].get<std::int64_t>());
+  if (run["state"] != "open") return words;
+  const double per_s = run["rate_per_s"].get<double>();
+  if (per_s > 0.0) words += ", " + rate(per_s);
+  if (!run["eta_s"].is_null()) words += ", " + duration(run["eta_s"].get<double>()) + " left";
+  return words + ", " + counted(run["workers"].get<long>(), "worker");
+}
+
+void print_run(std::ostream& out, const Json& run) {
+  const std::string label = printable(run["label"].get<std::string>());
+  const std::string team = run["team"].get<std::string>();
+  out << "run " << run["run"] << "  " << padded(run["state"].get<std::string>(), 10)
+      << padded(run["kind"].get<std::string>(), 12) << words_of_run(run)
+      << (label.empty() ? "" : "  " + label) << (team.empty() ? "" : "  (team " + team + ")")
+      << '\n';
+  if (run["waits_for_workers"] == true)
+    out << "  waits for a worker of revision " << run["revision"].get<std::string>() << '\n';
+  if (run["tasks_disputed"] != 0)
+    out << "  " << counted(run["tasks_disputed"].get<long>(), "task")
+        << " answered in different ways: other workers compute them again\n";
+  for (const Json& hole : run["poison"])
+    out << "  no answer for items from " << hole["first"] << " (" << hole["items"]
+        << "): " << printable(hole["error"].get<std::string>()) << '\n';
+}
+
+void print_worker(std::ostream& out, const Json& worker) {
+  const bool barred = worker["barred"].get<bool>(), alive = worker["alive"].get<bool>();
+  out << "worker " << padded(printable(worker["name"].get<std::string>()), 24)
+      << padded(barred  ? "barred"
+                : alive ? "alive"
+                        : "gone",
+                8)
+      << grouped(worker["items"].get<std::int64_t>()) << " items, "
+      << rate(worker["rate_per_s"].get<double>()) << ", seen "
+      << duration(worker["seen_s"].get<double>()) << " ago, revision "
+      << worker["revision"].get<std::string>() << '\n';
+}
+
+/// A label's value: quotes, backslashes and ends of lines escaped.
+std::string quoted(const Json& value) {
+  std::string text = "\"";
+  const std::string raw = value.is_string() ? value.get<std::string>() : value.dump();
+  for (const char letter : raw) {
+    if (letter == '\n') {
+      text += "\\n";
+      continue;
+    }
+    if (letter == '"' || letter == '\\') text += '\\';
+    text += letter;
+  }
+  return text + '"';
+}
+
+void describe_farm(std::ostream& out, const char* name, const char* type, const char* help) {
+  out << "# HELP " << name << ' ' << help << "\n# TYPE " << name << ' ' << type << '\n';
+}
+
+void print_family(std::ostream& out, const Json& rows, const char* name, const char* type,
+                  const char* help, const char* key, const std::vector<const char*>& labels) {
+  describe_farm(out, name, type, help);
+  for (const Json& row : rows) {
+    out << name << '{';
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      out << (i > 0 ? "," : "") << labels[i] << '=' << quoted(row[labels[i]]);
+    out << "} " << row[key] << '\n';
+  }
+}
+
+}  // namespace
+
+std::string progress_words(const Json& progress) {
+  std::string words = "items";
+  const double per_s = progress["rate_per_s"].get<double>();
+  if (per_s > 0.0) words += ", " + rate(per_s);
+  if (!progress["eta_s"].is_null())
+    words += ", " + duration(progress["eta_s"].get<double>()) + " left";
+  return words + ", " + counted(progress["workers"].get<long>(), "worker");
+}
+
+void print_farm(std::ostream& out, const Json& status) {
+  if (status["runs"].empty()) out << "no runs\n";
+  for (const Json& run : status["runs"]) print_run(out, run);
+  for (const Json& worker : status["workers"]) print_worker(out, worker);
+  std::size_t told = 0;
+  for (const Json& fault : status["faults"]) {
+    if (fault["what"] == "lost" || ++told > 10) continue;
+    out << "fault in run " << fault["run"] << ", items from " << fault["first"] << ", worker "
+        << (fault["worker"].is_null() ? "" : printable(fault["worker"].get<std::string>())) << ": "
+        << fault["what"].get<std::string>() << ", " << printable(fault["detail"].get<std::string>())
+        << '\n';
+  }
+}
+
+void print_prometheus(std::ostream& out, const Json& status) {
+  const Json& runs = status["runs"];
+  const std::vector<const char*> of_run = {"run", "label", "state"};
+  print_family(out, runs, "coapt_farm_run_items", "gauge", "Items of a run.", "items", of_run);
+  print_family(out, runs, "coapt_farm_run_items_done", "gauge", "Items that are settled.", "done",
+               of_run);
+  print_family(out, runs, "coapt_farm_run_rate", "gauge", "Items a second in the last minute.",
+               "rate_per_s", of_run);
+  print_family(out, runs, "coapt_farm_run_tasks_open", "gauge", "Tasks that nobody holds.",
+               "tasks_open", of_run);
+  print_family(out, runs, "coapt_farm_run_tasks_claimed", "gauge", "Tasks that workers hold.",
+               "tasks_claimed", of_run);
+  print_family(out, runs, "coapt_farm_run_tasks_poison", "gauge", "Tasks given up.", "tasks_poison",
+               of_run);
+  print_family(out, runs, "coapt_farm_run_tasks_disputed", "gauge",
+               "Tasks that workers answered in different ways.", "tasks_disputed", of_run);
+  print_family(out, runs, "coapt_farm_run_workers", "gauge", "Live workers that may answer a run.",
+               "workers", of_run);
+  std::map<std::string, int> workers = {{"alive", 0}, {"barred", 0}, {"gone", 0}};
+  for (const Json& worker : status["workers"])
+    ++workers[worker["barred"] == true ? "barred" : worker["alive"] == true ? "alive" : "gone"];
+  describe_farm(out, "coapt_farm_workers", "gauge", "Workers of the last day.");
+  for (const auto& [state, count] : workers)
+    out << "coapt_farm_workers{state=\"" << state << "\"} " << count << '\n';
+  const std::vector<const char*> of_worker = {"name", "pid"};
+  print_family(out, status["workers"], "coapt_farm_worker_items_total", "counter",
+               "Items that a worker answered.", "items", of_worker);
+  print_family(out, status["workers"], "coapt_farm_worker_computing_seconds_total", "counter",
+               "Time that a worker spent in computing.", "seconds", of_worker);
+  describe_farm(out, "coapt_farm_faults_total", "counter",
+                "Leases that ran out (lost), failures, answers that differ, workers barred.");
+  if (status["faults_total"].is_object())
+    for (const auto& [what, count] : status["faults_total"].items())
+      out << "coapt_farm_faults_total{what=\"" << what << "\"} " << count << '\n';
+  describe_farm(out, "coapt_farm_database_bytes", "gauge", "Size of the database.");
+  out << "coapt_farm_database_bytes " << status["database_bytes"] << '\n';
+}
+
+}  // namespace coapt
