@@ -46,6 +46,7 @@ lab/twins        : core search lab/closures
 lab/diseases     : core search
 lab/preference   : core search
 lab/charts       : core search io lab/closures
+lab/farm         : core/valve io/command_line farm/database farm/work clients/cli
 lab/cli          : core search io clients/cli lab
 '
 # Pattern of what only one folder may include, then that folder.

@@ -87,7 +87,7 @@ void add_options(Command app, ServerOptions& options) {
       "Site whose pages may use this server from a browser, such as https://plans.example");
   app.add_option("--farm", options.farm,
                  "Searches and the closures of studies by the workers of this farm (coapt-farm): "
-                 "postgres://HOST/NAME; searches with a limit of time stay here")
+                 "postgresql://HOST/NAME; searches with a limit of time stay here")
       .show_argument("URL")
       .environment("COAPT_FARM");
   app.add_option(

@@ -6,7 +6,7 @@ void add_farm_option(Command command, std::string& url, const std::string& what)
   command
       .add_option(
           "--farm", url,
-          what + " by the workers of this farm (coapt-farm): postgres://HOST/NAME; '': here")
+          what + " by the workers of this farm (coapt-farm): postgresql://HOST/NAME; '': here")
       .show_argument("URL")
       .environment("COAPT_FARM")
       .group("Farm");

@@ -158,7 +158,7 @@ void add_plan(Command parent, int& status) {
       "  coapt plan human-functional-mr --seed 1 -o report.html\n"
       "  coapt plan valve.json --fix ring30.json --forbid papillary_approximation:saddle_peak\n"
       "  coapt plan valve.json --plans 10 --store valve.sqlite --json > plans.json\n"
-      "  coapt plan patients/*.json --farm postgres://farm.example/coapt -o plans\n"
+      "  coapt plan patients/*.json --farm postgresql://farm.example/coapt -o plans\n"
       "  coapt plan valve.json --server http://127.0.0.1:8080 -o report.html");
   command.on_run([arguments, command, &status] {
     const auto service = service_of(command, arguments->server, {"--store", "--farm"});

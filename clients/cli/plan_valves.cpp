@@ -148,6 +148,74 @@ int show_one(const PlanArguments& arguments, const GivenValve& given, const Plan
   return failed != exit_code::kOk ? failed : status;
 }
 
+/// Makes what the output needs, and looks at what would fail later. Returns an exit code.
+int prepare(const PlanArguments& arguments, const std::vector<GivenValve>& given) {
+  const bool several = given.size() > 1;
+  if (several) {
+    if (const Errors errors = make_directory(arguments.report); !errors.empty()) {
+      report_errors("plan", errors);
+      return exit_code::kFailure;
+    }
+  } else if (const int failed = check_output(arguments.report)) {
+    return failed;
+  }
+  for (const GivenValve& one : given)
+    if (const Errors errors = check_search(one.valve, arguments.options); !errors.empty()) {
+      if (several) std::cerr << "coapt: plan: of " << one.argument << ":\n";
+      return report_search_errors(arguments, errors);
+    }
+  return exit_code::kOk;
+}
+
+/// Of valves [first, first + count) of `given`.
+Expected<std::vector<PlanAnswer>> answers_of(const PlanArguments& arguments, const Asker& asker,
+                                             const std::vector<GivenValve>& given,
+                                             std::size_t first, std::size_t count,
+                                             const std::atomic<bool>& interrupted) {
+  std::vector<Valve> valves;
+  for (std::size_t i = first; i < first + count; ++i) valves.push_back(given[i].valve);
+  const ProgressBar bar;
+  const auto show = [&](const AskProgress& now) {
+    bar.show(static_cast<int>(first) + static_cast<int>(now.done), static_cast<int>(given.size()),
+             "valves");
+  };
+  show({});
+  return ask_for(asker, valves, arguments.options, {"coapt plan", show, &interrupted});
+}
+
+/// The files of several valves.
+class PlanFolder {
+ public:
+  explicit PlanFolder(const PlanArguments& arguments) : arguments_(arguments) {}
+
+  /// Returns an exit code; kOk whatever the plans are.
+  int add(const GivenValve& given, const PlanAnswer& answer) {
+    ordered_json plans = plans_of(answer, arguments_, given.argument);
+    if (arguments_.preference) add_preferred_over_next(plans, *arguments_.preference);
+    if (const int failed = write_plans(arguments_.report, given, answer, plans)) return failed;
+    summary_.push_back(summary_row(given.name, plans));
+    const std::string& words = summary_.back()[5];
+    std::cout << given.name << ": " << (words.empty() ? "no plan" : words) << '\n';
+    worst_ = std::max(worst_, exit_code_of_plans(plans));
+    return exit_code::kOk;
+  }
+
+  /// Writes the summary. Returns the worst exit code of all plans, or that it cannot be written.
+  int finish() const {
+    const std::string table = (fs::path(arguments_.report) / "summary.csv").string();
+    if (const int failed = write_output(table, table_csv(summary_))) return failed;
+    std::cout << "Written to " << table << ", each valve's plans beside it\n";
+    return worst_;
+  }
+
+ private:
+  const PlanArguments& arguments_;
+  std::vector<std::vector<std::string>> summary_ = {{"valve", "leak_before_mm2", "leak_mean_mm2",
+                                                     "leak_sd_mm2", "closes_robustly", "plan",
+                                                     "stop"}};
+  int worst_ = exit_code::kOk;
+};
+
 }  // namespace
 
 int show_plans(const PlanArguments& arguments, ordered_json result) {
@@ -166,62 +234,23 @@ int plan_by_request(const Command& command, PlanArguments arguments) {
   if (!given) return report_errors("plan", given.errors());
   if (const int failed = complete_options(command, arguments)) return failed;
   if (const int failed = refuse_options(command, arguments)) return failed;
-  const bool several = given->size() > 1;
-  if (several) {
-    if (const Errors errors = make_directory(arguments.report); !errors.empty()) {
-      report_errors("plan", errors);
-      return exit_code::kFailure;
-    }
-  } else if (const int failed = check_output(arguments.report)) {
-    return failed;
-  }
-  for (const GivenValve& one : *given)
-    if (const Errors errors = check_search(one.valve, arguments.options); !errors.empty()) {
-      if (several) std::cerr << "coapt: plan: of " << one.argument << ":\n";
-      return report_search_errors(arguments, errors);
-    }
+  if (const int failed = prepare(arguments, *given)) return failed;
 
   const Asker asker = asker_of(arguments.farm, arguments.options.threads);
   // A farm takes all at once; here each is written when it is found.
   const std::size_t at_once = arguments.farm.empty() ? 1 : given->size();
-  std::vector<std::vector<std::string>> summary = {{"valve", "leak_before_mm2", "leak_mean_mm2",
-                                                    "leak_sd_mm2", "closes_robustly", "plan",
-                                                    "stop"}};
-  int status = exit_code::kOk;
+  PlanFolder folder(arguments);
   for (std::size_t first = 0; first < given->size(); first += at_once) {
-    std::vector<Valve> valves;
-    for (std::size_t i = first; i < first + at_once; ++i) valves.push_back((*given)[i].valve);
-    const auto answers = [&] {
-      const ProgressBar bar;
-      const auto show = [&](std::int64_t done) {
-        bar.show(static_cast<int>(first) + static_cast<int>(done), static_cast<int>(given->size()),
-                 "valves");
-      };
-      show(0);
-      return ask_for(asker, valves, arguments.options,
-                     {"coapt plan", [&](const AskProgress& now) { show(now.done); }, &interrupted});
-    }();
+    const auto answers = answers_of(arguments, asker, *given, first, at_once, interrupted);
     if (!answers) {
       const int failed = report_asked(arguments, answers.errors());
       return interrupted ? exit_code::kInterrupted : failed;
     }
-    if (!several) return show_one(arguments, given->front(), answers->front());
-    for (std::size_t i = 0; i < at_once; ++i) {
-      const GivenValve& one = (*given)[first + i];
-      ordered_json plans = plans_of((*answers)[i], arguments, one.argument);
-      if (arguments.preference) add_preferred_over_next(plans, *arguments.preference);
-      if (const int failed = write_plans(arguments.report, one, (*answers)[i], plans))
-        return failed;
-      summary.push_back(summary_row(one.name, plans));
-      std::cout << one.name << ": " << (summary.back()[5].empty() ? "no plan" : summary.back()[5])
-                << '\n';
-      status = std::max(status, exit_code_of_plans(plans));
-    }
+    if (given->size() == 1) return show_one(arguments, given->front(), answers->front());
+    for (std::size_t i = 0; i < at_once; ++i)
+      if (const int failed = folder.add((*given)[first + i], (*answers)[i])) return failed;
   }
-  const std::string table = (fs::path(arguments.report) / "summary.csv").string();
-  if (const int failed = write_output(table, table_csv(summary))) return failed;
-  std::cout << "Written to " << table << ", each valve's plans beside it\n";
-  return status;
+  return folder.finish();
 }
 
 }  // namespace coapt

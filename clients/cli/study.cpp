@@ -226,7 +226,7 @@ void add_study(Command parent, int& status) {
       std::string(kResumes) +
       "Examples:\n"
       "  coapt study thesis porcine-thesis -o thesis --threads 2 --json\n"
-      "  coapt study thesis porcine-thesis -o thesis --farm postgres://farm.example/coapt\n"
+      "  coapt study thesis porcine-thesis -o thesis --farm postgresql://farm.example/coapt\n"
       "  coapt study thesis porcine-thesis -o thesis --server http://127.0.0.1:8080");
   add_calibrate(study, status);
   add_anchor_question(study, status);

@@ -128,7 +128,7 @@ void add_anchor_question(Command parent, int& status) {
       "same directory.\n\n"
       "Examples:\n"
       "  coapt study anchors --anatomies 64 -o anchors\n"
-      "  coapt study anchors --anatomies 512 --farm postgres://farm.example/coapt -o anchors");
+      "  coapt study anchors --anatomies 512 --farm postgresql://farm.example/coapt -o anchors");
   command.on_run([arguments, &status] { status = run(*arguments); });
 }
 

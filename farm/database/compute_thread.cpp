@@ -63,7 +63,7 @@ struct ComputeThread::State {
   }
 
   ComputedTask compute(const ComputeJob& job) {
-    ComputedTask task{job.key, job.count, "", "", 0.0};
+    ComputedTask task{.key = job.key, .count = job.count};
     const Clock::time_point start = Clock::now();
     try {
       const Expected<Work>& work = work_of(job);

@@ -23,8 +23,8 @@ struct ComputeJob {
 struct ComputedTask {
   TaskKey key;
   int count = 0;
-  std::string bytes;
-  std::string error;     ///< if not empty, why there are no bytes
+  std::string bytes{};
+  std::string error{};   ///< if not empty, why there are no bytes
   bool stopped = false;  ///< by stop(): there is no answer, at no one's fault
   double seconds = 0.0;
 };
