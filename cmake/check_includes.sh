@@ -19,6 +19,7 @@ search/studies   : core search/ search/plans
 search/fit       : core search/
 search/preference : core search/ search/plans
 search/training  : core search/
+search/population : core search/ search/plans search/studies search/training
 io/command_line  : core/valve
 io/json          : core search
 io/mesh          : core io/json
