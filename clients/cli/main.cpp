@@ -16,6 +16,7 @@ void add_commands(Command app, int& status) {
   add_valve_remodel(valve, status);
   add_close(app, status);
   add_compare(app, status);
+  add_design(app, status);
   add_evaluate(app, status);
   add_export(app, status);
   add_fit(app, status);

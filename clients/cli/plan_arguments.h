@@ -16,7 +16,7 @@ struct PlanArguments {
   std::string valve, report, search, weights, fixed, store;
   std::optional<PreferencePosterior> preference;  ///< of --weights, after complete_options()
   SearchOptions options;
-  std::vector<std::string> forbidden;
+  std::vector<std::string> forbidden, rings;  ///< rings: files of coapt.ring/1
   ServerOption server;
   bool json = false, no_evidence = false;
 };
