@@ -14,7 +14,7 @@
 namespace coapt {
 namespace {
 
-std::string interval(const PairedGain& gain, int decimals) {
+std::string interval(const MeanInterval& gain, int decimals) {
   return fixed(gain.mean, decimals) + " (95 %: " + fixed(gain.low, decimals) + " to " +
          fixed(gain.high, decimals) + ")";
 }

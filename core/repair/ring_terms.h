@@ -51,7 +51,7 @@ inline constexpr std::array<RingTermRow, 6> kRingTerms = {{
 }};
 
 /// A dent of more than this share of the width would be bridged by the annulus, not followed (assumed).
-inline constexpr double kMostDent = 0.02;
+inline constexpr double kMostDent = 0.01;
 
 /// 720 points as of ring_contour_mm() of the catalogue: counter-clockwise from the posteromedial end, its width from -w/2 to w/2,
 /// y and z about its centroid.

@@ -21,7 +21,7 @@ ordered_json figures_json(const RingFigures& figures) {
           {"size_mm", figures.size_mm}};
 }
 
-ordered_json gain_json(const PairedGain& gain) {
+ordered_json gain_json(const MeanInterval& gain) {
   return {{"mean", gain.mean}, {"low", gain.low}, {"high", gain.high}};
 }
 

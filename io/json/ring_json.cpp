@@ -31,10 +31,11 @@ DesignedShape read_designed_shape(const JsonPlace& place) {
 }
 
 ordered_json to_json(const RingDesign& design, const ordered_json& provenance) {
-  return {{"schema", "coapt.ring/1"},
-          {"ring", to_json(design.shape)},
-          {"sizing", {{"width_over_transverse", design.width_over_transverse}}},
-          {"provenance", provenance}};
+  ordered_json json = {{"schema", "coapt.ring/1"},
+                       {"ring", to_json(design.shape)},
+                       {"sizing", {{"width_over_transverse", design.width_over_transverse}}}};
+  if (!provenance.empty()) json["provenance"] = provenance;
+  return json;
 }
 
 Expected<RingDesign> ring_from_json(const nlohmann::json& json) {

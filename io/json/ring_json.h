@@ -15,7 +15,7 @@ nlohmann::ordered_json to_json(const DesignedShape& shape);
 DesignedShape read_designed_shape(const JsonPlace& place);
 
 /// coapt.ring/1: {"schema", "ring": the shape, "sizing": {"width_over_transverse"}, "provenance"}.
-/// @param provenance how it was made, for people; an object, which reading leaves out.
+/// @param provenance how it was made, for people; an object, which reading leaves out; may be empty.
 nlohmann::ordered_json to_json(const RingDesign& design, const nlohmann::ordered_json& provenance);
 Expected<RingDesign> ring_from_json(const nlohmann::json& json);
 Expected<RingDesign> read_ring(std::string_view text);

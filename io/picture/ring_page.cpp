@@ -15,7 +15,7 @@ using Table = std::vector<std::vector<std::string>>;
 
 constexpr double kDrawnSize_mm = 30.0;
 
-std::string interval(const PairedGain& gain, int decimals) {
+std::string interval(const MeanInterval& gain, int decimals) {
   return fixed(gain.mean, decimals) + " (" + fixed(gain.low, decimals) + " to " +
          fixed(gain.high, decimals) + ")";
 }

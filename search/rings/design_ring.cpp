@@ -61,8 +61,8 @@ Expected<std::optional<RingDesignResult>> design_ring_by(const RingTrial& trial,
       .searched_disturbances = static_cast<int>(disturbances.searched.size()),
       .held_out_disturbances = static_cast<int>(disturbances.held_out.size()),
       .verdicts = verdicts_of(judged, outcomes({design.shape, design.width_over_transverse}),
-                              outcomes(found->generic.candidate), options.seed),
-      .claims = ask_claims(trial, judged, options.seed, options.threads)};
+                              outcomes(found->generic.candidate)),
+      .claims = ask_claims(trial, judged, options.threads)};
   if (options.cancelled != nullptr && *options.cancelled)
     return std::optional<RingDesignResult>();
   return std::optional<RingDesignResult>(std::move(result));

@@ -6,8 +6,6 @@
 // Eng 51:1984, PMC10826925): rings above 32 mm did not close the valve, smaller ones did, and tethering stayed.
 #pragma once
 
-#include <cstdint>
-
 #include "search/rings/ring_gain.h"
 
 namespace coapt {
@@ -18,9 +16,9 @@ struct RingContrast {
   std::string aetiology;  ///< of the members asked; empty: all
   int members = 0;
   RingFigures of_first, of_second;
-  PairedGain below_percent;    ///< points
-  PairedGain leak_mm2;         ///< second less first: negative is better
-  PairedGain suture_max_n, suture_normal_n;  ///< likewise
+  MeanInterval below_percent;    ///< points
+  MeanInterval leak_mm2;         ///< second less first: negative is better
+  MeanInterval suture_max_n, suture_normal_n;  ///< likewise
 };
 
 /// One size of a generic ring in all members asked, whatever their annulus.
@@ -39,6 +37,6 @@ struct RingClaims {
 
 /// @param members prepared. Of a population with ischaemic members the last two questions are asked of those alone.
 RingClaims ask_claims(const RingTrial& trial, const std::vector<RingMember>& members,
-                      std::uint64_t seed, int threads);
+                      int threads);
 
 }  // namespace coapt

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "core/repair/limits.h"
 #include "search/plans/objective.h"
 #include "search/plans/plan_opening.h"
-#include "search/random_share.h"
 #include "search/rings/ring_cost.h"
 
 namespace coapt {
 namespace {
-
-constexpr int kResamples = 4000;
-constexpr double kTail = 0.025;
 
 /// Mean of what is known.
 class KnownMean {
@@ -42,23 +37,6 @@ std::vector<RingOutcome> by_disturbance(const RingOutcome& outcome) {
 }
 
 }  // namespace
-
-PairedGain paired_gain(const std::vector<double>& differences, std::uint64_t seed) {
-  const auto count = static_cast<double>(differences.size());
-  PairedGain gain;
-  for (const double difference : differences) gain.mean += difference / count;
-  std::mt19937_64 engine(seed);
-  std::vector<double> means(kResamples);
-  for (double& mean : means) {
-    for (std::size_t k = 0; k < differences.size(); ++k)
-      mean += differences[static_cast<std::size_t>(count * random_share(engine))];
-    mean /= count;
-  }
-  std::sort(means.begin(), means.end());
-  gain.low = means[static_cast<std::size_t>(kTail * kResamples)];
-  gain.high = means[static_cast<std::size_t>((1.0 - kTail) * kResamples) - 1];
-  return gain;
-}
 
 RingFigures figures_of(const std::vector<RingOutcome>& outcomes) {
   KnownMean below, leak, gradient, durability, tenting, suture, normal, stenotic, undersized, size;
@@ -89,7 +67,7 @@ RingFigures figures_of(const std::vector<RingOutcome>& outcomes) {
 
 std::vector<RingVerdict> verdicts_of(const std::vector<RingMember>& members,
                                      const std::vector<RingOutcome>& design,
-                                     const std::vector<RingOutcome>& generic, std::uint64_t seed) {
+                                     const std::vector<RingOutcome>& generic) {
   std::vector<std::string> aetiologies = {""};
   for (const RingMember& member : members)
     if (std::find(aetiologies.begin(), aetiologies.end(), member.aetiology) == aetiologies.end())
@@ -115,8 +93,8 @@ std::vector<RingVerdict> verdicts_of(const std::vector<RingMember>& members,
       below.push_back(100.0 * (share_below(ours[i]) - share_below(theirs[i])));
       leak.push_back(mean_leak_mm2(theirs[i]) - mean_leak_mm2(ours[i]));
     }
-    verdict.below_percent = paired_gain(below, seed);
-    verdict.leak_mm2 = paired_gain(leak, seed);
+    verdict.below_percent = mean_interval(below);
+    verdict.leak_mm2 = mean_interval(leak);
     verdicts.push_back(verdict);
   }
   return verdicts;

@@ -1,18 +1,10 @@
 // What a designed ring gains over another on members that its search never saw.
 #pragma once
 
-#include <cstdint>
-
+#include "search/population/bootstrap.h"
 #include "search/rings/ring_trial.h"
 
 namespace coapt {
-
-/// A mean with its 95 % interval by the bootstrap over units (Efron 1979: percentiles of resampled means).
-struct PairedGain {
-  double mean = 0.0, low = 0.0, high = 0.0;
-};
-/// @param differences of each unit, at least one.
-PairedGain paired_gain(const std::vector<double>& differences, std::uint64_t seed);
 
 /// One ring over the units of a verdict: means.
 struct RingFigures {
@@ -31,14 +23,14 @@ struct RingVerdict {
   std::string aetiology;
   int members = 0;
   RingFigures design, generic;
-  PairedGain below_percent{};  ///< percentage points, design less generic
-  PairedGain leak_mm2{};       ///< generic less design: positive is better
+  MeanInterval below_percent{};  ///< percentage points, design less generic
+  MeanInterval leak_mm2{};       ///< generic less design: positive is better
 };
 
 /// All members first, then each aetiology in the order met. @param design, generic of the same members in the same order. Of one
 /// member the units are its disturbances, else the members.
 std::vector<RingVerdict> verdicts_of(const std::vector<RingMember>& members,
                                      const std::vector<RingOutcome>& design,
-                                     const std::vector<RingOutcome>& generic, std::uint64_t seed);
+                                     const std::vector<RingOutcome>& generic);
 
 }  // namespace coapt

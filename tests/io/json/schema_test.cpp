@@ -324,9 +324,8 @@ TEST(PlanSchema, AgreesWithTheStepsOnRanges) {
 
 TEST(RingSchema, AgreesWithTheReaderOnEveryFieldAndRange) {
   const Schema schema("ring");
-  nlohmann::json ring =
+  const nlohmann::json ring =
       nlohmann::json::parse(to_json(RingDesign{{"mine", {}}, 0.9}, {}).dump());
-  ring.erase("provenance");  // may be left out
   const auto reads = [](const nlohmann::json& document) { return bool(ring_from_json(document)); };
   EXPECT_TRUE(schema.accepts(ring));
   expect_agreement_on_fields(schema, ring, reads);
@@ -412,7 +411,7 @@ TEST(SearchSchema, SaysOfEachOptionWhatTheTableSays) {
   expect_rows(search_rule_rows(), rules);
   expect_rows(cost_weight_rows(), weights);
   EXPECT_EQ(root["properties"].size(), search_option_rows().size() + 2) << "rules and weights";
-  EXPECT_EQ(rules.size(), search_rule_rows().size() + 2) << "fixed steps and forbidden words";
+  EXPECT_EQ(rules.size(), search_rule_rows().size() + 3) << "fixed steps, forbidden words and shapes";
   EXPECT_EQ(weights.size(), cost_weight_rows().size());
 }
 

@@ -80,19 +80,6 @@ TEST(RingSearch, EndsWhenItIsCancelled) {
   EXPECT_FALSE(search_ring(formula, members(4), "mine", stopped));
 }
 
-TEST(RingGain, IsTheMeanWithAnIntervalAroundIt) {
-  const PairedGain same = paired_gain({2.0, 2.0, 2.0}, 1);
-  EXPECT_EQ(same.mean, 2.0);
-  EXPECT_EQ(same.low, 2.0);
-  EXPECT_EQ(same.high, 2.0);
-  std::vector<double> differences;  // 100 of mean 1 and sd 1: the mean's sd is 0.1
-  for (int k = 0; k < 50; ++k) differences.insert(differences.end(), {0.0, 2.0});
-  const PairedGain gain = paired_gain(differences, 1);
-  EXPECT_EQ(gain.mean, 1.0);
-  EXPECT_NEAR(gain.low, 1.0 - 0.196, 0.03);
-  EXPECT_NEAR(gain.high, 1.0 + 0.196, 0.03);
-}
-
 // Generic rings leak 9 mm2 everywhere, the best less than 5: every closure of every held-out member is gained.
 TEST(DesignRing, GainsOnMembersThatItsSearchNeverSaw) {
   std::atomic<int> held_out_early = 0;
