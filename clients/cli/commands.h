@@ -21,6 +21,7 @@ void add_export(Command parent, int& status);
 void add_fit(Command parent, int& status);
 void add_open(Command parent, int& status);
 void add_plan(Command parent, int& status);
+void add_population(Command parent, int& status);
 void add_prefer(Command parent, int& status);
 void add_study(Command parent, int& status);
 void add_train(Command parent, int& status);
@@ -33,6 +34,7 @@ void add_calibrate(Command parent, int& status);
 void add_anchor_question(Command parent, int& status);
 void add_generality(Command parent, int& status);
 void add_study_model(Command parent, int& status);
+void add_study_population(Command parent, int& status);
 /// Commands that moved to coapt-lab: hidden from the help, they say where they went.
 void add_moved(Command parent, int& status);
 

@@ -22,6 +22,7 @@ void add_commands(Command app, int& status) {
   add_fit(app, status);
   add_open(app, status);
   add_plan(app, status);
+  add_population(app, status);
   add_prefer(app, status);
   add_study(app, status);
   add_train(app, status);

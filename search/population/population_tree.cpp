@@ -1,6 +1,7 @@
 #include "search/population/population_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -75,6 +76,19 @@ Regret regret_of(const std::vector<const PopulationRecord*>& records, const Choi
     leaks.push_back(leak_after(*record, chosen) - leak_after(*record, best));
   }
   return {mean_interval(costs), mean_interval(leaks)};
+}
+
+/// `otherwise`: of an aetiology that has no members.
+std::array<int, kAetiologies.size()> best_by_aetiology(
+    const std::vector<const PopulationRecord*>& records, int otherwise) {
+  std::array<int, kAetiologies.size()> best{};
+  for (std::size_t a = 0; a < best.size(); ++a) {
+    std::vector<const PopulationRecord*> some;
+    for (const PopulationRecord* record : records)
+      if (record->aetiology == static_cast<int>(a)) some.push_back(record);
+    best[a] = some.empty() ? otherwise : best_single_choice(tree_data(some));
+  }
+  return best;
 }
 
 TreeLeaf judge_leaf(const std::vector<const PopulationRecord*>& records, const DecisionTree& tree,
@@ -163,6 +177,10 @@ PopulationTree population_tree(const std::vector<PopulationRecord>& records) {
   made.of_tree = regret_of(
       judge, [&](const PopulationRecord& record) { return choice_of(made.tree, record); });
   made.of_single = regret_of(judge, [&](const PopulationRecord&) { return made.single; });
+  const std::array<int, kAetiologies.size()> by_aetiology = best_by_aetiology(grow, made.single);
+  made.of_aetiology = regret_of(judge, [&](const PopulationRecord& record) {
+    return by_aetiology[static_cast<std::size_t>(record.aetiology)];
+  });
   add_leaves(judge, made.tree, 0, made.leaves);
   return made;
 }

@@ -32,6 +32,7 @@ struct PopulationTree {
   int grown_on = 0, pruned_on = 0, judged_on = 0;
   int single = 0;  ///< the best candidate for all, of those that the tree was grown on
   Regret of_tree{}, of_single{};
+  Regret of_aetiology{};         ///< of the rule that takes the best candidate of each aetiology
   std::vector<TreeLeaf> leaves;  ///< from left to right
 };
 
