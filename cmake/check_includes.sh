@@ -19,6 +19,8 @@ search/studies   : core search/ search/plans
 search/fit       : core search/
 search/preference : core search/ search/plans
 search/training  : core search/
+search/population : core search/ search/plans search/studies search/training
+search/rings     : core search/ search/plans search/population
 io/command_line  : core/valve
 io/json          : core search
 io/mesh          : core io/json

@@ -75,7 +75,7 @@ int write_closed(const CloseArguments& arguments, const Valve& valve,
 
 /// A valve that is not mitral: closed and measured; no plans, no picture.
 int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOptions options) {
-  if (!arguments.plan.file.empty() || !arguments.picture.empty() || arguments.oblique ||
+  if (is_given(arguments.plan) || !arguments.picture.empty() || arguments.oblique ||
       arguments.open || arguments.accuracy_mm2)
     return report_errors(
         arguments.valve,
@@ -99,10 +99,10 @@ int run(const CloseArguments& arguments) {
   const Expected<Valve> valve = read_any_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   if (!is_mitral(*valve)) return run_leaflets(arguments, *valve, arguments.closure);
-  const Expected<RepairPlan> plan = read_plan_option(arguments.plan);
-  if (!plan) return report_errors(arguments.plan.file, plan.errors());
+  const Expected<RepairPlan> plan = read_plan_option(arguments.plan, &*valve);
+  if (!plan) return report_errors(source_of(arguments.plan), plan.errors());
   const Expected<Valve> repaired = apply_plan(*valve, *plan);
-  if (!repaired) return report_errors(arguments.plan.file, repaired.errors());
+  if (!repaired) return report_errors(source_of(arguments.plan), repaired.errors());
   for (const std::string& output : {arguments.picture, arguments.closed})
     if (const int failed = check_output(output)) return failed;
   if (arguments.accuracy_mm2 && options.method != Method::Fast)

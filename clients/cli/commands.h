@@ -15,11 +15,13 @@ void add_valve_info(Command parent, int& status);
 void add_valve_remodel(Command parent, int& status);
 void add_close(Command parent, int& status);
 void add_compare(Command parent, int& status);
+void add_design(Command parent, int& status);
 void add_evaluate(Command parent, int& status);
 void add_export(Command parent, int& status);
 void add_fit(Command parent, int& status);
 void add_open(Command parent, int& status);
 void add_plan(Command parent, int& status);
+void add_population(Command parent, int& status);
 void add_prefer(Command parent, int& status);
 void add_study(Command parent, int& status);
 void add_train(Command parent, int& status);
@@ -32,6 +34,7 @@ void add_calibrate(Command parent, int& status);
 void add_anchor_question(Command parent, int& status);
 void add_generality(Command parent, int& status);
 void add_study_model(Command parent, int& status);
+void add_study_population(Command parent, int& status);
 /// Commands that moved to coapt-lab: hidden from the help, they say where they went.
 void add_moved(Command parent, int& status);
 

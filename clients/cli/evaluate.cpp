@@ -11,6 +11,7 @@
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/progress_bar.h"
+#include "clients/cli/ring_option.h"
 #include "clients/cli/search_option.h"
 #include "clients/cli/server_option.h"
 #include "io/json/plan_json.h"
@@ -23,16 +24,18 @@ namespace {
 
 struct EvaluateArguments {
   std::string valve, report, store;
-  std::vector<std::string> plans;
+  std::vector<std::string> plans, rings;
   SearchOptions options;
   ServerOption server;
   bool json = false, no_evidence = false;
 };
 
-/// Reads every plan; returns an exit code.
-int read_plans(const std::vector<std::string>& files, std::vector<NamedPlan>& plans) {
+/// Reads every plan, and each ring as one; returns an exit code.
+/// @param valve what rings are sized for; may be null
+int read_plans(const EvaluateArguments& arguments, const Valve* valve,
+               std::vector<NamedPlan>& plans) {
   int status = exit_code::kOk;
-  for (const std::string& file : files) {
+  for (const std::string& file : arguments.plans) {
     const Expected<std::vector<NamedPlan>> found = read_plans_argument(file);
     if (!found) {
       status = report_errors(file, found.errors());
@@ -41,6 +44,15 @@ int read_plans(const std::vector<std::string>& files, std::vector<NamedPlan>& pl
     for (const auto& [name, plan] : *found)
       plans.push_back({name.empty() ? file : file + ": " + name, plan});
   }
+  for (const std::string& ring : arguments.rings) {
+    const Expected<RepairStep> step = read_ring_step(ring, valve);
+    if (step)
+      plans.push_back({ring, {{*step}}});
+    else
+      status = report_errors("evaluate", step.errors());
+  }
+  if (status == exit_code::kOk && plans.empty())
+    return report_errors("evaluate", {{ErrorCode::MissingField, "", "plan or --ring is required"}});
   return status;
 }
 
@@ -108,7 +120,9 @@ int run_by(const Service& service, const EvaluateArguments& arguments) {
   const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   std::vector<NamedPlan> plans;
-  if (const int failed = read_plans(arguments.plans, plans)) return failed;
+  const Expected<Valve> known =
+      arguments.rings.empty() ? Expected<Valve>(Errors{{}}) : read_valve_argument(arguments.valve);
+  if (const int failed = read_plans(arguments, known ? &*known : nullptr, plans)) return failed;
   nlohmann::ordered_json request = {{"valve", *valve},
                                     {"plans", nlohmann::ordered_json::array()},
                                     {"region_points", arguments.options.region_points},
@@ -129,6 +143,7 @@ int run_by(const Service& service, const EvaluateArguments& arguments) {
 std::string command_line(const EvaluateArguments& arguments) {
   std::string line = "coapt evaluate " + shell_quoted(arguments.valve);
   for (const std::string& plan : arguments.plans) line += ' ' + shell_quoted(plan);
+  for (const std::string& ring : arguments.rings) line += " --ring " + shell_quoted(ring);
   line += " --region-points " + std::to_string(arguments.options.region_points);
   return arguments.no_evidence ? line + " --no-evidence" : line;
 }
@@ -138,7 +153,7 @@ int run(EvaluateArguments arguments) {
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   std::vector<NamedPlan> plans;
-  if (const int failed = read_plans(arguments.plans, plans)) return failed;
+  if (const int failed = read_plans(arguments, &*valve, plans)) return failed;
   if (const int failed = check_output(arguments.report)) return failed;
   arguments.options.evidence = !arguments.no_evidence;
   arguments.options.fine_levels = 0;  // as the service scores
@@ -170,8 +185,12 @@ void add_evaluate(Command parent, int& status) {
   command
       .add_option(
           "plan", arguments->plans,
-          "Repair plans: coapt.plan/1, all that plan --json prints, or the page's saved plans")
-      .required();
+          "Repair plans: coapt.plan/1, all that plan --json prints, or the page's saved plans");
+  command
+      .add_option("--ring", arguments->rings,
+                  "A designed ring as a plan (coapt.ring/1), sized by its own rule, or FILE:SIZE in mm; may be given again")
+      .show_argument("FILE[:SIZE]")
+      .one_at_a_time();
   command.add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
       .check({refuse_standard_output, "FILE"});
   for (const char* name : {"threads", "region_points"})

@@ -16,11 +16,13 @@ void add_commands(Command app, int& status) {
   add_valve_remodel(valve, status);
   add_close(app, status);
   add_compare(app, status);
+  add_design(app, status);
   add_evaluate(app, status);
   add_export(app, status);
   add_fit(app, status);
   add_open(app, status);
   add_plan(app, status);
+  add_population(app, status);
   add_prefer(app, status);
   add_study(app, status);
   add_train(app, status);

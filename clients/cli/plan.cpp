@@ -111,6 +111,11 @@ void add_plan(Command parent, int& status) {
           "--forbid", arguments->forbidden,
           "What no plan may contain: annuloplasty, papillary_approximation:saddle_peak, ...")
       .one_at_a_time();
+  command
+      .add_option("--ring", arguments->rings,
+                  "A designed ring (coapt.ring/1), offered in all sizes beside the generic shapes; may be given again")
+      .show_argument("FILE")
+      .one_at_a_time();
   command.add_option("--search", arguments->search,
                      "Options from a JSON file (io/schema/search.schema.json), weights included");
   command.add_option(

@@ -5,6 +5,7 @@
 
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "clients/cli/ring_option.h"
 #include "clients/cli/search_option.h"
 #include "io/json/json_reader.h"
 #include "io/json/search_options_json.h"
@@ -23,6 +24,7 @@ std::string command_line(const PlanArguments& arguments) {
        << options.plans << " --region-points " << options.region_points;
   if (!arguments.fixed.empty()) line << " --fix " << shell_quoted(arguments.fixed);
   for (const std::string& word : arguments.forbidden) line << " --forbid " << word;
+  for (const std::string& ring : arguments.rings) line << " --ring " << shell_quoted(ring);
   if (options.front_share != SearchOptions{}.front_share)
     line << " --front-share " << options.front_share;
   if (options.no_improvement > 0) line << " --no-improvement " << options.no_improvement;
@@ -64,6 +66,11 @@ int complete_options(const Command& command, PlanArguments& arguments) {
   }
   if (arguments.no_evidence) given.evidence = false;
   for (const std::string& word : arguments.forbidden) given.rules.forbidden.push_back(word);
+  for (const std::string& file : arguments.rings) {
+    const Expected<RingDesign> ring = read_ring_argument(file);
+    if (!ring) return report_errors("plan", ring.errors());
+    given.rules.shapes.push_back(ring->shape);
+  }
   if (!arguments.fixed.empty()) {
     const Expected<RepairPlan> fixed = read_plan_argument(arguments.fixed);
     if (!fixed) return report_errors(arguments.fixed, fixed.errors());

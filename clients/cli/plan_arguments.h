@@ -18,7 +18,7 @@ struct PlanArguments {
   std::string report, search, weights, fixed, store, farm;
   std::optional<PreferencePosterior> preference;  ///< of --weights, after complete_options()
   SearchOptions options;
-  std::vector<std::string> forbidden;
+  std::vector<std::string> forbidden, rings;  ///< rings: files of coapt.ring/1
   ServerOption server;
   bool json = false, no_evidence = false;
 };

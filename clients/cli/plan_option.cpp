@@ -2,6 +2,7 @@
 
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
+#include "clients/cli/ring_option.h"
 #include "core/repair/apply_plan.h"
 
 namespace coapt {
@@ -13,20 +14,36 @@ void add_plan_option(Command command, PlanOption& option) {
   command.add_option("--rank", option.rank, "Which plan of a file with several")
       .check(number_from(1, 100000))
       .show_default();
+  command.add_option("--ring", option.ring, kRingHelp).show_argument("FILE[:SIZE]");
 }
 
-Expected<RepairPlan> read_plan_option(const PlanOption& option) {
-  if (option.file.empty()) return RepairPlan{};
-  return read_plan_argument(option.file, option.rank);
+bool is_given(const PlanOption& option) { return !option.file.empty() || !option.ring.empty(); }
+
+std::string source_of(const PlanOption& option) {
+  return option.file.empty() ? option.ring : option.file;
+}
+
+Expected<RepairPlan> read_plan_option(const PlanOption& option, const Valve* valve) {
+  RepairPlan plan;
+  if (!option.file.empty()) {
+    Expected<RepairPlan> read = read_plan_argument(option.file, option.rank);
+    if (!read) return read.errors();
+    plan = *std::move(read);
+  }
+  if (option.ring.empty()) return plan;
+  const Expected<RepairStep> ring = read_ring_step(option.ring, valve);
+  if (!ring) return ring.errors();
+  plan.steps.push_back(*ring);
+  return plan;
 }
 
 PlannedValve read_planned_valve(const std::string& argument, const PlanOption& option) {
   Expected<Valve> valve = read_valve_argument(argument);
   if (!valve) return {.failed = report_errors(argument, valve.errors())};
-  Expected<RepairPlan> plan = read_plan_option(option);
-  if (!plan) return {.failed = report_errors(option.file, plan.errors())};
+  Expected<RepairPlan> plan = read_plan_option(option, &*valve);
+  if (!plan) return {.failed = report_errors(source_of(option), plan.errors())};
   Expected<Valve> repaired = apply_plan(*valve, *plan);
-  if (!repaired) return {.failed = report_errors(option.file, repaired.errors())};
+  if (!repaired) return {.failed = report_errors(source_of(option), repaired.errors())};
   return {0, *std::move(valve), *std::move(plan), *std::move(repaired)};
 }
 

@@ -117,10 +117,12 @@ Expected<nlohmann::ordered_json> valve_to_send(const std::string& argument) {
 RepairToSend repair_to_send(const std::string& valve, const PlanOption& plan) {
   const Expected<nlohmann::ordered_json> sent = valve_to_send(valve);
   if (!sent) return {.failed = report_errors(valve, sent.errors())};
-  const Expected<RepairPlan> repair = read_plan_option(plan);
-  if (!repair) return {.failed = report_errors(plan.file, repair.errors())};
-  RepairToSend asked{0, {{"valve", *sent}}, {{"/valve", valve}, {"/plan", plan.file}}};
-  if (!plan.file.empty()) asked.request["plan"] = to_json(*repair);
+  const Expected<Valve> known =
+      plan.ring.empty() ? Expected<Valve>(Errors{{}}) : read_valve_argument(valve);
+  const Expected<RepairPlan> repair = read_plan_option(plan, known ? &*known : nullptr);
+  if (!repair) return {.failed = report_errors(source_of(plan), repair.errors())};
+  RepairToSend asked{0, {{"valve", *sent}}, {{"/valve", valve}, {"/plan", source_of(plan)}}};
+  if (is_given(plan)) asked.request["plan"] = to_json(*repair);
   return asked;
 }
 

@@ -11,6 +11,8 @@
 namespace coapt {
 namespace {
 
+constexpr std::size_t kLongestRingName = 64;
+
 Vec3 row(const Points& points, std::size_t i) { return points.row(i); }
 
 std::string known_shapes() {
@@ -47,6 +49,15 @@ std::vector<double> arc_shares(const Valve& valve, std::size_t first, std::size_
   return share;
 }
 
+bool check_size(double size_mm, const std::string& path, ProblemList& problems) {
+  const bool possible = check_range(problems, path + "/size_mm", size_mm, kRingSizesMm, " mm");
+  if (!possible || std::fmod(size_mm, kRingSizeStep_mm) == 0.0) return possible;
+  problems.add(ErrorCode::OutOfRange, path + "/size_mm",
+               "is " + shown(size_mm) + ", rings come in steps of " + shown(kRingSizeStep_mm) +
+                   " mm from " + shown(kRingSizesMm));
+  return false;
+}
+
 bool check_ring(const OwnRing& ring, const Valve& valve, const std::string& path,
                 ProblemList& problems) {
   const bool possible = check_range(problems, path + "/sizes_below", ring.sizes_below, kSizesBelow);
@@ -67,12 +78,13 @@ bool check_ring(const CatalogueRing& ring, const Valve& /*valve*/, const std::st
                  "is '" + ring.shape + "', known shapes: " + known_shapes());
     return false;
   }
-  const bool possible = check_range(problems, path + "/size_mm", ring.size_mm, kRingSizesMm, " mm");
-  if (!possible || std::fmod(ring.size_mm, kRingSizeStep_mm) == 0.0) return possible;
-  problems.add(ErrorCode::OutOfRange, path + "/size_mm",
-               "is " + shown(ring.size_mm) + ", rings come in steps of " + shown(kRingSizeStep_mm) +
-                   " mm from " + shown(kRingSizesMm));
-  return false;
+  return check_size(ring.size_mm, path, problems);
+}
+
+bool check_ring(const DesignedRing& ring, const Valve& /*valve*/, const std::string& path,
+                ProblemList& problems) {
+  const bool possible = check_designed_shape(ring.shape, path + "/ring", problems);
+  return check_size(ring.size_mm, path, problems) && possible;
 }
 
 }  // namespace
@@ -83,9 +95,25 @@ bool check_annuloplasty(const Annuloplasty& step, const Valve& valve, const std:
                     step.ring);
 }
 
+bool check_designed_shape(const DesignedShape& shape, const std::string& path,
+                          ProblemList& problems) {
+  const std::string& name = shape.name;
+  const bool is_taken = name == kOwnShape || name == kDesignedShape || find_ring(name) != nullptr;
+  const bool is_possible = !name.empty() && name.size() <= kLongestRingName && !is_taken;
+  if (!is_possible)
+    problems.add(ErrorCode::OutOfRange, path + "/name",
+                 "is '" + name + "', must be a name of 1 to " + std::to_string(kLongestRingName) +
+                     " bytes, none of " + known_shapes() + ", " + kDesignedShape);
+  return check_ring_terms(shape.terms, path, problems) && is_possible;
+}
+
 void suture_ring(const RingShape& shape, double size_mm, Valve& valve) {
+  suture_contour(ring_contour_mm(shape, size_mm), valve);
+}
+
+void suture_contour(const Points& contour_mm, Valve& valve) {
   const AnnulusFrame frame = annulus_frame(valve);
-  const ArcLength ring(ring_contour_mm(shape, size_mm));
+  const ArcLength ring(contour_mm);
   const double front = ring.crossing_mm(true), back = ring.crossing_mm(false);
   Vec3 shift = fixed_point(valve, frame) - ring.at(front);
   shift.z() = 0.0;
@@ -114,9 +142,11 @@ void apply_annuloplasty(const Annuloplasty& step, Valve& valve) {
   if (const auto* own = std::get_if<OwnRing>(&step.ring)) {
     const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
     shrink((transverse - kRingSizeStep_mm * own->sizes_below) / transverse, valve);
+  } else if (const auto* made = std::get_if<CatalogueRing>(&step.ring)) {
+    suture_ring(*find_ring(made->shape), made->size_mm, valve);
   } else {
-    const auto& ring = std::get<CatalogueRing>(step.ring);
-    suture_ring(*find_ring(ring.shape), ring.size_mm, valve);
+    const auto& ring = std::get<DesignedRing>(step.ring);
+    suture_contour(ring_contour_mm(ring.shape.terms, ring.size_mm), valve);
   }
 }
 

@@ -18,11 +18,16 @@ namespace coapt {
 bool check_annuloplasty(const Annuloplasty& step, const Valve& valve, const std::string& path,
                         ProblemList& problems);
 
+/// Name and terms of a shape: lists what is wrong.
+bool check_designed_shape(const DesignedShape& shape, const std::string& path,
+                          ProblemList& problems);
+
 /// The annulus takes the ring's contour, evenly sutured: between saddle peak and mid-posterior, on
 /// either side, each annulus vertex goes to the same share of the ring's arc.
+void suture_contour(const Points& contour_mm, Valve& valve);
 void suture_ring(const RingShape& ring, double size_mm, Valve& valve);
 
-/// Sutures a catalogue ring; an own ring shrinks the annulus towards the saddle peak's projection on the mean
+/// Sutures a catalogue or designed ring; an own ring shrinks the annulus towards the saddle peak's projection on the mean
 /// plane. @pre check_annuloplasty().
 void apply_annuloplasty(const Annuloplasty& step, Valve& valve);
 

@@ -37,6 +37,9 @@ std::string place(const Valve& valve, const LeafletPoint& point) {
 std::string words(const Valve& valve, const Annuloplasty& step) {
   if (const auto* ring = std::get_if<CatalogueRing>(&step.ring))
     return "annuloplasty: " + ring->shape + " ring, size " + shown(ring->size_mm) + " mm";
+  if (const auto* ring = std::get_if<DesignedRing>(&step.ring))
+    return "annuloplasty: designed ring " + ring->shape.name + ", size " + shown(ring->size_mm) +
+           " mm";
   const int below = std::get<OwnRing>(step.ring).sizes_below;
   const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
   if (below == 0)

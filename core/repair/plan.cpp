@@ -3,8 +3,9 @@
 namespace coapt {
 
 std::string shape_of(const Annuloplasty& step) {
-  const auto* ring = std::get_if<CatalogueRing>(&step.ring);
-  return ring != nullptr ? ring->shape : kOwnShape;
+  if (const auto* ring = std::get_if<CatalogueRing>(&step.ring)) return ring->shape;
+  if (const auto* ring = std::get_if<DesignedRing>(&step.ring)) return ring->shape.name;
+  return kOwnShape;
 }
 
 Vec3 anchor_mm(const Valve& valve, const PapillaryApproximation& step) {

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/repair/ring_terms.h"
 #include "core/valve/leaflet_point.h"
 #include "core/valve/valve.h"
 
@@ -22,14 +23,29 @@ struct CatalogueRing {
   double size_mm = 0.0;  ///< 24 to 40 in steps of 2
 };
 
+/// A shape of one's own, with the name by which plans, rules and branches know it.
+struct DesignedShape {
+  std::string name;  ///< check_designed_shape()
+  RingTerms terms;
+
+  bool operator==(const DesignedShape&) const = default;
+};
+
+/// A ring of a designed shape, labelled by its true width.
+struct DesignedRing {
+  DesignedShape shape;
+  double size_mm = 0.0;  ///< 24 to 40 in steps of 2
+};
+
 /// A ring sutured to the annulus.
 struct Annuloplasty {
-  std::variant<OwnRing, CatalogueRing> ring;
+  std::variant<OwnRing, CatalogueRing, DesignedRing> ring;
 };
 
 inline constexpr const char* kOwnShape = "own";  ///< of an OwnRing, in plans, rules and branches
+inline constexpr const char* kDesignedShape = "designed";  ///< of any DesignedRing, in plans
 
-/// kOwnShape, or the name in the catalogue.
+/// kOwnShape, or the name in the catalogue, or the designed shape's.
 std::string shape_of(const Annuloplasty& step);
 
 /// ePTFE suture from a papillary head to the leaflet.

@@ -18,18 +18,6 @@ double signed_power(double base, double exponent) {
   return std::copysign(std::pow(std::abs(base), exponent), base);
 }
 
-/// Mean of the contour weighted by arc length.
-Vec3 centroid(const Points& contour) {
-  Vec3 sum = Vec3::Zero();
-  double total = 0.0;
-  for (Index i = 0; i < contour.rows(); ++i) {
-    const Vec3 a = contour.row(i), b = contour.row((i + 1) % contour.rows());
-    sum += (b - a).norm() * 0.5 * (a + b);
-    total += (b - a).norm();
-  }
-  return sum / total;
-}
-
 double projected_area(const Points& contour) {
   double twice = 0.0;
   for (Index i = 0; i < contour.rows(); ++i) {
@@ -69,11 +57,22 @@ Points with_saddle(const Points& planar_mm, double height_mm) {
     const double phi = std::atan2(contour(i, 0), contour(i, 1));
     contour(i, 2) = 0.5 * height_mm * std::cos(2.0 * phi);
   }
-  return contour.rowwise() - centroid(contour).transpose();
+  return contour.rowwise() - arc_centroid(contour).transpose();
+}
+
+Vec3 arc_centroid(const Points& contour_mm) {
+  Vec3 sum = Vec3::Zero();
+  double total = 0.0;
+  for (Index i = 0; i < contour_mm.rows(); ++i) {
+    const Vec3 a = contour_mm.row(i), b = contour_mm.row((i + 1) % contour_mm.rows());
+    sum += (b - a).norm() * 0.5 * (a + b);
+    total += (b - a).norm();
+  }
+  return sum / total;
 }
 
 MeasuredSkeleton into_valve_frame(const Points& annulus_mm, const Points& tips_mm) {
-  const Vec3 origin = centroid(annulus_mm);
+  const Vec3 origin = arc_centroid(annulus_mm);
   const Vec3 tips_mean = mean_point(tips_mm);
   Vec3 z = main_direction(annulus_mm, 0);
   if (z.dot(tips_mean - origin) > 0.0) z = -z;

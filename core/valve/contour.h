@@ -15,6 +15,9 @@ Points generic_annulus_contour(double ap_mm, double al_pm_mm, double saddle_heig
 /// anterior midpoint, about its new centroid.
 Points with_saddle(const Points& planar_mm, double height_mm);
 
+/// Mean of a closed contour, weighted by arc length.
+Vec3 arc_centroid(const Points& contour_mm);
+
 struct MeasuredSkeleton {
   Points annulus_mm;  ///< n x 3, counter-clockwise seen from the atrium
   Points tips_mm;     ///< m x 3

@@ -33,6 +33,9 @@ std::string name_of(const OwnRing& ring) {
 std::string name_of(const CatalogueRing& ring) {
   return "ring: " + ring.shape + ", size " + shown(ring.size_mm) + " mm";
 }
+std::string name_of(const DesignedRing& ring) {
+  return "ring: " + ring.shape.name + ", size " + shown(ring.size_mm) + " mm";
+}
 
 Vec3 mean_head(const Valve& valve, const ValveShape& shape, Side side) {
   Vec3 sum = Vec3::Zero();

@@ -3,6 +3,7 @@
 #include "core/repair/limits.h"
 #include "io/json/json_reader.h"
 #include "io/json/plan_json.h"
+#include "io/json/ring_json.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {
@@ -61,6 +62,13 @@ RepairStep read_annuloplasty(const JsonPlace& place) {
     };
     read_fields(place,
                 {tag("step"), tag("shape"), {"sizes_below", into(ring.sizes_below, read_sizes)}});
+    step.ring = ring;
+  } else if (name == kDesignedShape) {
+    DesignedRing ring;
+    read_fields(place, {tag("step"),
+                        tag("shape"),
+                        {"ring", into(ring.shape, read_designed_shape)},
+                        {"size_mm", into(ring.size_mm, read_ring_size)}});
     step.ring = ring;
   } else {
     CatalogueRing ring{name};

@@ -1,4 +1,5 @@
 #include "io/json/plan_json.h"
+#include "io/json/ring_json.h"
 
 namespace coapt {
 namespace {
@@ -10,6 +11,11 @@ ordered_json point_json(const LeafletPoint& point) {
 }
 
 ordered_json step_json(const Annuloplasty& step) {
+  if (const auto* designed = std::get_if<DesignedRing>(&step.ring))
+    return {{"step", "annuloplasty"},
+            {"shape", kDesignedShape},
+            {"ring", to_json(designed->shape)},
+            {"size_mm", designed->size_mm}};
   ordered_json json = {{"step", "annuloplasty"}, {"shape", shape_of(step)}};
   if (const auto* own = std::get_if<OwnRing>(&step.ring)) {
     json["sizes_below"] = own->sizes_below;

@@ -6,6 +6,7 @@
 
 #include "io/json/json_reader.h"
 #include "io/json/plan_json.h"
+#include "io/json/ring_json.h"
 #include "search/plans/search_option_table.h"
 
 namespace coapt {
@@ -59,10 +60,21 @@ std::vector<std::string> read_words(const JsonPlace& place) {
   return read_list(place, read_string);
 }
 
+std::vector<DesignedShape> read_shapes(const JsonPlace& place) {
+  if (place.value.is_array() && place.value.size() > kMostShapes) {
+    add_problem(place, ErrorCode::OutOfRange,
+                "has " + std::to_string(place.value.size()) + " shapes, must have at most " +
+                    std::to_string(kMostShapes));
+    return {};
+  }
+  return read_list(place, read_designed_shape);
+}
+
 SearchRules read_rules(const JsonPlace& place) {
   SearchRules rules;
   std::vector<JsonField> fields = {{"fixed", into(rules.fixed, read_plan_within), false},
-                                   {"forbidden", into(rules.forbidden, read_words), false}};
+                                   {"forbidden", into(rules.forbidden, read_words), false},
+                                   {"shapes", into(rules.shapes, read_shapes), false}};
   add_option_fields(fields, search_rule_rows(), rules);
   read_fields(place, fields);
   return rules;
@@ -70,6 +82,7 @@ SearchRules read_rules(const JsonPlace& place) {
 
 ordered_json rules_json(const SearchRules& rules) {
   ordered_json json = {{"fixed", to_json(rules.fixed)}, {"forbidden", rules.forbidden}};
+  for (const DesignedShape& shape : rules.shapes) json["shapes"].push_back(to_json(shape));
   write_options(json, search_rule_rows(), rules);
   return json;
 }

@@ -41,6 +41,7 @@ double ring_across_mm(const CatalogueRing& ring, double /*annulus_mm*/) {
   const RingShape* shape = find_ring(ring.shape);
   return shape != nullptr ? ring_width_mm(*shape, ring.size_mm) : std::nan("");
 }
+double ring_across_mm(const DesignedRing& ring, double /*annulus_mm*/) { return ring.size_mm; }
 
 std::string ring_words(const OwnRing& ring) {
   return "Annuloplasty ring in the annulus's own shape, " +
@@ -49,6 +50,10 @@ std::string ring_words(const OwnRing& ring) {
 }
 std::string ring_words(const CatalogueRing& ring) {
   return "Annuloplasty ring, size " + fixed(ring.size_mm, 0) + " mm, shape " + ring.shape;
+}
+std::string ring_words(const DesignedRing& ring) {
+  return "Annuloplasty ring, size " + fixed(ring.size_mm, 0) + " mm, designed shape " +
+         ring.shape.name;
 }
 
 StepWords words(const Operated& operated, const Annuloplasty& step, std::size_t) {
@@ -189,8 +194,10 @@ StepWords words(const Operated& operated, const ChordalTransfer&, std::size_t in
 std::string in_short(const Annuloplasty& step) {
   if (const auto* own = std::get_if<OwnRing>(&step.ring))
     return "ring in own shape, undersized by " + counted(own->sizes_below, "size");
-  const auto& ring = std::get<CatalogueRing>(step.ring);
-  return "ring " + ring.shape + " " + fixed(ring.size_mm, 0);
+  const double size_mm = std::holds_alternative<CatalogueRing>(step.ring)
+                             ? std::get<CatalogueRing>(step.ring).size_mm
+                             : std::get<DesignedRing>(step.ring).size_mm;
+  return "ring " + shape_of(step) + " " + fixed(size_mm, 0);
 }
 std::string in_short(const PapillaryApproximation& step) {
   const char* anchor = step.anchor == Anchor::IpsilateralTrigone ? "trigone"

@@ -74,7 +74,6 @@ Disturbance disease_at(int course, double mm) {
   return {{}, {}, mm * way, kShare + kShareSd * sign(3), mm * (kGrowth + kGrowthSd * sign(5))};
 }
 
-constexpr int kRingSutures = 12;
 constexpr double kShift_mm = 1.5, kTurn_deg = 5.0, kNeochorda_mm = 1.0, kTornShare = 0.25;
 constexpr std::uint64_t kSewingSeed = 1;
 
@@ -133,7 +132,7 @@ std::vector<double> torn_shares(const Valve& repaired, double torn_out) {
   }
   for (double& place : around) {
     const double apart = std::abs(place / length - torn_out);
-    const double spacings = kRingSutures * std::min(apart, 1.0 - apart);
+    const double spacings = kRingSutureCount * std::min(apart, 1.0 - apart);
     place = spacings < 1.0 ? 0.5 + 0.5 * std::cos(std::numbers::pi * spacings) : 0.0;
   }
   return around;

@@ -10,11 +10,13 @@
 
 namespace coapt {
 
+inline constexpr int kRingSutureCount = 12;
+
 /// Of sewing a ring and tying neochordae. Assumed, for want of measurements of surgeons.
 struct SewingError {
   double shift_transverse_mm = 0.0, shift_anterior_mm = 0.0;  ///< of the ring in its plane
   double turn_deg = 0.0;                                      ///< of the ring about its normal
-  /// Where around the annulus, from the saddle peak as Valve::annulus goes, one of the ring's twelve sutures has torn out: the annulus
+  /// Where around the annulus, from the saddle peak as Valve::annulus goes, one of the ring's kRingSutureCount sutures has torn out: the annulus
   /// between its neighbours goes back to where it was. [0, 1), negative: all hold.
   double torn_out = -1.0;
   double neochorda_mm = 0.0;  ///< by which all of them are too long

@@ -54,6 +54,8 @@ RingWidths widths(const Annuloplasty& step, const Operation& operation) {
     const double width = transverse - kRingSizeStep_mm * own->sizes_below;
     return {transverse, width, width};
   }
+  if (const auto* designed = std::get_if<DesignedRing>(&step.ring))
+    return {transverse, designed->size_mm, designed->size_mm};
   const auto& ring = std::get<CatalogueRing>(step.ring);
   return {transverse, ring_width_mm(*find_ring(ring.shape), ring.size_mm), ring.size_mm};
 }

@@ -33,6 +33,11 @@ std::string words(const LeafletPoint& point) {
 }
 
 std::string words(const Annuloplasty& step) {
+  if (const auto* designed = std::get_if<DesignedRing>(&step.ring)) {
+    std::string text = "designed ring " + quoted(designed->shape.name);
+    for (const RingTermRow& row : kRingTerms) text += number(designed->shape.terms.*row.member);
+    return text + number(designed->size_mm);
+  }
   const auto* ring = std::get_if<CatalogueRing>(&step.ring);
   const auto* own = std::get_if<OwnRing>(&step.ring);
   return "ring " + quoted(shape_of(step)) + number(ring != nullptr ? ring->size_mm : 0.0) + ' ' +

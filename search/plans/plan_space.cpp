@@ -117,6 +117,15 @@ std::vector<std::string> PlanSpace::offer_rings() {
     }
     offer(name, sizes);
   }
+  for (const DesignedShape& shape : rules_.shapes) {
+    sizes.clear();
+    for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
+      const double below = (width - size) / kRingSizeStep_mm;
+      if (below >= 0.0 && below <= kMostSizesBelow && try_ring({DesignedRing{shape, size}}, size))
+        sizes.push_back(size);
+    }
+    offer(shape.name, sizes);
+  }
   return offered;
 }
 
@@ -131,7 +140,8 @@ Parameter PlanSpace::ring_sizes(const std::string& shape) const {
   if (shape == kOwnShape)
     return make_parameter(ParameterOf::RingSize, 0, {first, last}, 1.0, std::max(1.0, below));
   const double width = transverse_diameter_mm(valve_, annulus_frame(valve_));
-  const double factor = find_ring(shape)->transverse_factor;
+  const RingShape* made = find_ring(shape);
+  const double factor = made != nullptr ? made->transverse_factor : 1.0;  // designed: true width
   return make_parameter(ParameterOf::RingSize, 0, {first, last}, kRingSizeStep_mm,
                         (width - kRingSizeStep_mm * below) / factor);
 }

@@ -1,8 +1,8 @@
 // All plans that a search may try: branches (discrete decisions, made by rules) and within each a
 // lattice of sizes, lengths and places.
 //
-//   ring              none; the own shape 1 to 4 sizes below; each catalogue shape, its sizes 0 to
-//                     4 below
+//   ring              none; the own shape 1 to 4 sizes below; each catalogue shape and each of
+//                     SearchRules::shapes, its sizes 0 to 4 below
 //   papillary suture  to trigone, saddle peak or a free point of the annulus, for a displaced
 //                     muscle: its tip further from its trigone than mean + sd of normal hearts
 //                     (23.5, 3.8 mm; n = 57); first moved to where that mean is

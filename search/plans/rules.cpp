@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/repair/annuloplasty.h"
 #include "core/repair/apply_plan.h"
 #include "core/repair/rings.h"
 #include "search/plans/search_option_table.h"
@@ -30,10 +31,11 @@ StepWords words_of(const PapillaryApproximation& step) {
   return {"papillary_approximation", {to_string(step.side), to_string(step.anchor)}};
 }
 
-std::vector<std::string> known_words() {
+std::vector<std::string> known_words(const SearchRules& rules) {
   std::vector<std::string> words = {"annuloplasty", std::string("annuloplasty:") + kOwnShape};
   for (const RingShape& shape : kRingShapes)
     words.push_back("annuloplasty:" + std::string(shape.name));
+  for (const DesignedShape& shape : rules.shapes) words.push_back("annuloplasty:" + shape.name);
   for (const char* kind : {"", ":anterolateral", ":posteromedial", ":ipsilateral_trigone",
                            ":saddle_peak", ":annulus_point"})
     words.push_back(std::string("papillary_approximation") + kind);
@@ -53,6 +55,21 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
+void check_shapes(const std::vector<DesignedShape>& shapes, ProblemList& problems) {
+  if (shapes.size() > kMostShapes)
+    problems.add(ErrorCode::OutOfRange, "/shapes",
+                 "has " + std::to_string(shapes.size()) + " shapes, must have at most " +
+                     std::to_string(kMostShapes));
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const std::string path = "/shapes/" + std::to_string(i);
+    check_designed_shape(shapes[i], path, problems);
+    for (std::size_t k = 0; k < i; ++k)
+      if (shapes[k].name == shapes[i].name)
+        problems.add(ErrorCode::BadReference, path + "/name",
+                     "is '" + shapes[i].name + "', as that of another shape");
+  }
+}
+
 }  // namespace
 
 bool is_forbidden(const SearchRules& rules, const std::string& technique, const std::string& kind) {
@@ -64,7 +81,8 @@ bool is_forbidden(const SearchRules& rules, const std::string& technique, const 
 Errors check_rules(const Valve& valve, const SearchRules& rules) {
   ProblemList problems;
   check_option_ranges(problems, rules);
-  const std::vector<std::string> known = known_words();
+  check_shapes(rules.shapes, problems);
+  const std::vector<std::string> known = known_words(rules);
   for (std::size_t i = 0; i < rules.forbidden.size(); ++i)
     if (std::find(known.begin(), known.end(), rules.forbidden[i]) == known.end())
       problems.add(ErrorCode::BadReference, "/forbidden/" + std::to_string(i),

@@ -9,6 +9,8 @@
 
 namespace coapt {
 
+inline constexpr std::size_t kMostShapes = 10;
+
 /// Lattices are what can be tied or bought; rings come in their 2 mm sizes. Accepted ranges:
 /// search_option_table.h.
 struct SearchRules {
@@ -16,6 +18,8 @@ struct SearchRules {
   /// Techniques that no plan has, each by its name ("papillary_approximation"), or that
   /// with a colon and what of it ("papillary_approximation:saddle_peak", "annuloplasty:own").
   std::vector<std::string> forbidden;
+  /// Offered beside those of the catalogue, in all sizes; at most kMostShapes.
+  std::vector<DesignedShape> shapes{};
   int most_neochordae = 4;
   /// Of the marginal chordae beside a lesion.
   bool chordal_length_change = false;

@@ -9,6 +9,7 @@ from coapt import (
     ChordalExcision,
     ChordalLengthChange,
     ChordalTransfer,
+    DesignedRing,
     EdgeToEdge,
     LeafletPoint,
     Neochorda,
@@ -22,10 +23,20 @@ from coapt import (
 from coapt.repair import step_from_json
 from programs import SOURCE, ProgramTest
 
+SHAPE = {
+    "ap_over_transverse": 0.7,
+    "flattening": 0.0,
+    "p3_inset": 0.05,
+    "saddle": 0.1,
+    "elevation": 0.0,
+    "p3_elevation": 0.0,
+}
+
 SCHEMA = json.loads((SOURCE / "io/schema/plan.schema.json").read_text())
 P2 = LeafletPoint("posterior", along=0.5, height=1.0)
 EVERY_STEP = Plan(
     OwnRing(sizes_below=2),
+    DesignedRing({**SHAPE, "name": "mine"}, size_mm=30.0),
     Ring("generic-classic", size_mm=30),
     Neochorda("PM1", P2, length_mm=20),
     ChordalLengthChange("AL1-A2-marginal-1", change_mm=-3.5),

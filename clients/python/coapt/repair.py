@@ -48,6 +48,18 @@ class Ring:
 
 
 @dataclass(frozen=True)
+class DesignedRing:
+    """A ring of a shape of one's own: ring is the "ring" of a coapt.ring/1 document, size_mm its width, 24 to 40 in steps of 2."""
+
+    ring: Mapping[str, Any]
+    size_mm: float
+    step: ClassVar[str] = "annuloplasty"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"step": self.step, "shape": "designed", "ring": dict(self.ring), "size_mm": self.size_mm}
+
+
+@dataclass(frozen=True)
 class OwnRing:
     """A ring of the valve's own shape, sizes_below (0 to 6) sizes of 2 mm transverse smaller."""
 
@@ -190,6 +202,7 @@ class QuadrangularResection:
 Step: TypeAlias = (
     Ring
     | OwnRing
+    | DesignedRing
     | Neochorda
     | ChordalLengthChange
     | ChordalExcision
@@ -240,6 +253,9 @@ def step_from_json(json: Mapping[str, Any]) -> Step:
     if name == Ring.step and fields.get("shape") == "own":
         del fields["shape"]
         step: Step = _made(OwnRing, fields)
+    elif name == Ring.step and fields.get("shape") == "designed":
+        del fields["shape"]
+        step = _made(DesignedRing, fields)
     elif name == TriangularResection.step:
         shape = fields.pop("shape", None)
         if shape not in ("triangular", "quadrangular"):

@@ -19,7 +19,8 @@ RepairPlan full_plan() {
            PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0},
            EdgeToEdge{EdgeDevice::Clip, 0.4, 6.0},
            LeafletResection{.leaflet = Leaflet::Anterior, .width_mm = 8.0},
-           LeafletResection{.shape = ResectionShape::Quadrangular, .sliding = false}}};
+           LeafletResection{.shape = ResectionShape::Quadrangular, .sliding = false},
+           Annuloplasty{DesignedRing{{"mine", {.p3_inset = 0.05, .saddle = 0.1}}, 30.0}}}};
 }
 
 Found found_in_steps(std::string_view steps) {
@@ -31,10 +32,13 @@ TEST(PlanJson, RoundTripKeepsEveryStep) {
   const std::string text = to_json(full_plan()).dump();
   const auto plan = read_plan(text);
   ASSERT_TRUE(plan);
-  ASSERT_EQ(plan->steps.size(), 11u);
+  ASSERT_EQ(plan->steps.size(), 12u);
   EXPECT_EQ(to_json(*plan).dump(), text);
   EXPECT_EQ(std::get<OwnRing>(std::get<Annuloplasty>(plan->steps[0]).ring).sizes_below, 2);
   EXPECT_EQ(std::get<CatalogueRing>(std::get<Annuloplasty>(plan->steps[1]).ring).size_mm, 30.0);
+  const auto& designed = std::get<DesignedRing>(std::get<Annuloplasty>(plan->steps[11]).ring);
+  EXPECT_EQ(designed.shape, (DesignedShape{"mine", {.p3_inset = 0.05, .saddle = 0.1}}));
+  EXPECT_EQ(designed.size_mm, 30.0);
   EXPECT_EQ(std::get<Neochorda>(plan->steps[2]).insertion.along, 0.25);
   EXPECT_EQ(std::get<ChordalLengthChange>(plan->steps[3]).change_mm, -1.25);
   EXPECT_EQ(std::get<PapillaryApproximation>(plan->steps[7]).annulus_around, 0.9);

@@ -9,6 +9,7 @@
 #include "core/repair/limits.h"
 #include "core/repair/rings.h"
 #include "io/json/plan_json.h"
+#include "io/json/ring_json.h"
 #include "io/json/search_options_json.h"
 #include "io/json/valve_json.h"
 #include "search/plans/search_option_table.h"
@@ -61,6 +62,7 @@ class Schema {
     if (word == "minItems") return value.size() >= argument;
     if (word == "maxItems") return value.size() <= argument;
     if (word == "minLength") return value.is_string() && value != "";
+    if (word == "maxLength") return value.get<std::string>().size() <= argument;
     if (word == "items") {
       return std::all_of(value.begin(), value.end(),
                          [&](const nlohmann::json& entry) { return accepts(argument, entry); });
@@ -109,7 +111,8 @@ nlohmann::json full_plan() {
        PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.9, 25.0},
        EdgeToEdge{EdgeDevice::Clip, 0.4, 6.0},
        LeafletResection{.leaflet = Leaflet::Anterior, .width_mm = 8.0},
-       LeafletResection{.shape = ResectionShape::Quadrangular, .sliding = false}}};
+       LeafletResection{.shape = ResectionShape::Quadrangular, .sliding = false},
+       Annuloplasty{DesignedRing{{"mine", {.p3_inset = 0.05, .saddle = 0.1}}, 30.0}}}};
   return to_json(plan);
 }
 
@@ -264,6 +267,9 @@ TEST(PlanSchema, AgreesWithTheReaderOnRanges) {
     expect_agreement_on_range(kinds[kind]["properties"][field], full_plan(), at, reads_plan);
   };
   check("catalogue_ring", "size_mm", "/steps/1/size_mm");
+  check("designed_ring", "size_mm", "/steps/11/size_mm");
+  for (const RingTermRow& row : kRingTerms)
+    check("designed_shape", row.name, std::string("/steps/11/ring/") + row.name);
   check("neochorda", "length_mm", "/steps/2/length_mm");
   check("leaflet_point", "along", "/steps/2/insertion/along");
   check("leaflet_point", "height", "/steps/5/insertion/height");
@@ -314,6 +320,18 @@ TEST(PlanSchema, AgreesWithTheStepsOnRanges) {
   check("approximation_to_point", "annulus_around", [](double around) {
     return PapillaryApproximation{Side::Anterolateral, Anchor::AnnulusPoint, around, 24.0};
   });
+}
+
+TEST(RingSchema, AgreesWithTheReaderOnEveryFieldAndRange) {
+  const Schema schema("ring");
+  const nlohmann::json ring =
+      nlohmann::json::parse(to_json(RingDesign{{"mine", {}}, 0.9}, {}).dump());
+  const auto reads = [](const nlohmann::json& document) { return bool(ring_from_json(document)); };
+  EXPECT_TRUE(schema.accepts(ring));
+  expect_agreement_on_fields(schema, ring, reads);
+  expect_agreement_on_range(
+      schema.root()["properties"]["sizing"]["properties"]["width_over_transverse"], ring,
+      "/sizing/width_over_transverse", reads);
 }
 
 nlohmann::json full_search() {
@@ -393,7 +411,7 @@ TEST(SearchSchema, SaysOfEachOptionWhatTheTableSays) {
   expect_rows(search_rule_rows(), rules);
   expect_rows(cost_weight_rows(), weights);
   EXPECT_EQ(root["properties"].size(), search_option_rows().size() + 2) << "rules and weights";
-  EXPECT_EQ(rules.size(), search_rule_rows().size() + 2) << "fixed steps and forbidden words";
+  EXPECT_EQ(rules.size(), search_rule_rows().size() + 3) << "fixed steps, forbidden words and shapes";
   EXPECT_EQ(weights.size(), cost_weight_rows().size());
 }
 

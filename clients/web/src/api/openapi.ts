@@ -276,7 +276,7 @@ export interface components {
              * @enum {string}
              */
             step: "annuloplasty";
-        } & (components["schemas"]["Plan.own_ring"] | components["schemas"]["Plan.catalogue_ring"]);
+        } & (components["schemas"]["Plan.own_ring"] | components["schemas"]["Plan.catalogue_ring"] | components["schemas"]["Plan.designed_ring"]);
         /** @description A ring in the shape of the valve's own annulus, made smaller in proportion. */
         "Plan.own_ring": {
             /**
@@ -306,6 +306,39 @@ export interface components {
             shape: "generic-classic" | "generic-etlogix-like" | "generic-geoform-like";
             /** @description Labelled transverse size, in steps of 2 mm. */
             size_mm: number;
+        };
+        /** @description A ring of a designed shape. */
+        "Plan.designed_ring": {
+            /**
+             * @description Kind of step.
+             * @constant
+             */
+            step: "annuloplasty";
+            /**
+             * @description A shape of one's own. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            shape: "designed";
+            ring: components["schemas"]["Plan.designed_shape"];
+            /** @description True width, in steps of 2 mm. */
+            size_mm: number;
+        };
+        /** @description A designed shape; all lengths are shares of the ring's width. */
+        "Plan.designed_shape": {
+            /** @description By which plans and rules know it; none of the catalogue's. */
+            name: string;
+            /** @description From the middle of the front to the middle of the back. */
+            ap_over_transverse: number;
+            /** @description Of the front, by which the back gets rounder. */
+            flattening: number;
+            /** @description P3 drawn in, forwards; negative: let out. */
+            p3_inset: number;
+            /** @description Front's middle above the ends. */
+            saddle: number;
+            /** @description Of the back's middle, beyond the saddle. */
+            elevation: number;
+            /** @description Of P3; negative: it lies lower. */
+            p3_elevation: number;
         };
         /** @description An artificial chorda: a suture from a papillary head to the leaflet. */
         "Plan.neochorda": {
@@ -559,6 +592,8 @@ export interface components {
             };
             /** @description Techniques that no plan has: annuloplasty, papillary_approximation, neochorda, chordal_length_change, chordal_excision, chordal_transfer, edge_to_edge, leaflet_resection; or, after a colon, one kind of it: annuloplasty:own, annuloplasty:<ring shape>, papillary_approximation:anterolateral, :posteromedial, :ipsilateral_trigone, :saddle_peak, :annulus_point, neochorda:anterior, :posterior, edge_to_edge:stitch, :clip, leaflet_resection:triangular, :quadrangular, :anterior, :posterior. */
             forbidden?: string[];
+            /** @description Designed shapes of rings, offered beside those of the catalogue; their names may be forbidden, too. */
+            shapes?: components["schemas"]["Plan.designed_shape"][];
             /**
              * @description Neochordae that a plan has at most.
              * @default 4

@@ -15,6 +15,7 @@ import {
   RESECTION_SHAPES,
   resectionWidths,
   reshaped,
+  ringName,
   sutureRange,
   within,
   type Anatomy,
@@ -146,10 +147,13 @@ function resectionForm(step: Resection, context: StepContext): HTMLElement {
 
 function ringForm(step: Annuloplasty, context: StepContext): HTMLElement {
   const { rings, sizes_mm } = context.rings
-  const shapes = [['own', 'own shape'] as const, ...rings.map(({ name }) => [name, name] as const)]
+  // A designed shape comes from a file, so it is offered only where it is.
+  const designed = step.shape === 'designed' ? [['designed', ringName(step)] as const] : []
+  const shapes = [['own', 'own shape'] as const, ...rings.map(({ name }) => [name, name] as const), ...designed]
   const usual = 2 * Math.round(context.before.closure.annulus.al_pm_mm / 2) - 4
   const choose = (name: string): void => {
-    const shape = name as Annuloplasty['shape']
+    if (name === step.shape) return
+    const shape = name as Exclude<Annuloplasty['shape'], 'designed'>
     const size_mm = Math.min(Math.max(usual, sizes_mm.min), sizes_mm.max)
     context.change(
       shape === 'own' ? { step: 'annuloplasty', shape, sizes_below: 2 } : { step: 'annuloplasty', shape, size_mm },
@@ -163,7 +167,7 @@ function ringForm(step: Annuloplasty, context: StepContext): HTMLElement {
           context.change({ step: 'annuloplasty', shape: 'own', sizes_below }, passing),
         )
       : slider('Size', step.size_mm, sizes_mm, 'mm', (size_mm, passing) =>
-          context.change({ step: 'annuloplasty', shape: step.shape, size_mm }, passing),
+          context.change({ ...step, size_mm }, passing),
         )
   return h(
     'div',

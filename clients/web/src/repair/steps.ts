@@ -42,13 +42,18 @@ export type EdgeToEdge = Extract<Step, { step: 'edge_to_edge' }>
 export type Resection = Extract<Step, { step: 'leaflet_resection' }>
 export type Approximation = Extract<Step, { step: 'papillary_approximation' }>
 
+/// Of a ring that is not of the valve's own shape.
+export function ringName(step: Exclude<Annuloplasty, { shape: 'own' }>): string {
+  return step.shape === 'designed' ? `${step.ring.name} (designed)` : step.shape
+}
+
 /// In surgical words.
 export function describe(step: Step): string {
   switch (step.step) {
     case 'annuloplasty':
       return 'sizes_below' in step
         ? `Ring in the annulus's own shape, undersized by ${step.sizes_below} sizes`
-        : `Ring ${step.shape}, size ${step.size_mm} mm`
+        : `Ring ${ringName(step)}, size ${step.size_mm} mm`
     case 'papillary_approximation':
       return `${step.side === 'anterolateral' ? 'Anterolateral' : 'Posteromedial'} papillary muscle to ${anchorWords(step)}, suture ${step.suture_length_mm.toFixed(1)} mm`
     case 'neochorda':

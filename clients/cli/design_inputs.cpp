@@ -1,0 +1,50 @@
+#include "clients/cli/design_inputs.h"
+
+#include <filesystem>
+
+#include "clients/cli/files.h"
+#include "io/json/population_json.h"
+#include "search/population/population.h"
+
+namespace coapt {
+namespace {
+
+constexpr const char* kPopulationFile = "population.json";
+
+}  // namespace
+
+Expected<DesignInputs> read_population_members(const std::string& path,
+                                               const std::string& aetiology) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const std::string file =
+      fs::is_directory(path, ignored) ? (fs::path(path) / kPopulationFile).string() : path;
+  const Expected<std::string> text = read_input(file);
+  if (!text) return text.errors();
+  const Expected<Population> population = read_population(*text);
+  if (!population) return population.errors();
+  DesignInputs inputs;
+  for (const PopulationMember& member : population->members) {
+    if (!aetiology.empty() && aetiology != to_string(member.aetiology)) continue;
+    const Expected<Valve> valve = make_valve(member);
+    if (!valve) return valve.errors();
+    inputs.members.push_back({valve->name, to_string(member.aetiology), *valve});
+  }
+  if (inputs.members.size() < 4)
+    return Error{ErrorCode::OutOfRange, "/members",
+                 "has " + std::to_string(inputs.members.size()) +
+                     (aetiology.empty() ? "" : " " + aetiology) +
+                     " members, at least 4 are needed: every second one is held out"};
+  inputs.made_for = "population " + population->prior.name + ", seed " +
+                    std::to_string(population->seed) +
+                    (aetiology.empty() ? "" : ", " + aetiology + " members alone");
+  return inputs;
+}
+
+Expected<DesignInputs> read_one_patient(const std::string& argument) {
+  const Expected<Valve> valve = read_valve_argument(argument);
+  if (!valve) return valve.errors();
+  return DesignInputs{{{valve->name, "", *valve}}, "one patient, " + valve->name};
+}
+
+}  // namespace coapt

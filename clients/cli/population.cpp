@@ -1,0 +1,197 @@
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/files.h"
+#include "clients/cli/interrupt.h"
+#include "clients/cli/population_directory.h"
+#include "clients/cli/progress_bar.h"
+#include "io/command_line/command_line.h"
+#include "io/json/population_json.h"
+#include "io/json/result_json.h"
+#include "io/json/valve_json.h"
+#include "io/picture/population_page.h"
+#include "io/picture/text.h"
+#include "search/parallel.h"
+#include "search/training/seeds.h"
+
+namespace coapt {
+namespace {
+
+struct PopulationMakeArguments {
+  int count = 100, threads = 0;
+  std::uint64_t seed = 1;
+  std::string prior, directory = "population";
+  bool json = false;
+};
+
+struct PopulationValveArguments {
+  std::string directory, output;
+  int index = 0;
+  bool healthy = false;
+};
+
+/// The members by index; those that could not be made come back as errors.
+Errors make_members(const PopulationMakeArguments& arguments, const std::atomic<bool>& interrupted,
+                    Population& population) {
+  population.members.resize(static_cast<std::size_t>(arguments.count));
+  std::vector<Errors> failed(population.members.size());
+  const ProgressBar bar;
+  std::mutex mutex;
+  int done = 0;
+  for_each_index(arguments.count, arguments.threads, [&](int i) {
+    if (interrupted) return;
+    const auto index = static_cast<std::size_t>(i);
+    Expected<PopulationMember> made = member(population.prior, population.seed, i);
+    if (made) {
+      population.members[index] = *made;
+    } else {
+      failed[index] = made.errors();
+    }
+    const std::lock_guard<std::mutex> lock(mutex);
+    bar.show(++done, arguments.count, "valves");
+  });
+  Errors all;
+  for (std::size_t i = 0; i < failed.size(); ++i)
+    for (const Error& error : failed[i])
+      all.push_back({error.code, "/members/" + std::to_string(i), error.message});
+  return all;
+}
+
+void print_population(const Population& population, const std::string& directory, double seconds) {
+  long anatomies = 0, lesions = 0;
+  for (const PopulationMember& member : population.members) {
+    anatomies += member.draws.anatomies;
+    lesions += member.draws.lesions;
+  }
+  std::cout << counted(std::ssize(population.members), "valve") << " of " << grouped(anatomies)
+            << " anatomies and " << grouped(lesions) << " diseases drawn, " << fixed(seconds, 0)
+            << " s\n";
+  for (const AetiologyPrior& aetiology : population.prior.aetiologies) {
+    long members = 0;
+    double leak = 0.0;
+    for (const PopulationMember& member : population.members) {
+      if (member.aetiology != aetiology.aetiology) continue;
+      ++members;
+      leak += member.leak_mm2;
+    }
+    std::cout << "  " << to_string(aetiology.aetiology) << ": " << members << ", mean leak "
+              << fixed(leak / static_cast<double>(members), 1) << " mm2\n";
+  }
+  std::cout << assumed_words(population.prior) << "\nWritten to " << directory << "/index.html\n";
+}
+
+int run_make(const PopulationMakeArguments& arguments) {
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  Population population{adult_prior(), arguments.seed, {}};
+  if (!arguments.prior.empty()) {
+    const Expected<std::string> text = read_input(arguments.prior);
+    if (!text) return report_errors(arguments.prior, text.errors());
+    const Expected<PopulationPrior> prior = read_prior(*text);
+    if (!prior) return report_errors(arguments.prior, prior.errors());
+    population.prior = *prior;
+  }
+  if (const Errors errors = make_directory(arguments.directory); !errors.empty()) {
+    report_errors("population make", errors);
+    return exit_code::kFailure;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  if (const Errors errors = make_members(arguments, interrupted, population); !errors.empty())
+    return report_errors("population make", errors);
+  if (interrupted) return exit_code::kInterrupted;
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::string json = to_json(population).dump() + "\n";
+  for (const auto& [name, content] : {std::pair<std::string, std::string>{"population.json", json},
+                                      {"members.csv", members_csv(population)},
+                                      {"index.html", population_page(population, seconds)}})
+    if (const int error = write_output(arguments.directory + "/" + name, content)) return error;
+  if (arguments.json) {
+    std::cout << json;
+  } else {
+    print_population(population, arguments.directory, seconds);
+  }
+  return exit_code::kOk;
+}
+
+int run_valve(const PopulationValveArguments& arguments) {
+  const Expected<Population> population = read_population_directory(arguments.directory);
+  if (!population) return report_errors(arguments.directory, population.errors());
+  if (arguments.index >= std::ssize(population->members))
+    return report_errors(
+        arguments.directory,
+        {{ErrorCode::OutOfRange, "",
+          "has no member " + std::to_string(arguments.index) + ", accepted: 0 to " +
+              std::to_string(std::ssize(population->members) - 1)}});
+  const PopulationMember& member = population->members[static_cast<std::size_t>(arguments.index)];
+  const Expected<Valve> valve = arguments.healthy ? make_healthy_valve(member) : make_valve(member);
+  if (!valve) return report_errors(arguments.directory, valve.errors());
+  return write_output(arguments.output, write_valve(*valve));
+}
+
+void add_population_make(Command parent, int& status) {
+  const auto arguments = std::make_shared<PopulationMakeArguments>();
+  Command command = parent.add_command(
+      "make", "Draw valves from published distributions: competent, then diseased");
+  command.add_option("-n,--number", arguments->count, "Valves")
+      .check(number_from(1, 100000))
+      .show_default();
+  command.add_option("--seed", arguments->seed, "Other seeds draw other valves")
+      .check(number_from(std::uint64_t{0}, kLargestSeed))
+      .show_default();
+  command.add_option("--prior", arguments->prior,
+                     "Distributions (coapt.population_prior/1), - for standard input; adults' "
+                     "(examples/populations/adult.json) if left out");
+  command.add_option("-o,--output", arguments->directory, "Directory for JSON, CSV and index.html")
+      .show_default();
+  command.add_option("--threads", arguments->threads, "0: all cores; does not change the valves")
+      .check(number_from(0, 1024))
+      .show_default();
+  command.add_flag("--json", arguments->json, "Print the population (coapt.population/1)");
+  command.footer(
+      "A valve counts if it leaks at most 5 mm2 before its disease and more after it; other draws "
+      "are\nrejected, and counted. index.html shows what was drawn beside its sources.\n\n"
+      "Example:\n"
+      "  coapt population make -n 200 --seed 7 -o adults");
+  command.on_run([arguments, &status] { status = run_make(*arguments); });
+}
+
+void add_population_valve(Command parent, int& status) {
+  const auto arguments = std::make_shared<PopulationValveArguments>();
+  Command command = parent.add_command("valve", "Write one valve of a population as a valve file");
+  command.add_option("population", arguments->directory, "Directory of population make").required();
+  command.add_option("index", arguments->index, "Which valve, from 0")
+      .required()
+      .check(number_from(0, 99999));
+  command.add_flag("--healthy", arguments->healthy, "As it was before its disease");
+  command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
+      .required();
+  command.footer(
+      "Example:\n"
+      "  coapt population valve adults 12 -o valve-12.json");
+  command.on_run([arguments, &status] { status = run_valve(*arguments); });
+}
+
+}  // namespace
+
+Expected<Population> read_population_directory(const std::string& directory) {
+  const Expected<std::string> text = read_input(directory + "/population.json");
+  if (!text) return text.errors();
+  return read_population(*text);
+}
+
+void add_population(Command parent, int& status) {
+  Command population =
+      parent.add_command("population", "Valves drawn from published distributions of anatomy");
+  population.require_command();
+  add_population_make(population, status);
+  add_population_valve(population, status);
+}
+
+}  // namespace coapt

@@ -1,0 +1,169 @@
+#include "io/json/population_study_json.h"
+
+#include <array>
+#include <utility>
+
+#include "io/json/result_json.h"
+#include "search/training/binomial.h"
+
+namespace coapt {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json interval_json(const MeanInterval& interval) {
+  return {{"mean", interval.mean},
+          {"interval95", {interval.low, interval.high}},
+          {"members", interval.count}};
+}
+
+ordered_json share_json(int count, int of) {
+  if (of == 0) return {{"count", count}, {"of", of}, {"share", nullptr}, {"interval95", nullptr}};
+  const std::array<double, 2> interval = share_interval(count, of);
+  return {{"count", count},
+          {"of", of},
+          {"share", static_cast<double>(count) / of},
+          {"interval95", interval}};
+}
+
+const char* name_of(int candidate) {
+  return candidate_repairs()[static_cast<std::size_t>(candidate)].name.c_str();
+}
+
+ordered_json family_json(const FamilyWins& family, int members) {
+  return {{"family", to_string(family.family)},
+          {"offered", family.offered},
+          {"wins", share_json(family.wins, members)},
+          {"as_good", share_json(family.as_good, members)}};
+}
+
+ordered_json candidate_json(const CandidateMeans& means) {
+  return {{"repair", name_of(means.candidate)},
+          {"closed", means.closed},
+          {"refused", means.refused},
+          {"wins", means.wins},
+          {"competent", share_json(means.competent, means.closed)},
+          {"cost", means.cost},
+          {"leak_mm2", interval_json(means.leak_mm2)}};
+}
+
+ordered_json anchor_json(const AnchorComparison& anchor) {
+  return {{"muscles", anchor.both_muscles ? "both" : "posteromedial"},
+          {"ring", anchor.ring},
+          {"movement_mm", anchor.movement_mm},
+          {"trigone_better", share_json(anchor.trigone_better, anchor.members)},
+          {"same", share_json(anchor.same, anchor.members)},
+          {"trigone_less_saddle_peak_mm2", interval_json(anchor.difference_mm2)}};
+}
+
+ordered_json decided_json(const DecidedBy& decided) {
+  ordered_json factors = ordered_json::array();
+  for (std::size_t i = 0; i < decided.indices.total.size(); ++i)
+    factors.push_back({{"factor", decided.factors[i]},
+                       {"first", decided.indices.first[i]},
+                       {"total", decided.indices.total[i]},
+                       {"effect", decided.indices.effect[i]}});
+  return {{"quantity", decided.quantity},
+          {"members", decided.members},
+          {"predicted_share", decided.indices.predicted_share},
+          {"factors", std::move(factors)}};
+}
+
+template <class T, class ToJson>
+ordered_json list_json(const std::vector<T>& list, const ToJson& json) {
+  ordered_json all = ordered_json::array();
+  for (const T& entry : list) all.push_back(json(entry));
+  return all;
+}
+
+ordered_json group_json(const GroupFindings& group) {
+  return {{"aetiology", group.aetiology ? to_string(*group.aetiology) : "all"},
+          {"members", group.members},
+          {"families",
+           list_json(group.families,
+                     [&](const FamilyWins& family) { return family_json(family, group.members); })},
+          {"candidates", list_json(group.candidates, candidate_json)},
+          {"anchors", list_json(group.anchors, anchor_json)},
+          {"undersizing", list_json(group.undersizing,
+                                    [](const Undersizing& sizes) -> ordered_json {
+                                      return {
+                                          {"sizes_below", sizes.sizes_below},
+                                          {"competent", share_json(sizes.competent, sizes.closed)},
+                                          {"leak_mm2", interval_json(sizes.leak_mm2)}};
+                                    })},
+          {"decided_by", list_json(group.decided_by, decided_json)}};
+}
+
+ordered_json record_json(const CandidateRecord& record) {
+  return {{"cost", record.cost},
+          {"planned_mm2", record.planned_mm2},
+          {"mean_mm2", record.mean_mm2},
+          {"sd_mm2", record.sd_mm2}};
+}
+
+ordered_json regret_json(const Regret& regret) {
+  return {{"cost", interval_json(regret.cost)}, {"leak_mm2", interval_json(regret.leak_mm2)}};
+}
+
+}  // namespace
+
+ordered_json to_json(const PopulationTree& tree) {
+  ordered_json nodes = ordered_json::array();
+  for (const TreeNode& node : tree.tree.nodes) {
+    ordered_json json = {{"choice", name_of(node.choice)}, {"members", node.members}};
+    if (node.feature >= 0) {
+      json["feature"] = echo_features()[static_cast<std::size_t>(node.feature)].name;
+      json["threshold"] = node.threshold;
+      json["below"] = node.below;
+      json["above"] = node.above;
+    }
+    nodes.push_back(std::move(json));
+  }
+  return {{"words", tree_in_words(tree.tree)},
+          {"nodes", std::move(nodes)},
+          {"leaves", leaves(tree.tree)},
+          {"grown_on", tree.grown_on},
+          {"pruned_on", tree.pruned_on},
+          {"judged_on", tree.judged_on},
+          {"regret", regret_json(tree.of_tree)},
+          {"single", name_of(tree.single)},
+          {"single_regret", regret_json(tree.of_single)},
+          {"aetiology_regret", regret_json(tree.of_aetiology)},
+          {"judged_leaves", list_json(tree.leaves, [](const TreeLeaf& leaf) -> ordered_json {
+             return {{"node", leaf.node},
+                     {"members", leaf.members},
+                     {"cost", interval_json(leaf.cost)},
+                     {"leak_mm2", interval_json(leaf.leak_mm2)},
+                     {"regret", interval_json(leaf.regret)}};
+           })}};
+}
+
+ordered_json to_json(const PopulationStudy& study) {
+  const SearchRegret regret = search_regret(study.searched);
+  return {{"schema", "coapt.population_study/1"},
+          {"version", version()},
+          {"notice", kResearchNotice},
+          {"members", study.members},
+          {"not_made", study.not_made},
+          {"nodes", study.nodes},
+          {"closures", study.closures},
+          {"failures", study.failures},
+          {"groups", list_json(study.groups, group_json)},
+          {"tree", study.tree ? to_json(*study.tree) : ordered_json(nullptr)},
+          {"searched",
+           {{"members", list_json(study.searched,
+                                  [](const SearchedMember& member) -> ordered_json {
+                                    return {{"index", member.index},
+                                            {"plan", member.plan},
+                                            {"closures", member.closures},
+                                            {"search", record_json(member.searched)},
+                                            {"tree", record_json(member.chosen)},
+                                            {"best_candidate", record_json(member.best)}};
+                                  })},
+            {"tree_less_search_cost", interval_json(regret.tree_cost)},
+            {"tree_less_search_mm2", interval_json(regret.tree_leak_mm2)},
+            {"best_less_search_cost", interval_json(regret.best_cost)},
+            {"best_less_search_mm2", interval_json(regret.best_leak_mm2)}}}};
+}
+
+}  // namespace coapt

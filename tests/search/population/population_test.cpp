@@ -1,0 +1,109 @@
+#include "search/population/population.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/closure/closure.h"
+#include "core/metrics/measure.h"
+#include "io/json/population_json.h"
+#include "search/parallel.h"
+#include "search/plans/objective.h"
+#include "search/population/population_factors.h"
+#include "search/population/truncated_normal.h"
+
+namespace coapt {
+namespace {
+
+double leak_of(const Valve& valve) {
+  const ClosureResult closure = close_valve(valve);
+  EXPECT_TRUE(trusted(closure)) << valve.name;
+  return leak_mm2(measure(valve, closure));
+}
+
+TEST(TruncatedNormal, OfFarEndsIsTheNormalOne) {
+  const PriorDistribution wide{10.0, 2.0, -90.0, 110.0};
+  EXPECT_NEAR(truncated_normal(wide, 1.5), 13.0, 1e-7);
+  EXPECT_NEAR(cut_moments(wide).sd, 2.0, 1e-12);
+}
+
+TEST(TruncatedNormal, CutInTheMiddleIsAHalfNormal) {
+  const PriorDistribution half{0.0, 1.0, 0.0, 50.0};
+  EXPECT_NEAR(cut_moments(half).mean, std::sqrt(2.0 / 3.14159265358979), 1e-9);
+  EXPECT_NEAR(cut_moments(half).sd, std::sqrt(1.0 - 2.0 / 3.14159265358979), 1e-9);
+  // The median of a half normal is the third quartile of the whole.
+  EXPECT_NEAR(truncated_normal(half, 0.0), 0.67448975, 1e-7);
+  EXPECT_NEAR(share_below(half, 0.67448975), 0.5, 1e-7);
+}
+
+TEST(Prior, OfAdultsIsAcceptedAndComesBackFromItsJson) {
+  const PopulationPrior prior = adult_prior();
+  EXPECT_TRUE(check_prior(prior).empty());
+  EXPECT_EQ(prior.anatomy.size(), std::size_t{kAnatomyFactors});
+  const Expected<PopulationPrior> again = read_prior(to_json(prior).dump());
+  ASSERT_TRUE(again);
+  EXPECT_EQ(to_json(*again), to_json(prior));
+}
+
+TEST(Prior, CorrelationsThatContradictEachOtherAreRefused) {
+  PopulationPrior prior = adult_prior();
+  prior.correlations = {{0, 1, 0.9, "", false}, {1, 2, 0.9, "", false}, {0, 2, -0.9, "", false}};
+  const Errors errors = check_prior(prior);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors[0].path, "/correlations");
+}
+
+TEST(Prior, ProblemsNameTheirPlace) {
+  PopulationPrior prior = adult_prior();
+  prior.anatomy[0].distribution.mean = 200.0;
+  prior.aetiologies[1].share = 0.0;
+  const Errors errors = check_prior(prior);
+  ASSERT_EQ(errors.size(), 3u);
+  EXPECT_EQ(errors[0].path, "/anatomy/ap_mm/mean");
+  EXPECT_EQ(errors[2].path, "/aetiologies/1/share");
+}
+
+TEST(Factors, OfTheUsualAnatomyGiveTheHumanPreset) {
+  const HumanValve ours = healthy_valve(usual_anatomy()), preset = human_normal();
+  EXPECT_EQ(ours.dimensions.ap_mm, preset.dimensions.ap_mm);
+  EXPECT_EQ(ours.dimensions.asymmetry.tip_mm, preset.dimensions.asymmetry.tip_mm);
+  EXPECT_EQ(ours.dimensions.slack, preset.dimensions.slack);
+  const Proportions heights = proportions(preset.dimensions, 29.0, 39.0);
+  EXPECT_EQ(ours.dimensions.anterior_height_mm, heights.anterior_height_mm);
+  EXPECT_EQ(ours.dimensions.lateral_height_mm, heights.lateral_height_mm);
+  EXPECT_EQ(ours.dimensions.tissue, preset.dimensions.tissue);
+}
+
+class Members : public testing::Test {
+ protected:
+  static constexpr int kCount = 8;
+  static std::vector<PopulationMember> make(int threads) {
+    std::vector<PopulationMember> members(kCount);
+    const PopulationPrior prior = adult_prior();
+    for_each_index(kCount, threads, [&](int i) { members[i] = *member(prior, 7, i); });
+    return members;
+  }
+};
+
+TEST_F(Members, AreCompetentBeforeDiseaseAndLeakAfterIt) {
+  for (const PopulationMember& drawn : make(2)) {
+    const double before = leak_of(*make_healthy_valve(drawn)), after = leak_of(*make_valve(drawn));
+    EXPECT_EQ(before, drawn.leak_healthy_mm2);
+    EXPECT_EQ(after, drawn.leak_mm2);
+    EXPECT_LE(before, kGoodRepair_mm2);
+    EXPECT_GT(after, kGoodRepair_mm2);
+    EXPECT_GE(drawn.draws.anatomies, 1);
+  }
+}
+
+TEST_F(Members, AreTheSameForEveryNumberOfThreadsAndComeBackFromJson) {
+  const Population one{adult_prior(), 7, make(1)}, two{adult_prior(), 7, make(2)};
+  const std::string text = to_json(one).dump();
+  EXPECT_EQ(text, to_json(two).dump());
+  const Expected<Population> again = read_population(text);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(to_json(*again).dump(), text);
+}
+
+}  // namespace
+}  // namespace coapt
