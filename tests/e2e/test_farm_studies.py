@@ -77,9 +77,10 @@ class FarmStudies(ProgramTest):
         again = json.loads(self.by_farm("study", "annulus", "human-functional-mr", "-o", there, "--json").stdout)
         self.assertEqual(again["closures"], again["closures_known"], "kept here, too")
 
-    def test_several_anatomies_at_once_leave_the_same_files(self):
+    def test_anatomies_leave_the_same_files(self):
         here, there = self.folder / "here", self.folder / "there"
-        anchors = ["study", "anchors", "--anatomies", 3, "--region-points", 17]
+        # None of these is competent, which is known by one closure each: others take thousands.
+        anchors = ["study", "anchors", "--anatomies", 1, "--seed", 3, "--region-points", 17]
         self.run_ok(*anchors, "-o", here)
         self.by_farm(*anchors, "-o", there)
         self.assert_same_files(here, there)
