@@ -9,14 +9,15 @@ class Logins(FarmTest):
     def setUp(self):
         super().setUp()
         self.farm("init", "--team", "heart")
+        create = ""
         for login, roles in (
             ("asks", "coapt_coordinator, coapt_team_heart"),
             ("works", "coapt_worker"),
             ("heartworks", "coapt_worker, coapt_team_heart"),
             ("reads", "coapt_reader"),
         ):
-            self.sql(f"DROP ROLE IF EXISTS {login}")
-            self.sql(f"CREATE ROLE {login} LOGIN PASSWORD 'pw-{login}' IN ROLE {roles}")
+            create += f"DROP ROLE IF EXISTS {login}; CREATE ROLE {login} LOGIN PASSWORD 'pw-{login}' IN ROLE {roles}; "
+        self.sql(create)
 
     def login(self, name, password=None):
         return self.postgres.url(self.name, name, password or f"pw-{name}")
