@@ -8,11 +8,12 @@ import subprocess
 import sys
 import unittest
 
-from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, SOURCE, ProgramTest, coapt
+from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, SERVER, SOURCE, ProgramTest, coapt
 
-sys.path.insert(0, str(SOURCE / "tests" / "farm"))
+sys.path[:0] = [str(SOURCE / "tests" / "farm"), str(SOURCE / "tests" / "service")]
 
 from private_postgres import PrivatePostgres, tool  # noqa: E402
+from served import Server  # noqa: E402
 
 FARM = str(pathlib.Path(COAPT).with_name("coapt-farm"))
 QUICK = [
@@ -77,9 +78,10 @@ class FarmStudies(ProgramTest):
         again = json.loads(self.by_farm("study", "annulus", "human-functional-mr", "-o", there, "--json").stdout)
         self.assertEqual(again["closures"], again["closures_known"], "kept here, too")
 
-    def test_several_anatomies_at_once_leave_the_same_files(self):
+    def test_anatomies_leave_the_same_files(self):
         here, there = self.folder / "here", self.folder / "there"
-        anchors = ["study", "anchors", "--anatomies", 3, "--region-points", 17]
+        # None of these is competent, which is known by one closure each: others take thousands.
+        anchors = ["study", "anchors", "--anatomies", 1, "--seed", 3, "--region-points", 17]
         self.run_ok(*anchors, "-o", here)
         self.by_farm(*anchors, "-o", there)
         self.assert_same_files(here, there)
@@ -103,6 +105,24 @@ class FarmStudies(ProgramTest):
         self.assertEqual(of_many, of_one | {"seconds": None})
         alone = json.loads(coapt("plan", "human-functional-mr", *QUICK, "--json", "--farm", self.url).stdout)
         self.assertEqual(alone, of_many)
+
+    def test_a_service_hands_its_jobs_to_the_farm(self):
+        server = Server(SERVER, self.folder / "jobs.sqlite", "--farm", self.url)
+        self.addCleanup(server.stop)
+        service = ["--server", f"http://127.0.0.1:{server.port}"]
+        runs = "SELECT count(*) FROM coapt_farm.run"
+        before = int(self.postgres.sql("farm", runs)[0][0])
+        here, there, report = self.folder / "here", self.folder / "there", self.folder / "report.html"
+        plan = ["plan", "human-functional-mr", *QUICK, "--seed", 2, "--json"]
+        one = json.loads(coapt(*plan).stdout)
+        other = coapt(*plan, *service, "-o", report)
+        self.assertEqual(other.returncode, NO_COMPETENT_PLAN, other.stderr)
+        self.assertEqual(json.loads(other.stdout) | {"seconds": 0}, one | {"seconds": 0})
+        self.assertIn("closures, ranking included", report.read_text())
+        self.run_ok("study", "annulus", "human-p2-prolapse", "-o", here)
+        self.run_ok("study", "annulus", "human-p2-prolapse", "-o", there, *service)
+        self.assert_same_files(here, there)
+        self.assertEqual(int(self.postgres.sql("farm", runs)[0][0]), before + 2)
 
     def test_an_interrupted_search_ends_and_leaves_its_work_to_the_farm(self):
         running = subprocess.Popen(

@@ -18,16 +18,18 @@ class Install(unittest.TestCase):
             names = {str(path.relative_to(prefix)) for path in pathlib.Path(prefix).rglob("*") if path.is_file()}
             expected = {
                 "bin/coapt",
+                "bin/coapt-farm",
                 "bin/coapt-live",
                 "bin/coapt-server",
                 "share/bash-completion/completions/coapt",
+                "share/bash-completion/completions/coapt-farm",
                 "share/bash-completion/completions/coapt-live",
                 "share/bash-completion/completions/coapt-server",
             }
             if (build.parent / "web/index.html").exists():
                 expected |= {"share/coapt/web/index.html"}
             if shutil.which("scdoc"):
-                expected |= {f"share/man/man1/{name}.1" for name in ("coapt", "coapt-live", "coapt-server")}
+                expected |= {f"share/man/man1/{name}.1" for name in ("coapt", "coapt-farm", "coapt-live", "coapt-server")}
             self.assertLessEqual(expected, names)
             version = subprocess.run([f"{prefix}/bin/coapt", "--version"], capture_output=True, text=True)
             self.assertEqual(version.returncode, OK)

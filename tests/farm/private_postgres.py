@@ -28,19 +28,16 @@ class PrivatePostgres:
             os.chown(self.folder, owner.pw_uid, owner.pw_gid)
         self.folder.chmod(0o711)
         self.data = self.folder / "data"
-        self._run(
-            "initdb", "-D", self.data, "-U", "boss", "-A", "scram-sha-256", "--pwfile=/dev/stdin", stdin="secret\n"
-        )
+        self._run("initdb", "-D", self.data, "-U", "boss", "-A", "trust")
         (self.data / "pg_hba.conf").write_text("local all boss trust\nlocal all all scram-sha-256\n")
         with (self.data / "postgresql.conf").open("a") as file:
             file.write(f"unix_socket_directories = '{self.folder}'\nlisten_addresses = ''\n{settings}\n")
         self.start()
 
-    def _run(self, name, *arguments, stdin=""):
+    def _run(self, name, *arguments):
         command = [tool(name), *map(str, arguments)]
         run = subprocess.run(
             command,
-            input=stdin,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,

@@ -34,8 +34,8 @@ class Full(FarmTest):
     def test_a_full_disk_is_waited_for(self):
         request = Request(400, task_items=10, ms=0)
         self.farm("add", "-", "--check-share", "0", stdin=request.bytes())
-        worker = self.worker(TOY_SIZE="1000")  # 4 MB in all; what is compressed does not count
-        self.sql("ALTER TABLE coapt_farm.result ALTER bytes SET STORAGE EXTERNAL")
+        self.sql("ALTER TABLE coapt_farm.result ALTER bytes SET STORAGE EXTERNAL")  # what is compressed takes no room
+        worker = self.worker(TOY_SIZE="10000")  # 4 MB in all
         said = [worker.stderr.readline().decode()]
         while "tries again" not in said[-1]:
             said.append(worker.stderr.readline().decode())
@@ -44,7 +44,7 @@ class Full(FarmTest):
         self.assertEqual(mount("-o", "remount,size=64m", "none", str(self.small)).returncode, 0)
         wait_until(lambda: self.status()["runs"][0]["state"] == "done")
         answers = request.answers()
-        expected = b"".join(answers[8 * i : 8 * i + 8] + b"x" * 1000 for i in range(400))
+        expected = b"".join(answers[8 * i : 8 * i + 8] + b"x" * 10_000 for i in range(400))
         self.assertEqual(self.farm("fetch", 1).stdout, expected)
         self.assertIsNone(worker.poll())
 

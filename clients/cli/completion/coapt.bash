@@ -1,4 +1,4 @@
-# Completion of coapt, coapt-live and coapt-server for bash. Commands and options come from the program's own --help, so that none is
+# Completion of coapt, coapt-farm, coapt-live and coapt-server for bash. Commands and options come from the program's own --help, so that none is
 # missing; what options take stands here.
 
 # Options of a command: the first words of lines that begin with a dash.
@@ -66,11 +66,11 @@ _coapt() {
   else
     words=$([[ $previous != -* ]] || _coapt_values "$previous")
     [[ -n $words || $previous == -* ]] || words=$(_coapt_subcommands "${command[@]}")
-    [[ -n $words || $previous == -* || ${COMP_WORDS[0]} == *coapt-server ]] || words=$_coapt_presets
+    [[ -n $words || $previous == -* || ${COMP_WORDS[0]} =~ coapt-(farm|server)$ ]] || words=$_coapt_presets
   fi
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$whole")
   [[ $whole != *:* ]] || COMPREPLY=("${COMPREPLY[@]#"${whole%:*}:"}")
 }
 
 # Where nothing fits, and beside presets, files are offered.
-complete -o bashdefault -o default -F _coapt coapt coapt-live coapt-server
+complete -o bashdefault -o default -F _coapt coapt coapt-farm coapt-live coapt-server

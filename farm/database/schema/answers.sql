@@ -127,13 +127,14 @@ BEGIN
     PERFORM dispute(t, me.id, p_seconds, p_bytes);
     RETURN 'differs';
   END IF;
-  IF NOT kept.checked AND (kept.worker <> me.id OR NOT others_alive(me.id, p_run, p_first)) THEN
+  IF NOT kept.checked AND kept.worker <> me.id THEN
     UPDATE result r SET checked = true WHERE r.run = p_run AND r.first = p_first;
     kept.checked := true;
   END IF;
   IF t.state IN ('open', 'claimed') THEN
     UPDATE task SET owner = NULL, lease_until = NULL,
-        state = CASE WHEN t.wants_check AND NOT kept.checked THEN 'open' ELSE 'done' END
+        -- A worker that is alone checks itself: that finds a bit that flipped, not a machine that is always wrong.
+        state = CASE WHEN t.wants_check AND NOT kept.checked AND others_alive(me.id, p_run, p_first) THEN 'open' ELSE 'done' END
       WHERE run = p_run AND first = p_first;
   END IF;
   RETURN 'same';

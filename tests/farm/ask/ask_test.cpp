@@ -7,6 +7,8 @@
 #include "farm/ask/farm_closures.h"
 #include "farm/work/orifice_work.h"
 #include "farm/work/work_file.h"
+#include "io/picture/study_csv.h"
+#include "search/studies/anchor_question.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -113,6 +115,31 @@ TEST(ClosuresAsked, AreTheTables) {
   options.close_elsewhere = closures_asked_of(ask_farm(none), small_valve(), {}, {});
   OrificeTable nowhere(small_valve(), options);
   EXPECT_THROW(nowhere.at({&one, 1}), std::runtime_error);
+}
+
+/// Of closures of the small valve, whatever the anatomy; undisturbed it is said to be tight.
+std::vector<ScannedAnatomy> scan_of_small(int at_once, const CloseElsewhere& elsewhere) {
+  AnchorQuestionOptions options;
+  options.anatomies = 3;
+  options.at_once = at_once;
+  options.protocols = {Protocol::Closed};
+  options.approximation = {6.0, 17, 5.0};
+  OrificeTableOptions table;
+  table.threads = 1;
+  table.known[key_of({})] = {0.0, 0.0, true};
+  table.close_elsewhere = elsewhere;
+  return scan_anchors(
+      ParametricValve{}, [&](const Valve&) { return OrificeTable(small_valve(), table); }, options);
+}
+
+TEST(ClosuresAsked, OfSeveralAnatomiesAtOnceGiveTheSameAnswers) {
+  const auto here = scan_of_small(1, {});
+  const auto there = scan_of_small(3, closures_asked_of(ask_here(1), small_valve(), {}, {}));
+  EXPECT_EQ(anchor_scan_csv(there), anchor_scan_csv(here));
+  EXPECT_EQ(anchor_answers_csv(answer_anchor_question(there)),
+            anchor_answers_csv(answer_anchor_question(here)));
+  EXPECT_GT(here.front().summaries.size(), 0u);
+  EXPECT_GT(there.front().closures, 17);
 }
 
 }  // namespace

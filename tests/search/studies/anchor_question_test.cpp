@@ -123,26 +123,33 @@ TEST(ScannedAnatomy, SetsTheFactorsAndLeavesTheRestOfItsCentre) {
 }
 
 TEST(ScanAnchors, LeavesOutWhatLeaksUndisturbed) {
-  AnchorQuestionOptions options;
-  options.anatomies = 2;
-  int progressed = 0;
-  options.progress = [&](int done, int planned) {
-    EXPECT_EQ(done, ++progressed);
-    EXPECT_EQ(planned, 2);
-  };
   OrificeTableOptions leaks;
   leaks.known[key_of({})] = {5.5, 0.0, true};
-  const std::vector<ScannedAnatomy> scan = scan_anchors(
-      ParametricValve{}, [&](const Valve&) { return small_table(leaks); }, options);
-  EXPECT_EQ(progressed, 2);
-  ASSERT_EQ(scan.size(), 2u);
-  for (const ScannedAnatomy& scanned : scan) {
-    EXPECT_EQ(scanned.shares.size(), static_cast<std::size_t>(kScanFactors));
-    EXPECT_FALSE(scanned.competent);
-    EXPECT_TRUE(scanned.summaries.empty());
-    EXPECT_EQ(scanned.closures, 0);
+  std::vector<std::vector<double>> shares;
+  for (const int at_once : {1, 2}) {
+    AnchorQuestionOptions options;
+    options.anatomies = 2;
+    options.at_once = at_once;
+    int progressed = 0;
+    options.progress = [&](int done, int planned) {
+      EXPECT_EQ(done, ++progressed);
+      EXPECT_EQ(planned, 2);
+    };
+    const std::vector<ScannedAnatomy> scan = scan_anchors(
+        ParametricValve{}, [&](const Valve&) { return small_table(leaks); }, options);
+    EXPECT_EQ(progressed, 2);
+    ASSERT_EQ(scan.size(), 2u);
+    for (const ScannedAnatomy& scanned : scan) {
+      EXPECT_EQ(scanned.shares.size(), static_cast<std::size_t>(kScanFactors));
+      EXPECT_FALSE(scanned.competent);
+      EXPECT_TRUE(scanned.summaries.empty());
+      EXPECT_EQ(scanned.closures, 0);
+      shares.push_back(scanned.shares);
+    }
+    EXPECT_TRUE(answer_anchor_question(scan).empty());
   }
-  EXPECT_TRUE(answer_anchor_question(scan).empty());
+  EXPECT_EQ(shares[2], shares[0]) << "at once, in the same order";
+  EXPECT_EQ(shares[3], shares[1]);
 }
 
 }  // namespace
