@@ -14,11 +14,14 @@
 #include "clients/cli/progress_bar.h"
 #include "io/command_line/command_line.h"
 #include "io/json/population_json.h"
-#include "io/json/result_json.h"
+#include "io/json/population_study_json.h"
+#include "io/picture/population_page.h"
+#include "io/picture/population_study_page.h"
 #include "io/picture/text.h"
+#include "io/picture/tree_picture.h"
 #include "io/store/record_file.h"
 #include "io/store/subject.h"
-#include "search/population/population_records.h"
+#include "search/population/population_study.h"
 
 namespace coapt {
 namespace {
@@ -59,6 +62,52 @@ Expected<std::vector<PopulationRecord>> kept_records(const StudyPopulationArgume
   return unpack_records(bytes);
 }
 
+/// Compares the tree with the full search on some of the valves that it is judged on.
+void search_held_out(const StudyPopulationArguments& arguments, const Population& population,
+                     const std::vector<PopulationRecord>& records, PopulationStudy& study) {
+  if (!study.tree) return;
+  const std::vector<int> held_out = members_to_search(records, arguments.searched);
+  const ProgressBar bar;
+  for (const int index : held_out) {
+    bar.show(static_cast<int>(study.searched.size()), static_cast<int>(held_out.size()),
+             "searches");
+    const auto at = static_cast<std::size_t>(index);
+    const Expected<SearchedMember> searched =
+        search_member(population.members[at], records[at], study.tree->tree, arguments.evaluations,
+                      arguments.records);
+    if (*arguments.records.cancelled) return;
+    if (searched) study.searched.push_back(*searched);
+  }
+}
+
+std::string lead_of(const PopulationStudy& study, const Population& population, double seconds) {
+  return counted(study.members, "valve") + " of the prior \"" + population.prior.name +
+         "\" (seed " + std::to_string(population.seed) + "), " + std::to_string(study.not_made) +
+         " not made; " + grouped(study.closures) + " closures of repairs, " +
+         grouped(study.failures) + " not trusted; " + fixed(seconds, 0) +
+         " s for those not kept. " + assumed_words(population.prior) +
+         " All of it is a model's answer on drawn valves, not a trial.";
+}
+
+/// Name and content.
+std::vector<std::pair<std::string, std::string>> files_of(
+    const PopulationStudy& study, const std::vector<PopulationRecord>& records,
+    const std::string& json, const std::string& lead) {
+  std::vector<std::pair<std::string, std::string>> files = {
+      {"records.csv", population_records_csv(records)},
+      {"findings.csv", population_findings_csv(study)},
+      {"findings.json", json},
+      {"index.html", population_study_page(study, lead)}};
+  if (study.tree) {
+    std::string words;
+    for (const std::string& line : tree_in_words(study.tree->tree)) words += line + '\n';
+    files.emplace_back("tree.json", to_json(*study.tree).dump(2) + "\n");
+    files.emplace_back("tree.svg", tree_svg(*study.tree));
+    files.emplace_back("tree.txt", words);
+  }
+  return files;
+}
+
 int run(StudyPopulationArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   arguments.records.cancelled = &interrupted;
@@ -70,13 +119,30 @@ int run(StudyPopulationArguments arguments) {
   }
   const int all = static_cast<int>(population->members.size());
   const int count = arguments.members > 0 ? std::min(arguments.members, all) : all;
+  const auto start = std::chrono::steady_clock::now();
   const Expected<std::vector<PopulationRecord>> records =
       kept_records(arguments, *population, count);
   if (!records) {
     report_errors("study population", records.errors());
     return exit_code::kFailure;
   }
-  return exit_code::kOk;
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  PopulationStudy study = study_records(*population, *records, arguments.records.nodes);
+  if (!interrupted) search_held_out(arguments, *population, *records, study);
+  const std::string lead = lead_of(study, *population, seconds);
+  const std::string json = to_json(study).dump(2) + "\n";
+  for (const auto& [name, content] : files_of(study, *records, json, lead))
+    if (const int error = write_output(arguments.directory + "/" + name, content)) return error;
+  if (arguments.json) {
+    std::cout << json;
+  } else {
+    for (const std::string& sentence : study_sentences(study)) std::cout << sentence << '\n';
+    if (study.tree)
+      for (const std::string& line : tree_in_words(study.tree->tree)) std::cout << line << '\n';
+    std::cout << lead << "\nWritten to " << arguments.directory << "/index.html\n";
+  }
+  return interrupted ? exit_code::kInterrupted : exit_code::kOk;
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(Factors, OfTheUsualAnatomyGiveTheHumanPreset) {
 
 class Members : public testing::Test {
  protected:
-  static constexpr int kCount = 8;
+  static constexpr int kCount = 3;  // among them one of each kind of lesion
   static std::vector<PopulationMember> make(int threads) {
     std::vector<PopulationMember> members(kCount);
     const PopulationPrior prior = adult_prior();
