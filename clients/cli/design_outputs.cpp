@@ -14,7 +14,7 @@
 namespace coapt {
 namespace {
 
-std::string interval(const MeanInterval& gain, int decimals) {
+std::string with_interval(const MeanInterval& gain, int decimals) {
   return fixed(gain.mean, decimals) + " (95 %: " + fixed(gain.low, decimals) + " to " +
          fixed(gain.high, decimals) + ")";
 }
@@ -62,9 +62,9 @@ void print_ring_design(std::ostream& out, const RingDesignResult& result,
       << counted(result.held_out_members, "member")
       << (result.held_out_members == 1 ? " under disturbances held out:\n" : " held out:\n")
       << "  closures below 5 mm2: " << fixed(all.design.below_percent, 1) << " % against "
-      << fixed(all.generic.below_percent, 1) << " %, gain " << interval(all.below_percent, 1)
+      << fixed(all.generic.below_percent, 1) << " %, gain " << with_interval(all.below_percent, 1)
       << " points\n  mean leak: " << fixed(all.design.leak_mm2, 1) << " against "
-      << fixed(all.generic.leak_mm2, 1) << " mm2, gain " << interval(all.leak_mm2, 1)
+      << fixed(all.generic.leak_mm2, 1) << " mm2, gain " << with_interval(all.leak_mm2, 1)
       << " mm2\n  mean gradient: " << fixed(all.design.gradient_mmhg, 1) << " against "
       << fixed(all.generic.gradient_mmhg, 1) << " mmHg; above 5 mmHg "
       << fixed(all.design.stenotic_percent, 0) << " against "
@@ -77,7 +77,7 @@ void print_ring_design(std::ostream& out, const RingDesignResult& result,
     const RingVerdict& verdict = result.verdicts[k];
     if (verdict.aetiology.empty()) continue;
     out << "  " << verdict.aetiology << " (" << verdict.members
-        << "): gain " << interval(verdict.below_percent, 1) << " points\n";
+        << "): gain " << with_interval(verdict.below_percent, 1) << " points\n";
   }
   out << result.search.designs << " designs tried, " << grouped(result.search.evaluations)
       << " closures and openings.\n";

@@ -13,14 +13,14 @@ struct Disturbances {
 
 /// As planned, nodes of the region in opposite pairs, and errors of sewing, of which a quarter has a torn suture: none twice.
 Disturbances disturbances_for(bool is_one_patient) {
-  const int region = is_one_patient ? 10 : 2, sewing = is_one_patient ? 6 : 2;
-  const int more = is_one_patient ? 3 : 2;  // times as many are held out
+  const int region = is_one_patient ? 4 : 2, sewing = region;
+  constexpr int kMore = 2;  // times as many are held out
   Disturbances chosen{{0}, {0}};
   for (int k = 0; k < region; ++k) chosen.searched.push_back(kRegion.first + 1 + k);
   for (int k = 0; k < sewing; ++k) chosen.searched.push_back(kIndependent.first + k);
-  for (int k = 0; k < more * region; ++k)
+  for (int k = 0; k < kMore * region; ++k)
     chosen.held_out.push_back(kRegion.first + 1 + region + k);
-  for (int k = 0; k < more * sewing; ++k)
+  for (int k = 0; k < kMore * sewing; ++k)
     chosen.held_out.push_back(kIndependent.first + sewing + k);
   return chosen;
 }

@@ -14,7 +14,7 @@ struct RingDesignOptions {
   int evaluations = 20000;  ///< see RingSearchOptions
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores; does not change the result
-  RingWeights weights;
+  RingWeights weights{};
   std::function<void(const RingSearchProgress&)> progress{};
   const std::atomic<bool>* cancelled = nullptr;
 };

@@ -18,16 +18,21 @@ namespace {
 constexpr std::size_t kTerms = kRingTerms.size();
 constexpr double kRacingShare = 0.4, kDescentShare = 0.4, kFinalShare = 0.2;
 constexpr int kFirstMembers = 8, kRacingNodes = 3, kStarts = 2, kFewestDesigns = 8;
-constexpr int kDescentCalls = 40;         // of each descent, at least, if there are members enough
+constexpr int kDescentMembers = 16, kDescentCalls = 40;  // of one descent: fewer calls before fewer members
+constexpr int kFewestCalls = 2 * static_cast<int>(kTerms + 1) + 1;  // BOBYQA's first model
 constexpr double kFirstStep = 0.12, kDescentTolerance = 0.05;
 constexpr int kFewestFinalists = 2, kMostFinalists = 8;
-constexpr std::array kGenericShares = {0.8, 0.85, 0.9, 0.95, 1.0};
+constexpr std::array kSizingShares = {0.8, 0.85, 0.9, 0.95, 1.0};
+constexpr int kSizingMembers = 32;
 constexpr double kUnsewableCost = 4.0, kUnsewableSlope = 50.0;  // above any ring's
 
 /// Shares of the ranges, |7|: the terms, then the sizing rule.
 using RingPoint = std::vector<double>;
 
-double of_range(Range range, double share) { return range.min + share * (range.max - range.min); }
+/// To four decimals, 0.003 mm of a ring: what is reported is what was tried.
+double of_range(Range range, double share) {
+  return std::round(1e4 * (range.min + share * (range.max - range.min))) * 1e-4 + 0.0;
+}
 double share_of(Range range, double value) { return (value - range.min) / (range.max - range.min); }
 
 RingDesign design_at(const RingPoint& point, const std::string& name) {
@@ -124,6 +129,7 @@ class RingSearch {
   double cost_at(const RingPoint& point, int count, const RingQuestion& question,
                  const char* stage) {
     const RingDesign design = design_at(point, "design");
+    if (cancelled()) return 0.0;
     if (const double missing = unsewable(design.shape.terms); missing > 0.0)
       return kUnsewableCost + kUnsewableSlope * missing;
     const double found =
@@ -178,15 +184,17 @@ class RingSearch {
 
   /// What the descents came by, sorted; their costs are of the same members.
   std::vector<RatedPoint> descend(const std::vector<RatedPoint>& raced) {
-    const double budget = kDescentShare * options_.evaluations / kStarts;  // of one descent
     const int price = price_of(descent_);
+    const double all_descents = kDescentShare * options_.evaluations;
+    const int few = std::min(kDescentMembers, all());
+    const int starts = all_descents < kStarts * kDescentCalls * few * price ? 1 : kStarts;
+    const double budget = all_descents / starts;  // of one descent
     const int members =
-        std::clamp(static_cast<int>(budget / (kDescentCalls * price)),
-                   std::min(kFirstMembers, all()), all());
-    const int calls = std::max(static_cast<int>(kTerms) + 4,
-                               static_cast<int>(budget / (members * price)));
+        std::clamp(static_cast<int>(budget / (kDescentCalls * price)), few, all());
+    const int calls = static_cast<int>(budget / (members * price));
     std::vector<RatedPoint> known;
-    for (int start = 0; start < kStarts; ++start) {
+    if (calls < kFewestCalls) return known;
+    for (int start = 0; start < starts; ++start) {
       const BoundedProblem problem{.lower = RingPoint(kTerms + 1, 0.0),
                                    .upper = RingPoint(kTerms + 1, 1.0),
                                    .start = raced[static_cast<std::size_t>(start)].point,
@@ -205,15 +213,32 @@ class RingSearch {
     return known;
   }
 
-  /// The best of the descents, then the best of the race.
+  int sizing_members() const { return std::min(kSizingMembers, all()); }
+
+  /// The same shape by the sizing rule that suits it best: sizes come in steps, over which a descent does not see.
+  RingPoint with_best_rule(const RingPoint& point) {
+    RatedPoint best{point, cost_at(point, sizing_members(), racing_, "sizing")};
+    for (const double share : kSizingShares) {
+      RatedPoint other{point};
+      other.point[kTerms] = share_of(kRingWidthShares, share);
+      other.cost = cost_at(other.point, sizing_members(), racing_, "sizing");
+      if (other.cost < best.cost) best = other;
+    }
+    return best.point;
+  }
+
+  /// The best of the descents, by its own and by the best sizing rule, others of them, then the best of the race.
   std::vector<RatedPoint> finalists(const std::vector<RatedPoint>& descended,
-                                    const std::vector<RatedPoint>& raced) const {
+                                    const std::vector<RatedPoint>& raced) {
     const double budget = kFinalShare * options_.evaluations;
     const int count = std::clamp(static_cast<int>(budget / (all() * price_of(full_))),
                                  kFewestFinalists, kMostFinalists);
     std::vector<RatedPoint> chosen(
         descended.begin(), descended.begin() + std::min<Index>(count - 1, std::ssize(descended)));
-    chosen.push_back(raced.front());
+    for (const RatedPoint& point : raced)
+      if (std::ssize(chosen) < count) chosen.push_back(point);
+    const RingPoint sized = with_best_rule(chosen.front().point);
+    if (sized != chosen.front().point) chosen.push_back({sized});
     return chosen;
   }
 
@@ -224,13 +249,13 @@ class RingSearch {
     result.rivals.push_back({candidate, found});
   }
 
-  /// Each shape and rule on all members, then everything of the best rule of each shape.
+  /// The best sizing rule of each shape, then everything of that on all members.
   void try_generic(RingSearchResult& result) {
     for (const RingShape& shape : kRingShapes) {
       RatedRing best{{}, INFINITY};
-      for (const double share : kGenericShares) {
+      for (const double share : kSizingShares) {
         const RingCandidate candidate{std::string(shape.name), share};
-        const double found = cost(candidate, all(), racing_);
+        const double found = cost(candidate, sizing_members(), racing_);
         tell("generic", found);
         if (found < best.cost) best = {candidate, found};
       }

@@ -1,10 +1,11 @@
 // The search for a ring's shape and sizing rule over the valves of a population.
 //
 // Seven numbers: the six terms (ring_terms.h) and the sizing rule. A Latin hypercube of designs, the flat generic ones among them, is
-// tried on a few members; the better half goes on to twice as many, until all have been asked (racing by halving). From the two that
-// lead BOBYQA descends on a fixed set of members. The best designs of both are asked everything on all members, and the best is taken.
-// All designs meet the same members in the same order under the same disturbances: common random anatomies. Generic shapes race in the
-// same way, each with five sizing rules, so that the comparison is with the best of them, chosen on the same members.
+// tried on a few members; the better half goes on to twice as many, until all have been asked (racing by halving). From the one or two
+// that lead, as the budget allows, BOBYQA descends on a fixed set of members; its best shape also tries five sizing rules. The best
+// designs of both are asked everything on all members, and the best is taken. All designs meet the same members in the same order under
+// the same disturbances: common random anatomies. The generic shapes try the same five rules on the same members, so that the comparison
+// is with the best of them.
 #pragma once
 
 #include <atomic>
@@ -16,7 +17,7 @@
 namespace coapt {
 
 struct RingSearchProgress {
-  const char* stage = "";  ///< "racing", "descent", "final", "generic"
+  const char* stage = "";  ///< "racing", "descent", "sizing", "final", "generic"
   int evaluations = 0, most_evaluations = 0;
   double best_cost = 0.0;  ///< of the stage's present members
 };
@@ -27,8 +28,8 @@ struct RingSearchOptions {
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores; does not change the result
   /// Under which designs are compared; the first is 0, racing takes the first three.
-  std::vector<int> disturbances;
-  RingWeights weights;
+  std::vector<int> disturbances{};
+  RingWeights weights{};
   std::function<void(const RingSearchProgress&)> progress{};
   const std::atomic<bool>* cancelled = nullptr;
 };

@@ -43,7 +43,7 @@ RingOutcome formula(const RingMember&, const Annuloplasty& step, const RingQuest
 }
 
 RingSearchOptions options() {
-  return {.evaluations = 24000, .seed = 3, .threads = 1, .disturbances = {0, 1, 2}};
+  return {.evaluations = 12000, .seed = 3, .threads = 1, .disturbances = {0, 1, 2}};
 }
 
 TEST(RingSearch, FindsAKnownBest) {
