@@ -16,7 +16,7 @@ STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -t
 ENGINE := build/wasm/bin/coapt-engine.wasm
 ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs-check openapi-check readers-check golden asan asan-build fuzz clean
+.PHONY: help demo serve farm check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs-check openapi-check readers-check golden asan asan-build fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -31,6 +31,10 @@ serve: programs web  ## the service with its page at http://127.0.0.1:8080
 	@echo "Open http://127.0.0.1:8080 in a browser; Ctrl-C ends it."
 	$(BIN)/coapt-server --db coapt.sqlite
 
+farm: programs  ## a farm on this machine: PostgreSQL on a socket, two workers, the study of generality; results in out/farm
+	@cmake/install_packages.sh farm
+	PATH="$(CURDIR)/$(BIN):$$PATH" examples/farm/quick_start.sh out/farm
+
 check: check-packages  ## what a change must pass, as .ci/run does: every check and test but golden and fuzz
 	$(MAKE) format-check lint includes-check docs-check openapi-check
 	cmake --preset release -DCOAPT_LAB=ON
@@ -42,7 +46,7 @@ check: check-packages  ## what a change must pass, as .ci/run does: every check 
 
 # At once, because steps that run side by side cannot each call apt-get.
 check-packages:
-	@cmake/install_packages.sh build docs test proxy lab readers browser wasm format lint
+	@cmake/install_packages.sh build docs test cluster proxy lab readers browser wasm format lint
 	@command -v npm >/dev/null || cmake/install_packages.sh npm
 
 test: test-packages build  ## build and run the product's tests; in a build with the laboratory its tests, too
@@ -141,8 +145,8 @@ lab-test: lab  ## build and run the laboratory's tests
 build: configure  ## the release build in build/release: programs and tests
 	cmake --build --preset release
 
-programs: configure  ## coapt and coapt-server alone
-	cmake --build --preset release --target coapt coapt-server
+programs: configure  ## coapt, coapt-farm and coapt-server alone
+	cmake --build --preset release --target coapt coapt-farm coapt-server
 
 configure:
 	@cmake/install_packages.sh build

@@ -1,24 +1,24 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
+#include "clients/cli/farm_option.h"
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
 #include "clients/cli/population_directory.h"
 #include "clients/cli/progress_bar.h"
+#include "farm/work/population_work.h"
 #include "io/command_line/command_line.h"
 #include "io/json/population_json.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
 #include "io/picture/population_page.h"
 #include "io/picture/text.h"
-#include "search/parallel.h"
 #include "search/training/seeds.h"
 
 namespace coapt {
@@ -27,7 +27,7 @@ namespace {
 struct PopulationMakeArguments {
   int count = 100, threads = 0;
   std::uint64_t seed = 1;
-  std::string prior, directory = "population";
+  std::string prior, farm, directory = "population";
   bool json = false;
 };
 
@@ -37,31 +37,19 @@ struct PopulationValveArguments {
   bool healthy = false;
 };
 
-/// The members by index; those that could not be made come back as errors.
+/// The members by index, drawn here or by a farm.
 Errors make_members(const PopulationMakeArguments& arguments, const std::atomic<bool>& interrupted,
                     Population& population) {
-  population.members.resize(static_cast<std::size_t>(arguments.count));
-  std::vector<Errors> failed(population.members.size());
   const ProgressBar bar;
-  std::mutex mutex;
-  int done = 0;
-  for_each_index(arguments.count, arguments.threads, [&](int i) {
-    if (interrupted) return;
-    const auto index = static_cast<std::size_t>(i);
-    Expected<PopulationMember> made = member(population.prior, population.seed, i);
-    if (made) {
-      population.members[index] = *made;
-    } else {
-      failed[index] = made.errors();
-    }
-    const std::lock_guard<std::mutex> lock(mutex);
-    bar.show(++done, arguments.count, "valves");
-  });
-  Errors all;
-  for (std::size_t i = 0; i < failed.size(); ++i)
-    for (const Error& error : failed[i])
-      all.push_back({error.code, "/members/" + std::to_string(i), error.message});
-  return all;
+  AskContext context{.label = "population " + arguments.directory, .cancelled = &interrupted};
+  context.progress = [&](const AskProgress& now) { bar.show(now.done, now.items, "valves"); };
+  const Expected<std::string> bytes = asker_of(arguments.farm, arguments.threads)(
+      members_request(population.prior, population.seed, arguments.count), context);
+  if (!bytes) return bytes.errors();
+  Expected<std::vector<PopulationMember>> members = member_answers(*bytes);
+  if (!members) return members.errors();
+  population.members = *std::move(members);
+  return {};
 }
 
 void print_population(const Population& population, const std::string& directory, double seconds) {
@@ -102,15 +90,15 @@ int run_make(const PopulationMakeArguments& arguments) {
     return exit_code::kFailure;
   }
   const auto start = std::chrono::steady_clock::now();
-  if (const Errors errors = make_members(arguments, interrupted, population); !errors.empty())
-    return report_errors("population make", errors);
+  const Errors errors = make_members(arguments, interrupted, population);
   if (interrupted) return exit_code::kInterrupted;
+  if (!errors.empty()) return report_errors("population make", errors);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const std::string json = to_json(population).dump() + "\n";
   for (const auto& [name, content] : {std::pair<std::string, std::string>{"population.json", json},
                                       {"members.csv", members_csv(population)},
-                                      {"index.html", population_page(population, seconds)}})
+                                      {"index.html", population_page(population)}})
     if (const int error = write_output(arguments.directory + "/" + name, content)) return error;
   if (arguments.json) {
     std::cout << json;
@@ -153,6 +141,7 @@ void add_population_make(Command parent, int& status) {
   command.add_option("--threads", arguments->threads, "0: all cores; does not change the valves")
       .check(number_from(0, 1024))
       .show_default();
+  add_farm_option(command, arguments->farm, "Valves are drawn");
   command.add_flag("--json", arguments->json, "Print the population (coapt.population/1)");
   command.footer(
       "A valve counts if it leaks at most 5 mm2 before its disease and more after it; other draws "

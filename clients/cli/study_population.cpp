@@ -8,10 +8,12 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/exit_code.h"
+#include "clients/cli/farm_option.h"
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
 #include "clients/cli/population_directory.h"
 #include "clients/cli/progress_bar.h"
+#include "farm/work/population_work.h"
 #include "io/command_line/command_line.h"
 #include "io/json/population_json.h"
 #include "io/json/population_study_json.h"
@@ -27,7 +29,7 @@ namespace coapt {
 namespace {
 
 struct StudyPopulationArguments {
-  std::string population, directory = "study-population";
+  std::string population, farm, directory = "study-population";
   int members = 0, searched = 12, evaluations = 300;
   PopulationRecordOptions records;
   bool json = false;
@@ -40,6 +42,18 @@ std::string records_id(const Population& population, const PopulationRecordOptio
   return fnv1a_128(to_json(population).dump() + " nodes " + std::to_string(options.nodes));
 }
 
+/// All records, by a farm.
+Expected<std::string> asked_records(const StudyPopulationArguments& arguments,
+                                    const Population& population, int count) {
+  const Expected<WorkRequest> request = records_request(population, count, arguments.records);
+  if (!request) return request.errors();
+  const ProgressBar bar;
+  AskContext context{.label = "study population " + arguments.directory,
+                     .cancelled = arguments.records.cancelled};
+  context.progress = [&](const AskProgress& now) { bar.show(now.done, now.items, "valves"); };
+  return asker_of(arguments.farm, arguments.records.threads)(*request, context);
+}
+
 /// Records of the first `count` members, those that a file has among them.
 Expected<std::vector<PopulationRecord>> kept_records(const StudyPopulationArguments& arguments,
                                                      const Population& population, int count) {
@@ -49,6 +63,13 @@ Expected<std::vector<PopulationRecord>> kept_records(const StudyPopulationArgume
   if (!file) return file.errors();
   std::string bytes = file->records();
   const auto done = [&] { return static_cast<int>(bytes.size() / sizeof(PopulationRecord)); };
+  if (!arguments.farm.empty() && done() < count) {
+    const Expected<std::string> all = asked_records(arguments, population, count);
+    if (!all) return all.errors();
+    if (Errors errors = file->append(std::string_view(*all).substr(bytes.size())); !errors.empty())
+      return errors;
+    bytes = *all;
+  }
   const ProgressBar bar;
   while (done() < count) {
     bar.show(done(), count, "valves");
@@ -80,12 +101,11 @@ void search_held_out(const StudyPopulationArguments& arguments, const Population
   }
 }
 
-std::string lead_of(const PopulationStudy& study, const Population& population, double seconds) {
+std::string lead_of(const PopulationStudy& study, const Population& population) {
   return counted(study.members, "valve") + " of the prior \"" + population.prior.name +
          "\" (seed " + std::to_string(population.seed) + "), " + std::to_string(study.not_made) +
          " not made; " + grouped(study.closures) + " closures of repairs, " +
-         grouped(study.failures) + " not trusted; " + fixed(seconds, 0) +
-         " s for those not kept. " + assumed_words(population.prior) +
+         grouped(study.failures) + " not trusted. " + assumed_words(population.prior) +
          " All of it is a model's answer on drawn valves, not a trial.";
 }
 
@@ -130,7 +150,7 @@ int run(StudyPopulationArguments arguments) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   PopulationStudy study = study_records(*population, *records, arguments.records.nodes);
   if (!interrupted) search_held_out(arguments, *population, *records, study);
-  const std::string lead = lead_of(study, *population, seconds);
+  const std::string lead = lead_of(study, *population);
   const std::string json = to_json(study).dump(2) + "\n";
   for (const auto& [name, content] : files_of(study, *records, json, lead))
     if (const int error = write_output(arguments.directory + "/" + name, content)) return error;
@@ -140,7 +160,9 @@ int run(StudyPopulationArguments arguments) {
     for (const std::string& sentence : study_sentences(study)) std::cout << sentence << '\n';
     if (study.tree)
       for (const std::string& line : tree_in_words(study.tree->tree)) std::cout << line << '\n';
-    std::cout << lead << "\nWritten to " << arguments.directory << "/index.html\n";
+    std::cout << lead << "\n"
+              << fixed(seconds, 0) << " s for what was not kept. Written to " << arguments.directory
+              << "/index.html\n";
   }
   return interrupted ? exit_code::kInterrupted : exit_code::kOk;
 }
@@ -176,6 +198,7 @@ void add_study_population(Command parent, int& status) {
                   "0: all cores; does not change the answer")
       .check(number_from(0, 1024))
       .show_default();
+  add_farm_option(command, arguments->farm, "Valves are repaired and closed");
   command.add_flag("--json", arguments->json, "Print the findings");
   command.footer(
       "Each valve is closed after up to 34 repairs, each as planned and disturbed. What is closed "

@@ -122,7 +122,8 @@ Expected<Work> open_orifice_work(const WorkRequest& request) {
   std::vector<ConfigurationKey> keys;
   read_fields(
       {*json, problems},
-      {{"valve", into(valve, [&](const JsonPlace& at) { return read_valve_part(at, request); })},
+      {{"valve",
+        into(valve, [&](const JsonPlace& at) { return read_part(at, request, read_valve); })},
        {"closure", into(closure, read_closure_options)},
        {"keys", into(keys, [](const JsonPlace& at) { return read_list(at, read_key); })}});
   if (!problems.empty()) return std::move(problems).take();

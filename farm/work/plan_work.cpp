@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <memory>
-#include <optional>
 
 #include "farm/work/closure_options_json.h"
 #include "farm/work/work_parts.h"
@@ -22,21 +21,6 @@ struct PlanWork {
   SearchOptions options;
   std::shared_ptr<std::atomic<bool>> stop;
 };
-
-void pack_text(std::string& bytes, const std::string& text) {
-  pack(bytes, std::uint64_t{text.size()});
-  bytes += text;
-}
-
-std::optional<std::string> take_text(std::string_view& bytes) {
-  if (bytes.size() < 8) return std::nullopt;
-  const std::uint64_t size = unpacked(bytes, 0);
-  bytes.remove_prefix(8);
-  if (size > bytes.size()) return std::nullopt;
-  std::string text(bytes.substr(0, size));
-  bytes.remove_prefix(size);
-  return text;
-}
 
 /// Nothing of it depends on threads or clock.
 std::string search_one(const PlanWork& work, std::size_t index, int threads) {
@@ -101,7 +85,7 @@ Expected<Work> open_plan_work(const WorkRequest& request) {
   read_fields({*json, problems}, {{"search", document(plans->options, search_options_from_json)},
                                   {"valves", into(plans->valves, [&](const JsonPlace& place) {
                                      return read_list(place, [&](const JsonPlace& at) {
-                                       return read_valve_part(at, request);
+                                       return read_part(at, request, read_valve);
                                      });
                                    })}});
   if (plans->options.seconds > 0.0)

@@ -4,6 +4,7 @@
 
 #include "farm/work/orifice_work.h"
 #include "farm/work/plan_work.h"
+#include "farm/work/population_work.h"
 #include "farm/work/work_file.h"
 #include "io/store/sha256.h"
 #include "io/store/subject.h"
@@ -16,7 +17,10 @@ struct WorkKind {
   Expected<Work> (*open)(const WorkRequest&);
 };
 
-constexpr WorkKind kKinds[] = {{"orifices", open_orifice_work}, {"plans", open_plan_work}};
+constexpr WorkKind kKinds[] = {{"orifices", open_orifice_work},
+                               {"plans", open_plan_work},
+                               {"members", open_members_work},
+                               {"records", open_records_work}};
 
 // Raise it with every change of how answers are packed, or of what an answer holds besides closures.
 constexpr int kAnswerRevision = 1;

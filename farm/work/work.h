@@ -18,7 +18,7 @@ namespace coapt {
 
 /// What decides every answer, together with work_revision(): requests of the same bytes are the same work.
 struct WorkRequest {
-  std::string kind;  ///< "orifices", "plans"
+  std::string kind;  ///< "orifices", "plans", "members", "records"
   /// The first a JSON document, the others (valves) named by it; each stored once by its content.
   std::vector<std::string> parts;
 };

@@ -1,20 +1,33 @@
-// What the kinds of work share: valves among the parts, numbers in packed answers.
+// What the kinds of work share: documents among the parts, numbers and texts in packed answers.
 #pragma once
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "core/valve/valve.h"
 #include "farm/work/work.h"
 #include "io/json/json_reader.h"
 
 namespace coapt {
 
-/// The valve of the part that the integer at `place` names. Stand-in an empty valve. Problems of the valve's own document are
+/// The part that the integer at `place` names; null if there is none.
+const std::string* named_part(const JsonPlace& place, const WorkRequest& request);
+
+/// What `read` makes of the part that the integer at `place` names. Stand-in an empty T. Problems of the part's own document are
 /// listed at `place`, each with its pointer in words.
-Valve read_valve_part(const JsonPlace& place, const WorkRequest& request);
+template <class T>
+T read_part(const JsonPlace& place, const WorkRequest& request,
+            Expected<T> (*read)(std::string_view)) {
+  const std::string* part = named_part(place, request);
+  if (part == nullptr) return {};
+  Expected<T> value = read(*part);
+  if (value) return *std::move(value);
+  for (const Error& error : value.errors())
+    add_problem(place, error.code, error.path + ": " + error.message);
+  return {};
+}
 
 /// Little-endian, eight bytes each.
 void pack(std::string& bytes, std::uint64_t value);
@@ -23,5 +36,10 @@ inline void pack(std::string& bytes, double value) {
 }
 /// @pre bytes holds eight from `at` on.
 std::uint64_t unpacked(std::string_view bytes, std::size_t at);
+
+/// Its 64-bit length, then its bytes.
+void pack_text(std::string& bytes, const std::string& text);
+/// The first of `bytes`, which begin behind it then; none if they are cut off.
+std::optional<std::string> take_text(std::string_view& bytes);
 
 }  // namespace coapt

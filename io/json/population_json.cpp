@@ -93,7 +93,9 @@ void read_members(const JsonPlace& place, Population& population) {
     }
 }
 
-ordered_json member_to_json(const PopulationMember& member) {
+}  // namespace
+
+ordered_json to_json(const PopulationMember& member) {
   ordered_json draws;
   for (const CountName& count : kCountNames) draws[count.name] = member.draws.*count.count;
   return {{"index", member.index},
@@ -105,12 +107,16 @@ ordered_json member_to_json(const PopulationMember& member) {
           {"draws", std::move(draws)}};
 }
 
-}  // namespace
+Expected<PopulationMember> member_from_json(const nlohmann::json& json) {
+  ProblemList problems;
+  PopulationMember member = read_member({json, problems});
+  if (!problems.empty()) return std::move(problems).take();
+  return member;
+}
 
 ordered_json to_json(const Population& population) {
   ordered_json members = ordered_json::array();
-  for (const PopulationMember& member : population.members)
-    members.push_back(member_to_json(member));
+  for (const PopulationMember& member : population.members) members.push_back(to_json(member));
   return {{"schema", "coapt.population/1"},
           {"version", version()},
           {"notice", kResearchNotice},

@@ -23,6 +23,8 @@ PopulationPrior adult_prior();
 /// [names], "members": [{"index", "aetiology", "anatomy": [...], "lesions": [...], "leak_healthy_mm2", "leak_mm2", "draws": {...}}, ...]}.
 /// Numbers are kept to the bit.
 nlohmann::ordered_json to_json(const Population& population);
+nlohmann::ordered_json to_json(const PopulationMember& member);
+Expected<PopulationMember> member_from_json(const nlohmann::json& json);
 Expected<Population> read_population(std::string_view text);
 Expected<Population> population_from_json(const nlohmann::json& json);
 

@@ -187,7 +187,7 @@ std::string assumed_words(const PopulationPrior& prior) {
          std::to_string(assumed) + " are assumed, in whole or in part.";
 }
 
-std::string population_page(const Population& population, double seconds) {
+std::string population_page(const Population& population) {
   std::vector<PageSection> sections = {
       {"Which draws were rejected",
        "An anatomy counts if it closes uncrossed and leaks at most 5 mm² before disease; a disease "
@@ -205,8 +205,8 @@ std::string population_page(const Population& population, double seconds) {
                         lesion_table(population, aetiology)});
   return study_page("A population of " + grouped(std::ssize(population.members)) + " valves",
                     "Drawn from the prior \"" + population.prior.name + "\" with seed " +
-                        std::to_string(population.seed) + " in " + fixed(seconds, 0) +
-                        " s: anatomies that are competent before disease and leak after it.",
+                        std::to_string(population.seed) +
+                        ": anatomies that are competent before disease and leak after it.",
                     sections);
 }
 

@@ -11,7 +11,7 @@ namespace coapt {
 std::string members_csv(const Population& population);
 
 /// Distributions of the members beside the prior's, with sources; correlations; rejected draws by reason.
-std::string population_page(const Population& population, double seconds);
+std::string population_page(const Population& population);
 
 /// How many numbers of a prior have a source, in words.
 std::string assumed_words(const PopulationPrior& prior);

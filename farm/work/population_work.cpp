@@ -1,0 +1,118 @@
+#include "farm/work/population_work.h"
+
+#include <limits>
+#include <memory>
+
+#include "farm/work/closure_options_json.h"
+#include "farm/work/work_parts.h"
+#include "io/json/population_json.h"
+#include "search/parallel.h"
+#include "search/plans/disturbance.h"
+
+namespace coapt {
+namespace {
+
+// Of one member: some ten closures to draw it, up to 170 to try repairs.
+constexpr int kMembersAtOnce = 16, kRecordsAtOnce = 2;
+constexpr int kMostItems = 100'000;
+
+int read_count(const JsonPlace& place) { return read_integer_in(place, 1, kMostItems); }
+
+}  // namespace
+
+WorkRequest members_request(const PopulationPrior& prior, std::uint64_t seed, int members) {
+  const nlohmann::ordered_json json = {{"prior", 1}, {"seed", seed}, {"members", members}};
+  return {"members", {json.dump(), to_json(prior).dump()}};
+}
+
+Expected<Work> open_members_work(const WorkRequest& request) {
+  const Expected<nlohmann::json> json = parse_json(request.parts.front());
+  if (!json) return json.errors();
+  ProblemList problems;
+  PopulationPrior prior;
+  std::uint64_t seed = 0;
+  int members = 0;
+  read_fields(
+      {*json, problems},
+      {{"prior",
+        into(prior, [&](const JsonPlace& at) { return read_part(at, request, read_prior); })},
+       {"seed", into(seed, read_unsigned)},
+       {"members", into(members, read_count)}});
+  if (!problems.empty()) return std::move(problems).take();
+  Work work;
+  work.items = members;
+  work.task_items = kMembersAtOnce;
+  work.compute = [prior = std::move(prior), seed, stop = work.stop](std::int64_t first, int count,
+                                                                    int threads) {
+    std::vector<std::string> made(static_cast<std::size_t>(count));
+    for_each_index(count, threads, [&](int i) {
+      if (*stop) throw WorkStopped();
+      const Expected<PopulationMember> one = member(prior, seed, static_cast<int>(first) + i);
+      if (!one) throw std::runtime_error(one.errors().front().message);
+      made[static_cast<std::size_t>(i)] = to_json(*one).dump();
+    });
+    std::string bytes;
+    for (const std::string& text : made) pack_text(bytes, text);
+    return bytes;
+  };
+  return work;
+}
+
+Expected<std::vector<PopulationMember>> member_answers(std::string_view bytes) {
+  std::vector<PopulationMember> members;
+  while (!bytes.empty()) {
+    const std::optional<std::string> text = take_text(bytes);
+    if (!text) return Error{ErrorCode::Unsupported, "", "an answer with a member is cut off"};
+    const Expected<nlohmann::json> json = parse_json(*text);
+    if (!json) return json.errors();
+    const Expected<PopulationMember> one = member_from_json(*json);
+    if (!one) return one.errors();
+    members.push_back(*one);
+  }
+  return members;
+}
+
+Expected<WorkRequest> records_request(const Population& population, int members,
+                                      const PopulationRecordOptions& options) {
+  const Expected<nlohmann::ordered_json> closure = closure_options_json(options.closure);
+  if (!closure || *closure != *closure_options_json({}))
+    return Error{ErrorCode::Unsupported, "/closure", "options of the closure must be the default"};
+  const nlohmann::ordered_json json = {
+      {"population", 1}, {"members", members}, {"nodes", options.nodes}};
+  return WorkRequest{"records", {json.dump(), to_json(population).dump()}};
+}
+
+Expected<Work> open_records_work(const WorkRequest& request) {
+  const Expected<nlohmann::json> json = parse_json(request.parts.front());
+  if (!json) return json.errors();
+  ProblemList problems;
+  const auto population = std::make_shared<Population>();
+  PopulationRecordOptions options;
+  int members = 0;
+  read_fields({*json, problems},
+              {{"population",
+                into(*population,
+                     [&](const JsonPlace& at) { return read_part(at, request, read_population); })},
+               {"members", into(members, read_count)},
+               {"nodes", into(options.nodes, [](const JsonPlace& at) {
+                  return read_integer_in(at, 1, kRegion.count);
+                })}});
+  if (problems.empty() && members > std::ssize(population->members))
+    problems.add(ErrorCode::OutOfRange, "/members", "is more than the population has");
+  if (!problems.empty()) return std::move(problems).take();
+  Work work;
+  work.items = members;
+  work.task_items = kRecordsAtOnce;
+  work.compute = [population, options, stop = work.stop](std::int64_t first, int count,
+                                                         int threads) {
+    PopulationRecordOptions here = options;
+    here.threads = threads;
+    here.cancelled = stop.get();
+    std::string bytes = population_records(*population, here, static_cast<int>(first), count);
+    if (*stop) throw WorkStopped();
+    return bytes;
+  };
+  return work;
+}
+
+}  // namespace coapt
