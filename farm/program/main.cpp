@@ -8,7 +8,7 @@ namespace {
 using namespace coapt;
 
 void add_commands(Command app, int& status) {
-  add_farm_commands(app, status, {open_work, work_revision()});
+  add_farm_commands(app, status, {make_work_opener(), work_revision()});
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "farm/work/closure_options_json.h"
 #include "farm/work/work_parts.h"
 #include "io/json/valve_json.h"
+#include "io/store/subject.h"
 
 namespace coapt {
 namespace {
@@ -47,36 +48,48 @@ int items_at_once(const Valve& valve, const ClosureOptions& closure) {
   return static_cast<int>(std::clamp(items, 1.0, kItems));
 }
 
-/// The work's state: a table that keeps what closures start from between calls.
+/// Outlives the work that it is made for: it may know the shared table alone.
+OrificeTableOptions options_of_table(const ClosureOptions& closure, SharedTable& shared) {
+  OrificeTableOptions options;
+  options.closure = closure;
+  options.closure.budget.cancelled = [&shared] { return shared.stop->load(); };
+  // Of a stopped batch nothing may be kept: its closures may be unfinished.
+  options.keep = [&shared](const ConfigurationKey&, const OrificeSample&) {
+    if (*shared.stop) throw WorkStopped();
+  };
+  return options;
+}
+
+/// The work's state: which items it has answered, and the table that it computes them with.
 class OrificeWorker {
  public:
   OrificeWorker(Valve valve, const ClosureOptions& closure, std::vector<ConfigurationKey> keys,
-                std::shared_ptr<std::atomic<bool>> stop)
-      : valve_(std::move(valve)), keys_(std::move(keys)), stop_(std::move(stop)) {
-    options_.closure = closure;
-    options_.closure.budget.cancelled = [stop = stop_] { return stop->load(); };
-    // Of a stopped batch nothing may be kept: its closures may be unfinished.
-    options_.keep = [this](const ConfigurationKey&, const OrificeSample&) { go_on(); };
+                std::shared_ptr<SharedTable> shared)
+      : valve_(std::move(valve)), keys_(std::move(keys)), shared_(std::move(shared)) {
+    options_ = options_of_table(closure, *shared_);
     answered_.resize(keys_.size());
   }
 
-  std::string operator()(std::int64_t first, int count, int threads) {
+  std::string operator()(std::int64_t first, int count, int threads,
+                         const std::atomic<bool>& stop) {
     std::vector<Configuration> configurations;
     bool again = false;
     for (std::int64_t i = first; i < first + count; ++i) {
       configurations.push_back(configuration_of(keys_.at(static_cast<std::size_t>(i))));
       again |= answered_[static_cast<std::size_t>(i)];
     }
-    // What is asked again is to be computed again, not remembered: it checks the first answer.
-    if (table_ == nullptr || again) table_ = std::make_unique<OrificeTable>(valve_, options_);
-    table_->use_threads(threads);
+    const std::lock_guard<std::mutex> lock(shared_->mutex);
+    shared_->stop = &stop;
     std::string bytes;
-    try {
-      for (const OrificeSample& sample : table_->at(configurations)) append(bytes, sample);
-      go_on();
-    } catch (...) {
-      table_.reset();
-      throw;
+    if (again) {  // to be computed again, not remembered: it checks the first answer
+      OrificeTable table(valve_, options_);
+      bytes = answers_of(table, configurations, threads);
+    } else {
+      // Back in its place when all is well.
+      std::unique_ptr<OrificeTable> table = std::move(shared_->table);
+      if (table == nullptr) table = std::make_unique<OrificeTable>(valve_, options_);
+      bytes = answers_of(*table, configurations, threads);
+      shared_->table = std::move(table);
     }
     for (std::int64_t i = first; i < first + count; ++i)
       answered_[static_cast<std::size_t>(i)] = true;
@@ -85,7 +98,16 @@ class OrificeWorker {
 
  private:
   void go_on() const {
-    if (*stop_) throw WorkStopped();
+    if (*shared_->stop) throw WorkStopped();
+  }
+
+  std::string answers_of(OrificeTable& table, const std::vector<Configuration>& configurations,
+                         int threads) const {
+    table.use_threads(threads);
+    std::string bytes;
+    for (const OrificeSample& sample : table.at(configurations)) append(bytes, sample);
+    go_on();
+    return bytes;
   }
 
   static void append(std::string& bytes, const OrificeSample& sample) {
@@ -96,10 +118,9 @@ class OrificeWorker {
 
   Valve valve_;
   std::vector<ConfigurationKey> keys_;
-  std::shared_ptr<std::atomic<bool>> stop_;
+  std::shared_ptr<SharedTable> shared_;
   OrificeTableOptions options_;
   std::vector<bool> answered_;
-  std::unique_ptr<OrificeTable> table_;
 };
 
 }  // namespace
@@ -113,7 +134,7 @@ Expected<WorkRequest> orifice_request(const Valve& valve, const ClosureOptions& 
   return WorkRequest{"orifices", {json.dump(), write_valve(valve)}};
 }
 
-Expected<Work> open_orifice_work(const WorkRequest& request) {
+Expected<Work> open_orifice_work(const WorkRequest& request, OrificeTables* tables) {
   const Expected<nlohmann::json> json = parse_json(request.parts.front());
   if (!json) return json.errors();
   ProblemList problems;
@@ -130,10 +151,12 @@ Expected<Work> open_orifice_work(const WorkRequest& request) {
   Work work;
   work.items = std::ssize(keys);
   work.task_items = items_at_once(valve, closure);
+  auto table =
+      tables == nullptr ? std::make_shared<SharedTable>() : tables->of(subject_of(valve, closure));
   const auto worker =
-      std::make_shared<OrificeWorker>(std::move(valve), closure, std::move(keys), work.stop);
-  work.compute = [worker](std::int64_t first, int count, int threads) {
-    return (*worker)(first, count, threads);
+      std::make_shared<OrificeWorker>(std::move(valve), closure, std::move(keys), std::move(table));
+  work.compute = [worker, stop = work.stop](std::int64_t first, int count, int threads) {
+    return (*worker)(first, count, threads, *stop);
   };
   return work;
 }

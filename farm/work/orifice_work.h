@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "farm/work/orifice_tables.h"
 #include "farm/work/work.h"
 #include "search/studies/orifice_table.h"
 
@@ -16,7 +17,8 @@ namespace coapt {
 Expected<WorkRequest> orifice_request(const Valve& valve, const ClosureOptions& closure,
                                       const std::vector<ConfigurationKey>& keys);
 
-Expected<Work> open_orifice_work(const WorkRequest& request);
+/// With `tables`, which may be null, it shares what it closes with other works of its valve.
+Expected<Work> open_orifice_work(const WorkRequest& request, OrificeTables* tables = nullptr);
 
 /// In the order of the keys. Errors: not as many bytes as `count` answers have.
 Expected<std::vector<OrificeSample>> orifice_answers(std::string_view bytes, std::size_t count);

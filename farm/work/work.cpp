@@ -14,29 +14,43 @@ namespace {
 
 struct WorkKind {
   std::string_view name;
-  Expected<Work> (*open)(const WorkRequest&);
+  Expected<Work> (*open)(const WorkRequest&, OrificeTables*);
 };
 
+/// Of a kind whose works share nothing.
+template <Expected<Work> (*Open)(const WorkRequest&)>
+Expected<Work> open_alone(const WorkRequest& request, OrificeTables* /*tables*/) {
+  return Open(request);
+}
+
 constexpr WorkKind kKinds[] = {{"orifices", open_orifice_work},
-                               {"plans", open_plan_work},
-                               {"members", open_members_work},
-                               {"records", open_records_work}};
+                               {"plans", open_alone<open_plan_work>},
+                               {"members", open_alone<open_members_work>},
+                               {"records", open_alone<open_records_work>}};
 
 // Raise it with every change of how answers are packed, or of what an answer holds besides closures.
 constexpr int kAnswerRevision = 1;
 
-}  // namespace
-
-Expected<Work> open_work(const WorkRequest& request) {
+Expected<Work> open_sharing(const WorkRequest& request, OrificeTables* tables) {
   if (request.parts.empty())
     return Error{ErrorCode::MissingField, "", "has no parts, must have the document at least"};
   std::string names;
   for (const WorkKind& kind : kKinds) {
-    if (kind.name == request.kind) return kind.open(request);
+    if (kind.name == request.kind) return kind.open(request, tables);
     names += (names.empty() ? "" : ", ") + std::string(kind.name);
   }
   return Error{ErrorCode::Unsupported, "",
                "kind of work is " + request.kind + ", must be one of " + names};
+}
+
+}  // namespace
+
+Expected<Work> open_work(const WorkRequest& request) { return open_sharing(request, nullptr); }
+
+std::function<Expected<Work>(const WorkRequest&)> make_work_opener() {
+  return [tables = std::make_shared<OrificeTables>()](const WorkRequest& request) {
+    return open_sharing(request, tables.get());
+  };
 }
 
 std::string work_id(const WorkRequest& request) { return sha256(write_work(request)); }

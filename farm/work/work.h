@@ -43,6 +43,10 @@ struct Work {
 /// Errors as JSON pointers into the first part.
 Expected<Work> open_work(const WorkRequest& request);
 
+/// open_work() for a worker that opens one work after another: those of one valve share the closures that others start from, up
+/// to some 0.5 GB.
+std::function<Expected<Work>(const WorkRequest&)> make_work_opener();
+
 /// 64 hexadecimal digits of kind and parts (SHA-256).
 std::string work_id(const WorkRequest& request);
 

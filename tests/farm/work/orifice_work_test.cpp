@@ -114,6 +114,29 @@ TEST(OrificeWork, ATableThatClosesElsewhereKnowsKeepsAndCountsTheSame) {
   EXPECT_EQ(a.leak_difference_max_mm2, b.leak_difference_max_mm2);
 }
 
+TEST(OrificeWork, WorksOfOneValveShareWhatTheyCloseAndGiveTheSameBits) {
+  const auto keys = keys_of(asked_configurations());
+  ClosureOptions other;
+  other.speed = 0.9;
+  const auto open = make_work_opener();
+  OrificeTables tables;
+  for (const ClosureOptions& closure : {ClosureOptions{}, other}) {
+    const auto first = orifice_request(small_valve(), closure, {keys[1], keys[2]});
+    const auto second = orifice_request(small_valve(), closure, {keys[3], keys[2], keys[4]});
+    EXPECT_EQ(open(*first)->compute(0, 2, 1), open_work(*first)->compute(0, 2, 1));
+    EXPECT_EQ(open(*second)->compute(0, 3, 1), open_work(*second)->compute(0, 3, 1));
+    ASSERT_TRUE(open_orifice_work(*first, &tables)->compute(0, 2, 1) != "");
+    const auto shared = tables.of(subject_of(small_valve(), closure));
+    const int closures = shared->table->closures();
+    ASSERT_TRUE(open_orifice_work(*second, &tables)->compute(1, 1, 1) != "");
+    EXPECT_EQ(shared->table->closures(), closures) << "the second one is known";
+    const Expected<Work> stopped = open_orifice_work(*second, &tables);
+    *stopped->stop = true;
+    EXPECT_THROW(stopped->compute(0, 3, 1), WorkStopped);
+    EXPECT_EQ(shared->table, nullptr) << "nothing is kept that may be unfinished";
+  }
+}
+
 TEST(OrificeWork, AStoppedComputationHasNoAnswerAndTheNextOneHasTheRightOne) {
   const auto request = orifice_request(small_valve(), {}, keys_of(asked_configurations()));
   const Expected<Work> work = open_work(*request), other = open_work(*request);
