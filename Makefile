@@ -2,7 +2,7 @@
 BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
-SOURCES := $(shell find core search io server clients/cli clients/engine lab tests -name "*.h" -o -name "*.cpp" -o -name "*.inl")
+SOURCES := $(shell find core search io farm server clients/cli clients/engine lab tests -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 PYTHON := $(shell find clients/python cmake docs examples lab tests -name "*.py")
 BLACK := black --line-length 120

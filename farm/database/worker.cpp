@@ -20,6 +20,7 @@ using Seconds = std::chrono::duration<double>;
 constexpr int kLeastAtHand = 2, kMostAtHand = 16;
 constexpr double kAhead_s = 0.2;
 constexpr double kShortestPause_s = 0.05, kLongestPause_s = 2.0;
+constexpr double kLongestIdle_s = 0.5;   // between questions for tasks
 constexpr double kStopPatience_s = 5.0;  // to hand in, once stopped
 constexpr double kStopping_s = 1.0;      // for a computation to heed Work::stop
 constexpr double kSlack_s = 0.5;         // for the database's answers at the end
@@ -159,7 +160,7 @@ class Worker {
     }
     if (held_.empty() && options_.until_dry && is_dry()) return;
     next_claim_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(pause_s_));
-    pause_s_ = std::min(1.5 * pause_s_, 1.0);
+    pause_s_ = std::min(1.5 * pause_s_, kLongestIdle_s);
   }
 
   bool begin(const ClaimedTask& task) {

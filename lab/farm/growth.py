@@ -37,7 +37,7 @@ def main():
     output = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / "docs/figures/farm.csv"
     postgres = PrivatePostgres("max_connections = 200\nmax_wal_size = '4GB'")
     try:
-        rows = [measure(programs, postgres, 0, workers=64, tasks=640, task_ms=1800)]
+        rows = [measure(programs, postgres, 0, workers=64, tasks=2560, task_ms=1800)]
         for power in (4, 5, 6, 7):
             tasks = 10**power // 256 + 1
             rows.append(measure(programs, postgres, power, workers=8, tasks=tasks, task_ms=0))

@@ -6,7 +6,7 @@ import subprocess
 import unittest
 
 from farm_runs import BAD_INPUT, OK
-from helps import commands, flags, help_of
+from helps import commands, flags
 from programs import SOURCE
 
 FARM = os.environ["COAPT_FARM_PROGRAM"]

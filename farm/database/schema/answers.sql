@@ -103,7 +103,7 @@ BEGIN
   IF t.run IS NULL OR of_run.id IS NULL THEN
     RETURN 'unknown';
   END IF;
-  IF of_run.revision <> me.revision OR NOT may_use(of_run.team, me.login) THEN
+  IF of_run.revision <> me.revision OR (of_run.team <> '' AND NOT may_use(of_run.team, me.login)) THEN
     RAISE EXCEPTION 'run % is not for this worker', p_run USING ERRCODE = 'CF003';
   END IF;
   UPDATE worker SET tasks = tasks + 1, items = items + t.n, seconds = seconds + p_seconds, seen = clock_timestamp()

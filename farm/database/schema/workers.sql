@@ -120,7 +120,7 @@ BEGIN
   PERFORM set_config('synchronous_commit', 'off', true);
   UPDATE worker SET seen = clock_timestamp() WHERE id = me.id AND seen < clock_timestamp() - interval '1 s';
   FOR r IN SELECT * FROM run WHERE state = 'open' AND revision = me.revision ORDER BY id LOOP
-    CONTINUE WHEN NOT may_use(r.team, me.login);
+    CONTINUE WHEN r.team <> '' AND NOT may_use(r.team, me.login);
     IF EXISTS (SELECT FROM task t WHERE t.run = r.id AND t.state = 'claimed' AND t.lease_until < clock_timestamp()) THEN
       PERFORM expire(r.id);
     END IF;
