@@ -93,8 +93,8 @@ Table contrast_table(const RingClaims& claims) {
 }
 
 Table size_table(const RingClaims& claims) {
-  Table table = {{"generic-classic, mm", "below 5 mm², %", "leak, mm²", "tenting, mm",
-                  "gradient, mmHg"}};
+  Table table = {
+      {"generic-classic, mm", "below 5 mm², %", "leak, mm²", "tenting, mm", "gradient, mmHg"}};
   for (const RingSizeFigures& size : claims.sizes)
     table.push_back({fixed(size.size_mm, 0), fixed(size.figures.below_percent, 0),
                      fixed(size.figures.leak_mm2, 1), fixed(size.figures.tenting_mm, 1),
@@ -120,8 +120,7 @@ RingDimensions dimensions_of(const RingTerms& terms, double size_mm) {
 }
 
 std::string ring_dimensions_csv(const RingTerms& terms) {
-  std::string csv =
-      "size_mm,depth_mm,circumference_mm,area_mm2,height_mm,saddle_mm,p3_inset_mm\n";
+  std::string csv = "size_mm,depth_mm,circumference_mm,area_mm2,height_mm,saddle_mm,p3_inset_mm\n";
   for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
     const RingDimensions d = dimensions_of(terms, size);
     csv += fixed(size, 0) + ',' + fixed(d.depth_mm, 2) + ',' + fixed(d.circumference_mm, 2) + ',' +
@@ -154,7 +153,8 @@ std::string ring_page_html(const RingDesignResult& result, const std::string& ma
       {"Saddle and asymmetry",
        "Rings of the same size in the same valves. Saddle-shaped rings are generally preferred to "
        "flat ones, for less stress and better coaptation (Jedrzejczyk 2021, Front Cardiovasc Med "
-       "8:799994). A saddle-shaped and an asymmetric ring were compared in a sheep's ventricle with "
+       "8:799994). A saddle-shaped and an asymmetric ring were compared in a sheep's ventricle "
+       "with "
        "ischaemic regurgitation by Wong 2012 (PMC3432639).",
        "", contrast_table(claims)},
       {"Sizes",

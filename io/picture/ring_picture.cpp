@@ -16,7 +16,7 @@ constexpr const char* kSubject = "#0072b2";
 constexpr const char* kOthers = "#7a828c";
 
 struct View {
-  double x = 0.0, y = 0.0;   // of the origin, px
+  double x = 0.0, y = 0.0;      // of the origin, px
   int across = 0, upwards = 1;  // columns of the contour
   double sign = 1.0;            // of `across`: from behind x is mirrored
 };
@@ -32,8 +32,7 @@ std::string outline(const View& view, const DrawnRing& ring, const std::string& 
 
 /// Of the ring at `index` in the list.
 std::string style_of(std::size_t index) {
-  if (index == 0)
-    return std::string("stroke=\"") + kSubject + "\" stroke-width=\"4\"";
+  if (index == 0) return std::string("stroke=\"") + kSubject + "\" stroke-width=\"4\"";
   return std::string("stroke=\"") + kOthers + "\" stroke-width=\"1.5\" stroke-dasharray=\"" +
          kDashes[(index - 1) % kDashes.size()] + "\"";
 }
@@ -42,11 +41,12 @@ std::string style_of(std::size_t index) {
 
 std::string ring_picture_svg(const std::vector<DrawnRing>& rings) {
   const std::array views = {View{kTopX, kMiddleY, 0, 1, 1.0}, View{kSideX, kMiddleY, 0, 2, -1.0}};
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
-                    fixed(kWidth, 0) + " " + fixed(kHeight, 0) +
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed(kWidth, 0) +
+                    " " + fixed(kHeight, 0) +
                     "\" font-family=\"sans-serif\" font-size=\"15\" fill=\"#1c2733\">\n"
                     "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  const std::string middle = "text-anchor=\"middle\"", muted = middle + " fill=\"#66737f\" font-size=\"13\"";
+  const std::string middle = "text-anchor=\"middle\"",
+                    muted = middle + " fill=\"#66737f\" font-size=\"13\"";
   svg += text_at(kTopX, 26.0, middle + " font-weight=\"600\"", "From the atrium");
   svg += text_at(kSideX, 26.0, middle + " font-weight=\"600\"", "From behind");
   for (const View& view : views)
@@ -70,8 +70,8 @@ std::vector<DrawnRing> beside_generic(const DesignedShape& shape, double size_mm
   std::vector<DrawnRing> rings = {
       {shape.name + ", " + fixed(size_mm, 0) + " mm", ring_contour_mm(shape.terms, size_mm)}};
   for (const RingShape& generic : kRingShapes)
-    rings.push_back({std::string(generic.name),
-                     ring_contour_mm(generic, size_mm / generic.transverse_factor)});
+    rings.push_back(
+        {std::string(generic.name), ring_contour_mm(generic, size_mm / generic.transverse_factor)});
   return rings;
 }
 
