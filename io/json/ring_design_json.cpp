@@ -25,7 +25,7 @@ ordered_json gain_json(const MeanInterval& gain) {
   return {{"mean", gain.mean}, {"low", gain.low}, {"high", gain.high}};
 }
 
-ordered_json candidate_json(const RingCandidate& candidate) {
+ordered_json ring_candidate_json(const RingCandidate& candidate) {
   ordered_json json;
   if (const auto* shape = std::get_if<DesignedShape>(&candidate.shape))
     json["ring"] = to_json(*shape);
@@ -73,7 +73,7 @@ ordered_json provenance_json(const RingDesignResult& result, const RingDesignSou
                {"gain_held_out", all.below_percent.mean},
                {"gain_low", all.below_percent.low},
                {"gain_high", all.below_percent.high},
-               {"against", candidate_json(result.search.generic.candidate)},
+               {"against", ring_candidate_json(result.search.generic.candidate)},
                {"version", version()}});
   return json;
 }
@@ -95,7 +95,7 @@ ordered_json to_json(const RingDesignResult& result, const RingDesignSource& sou
                         {"below_5_gain", gain_json(verdict.below_percent)},
                         {"leak_gain_mm2", gain_json(verdict.leak_mm2)}});
   for (const RatedRing& rival : result.search.rivals) {
-    ordered_json json = candidate_json(rival.candidate);
+    ordered_json json = ring_candidate_json(rival.candidate);
     json["cost"] = rival.cost;
     rivals.push_back(std::move(json));
   }
@@ -103,7 +103,7 @@ ordered_json to_json(const RingDesignResult& result, const RingDesignSource& sou
           {"version", version()},
           {"notice", kResearchNotice},
           {"design", ring_document(result, source)},
-          {"generic", candidate_json(result.search.generic.candidate)},
+          {"generic", ring_candidate_json(result.search.generic.candidate)},
           {"gain_held_out", all.below_percent.mean},
           {"gain_low", all.below_percent.low},
           {"gain_high", all.below_percent.high},
