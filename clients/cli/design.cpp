@@ -36,8 +36,7 @@ int run(DesignArguments arguments) {
     return report_option_errors("design ring", errors, {{"/ring/name", "--name"}});
   Expected<DesignInputs> inputs = read_inputs(arguments);
   if (!inputs) {
-    const std::string& file =
-        arguments.valve.empty() ? arguments.population : arguments.valve;
+    const std::string& file = arguments.valve.empty() ? arguments.population : arguments.valve;
     return report_errors(file.empty() ? "design ring" : file, inputs.errors());
   }
   std::vector<std::string> outputs = ring_files(arguments.output);
@@ -50,9 +49,9 @@ int run(DesignArguments arguments) {
   const auto design = [&] {
     const ProgressBar bar;
     arguments.options.progress = [&bar](const RingSearchProgress& progress) {
-      bar.show(progress.evaluations, progress.most_evaluations,
-               std::string("closures, ") + progress.stage + ", best " +
-                   fixed(progress.best_cost, 3));
+      bar.show(
+          progress.evaluations, progress.most_evaluations,
+          std::string("closures, ") + progress.stage + ", best " + fixed(progress.best_cost, 3));
     };
     return design_ring(std::move(inputs->members), arguments.name, arguments.options);
   };
@@ -79,17 +78,17 @@ int run(DesignArguments arguments) {
 void add_design_ring(Command parent, int& status) {
   const auto arguments = std::make_shared<DesignArguments>();
   RingDesignOptions& options = arguments->options;
-  Command command = parent.add_command(
-      "ring", "Design an annuloplasty ring for a population or for one patient");
+  Command command =
+      parent.add_command("ring", "Design an annuloplasty ring for a population or for one patient");
   command.add_option("--population", arguments->population,
                      "Directory of a population, or its file (coapt.population/1)");
   command.add_option("--valve", arguments->valve, "Design it for this valve alone");
+  command.add_option("--aetiology", arguments->aetiology,
+                     "Of the population's members take only these: ischaemic, dilated, ...");
   command
-      .add_option("--aetiology", arguments->aetiology,
-                  "Of the population's members take only these: ischaemic, dilated, ...");
-  command
-      .add_option("--evaluations", options.evaluations,
-                  "Closures and openings spent on designs; generic shapes and the verdict take more")
+      .add_option(
+          "--evaluations", options.evaluations,
+          "Closures and openings spent on designs; generic shapes and the verdict take more")
       .check(number_from(static_cast<int>(kRingEvaluations.min),
                          static_cast<int>(kRingEvaluations.max)))
       .show_default();

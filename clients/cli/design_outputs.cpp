@@ -37,8 +37,7 @@ int write_ring_files(const std::string& ring_file, double printed_size_mm,
   const std::vector<std::string> contents = {
       *stl, ring_picture_svg(beside_generic(shape, printed_size_mm)),
       ring_dimensions_csv(shape.terms), ring_page_html(result, source.population)};
-  if (const int failed =
-          write_output(ring_file, ring_document(result, source).dump(2) + "\n"))
+  if (const int failed = write_output(ring_file, ring_document(result, source).dump(2) + "\n"))
     return failed;
   const std::vector<std::string> files = ring_files(ring_file);
   for (std::size_t k = 0; k < files.size(); ++k)
@@ -68,16 +67,17 @@ void print_ring_design(std::ostream& out, const RingDesignResult& result,
       << " mm2\n  mean gradient: " << fixed(all.design.gradient_mmhg, 1) << " against "
       << fixed(all.generic.gradient_mmhg, 1) << " mmHg; above 5 mmHg "
       << fixed(all.design.stenotic_percent, 0) << " against "
-      << fixed(all.generic.stenotic_percent, 0) << " % of members\n  disease until 5 mm2: "
-      << fixed(all.design.durability_mm, 1) << " against " << fixed(all.generic.durability_mm, 1)
+      << fixed(all.generic.stenotic_percent, 0)
+      << " % of members\n  disease until 5 mm2: " << fixed(all.design.durability_mm, 1)
+      << " against " << fixed(all.generic.durability_mm, 1)
       << " mm of the posteromedial tip\n  largest pull at a suture: "
       << fixed(all.design.suture_max_n, 2) << " against " << fixed(all.generic.suture_max_n, 2)
       << " N\n";
   for (std::size_t k = 1; k < result.verdicts.size(); ++k) {
     const RingVerdict& verdict = result.verdicts[k];
     if (verdict.aetiology.empty()) continue;
-    out << "  " << verdict.aetiology << " (" << verdict.members
-        << "): gain " << with_interval(verdict.below_percent, 1) << " points\n";
+    out << "  " << verdict.aetiology << " (" << verdict.members << "): gain "
+        << with_interval(verdict.below_percent, 1) << " points\n";
   }
   out << result.search.designs << " designs tried, " << grouped(result.search.evaluations)
       << " closures and openings.\n";

@@ -182,13 +182,13 @@ void add_evaluate(Command parent, int& status) {
   const auto arguments = std::make_shared<EvaluateArguments>();
   Command command = parent.add_command("evaluate", "Score and rank plans of your own");
   command.add_option("valve", arguments->valve, kValveHelp).required();
-  command
-      .add_option(
-          "plan", arguments->plans,
-          "Repair plans: coapt.plan/1, all that plan --json prints, or the page's saved plans");
+  command.add_option(
+      "plan", arguments->plans,
+      "Repair plans: coapt.plan/1, all that plan --json prints, or the page's saved plans");
   command
       .add_option("--ring", arguments->rings,
-                  "A designed ring as a plan (coapt.ring/1), sized by its own rule, or FILE:SIZE in mm; may be given again")
+                  "A designed ring as a plan (coapt.ring/1), sized by its own rule, or FILE:SIZE "
+                  "in mm; may be given again")
       .show_argument("FILE[:SIZE]")
       .one_at_a_time();
   command.add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")

@@ -113,7 +113,8 @@ void add_plan(Command parent, int& status) {
       .one_at_a_time();
   command
       .add_option("--ring", arguments->rings,
-                  "A designed ring (coapt.ring/1), offered in all sizes beside the generic shapes; may be given again")
+                  "A designed ring (coapt.ring/1), offered in all sizes beside the generic shapes; "
+                  "may be given again")
       .show_argument("FILE")
       .one_at_a_time();
   command.add_option("--search", arguments->search,

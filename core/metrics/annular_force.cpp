@@ -49,8 +49,8 @@ std::vector<Vec3> suture_pulls_n(const Valve& valve, const std::vector<Vec3>& an
   std::vector<double> arc_mm = {0.0};  // at each vertex from the saddle peak on, then the total
   for (std::size_t k = 0; k < size; ++k) {
     const std::size_t i = (peak + k) % size, j = (i + 1) % size;
-    const Vec3 step = valve.annulus_mm.row(static_cast<Index>(j)) -
-                      valve.annulus_mm.row(static_cast<Index>(i));
+    const Vec3 step =
+        valve.annulus_mm.row(static_cast<Index>(j)) - valve.annulus_mm.row(static_cast<Index>(i));
     arc_mm.push_back(arc_mm.back() + step.norm());
   }
   std::vector<Vec3> pulls_n(static_cast<std::size_t>(count), Vec3::Zero());
@@ -69,8 +69,7 @@ std::vector<Vec3> suture_pulls_n(const Valve& valve, const std::vector<Vec3>& an
 SutureLoad suture_load(const Valve& valve, const ClosureResult& closure, int count) {
   const Vec3 normal = annular_plane(valve).normal;
   SutureLoad load;
-  for (const Vec3& pull :
-       suture_pulls_n(valve, support_forces(valve, closure).annulus_n, count)) {
+  for (const Vec3& pull : suture_pulls_n(valve, support_forces(valve, closure).annulus_n, count)) {
     load.max_n = std::max(load.max_n, pull.norm());
     load.mean_n += pull.norm() / count;
     load.out_of_plane_n = std::max(load.out_of_plane_n, std::abs(pull.dot(normal)));

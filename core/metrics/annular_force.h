@@ -13,9 +13,9 @@
 namespace coapt {
 
 struct SupportForces {
-  std::vector<Vec3> annulus_n;         ///< |A|, order of Valve::annulus: on what holds it
-  Vec3 papillary_n = Vec3::Zero();     ///< on all muscles
-  Vec3 pressure_n = Vec3::Zero();      ///< on all leaflets; annulus and muscles take it
+  std::vector<Vec3> annulus_n;      ///< |A|, order of Valve::annulus: on what holds it
+  Vec3 papillary_n = Vec3::Zero();  ///< on all muscles
+  Vec3 pressure_n = Vec3::Zero();   ///< on all leaflets; annulus and muscles take it
 };
 
 /// @pre the closure is one of this valve and converged.

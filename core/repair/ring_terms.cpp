@@ -93,7 +93,8 @@ double unsewable(const RingTerms& terms) {
 bool check_ring_terms(const RingTerms& terms, const std::string& path, ProblemList& problems) {
   bool possible = true;
   for (const RingTermRow& row : kRingTerms)
-    possible = check_range(problems, path + "/" + row.name, terms.*row.member, row.range) && possible;
+    possible =
+        check_range(problems, path + "/" + row.name, terms.*row.member, row.range) && possible;
   if (!possible || unsewable(terms) == 0.0) return possible;
   problems.add(ErrorCode::BadGeometry, path,
                "is a ring with a dent deeper than " + shown(kMostDent) +

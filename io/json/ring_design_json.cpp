@@ -25,7 +25,7 @@ ordered_json gain_json(const MeanInterval& gain) {
   return {{"mean", gain.mean}, {"low", gain.low}, {"high", gain.high}};
 }
 
-ordered_json candidate_json(const RingCandidate& candidate) {
+ordered_json ring_candidate_json(const RingCandidate& candidate) {
   ordered_json json;
   if (const auto* shape = std::get_if<DesignedShape>(&candidate.shape))
     json["ring"] = to_json(*shape);
@@ -50,7 +50,8 @@ ordered_json contrast_json(const RingContrast& contrast) {
 
 ordered_json claims_json(const RingClaims& claims) {
   ordered_json contrasts = ordered_json::array(), sizes = ordered_json::array();
-  for (const RingContrast& contrast : claims.contrasts) contrasts.push_back(contrast_json(contrast));
+  for (const RingContrast& contrast : claims.contrasts)
+    contrasts.push_back(contrast_json(contrast));
   for (const RingSizeFigures& size : claims.sizes) sizes.push_back(figures_json(size.figures));
   return {{"contrasts", std::move(contrasts)},
           {"sizes", std::move(sizes)},
@@ -63,17 +64,17 @@ ordered_json provenance_json(const RingDesignResult& result, const RingDesignSou
   const RingVerdict& all = result.verdicts.front();
   ordered_json json = {{"population", source.population}};
   if (!source.aetiology.empty()) json["aetiology"] = source.aetiology;
-  json.update(
-      {{"objective",
-        "share of closures that leak 5 mm2 or more over members and disturbances, with stenosis, undersizing, mean leak, pull at "
-        "sutures and durability"},
-       {"evaluations", source.evaluations},
-       {"seed", source.seed},
-       {"gain_held_out", all.below_percent.mean},
-       {"gain_low", all.below_percent.low},
-       {"gain_high", all.below_percent.high},
-       {"against", candidate_json(result.search.generic.candidate)},
-       {"version", version()}});
+  json.update({{"objective",
+                "share of closures that leak 5 mm2 or more over members and disturbances, with "
+                "stenosis, undersizing, mean leak, pull at "
+                "sutures and durability"},
+               {"evaluations", source.evaluations},
+               {"seed", source.seed},
+               {"gain_held_out", all.below_percent.mean},
+               {"gain_low", all.below_percent.low},
+               {"gain_high", all.below_percent.high},
+               {"against", ring_candidate_json(result.search.generic.candidate)},
+               {"version", version()}});
   return json;
 }
 
@@ -94,7 +95,7 @@ ordered_json to_json(const RingDesignResult& result, const RingDesignSource& sou
                         {"below_5_gain", gain_json(verdict.below_percent)},
                         {"leak_gain_mm2", gain_json(verdict.leak_mm2)}});
   for (const RatedRing& rival : result.search.rivals) {
-    ordered_json json = candidate_json(rival.candidate);
+    ordered_json json = ring_candidate_json(rival.candidate);
     json["cost"] = rival.cost;
     rivals.push_back(std::move(json));
   }
@@ -102,7 +103,7 @@ ordered_json to_json(const RingDesignResult& result, const RingDesignSource& sou
           {"version", version()},
           {"notice", kResearchNotice},
           {"design", ring_document(result, source)},
-          {"generic", candidate_json(result.search.generic.candidate)},
+          {"generic", ring_candidate_json(result.search.generic.candidate)},
           {"gain_held_out", all.below_percent.mean},
           {"gain_low", all.below_percent.low},
           {"gain_high", all.below_percent.high},

@@ -6,8 +6,7 @@ namespace {
 using nlohmann::ordered_json;
 
 void read_provenance(const JsonPlace& place) {
-  if (!place.value.is_object())
-    add_problem(place, ErrorCode::WrongType, "must be an object");
+  if (!place.value.is_object()) add_problem(place, ErrorCode::WrongType, "must be an object");
 }
 
 }  // namespace
@@ -22,10 +21,9 @@ DesignedShape read_designed_shape(const JsonPlace& place) {
   DesignedShape shape;
   std::vector<JsonField> fields = {{"name", into(shape.name, read_string)}};
   for (const RingTermRow& row : kRingTerms)
-    fields.push_back(
-        {row.name, into(shape.terms.*row.member, [&row](const JsonPlace& term) {
-           return read_number_in(term, row.range);
-         })});
+    fields.push_back({row.name, into(shape.terms.*row.member, [&row](const JsonPlace& term) {
+                        return read_number_in(term, row.range);
+                      })});
   read_fields(place, fields);
   return shape;
 }

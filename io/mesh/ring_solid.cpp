@@ -59,7 +59,8 @@ TriangleMesh ring_solid(const Points& contour_mm, const RingSection& section) {
 double enclosed_mm3(const TriangleMesh& mesh) {
   double six_times = 0.0;
   for (Index f = 0; f < mesh.faces.rows(); ++f) {
-    const Vec3 a = mesh.vertices_mm.row(mesh.faces(f, 0)), b = mesh.vertices_mm.row(mesh.faces(f, 1));
+    const Vec3 a = mesh.vertices_mm.row(mesh.faces(f, 0)),
+               b = mesh.vertices_mm.row(mesh.faces(f, 1));
     const Vec3 c = mesh.vertices_mm.row(mesh.faces(f, 2));
     six_times += a.dot(b.cross(c));
   }

@@ -11,33 +11,33 @@
 namespace coapt {
 namespace {
 
-using Table = std::vector<std::vector<std::string>>;
+using RingTable = std::vector<std::vector<std::string>>;
 
 constexpr double kDrawnSize_mm = 30.0;
 
-std::string interval(const MeanInterval& gain, int decimals) {
+std::string gain_words(const MeanInterval& gain, int decimals) {
   return fixed(gain.mean, decimals) + " (" + fixed(gain.low, decimals) + " to " +
          fixed(gain.high, decimals) + ")";
 }
 
-std::string words_of(const RingCandidate& candidate) {
+std::string candidate_words(const RingCandidate& candidate) {
   const std::string share = fixed(candidate.width_over_transverse, 2) + " of the annulus's width";
   const auto* name = std::get_if<std::string>(&candidate.shape);
   return (name != nullptr ? *name : std::get<DesignedShape>(candidate.shape).name) + ", " + share;
 }
 
-Table verdict_table(const RingDesignResult& result) {
-  Table table = {{"Members", "n", "below 5 mm², design %", "generic %", "gain, points (95 %)",
-                  "leak, design mm²", "generic mm²", "gain, mm² (95 %)"}};
+RingTable verdict_table(const RingDesignResult& result) {
+  RingTable table = {{"Members", "n", "below 5 mm², design %", "generic %", "gain, points (95 %)",
+                      "leak, design mm²", "generic mm²", "gain, mm² (95 %)"}};
   for (const RingVerdict& v : result.verdicts)
     table.push_back({v.aetiology.empty() ? "all held out" : v.aetiology, std::to_string(v.members),
                      fixed(v.design.below_percent, 1), fixed(v.generic.below_percent, 1),
-                     interval(v.below_percent, 1), fixed(v.design.leak_mm2, 1),
-                     fixed(v.generic.leak_mm2, 1), interval(v.leak_mm2, 1)});
+                     gain_words(v.below_percent, 1), fixed(v.design.leak_mm2, 1),
+                     fixed(v.generic.leak_mm2, 1), gain_words(v.leak_mm2, 1)});
   return table;
 }
 
-Table burden_table(const RingDesignResult& result) {
+RingTable burden_table(const RingDesignResult& result) {
   const RingVerdict& all = result.verdicts.front();
   const auto row = [](const char* name, const RingFigures& f) {
     return std::vector<std::string>{name,
@@ -55,8 +55,8 @@ Table burden_table(const RingDesignResult& result) {
           row("generic", all.generic)};
 }
 
-Table terms_table(const RingDesign& design) {
-  Table table = {{"Term", "share of the width", "at 30 mm, mm", "accepted"}};
+RingTable terms_table(const RingDesign& design) {
+  RingTable table = {{"Term", "share of the width", "at 30 mm, mm", "accepted"}};
   for (const RingTermRow& row : kRingTerms) {
     const double share = design.shape.terms.*row.member;
     table.push_back({row.name, fixed(share, 3), fixed(kDrawnSize_mm * share, 1), shown(row.range)});
@@ -66,9 +66,9 @@ Table terms_table(const RingDesign& design) {
   return table;
 }
 
-Table dimensions_table(const RingTerms& terms) {
-  Table table = {{"size, mm", "depth, mm", "circumference, mm", "area, mm²", "height, mm",
-                  "saddle, mm", "P3 drawn in, mm"}};
+RingTable dimensions_table(const RingTerms& terms) {
+  RingTable table = {{"size, mm", "depth, mm", "circumference, mm", "area, mm²", "height, mm",
+                      "saddle, mm", "P3 drawn in, mm"}};
   for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
     const RingDimensions d = dimensions_of(terms, size);
     table.push_back({fixed(size, 0), fixed(d.depth_mm, 1), fixed(d.circumference_mm, 1),
@@ -82,19 +82,19 @@ std::string asked_of(const std::string& aetiology, int members) {
   return counted(members, "held-out member") + (aetiology.empty() ? "" : ", " + aetiology);
 }
 
-Table contrast_table(const RingClaims& claims) {
-  Table table = {{"Question", "asked of", "below 5 mm², points", "leak, mm²",
-                  "largest pull at a suture, N", "out of plane, N"}};
+RingTable contrast_table(const RingClaims& claims) {
+  RingTable table = {{"Question", "asked of", "below 5 mm², points", "leak, mm²",
+                      "largest pull at a suture, N", "out of plane, N"}};
   for (const RingContrast& c : claims.contrasts)
     table.push_back({c.second + " less " + c.first, asked_of(c.aetiology, c.members),
-                     interval(c.below_percent, 1), interval(c.leak_mm2, 2),
-                     interval(c.suture_max_n, 3), interval(c.suture_normal_n, 3)});
+                     gain_words(c.below_percent, 1), gain_words(c.leak_mm2, 2),
+                     gain_words(c.suture_max_n, 3), gain_words(c.suture_normal_n, 3)});
   return table;
 }
 
-Table size_table(const RingClaims& claims) {
-  Table table = {{"generic-classic, mm", "below 5 mm², %", "leak, mm²", "tenting, mm",
-                  "gradient, mmHg"}};
+RingTable size_table(const RingClaims& claims) {
+  RingTable table = {
+      {"generic-classic, mm", "below 5 mm², %", "leak, mm²", "tenting, mm", "gradient, mmHg"}};
   for (const RingSizeFigures& size : claims.sizes)
     table.push_back({fixed(size.size_mm, 0), fixed(size.figures.below_percent, 0),
                      fixed(size.figures.leak_mm2, 1), fixed(size.figures.tenting_mm, 1),
@@ -120,8 +120,7 @@ RingDimensions dimensions_of(const RingTerms& terms, double size_mm) {
 }
 
 std::string ring_dimensions_csv(const RingTerms& terms) {
-  std::string csv =
-      "size_mm,depth_mm,circumference_mm,area_mm2,height_mm,saddle_mm,p3_inset_mm\n";
+  std::string csv = "size_mm,depth_mm,circumference_mm,area_mm2,height_mm,saddle_mm,p3_inset_mm\n";
   for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
     const RingDimensions d = dimensions_of(terms, size);
     csv += fixed(size, 0) + ',' + fixed(d.depth_mm, 2) + ',' + fixed(d.circumference_mm, 2) + ',' +
@@ -134,12 +133,13 @@ std::string ring_dimensions_csv(const RingTerms& terms) {
 std::string ring_page_html(const RingDesignResult& result, const std::string& made_for) {
   const RingDesign& design = result.search.design;
   const RingVerdict& all = result.verdicts.front();
-  const std::string lead =
-      "Made for " + made_for + ": " + counted(result.searched_members, "member") +
-      " searched on, " + counted(result.held_out_members, "member") +
-      " held out. Against the best generic shape (" + words_of(result.search.generic.candidate) +
-      ") it gains " + interval(all.below_percent, 1) +
-      " points of the share of closures that leak less than 5 mm².";
+  const std::string lead = "Made for " + made_for + ": " +
+                           counted(result.searched_members, "member") + " searched on, " +
+                           counted(result.held_out_members, "member") +
+                           " held out. Against the best generic shape (" +
+                           candidate_words(result.search.generic.candidate) + ") it gains " +
+                           gain_words(all.below_percent, 1) +
+                           " points of the share of closures that leak less than 5 mm².";
   const RingClaims& claims = result.claims;
   const std::vector<PageSection> sections = {
       {"Shape",
@@ -154,7 +154,8 @@ std::string ring_page_html(const RingDesignResult& result, const std::string& ma
       {"Saddle and asymmetry",
        "Rings of the same size in the same valves. Saddle-shaped rings are generally preferred to "
        "flat ones, for less stress and better coaptation (Jedrzejczyk 2021, Front Cardiovasc Med "
-       "8:799994). A saddle-shaped and an asymmetric ring were compared in a sheep's ventricle with "
+       "8:799994). A saddle-shaped and an asymmetric ring were compared in a sheep's ventricle "
+       "with "
        "ischaemic regurgitation by Wong 2012 (PMC3432639).",
        "", contrast_table(claims)},
       {"Sizes",

@@ -63,8 +63,7 @@ Expected<std::optional<RingDesignResult>> design_ring_by(const RingTrial& trial,
       .verdicts = verdicts_of(judged, outcomes({design.shape, design.width_over_transverse}),
                               outcomes(found->generic.candidate)),
       .claims = ask_claims(trial, judged, options.threads)};
-  if (options.cancelled != nullptr && *options.cancelled)
-    return std::optional<RingDesignResult>();
+  if (options.cancelled != nullptr && *options.cancelled) return std::optional<RingDesignResult>();
   return std::optional<RingDesignResult>(std::move(result));
 }
 
@@ -75,8 +74,7 @@ Expected<std::optional<RingDesignResult>> design_ring(std::vector<RingMember> me
   const auto given = members.size();
   members = prepare_members(std::move(members), closure, options.threads);
   auto result = design_ring_by(closing_trial(closure), members, name, options);
-  if (result && *result)
-    (*result)->untrusted_members = static_cast<int>(given - members.size());
+  if (result && *result) (*result)->untrusted_members = static_cast<int>(given - members.size());
   return result;
 }
 

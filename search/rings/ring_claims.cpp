@@ -12,9 +12,11 @@ namespace coapt {
 namespace {
 
 constexpr const char* kIschaemic = "ischaemic";
-constexpr double kWidthShare = 0.85;  // a usual undersizing: two to three sizes of an annulus of 36 to 40 mm
+constexpr double kWidthShare =
+    0.85;  // a usual undersizing: two to three sizes of an annulus of 36 to 40 mm
 /// A saddle as high as of a normal annulus (0.15 of its width), P3 drawn in by 1.5 mm and lowered by as much at 30 mm.
-constexpr RingTerms kFlat{.ap_over_transverse = 0.75}, kSaddle{.ap_over_transverse = 0.75, .saddle = 0.15};
+constexpr RingTerms kFlat{.ap_over_transverse = 0.75},
+    kSaddle{.ap_over_transverse = 0.75, .saddle = 0.15};
 constexpr RingTerms kAsymmetric{
     .ap_over_transverse = 0.75, .p3_inset = 0.05, .saddle = 0.0, .p3_elevation = -0.05};
 
@@ -29,8 +31,7 @@ std::vector<double> differences(const std::vector<RingOutcome>& first,
 }
 
 RingContrast contrast(const RingTrial& trial, const std::vector<RingMember>& members,
-                      const DesignedShape& first, const DesignedShape& second,
-                      int threads) {
+                      const DesignedShape& first, const DesignedShape& second, int threads) {
   const auto outcomes = [&](const DesignedShape& shape) {
     return try_ring(trial, members, {shape, kWidthShare}, {}, threads);
   };
@@ -68,8 +69,7 @@ std::vector<RingSizeFigures> try_sizes(const RingTrial& trial,
 
 }  // namespace
 
-RingClaims ask_claims(const RingTrial& trial, const std::vector<RingMember>& members,
-                      int threads) {
+RingClaims ask_claims(const RingTrial& trial, const std::vector<RingMember>& members, int threads) {
   std::vector<RingMember> ischaemic;
   for (const RingMember& member : members)
     if (member.aetiology == kIschaemic) ischaemic.push_back(member);

@@ -16,8 +16,8 @@ struct RingContrast {
   std::string aetiology;  ///< of the members asked; empty: all
   int members = 0;
   RingFigures of_first, of_second;
-  MeanInterval below_percent;    ///< points
-  MeanInterval leak_mm2;         ///< second less first: negative is better
+  MeanInterval below_percent;                  ///< points
+  MeanInterval leak_mm2;                       ///< second less first: negative is better
   MeanInterval suture_max_n, suture_normal_n;  ///< likewise
 };
 
@@ -32,11 +32,10 @@ struct RingClaims {
   std::vector<RingSizeFigures> sizes;   ///< "generic-classic", 24 to 40 mm
   std::string sizes_aetiology;          ///< of the members of `sizes`; empty: all
   int sizes_members = 0;
-  double tenting_before_mm = 0.0;       ///< mean over them, without a ring
+  double tenting_before_mm = 0.0;  ///< mean over them, without a ring
 };
 
 /// @param members prepared. Of a population with ischaemic members the last two questions are asked of those alone.
-RingClaims ask_claims(const RingTrial& trial, const std::vector<RingMember>& members,
-                      int threads);
+RingClaims ask_claims(const RingTrial& trial, const std::vector<RingMember>& members, int threads);
 
 }  // namespace coapt

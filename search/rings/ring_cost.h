@@ -11,11 +11,12 @@ namespace coapt {
 /// All assumed: a valve that it leaves narrow, or an annulus made smaller than practice accepts, counts as one that leaks; the rest only
 /// decides among rings that are equal in that.
 struct RingWeights {
-  double narrow = 1.0;            ///< share of members with a mean gradient above kStenosis_mmhg
-  double undersized = 1.0;        ///< share of members with more than kMostSizesBelow sizes taken
-  double leak_per_mm2 = 0.005;    ///< of the mean leak, each counted up to kMostLeak_mm2
-  double suture_per_n = 0.02;     ///< of the mean over members of the largest pull at a suture
-  double durability_per_mm = 0.01;  ///< of what a member does not last of kFurthestCourse_mm, where it was asked
+  double narrow = 1.0;          ///< share of members with a mean gradient above kStenosis_mmhg
+  double undersized = 1.0;      ///< share of members with more than kMostSizesBelow sizes taken
+  double leak_per_mm2 = 0.005;  ///< of the mean leak, each counted up to kMostLeak_mm2
+  double suture_per_n = 0.02;   ///< of the mean over members of the largest pull at a suture
+  double durability_per_mm =
+      0.01;  ///< of what a member does not last of kFurthestCourse_mm, where it was asked
 };
 
 /// Of the leak in RingWeights::leak_per_mm2; a closure that cannot be trusted counts as so much.

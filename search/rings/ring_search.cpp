@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t kTerms = kRingTerms.size();
 constexpr double kRacingShare = 0.4, kDescentShare = 0.4, kFinalShare = 0.2;
 constexpr int kFirstMembers = 8, kRacingNodes = 3, kStarts = 2, kFewestDesigns = 8;
-constexpr int kDescentMembers = 16, kDescentCalls = 40;  // of one descent: fewer calls before fewer members
+constexpr int kDescentMembers = 16,
+              kDescentCalls = 40;  // of one descent: fewer calls before fewer members
 constexpr int kFewestCalls = 2 * static_cast<int>(kTerms + 1) + 1;  // BOBYQA's first model
 constexpr double kFirstStep = 0.12, kDescentTolerance = 0.05;
 constexpr int kFewestFinalists = 2, kMostFinalists = 8;
@@ -84,8 +85,7 @@ class RingSearch {
     racing_.opening = descent_.opening = full_.opening = full_.durability = true;
     descent_.disturbances = full_.disturbances = options.disturbances;
     racing_.disturbances = options.disturbances;
-    racing_.disturbances.resize(
-        std::min<std::size_t>(racing_.disturbances.size(), kRacingNodes));
+    racing_.disturbances.resize(std::min<std::size_t>(racing_.disturbances.size(), kRacingNodes));
   }
 
   std::optional<RingSearchResult> run(const std::string& name) {
@@ -109,8 +109,7 @@ class RingSearch {
     result.design = {std::get<DesignedShape>(best->candidate.shape),
                      best->candidate.width_over_transverse};
     result.cost = best->cost;
-    result.generic =
-        *std::find_if_not(result.rivals.begin(), result.rivals.end(), is_designed);
+    result.generic = *std::find_if_not(result.rivals.begin(), result.rivals.end(), is_designed);
     return result;
   }
 
@@ -132,8 +131,7 @@ class RingSearch {
     if (cancelled()) return 0.0;
     if (const double missing = unsewable(design.shape.terms); missing > 0.0)
       return kUnsewableCost + kUnsewableSlope * missing;
-    const double found =
-        cost({design.shape, design.width_over_transverse}, count, question);
+    const double found = cost({design.shape, design.width_over_transverse}, count, question);
     evaluations_ += count * price_of(question);
     ++designs_;
     tell(stage, found);
@@ -144,8 +142,7 @@ class RingSearch {
     if (stage_ != stage) best_ = INFINITY;
     stage_ = stage;
     best_ = std::min(best_, found);
-    if (options_.progress)
-      options_.progress({stage, evaluations_, options_.evaluations, best_});
+    if (options_.progress) options_.progress({stage, evaluations_, options_.evaluations, best_});
   }
 
   /// Members asked on each rung: twice as many each time, up to all.
@@ -189,8 +186,7 @@ class RingSearch {
     const int few = std::min(kDescentMembers, all());
     const int starts = all_descents < kStarts * kDescentCalls * few * price ? 1 : kStarts;
     const double budget = all_descents / starts;  // of one descent
-    const int members =
-        std::clamp(static_cast<int>(budget / (kDescentCalls * price)), few, all());
+    const int members = std::clamp(static_cast<int>(budget / (kDescentCalls * price)), few, all());
     const int calls = static_cast<int>(budget / (members * price));
     std::vector<RatedPoint> known;
     if (calls < kFewestCalls) return known;

@@ -42,10 +42,11 @@ struct RatedRing {
 struct RingSearchResult {
   RingDesign design;
   double cost = 0.0;
-  RatedRing generic;            ///< the best of the catalogue
-  std::vector<RatedRing> rivals;  ///< all that were asked everything, designs and generic, best first
-  int designs = 0;              ///< tried
-  int evaluations = 0;          ///< closures and openings spent on designs
+  RatedRing generic;  ///< the best of the catalogue
+  std::vector<RatedRing>
+      rivals;           ///< all that were asked everything, designs and generic, best first
+  int designs = 0;      ///< tried
+  int evaluations = 0;  ///< closures and openings spent on designs
 };
 
 /// None if it was cancelled. @param name of the design. @pre at least one member; disturbances not empty.

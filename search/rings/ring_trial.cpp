@@ -57,7 +57,8 @@ Annuloplasty sized_ring(const RingCandidate& candidate, const Valve& valve) {
     return sized_ring(RingDesign{*shape, share}, valve);
   const auto& name = std::get<std::string>(candidate.shape);
   const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
-  return {CatalogueRing{name, ring_size_mm(share / find_ring(name)->transverse_factor, transverse)}};
+  return {
+      CatalogueRing{name, ring_size_mm(share / find_ring(name)->transverse_factor, transverse)}};
 }
 
 int price_of(const RingQuestion& question) {

@@ -44,12 +44,13 @@ struct RingOutcome {
   double size_mm = 0.0;      ///< labelled
   double sizes_below = 0.0;  ///< of the annulus's width or, as Effort::sizes_below, its area
   std::vector<double> leaks_mm2;  ///< by disturbance; NaN where the closure cannot be trusted
-  double tenting_mm = std::numeric_limits<double>::quiet_NaN();       ///< as planned
-  double suture_max_n = std::numeric_limits<double>::quiet_NaN();     ///< SutureLoad, as planned
+  double tenting_mm = std::numeric_limits<double>::quiet_NaN();    ///< as planned
+  double suture_max_n = std::numeric_limits<double>::quiet_NaN();  ///< SutureLoad, as planned
   double suture_mean_n = std::numeric_limits<double>::quiet_NaN();
-  double suture_normal_n = std::numeric_limits<double>::quiet_NaN();  ///< SutureLoad::out_of_plane_n
-  double gradient_mmhg = std::numeric_limits<double>::quiet_NaN();    ///< if asked and trusted
-  double durability_mm = std::numeric_limits<double>::quiet_NaN();    ///< if asked
+  double suture_normal_n =
+      std::numeric_limits<double>::quiet_NaN();                     ///< SutureLoad::out_of_plane_n
+  double gradient_mmhg = std::numeric_limits<double>::quiet_NaN();  ///< if asked and trusted
+  double durability_mm = std::numeric_limits<double>::quiet_NaN();  ///< if asked
 };
 
 /// Closures and openings of one answer, at most.

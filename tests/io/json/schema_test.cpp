@@ -411,7 +411,8 @@ TEST(SearchSchema, SaysOfEachOptionWhatTheTableSays) {
   expect_rows(search_rule_rows(), rules);
   expect_rows(cost_weight_rows(), weights);
   EXPECT_EQ(root["properties"].size(), search_option_rows().size() + 2) << "rules and weights";
-  EXPECT_EQ(rules.size(), search_rule_rows().size() + 3) << "fixed steps, forbidden words and shapes";
+  EXPECT_EQ(rules.size(), search_rule_rows().size() + 3)
+      << "fixed steps, forbidden words and shapes";
   EXPECT_EQ(weights.size(), cost_weight_rows().size());
 }
 

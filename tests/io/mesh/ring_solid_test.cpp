@@ -44,7 +44,8 @@ TEST(RingSolid, OfACircleHasTheVolumeOfPappus) {
   const double area = 0.5 * twice;
   // By hand: the disc of 1.2 mm, less the cap behind the band, and the band.
   const double half_angle = std::asin(0.4 / 1.2);
-  const double cap_to_band = 1.44 * (std::numbers::pi - half_angle) + 0.4 * 1.2 * std::cos(half_angle);
+  const double cap_to_band =
+      1.44 * (std::numbers::pi - half_angle) + 0.4 * 1.2 * std::cos(half_angle);
   const double band = 0.8 * (2.8 - 1.2 * std::cos(half_angle));
   EXPECT_NEAR(area, cap_to_band + band, 0.02 * area);
   const double volume = 2.0 * std::numbers::pi * (15.0 * area + moment);

@@ -63,6 +63,11 @@ TEST(PlanKey, TellsEveryFieldApart) {
   EXPECT_NE(key(LeafletResection{.shape = ResectionShape::Quadrangular, .sliding = false}),
             key(strip));
   EXPECT_NE(key(Annuloplasty{OwnRing{2}}), key(Annuloplasty{OwnRing{3}}));
+  const DesignedRing mine{{"mine", {}}, 30.0};
+  DesignedRing other = mine;
+  other.shape.terms.saddle = 0.1;
+  EXPECT_NE(key(Annuloplasty{mine}), key(Annuloplasty{other}));
+  EXPECT_NE(key(Annuloplasty{mine}), key(Annuloplasty{CatalogueRing{"mine", 30.0}}));
 }
 
 TEST(PlanKey, APlaceThatDoesNotCountIsNotInIt) {

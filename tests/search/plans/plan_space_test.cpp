@@ -96,6 +96,17 @@ TEST(PlanSpace, ARingOfWhichNoSizeSuitsTheAnnulusIsCut) {
     EXPECT_TRUE(is_cut(space_of(narrow), "ring " + std::string(shape.name), "23.0 mm"));
 }
 
+TEST(PlanSpace, DesignedShapesAreOfferedBesideTheCatalogue) {
+  SearchRules rules;
+  rules.shapes = {{"mine", {.p3_inset = 0.05}}};
+  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), kRings);
+  rules.forbidden = {"annuloplasty:mine"};
+  EXPECT_EQ(space_of(near_tips(), rules).branches().size(), kRings - 1u);
+  rules.shapes.push_back(rules.shapes[0]);
+  ASSERT_EQ(check_rules(near_tips(), rules).size(), 1u);
+  EXPECT_EQ(check_rules(near_tips(), rules)[0].path, "/shapes/1/name");
+}
+
 TEST(PlanSpace, RupturedChordaeBringUpToFourNeochordae) {
   EXPECT_EQ(space_of(with_rupture()).branches().size(), kRings * 5u - 1u);
   EXPECT_TRUE(is_cut(space_of(small_valve()), "neochordae", "no marginal chorda is ruptured"));

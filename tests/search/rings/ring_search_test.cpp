@@ -17,8 +17,8 @@ constexpr RingTerms kBest{.ap_over_transverse = 0.65, .p3_inset = 0.04, .saddle 
 std::vector<RingMember> members(int count) {
   std::vector<RingMember> list;
   for (int i = 0; i < count; ++i)
-    list.push_back({"member-" + std::to_string(i), i % 3 == 0 ? "ischaemic" : "dilated",
-                    small_valve()});
+    list.push_back(
+        {"member-" + std::to_string(i), i % 3 == 0 ? "ischaemic" : "dilated", small_valve()});
   return list;
 }
 
