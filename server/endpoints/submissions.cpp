@@ -65,7 +65,7 @@ Errors check(const Valve& valve, const SearchOptions& options, const ServiceLimi
 
 }  // namespace
 
-Answer submit(const Submitting& to, const Request& request, const Work& work) {
+Answer submit(const Submitting& to, const Request& request, const SubmittedWork& work) {
   const std::string key = header(request, "idempotency-key");
   if (!is_key(key))
     return problem(422, ErrorCode::OutOfRange,

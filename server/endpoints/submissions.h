@@ -13,7 +13,7 @@ struct Submitting {
   JobBoard& jobs;
 };
 
-struct Work {
+struct SubmittedWork {
   std::string kind;  ///< of job
   const Valve& valve;
   nlohmann::ordered_json asked;  ///< by which an idempotency key knows its request
@@ -21,7 +21,7 @@ struct Work {
 };
 
 /// 202 and the job, or 200 if it ends within Prefer: wait; or why it is not taken.
-Answer submit(const Submitting& to, const Request& request, const Work& work);
+Answer submit(const Submitting& to, const Request& request, const SubmittedWork& work);
 
 /// POST /v1/plans {"valve", "search" (optional)}
 struct PostPlans {
