@@ -1,8 +1,8 @@
 #include "farm/program/status_text.h"
 
-#include <algorithm>
-#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "io/picture/text.h"
 
