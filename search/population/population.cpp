@@ -39,18 +39,6 @@ void check_distribution(ProblemList& problems, const std::string& path,
     problems.add(ErrorCode::OutOfRange, path + "/mean", "must be from min to max");
 }
 
-AnatomyValues draw_anatomy(const PopulationPrior& prior, const Eigen::MatrixXd& factor_of_r,
-                           std::mt19937_64& engine) {
-  Eigen::VectorXd independent(kAnatomyFactors);
-  for (double& value : independent) value = normal_share(engine);
-  const Eigen::VectorXd correlated = factor_of_r * independent;
-  AnatomyValues values = usual_anatomy();
-  for (const PriorFactor& factor : prior.anatomy)
-    values[static_cast<std::size_t>(factor.factor)] =
-        truncated_normal(factor.distribution, correlated[factor.factor]);
-  return values;
-}
-
 LesionValues draw_lesions(const AetiologyPrior& aetiology, std::mt19937_64& engine) {
   LesionValues values = no_lesions();
   for (const PriorFactor& lesion : aetiology.lesions)
@@ -157,15 +145,26 @@ Errors check_prior(const PopulationPrior& prior) {
   return std::move(problems).take();
 }
 
+AnatomyValues draw_anatomy(const PopulationPrior& prior, std::mt19937_64& engine) {
+  const Eigen::MatrixXd factor_of_r = correlation_matrix(prior).llt().matrixL();
+  Eigen::VectorXd independent(kAnatomyFactors);
+  for (double& value : independent) value = normal_share(engine);
+  const Eigen::VectorXd correlated = factor_of_r * independent;
+  AnatomyValues values = usual_anatomy();
+  for (const PriorFactor& factor : prior.anatomy)
+    values[static_cast<std::size_t>(factor.factor)] =
+        truncated_normal(factor.distribution, correlated[factor.factor]);
+  return values;
+}
+
 Expected<PopulationMember> member(const PopulationPrior& prior, std::uint64_t seed, int index) {
   std::mt19937_64 engine(mixed(mixed(seed) + static_cast<std::uint64_t>(index)));
   const AetiologyPrior& aetiology = draw_aetiology(prior, random_share(engine));
-  const Eigen::MatrixXd factor_of_r = correlation_matrix(prior).llt().matrixL();
   PopulationMember drawn;
   drawn.index = index;
   drawn.aetiology = aetiology.aetiology;
   while (drawn.draws.anatomies < kMostAnatomyDraws) {
-    drawn.anatomy = draw_anatomy(prior, factor_of_r, engine);
+    drawn.anatomy = draw_anatomy(prior, engine);
     if (!count_anatomy(judge(make_healthy_valve(drawn), drawn.leak_healthy_mm2), drawn.draws))
       continue;
     for (int attempt = 0; attempt < kMostLesionDraws; ++attempt) {

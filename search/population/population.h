@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -105,6 +106,9 @@ Errors check_prior(const PopulationPrior& prior);
 
 /// The correlations as a matrix over all anatomy factors.
 Eigen::MatrixXd correlation_matrix(const PopulationPrior& prior);
+
+/// An anatomy of the prior, competent or not.
+AnatomyValues draw_anatomy(const PopulationPrior& prior, std::mt19937_64& engine);
 
 /// One member, on the calling thread; the same for every number of threads that make others. Error: nothing leaks or nothing
 /// closes after kMostAnatomyDraws. @pre check_prior() is empty.

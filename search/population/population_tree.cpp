@@ -217,7 +217,7 @@ Expected<SearchedMember> search_member(const PopulationMember& member,
   search.region_points = std::max(17, options.nodes);
   search.evidence = search.openings = false;
   search.fine_levels = search.model_draws = 0;
-  search.rules.leaflet_resection = search.rules.edge_to_edge = true;
+  search.rules.edge_to_edge = true;
   search.closure = options.closure;
   SearchContext context;
   context.cancelled = options.cancelled;

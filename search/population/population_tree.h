@@ -61,7 +61,8 @@ struct SearchedMember {
 
 /// Indices of members that the tree is judged on, evenly spread, `count` at most.
 std::vector<int> members_to_search(const std::vector<PopulationRecord>& records, int count);
-/// Searches with all techniques allowed, `evaluations` closures; then the plan is closed as the candidates were.
+/// Searches with edge-to-edge repair allowed, but no resection (making its plan space takes a minute a valve), `evaluations` closures; then the
+/// plan is closed as the candidates were.
 /// Error: the member's valve cannot be made, or leaves nothing to search.
 Expected<SearchedMember> search_member(const PopulationMember& member,
                                        const PopulationRecord& record, const DecisionTree& tree,
