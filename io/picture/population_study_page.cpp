@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "core/valve/number_text.h"
 #include "io/picture/heat_map.h"
@@ -238,6 +239,8 @@ std::string population_study_page(const PopulationStudy& study, const std::strin
   }
   if (!study.searched.empty())
     sections.push_back({"Against the full search", "", "", searched_table(study)});
+  StudyTable decided = decided_table(study);
+  if (decided.size() == 1) decided = {{"too few valves to tell"}};
   sections.push_back(
       {"What decides",
        "Sobol's total shares over the prior's factors, each as its share in its distribution. The "
@@ -245,7 +248,7 @@ std::string population_study_page(const PopulationStudy& study, const std::strin
        "then leak: the shares are those of a polynomial that is fitted as if they were "
        "independent. Q2: share of the variance predicted for valves left out; below 0.5 (low) the "
        "shares say little.",
-       "", decided_table(study)});
+       "", std::move(decided)});
   for (const GroupFindings& group : study.groups)
     if (group.aetiology)
       sections.push_back({"All repairs: " + title_of(group), "", "", candidates_table(group)});
