@@ -1,4 +1,4 @@
-"""What the service answers, as small typed objects. Each keeps the whole document in json.
+"""What is answered, as small typed objects. Each keeps the whole document in json.
 
 A unit is the last part of a name (mm, mm2, n: newtons, deg); None: not known, because too little was closed or a closure flew
 apart. Areas are anatomic, from geometry: not an effective regurgitant orifice area.
@@ -6,7 +6,7 @@ apart. Areas are anatomic, from geometry: not an effective regurgitant orifice a
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -97,9 +97,11 @@ class Closure:
     measure: Measure
     warnings: tuple[str, ...]
     json: Document = field(repr=False, compare=False)
+    _leaflets: Callable[[], Mesh] | None = field(default=None, repr=False, compare=False)
 
     @classmethod
-    def from_json(cls, json: Document) -> Closure:
+    def from_json(cls, json: Document, leaflets: Callable[[], Mesh] | None = None) -> Closure:
+        """:param leaflets: makes the closed mesh when it is asked for"""
         return cls(
             json["valve"],
             json["status"],
@@ -110,7 +112,20 @@ class Closure:
             Measure.from_json(json),
             tuple(json["warnings"]),
             json,
+            leaflets,
         )
+
+    def leaflets(self) -> Mesh:
+        """The closed, repaired leaflets, vertices in the order of the valve's. Of the engine in this process its own numbers,
+        read-only, not copied; of a service asked for now, to the digits of its PLY file."""
+        if self._leaflets is None:
+            raise CoaptError("only closures of close(), close_many() and map() have leaflets")
+        return self._leaflets()
+
+    @property
+    def closed_mm(self) -> Any:
+        """V x 3, float64: leaflets().vertices_mm."""
+        return self.leaflets().vertices_mm
 
     @property
     def trusted(self) -> bool:
