@@ -24,9 +24,9 @@ Matrix rows_of(const py::array& array, const std::string& path, const char* type
                      "is an array of " + py::str(array.dtype()).cast<std::string>() +
                          ", must be of " + type}});
   if (array.ndim() != 2 || array.shape(1) != 3)
-    throw Problems({{ErrorCode::WrongType, path,
-                     "has shape " + py::str(array.attr("shape")).cast<std::string>() +
-                         ", must have (n, 3)"}});
+    throw Problems(
+        {{ErrorCode::WrongType, path,
+          "has shape " + py::str(array.attr("shape")).cast<std::string>() + ", must have (n, 3)"}});
   const auto numbers = array.cast<py::array_t<Number>>().template unchecked<2>();
   Matrix rows(array.shape(0), 3);
   for (Index i = 0; i < rows.rows(); ++i)

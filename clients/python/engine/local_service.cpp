@@ -15,7 +15,7 @@ namespace coapt {
 namespace {
 
 constexpr std::chrono::hours kPatience(24 * 365);
-constexpr double kYear_s = 3600.0 * 24 * 365;
+constexpr double kMost_s = 1e6;  // that a search may take (search/plans/search_options.h)
 
 int cores(int threads) {
   return threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
@@ -30,7 +30,7 @@ ServiceLimits local_limits(int threads) {
   limits.chordae = 10'000;
   limits.evaluations = 1'000'000;
   limits.vertex_steps = std::numeric_limits<double>::infinity();
-  limits.request_seconds = limits.seconds = kYear_s;
+  limits.request_seconds = limits.seconds = kMost_s;
   limits.retention.jobs = limits.retention.valves = limits.retention.closures = kAny;
   limits.kept_plans = limits.queue = limits.evaluation_closures = kAny;
   limits.threads = limits.request_threads = cores(threads);
@@ -47,8 +47,17 @@ LocalService::LocalService(const std::string& database, int threads)
       parsing_(cores(threads), kPatience),
       compute_(cores(threads), kPatience),
       reports_(cores(threads), kPatience),
-      service_{limits_, store_,   board_,   known_, parsing_, compute_,
-               reports_, metrics_, page_, tokens_, [] { return HttpLoad{}; }},
+      service_{limits_,
+               store_,
+               board_,
+               known_,
+               parsing_,
+               compute_,
+               reports_,
+               metrics_,
+               page_,
+               tokens_,
+               [] { return HttpLoad{}; }},
       routes_(routes_of(service_)) {
   taken(PlanStore::open(retention_.plans));
   taken(ClosureStore::open(retention_.studies));
@@ -61,11 +70,6 @@ LocalService::LocalService(const std::string& database, int threads)
           {"study", StudyJob{board_, store_, limits_, retention_.studies}},
           {"import", ImportJob{board_, store_, limits_}}},
       limits_.running_jobs, [](const Job&) {}, kAsNice);
-}
-
-void LocalService::end_jobs() {
-  board_.stop();
-  runner_.reset();
 }
 
 Answer LocalService::answer(Request request) const {

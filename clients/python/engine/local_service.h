@@ -20,16 +20,14 @@ class LocalService {
   /// @param database file of valves, jobs and closures; made if it is not there @param threads of a job or an evaluation, and
   /// requests computed at once; 0: all cores. Does not change any answer. Throws Problems: the file cannot be used.
   LocalService(const std::string& database, int threads);
-  ~LocalService() { end_jobs(); }
+  /// Jobs that run are QUEUED again in the file. Waits for their closures to end.
+  ~LocalService() { board_.stop(); }
   LocalService(const LocalService&) = delete;
 
   /// From many threads at once.
   Answer answer(Request request) const;
   /// A preset or a stored valve. Throws Problems at "/valve".
   LocalValve named(const std::string& name);
-
-  /// Those that run are QUEUED again in the file; no others are taken. Waits for their closures to end.
-  void end_jobs();
 
  private:
   const std::string database_;

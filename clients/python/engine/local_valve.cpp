@@ -31,8 +31,7 @@ LocalClosure close_locally(const LocalValve& valve, std::string_view plan) {
   if (const Errors errors = apply(closed.asked); !errors.empty()) throw Problems(errors);
   const auto start = std::chrono::steady_clock::now();
   closed.closure = close_valve(closed.asked.repaired);
-  closed.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  closed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return closed;
 }
 

@@ -7,7 +7,9 @@
 #include <atomic>
 #include <chrono>
 #include <map>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -26,10 +28,20 @@ namespace {
 
 using Unlocked = py::call_guard<py::gil_scoped_release>;
 
+/// A service until it is closed; requests that are being answered then are the last.
+struct OpenService {
+  std::shared_ptr<LocalService> service;
+
+  std::shared_ptr<LocalService> get() const {
+    if (!service) throw std::runtime_error("this engine has ended");
+    return service;
+  }
+};
+
 /// A stream, part by part.
 struct LocalStream {
   Stream stream;
-  py::object service;  ///< whose store it reads
+  std::shared_ptr<LocalService> service;  ///< whose store it reads
   bool ended = false;
 
   /// What comes next, empty if nothing came within a second; none at the end.
@@ -44,13 +56,11 @@ struct LocalStream {
   }
 };
 
-
 /// Status, headers and body: bytes or a stream.
-py::tuple answered(const py::object& service, Request request) {
-  const auto& asked = service.cast<const LocalService&>();
+py::tuple answered(const std::shared_ptr<LocalService>& service, Request request) {
   const Answer answer = [&] {
     const py::gil_scoped_release unlocked;
-    return asked.answer(std::move(request));
+    return service->answer(std::move(request));
   }();
   if (const auto* stream = std::get_if<Stream>(&answer.body))
     return py::make_tuple(answer.status, answer.headers, LocalStream{*stream, service});
@@ -95,21 +105,18 @@ void add_valves(py::module_& module) {
       .def_static("read", &local_valve, py::arg("document"), py::arg("path"), Unlocked())
       .def("write", [](const LocalValve& self) { return write_valve(*self.valve); })
       .def_property_readonly("name", [](const LocalValve& self) { return self.valve->name; })
-      .def_property_readonly(
-          "vertices_mm",
-          [](const py::object& self) {
-            return view(self.cast<const LocalValve&>().valve->rest_mm, self);
-          })
-      .def_property_readonly(
-          "faces",
-          [](const py::object& self) {
-            return view(self.cast<const LocalValve&>().valve->faces, self);
-          })
-      .def_property_readonly(
-          "annulus_mm",
-          [](const py::object& self) {
-            return view(self.cast<const LocalValve&>().valve->annulus_mm, self);
-          })
+      .def_property_readonly("vertices_mm",
+                             [](const py::object& self) {
+                               return view(self.cast<const LocalValve&>().valve->rest_mm, self);
+                             })
+      .def_property_readonly("faces",
+                             [](const py::object& self) {
+                               return view(self.cast<const LocalValve&>().valve->faces, self);
+                             })
+      .def_property_readonly("annulus_mm",
+                             [](const py::object& self) {
+                               return view(self.cast<const LocalValve&>().valve->annulus_mm, self);
+                             })
       .def(
           "with_arrays",
           [](const LocalValve& self, const std::optional<py::array>& vertices_mm,
@@ -119,19 +126,19 @@ void add_valves(py::module_& module) {
             if (vertices_mm) vertices = points_of(*vertices_mm, "/vertices_mm");
             if (faces) triangles = faces_of(*faces, "/faces");
             if (annulus_mm) annulus = points_of(*annulus_mm, "/annulus_mm");
-            return with_arrays(self, {vertices ? &*vertices : nullptr,
-                                      triangles ? &*triangles : nullptr,
-                                      annulus ? &*annulus : nullptr});
+            return with_arrays(self,
+                               {vertices ? &*vertices : nullptr, triangles ? &*triangles : nullptr,
+                                annulus ? &*annulus : nullptr});
           },
           py::arg("vertices_mm"), py::arg("faces"), py::arg("annulus_mm"))
       .def("close", &close_locally, py::arg("plan"), Unlocked());
   py::class_<LocalClosure>(module, "Closure")
       .def("document", &document_of, Unlocked())
-      .def_property_readonly(
-          "closed_mm",
-          [](const py::object& self) {
-            return view(self.cast<const LocalClosure&>().closure.closed_mm, self);
-          })
+      .def_property_readonly("closed_mm",
+                             [](const py::object& self) {
+                               return view(self.cast<const LocalClosure&>().closure.closed_mm,
+                                           self);
+                             })
       .def_property_readonly("faces", [](const py::object& self) {
         return view(self.cast<const LocalClosure&>().asked.repaired.faces, self);
       });
@@ -139,14 +146,13 @@ void add_valves(py::module_& module) {
 
 void add_shapes(py::module_& module) {
   py::class_<LocalShape>(module, "Shape")
-      .def_static("of_closure",
-                  [](const LocalClosure& closed) { return shape_of(closed); })
-      .def_static("of_arrays",
-                  [](const std::string& source, const py::array& vertices_mm,
-                     const py::array& faces) {
-                    return shape_of(source, points_of(vertices_mm, "/vertices_mm"),
-                                    faces_of(faces, "/faces"));
-                  })
+      .def_static("of_closure", [](const LocalClosure& closed) { return shape_of(closed); })
+      .def_static(
+          "of_arrays",
+          [](const std::string& source, const py::array& vertices_mm, const py::array& faces) {
+            return shape_of(source, points_of(vertices_mm, "/vertices_mm"),
+                            faces_of(faces, "/faces"));
+          })
       .def_static("of_file",
                   [](const std::string& source, const py::bytes& bytes, const std::string& format) {
                     return shape_of_file(source, std::string_view(bytes), format);
@@ -166,19 +172,18 @@ void add_shapes(py::module_& module) {
         array.attr("setflags")(py::arg("write") = false);
         return array;
       });
-  module.def("compare", &compare_locally, py::arg("closed"), py::arg("reference"),
-             py::arg("align"), Unlocked());
+  module.def("compare", &compare_locally, py::arg("closed"), py::arg("reference"), py::arg("align"),
+             Unlocked());
   module.def(
       "fit",
       [](const LocalValve& valve, const py::array& points_mm, const std::string& side,
          std::optional<double> leak_mm2, std::optional<double> leak_sd_mm2,
          const std::vector<std::string>& known, std::optional<int> points,
          std::optional<int> rounds, bool ruptures, int threads, const py::object& progress) {
-        const LocalFitted found =
-            fitted(valve,
-                   {points_of(points_mm, "/points_mm"), side, leak_mm2, leak_sd_mm2, known, points,
-                    rounds, ruptures, threads},
-                   progress);
+        const LocalFitted found = fitted(valve,
+                                         {points_of(points_mm, "/points_mm"), side, leak_mm2,
+                                          leak_sd_mm2, known, points, rounds, ruptures, threads},
+                                         progress);
         return py::make_tuple(found.valve, found.document);
       },
       py::arg("valve"), py::arg("points_mm"), py::arg("side"), py::arg("leak_mm2"),
@@ -195,20 +200,30 @@ void add_service(py::module_& module) {
     if (!part) return py::none();
     return py::bytes(*part);
   });
-  py::class_<LocalService>(module, "Service")
-      .def(py::init<const std::string&, int>(), py::arg("database"), py::arg("threads"))
-      .def("named", &LocalService::named, py::arg("name"), Unlocked())
+  py::class_<OpenService>(module, "Service")
+      .def(py::init([](const std::string& database, int threads) {
+             return OpenService{std::make_shared<LocalService>(database, threads)};
+           }),
+           py::arg("database"), py::arg("threads"))
+      .def(
+          "named",
+          [](const OpenService& self, const std::string& name) { return self.get()->named(name); },
+          py::arg("name"), Unlocked())
       .def(
           "request",
-          [](const py::object& self, std::string method, std::string path,
+          [](const OpenService& self, std::string method, std::string path,
              std::map<std::string, std::string> query, std::map<std::string, std::string> headers,
              const py::bytes& body) {
-            return answered(self, {std::move(method), std::move(path), std::move(query),
-                                   std::move(headers), std::string(body), {}});
+            return answered(self.get(), {std::move(method),
+                                         std::move(path),
+                                         std::move(query),
+                                         std::move(headers),
+                                         std::string(body),
+                                         {}});
           },
-          py::arg("method"), py::arg("path"), py::arg("query"), py::arg("headers"),
-          py::arg("body"))
-      .def("close", &LocalService::end_jobs, Unlocked());
+          py::arg("method"), py::arg("path"), py::arg("query"), py::arg("headers"), py::arg("body"))
+      .def(
+          "close", [](OpenService& self) { self.service.reset(); }, Unlocked());
 }
 
 }  // namespace

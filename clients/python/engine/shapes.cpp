@@ -41,8 +41,8 @@ FitUnknowns unknowns_of(const std::vector<std::string>& known) {
 LocalShape shape_of(const LocalClosure& closed) {
   const Valve& valve = closed.asked.repaired;
   if (!closed.closure.closed_mm.allFinite())
-    throw Problems({{ErrorCode::BadGeometry, "",
-                     "flew apart when it was closed: there is no shape"}});
+    throw Problems(
+        {{ErrorCode::BadGeometry, "", "flew apart when it was closed: there is no shape"}});
   return {valve.name, shape_of(ClosedValve{valve, closed.closure, {}}), valve.tissue.thickness_mm};
 }
 
@@ -55,8 +55,8 @@ LocalShape shape_of(std::string source, const Points& vertices_mm, const Faces& 
 
 LocalShape shape_of_file(std::string source, std::string_view bytes, const std::string& format) {
   if (!is_shape_format(format))
-    throw Problems({{ErrorCode::Unsupported, "",
-                     source + " must end in one of " + shape_format_names()}});
+    throw Problems(
+        {{ErrorCode::Unsupported, "", source + " must end in one of " + shape_format_names()}});
   return {std::move(source), taken(read_shape(bytes, format)), {}};
 }
 

@@ -50,7 +50,6 @@ struct LocalFitted {
 };
 /// @param progress, cancelled as in FitOptions. Throws Problems.
 LocalFitted fit_locally(const LocalValve& valve, const LocalFit& asked,
-                        std::function<bool(int, double)> progress,
-                        std::function<bool()> cancelled);
+                        std::function<bool(int, double)> progress, std::function<bool()> cancelled);
 
 }  // namespace coapt
