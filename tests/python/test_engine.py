@@ -11,8 +11,8 @@ import unittest
 
 import coapt
 from client_runs import ENDLESS, SMALL, VALVE, EngineTest, has_engine
-from coapt import OwnRing, Plan, Ring
-from programs import OK, SOURCE, coapt as coapt_command
+from coapt import OwnRing, Plan
+from programs import OK, coapt as coapt_command
 
 ENGINE = has_engine()
 if ENGINE:

@@ -1,9 +1,12 @@
 """The engine, in C++ (clients/python/engine). Arrays are read-only views."""
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import numpy
 from numpy.typing import NDArray
+
+from .results import Status
 
 class Problems(Exception):
     """Its text is a list of problems as JSON."""
@@ -28,6 +31,10 @@ class Closure:
     closed_mm: NDArray[numpy.float64]
     faces: NDArray[numpy.int32]
     def document(self) -> str: ...
+    def told(
+        self,
+    ) -> tuple[str, Status, bool, float | None, int, float, Sequence[Any], tuple[str, ...]]:
+        """Name, status, crossing, residual, steps, seconds, the figures of a Measure, warnings."""
 
 class Shape:
     vertices_mm: NDArray[numpy.float64]

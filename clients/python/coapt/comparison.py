@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .errors import NoSuchFile
 from .local_transport import engine_module, refusing
 from .meshes import Mesh
-from .results import Closure
+from .results import Closure, Measure
 
 if TYPE_CHECKING:
     import numpy
@@ -39,6 +41,20 @@ class Comparison:
     signed_mm: NDArray[numpy.float64] = field(repr=False)
     moved_mm: NDArray[numpy.float64] = field(repr=False)
     json: Mapping[str, Any] = field(repr=False)
+
+
+def local_closure(native: _engine.Closure) -> Closure:
+    """Its figures as they are; its document is written when it is asked for."""
+    valve, status, crossing, residual, steps, seconds, figures, warnings = native.told()
+
+    @cache
+    def document() -> Any:
+        return json.loads(native.document())
+
+    measure = Measure(*(*figures, document))
+    return Closure(
+        valve, status, crossing, residual, steps, seconds, measure, warnings, document, LocalLeaflets(native)
+    )
 
 
 class LocalLeaflets:

@@ -8,7 +8,7 @@ import pathlib
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Literal
 
-from .comparison import Comparison, LocalLeaflets, ShapeSource, native_shape
+from .comparison import Comparison, ShapeSource, local_closure, native_shape
 from .files import Path, read_json
 from .fits import FitResult, Known
 from .local_transport import LocalTransport, engine_module, reading, refusing
@@ -155,4 +155,4 @@ class Engine(Service):
     def _closure(self, source: LocalValve, plan: Any) -> Closure:
         with refusing():
             native = source.native.close(b"" if plan is None else encoded(plan))
-        return Closure.from_json(json.loads(native.document()), LocalLeaflets(native))
+        return local_closure(native)

@@ -144,7 +144,8 @@ def section(closure: Closure, x_mm: float = 0.0, *, ax: Axes | None = None) -> A
 
 def _rows(array: Any) -> list[Any]:
     """Of numpy, or lists already."""
-    return array.tolist() if hasattr(array, "tolist") else list(array)
+    rows: list[Any] = array.tolist() if hasattr(array, "tolist") else array
+    return rows
 
 
 def plans(result: SearchResult | Evaluations, *, ax: Axes | None = None) -> Axes:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import frames, tables
@@ -55,7 +56,7 @@ class Measure:
     tension_sum_n: float | None
     strain_circumferential_max: float | None
     strain_radial_max: float | None
-    json: Document = field(repr=False, compare=False)
+    _document: Callable[[], Document] = field(repr=False, compare=False)
 
     @classmethod
     def from_json(cls, json: Document) -> Measure:
@@ -76,8 +77,13 @@ class Measure:
             json["tension_sum_n"],
             json["strain_circumferential_max"],
             json["strain_radial_max"],
-            json,
+            lambda: json,
         )
+
+    @cached_property
+    def json(self) -> Document:
+        """The whole of it."""
+        return self._document()
 
     @property
     def coaptation(self) -> Coaptation:
@@ -96,7 +102,7 @@ class Closure:
     seconds: float
     measure: Measure
     warnings: tuple[str, ...]
-    json: Document = field(repr=False, compare=False)
+    _document: Callable[[], Document] = field(repr=False, compare=False)
     _leaflets: Callable[[], Mesh] | None = field(default=None, repr=False, compare=False)
 
     @classmethod
@@ -111,9 +117,14 @@ class Closure:
             json["seconds"],
             Measure.from_json(json),
             tuple(json["warnings"]),
-            json,
+            lambda: json,
             leaflets,
         )
+
+    @cached_property
+    def json(self) -> Document:
+        """The coapt.closure/1."""
+        return self._document()
 
     def leaflets(self) -> Mesh:
         """The closed, repaired leaflets, vertices in the order of the valve's. Of the engine in this process its own numbers,

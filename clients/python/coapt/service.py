@@ -22,6 +22,7 @@ from .transport import Transport
 Protocol = Literal["lookup-clamped", "lookup-extended", "closed", "optimum"]
 StudyName = Literal["annulus", "papillary", "ring", "approximation", "thesis"]
 
+
 def _path(folder: str, name: str) -> str:
     return f"{folder}/{urllib.parse.quote(name, safe='')}"
 

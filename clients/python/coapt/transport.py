@@ -29,14 +29,16 @@ class Stream(Protocol):
 
     status: int
 
-    def __iter__(self) -> Iterator[bytes]: ...
+    def __iter__(self) -> Iterator[bytes]:
+        ...
 
 
 class Transport(Protocol):
     """ends_with_us: what answers is this process, so that jobs do not outlive it."""
 
     @property
-    def ends_with_us(self) -> bool: ...
+    def ends_with_us(self) -> bool:
+        ...
 
     def request(
         self,
@@ -58,9 +60,11 @@ class Transport(Protocol):
     def follow(self, path: str, headers: Mapping[str, str], timeout_s: float) -> AbstractContextManager[Stream]:
         """One try of a GET whose answer has no end known beforehand. Raises Refused and LOST."""
 
-    def unreachable(self, error: Exception) -> Unreachable: ...
+    def unreachable(self, error: Exception) -> Unreachable:
+        ...
 
-    def pause(self, seconds: float) -> None: ...
+    def pause(self, seconds: float) -> None:
+        ...
 
 
 def encoded(body: Any) -> bytes:

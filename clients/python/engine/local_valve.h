@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/closure/closure_result.h"
+#include "core/metrics/measure.h"
 #include "core/repair/plan.h"
 #include "core/valve/valve.h"
-#include "io/json/repair_answers.h"
 
 namespace coapt {
 
@@ -28,16 +28,21 @@ struct NewArrays {
 };
 LocalValve with_arrays(const LocalValve& valve, const NewArrays& arrays);
 
-/// A closure that Python holds, with all that it was made of.
+/// A closure that Python holds, with all that it was made of; not null.
 struct LocalClosure {
-  RepairRequest asked;
+  std::shared_ptr<const Valve> valve, repaired;  ///< the same without a plan
+  RepairPlan plan;
   ClosureResult closure;
-  double seconds = 0.0;
+  ValveMeasure measure;
+  double seconds = 0.0;  ///< of closing
 };
 
-/// Closes the valve, repaired if `plan` (a coapt.plan/1) is not empty: the service's closure, to the bit. Throws Problems,
-/// whose paths begin with "/plan". From many threads at once.
+/// Closes the valve, repaired if `plan` (a coapt.plan/1) is not empty, and measures it: the service's closure, to the bit.
+/// Throws Problems, whose paths begin with "/plan". From many threads at once.
 LocalClosure close_locally(const LocalValve& valve, std::string_view plan);
+
+/// As in coapt.closure/1.
+std::vector<std::string> warnings_of(const LocalClosure& closed);
 
 /// What the service answers of it (POST /v1/closures).
 std::string document_of(const LocalClosure& closed);

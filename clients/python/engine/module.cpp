@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -100,6 +101,34 @@ LocalFitted fitted(const LocalValve& valve, const LocalFit& asked, const py::obj
   return fit_locally(valve, asked, tell, [&interrupts] { return interrupts(); });
 }
 
+py::object known(double number) {
+  if (std::isfinite(number)) return py::float_(number);
+  return py::none();
+}
+
+/// Figures in the order of coapt.results.Measure.
+py::tuple figures_of(const ValveMeasure& measured) {
+  const Coaptation& coaptation = measured.coaptation;
+  py::tuple figures(15);
+  std::size_t i = 0;
+  for (const double number :
+       {leak_mm2(measured), measured.error.leak_mm2, measured.orifice.area_mm2,
+        measured.error.orifice_mm2, coaptation.gap_area_mm2, measured.error.gap_mm2,
+        coaptation.height_mean_mm, coaptation.height_min_mm, measured.annulus.ap_mm,
+        measured.annulus.al_pm_mm, measured.tenting_height_mm, measured.tension_max_n,
+        measured.tension_sum_n, measured.strain_circumferential_max, measured.strain_radial_max})
+    figures[i++] = known(number);
+  return figures;
+}
+
+/// Arguments of coapt.results.Closure: name, status, crossing, residual, steps, seconds, figures, warnings.
+py::tuple told(const LocalClosure& closed) {
+  const ClosureResult& closure = closed.closure;
+  return py::make_tuple(closed.repaired->name, to_string(closure.status), closure.crossing,
+                        known(closure.residual), closure.steps, closed.seconds,
+                        figures_of(closed.measure), py::tuple(py::cast(warnings_of(closed))));
+}
+
 void add_valves(py::module_& module) {
   py::class_<LocalValve>(module, "Valve")
       .def_static("read", &local_valve, py::arg("document"), py::arg("path"), Unlocked())
@@ -134,13 +163,14 @@ void add_valves(py::module_& module) {
       .def("close", &close_locally, py::arg("plan"), Unlocked());
   py::class_<LocalClosure>(module, "Closure")
       .def("document", &document_of, Unlocked())
+      .def("told", &told)
       .def_property_readonly("closed_mm",
                              [](const py::object& self) {
                                return view(self.cast<const LocalClosure&>().closure.closed_mm,
                                            self);
                              })
       .def_property_readonly("faces", [](const py::object& self) {
-        return view(self.cast<const LocalClosure&>().asked.repaired.faces, self);
+        return view(self.cast<const LocalClosure&>().repaired->faces, self);
       });
 }
 

@@ -39,11 +39,12 @@ FitUnknowns unknowns_of(const std::vector<std::string>& known) {
 }  // namespace
 
 LocalShape shape_of(const LocalClosure& closed) {
-  const Valve& valve = closed.asked.repaired;
+  const Valve& valve = *closed.repaired;
   if (!closed.closure.closed_mm.allFinite())
     throw Problems(
         {{ErrorCode::BadGeometry, "", "flew apart when it was closed: there is no shape"}});
-  return {valve.name, shape_of(ClosedValve{valve, closed.closure, {}}), valve.tissue.thickness_mm};
+  return {valve.name, shape_of(ClosedValve{valve, closed.closure, closed.measure}),
+          valve.tissue.thickness_mm};
 }
 
 LocalShape shape_of(std::string source, const Points& vertices_mm, const Faces& faces) {
