@@ -39,6 +39,7 @@ server/endpoints : core search io server/ server/jobs
 clients/cli      : core search io farm/work farm/ask
 clients/engine   : core search io/json
 clients/live     : core io clients/cli
+clients/python   : core search io farm/ask server/ server/jobs
 lab/comparators  : core
 lab/rivals       : core
 lab/closures     : core search io
@@ -58,12 +59,13 @@ clipper[.]hpp   : core/metrics
 cairo           : io/picture
 httplib[.]h     : server clients/cli
 CLI/            : io/command_line
-nlohmann/       : io farm server clients/cli clients/engine clients/live lab
+nlohmann/       : io farm server clients/cli clients/engine clients/live clients/python lab
 sqlite3[.]h     : io/store
 libpq           : farm/database
 lzma[.]h        : io/mesh
 dcmtk/          : io/dicom
 boost/          : clients/live
+pybind11/       : clients/python
 pagmo/          : lab/rivals
 dlib/           : lab/rivals
 '
