@@ -54,6 +54,7 @@ LocalService::LocalService(const std::string& database, int threads)
                parsing_,
                compute_,
                reports_,
+               farm_,
                metrics_,
                page_,
                tokens_,

@@ -39,6 +39,7 @@ class LocalService {
   ValveCache known_;
   Compute parsing_, compute_;
   SearchReports reports_;
+  FarmWatch farm_{std::nullopt};
   const Page page_;
   const PageTokens tokens_;
   const Service service_;
