@@ -67,12 +67,9 @@ class FarmStudies(ProgramTest):
 
     def test_a_study_leaves_the_same_files(self):
         here, there = self.folder / "here", self.folder / "there"
-        for study in ["annulus", "approximation"]:
-            options = [] if study == "annulus" else ["--displacement-step", 6, "--region-points", 17, "--scan-sites", 0]
-            one = json.loads(self.run_ok("study", study, "human-functional-mr", "-o", here, "--json", *options).stdout)
-            other = json.loads(
-                self.by_farm("study", study, "human-functional-mr", "-o", there, "--json", *options).stdout
-            )
+        for study in ["annulus", "ring"]:
+            one = json.loads(self.run_ok("study", study, "human-functional-mr", "-o", here, "--json").stdout)
+            other = json.loads(self.by_farm("study", study, "human-functional-mr", "-o", there, "--json").stdout)
             self.assertEqual(other | {"seconds": 0}, one | {"seconds": 0}, study)
             self.assert_same_files(here, there)
         again = json.loads(self.by_farm("study", "annulus", "human-functional-mr", "-o", there, "--json").stdout)

@@ -120,10 +120,10 @@ TEST(ClosuresAsked, AreTheTables) {
 /// Of closures of the small valve, whatever the anatomy; undisturbed it is said to be tight.
 std::vector<ScannedAnatomy> scan_of_small(int at_once, const CloseElsewhere& elsewhere) {
   AnchorQuestionOptions options;
-  options.anatomies = 3;
+  options.anatomies = 2;
   options.at_once = at_once;
   options.protocols = {Protocol::Closed};
-  options.approximation = {6.0, 17, 5.0};
+  options.approximation = {6.0, 17, -1.0};  // whether it leaks or not
   OrificeTableOptions table;
   table.threads = 1;
   table.known[key_of({})] = {0.0, 0.0, true};
@@ -134,7 +134,7 @@ std::vector<ScannedAnatomy> scan_of_small(int at_once, const CloseElsewhere& els
 
 TEST(ClosuresAsked, OfSeveralAnatomiesAtOnceGiveTheSameAnswers) {
   const auto here = scan_of_small(1, {});
-  const auto there = scan_of_small(3, closures_asked_of(ask_here(1), small_valve(), {}, {}));
+  const auto there = scan_of_small(2, closures_asked_of(ask_here(1), small_valve(), {}, {}));
   EXPECT_EQ(anchor_scan_csv(there), anchor_scan_csv(here));
   EXPECT_EQ(anchor_answers_csv(answer_anchor_question(there)),
             anchor_answers_csv(answer_anchor_question(here)));
