@@ -33,6 +33,7 @@ server/endpoints : core search io server/ server/jobs
 clients/cli      : core search io
 clients/engine   : core search io/json
 clients/live     : core io clients/cli
+clients/python   : core search io server/ server/jobs
 lab/comparators  : core
 lab/rivals       : core
 lab/closures     : core search io
@@ -51,11 +52,12 @@ clipper[.]hpp   : core/metrics
 cairo           : io/picture
 httplib[.]h     : server clients/cli
 CLI/            : io/command_line
-nlohmann/       : io server clients/cli clients/engine clients/live lab
+nlohmann/       : io server clients/cli clients/engine clients/live clients/python lab
 sqlite3[.]h     : io/store
 lzma[.]h        : io/mesh
 dcmtk/          : io/dicom
 boost/          : clients/live
+pybind11/       : clients/python
 pagmo/          : lab/rivals
 dlib/           : lab/rivals
 '

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/metrics/measure.h"
 #include "core/repair/apply_plan.h"
 #include "core/repair/limits.h"
 #include "core/repair/rings.h"
@@ -55,8 +54,12 @@ JsonField frames_field(int& frames) {
 
 ordered_json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
                             double seconds) {
-  ordered_json json =
-      closure_to_json(asked.repaired, closure, measure(asked.repaired, closure), seconds);
+  return closure_answer(asked, closure, measure(asked.repaired, closure), seconds);
+}
+
+ordered_json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
+                            const ValveMeasure& measured, double seconds) {
+  ordered_json json = closure_to_json(asked.repaired, closure, measured, seconds);
   json["warnings"] = warnings(asked);
   return json;
 }

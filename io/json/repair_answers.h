@@ -1,6 +1,7 @@
 // What closing, drawing and opening a repaired valve answer, as JSON: the service's and the browser's engine's.
 #pragma once
 
+#include "core/metrics/measure.h"
 #include "core/opened/opened_valve.h"
 #include "core/repair/plan.h"
 #include "io/json/json_reader.h"
@@ -22,9 +23,11 @@ std::vector<JsonField> opening_fields(OpeningOptions& options);
 /// Field "frames": 0 to kMostFrames.
 JsonField frames_field(int& frames);
 
-/// coapt.closure/1, with the warnings of the operation.
+/// coapt.closure/1, with the warnings of the operation. `measured`: measure(asked.repaired, closure)
 nlohmann::ordered_json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
                                       double seconds);
+nlohmann::ordered_json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
+                                      const ValveMeasure& measured, double seconds);
 
 /// coapt.scene/1, with that as "closure".
 nlohmann::ordered_json scene_answer(const RepairRequest& asked, const ClosureResult& closure,

@@ -64,7 +64,7 @@ struct AskedPlans {
 std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Request& request,
                                             std::size_t most_plans) {
   AskedPlans asked;
-  asked.options.threads = 1;
+  asked.options.threads = valves.limits.request_threads;
   asked.options.evidence = false;
   asked.options.region_points = 1;
   asked.options.fine_levels = 0;

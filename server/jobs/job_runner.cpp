@@ -11,10 +11,6 @@
 namespace coapt {
 namespace {
 
-// Against a request, where both want a core: nice 10 has a ninth of the weight of nice 0. With 19, a sixty-eighth, a
-// busy machine starved searches (26 closures in 300 s).
-constexpr int kNice = 10;
-
 // Progress events: four a second at first, some 400 for each factor of e in time later.
 constexpr double kShortest_s = 0.25, kShareOfTime = 1.0 / 400.0;
 
@@ -72,8 +68,8 @@ JobEnd failed(const RunningJob& job, const Errors& errors) {
 }
 
 JobRunner::JobRunner(JobBoard& board, std::map<std::string, JobWork> work, int threads,
-                     std::function<void(const Job&)> after)
-    : board_(board), work_(std::move(work)), after_(std::move(after)) {
+                     std::function<void(const Job&)> after, int nice)
+    : board_(board), work_(std::move(work)), after_(std::move(after)), nice_(nice) {
   for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
 }
 
@@ -83,7 +79,7 @@ JobRunner::~JobRunner() {
 
 void JobRunner::run() {
   // On Linux of this thread alone, and of those that it starts. Without it jobs are only less polite.
-  static_cast<void>(setpriority(PRIO_PROCESS, 0, kNice));
+  static_cast<void>(setpriority(PRIO_PROCESS, 0, nice_));
   while (const std::shared_ptr<RunningJob> job = board_.take())
     if (board_.finish(job, run_one(*job)) && after_ && !board_.stopping()) after_(job->job);
 }

@@ -1,0 +1,267 @@
+// coapt._engine (clients/python/coapt/_engine.pyi): what the package knows of it, and nothing else. The interpreter's lock is
+// released while something is closed, compared or answered.
+#include <pybind11/functional.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "clients/python/engine/arrays.h"
+#include "clients/python/engine/local_service.h"
+#include "clients/python/engine/problems.h"
+#include "clients/python/engine/shapes.h"
+#include "io/json/valve_json.h"
+
+namespace py = pybind11;
+
+namespace coapt {
+namespace {
+
+using Unlocked = py::call_guard<py::gil_scoped_release>;
+
+/// A service until it is closed; requests that are being answered then are the last.
+struct OpenService {
+  std::shared_ptr<LocalService> service;
+
+  std::shared_ptr<LocalService> get() const {
+    if (!service) throw std::runtime_error("this engine has ended");
+    return service;
+  }
+};
+
+/// A stream, part by part.
+struct LocalStream {
+  Stream stream;
+  std::shared_ptr<LocalService> service;  ///< whose store it reads
+  bool ended = false;
+
+  /// What comes next, empty if nothing came within a second; none at the end.
+  std::optional<std::string> next() {
+    if (ended) return std::nullopt;
+    std::string part;
+    ended = !stream.next([&part](std::string_view text) {
+      part += text;
+      return true;
+    });
+    return part;
+  }
+};
+
+/// Status, headers and body: bytes or a stream.
+py::tuple answered(const std::shared_ptr<LocalService>& service, Request request) {
+  const Answer answer = [&] {
+    const py::gil_scoped_release unlocked;
+    return service->answer(std::move(request));
+  }();
+  if (const auto* stream = std::get_if<Stream>(&answer.body))
+    return py::make_tuple(answer.status, answer.headers, LocalStream{*stream, service});
+  return py::make_tuple(answer.status, answer.headers, py::bytes(content_bytes(answer)));
+}
+
+/// Asks Python's signals at most ten times a second, on the thread that called: Ctrl-C.
+class Interrupts {
+ public:
+  bool operator()() {
+    const auto now = std::chrono::steady_clock::now();
+    if (came_ || std::this_thread::get_id() != caller_ || now - asked_ < kPause) return came_;
+    asked_ = now;
+    const py::gil_scoped_acquire locked;
+    if (PyErr_CheckSignals() != 0) {
+      PyErr_Clear();
+      came_ = true;
+    }
+    return came_;
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds kPause{100};
+  const std::thread::id caller_ = std::this_thread::get_id();
+  std::chrono::steady_clock::time_point asked_ = std::chrono::steady_clock::now();  // the caller's
+  std::atomic<bool> came_ = false;
+};
+
+LocalFitted fitted(const LocalValve& valve, const LocalFit& asked, const py::object& progress) {
+  Interrupts interrupts;
+  const auto tell = [&](int round, double rms_mm) {
+    const py::gil_scoped_acquire locked;
+    if (!progress.is_none()) progress(round, rms_mm);
+    return true;
+  };
+  const py::gil_scoped_release unlocked;
+  return fit_locally(valve, asked, tell, [&interrupts] { return interrupts(); });
+}
+
+py::object known(double number) {
+  if (std::isfinite(number)) return py::float_(number);
+  return py::none();
+}
+
+/// Figures in the order of coapt.results.Measure.
+py::tuple figures_of(const ValveMeasure& measured) {
+  const Coaptation& coaptation = measured.coaptation;
+  py::tuple figures(15);
+  std::size_t i = 0;
+  for (const double number :
+       {leak_mm2(measured), measured.error.leak_mm2, measured.orifice.area_mm2,
+        measured.error.orifice_mm2, coaptation.gap_area_mm2, measured.error.gap_mm2,
+        coaptation.height_mean_mm, coaptation.height_min_mm, measured.annulus.ap_mm,
+        measured.annulus.al_pm_mm, measured.tenting_height_mm, measured.tension_max_n,
+        measured.tension_sum_n, measured.strain_circumferential_max, measured.strain_radial_max})
+    figures[i++] = known(number);
+  return figures;
+}
+
+/// Arguments of coapt.results.Closure: name, status, crossing, residual, steps, seconds, figures, warnings.
+py::tuple told(const LocalClosure& closed) {
+  const ClosureResult& closure = closed.closure;
+  return py::make_tuple(closed.repaired->name, to_string(closure.status), closure.crossing,
+                        known(closure.residual), closure.steps, closed.seconds,
+                        figures_of(closed.measure), py::tuple(py::cast(warnings_of(closed))));
+}
+
+void add_valves(py::module_& module) {
+  py::class_<LocalValve>(module, "Valve")
+      .def_static("read", &local_valve, py::arg("document"), py::arg("path"), Unlocked())
+      .def("write", [](const LocalValve& self) { return write_valve(*self.valve); })
+      .def_property_readonly("name", [](const LocalValve& self) { return self.valve->name; })
+      .def_property_readonly("vertices_mm",
+                             [](const py::object& self) {
+                               return view(self.cast<const LocalValve&>().valve->rest_mm, self);
+                             })
+      .def_property_readonly("faces",
+                             [](const py::object& self) {
+                               return view(self.cast<const LocalValve&>().valve->faces, self);
+                             })
+      .def_property_readonly("annulus_mm",
+                             [](const py::object& self) {
+                               return view(self.cast<const LocalValve&>().valve->annulus_mm, self);
+                             })
+      .def(
+          "with_arrays",
+          [](const LocalValve& self, const std::optional<py::array>& vertices_mm,
+             const std::optional<py::array>& faces, const std::optional<py::array>& annulus_mm) {
+            std::optional<Points> vertices, annulus;
+            std::optional<Faces> triangles;
+            if (vertices_mm) vertices = points_of(*vertices_mm, "/vertices_mm");
+            if (faces) triangles = faces_of(*faces, "/faces");
+            if (annulus_mm) annulus = points_of(*annulus_mm, "/annulus_mm");
+            return with_arrays(self,
+                               {vertices ? &*vertices : nullptr, triangles ? &*triangles : nullptr,
+                                annulus ? &*annulus : nullptr});
+          },
+          py::arg("vertices_mm"), py::arg("faces"), py::arg("annulus_mm"))
+      .def("close", &close_locally, py::arg("plan"), Unlocked());
+  py::class_<LocalClosure>(module, "Closure")
+      .def("document", &document_of, Unlocked())
+      .def("told", &told)
+      .def_property_readonly("closed_mm",
+                             [](const py::object& self) {
+                               return view(self.cast<const LocalClosure&>().closure.closed_mm,
+                                           self);
+                             })
+      .def_property_readonly("faces", [](const py::object& self) {
+        return view(self.cast<const LocalClosure&>().repaired->faces, self);
+      });
+}
+
+void add_shapes(py::module_& module) {
+  py::class_<LocalShape>(module, "Shape")
+      .def_static("of_closure", [](const LocalClosure& closed) { return shape_of(closed); })
+      .def_static(
+          "of_arrays",
+          [](const std::string& source, const py::array& vertices_mm, const py::array& faces) {
+            return shape_of(source, points_of(vertices_mm, "/vertices_mm"),
+                            faces_of(faces, "/faces"));
+          })
+      .def_static("of_file",
+                  [](const std::string& source, const py::bytes& bytes, const std::string& format) {
+                    return shape_of_file(source, std::string_view(bytes), format);
+                  })
+      .def_property_readonly("vertices_mm", [](const py::object& self) {
+        return view(self.cast<const LocalShape&>().mesh.vertices_mm, self);
+      });
+  py::class_<LocalComparison>(module, "Comparison")
+      .def_readonly("document", &LocalComparison::document)
+      .def_property_readonly("moved_mm",
+                             [](const py::object& self) {
+                               return view(self.cast<const LocalComparison&>().moved_mm, self);
+                             })
+      .def_property_readonly("signed_mm", [](const py::object& self) {
+        const std::vector<double>& signed_mm = self.cast<const LocalComparison&>().signed_mm;
+        py::array_t<double> array(std::ssize(signed_mm), signed_mm.data(), self);
+        array.attr("setflags")(py::arg("write") = false);
+        return array;
+      });
+  module.def("compare", &compare_locally, py::arg("closed"), py::arg("reference"), py::arg("align"),
+             Unlocked());
+  module.def(
+      "fit",
+      [](const LocalValve& valve, const py::array& points_mm, const std::string& side,
+         std::optional<double> leak_mm2, std::optional<double> leak_sd_mm2,
+         const std::vector<std::string>& known, std::optional<int> points,
+         std::optional<int> rounds, bool ruptures, int threads, const py::object& progress) {
+        const LocalFitted found = fitted(valve,
+                                         {points_of(points_mm, "/points_mm"), side, leak_mm2,
+                                          leak_sd_mm2, known, points, rounds, ruptures, threads},
+                                         progress);
+        return py::make_tuple(found.valve, found.document);
+      },
+      py::arg("valve"), py::arg("points_mm"), py::arg("side"), py::arg("leak_mm2"),
+      py::arg("leak_sd_mm2"), py::arg("known"), py::arg("points"), py::arg("rounds"),
+      py::arg("ruptures"), py::arg("threads"), py::arg("progress"));
+}
+
+void add_service(py::module_& module) {
+  py::class_<LocalStream>(module, "Stream").def("next", [](LocalStream& self) -> py::object {
+    const std::optional<std::string> part = [&self] {
+      const py::gil_scoped_release unlocked;
+      return self.next();
+    }();
+    if (!part) return py::none();
+    return py::bytes(*part);
+  });
+  py::class_<OpenService>(module, "Service")
+      .def(py::init([](const std::string& database, int threads) {
+             return OpenService{std::make_shared<LocalService>(database, threads)};
+           }),
+           py::arg("database"), py::arg("threads"))
+      .def(
+          "named",
+          [](const OpenService& self, const std::string& name) { return self.get()->named(name); },
+          py::arg("name"), Unlocked())
+      .def(
+          "request",
+          [](const OpenService& self, std::string method, std::string path,
+             std::map<std::string, std::string> query, std::map<std::string, std::string> headers,
+             const py::bytes& body) {
+            return answered(self.get(), {std::move(method),
+                                         std::move(path),
+                                         std::move(query),
+                                         std::move(headers),
+                                         std::string(body),
+                                         {}});
+          },
+          py::arg("method"), py::arg("path"), py::arg("query"), py::arg("headers"), py::arg("body"))
+      .def(
+          "close", [](OpenService& self) { self.service.reset(); }, Unlocked());
+}
+
+}  // namespace
+}  // namespace coapt
+
+PYBIND11_MODULE(_engine, module) {
+  py::register_exception<coapt::Problems>(module, "Problems");
+  coapt::add_valves(module);
+  coapt::add_shapes(module);
+  coapt::add_service(module);
+}
