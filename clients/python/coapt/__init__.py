@@ -1,17 +1,26 @@
-"""Client of coapt-server: mitral valve repair in simulation.
+"""Mitral valve repair in simulation, in this process or by a coapt-server.
 
-    from coapt import Client, Plan, Ring
+    import coapt
+    from coapt import Plan, Ring
 
-    client = Client("http://127.0.0.1:8080")
-    print(client.close("human-functional-mr", Plan(Ring("generic-classic", size_mm=36))).measure.leak_mm2)
-    result = client.search("human-functional-mr", evaluations=60, seed=1, plans=2, region_points=65).result()
+    print(coapt.preset("human-functional-mr").close(Plan(Ring("generic-classic", size_mm=36))).measure.leak_mm2)
+
+    engine = coapt.Engine()                                  # or coapt.Client("http://127.0.0.1:8080"): the same functions
+    result = engine.search("human-functional-mr", evaluations=60, seed=1, plans=2, region_points=65).result()
     result.plans[0].picture().write("before-after.png")
 
 Units are the last part of a name: mm, mm2, n (newtons), deg, s. coapt is research software, not a medical device; not for
 clinical decisions.
 """
 
+import pkgutil
+
+# The engine is built into a folder of its own: build/release/python.
+__path__ = pkgutil.extend_path(__path__, __name__)
+
 from .client import Client
+from .comparison import Comparison
+from .engine import Engine
 from .errors import (
     AccessDenied,
     BadDocument,
@@ -33,6 +42,8 @@ from .events import Event, LeadingPlan, Progress
 from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling, Section, Table
 from .fits import Fit, FitResult, FittedParameter, ImportResult
 from .jobs import Job, show_progress
+from .local import close_many, engine, preset, read_valve
+from .local_valve import LocalValve
 from .meshes import Mesh, Picture
 from .openings import Opening
 from .repair import (
@@ -52,6 +63,7 @@ from .repair import (
     read_plans,
 )
 from .results import Before, Closure, Evaluations, Finding, Measure, RankedPlan, SearchResult, Statistics, StudyResult
+from .service import Service
 from .sources import PlanSource, Valve
 from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
 from .sweep import Sweep, SweepItem
@@ -73,7 +85,9 @@ __all__ = [
     "Closure",
     "CoaptError",
     "Coaptation",
+    "Comparison",
     "Conflict",
+    "Engine",
     "Evaluations",
     "Event",
     "Finding",
@@ -89,6 +103,7 @@ __all__ = [
     "LeadingPlan",
     "LeafletPoint",
     "LeakMap",
+    "LocalValve",
     "LeakMaps",
     "Measure",
     "Mesh",
@@ -115,6 +130,7 @@ __all__ = [
     "RingShape",
     "SearchResult",
     "Section",
+    "Service",
     "ServiceFailed",
     "Statistics",
     "StoredValve",
@@ -124,6 +140,10 @@ __all__ = [
     "Table",
     "Unreachable",
     "Valve",
+    "close_many",
+    "engine",
+    "preset",
     "read_plans",
+    "read_valve",
     "show_progress",
 ]

@@ -1,4 +1,4 @@
-"""How the client asks the service."""
+"""How questions about valves are asked."""
 
 from __future__ import annotations
 
@@ -28,13 +28,17 @@ class Asking:
         self, path: str, valve: Valve, request: Mapping[str, Any], headers: Mapping[str, str] | None = None
     ) -> Answer:
         """The answer to a request about a valve."""
-        source = valve_document(valve)
+        source = self._request_source(valve)
         try:
             return self._transport.request("POST", path, {"valve": source, **request}, headers)
         except InvalidRequest as error:
             if isinstance(source, str) and any(problem.path == "/valve" for problem in error.problems):
                 raise self._with_preset(error, source) from None
             raise
+
+    def _request_source(self, valve: Valve) -> Any:
+        """What a request carries of a valve."""
+        return valve_document(valve)
 
     def _with_preset(self, error: Refused, name: str) -> Refused:
         """The error, with the preset that an unknown valve's name may stand for."""

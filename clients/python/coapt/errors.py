@@ -47,7 +47,7 @@ class BadDocument(CoaptError, ValueError):
 
 
 class MissingPackage(CoaptError, ImportError):
-    """A package that this function needs, pandas or matplotlib, is not installed."""
+    """A package that this function needs is not installed: pandas, matplotlib, meshio, pyvista, or coapt's own engine."""
 
 
 class Unreachable(CoaptError):

@@ -1,4 +1,4 @@
-"""Long work: a job of the service, followed from here."""
+"""Long work: a job, followed from here."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ def show_progress(progress: Progress) -> None:
 
 
 class Job(Generic[Result]):
-    """A search, a study or an import. It goes on without its client: Client.job(id) finds it again.
+    """A search, a study or an import. That of a service goes on without its client: Client.job(id) finds it again.
 
-    json is the job as it was when the service was last asked; see refresh().
+    json is the job as it was when it was last asked for; see refresh().
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class Job(Generic[Result]):
         return f"/v1/jobs/{self.id}"
 
     def refresh(self) -> Job[Result]:
-        """Asks the service how the job is now; the same job."""
+        """Asks how the job is now; the same job."""
         self.json = self._transport.request("GET", self.path).json()
         return self
 
@@ -100,11 +100,8 @@ class Job(Generic[Result]):
         while True:
             pause_s = _PAUSE_S
             try:
-                with self._transport.open(
-                    "GET",
-                    f"{self.path}/events",
-                    headers={"Last-Event-ID": str(after)},
-                    timeout_s=self._left(deadline, 3 * _HEARTBEAT_S),
+                with self._transport.follow(
+                    f"{self.path}/events", {"Last-Event-ID": str(after)}, self._left(deadline, 3 * _HEARTBEAT_S)
                 ) as response:
                     if response.status == 204:
                         return
@@ -119,7 +116,7 @@ class Job(Generic[Result]):
             except LOST as error:
                 if time.monotonic() - heard > self._patience_s:
                     raise self._transport.unreachable(error) from error
-            self._transport.sleep(self._left(deadline, pause_s))
+            self._transport.pause(self._left(deadline, pause_s))
 
     def _left(self, deadline: float | None, most_s: float) -> float:
         """Seconds that may pass."""
@@ -131,22 +128,32 @@ class Job(Generic[Result]):
         return min(left, most_s)
 
     def wait(self, progress: Callable[[Progress], object] | None = None, timeout_s: float | None = None) -> Job[Result]:
-        """Until the job has ended, SUCCEEDED or CANCELLED; the same job.
+        """Until the job has ended, SUCCEEDED or CANCELLED; the same job. Ctrl-C ends a job of this process with the best so far,
+        the second one at once; a job of a service goes on.
 
         :param progress: called with each news of it, for instance show_progress or print
         :raises JobFailed: it ended otherwise
         :raises NotEnded: timeout_s is over; the job goes on
         """
         if not self.ended:
-            for event in self.events(timeout_s=timeout_s):
-                if event.progress is not None and progress is not None:
-                    progress(event.progress)
+            try:
+                self._follow(progress, timeout_s)
+            except KeyboardInterrupt:
+                if not self._transport.ends_with_us:
+                    raise
+                self.cancel()
+                self._follow(progress, None)
             self.refresh()
         if progress is show_progress:
             print(file=sys.stderr)
         if self.state == "FAILED":
             raise JobFailed(self.id, self.problems)
         return self
+
+    def _follow(self, progress: Callable[[Progress], object] | None, timeout_s: float | None) -> None:
+        for event in self.events(timeout_s=timeout_s):
+            if event.progress is not None and progress is not None:
+                progress(event.progress)
 
     def result(self, timeout_s: float | None = None) -> Result:
         """What it has found, after waiting for its end. A cancelled search has its best so far.

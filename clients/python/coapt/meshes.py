@@ -7,6 +7,8 @@ import pathlib
 from dataclasses import dataclass
 from typing import Any
 
+from .errors import MissingPackage
+
 try:
     import numpy
 except ImportError:
@@ -32,7 +34,8 @@ class Picture:
 @dataclass(frozen=True, eq=False)
 class Mesh:
     """Triangles. vertices_mm: V x 3, frame of the valve (x posteromedial, y anterior, z to the atrium). faces: F x 3, numbers
-    of vertices from 0. Arrays of numpy (float64, int64) where it is installed, lists of lists elsewhere."""
+    of vertices from 0. Arrays of numpy where it is installed (float64; int64, or int32 of the engine in this process), lists of
+    lists elsewhere."""
 
     vertices_mm: Any
     faces: Any
@@ -55,6 +58,28 @@ class Mesh:
         if numpy is None:
             return cls(vertices, faces)
         return cls(numpy.array(vertices, dtype=numpy.float64), numpy.array(faces, dtype=numpy.int64))
+
+    def to_meshio(self) -> Any:
+        """A meshio.Mesh of triangles: to_meshio().write("closed.vtu").
+
+        :raises MissingPackage: meshio is not installed
+        """
+        try:
+            import meshio
+        except ImportError as error:
+            raise MissingPackage("this needs meshio: pip install meshio, or apt install python3-meshio") from error
+        return meshio.Mesh(self.vertices_mm, [("triangle", self.faces)])
+
+    def to_pyvista(self) -> Any:
+        """A pyvista.PolyData.
+
+        :raises MissingPackage: pyvista is not installed
+        """
+        try:
+            import pyvista
+        except ImportError as error:
+            raise MissingPackage("this needs pyvista: pip install pyvista") from error
+        return pyvista.PolyData.from_regular_faces(self.vertices_mm, self.faces)
 
     def __repr__(self) -> str:
         return f"Mesh({len(self.vertices_mm)} vertices, {len(self.faces)} triangles)"

@@ -96,6 +96,58 @@ def coaptation(closure: Closure, *, ax: Axes | None = None) -> Axes:
     return axes
 
 
+def atrial_view(closure: Closure, *, ax: Axes | None = None) -> Axes:
+    """The closed leaflets as the atrium sees them: anterior up, the anterolateral side left; colours are heights above the
+    annulus. Leaflets are drawn without their thickness, so that a gap looks wider than the orifice that is measured."""
+    axes, mesh = _axes(ax), closure.leaflets()
+    points, faces = _rows(mesh.vertices_mm), _rows(mesh.faces)
+    height = [sum(points[corner][2] for corner in face) / 3.0 for face in faces]
+    order = sorted(range(len(faces)), key=height.__getitem__)  # what is higher hides what is lower
+    drawn = axes.tripcolor(
+        [point[0] for point in points],
+        [point[1] for point in points],
+        [faces[i] for i in order],
+        facecolors=[height[i] for i in order],
+        cmap="copper",
+        edgecolors="face",
+        linewidth=0.2,
+    )
+    axes.set_aspect("equal")
+    axes.set_xlabel("to the posteromedial commissure, mm")
+    axes.set_ylabel("anterior, mm")
+    axes.figure.colorbar(drawn, ax=axes, label="above the annulus, mm")
+    return axes
+
+
+def section(closure: Closure, x_mm: float = 0.0, *, ax: Axes | None = None) -> Axes:
+    """The closed leaflets cut by the plane x = x_mm (0: through the annulus's middle, A2 and P2), the atrium above."""
+    from matplotlib.collections import LineCollection
+
+    axes, mesh = _axes(ax), closure.leaflets()
+    points, pieces = _rows(mesh.vertices_mm), []
+    for face in _rows(mesh.faces):
+        corners = [points[corner] for corner in face]
+        cut = [
+            [a[k] + (x_mm - a[0]) / (b[0] - a[0]) * (b[k] - a[k]) for k in (1, 2)]
+            for a, b in zip(corners, corners[1:] + corners[:1])
+            if (a[0] < x_mm) != (b[0] < x_mm)
+        ]
+        if cut:
+            pieces.append(cut)
+    axes.add_collection(LineCollection(pieces, colors=_RED, linewidths=1.5))
+    axes.autoscale()
+    axes.set_aspect("equal")
+    axes.set_xlabel("anterior, mm")
+    axes.set_ylabel("to the atrium, mm")
+    return axes
+
+
+def _rows(array: Any) -> list[Any]:
+    """Of numpy, or lists already."""
+    rows: list[Any] = array.tolist() if hasattr(array, "tolist") else array
+    return rows
+
+
 def plans(result: SearchResult | Evaluations, *, ax: Axes | None = None) -> Axes:
     """Highest chordal tension of each ranked plan over its mean leak, with the leak's sd. Numbers are ranks, full points
     Pareto-optimal plans. Left out: plans closed at one node of their region alone."""

@@ -1,4 +1,4 @@
-"""What the service answers, as small typed objects. Each keeps the whole document in json.
+"""What is answered, as small typed objects. Each keeps the whole document in json.
 
 A unit is the last part of a name (mm, mm2, n: newtons, deg); None: not known, because too little was closed or a closure flew
 apart. Areas are anatomic, from geometry: not an effective regurgitant orifice area.
@@ -6,8 +6,9 @@ apart. Areas are anatomic, from geometry: not an effective regurgitant orifice a
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import frames, tables
@@ -55,7 +56,7 @@ class Measure:
     tension_sum_n: float | None
     strain_circumferential_max: float | None
     strain_radial_max: float | None
-    json: Document = field(repr=False, compare=False)
+    _document: Callable[[], Document] = field(repr=False, compare=False)
 
     @classmethod
     def from_json(cls, json: Document) -> Measure:
@@ -76,8 +77,13 @@ class Measure:
             json["tension_sum_n"],
             json["strain_circumferential_max"],
             json["strain_radial_max"],
-            json,
+            lambda: json,
         )
+
+    @cached_property
+    def json(self) -> Document:
+        """The whole of it."""
+        return self._document()
 
     @property
     def coaptation(self) -> Coaptation:
@@ -96,10 +102,12 @@ class Closure:
     seconds: float
     measure: Measure
     warnings: tuple[str, ...]
-    json: Document = field(repr=False, compare=False)
+    _document: Callable[[], Document] = field(repr=False, compare=False)
+    _leaflets: Callable[[], Mesh] | None = field(default=None, repr=False, compare=False)
 
     @classmethod
-    def from_json(cls, json: Document) -> Closure:
+    def from_json(cls, json: Document, leaflets: Callable[[], Mesh] | None = None) -> Closure:
+        """:param leaflets: makes the closed mesh when it is asked for"""
         return cls(
             json["valve"],
             json["status"],
@@ -109,8 +117,26 @@ class Closure:
             json["seconds"],
             Measure.from_json(json),
             tuple(json["warnings"]),
-            json,
+            lambda: json,
+            leaflets,
         )
+
+    @cached_property
+    def json(self) -> Document:
+        """The coapt.closure/1."""
+        return self._document()
+
+    def leaflets(self) -> Mesh:
+        """The closed, repaired leaflets, vertices in the order of the valve's. Of the engine in this process its own numbers,
+        read-only, not copied; of a service asked for now, to the digits of its PLY file."""
+        if self._leaflets is None:
+            raise CoaptError("only closures of close(), close_many() and map() have leaflets")
+        return self._leaflets()
+
+    @property
+    def closed_mm(self) -> Any:
+        """V x 3, float64: leaflets().vertices_mm."""
+        return self.leaflets().vertices_mm
 
     @property
     def trusted(self) -> bool:

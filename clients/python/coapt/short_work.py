@@ -1,4 +1,4 @@
-"""What the service answers at once of a valve and a plan."""
+"""What is answered at once of a valve and a plan."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from collections.abc import Iterable
 from typing import Any, Literal
 
 from .asking import Asking, given
-from .meshes import Picture
+from .meshes import Mesh, Picture
 from .openings import Opening
 from .results import Closure, Evaluations
-from .sources import PlanSource, Valve, all_named_plans, every_valve, plan_document
-from .sweep import Sweep
+from .sources import PlanSource, Valve, all_named_plans, every_valve, plan_document, valve_document
+from .sweep import Sweep, SweepItem
 
 FileFormat = Literal["glb", "vtk", "ply", "obj", "stl", "mrk.json", "csv", "feb"]
 
@@ -32,7 +32,17 @@ def scoring_of(
 class ShortWork(Asking):
     def close(self, valve: Valve, plan: PlanSource | None = None) -> Closure:
         """Closes a valve, repaired if there is a plan, and measures what leaks. Look at Closure.trusted."""
-        return self._closure(valve, None if plan is None else plan_document(plan))
+        return self._closure(self._read(valve), None if plan is None else plan_document(plan))
+
+    def close_many(
+        self,
+        valves: Valve | Iterable[Valve],
+        plans: PlanSource | Iterable[PlanSource] | None = None,
+        *,
+        threads: int | None = None,
+    ) -> list[SweepItem]:
+        """All of map(), at once: every valve with every plan."""
+        return list(self.map(valves, plans, threads=threads))
 
     def open(
         self,
@@ -76,7 +86,7 @@ class ShortWork(Asking):
             the service's cores gain nothing
         """
         named = [("no repair", None)] if plans is None else all_named_plans(plans)
-        return Sweep(self._closure, every_valve(valves), named, min(threads or os.cpu_count() or 1, MOST_THREADS))
+        return Sweep(self._closure, every_valve(valves), named, self._at_once(threads), self._read)
 
     def export(
         self,
@@ -132,5 +142,16 @@ class ShortWork(Asking):
         """The page about plans of one's own, ten at most, scored as evaluate() does: HTML that stands alone."""
         return self._ask("/v1/reports", valve, scoring_of(plans, region_points, evidence)).body.decode()
 
-    def _closure(self, valve: Valve, plan: Any) -> Closure:
-        return Closure.from_json(self._ask("/v1/closures", valve, given(plan=plan)).json())
+    def _at_once(self, threads: int | None) -> int:
+        """Closures of a sweep."""
+        return min(threads or os.cpu_count() or 1, MOST_THREADS)
+
+    def _read(self, valve: Valve) -> Any:
+        """What _closure() takes of a valve."""
+        return valve_document(valve)
+
+    def _closure(self, source: Any, plan: Any) -> Closure:
+        def leaflets() -> Mesh:
+            return Mesh.from_ply(self._ask("/v1/exports", source, given(plan=plan, format="ply")).body)
+
+        return Closure.from_json(self._ask("/v1/closures", source, given(plan=plan)).json(), leaflets)

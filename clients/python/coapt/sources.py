@@ -8,19 +8,20 @@ from typing import Any, TypeAlias
 
 from .errors import BadDocument
 from .files import Path, is_path, plan_entries, read_json, read_plan_entries
+from .local_valve import LocalValve
 from .repair import NamedPlan, Plan
 from .results import RankedPlan
 from .stored import KeptPlan, StoredValve
 
-Valve: TypeAlias = Path | Mapping[str, Any] | StoredValve
+Valve: TypeAlias = Path | Mapping[str, Any] | StoredValve | LocalValve
 """A preset's name or the id of a stored valve; a file (a pathlib.Path, or text that ends in ".json") of a coapt.valve/1; such a
-document; or what Client.valves() lists."""
+document; what Client.valves() lists; or one in this process."""
 
 PlanSource: TypeAlias = Plan | NamedPlan | RankedPlan | KeptPlan | Mapping[str, Any] | Path
 """A plan, from wherever it comes, or a file (a pathlib.Path, or text that ends in ".json") or document of one or several:
 coapt.plan/1, what `coapt plan --json` prints, the page's saved plans. Where one plan is asked for, the first counts."""
 
-_ONE_VALVE = (str, os.PathLike, Mapping, StoredValve)
+_ONE_VALVE = (str, os.PathLike, Mapping, StoredValve, LocalValve)
 _ONE_PLAN = (Plan, NamedPlan, RankedPlan, KeptPlan, Mapping, str, os.PathLike)
 
 
@@ -30,6 +31,8 @@ def valve_document(valve: Valve) -> Any:
     """
     if isinstance(valve, StoredValve):
         return valve.id
+    if isinstance(valve, LocalValve):
+        return valve.to_json()
     return read_json(valve) if is_path(valve) else valve
 
 
@@ -37,7 +40,7 @@ def valve_name(valve: Valve) -> str:
     """What to call it in a table."""
     if isinstance(valve, Mapping):
         return str(valve.get("name", ""))
-    return valve.name if isinstance(valve, StoredValve) else str(valve)
+    return valve.name if isinstance(valve, (StoredValve, LocalValve)) else str(valve)
 
 
 def named_plans(source: PlanSource) -> list[tuple[str, Any]]:

@@ -49,9 +49,13 @@ class Sweep:
         valves: Iterable[Valve],
         plans: Sequence[tuple[str, Any]],
         threads: int,
+        read: Callable[[Valve], Any] = valve_document,
     ) -> None:
-        """:param plans: names and documents; a document None is the valve as it is"""
-        self._close, self._valves, self._plans, self._threads = close, valves, plans, threads
+        """
+        :param plans: names and documents; a document None is the valve as it is
+        :param read: makes of a valve what close takes, once
+        """
+        self._close, self._valves, self._plans, self._threads, self._read = close, valves, plans, threads, read
 
     def to_frame(self) -> pandas.DataFrame:
         """Makes all closures: a row each, with the valve's and the plan's number and name, figures, trusted, error."""
@@ -75,7 +79,7 @@ class Sweep:
         for valve_number, valve in enumerate(self._valves):
             name = valve_name(valve)
             try:
-                document, error = valve_document(valve), None
+                document, error = self._read(valve), None
             except CoaptError as unreadable:
                 document, error = None, unreadable
             for plan_number, (plan_name, plan) in enumerate(self._plans):

@@ -1,25 +1,17 @@
-"""Requests over HTTP, each on a connection of its own, tried again where that is safe."""
+"""How requests reach what answers them."""
 
 from __future__ import annotations
 
 import http.client
-import itertools
 import json
-import socket
-import ssl
-import time
-import urllib.parse
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Iterator, Mapping
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from typing import Any, Protocol
 
-from .errors import BadDocument, Busy, CoaptError, Unreachable, refusal
+from .errors import BadDocument, Unreachable
 
 LOST = (OSError, http.client.HTTPException)  # the answer, or a part of it, did not come
-_FIRST_PAUSE_S = 0.25  # before the second try; doubled with each
-_LONGEST_PAUSE_S = 30.0
-_THIS_MACHINE = ("localhost", "127.0.0.1", "::1")
 
 
 @dataclass(frozen=True)
@@ -32,31 +24,21 @@ class Answer:
         return json.loads(self.body)
 
 
-@dataclass(frozen=True)
-class Transport:
-    """Where the service is, and how patient its client.
+class Stream(Protocol):
+    """An answer that is still coming: its lines."""
 
-    timeout_s: for the service to answer, from the last byte that came. retries: further tries of a request whose answer
-    got lost or that the service is too busy for (429, 503), after the pause that the service asks for in Retry-After.
-    plain_http: the token may go unencrypted to another machine.
-    """
+    status: int
 
-    url: str
-    token: str | None = field(default=None, repr=False)
-    timeout_s: float = 120.0
-    retries: int = 3
-    sleep: Callable[[float], object] = time.sleep
-    plain_http: bool = False
+    def __iter__(self) -> Iterator[bytes]:
+        ...
 
-    def __post_init__(self) -> None:
-        parts = urllib.parse.urlsplit(self.url)
-        if parts.scheme not in ("http", "https") or not parts.hostname:
-            raise CoaptError(f"{self.url!r} is no address of a service; must be like http://127.0.0.1:8080")
-        if self.token and parts.scheme == "http" and parts.hostname not in _THIS_MACHINE and not self.plain_http:
-            raise CoaptError(
-                f"{self.url} is not encrypted: others could read the token on the way; use https://, or plain_http=True "
-                "if the network is yours"
-            )
+
+class Transport(Protocol):
+    """ends_with_us: what answers is this process, so that jobs do not outlive it."""
+
+    @property
+    def ends_with_us(self) -> bool:
+        ...
 
     def request(
         self,
@@ -68,96 +50,24 @@ class Transport:
     ) -> Answer:
         """The answer, of a status below 400.
 
+        :param path: percent-encoded
         :param body: sent as JSON unless None
         :raises BadDocument: the body is no JSON
-        :raises Refused: the service says what is wrong
+        :raises Refused: what is wrong
         :raises Unreachable: no answer
         """
-        content = None if body is None else _encoded(body)
-        # What was removed by a request whose answer got lost would not be found by the next.
-        further = 0 if method == "DELETE" else self.retries
-        for tried in itertools.count():
-            pause_s = _FIRST_PAUSE_S * 2**tried
-            try:
-                with self.open(method, path, content, headers, query) as response:
-                    return Answer(response.status, _headers(response), response.read())
-            except Busy as busy:
-                if tried == further:
-                    raise
-                pause_s = busy.retry_after_s or pause_s
-            except LOST as error:
-                if tried == further:
-                    raise self.unreachable(error) from error
-            self.sleep(min(pause_s, _LONGEST_PAUSE_S))
-        raise AssertionError("the last try returns or raises")
+
+    def follow(self, path: str, headers: Mapping[str, str], timeout_s: float) -> AbstractContextManager[Stream]:
+        """One try of a GET whose answer has no end known beforehand. Raises Refused and LOST."""
 
     def unreachable(self, error: Exception) -> Unreachable:
-        return Unreachable(self._what_happened(error))
+        ...
 
-    def _what_happened(self, error: Exception) -> str:
-        """In words. Special kinds come before those that contain them."""
-        host = urllib.parse.urlsplit(self.url).hostname
-        match error:
-            case ConnectionRefusedError():
-                return f"nothing listens at {self.url}: connection refused; is coapt-server running?"
-            case socket.gaierror():
-                return f"{self.url} cannot be reached: there is no machine called {host} ({error.strerror})"
-            case ssl.SSLCertVerificationError():
-                return f"{self.url} is not trusted: {error.verify_message}"
-            case ssl.SSLError():
-                return f"{self.url} does not speak https: {error.reason or error}"
-            case TimeoutError():
-                return f"{self.url} did not answer in time"
-            case ConnectionError() | http.client.HTTPException():
-                return f"{self.url} broke the connection off: {error or type(error).__name__}"
-        return f"{self.url} cannot be reached: {error}"
-
-    @contextmanager
-    def open(
-        self,
-        method: str,
-        path: str,
-        content: bytes | None = None,
-        headers: Mapping[str, str] | None = None,
-        query: Mapping[str, Any] | None = None,
-        timeout_s: float | None = None,
-    ) -> Iterator[http.client.HTTPResponse]:
-        """One try: the answer, still to be read. Raises Refused, OSError and http.client.HTTPException."""
-        parts = urllib.parse.urlsplit(self.url)
-        target = parts.path.rstrip("/") + path
-        if query:
-            target += "?" + urllib.parse.urlencode(query)
-        connection = self._connection(parts, self.timeout_s if timeout_s is None else timeout_s)
-        try:
-            connection.request(method, target, content, self._sent(content, headers))
-            response = connection.getresponse()
-            if response.status >= 400:
-                raise refusal(response.status, response.read(), response.getheader("Retry-After"))
-            yield response
-        finally:
-            connection.close()
-
-    def _connection(self, parts: urllib.parse.SplitResult, timeout_s: float) -> http.client.HTTPConnection:
-        assert parts.hostname
-        if parts.scheme == "https":
-            context = ssl.create_default_context()
-            return http.client.HTTPSConnection(parts.hostname, parts.port, timeout=timeout_s, context=context)
-        return http.client.HTTPConnection(parts.hostname, parts.port, timeout=timeout_s)
-
-    def _sent(self, content: bytes | None, headers: Mapping[str, str] | None) -> dict[str, str]:
-        sent = {"User-Agent": "coapt-python"} | dict(headers or {})
-        if content is not None:
-            sent["Content-Type"] = "application/json"
-        if self.token is not None:
-            sent["Authorization"] = f"Bearer {self.token}"
-        return sent
+    def pause(self, seconds: float) -> None:
+        ...
 
 
-def _headers(response: http.client.HTTPResponse) -> dict[str, str]:
-    return {name.lower(): value for name, value in response.getheaders()}
-
-
-def _encoded(body: Any) -> bytes:
+def encoded(body: Any) -> bytes:
     try:
         return json.dumps(body, allow_nan=False).encode()
     except (TypeError, ValueError) as error:

@@ -1,0 +1,85 @@
+"""Two closed shapes beside each other."""
+
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from .errors import NoSuchFile
+from .local_transport import engine_module, refusing
+from .meshes import Mesh
+from .results import Closure, Measure
+
+if TYPE_CHECKING:
+    import numpy
+    from numpy.typing import NDArray
+
+    from . import _engine
+
+ShapeSource: TypeAlias = Closure | Mesh | str | os.PathLike[str]
+"""A closure of the engine, a mesh (vertices float64, faces int32 or int64), or a file: OBJ, PLY, STL, VTK, VTP or VTU, in mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """Distances of a closed shape from a reference (coapt.comparison/1): node to node where both have the same nodes, else from
+    its nodes to the reference's surface. Positive: on the side to which the reference's normals point, the atrium's.
+
+    signed_mm: of each node. moved_mm: N x 3, where the nodes lie after the alignment.
+    """
+
+    rms_mm: float
+    p95_mm: float
+    max_mm: float
+    node_to_node: bool
+    aligned: bool
+    signed_mm: NDArray[numpy.float64] = field(repr=False)
+    moved_mm: NDArray[numpy.float64] = field(repr=False)
+    json: Mapping[str, Any] = field(repr=False)
+
+
+def local_closure(native: _engine.Closure) -> Closure:
+    """Its figures as they are; its document is written when it is asked for."""
+    valve, status, crossing, residual, steps, seconds, figures, warnings = native.told()
+
+    @cache
+    def document() -> Any:
+        return json.loads(native.document())
+
+    measure = Measure(*(*figures, document))
+    return Closure(
+        valve, status, crossing, residual, steps, seconds, measure, warnings, document, LocalLeaflets(native)
+    )
+
+
+class LocalLeaflets:
+    """Of a closure in this process."""
+
+    def __init__(self, native: _engine.Closure) -> None:
+        self.native = native
+
+    def __call__(self) -> Mesh:
+        return Mesh(self.native.closed_mm, self.native.faces)
+
+
+def native_shape(source: ShapeSource) -> Any:
+    shapes = engine_module().Shape
+    if isinstance(source, Closure) and isinstance(source._leaflets, LocalLeaflets):
+        with refusing():
+            return shapes.of_closure(source._leaflets.native)
+    if isinstance(source, (Closure, Mesh)):
+        mesh = source.leaflets() if isinstance(source, Closure) else source
+        with refusing():
+            return shapes.of_arrays("arrays", mesh.vertices_mm, mesh.faces.astype("int32"))
+    file = pathlib.Path(source)
+    try:
+        content = file.read_bytes()
+    except OSError as error:
+        raise NoSuchFile(f"{source}: cannot be read: {error.strerror}") from error
+    with refusing():
+        return shapes.of_file(file.name, content, file.suffix.removeprefix(".").lower())

@@ -1,0 +1,54 @@
+"""The engine of this process, made when it is first asked for."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Iterable
+
+from .engine import Engine
+from .files import Path
+from .local_valve import LocalValve
+from .sources import PlanSource, Valve
+from .sweep import SweepItem
+
+_engines: dict[int, Engine] = {}  # by process: one that was forked has threads of its own
+_making = threading.Lock()
+
+
+def engine() -> Engine:
+    """
+    :raises MissingPackage: this installation has none
+    """
+    with _making:
+        return _engines.get(os.getpid()) or _engines.setdefault(os.getpid(), Engine())
+
+
+def preset(name: str) -> LocalValve:
+    """A valve that coapt brings along: preset("human-normal").close().measure.leak_mm2.
+
+    :raises InvalidRequest: there is none of that name
+    """
+    return engine().preset(name)
+
+
+def read_valve(path: Path) -> LocalValve:
+    """A file of a coapt.valve/1.
+
+    :raises NoSuchFile, BadDocument: problems have pointers into the file
+    """
+    return engine().read_valve(path)
+
+
+def close_many(
+    valves: Valve | Iterable[Valve],
+    plans: PlanSource | Iterable[PlanSource] | None = None,
+    *,
+    threads: int | None = None,
+) -> list[SweepItem]:
+    """Closes every valve with every plan in this process: all plans of the first valve, then all of the second. An error of one
+    stands in its place. See Engine.map() for one after the other.
+
+    :param threads: closures at once; does not change any; all cores by default
+    """
+    return engine().close_many(valves, plans, threads=threads)

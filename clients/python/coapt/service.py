@@ -1,0 +1,281 @@
+"""What can be asked for, as functions. What it takes and answers is in server/openapi.json."""
+
+from __future__ import annotations
+
+import urllib.parse
+import uuid
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any, Literal
+
+from .asking import given
+from .errors import NotFound, Problem
+from .files import Path
+from .fits import Fit, ImportResult
+from .imports import files_to_import, packed_folder
+from .jobs import Job
+from .results import SearchResult, StudyResult, known_fields
+from .short_work import ShortWork, repair_of
+from .sources import PlanSource, Valve, plan_document, valve_document
+from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
+from .transport import Transport
+
+Protocol = Literal["lookup-clamped", "lookup-extended", "closed", "optimum"]
+StudyName = Literal["annulus", "papillary", "ring", "approximation", "thesis"]
+
+
+def _path(folder: str, name: str) -> str:
+    return f"{folder}/{urllib.parse.quote(name, safe='')}"
+
+
+class Service(ShortWork):
+    """What Client (a coapt-server) and Engine (this process) can both do; code that takes a Service runs with either."""
+
+    def __init__(self, transport: Transport, patience_s: float = 60.0) -> None:
+        super().__init__(transport)
+        self._patience_s = patience_s
+
+    def version(self) -> str:
+        """Of what answers."""
+        return str(self._get("/version")["version"])
+
+    # Valves
+
+    def rings(self) -> list[RingShape]:
+        """Shapes that Ring() may name."""
+        return [RingShape(**known_fields(RingShape, ring)) for ring in self._get("/v1/rings")["rings"]]
+
+    def put_valve(self, valve: Valve) -> StoredValve:
+        """Stores a valve; the same valve has the same id."""
+        document = valve_document(valve)
+        stored = self._post("/v1/valves", document)
+        return StoredValve(stored["id"], document["name"], stored["vertices"], stored["triangles"], stored["chordae"])
+
+    def import_valve(
+        self,
+        leaflets: Iterable[Path] | Path,
+        annulus: Path | None,
+        chordae: Path | int,
+        *,
+        tips: Path | None = None,
+        name: str = "imported",
+        **options: Any,
+    ) -> StoredValve:
+        """Makes a valve of the files of a segmentation tool, in one unit, and stores it.
+
+        :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior leaflet, or one skirt; or the path of a label map
+            of both (NRRD or NIfTI)
+        :param annulus: CSV of x,y,z, or a closed curve of Slicer (.mrk.json); None: that of the label map, else found at the
+            leaflets
+        :param chordae: CSV or JSON; or a seed: they were not seen, and are drawn from anatomy
+        :param tips: of drawn chordae: papillary tips that were seen, CSV of papillary,x,y,z or labelled points of
+            Slicer; left out, they are drawn, too
+        :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
+            "cm" or "m"; left out, they are guessed from the annulus), closed (True or False: the leaflets were imaged
+            closed or open; left out, that is guessed), hidden_mm (of closed leaflets, what coaptation hides), label_numbers
+            (of a label map: a mapping of "anterior", "posterior" and "annulus" to numbers), frame ("LPS" or "RAS")
+        :raises Refused: what is wrong with which file
+        """
+        return self._imported(files_to_import(leaflets, annulus, chordae, tips), name, options)
+
+    def import_slicerheart(self, folder: Path, *, name: str = "imported", **options: Any) -> StoredValve:
+        """The same of a folder that SlicerHeart's ValveFemExport or `coapt export` wrote."""
+        return self._imported({"slicerheart": packed_folder(folder)}, name, options)
+
+    def _imported(self, files: dict[str, Any], name: str, options: dict[str, Any]) -> StoredValve:
+        stored = self._post("/v1/valves:import", files | options | {"name": name})
+        decisions = tuple(ImportDecision(**decision) for decision in stored["decisions"])
+        return StoredValve(stored["id"], name, stored["vertices"], stored["triangles"], stored["chordae"], decisions)
+
+    def valves(self) -> Iterator[StoredValve]:
+        """Stored valves, newest first: those of put_valve() and those that jobs were asked for with."""
+        for one in self._listed("/v1/valves", "valves"):
+            yield StoredValve(one["valve"], one["name"], one["vertices"], one["triangles"])
+
+    def get_valve(self, name: str) -> dict[str, Any]:
+        """The coapt.valve/1 of a preset or a stored valve: millimetres; x posteromedial, y anterior, z to the atrium."""
+        try:
+            valve: dict[str, Any] = self._get(_path("/v1/valves", name))
+        except NotFound as error:
+            raise self._with_preset(error, name) from None
+        return valve
+
+    def delete_valve(self, id: str) -> None:
+        """:raises Conflict: jobs or kept plans refer to it; delete these first"""
+        self._transport.request("DELETE", _path("/v1/valves", id))
+
+    def validate_valve(self, valve: Valve) -> tuple[Problem, ...]:
+        """Every problem of what is to be a valve; empty: it is one. Nothing is stored."""
+        return tuple(map(Problem.from_json, self._post("/v1/valves:validate", valve_document(valve))["problems"]))
+
+    # Kept plans
+
+    def keep_plan(self, valve: Valve, plan: PlanSource, name: str) -> KeptPlan:
+        """Keeps a plan that is possible on the valve, which is stored if it is a document; the page lists it, too.
+
+        :param name: one line, at most 200 bytes
+        :raises Conflict: there are as many as the service keeps
+        """
+        source = valve_document(valve)
+        of = source if isinstance(source, str) else self.put_valve(source).id
+        return KeptPlan.from_json(self._ask("/v1/kept-plans", of, repair_of(plan, name=name)).json())
+
+    def kept_plans(self, valve: str | StoredValve | None = None) -> Iterator[KeptPlan]:
+        """Kept plans, newest first; only those of a valve, by the id or preset's name that they were kept for."""
+        query = given(valve=None if valve is None else valve_document(valve))
+        yield from map(KeptPlan.from_json, self._listed("/v1/kept-plans", "kept_plans", query))
+
+    def rename_kept_plan(self, id: str, name: str) -> KeptPlan:
+        answer = self._transport.request("PATCH", _path("/v1/kept-plans", id), {"name": name})
+        return KeptPlan.from_json(answer.json())
+
+    def delete_kept_plan(self, id: str) -> None:
+        self._transport.request("DELETE", _path("/v1/kept-plans", id))
+
+    # Long work
+
+    def search(
+        self,
+        valve: Valve,
+        *,
+        evaluations: int | None = None,
+        front_share: float | None = None,
+        seed: int | None = None,
+        plans: int | None = None,
+        region_points: int | None = None,
+        evidence: bool | None = None,
+        openings: bool | None = None,
+        fine_levels: int | None = None,
+        model_draws: int | None = None,
+        seconds: float | None = None,
+        no_improvement: int | None = None,
+        target_mm2: float | None = None,
+        threads: int | None = None,
+        fixed: PlanSource | None = None,
+        forbidden: Sequence[str] | None = None,
+        rules: Mapping[str, Any] | None = None,
+        weights: Mapping[str, float] | None = None,
+        idempotency_key: str | None = None,
+    ) -> Job[SearchResult]:
+        """Searches repair plans. What is left out has the service's default, in brackets.
+
+        :param evaluations: closures for the search itself; ranking takes more (2,000)
+        :param front_share: more closures, as a share of those, for plans that trade leak, opening and durability otherwise than the best (0.3)
+        :param seed: the same seed gives the same plans (1)
+        :param plans: how many ranked plans to report, up to 50 (5)
+        :param region_points: 1 to 1,089 nodes of each reported plan's region of interest (1,089)
+        :param evidence: close the reported plans also under errors of single sutures and further remodelling and disease (True)
+        :param openings: open plans in diastole, too, once they are closed at more than one node (True)
+        :param fine_levels: times that the mesh is refined for the verdict on each reported plan, 0 to 2 (1)
+        :param model_draws: draws of tissue and chordae under which each reported plan is closed as planned, 0 to 200 (8)
+        :param seconds: stop after this time, the last 40 % spent on ranking; 0: no limit (0)
+        :param no_improvement: stop after so many closures without a better plan; 0: never (0)
+        :param target_mm2: stop when mean + sd of a plan's leak over 17 nodes is not above this; -1: never (-1)
+        :param threads: does not change the result; 0: all cores (0)
+        :param fixed: steps that every plan must contain
+        :param forbidden: what no plan may contain: "neochorda", "papillary_approximation:saddle_peak", "annuloplasty:own", ...
+        :param rules: further rules of io/schema/search.schema.json; fixed and forbidden go into them
+        :param weights: of the cost, likewise
+        :param idempotency_key: the same key with the same request gives the same job; a new one by default
+        """
+        all_rules = dict(rules or {}) | given(
+            fixed=None if fixed is None else plan_document(fixed),
+            forbidden=None if forbidden is None else list(forbidden),
+        )
+        search = given(
+            evaluations=evaluations,
+            front_share=front_share,
+            seed=seed,
+            threads=threads,
+            plans=plans,
+            region_points=region_points,
+            evidence=evidence,
+            openings=openings,
+            fine_levels=fine_levels,
+            model_draws=model_draws,
+            seconds=seconds,
+            no_improvement=no_improvement,
+            target_mm2=target_mm2,
+            rules=all_rules or None,
+            weights=None if weights is None else dict(weights),
+        )
+        json = self._submit("/v1/plans", valve, {"search": search}, idempotency_key)
+        return Job(self._transport, json, SearchResult.from_json, self._patience_s)
+
+    def study(
+        self,
+        valve: Valve,
+        name: StudyName = "thesis",
+        *,
+        protocols: Sequence[Protocol] | None = None,
+        displacement_step_mm: int | None = None,
+        region_points: int | None = None,
+        scan_sites: int | None = None,
+        idempotency_key: str | None = None,
+    ) -> Job[StudyResult]:
+        """Repeats a study of the thesis on a valve. The options are those of "approximation" and "thesis" alone.
+
+        :param protocols: how positions of a region get their orifice (both look-ups)
+        :param displacement_step_mm: 1, 2, 3 or 6, of the displaced configurations
+        :param region_points: 17 to 1,089 nodes of each region of interest
+        :param scan_sites: 0 to 360 anchors around the annulus, besides trigone and saddle peak
+        """
+        study = {"name": name} | given(
+            protocols=None if protocols is None else list(protocols),
+            scan_sites=scan_sites,
+            displacement_step_mm=displacement_step_mm,
+            region_points=region_points,
+        )
+        json = self._submit("/v1/studies", valve, {"study": study}, idempotency_key)
+        return Job(self._transport, json, StudyResult.from_json, self._patience_s)
+
+    def import_job(
+        self,
+        leaflets: Iterable[Path] | Path = (),
+        annulus: Path | None = None,
+        chordae: Path | int | None = None,
+        *,
+        slicerheart: Path | None = None,
+        tips: Path | None = None,
+        fit: Fit | None = None,
+        name: str = "imported",
+        idempotency_key: str | None = None,
+        **options: Any,
+    ) -> Job[ImportResult]:
+        """The imports above as a job, which also draws the valve beside what was given and fits it, in seconds to minutes.
+
+            job = client.import_job(["a.stl", "p.stl"], "ring.mrk.json", 1, closed=True, fit=Fit(leak_mm2=35))
+            result = job.wait(show_progress).result()
+            result.picture().write("import.png")
+
+        :param slicerheart: a folder, instead of leaflets, annulus and chordae
+        :param chordae: CSV or JSON, or a seed; of a folder a seed alone, where it has none
+        :param fit: None: the valve is not fitted
+        :param options: as import_valve(), and landmarks: a mapping of "anterolateral_commissure",
+            "posteromedial_commissure", "saddle_peak" and "mid_posterior" to x, y, z in the files' coordinates
+        :raises Refused: what is wrong with which file, at once
+        """
+        if slicerheart is not None:
+            files = {"slicerheart": packed_folder(slicerheart)} | given(chordae_seed=chordae)
+        elif leaflets == () or chordae is None:
+            raise TypeError("import_job() takes leaflets and chordae, or slicerheart")
+        else:
+            files = files_to_import(leaflets, annulus, chordae, tips)
+        request = files | options | {"name": name} | given(fit=None if fit is None else fit.to_json())
+        key = {"Idempotency-Key": idempotency_key or uuid.uuid4().hex}
+        json = self._transport.request("POST", "/v1/imports", request, key).json()
+        return Job(self._transport, json, ImportResult.from_json, self._patience_s)
+
+    def job(self, id: str) -> Job[Any]:
+        """A job that was begun before."""
+        return self._job(self._get(_path("/v1/jobs", id)))
+
+    def jobs(self, state: str | None = None) -> Iterator[Job[Any]]:
+        """All jobs, newest first; only those QUEUED, RUNNING, SUCCEEDED, FAILED or CANCELLED if state says so."""
+        yield from map(self._job, self._listed("/v1/jobs", "jobs", given(state=state)))
+
+    def _job(self, json: Mapping[str, Any]) -> Job[Any]:
+        readers: dict[str, Any] = {"plans": SearchResult, "study": StudyResult, "import": ImportResult}
+        return Job(self._transport, json, readers[json["kind"]].from_json, self._patience_s)
+
+    def _submit(self, path: str, valve: Valve, request: Mapping[str, Any], key: str | None) -> Any:
+        return self._ask(path, valve, request, {"Idempotency-Key": key or uuid.uuid4().hex}).json()
