@@ -5,11 +5,12 @@ import json
 import unittest
 
 import coapt
-from client_runs import VALVE, ClientTest
+from client_runs import VALVE, ClientTest, both
 from coapt import Client, OwnRing, PapillaryApproximation, Plan, Ring
 from programs import SOURCE, coapt as coapt_command
 
 
+@both
 class Valves(ClientTest):
     def test_presets_and_rings_are_listed(self):
         self.assertIn(VALVE, self.client.presets())
@@ -43,6 +44,7 @@ class Valves(ClientTest):
         self.client.delete_valve(job.json["valve"])
 
 
+@both
 class Closures(ClientTest):
     def test_a_closure_is_the_one_of_the_command_line(self):
         plan = Plan(Ring("generic-classic", size_mm=30))
@@ -54,6 +56,11 @@ class Closures(ClientTest):
         self.assertEqual(closure.measure.gap_area_mm2, printed["coaptation"]["gap_area_mm2"])
         self.assertTrue(closure.trusted)
         self.assertEqual(self.client.close(VALVE, plan.to_json()).measure, closure.measure)
+
+    def test_a_closure_has_its_leaflets(self):
+        leaflets, valve = self.client.close(VALVE).leaflets(), self.client.get_valve(VALVE)
+        self.assertEqual([list(face) for face in leaflets.faces], valve["faces"])
+        self.assertEqual(len(leaflets.vertices_mm), len(valve["vertices_mm"]))
 
     def test_an_opening_is_the_one_of_the_command_line(self):
         plan = Plan(Ring("generic-classic", size_mm=30))
@@ -117,12 +124,16 @@ class Closures(ClientTest):
         self.assertEqual(sorted(plan.rank for plan in scored.plans), [1, 2, 3])
         self.assertEqual(scored.plans[0].measure, scored.before.measure)
         self.assertEqual(self.client.evaluate(VALVE, scored.plans[1:2]).plans[0].plan, plans[1])
+        with self.assertRaisesRegex(coapt.CoaptError, "search"):
+            scored.plans[0].picture()
+
+
+class Limits(ClientTest):
+    def test_a_service_scores_so_many_plans_at_once(self):
         self.assertEqual(
             self.problems(coapt.InvalidRequest, self.client.evaluate, VALVE, [Plan()] * 2, 1000),
             [("/plans", "out_of_range")],
         )
-        with self.assertRaisesRegex(coapt.CoaptError, "search"):
-            scored.plans[0].picture()
 
 
 class Options(unittest.TestCase):

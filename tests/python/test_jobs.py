@@ -4,11 +4,12 @@ import json
 import unittest
 
 import coapt
-from client_runs import ENDLESS, SMALL, VALVE, ClientTest
+from client_runs import ENDLESS, SMALL, VALVE, ClientTest, both
 from coapt import OwnRing, Plan
 from programs import coapt as coapt_command
 
 
+@both
 class Searches(ClientTest):
     def test_a_search_finds_the_plans_of_the_command_line(self):
         seen = []
@@ -103,6 +104,7 @@ class Limited(ClientTest):
         self.assertEqual(self.refused(coapt.Conflict, job.report).status, 409)
 
 
+@both
 class Studies(ClientTest):
     def test_a_study_has_findings_and_files(self):
         job = self.client.study("porcine-3", "annulus")

@@ -11,7 +11,7 @@ import sys
 import unittest
 
 import coapt
-from client_runs import SMALL, VALVE, ClientTest
+from client_runs import SMALL, VALVE, ClientTest, has_engine
 from programs import OK, SOURCE
 
 EXAMPLES = SOURCE / "examples/python"
@@ -130,12 +130,13 @@ class Examples(ClientTest):
         leak = eval(line.replace("http://127.0.0.1:8080", self.url), vars(coapt))
         self.assertEqual(leak, self.client.close(VALVE).measure.leak_mm2)
 
+    @unittest.skipUnless(has_engine(), "no engine")
     def test_the_package_says_what_the_readme_says(self):
         names = self.run_blocks(SOURCE / "clients/python/README.md")
         self.assertTrue((self.folder / "before-after.png").exists())
         self.assert_practicable(names["plan"])
 
-    @unittest.skipUnless(DRAWS, "pandas and matplotlib are not installed")
+    @unittest.skipUnless(DRAWS and has_engine(), "pandas, matplotlib and the engine are needed")
     def test_the_guide_runs(self):
         names = self.run_blocks(SOURCE / "docs/engineer/python.md")
         self.assert_practicable(names["plan"])

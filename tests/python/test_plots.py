@@ -65,6 +65,27 @@ class Plots(ClientTest):
             sorted(heights), sorted(one.height_mm if one.contact else -one.distance_mm for one in sections)
         )
 
+    def test_the_atrial_view_has_every_triangle_and_the_section_lies_within_it(self):
+        closure = self.client.close(VALVE)
+        leaflets = closure.leaflets()
+        self.assertEqual(
+            len(self.drawn(plots.atrial_view, closure).collections[0].get_facecolors()), len(leaflets.faces)
+        )
+        pieces = self.drawn(plots.section, closure).collections[0].get_segments()
+        self.assertTrue(all(len(piece) == 2 for piece in pieces))
+        y = [vertex[1] for vertex in leaflets.vertices_mm]
+        self.assertTrue(all(min(y) <= point[0] <= max(y) for piece in pieces for point in piece) and len(pieces) > 10)
+
+    @unittest.skipUnless(importlib.util.find_spec("meshio"), "meshio is not installed")
+    def test_leaflets_are_meshes_of_meshio(self):
+        leaflets = self.client.close(VALVE).leaflets()
+        leaflets.to_meshio().write(self.folder / "closed.vtk")
+        self.assertEqual(self.client.close(VALVE).closed_mm.shape, leaflets.vertices_mm.shape)
+        self.assertGreater((self.folder / "closed.vtk").stat().st_size, 1000)
+        with mock.patch.dict(sys.modules, {"pyvista": None}):
+            with self.assertRaisesRegex(coapt.MissingPackage, "pyvista"):
+                leaflets.to_pyvista()
+
     def test_plans_are_points_with_their_ranks(self):
         result = self.scored(PLANS / "ring.json", PLANS / "own-ring.json", region_points=2)
         axes = self.drawn(plots.plans, result)

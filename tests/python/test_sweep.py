@@ -5,7 +5,7 @@ import threading
 import unittest
 
 import coapt
-from client_runs import VALVE, ClientTest
+from client_runs import VALVE, ClientTest, both
 from coapt import Plan, Ring
 from coapt.sweep import Sweep
 from programs import SOURCE
@@ -13,6 +13,7 @@ from programs import SOURCE
 RING = SOURCE / "examples/plans/ring.json"
 
 
+@both
 class Closures(ClientTest):
     def test_closures_come_in_the_order_of_valves_then_plans(self):
         valves, plans = ["porcine-1", self.make("human-normal"), VALVE], [Plan(), RING]

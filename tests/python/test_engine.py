@@ -1,0 +1,192 @@
+"""The engine in this process: arrays, errors, threads, Ctrl-C; what it answers is tested beside the client (client_runs.both)."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+
+import coapt
+from client_runs import ENDLESS, SMALL, VALVE, EngineTest, has_engine
+from coapt import OwnRing, Plan
+from programs import OK, coapt as coapt_command
+
+ENGINE = has_engine()
+if ENGINE:
+    import numpy
+
+
+@unittest.skipUnless(ENGINE, "no engine")
+class Arrays(EngineTest):
+    def setUp(self):
+        super().setUp()
+        self.valve = self.client.preset("porcine-1")
+
+    def test_a_valve_is_arrays_that_are_not_copied_and_cannot_be_written_to(self):
+        document = self.valve.to_json()
+        for name, array in (("vertices_mm", self.valve.vertices_mm), ("faces", self.valve.faces)):
+            self.assertEqual(array.tolist(), document[name])
+            self.assertTrue(numpy.shares_memory(array, getattr(self.valve, name)))
+            with self.assertRaises(ValueError):
+                array[0] = 0
+            with self.assertRaises(ValueError):
+                array.flags.writeable = True
+
+    def test_a_closed_shape_outlives_its_closure(self):
+        closure = self.valve.close()
+        shape = closure.closed_mm
+        self.assertTrue(numpy.shares_memory(shape, closure.leaflets().vertices_mm))
+        self.assertEqual((shape.dtype, shape.shape), (numpy.float64, self.valve.vertices_mm.shape))
+        kept = shape.copy()
+        del closure
+        self.assertTrue((shape == kept).all())
+        with self.assertRaises(ValueError):
+            shape[0, 0] = 1.0
+
+    def test_a_closed_shape_has_the_numbers_of_the_command_line(self):
+        file = self.folder / "closed.vtk"
+        coapt_command("close", "porcine-1", "--closed", file)
+        compared = self.client.compare(self.valve.close(), file)
+        self.assertTrue(compared.node_to_node)
+        self.assertLess(compared.max_mm, 1e-4)
+        self.assertEqual(len(compared.signed_mm), len(compared.moved_mm))
+        self.assertEqual(self.client.compare(self.valve.close(), self.valve.close()).max_mm, 0.0)
+
+    def test_a_valve_of_other_arrays_is_another_valve(self):
+        wider = self.valve.with_arrays(annulus_mm=1.05 * self.valve.annulus_mm)
+        self.assertEqual(wider.faces.tolist(), self.valve.faces.tolist())
+        self.assertGreater(wider.close().measure.annulus_ap_mm, 1.02 * self.valve.close().measure.annulus_ap_mm)
+        self.assertEqual(self.client.close(wider.to_json()).measure, wider.close().measure)
+        self.assertEqual(self.client.open(wider).name, wider.name)
+
+    def refused_arrays(self, **arrays):
+        error = self.refused(coapt.BadDocument, self.valve.with_arrays, **arrays)
+        return [(problem.path, problem.code) for problem in error.problems], str(error)
+
+    def test_arrays_of_another_type_or_shape_are_refused(self):
+        points = numpy.array(self.valve.vertices_mm)
+        problems, text = self.refused_arrays(vertices_mm=points.astype(numpy.float32))
+        self.assertEqual(problems, [("/vertices_mm", "wrong_type")])
+        self.assertIn("float32, must be of float64", text)
+        problems, text = self.refused_arrays(vertices_mm=points[:, :2])
+        self.assertEqual(problems, [("/vertices_mm", "wrong_type")])
+        self.assertIn(f"({len(points)}, 2), must have (n, 3)", text)
+        self.assertEqual(self.refused_arrays(faces=self.valve.faces.astype(float))[0], [("/faces", "wrong_type")])
+        points[7, 1] = numpy.nan
+        self.assertEqual(self.refused_arrays(vertices_mm=points)[0], [("/vertices_mm/7", "out_of_range")])
+        paths = [path for path, _ in self.refused_arrays(faces=self.valve.faces + numpy.int32(1000))[0]]
+        self.assertEqual(paths[0], "/faces/0/0")
+
+    def test_a_file_that_holds_no_valve_is_refused_with_the_place(self):
+        other = self.write("other.json", self.valve.to_json() | {"schema": "coapt.valve/9"})
+        error = self.refused(coapt.BadDocument, self.client.read_valve, other)
+        self.assertEqual([problem.path for problem in error.problems], ["/schema"])
+        self.assertIn("other.json", str(error))
+        self.refused(coapt.BadDocument, self.client.read_valve, self.write("broken.json", "{"))
+        self.refused(coapt.NoSuchFile, self.client.read_valve, self.folder / "none.json")
+        self.assertIn(f'did you mean "{VALVE}"', str(self.refused(coapt.InvalidRequest, coapt.preset, VALVE[:-1])))
+
+    def test_a_fit_finds_a_closed_shape(self):
+        points = numpy.array(self.valve.close().closed_mm)
+        seen = []
+        fitted, told = self.valve.fit(
+            points, side="middle", points=200, rounds=1, progress=lambda *news: seen.append(news)
+        )
+        self.assertLess(told.rms_mm, 0.3)
+        self.assertTrue(seen)
+        self.assertEqual(fitted.faces.tolist(), self.valve.faces.tolist())
+        self.assertEqual(
+            self.problems(coapt.InvalidRequest, self.valve.fit, points, side="inner"), [("/side", "bad_reference")]
+        )
+
+
+@unittest.skipUnless(ENGINE, "no engine")
+class Threads(EngineTest):
+    def test_closures_of_two_threads_overlap(self):
+        """The interpreter goes on while one is made: a thread that counts gets its turns."""
+        valve, counted, ended = self.client.preset(VALVE), [], threading.Event()
+
+        def count():
+            while not ended.wait(0.002):
+                counted.append(time.perf_counter())
+
+        counter = threading.Thread(target=count)
+        counter.start()
+        start = time.perf_counter()
+        valve.native.close("")
+        end = time.perf_counter()
+        ended.set()
+        counter.join()
+        self.assertTrue([one for one in counted if start < one < end])
+
+    def test_any_number_of_threads_gives_the_same_bits(self):
+        plans = [Plan(OwnRing(below)) for below in range(4)]
+        one, four = (coapt.close_many(VALVE, plans, threads=threads) for threads in (1, 4))
+        for a, b in zip(one, four):
+            self.assertEqual(a.closure.json | {"seconds": 0}, b.closure.json | {"seconds": 0})
+            self.assertTrue((a.closure.closed_mm == b.closure.closed_mm).all())
+
+    def test_a_search_is_the_same_of_one_thread_and_of_two(self):
+        found = []
+        for threads in (1, 2):
+            engine = coapt.Engine(threads=threads)
+            found.append(engine.search(VALVE, **SMALL).result().plans[0].json)
+            engine.end()
+        self.assertEqual(*found)
+
+
+@unittest.skipUnless(ENGINE, "no engine")
+class Jobs(EngineTest):
+    def test_interrupted_a_search_has_its_best_so_far(self):
+        job = self.client.search(VALVE, **ENDLESS)
+
+        def interrupt(progress):
+            if progress.closures > 5 and not interrupted:
+                interrupted.append(progress)
+                os.kill(os.getpid(), signal.SIGINT)
+
+        interrupted = []
+        result = job.wait(progress=interrupt).result()
+        self.assertEqual((job.state, result.stop, result.plans[0].rank), ("CANCELLED", "cancelled", 1))
+
+    def test_a_database_keeps_what_was_found(self):
+        file = self.folder / "found.sqlite"
+        engine = coapt.Engine(file)
+        job = engine.search(VALVE, **SMALL)
+        found = job.result()
+        self.refused(coapt.BadDocument, coapt.Engine, file)  # another has it open
+        engine.end()
+        again = coapt.Engine(file)
+        self.addCleanup(again.end)
+        self.assertEqual(again.job(job.id).result().plans[0].json, found.plans[0].json)
+
+    def test_a_script_of_one_line_leaves_nothing_behind(self):
+        line = "import coapt; print(coapt.preset('human-normal').close().measure.leak_mm2)"
+        run = subprocess.run(
+            [sys.executable, "-c", line],
+            env=os.environ | {"TMPDIR": str(self.folder)},
+            text=True,
+            capture_output=True,
+        )
+        self.assertEqual(run.returncode, OK, run.stderr)
+        printed = json.loads(coapt_command("close", "human-normal", "--json").stdout)
+        self.assertEqual(float(run.stdout), printed["leak_mm2"])
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class WithoutEngine(unittest.TestCase):
+    def test_the_client_works_and_the_engine_says_what_is_missing(self):
+        line = (
+            "import sys; sys.modules['coapt._engine'] = None\n"
+            "import coapt; coapt.Client('http://127.0.0.1:1')\n"
+            "try: coapt.preset('human-normal')\nexcept coapt.MissingPackage as error: print(error)"
+        )
+        run = subprocess.run([sys.executable, "-c", line], text=True, capture_output=True)
+        self.assertIn("coapt_python", run.stdout, run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
