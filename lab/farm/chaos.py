@@ -1,0 +1,115 @@
+#!/usr/bin/python3
+"""A study by a farm whose workers are killed all the while: chaos.py BIN_DIRECTORY [--anatomies N] [--workers N] [--every SECONDS] [--against N].
+
+Starts a private PostgreSQL, runs `coapt study generality` by its farm, and kills one worker after the other (SIGKILL), each time
+starting another in its place. Then asks what the database counted, and runs the same study of the first N anatomies (--against) in one
+process: its findings must be the same, line by line. Prints JSON."""
+
+import argparse
+import csv
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests/farm"))
+
+from private_postgres import PrivatePostgres  # noqa: E402
+
+
+def findings(directory, anatomies):
+    """Rows of findings.csv but those of random anatomies from number `anatomies` on."""
+    with (directory / "findings.csv").open() as file:
+        rows = list(csv.reader(file))
+    names = []
+    kept = []
+    for row in rows:
+        if "random anatomies" in row:
+            name = row[1]
+            if name not in names:
+                names.append(name)
+            if names.index(name) >= anatomies:
+                continue
+        kept.append(row)
+    return kept
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("bin", type=pathlib.Path)
+    parser.add_argument("--anatomies", type=int, default=50)
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--every", type=float, default=5.0, help="seconds between kills")
+    parser.add_argument("--against", type=int, default=2, help="anatomies of the run in one process")
+    parser.add_argument("--lease", default="10")
+    asked = parser.parse_args()
+    postgres = PrivatePostgres()
+    postgres.sql("postgres", "CREATE DATABASE farm")
+    environment = {**os.environ, "COAPT_FARM": postgres.url("farm")}
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="chaos"))
+    subprocess.run([asked.bin / "coapt-farm", "init"], env=environment, check=True)
+    count = 0
+
+    def worker():
+        nonlocal count
+        count += 1
+        return subprocess.Popen(
+            [asked.bin / "coapt-farm", "work", "--threads", "1", "--lease", asked.lease, "--name", f"worker-{count}"],
+            env=environment, stderr=subprocess.DEVNULL,
+        )  # fmt: skip
+
+    def study(name, anatomies):
+        return [asked.bin / "coapt", "study", "generality", "--anatomies", str(anatomies), "-o", folder / name]
+
+    workers = [worker() for _ in range(asked.workers)]
+    started = time.monotonic()
+    run = subprocess.Popen(study("farm", asked.anatomies), env=environment, stdout=subprocess.DEVNULL)
+    kills = 0
+    try:
+        while run.poll() is None:
+            try:
+                run.wait(asked.every)
+            except subprocess.TimeoutExpired:
+                oldest = workers.pop(0)
+                oldest.send_signal(signal.SIGKILL)
+                oldest.wait()
+                workers.append(worker())
+                kills += 1
+        seconds = time.monotonic() - started
+        (items, results, lost, differing), *_ = postgres.sql(
+            "farm",
+            "SELECT (SELECT sum(items) FROM coapt_farm.run), (SELECT sum(n) FROM coapt_farm.result),"
+            " (SELECT count(*) FROM coapt_farm.fault WHERE what = 'lost'),"
+            " (SELECT count(*) FROM coapt_farm.fault WHERE what = 'differs')",
+        )
+        tasks, *_ = postgres.sql("farm", "SELECT sum(tasks) FROM coapt_farm.worker")
+    finally:
+        for process in workers:
+            process.terminate()
+            process.wait()
+        postgres.remove()
+    alone = {name: value for name, value in os.environ.items() if name != "COAPT_FARM"}
+    subprocess.run(study("alone", asked.against), env=alone, check=True, stdout=subprocess.DEVNULL)
+    same = findings(folder / "farm", asked.against) == findings(folder / "alone", asked.against)
+    answer = {
+        "closures": int(items),
+        "answered": int(results),
+        "kills": kills,
+        "leases_lost": int(lost),
+        "answers_that_differ": int(differing),
+        "tasks_computed": int(tasks[0]),
+        "seconds": round(seconds),
+        "closures_per_s": round(int(items) / seconds),
+        "findings_as_in_one_process": same,
+        "compared_anatomies": asked.against,
+    }
+    print(json.dumps(answer, indent=2))
+    sys.exit(0 if run.returncode == 0 and same and items == results else 1)
+
+
+if __name__ == "__main__":
+    main()
