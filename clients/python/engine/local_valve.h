@@ -31,9 +31,9 @@ LocalValve with_arrays(const LocalValve& valve, const NewArrays& arrays);
 /// A closure that Python holds, with all that it was made of; not null.
 struct LocalClosure {
   std::shared_ptr<const Valve> valve, repaired;  ///< the same without a plan
-  RepairPlan plan;
-  ClosureResult closure;
-  ValveMeasure measure;
+  RepairPlan plan{};
+  ClosureResult closure{};
+  ValveMeasure measure{};
   double seconds = 0.0;  ///< of closing
 };
 
