@@ -163,7 +163,8 @@ void add_generality(Command parent, int& status) {
       "here.\n\n"
       "Examples:\n"
       "  coapt study generality examples/valves/bodyparts3d.json -o generality\n"
-      "  coapt study generality --anatomies 1000 --farm postgresql://farm.example/coapt -o general");
+      "  coapt study generality --anatomies 1000 --farm postgresql://farm.example/coapt -o "
+      "general");
   command.on_run([arguments, &status] { status = run(*arguments); });
 }
 
