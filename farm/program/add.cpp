@@ -61,7 +61,8 @@ int add(const AddArguments& arguments, const FarmKinds& kinds) {
   if (!request) return report_request(arguments.file, request.errors(), json);
   const Expected<Work> work = kinds.open(*request);
   if (!work) return report_request(arguments.file, work.errors(), json);
-  Expected<FarmDatabase> database = FarmDatabase::open(arguments.farm.url);
+  Expected<FarmDatabase> database = arguments.wait ? open_patiently(arguments.farm.url, interrupted)
+                                                   : FarmDatabase::open(arguments.farm.url);
   if (!database) return report_farm_errors(database.errors(), json);
   const NewRun run{work_id(*request), kinds.revision,   arguments.label,      arguments.team,
                    work->items,       work->task_items, arguments.check_share};

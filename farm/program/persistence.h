@@ -26,6 +26,21 @@ inline void sleep_unless(PatientClock::duration time, const std::atomic<bool>& i
         std::min<PatientClock::duration>(end - PatientClock::now(), std::chrono::milliseconds(50)));
 }
 
+/// A farm that does not answer for so long when it is first asked is not waited for.
+inline constexpr std::chrono::seconds kFirstPatience(60);
+
+/// Opens a farm; tries again while it may pass, for the first of many batches must not end a study because the database restarts.
+inline Expected<FarmDatabase> open_patiently(const std::string& url,
+                                             const std::atomic<bool>& interrupted) {
+  const PatientClock::time_point end = PatientClock::now() + kFirstPatience;
+  for (;;) {
+    Expected<FarmDatabase> database = FarmDatabase::open(url);
+    if (database || !may_pass(database.errors()) || interrupted || PatientClock::now() > end)
+      return database;
+    sleep_unless(std::chrono::seconds(1), interrupted);
+  }
+}
+
 /// The answer, tried again while it may pass; none if interrupted, or refused (told, `status` is set).
 template <class Call>
 auto persistently(FarmDatabase& database, const std::atomic<bool>& interrupted, bool json,
