@@ -29,7 +29,7 @@ inline void sleep_unless(PatientClock::duration time, const std::atomic<bool>& i
 /// A farm that does not answer for so long when it is first asked is not waited for.
 inline constexpr std::chrono::seconds kFirstPatience(60);
 
-/// Opens a farm; tries again while it may pass, for the first of many batches must not end a study because the database restarts.
+/// Opens a farm; tries again while it may pass: a study asks anew for each batch, and does not end because the database restarts.
 inline Expected<FarmDatabase> open_patiently(const std::string& url,
                                              const std::atomic<bool>& interrupted) {
   const PatientClock::time_point end = PatientClock::now() + kFirstPatience;
