@@ -64,9 +64,9 @@ TEST(PlanKey, TellsEveryFieldApart) {
             key(strip));
   EXPECT_NE(key(Annuloplasty{OwnRing{2}}), key(Annuloplasty{OwnRing{3}}));
   const DesignedRing mine{{"mine", {}}, 30.0};
-  DesignedRing other = mine;
-  other.shape.terms.saddle = 0.1;
-  EXPECT_NE(key(Annuloplasty{mine}), key(Annuloplasty{other}));
+  DesignedRing other_ring = mine;
+  other_ring.shape.terms.saddle = 0.1;
+  EXPECT_NE(key(Annuloplasty{mine}), key(Annuloplasty{other_ring}));
   EXPECT_NE(key(Annuloplasty{mine}), key(Annuloplasty{CatalogueRing{"mine", 30.0}}));
 }
 
