@@ -18,10 +18,10 @@ struct ServiceLimits {
   int queue = 100;        ///< jobs that wait to be run; over it 429
   int evaluation_closures =
       500;  ///< of POST /v1/evaluations: plans times region points and evidence, of 650 triangles; fewer of larger valves
-  int wait_seconds = 60;  ///< of Prefer: wait
-  int threads = 0;        ///< of a running job; 0: all cores. Does not change any answer
+  int wait_seconds = 60;    ///< of Prefer: wait
+  int threads = 0;          ///< of a running job; 0: all cores. Does not change any answer
   int request_threads = 1;  ///< of an evaluation that a client waits for; likewise
-  int running_jobs = 2;   ///< at once
+  int running_jobs = 2;     ///< at once
 };
 
 }  // namespace coapt

@@ -20,7 +20,7 @@ struct PlanJob {
   const JobStore& store;
   const ServiceLimits& limits;
   std::string closures;  ///< path
-  std::string farm{};      ///< that makes searches without a limit of time; empty: this process
+  std::string farm{};    ///< that makes searches without a limit of time; empty: this process
 
   std::optional<JobEnd> operator()(RunningJob& job) const;
 };

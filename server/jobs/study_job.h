@@ -15,7 +15,7 @@ struct StudyJob {
   const JobStore& store;
   const ServiceLimits& limits;
   std::string closures;  ///< path
-  std::string farm{};      ///< that closes a study's batches; empty: this process
+  std::string farm{};    ///< that closes a study's batches; empty: this process
 
   std::optional<JobEnd> operator()(RunningJob& job) const;
 };

@@ -29,7 +29,9 @@ class Install(unittest.TestCase):
             if (build.parent / "web/index.html").exists():
                 expected |= {"share/coapt/web/index.html"}
             if shutil.which("scdoc"):
-                expected |= {f"share/man/man1/{name}.1" for name in ("coapt", "coapt-farm", "coapt-live", "coapt-server")}
+                expected |= {
+                    f"share/man/man1/{name}.1" for name in ("coapt", "coapt-farm", "coapt-live", "coapt-server")
+                }
             self.assertLessEqual(expected, names)
             version = subprocess.run([f"{prefix}/bin/coapt", "--version"], capture_output=True, text=True)
             self.assertEqual(version.returncode, OK)
