@@ -204,7 +204,8 @@ void add_study_population(Command parent, int& status) {
       "Each valve is closed after up to 34 repairs, each as planned and disturbed. What is closed "
       "is kept\nin records.bin: a study that was interrupted goes on.\n\n"
       "Example:\n"
-      "  coapt population make -n 200 -o adults && coapt study population adults -o repairs");
+      "  coapt population make -n 200 -o adults\n"
+      "  coapt study population adults -o repairs");
   command.on_run([arguments, &status] { status = run(*arguments); });
 }
 

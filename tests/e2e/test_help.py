@@ -100,7 +100,10 @@ class Completion(unittest.TestCase):
     def test_commands_are_offered_by_their_beginning(self):
         self.assertEqual(
             self.complete(COAPT, ""),
-            {"valve", "close", "compare", "export", "fit", "evaluate", "open", "plan", "prefer", "study", "train"},
+            {
+                *("valve", "close", "compare", "design", "export", "fit", "evaluate", "open", "plan", "population"),
+                *("prefer", "study", "train"),
+            },
         )
         self.assertEqual(self.complete(COAPT, "valve", "re"), {"remodel"})
         self.assertEqual(self.complete(COAPT, "study", "porcine-", "--prot"), set())
