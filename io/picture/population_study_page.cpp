@@ -232,10 +232,11 @@ std::string population_study_page(const PopulationStudy& study, const std::strin
        "started otherwise. Negative: the trigone leaks less.",
        "", anchors_table(study)}};
   if (study.tree) {
-    sections.push_back({"A tree for the surgeon",
-                        "Regret: what a rule costs more than the best candidate of each held-out "
-                        "valve; means with 95 % intervals. A repair that cannot be done costs 100.",
-                        tree_svg(*study.tree), rules_table(*study.tree)});
+    sections.push_back(
+        {"A tree for the surgeon",
+         "Regret: what a rule costs more than the best candidate of each held-out "
+         "valve; means with 95 % intervals. A repair that cannot be done costs 1,000.",
+         tree_svg(*study.tree), rules_table(*study.tree)});
   }
   if (!study.searched.empty())
     sections.push_back({"Against the full search", "", "", searched_table(study)});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "search/plans/objective.h"
 #include "search/population/population_factors.h"
@@ -236,7 +237,8 @@ std::vector<GroupFindings> population_findings(const Population& population,
     groups.push_back(findings_of(some));
     groups.back().aetiology = prior.aetiology;
     for (const Quantity& quantity : kQuantities)
-      groups.back().decided_by.push_back(decided_by(quantity, population, prior, some));
+      if (DecidedBy decided = decided_by(quantity, population, prior, some); decided.members > 0)
+        groups.back().decided_by.push_back(std::move(decided));
   }
   return groups;
 }

@@ -63,8 +63,9 @@ struct GroupFindings {
   std::vector<DecidedBy> decided_by;  ///< of one aetiology
 };
 
-/// What a repair that cannot be done, or that fails, costs in means and trees: more than any leak of these valves.
-inline constexpr double kWorstRepair = 100.0;
+/// What a repair that cannot be done, or that fails, costs in means and trees: more than any leak of these valves, which costs six times
+/// its area.
+inline constexpr double kWorstRepair = 1000.0;
 double capped_cost(const CandidateRecord& record);
 
 bool is_closed(const CandidateRecord& record);
