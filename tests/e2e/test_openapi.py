@@ -59,7 +59,8 @@ class OpenApi(OpenApiTest):
         for operation in self.document.operations.values():
             if operation.method == "GET":
                 with self.subTest(operation.id):
-                    self.assertEqual(self.send(operation.id).status, 200)
+                    # This service has no farm.
+                    self.assertEqual(self.send(operation.id).status, 404 if operation.id == "getFarm" else 200)
         for format, start in FILE_STARTS.items():
             self.assertTrue(self.send("getJobPlanMesh", query=f"?format={format}").body.startswith(start), format)
             reply = self.send("exportValve", {"valve": "human-normal", "format": format})
