@@ -96,6 +96,7 @@ class Problems(OpenApiTest):
             "no_token": strict.ask("GET", "/v1/jobs"),
             "foreign_page": ask("GET", "/v1/jobs", headers={"Origin": "https://example.org"}),
             "foreign_host": ask("GET", "/v1/jobs", headers={"Host": "example.org"}),
+            "no_farm": ask("GET", "/v1/farm"),
             "no_such_path": ask("GET", "/v1/nothing"),
             "no_such_method": ask("GET", "/v1/plans"),
             "too_large": ask_strict("POST", "/v1/closures", " " * 4000),
