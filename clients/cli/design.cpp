@@ -32,8 +32,11 @@ Expected<DesignInputs> read_inputs(const DesignArguments& arguments) {
 
 int run(DesignArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
-  if (const Errors errors = check_ring_design({{arguments.name, {}}, 0.9}); !errors.empty())
-    return report_option_errors("design ring", errors, {{"/ring/name", "--name"}});
+  if (Errors errors = check_ring_design({{arguments.name, {}}, 0.9}); !errors.empty()) {
+    for (Error& error : errors)
+      error.path.erase(0, std::string("/ring").size());  // "/name": --name
+    return report_option_errors("design ring", errors);
+  }
   Expected<DesignInputs> inputs = read_inputs(arguments);
   if (!inputs) {
     const std::string& file = arguments.valve.empty() ? arguments.population : arguments.valve;
