@@ -39,7 +39,9 @@ constexpr int kMembersAtOnce = 16;  // what a killed study loses at most
 
 /// All that decides the records of a population.
 std::string records_id(const Population& population, const PopulationRecordOptions& options) {
-  return fnv1a_128(to_json(population).dump() + " nodes " + std::to_string(options.nodes));
+  std::string all = to_json(population).dump() + " nodes " + std::to_string(options.nodes);
+  for (const CandidateRepair& candidate : candidate_repairs()) all += "; " + candidate.name;
+  return fnv1a_128(all);
 }
 
 /// All records, by a farm.

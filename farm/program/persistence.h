@@ -26,16 +26,15 @@ inline void sleep_unless(PatientClock::duration time, const std::atomic<bool>& i
         std::min<PatientClock::duration>(end - PatientClock::now(), std::chrono::milliseconds(50)));
 }
 
-/// A farm that does not answer for so long when it is first asked is not waited for.
-inline constexpr std::chrono::seconds kFirstPatience(60);
+/// A farm that does not answer so often when it is first asked, a second apart, is not waited for.
+inline constexpr int kFirstAttempts = 6;
 
 /// Opens a farm; tries again while it may pass: a study asks anew for each batch, and does not end because the database restarts.
 inline Expected<FarmDatabase> open_patiently(const std::string& url,
                                              const std::atomic<bool>& interrupted) {
-  const PatientClock::time_point end = PatientClock::now() + kFirstPatience;
-  for (;;) {
+  for (int attempt = 1;; ++attempt) {
     Expected<FarmDatabase> database = FarmDatabase::open(url);
-    if (database || !may_pass(database.errors()) || interrupted || PatientClock::now() > end)
+    if (database || !may_pass(database.errors()) || interrupted || attempt == kFirstAttempts)
       return database;
     sleep_unless(std::chrono::seconds(1), interrupted);
   }
