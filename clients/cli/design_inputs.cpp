@@ -1,27 +1,13 @@
 #include "clients/cli/design_inputs.h"
 
-#include <filesystem>
-
 #include "clients/cli/files.h"
-#include "io/json/population_json.h"
+#include "clients/cli/population_directory.h"
 #include "search/population/population.h"
 
 namespace coapt {
-namespace {
-
-constexpr const char* kPopulationFile = "population.json";
-
-}  // namespace
-
 Expected<DesignInputs> read_population_members(const std::string& path,
                                                const std::string& aetiology) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  const std::string file =
-      fs::is_directory(path, ignored) ? (fs::path(path) / kPopulationFile).string() : path;
-  const Expected<std::string> text = read_input(file);
-  if (!text) return text.errors();
-  const Expected<Population> population = read_population(*text);
+  const Expected<Population> population = read_population_directory(path);
   if (!population) return population.errors();
   DesignInputs inputs;
   for (const PopulationMember& member : population->members) {

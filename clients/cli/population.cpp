@@ -1,4 +1,5 @@
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -169,8 +170,11 @@ void add_population_valve(Command parent, int& status) {
 
 }  // namespace
 
-Expected<Population> read_population_directory(const std::string& directory) {
-  const Expected<std::string> text = read_input(directory + "/population.json");
+Expected<Population> read_population_directory(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const Expected<std::string> text = read_input(
+      fs::is_directory(path, ignored) ? (fs::path(path) / "population.json").string() : path);
   if (!text) return text.errors();
   return read_population(*text);
 }

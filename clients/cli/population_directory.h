@@ -6,7 +6,7 @@
 
 namespace coapt {
 
-/// What population make left in a directory.
-Expected<Population> read_population_directory(const std::string& directory);
+/// What population make left in the directory `path`, or the file that it names.
+Expected<Population> read_population_directory(const std::string& path);
 
 }  // namespace coapt
