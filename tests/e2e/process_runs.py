@@ -16,10 +16,18 @@ def wait_until(condition):
         time.sleep(0.02)
 
 
+def after_name(process):
+    return pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+
+
 def cpu_seconds(process):
     """Of all its threads, in user mode."""
-    after_name = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
-    return int(after_name[11]) / os.sysconf("SC_CLK_TCK")
+    return int(after_name(process)[11]) / os.sysconf("SC_CLK_TCK")
+
+
+def is_stopped(process):
+    """By SIGSTOP."""
+    return after_name(process)[0] == "T"
 
 
 def children_cpu_seconds():

@@ -11,7 +11,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "e2e"))
 
 from private_postgres import PrivatePostgres  # noqa: E402
-from process_runs import wait_until  # noqa: E402,F401
+from process_runs import is_stopped, wait_until  # noqa: E402
 
 FARM = os.environ["COAPT_TOY_FARM"]
 OK, FAILURE, BAD_INPUT, HOLES, INTERRUPTED = 0, 1, 2, 4, 130
@@ -83,6 +83,12 @@ class FarmTest(unittest.TestCase):
 
     def worker(self, *arguments, **environment):
         return self.start("work", "--lease", "1", *arguments, **environment)
+
+    def stopped_worker(self, *arguments, items=25):
+        """Has computed so many items, and holds a task that it has begun."""
+        worker = self.worker(*arguments, TOY_STOPS_AFTER=str(items))
+        wait_until(lambda: is_stopped(worker))
+        return worker
 
     def coordinator(self, request, *arguments, **environment):
         """Waits for the answers; to be asked for them by collect()."""

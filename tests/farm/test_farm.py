@@ -12,22 +12,18 @@ class Kills(FarmTest):
     def test_a_killed_worker_loses_nothing(self):
         request = Request(600, ms=2)
         coordinator = self.coordinator(request)
-        workers = [self.worker() for _ in range(3)]
-        wait_until(lambda: self.done() > 5)
-        workers[0].kill()
-        wait_until(lambda: self.done() > 20)
-        workers[1].kill()
+        for _ in range(2):
+            self.stopped_worker().kill()
+        self.worker()
         self.collect(coordinator, request)
         self.assert_each_item_once(request)
         lost = [fault for fault in self.status()["faults"] if fault["what"] == "lost"]
-        self.assertGreater(len(lost), 0)
+        self.assertGreaterEqual(len(lost), 2)
 
     def test_an_answer_that_comes_late_is_compared(self):
         request = Request(60, ms=20)
         coordinator = self.coordinator(request, "--check-share", "0")
-        slow = self.worker("--name", "slow")
-        wait_until(lambda: self.done() > 0)
-        slow.send_signal(signal.SIGSTOP)
+        slow = self.stopped_worker("--name", "slow")
         self.worker("--name", "quick")
         self.collect(coordinator, request)
         slow.send_signal(signal.SIGCONT)
@@ -124,9 +120,7 @@ class Ends(FarmTest):
     def test_a_cancelled_run_rests_and_goes_on_and_is_forgotten(self):
         request, other = Request(300, ms=2), Request(10, ms=0)
         coordinator = self.coordinator(request)
-        worker = self.worker()
-        wait_until(lambda: self.done() > 2)
-        worker.send_signal(signal.SIGSTOP)
+        worker = self.stopped_worker()
         self.farm("forget", 1, code=FAILURE)
         self.farm("cancel", 1)
         self.assertEqual(coordinator.wait(30), FAILURE)

@@ -1,5 +1,6 @@
 """Workers that answer wrongly: found by the share of tasks that two compute, and what they answered is done again."""
 
+import signal
 import unittest
 
 from farm_runs import FAILURE, FarmTest, Request, wait_until
@@ -9,8 +10,10 @@ class Checks(FarmTest):
     def test_a_worker_that_answers_wrongly_is_found_and_its_answers_are_replaced(self):
         request = Request(300, ms=1)
         coordinator = self.coordinator(request, "--check-share", "0.5")
+        right = self.stopped_worker("--name", "right", items=0)  # without another one the wrong one would check itself
         self.worker("--name", "wrong", TOY_FLIP="0.3")
-        self.worker("--name", "right")
+        wait_until(lambda: self.number("SELECT sum(tasks) FROM coapt_farm.worker") >= 15)
+        right.send_signal(signal.SIGCONT)
         self.worker("--name", "also right")
         self.collect(coordinator, request)
         self.assert_each_item_once(request)
@@ -21,9 +24,10 @@ class Checks(FarmTest):
 
     def test_two_workers_that_differ_wait_for_a_third(self):
         request = Request(10)
-        coordinator = self.coordinator(request, "--check-share", "1")
         self.worker("--name", "wrong", TOY_FLIP="1")
         self.worker("--name", "right")
+        wait_until(lambda: self.number("SELECT count(*) FROM coapt_farm.worker") == 2)  # one alone would check itself
+        coordinator = self.coordinator(request, "--check-share", "1")
         twice = "SELECT count(*) FROM coapt_farm.opinion WHERE given = 2"
         wait_until(lambda: self.number(twice) == 2)
         self.assertIsNone(coordinator.poll())

@@ -3,7 +3,8 @@
 //
 // Part 0: {"items", "task_items", "ms": of an item, "throws_at": item, "kills_at": item}; the others are mixed into the answers,
 // eight bytes an item. Environment: TOY_REVISION; TOY_FLIP, a share of tasks in which a bit is flipped; TOY_SIZE, bytes that
-// each item's answer has more.
+// each item's answer has more; TOY_STOPS_AFTER, items after which the process stops (SIGSTOP), once.
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -22,6 +23,12 @@ using namespace coapt;
 std::string setting(const char* name, const char* usual) {
   const char* const value = std::getenv(name);
   return value == nullptr ? usual : value;
+}
+
+/// Once in a process, in the middle of a task that it holds.
+void stop_in_time() {
+  static std::atomic<int> left = std::stoi(setting("TOY_STOPS_AFTER", "-1"));
+  if (left >= 0 && left-- == 0) std::raise(SIGSTOP);
 }
 
 std::uint64_t mixed(std::uint64_t x) {  // splitmix64
@@ -48,6 +55,7 @@ Expected<Work> open_toy(const WorkRequest& request) {
       if (item == told.value("throws_at", -1)) throw std::runtime_error("item that cannot be");
       if (item == told.value("kills_at", -1)) std::raise(SIGKILL);
       if (*stop) throw WorkStopped();
+      stop_in_time();
       std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(told.value("ms", 0.0)));
       std::uint64_t answer = mixed(seed ^ static_cast<std::uint64_t>(item));
       for (int i = 0; i < 8; ++i, answer >>= 8) bytes += static_cast<char>(answer & 255u);
