@@ -9,6 +9,7 @@
 #include "core/repair/rings.h"
 #include "core/valve/annulus_frame.h"
 #include "core/valve/leaflet_coordinates.h"
+#include "search/plans/gates.h"
 #include "search/plans/lesion.h"
 
 namespace coapt {
@@ -96,6 +97,28 @@ Annuloplasty ring_by_width(const std::string& shape, double transverse_mm) {
   const double sizes = std::floor(transverse_mm / kRingSizeStep_mm);
   return {CatalogueRing{shape,
                         std::clamp(kRingSizeStep_mm * sizes, kRingSizesMm.min, kRingSizesMm.max)}};
+}
+
+/// None beyond the own annulus or the largest of the catalogue.
+std::optional<Annuloplasty> larger(const Annuloplasty& ring, int sizes) {
+  if (const auto* own = std::get_if<OwnRing>(&ring.ring)) {
+    if (own->sizes_below < sizes) return std::nullopt;
+    return Annuloplasty{OwnRing{own->sizes_below - sizes}};
+  }
+  CatalogueRing catalogue = std::get<CatalogueRing>(ring.ring);
+  catalogue.size_mm += kRingSizeStep_mm * sizes;
+  if (catalogue.size_mm > kRingSizesMm.max) return std::nullopt;
+  return Annuloplasty{catalogue};
+}
+
+/// The smallest ring from the wanted one upwards that practice does not reject; the wanted one if it rejects all.
+Annuloplasty accepted_ring(const Annuloplasty& wanted, const Valve& valve) {
+  for (int sizes = 0; const std::optional<Annuloplasty> ring = larger(wanted, sizes); ++sizes) {
+    const RepairPlan plan{{*ring}};
+    const Expected<Valve> ringed = apply_plan(valve, plan);
+    if (ringed && !is_rejected(operation_gates({plan, valve, *ringed}))) return *ring;
+  }
+  return wanted;
 }
 
 /// Sutures that move their muscles so far, on the annulus as the plan's ring leaves it.
@@ -189,9 +212,11 @@ std::optional<RepairPlan> candidate_plan(const CandidateRepair& candidate,
                                          const CandidateSite& site) {
   RepairPlan plan;
   if (!candidate.shape.empty())
-    plan.steps.emplace_back(ring_by_width(candidate.shape, site.transverse_mm));
+    plan.steps.emplace_back(
+        accepted_ring(ring_by_width(candidate.shape, site.transverse_mm), site.valve));
   else if (candidate.family == RepairFamily::OwnRing || candidate.sizes_below > 0)
-    plan.steps.emplace_back(Annuloplasty{OwnRing{candidate.sizes_below}});
+    plan.steps.emplace_back(
+        accepted_ring(Annuloplasty{OwnRing{candidate.sizes_below}}, site.valve));
   if (candidate.movement_mm > 0.0 && !add_papillary(candidate, site.valve, plan))
     return std::nullopt;
   if (candidate.neochordae > static_cast<int>(site.neochordae.size())) return std::nullopt;

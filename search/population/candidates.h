@@ -58,7 +58,8 @@ struct CandidateSite {
 };
 CandidateSite candidate_site(const Valve& valve);
 
-/// None where the valve does not allow it to be put down.
+/// A ring that practice rejects gives way to the next larger one that it accepts. None where the valve does not allow the plan to
+/// be put down.
 std::optional<RepairPlan> candidate_plan(const CandidateRepair& candidate,
                                          const CandidateSite& site);
 

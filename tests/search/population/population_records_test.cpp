@@ -57,6 +57,19 @@ TEST(Candidates, RepairAFlailLeaflet) {
   EXPECT_EQ(apply_plan(valve, plan)->chordae.size(), valve.chordae.size() + 2);
 }
 
+TEST(Candidates, ARingThatPracticeRejectsGivesWayToTheNextLargerOne) {
+  Valve valve = *make_preset("human-functional-mr");
+  const auto ring_of = [&valve](std::size_t candidate) {
+    const RepairPlan plan = *candidate_plan(candidate_repairs()[candidate], candidate_site(valve));
+    return std::get<Annuloplasty>(plan.steps.front()).ring;
+  };
+  EXPECT_EQ(std::get<OwnRing>(ring_of(4)).sizes_below, 4);
+  // Deeper than the ring is: four sizes of its width are more than four of its area.
+  valve.annulus_mm.col(0) *= 1.15;
+  EXPECT_EQ(std::get<OwnRing>(ring_of(4)).sizes_below, 3);
+  EXPECT_EQ(std::get<OwnRing>(ring_of(3)).sizes_below, 3);
+}
+
 Population few() {
   Population population{adult_prior(), 7, {}};
   for (AetiologyPrior& aetiology : population.prior.aetiologies)
