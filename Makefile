@@ -179,6 +179,7 @@ sources-check:  ## fail if a source that has changed, or includes what has, forg
 
 docs-check:  ## fail if a link or make target in the documents leads nowhere, or the README is too long
 	@tests/docs/check_documents.py
+	@tests/docs/check_versions.py
 
 openapi-check: build/openapi-check/node_modules  ## fail if the OpenAPI document breaks a rule that @redocly/cli recommends
 	@cmake -D OUTPUT=build/openapi.json -P server/openapi.cmake

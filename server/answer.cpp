@@ -1,6 +1,7 @@
 #include "server/answer.h"
 
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "io/json/plan_json.h"
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/store/closure_store.h"
 #include "io/store/plan_store.h"
 #include "server/content_id.h"
@@ -165,7 +165,7 @@ int serve(const ServerOptions& options, const Access& access) {
 
 int run(int argc, char** argv) {
   CommandLine line("coapt-server", "Closes valves and searches repair plans over HTTP.",
-                   "coapt-server " + std::string(version()) + "\n" + std::string(kResearchNotice));
+                   about("coapt-server"));
   Command app = line.program();
   ServerOptions options;
   add_options(app, options);

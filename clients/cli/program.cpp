@@ -8,15 +8,14 @@
 #include <string>
 
 #include "clients/cli/exit_code.h"
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {
 
 int run(const Program& program, int argc, char** argv) {
   const std::string name = program.name;
-  CommandLine line(name, program.description,
-                   name + ' ' + std::string(version()) + "\n" + std::string(kResearchNotice));
+  CommandLine line(name, program.description, about(name));
   Command all = line.program();
   all.require_command();
   int status = exit_code::kOk;

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {

@@ -8,7 +8,7 @@
 #include "clients/cli/exit_code.h"
 #include "clients/cli/files.h"
 #include "clients/cli/progress_bar.h"
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/picture/text.h"
 #include "search/random_share.h"
 #include "search/training/binomial.h"
@@ -143,6 +143,7 @@ int run(const TrainRatersArguments& arguments) {
   };
   const nlohmann::ordered_json result = {{"schema", "coapt.training_raters/1"},
                                          {"version", version()},
+                                         {"revision", revision_json()},
                                          {"notice", kResearchNotice},
                                          {"name", valve->name},
                                          {"exams",

@@ -12,6 +12,7 @@
 #include "io/json/training_json.h"
 #include "io/json/trials_csv.h"
 #include "io/json/valve_json.h"
+#include "io/json/version.h"
 #include "search/training/seeds.h"
 
 namespace coapt {
@@ -132,8 +133,10 @@ EngineAnswer answer(std::string_view path, std::string_view body) {
   if (path == "/v1/training/scores") return training_score(body);
   if (path == "/v1/rings") return json_answer(200, rings_answer());
   if (path == "/version")
-    return json_answer(200,
-                       {{"version", version()}, {"farm", false}, {"not_modelled", not_modelled()}});
+    return json_answer(200, {{"version", version()},
+                             {"revision", revision_json()},
+                             {"farm", false},
+                             {"not_modelled", not_modelled()}});
   return problem(404,
                  {Error{ErrorCode::BadReference, "", "needs a service: " + std::string(path)}});
 }

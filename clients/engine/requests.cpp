@@ -5,6 +5,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 

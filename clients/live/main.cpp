@@ -15,6 +15,7 @@
 #include "clients/live/stylus_script.h"
 #include "core/live/live_valve.h"
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {
@@ -139,7 +140,7 @@ void add_options(Command app, LiveArguments& arguments) {
 
 int run(int argc, char** argv) {
   CommandLine line("coapt-live", "Lets a hand feel a valve: a haptic device, 1,000 times a second.",
-                   "coapt-live " + std::string(version()) + "\n" + std::string(kResearchNotice));
+                   about("coapt-live"));
   Command app = line.program();
   LiveArguments arguments;
   add_options(app, arguments);

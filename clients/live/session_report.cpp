@@ -6,6 +6,7 @@
 
 #include "core/valve/number_text.h"
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {

@@ -11,6 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr long kEndedRuns = 10;  ///< of which status tells
+
 std::string duration(double seconds) {
   if (seconds < 120.0) return fixed(seconds, 0) + " s";
   if (seconds < 7200.0) return fixed(seconds / 60.0, 0) + " min";
@@ -107,7 +109,13 @@ std::string progress_words(const Json& progress) {
 
 void print_farm(std::ostream& out, const Json& status) {
   if (status["runs"].empty()) out << "no runs\n";
-  for (const Json& run : status["runs"]) print_run(out, run);
+  long ended = 0;
+  for (const Json& run : status["runs"]) {  // the newest first
+    const bool has_ended = run["state"] == "done" || run["state"] == "cancelled";
+    if (!has_ended || ++ended <= kEndedRuns) print_run(out, run);
+  }
+  if (ended > kEndedRuns)
+    out << counted(ended - kEndedRuns, "earlier run") << " done or cancelled (--json: all)\n";
   for (const Json& worker : status["workers"]) print_worker(out, worker);
   std::size_t told = 0;
   for (const Json& fault : status["faults"]) {

@@ -1,5 +1,6 @@
 #include "farm/program/wait_for_run.h"
 
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 #include "farm/program/farm_option.h"
 #include "farm/program/persistence.h"
 #include "farm/program/status_text.h"
-#include "io/json/result_json.h"
 
 namespace coapt {
 namespace {

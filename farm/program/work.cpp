@@ -1,3 +1,4 @@
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <array>
@@ -11,7 +12,6 @@
 #include "farm/database/worker.h"
 #include "farm/program/commands.h"
 #include "farm/program/farm_option.h"
-#include "io/json/result_json.h"
 #include "io/picture/text.h"
 
 namespace coapt {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/mesh/import_valve.h"
 
 namespace coapt {
@@ -33,6 +34,7 @@ inline nlohmann::ordered_json to_json(const std::vector<MeasuredThickness>& thic
 inline nlohmann::ordered_json import_to_json(const ImportedValve& imported) {
   return {{"schema", "coapt.import/1"},
           {"version", version()},
+          {"revision", revision_json()},
           {"notice", kResearchNotice},
           {"name", imported.valve.name},
           {"triangles", imported.valve.faces.rows()},

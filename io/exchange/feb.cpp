@@ -8,7 +8,7 @@
 #include "core/closure/model.h"
 #include "core/metrics/leaflet_sides.h"
 #include "core/valve/number_text.h"
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/mesh/mesh_text.h"
 
 namespace coapt {

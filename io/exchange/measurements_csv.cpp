@@ -7,7 +7,6 @@
 #include "core/metrics/quantile.h"
 #include "core/valve/number_text.h"
 #include "io/exchange/valve_markups.h"
-#include "io/json/result_json.h"
 
 namespace coapt {
 namespace {

@@ -7,7 +7,7 @@
 #include "io/exchange/glb.h"
 #include "io/exchange/tubes.h"
 #include "io/exchange/valve_markups.h"
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {

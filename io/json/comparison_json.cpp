@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {
@@ -49,6 +50,7 @@ ordered_json comparison_to_json(const ShapeComparison& comparison, const Compare
   const Vec3 after = comparison.moved_mm.colwise().mean().transpose();
   ordered_json json = {{"schema", "coapt.comparison/1"},
                        {"version", version()},
+                       {"revision", revision_json()},
                        {"notice", kResearchNotice},
                        {"pairing", comparison.node_to_node ? "node_to_node" : "node_to_surface"},
                        {"rms_mm", comparison.distance.rms_mm},

@@ -4,6 +4,7 @@
 
 #include "io/json/json_reader.h"
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {
@@ -97,6 +98,7 @@ ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files) {
   const bool atrial = files.measured.side == MeasuredSide::Atrial;
   ordered_json json = {{"schema", "coapt.fit/1"},
                        {"version", version()},
+                       {"revision", revision_json()},
                        {"notice", kResearchNotice},
                        {"valve", files.valve},
                        {"closed", files.closed},

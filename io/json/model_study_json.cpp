@@ -1,6 +1,7 @@
 #include "io/json/model_study_json.h"
 
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "search/model_draw.h"
 
 namespace coapt {
@@ -32,6 +33,7 @@ nlohmann::ordered_json area_json(const ModelUncertainty& area) {
 nlohmann::ordered_json to_json(const ModelStudy& study, const std::string& valve_name) {
   return {{"schema", "coapt.model_study/1"},
           {"version", version()},
+          {"revision", revision_json()},
           {"notice", kResearchNotice},
           {"valve", valve_name},
           {"status", to_string(study.as_it_is.status)},

@@ -1,6 +1,7 @@
 #include "io/json/opening_json.h"
 
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 
@@ -31,6 +32,7 @@ nlohmann::ordered_json opening_to_json(const OpenedValve& opened, const OpeningO
                                        double seconds) {
   nlohmann::ordered_json json = {{"schema", "coapt.opening/1"},
                                  {"version", version()},
+                                 {"revision", revision_json()},
                                  {"notice", kResearchNotice},
                                  {"name", opened.valve.name}};
   json.update(opening_figures_json(opened, options, seconds));

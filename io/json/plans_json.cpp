@@ -3,6 +3,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/json/search_options_json.h"
+#include "io/json/version.h"
 #include "search/plans/disturbance.h"
 
 namespace coapt {
@@ -232,6 +233,7 @@ ordered_json to_json(const StartCheck& starts) {
 ordered_json to_json(const SearchResult& result) {
   return {{"schema", "coapt.plans/1"},
           {"version", version()},
+          {"revision", revision_json()},
           {"notice", kResearchNotice},
           {"before", before_json(result)},
           {"any_competent", result.any_competent},
@@ -265,11 +267,9 @@ ordered_json to_json(const SearchResult& result) {
 ordered_json to_json(const SearchResult& result, const SearchRequest& request) {
   ordered_json json = to_json(result);
   json["weights"] = to_json(request.options.weights);
-  json["reproduce"] = {{"valve_hash", request.valve_hash},
-                       {"version", version()},
-                       {"seed", request.options.seed},
-                       {"command", request.command},
-                       {"search", to_json(request.options)}};
+  json["reproduce"] = {{"valve_hash", request.valve_hash}, {"version", version()},
+                       {"revision", revision_json()},      {"seed", request.options.seed},
+                       {"command", request.command},       {"search", to_json(request.options)}};
   return json;
 }
 

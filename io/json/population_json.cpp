@@ -5,6 +5,7 @@
 
 #include "io/json/json_reader.h"
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "search/population/population_factors.h"
 
 namespace coapt {
@@ -119,6 +120,7 @@ ordered_json to_json(const Population& population) {
   for (const PopulationMember& member : population.members) members.push_back(to_json(member));
   return {{"schema", "coapt.population/1"},
           {"version", version()},
+          {"revision", revision_json()},
           {"notice", kResearchNotice},
           {"seed", population.seed},
           {"prior", to_json(population.prior)},
@@ -135,6 +137,7 @@ Expected<Population> population_from_json(const nlohmann::json& json) {
       top,
       {{"schema", [](const JsonPlace& place) { read_schema(place, "coapt.population/1"); }},
        {"version", [](const JsonPlace& place) { read_string(place); }},
+       {"revision", [](const JsonPlace&) {}, false},
        {"notice", [](const JsonPlace& place) { read_string(place); }},
        {"seed", into(population.seed, read_unsigned)},
        {"prior", document(population.prior, prior_from_json)},

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "search/training/binomial.h"
 
 namespace coapt {
@@ -142,6 +143,7 @@ ordered_json to_json(const PopulationStudy& study) {
   const SearchRegret regret = search_regret(study.searched);
   return {{"schema", "coapt.population_study/1"},
           {"version", version()},
+          {"revision", revision_json()},
           {"notice", kResearchNotice},
           {"members", study.members},
           {"not_made", study.not_made},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "io/json/version.h"
+
 namespace coapt {
 namespace {
 
@@ -102,8 +104,6 @@ ordered_json joined(ordered_json json, const ordered_json& more) {
 }
 
 }  // namespace
-
-std::string_view version() { return COAPT_VERSION; }
 
 const std::vector<std::string>& not_modelled() {
   static const std::vector<std::string> kSentences = {
@@ -205,6 +205,7 @@ ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                         {"steps", attempt.steps}});
   ordered_json json = joined({{"schema", "coapt.closure/1"},
                               {"version", version()},
+                              {"revision", revision_json()},
                               {"notice", kResearchNotice},
                               {"valve", valve.name},
                               {"triangles", valve.faces.rows()},

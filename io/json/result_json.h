@@ -14,12 +14,6 @@
 
 namespace coapt {
 
-inline constexpr std::string_view kResearchNotice =
-    "coapt is research software, not a medical device; not for clinical decisions.";
-
-/// Of this build: "0.1.0".
-std::string_view version();
-
 /// What coapt leaves out, a sentence each.
 const std::vector<std::string>& not_modelled();
 

@@ -2,6 +2,7 @@
 
 #include "io/json/result_json.h"
 #include "io/json/ring_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {
@@ -74,7 +75,8 @@ ordered_json provenance_json(const RingDesignResult& result, const RingDesignSou
                {"gain_low", all.below_percent.low},
                {"gain_high", all.below_percent.high},
                {"against", ring_candidate_json(result.search.generic.candidate)},
-               {"version", version()}});
+               {"version", version()},
+               {"revision", revision_json()}});
   return json;
 }
 
@@ -101,6 +103,7 @@ ordered_json to_json(const RingDesignResult& result, const RingDesignSource& sou
   }
   return {{"schema", "coapt.ring_design/1"},
           {"version", version()},
+          {"revision", revision_json()},
           {"notice", kResearchNotice},
           {"design", ring_document(result, source)},
           {"generic", ring_candidate_json(result.search.generic.candidate)},

@@ -4,6 +4,7 @@
 
 #include "io/json/json_reader.h"
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {
@@ -101,15 +102,11 @@ ordered_json exam_to_json(const Schedule& schedule, std::uint64_t learner_seed,
     }
     blocks.push_back(std::move(block));
   }
-  return {{"schema", "coapt.training_exam/1"},
-          {"version", version()},
-          {"notice", kResearchNotice},
-          {"name", schedule.name},
-          {"title", schedule.title},
-          {"notes", schedule.notes},
-          {"seed", learner_seed},
-          {"first_case", first_seed},
-          {"blocks", std::move(blocks)}};
+  return {
+      {"schema", "coapt.training_exam/1"}, {"version", version()},  {"revision", revision_json()},
+      {"notice", kResearchNotice},         {"name", schedule.name}, {"title", schedule.title},
+      {"notes", schedule.notes},           {"seed", learner_seed},  {"first_case", first_seed},
+      {"blocks", std::move(blocks)}};
 }
 
 }  // namespace coapt

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "search/training/exam_a.h"
 #include "search/training/score.h"
 
@@ -93,9 +94,13 @@ ordered_json score_to_json(const std::vector<TrainingTrial>& trials) {
     scores.push_back(one_score(score));
     if (!score.block) next.push_back(next_of(score, own.at({score.learner, score.segments})));
   }
-  return {{"schema", "coapt.training_score/1"}, {"version", version()},
-          {"notice", kResearchNotice},          {"trials", trials.size()},
-          {"scores", std::move(scores)},        {"next", std::move(next)},
+  return {{"schema", "coapt.training_score/1"},
+          {"version", version()},
+          {"revision", revision_json()},
+          {"notice", kResearchNotice},
+          {"trials", trials.size()},
+          {"scores", std::move(scores)},
+          {"next", std::move(next)},
           {"cases", calibrated(trials)}};
 }
 

@@ -5,6 +5,7 @@
 
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {
@@ -39,6 +40,7 @@ template <class Case>
 ordered_json heading(std::string_view exam, const Case& made, const Valve& from) {
   return {{"schema", "coapt.training_case/1"},
           {"version", version()},
+          {"revision", revision_json()},
           {"notice", kResearchNotice},
           {"exam", exam},
           {"seed", made.seed},

@@ -9,6 +9,7 @@
 #include "io/json/json_reader.h"
 #include "io/json/result_json.h"
 #include "io/json/search_options_json.h"
+#include "io/json/version.h"
 #include "search/preference/posterior_draws.h"
 
 namespace coapt {
@@ -108,6 +109,7 @@ ordered_json to_json(const LearnedWeights& learned, const AnswerCounts& counts) 
   const PreferencePosterior& posterior = learned.posterior;
   return {{"schema", "coapt.weights/1"},
           {"version", version()},
+          {"revision", revision_json()},
           {"notice", kResearchNotice},
           {"weights", to_json(learned.weights)},
           {"noise_mm2", std::exp(posterior.mean[kNoise])},
@@ -136,6 +138,7 @@ Expected<LearnedWeights> read_learned_weights(std::string_view text) {
   read_fields({*json, problems},
               {{"schema", [](const JsonPlace& at) { read_schema(at, "coapt.weights/1"); }},
                {"version", ignore, false},
+               {"revision", ignore, false},
                {"notice", ignore, false},
                {"weights", read_weights_and_logarithms},
                {"noise_mm2", into(log_noise, read_logarithm)},

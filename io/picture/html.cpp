@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/picture/report_style.h"
 #include "io/picture/text.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/metrics/leaflet_sides.h"
 #include "core/metrics/section.h"
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/mesh/mesh_distance.h"
 #include "io/picture/import_paint.h"
 #include "io/picture/text.h"

@@ -4,7 +4,7 @@
 
 #include "core/closed/closed_valve.h"
 #include "core/valve/number_text.h"
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/picture/repair_paint.h"
 #include "io/picture/text.h"
 #include "io/picture/views.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/picture/repair_paint.h"
 #include "io/picture/text.h"
 #include "io/picture/views.h"

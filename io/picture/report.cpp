@@ -3,7 +3,6 @@
 #include "io/picture/report.h"
 
 #include "io/json/plan_json.h"
-#include "io/json/result_json.h"
 #include "io/picture/html.h"
 #include "io/picture/report_page_style.h"
 #include "io/picture/report_parts.h"

@@ -3,6 +3,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/json/search_options_json.h"
+#include "io/json/version.h"
 #include "io/picture/html.h"
 #include "io/picture/report_parts.h"
 #include "io/picture/text.h"

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/picture/text.h"
 
 namespace coapt {

@@ -5,6 +5,7 @@
 #include "io/json/findings_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/picture/study_charts.h"
 #include "io/picture/study_csv.h"
 #include "io/picture/text.h"
@@ -238,6 +239,7 @@ nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, OrificeTabl
   nlohmann::ordered_json answer = {{"study", to_string(kind)},
                                    {"valve", table.valve().name},
                                    {"version", version()},
+                                   {"revision", revision_json()},
                                    {"configurations", table.configurations()},
                                    {"closures", table.configurations()},
                                    {"closures_known", table.known()},

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/metrics/annulus.h"
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "io/picture/views.h"
 
 namespace coapt {

@@ -5,18 +5,12 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "io/json/result_json.h"
 #include "io/json/valve_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {
 
-// Raise it with every change of the code that moves a closure or its orifice: what is stored is then
-// closed again.
-constexpr int kClosureRevision = 5;
-// Likewise of what else decides a PlanClosure: plan_key(), apply_plan(), kRingShapes, the
-// disturbance of an index, the neighbour that its closure starts from, what is measured of it.
-constexpr int kPlanRevision = 2;
 constexpr std::uint64_t kPrime = 0x13b;  // of FNV: the prime is 2^88 + 0x13b
 constexpr std::uint64_t kHalf = 0xffffffff;
 

@@ -16,6 +16,7 @@ barlow.csv              coaptation and leak of valves with Barlow's disease agai
 durable-anchors.csv     how long repairs by either anchor last while the disease goes on
 preference.csv          regret of weights that were learned from simulated experts
 chordae.csv             leak of plans on drawn chordae against that on the anatomy's own
+farm.csv                throughput of a farm against its workers, cost of a task against the size of a run
 growth.csv              time of the parts of a closure against the number of triangles
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
 """
@@ -28,6 +29,7 @@ import statistics
 import barlow
 import chordae
 import durable_anchors
+import farm
 import front_rise
 import growth
 import mesh
@@ -480,6 +482,7 @@ CHARTS = {
     "orifice-resolution": {"orifice-error": draw_orifice_error, "orifice-time": draw_orifice_time},
     "gap": {"gap": draw_gap},
     "mesh": {"mesh": mesh.draw_errors},
+    "farm": {"farm": farm.draw_farm},
     "growth": {"growth": growth.draw_growth},
     "uniqueness": {"uniqueness": uniqueness.draw_uniqueness},
     "verdicts": {"verdicts": verdicts.draw_verdicts},

@@ -12,6 +12,7 @@
 #include "io/command_line/command_line.h"
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "lab/cli/bench_parts.h"
 #include "lab/cli/commands.h"
 #include "lab/cli/draw.h"
@@ -123,6 +124,7 @@ nlohmann::ordered_json json_of(const BenchSearchArguments& arguments,
   }
   return {{"schema", "coapt.bench-search/1"},
           {"version", version()},
+          {"revision", revision_json()},
           {"seeds", arguments.seeds},
           {"budget_plans", arguments.budget},
           {"closures_a_plan", kChosenBy},

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What a farm costs as it grows: a private PostgreSQL, runs of 10^4 to 10^7 items in tasks of 256 with answers of 17 bytes, and
-64 workers whose tasks take 1.8 s. Writes docs/figures/farm.csv. The machine must be quiet otherwise.
+"""What a farm costs as it grows: a private PostgreSQL, 64 workers whose tasks take 1.8 s, 1 to 128 whose tasks take 0.2 s, and runs of
+10^4 to 10^7 items in tasks of 256 with answers of 17 bytes. Writes docs/figures/farm.csv. The machine must be quiet otherwise.
 
 Usage: lab/farm/growth.py build/release/bin [docs/figures/farm.csv]
 """
@@ -38,6 +38,8 @@ def main():
     postgres = PrivatePostgres("max_connections = 200\nmax_wal_size = '4GB'")
     try:
         rows = [measure(programs, postgres, 0, workers=64, tasks=2560, task_ms=1800)]
+        for number, workers in enumerate((1, 4, 16, 64, 128), 100):
+            rows.append(measure(programs, postgres, number, workers=workers, tasks=30 * workers, task_ms=200))
         for power in (4, 5, 6, 7):
             tasks = 10**power // 256 + 1
             rows.append(measure(programs, postgres, power, workers=8, tasks=tasks, task_ms=0))

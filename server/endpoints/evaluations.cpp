@@ -47,7 +47,8 @@ nlohmann::ordered_json in_order(const SearchResult& result, const std::vector<Re
     plan.erase("name");
     plans.push_back(std::move(plan));
   }
-  nlohmann::ordered_json answer = {{"version", json["version"]}, {"before", json["before"]}};
+  nlohmann::ordered_json answer = {
+      {"version", json["version"]}, {"revision", json["revision"]}, {"before", json["before"]}};
   answer["plans"] = std::move(plans);
   for (const char* name : {"any_competent", "ladder", "plans_tried", "closures",
                            "closures_not_converged", "closures_crossed", "seconds", "not_modelled"})

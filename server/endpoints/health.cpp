@@ -5,6 +5,7 @@
 #include "core/valve/parametric.h"
 #include "io/json/plans_json.h"
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "search/evaluator.h"
 #include "server/answers.h"
 #include "server/openapi.h"
@@ -65,6 +66,7 @@ Answer GetFarm::operator()(const Request& /*request*/) const {
 Answer GetVersion::operator()(const Request& /*request*/) const {
   return json_answer(200, {{"name", "coapt-server"},
                            {"version", version()},
+                           {"revision", revision_json()},
                            {"api", "v1"},
                            {"farm", farm.has_farm()},
                            {"not_modelled", not_modelled()}});

@@ -3,6 +3,14 @@
 import re
 import subprocess
 
+NOTICE = "coapt is research software, not a medical device; not for clinical decisions."
+
+
+def about(program):
+    """What its --version prints, as a pattern."""
+    revision = r"\nrevision \S+, closures \d+, plans \d+\n"
+    return rf"^{program} \d+\.\d+\.\d+" + revision + re.escape(NOTICE) + r"\n$"
+
 
 def help_of(*command):
     return subprocess.run([*command, "--help"], capture_output=True, text=True, check=True).stdout

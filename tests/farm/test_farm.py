@@ -154,6 +154,15 @@ class Told(FarmTest):
         self.assertEqual((lines[-1]["done"], lines[-1]["workers"]), (60, 1))
         self.assertIn("slowly", self.farm("status").stdout.decode())
 
+    def test_runs_that_ended_long_ago_are_only_counted(self):
+        for items in range(1, 13):
+            self.farm("add", "-", "--label", "of twelve", stdin=Request(items, ms=0).bytes())
+        self.farm("cancel", 12)
+        self.farm("work", "--until-dry")
+        text = self.farm("status").stdout.decode()
+        self.assertEqual(text.count("of twelve"), 10)
+        self.assertIn("2 earlier runs done or cancelled", text)
+
     def test_metrics_are_those_of_the_status(self):
         request = Request(20)
         self.farm("add", "-", "--label", 'quoted "twice"\\', stdin=request.bytes())

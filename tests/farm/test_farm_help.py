@@ -6,11 +6,10 @@ import subprocess
 import unittest
 
 from farm_runs import BAD_INPUT, OK
-from helps import commands, flags
+from helps import NOTICE, about, commands, flags
 from programs import SOURCE
 
 FARM = os.environ["COAPT_FARM_PROGRAM"]
-NOTICE = "coapt is research software, not a medical device; not for clinical decisions."
 
 
 class Help(unittest.TestCase):
@@ -19,7 +18,7 @@ class Help(unittest.TestCase):
             self.assertIn(NOTICE, text)
             self.assertRegex(text, rf"\n  coapt-farm {' '.join(words[1:])}\b")
         version = subprocess.run([FARM, "--version"], capture_output=True, text=True).stdout
-        self.assertRegex(version, rf"^coapt-farm \d+\.\d+\.\d+\n{re.escape(NOTICE)}\n$")
+        self.assertRegex(version, about("coapt-farm"))
 
     def test_a_command_without_a_database_is_a_usage_error(self):
         for words, _ in commands(FARM):

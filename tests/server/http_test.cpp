@@ -6,7 +6,7 @@
 
 #include "client.h"
 #include "demo_server.h"
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {

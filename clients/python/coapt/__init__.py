@@ -70,7 +70,7 @@ from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
 from .sweep import Sweep, SweepItem
 from .tables import NOTICE
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "NOTICE",

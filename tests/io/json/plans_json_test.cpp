@@ -2,6 +2,7 @@
 
 #include "io/json/result_json.h"
 #include "io/json/search_options_json.h"
+#include "io/json/version.h"
 #include "tests/io/json/found.h"
 #include "tests/io/plans_scene.h"
 

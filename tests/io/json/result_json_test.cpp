@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/json/version.h"
 #include "tests/io/json/found.h"
 #include "tests/scenes/small_valve.h"
 

@@ -3,7 +3,6 @@
 
 #include <limits>
 
-#include "io/json/result_json.h"
 #include "io/picture/report.h"
 #include "io/picture/report_page_style.h"
 #include "tests/io/picture/markup.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "tests/io/picture/markup.h"
 #include "tests/io/plans_scene.h"
 #include "tests/scenes/sheets.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/json/result_json.h"
+#include "io/json/version.h"
 #include "tests/io/picture/markup.h"
 
 namespace coapt {

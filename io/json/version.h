@@ -1,0 +1,28 @@
+// What stands in every result: which build said it, so that a figure can be traced to the code that made it, and for whom it is not.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace coapt {
+
+inline constexpr std::string_view kResearchNotice =
+    "coapt is research software, not a medical device; not for clinical decisions.";
+
+/// Raised with every change of the code that moves a closure or its orifice: what is stored is then closed again.
+inline constexpr int kClosureRevision = 5;
+/// Likewise of what else decides a PlanClosure: plan_key(), apply_plan(), kRingShapes, the disturbance of an index, the
+/// neighbour that its closure starts from, what is measured of it.
+inline constexpr int kPlanRevision = 2;
+
+/// "0.2.0".
+std::string_view version();
+/// Twelve digits of the commit, "+changes" after them if files differed from it; "unknown" of sources without history.
+std::string_view git_revision();
+/// "coapt 0.2.0", and who may rely on it: what --version prints of a program.
+std::string about(std::string_view program);
+/// {"git", "closures", "plans"}: beside "version" in results.
+nlohmann::ordered_json revision_json();
+
+}  // namespace coapt
