@@ -34,6 +34,9 @@ BASE = {
     "libz.so.1",
 }
 
+# In the place of a library, one of our own that says no; what it needed in turn is left out.
+REPLACED = {"libicuuc.so.72": pathlib.Path(__file__).with_name("no_converters.c"), "libicudata.so.72": None}
+
 
 def new_name(path, soname):
     """libnlopt_cxx.so.0 -> libnlopt_cxx-1a2b3c4d.so.0"""
@@ -80,6 +83,12 @@ def bundle(folder, libraries, rename=False):
     found = {}
     for file in own:
         found |= {name: path for name, path in loaded_libraries(file).items() if name not in BASE}
+    for name in REPLACED.keys() & found.keys():
+        del found[name]
+        if source := REPLACED[name]:
+            subprocess.run(
+                ["gcc", "-O2", "-shared", "-fPIC", f"-Wl,-soname,{name}", "-o", target / name, source], check=True
+            )
     names = {name: new_name(path, name) for name, path in found.items()} if rename else {}
 
     table, licenses = [], target / "licenses"
