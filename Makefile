@@ -16,7 +16,7 @@ STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -t
 ENGINE := build/wasm/bin/coapt-engine.wasm
 ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs-check openapi-check readers-check golden asan asan-build fuzz clean
+.PHONY: help demo serve farm deb deb-test check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs-check openapi-check readers-check golden asan asan-build fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -100,6 +100,15 @@ web-pictures: programs web  ## the page's pictures in docs/images, and its times
 	@cmake/install_packages.sh browser
 	node $(WEB)/test/page/pictures.mjs docs/images
 	node $(WEB)/test/page/times.mjs
+
+deb: web static  ## Debian packages of the last commit, with their source, in build/deb
+	@cmake/install_packages.sh build docs deb
+	cmake/make_debs.sh
+
+DATABASES :=
+deb-test:  ## installs, tests, upgrades (DATABASES="FILE...") and purges the packages of build/deb in a new Debian 12 below /var/tmp
+	@cmake/install_packages.sh deb
+	tests/packages/check_debs.sh build/deb $(DATABASES)
 
 chart: lab  ## accuracy against time, where methods fail, what the model's ingredients buy, the orifice's image, into docs/images
 	$(BIN)/coapt-lab chart speed-accuracy -o docs/images
