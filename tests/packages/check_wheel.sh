@@ -1,6 +1,6 @@
 #!/bin/bash
 # check_wheel.sh WHEEL: installed by pip in a bare Debian 12, without network and without numpy, the engine closes and searches; with
-# numpy it has arrays, and says of bad ones what is wrong. Prints seconds and megabytes to the first plan.
+# numpy, which pip would fetch, it has arrays, and says of bad ones what is wrong. Prints seconds and megabytes to the first plan.
 set -euo pipefail
 [[ $# -eq 1 && -f $1 ]] || { sed -n '2,3s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 # shellcheck source=tests/packages/bare_debian.sh
@@ -20,7 +20,7 @@ start=$EPOCHREALTIME
 apt_install python3-venv
 python=$EPOCHREALTIME
 within python3 -m venv /opt/venv
-within /opt/venv/bin/pip install --quiet --no-index --disable-pip-version-check --root-user-action=ignore "/tmp/${wheel##*/}"
+within /opt/venv/bin/pip install --quiet --no-index --no-deps --disable-pip-version-check --root-user-action=ignore "/tmp/${wheel##*/}"
 installed=$EPOCHREALTIME
 within apt-get clean
 echo "installed: $(($(megabytes) - before)) MB more than the $before MB of the Debian without it"
@@ -40,6 +40,7 @@ if within sh -c 'ldd /opt/venv/lib/python3.*/site-packages/coapt/_engine*.so' | 
 say "with numpy"
 apt_install python3-numpy
 within python3 -m venv --system-site-packages /opt/venv
+within /opt/venv/bin/pip check --disable-pip-version-check
 within /opt/venv/bin/python - <<'END'
 import hashlib
 import ssl
