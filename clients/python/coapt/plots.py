@@ -1,9 +1,10 @@
 """Drawings with matplotlib, which is imported when the first is asked for. Each takes axes (ax=) or makes new ones, and returns
 them.
 
-    from coapt import plots
-
-    plots.leak_map(result.plans[0]).figure.savefig("map.pdf")
+>>> from coapt import plots
+>>> closure = coapt.preset("human-functional-mr").close()
+>>> plots.atrial_view(closure).figure.savefig("closed.pdf")
+>>> plots.section(closure).figure.savefig("section.pdf")
 """
 
 from __future__ import annotations
@@ -17,8 +18,10 @@ from .repair import PapillaryApproximation
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from .closures import Closure
     from .evidence import Muscle
-    from .results import Closure, Evaluations, RankedPlan, SearchResult
+    from .ranked_plans import RankedPlan
+    from .results import Evaluations, SearchResult
 
 LEAKS_MM2 = 1.0  # a leak that counts, as in margins: a map's scale ends there or beyond
 _BLUE, _RED, _GREY = "#3b7dd8", "#c8372d", "#9aa3ad"
