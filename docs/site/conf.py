@@ -31,10 +31,23 @@ copybutton_prompt_is_regexp = True
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
-autodoc_type_aliases = {name: name for name in ("Valve", "PlanSource", "ShapeSource", "Path", "Status", "JobState", "Document")}
+autodoc_type_aliases = {
+    name: name for name in ("Valve", "PlanSource", "ShapeSource", "Path", "Status", "JobState", "Document")
+}
 autodoc_preserve_defaults = True
 add_module_names = False
-ANSWERS = ("closures", "comparison", "events", "evidence", "fits", "openings", "ranked_plans", "results", "stored", "sweep")
+ANSWERS = (
+    "closures",
+    "comparison",
+    "events",
+    "evidence",
+    "fits",
+    "openings",
+    "ranked_plans",
+    "results",
+    "stored",
+    "sweep",
+)
 
 
 def signature_of(app, what, name, thing, options, signature, returned):

@@ -40,8 +40,8 @@ def contents(caption, pages):
     return f"```{{toctree}}\n:hidden:\n:caption: {caption}\n\n{entries}\n```\n"
 
 
-def front_page(listed):
-    """The text of index.md, then the contents by reader."""
+def every_page(listed):
+    """The contents by reader, for the front page."""
     readings = [(caption, [place(path) for path in paths]) for caption, paths in listed]
     project = [page for _, pages in readings for page in pages if page.startswith("project/")]
     parts = [("coapt", ["overview.md", "documents.md"])]
@@ -49,7 +49,7 @@ def front_page(listed):
     parts += [("Notebooks", [f"notebooks/{name}" for name in ("index", *NOTEBOOKS)])]
     parts += [("Reference", [f"reference/{name}/index" for name in ("python", "commands", "rest", "cpp")])]
     parts += [("Project", [*project, "project/changelog.md"])]
-    seen, text = set(), (SITE / "index.md").read_text(encoding="utf-8")
+    seen, text = set(), ""
     for caption, pages in parts:
         text += "\n" + contents(caption, [page for page in pages if page not in seen])
         seen.update(pages)
@@ -66,8 +66,9 @@ def listing(title, words, pages):
 def main():
     target, xml, openapi, notebooks = sys.argv[1:]
     gathering, listed = Gathering(target), list(readers())
-    gathering.write("index.md", front_page(listed))
-    gathering.write("images/demo.png", (ROOT / "docs/images/demo.png").read_bytes())
+    for page, more in (("index", every_page(listed)), ("notebooks", "")):
+        path = f"docs/site/{page}.md"
+        gathering.write(place(path), gathering.linked((SITE / f"{page}.md").read_text(encoding="utf-8"), path) + more)
     gathering.documents([*BESIDE, *dict.fromkeys(path for _, paths in listed for path in paths if path not in BESIDE)])
 
     for file in sorted((SITE / "python").glob("*.rst")):
@@ -92,7 +93,6 @@ def main():
         source = f"clients/python/notebooks/{name}.ipynb"
         gathering.write(source, (ROOT / source).read_bytes())
         gathering.write(here, page.replace("\n\n", f"\n\n[The notebook]({relative(source, here)})\n\n", 1))
-    gathering.write("notebooks/index.md", (SITE / "notebooks.md").read_text(encoding="utf-8"))
     gathering.finish()
 
 

@@ -79,7 +79,11 @@ class _Page:
 
     def _class(self, compound):
         name = _name(compound)
-        parts = [f"## {escaped(name)}", f"```cpp\n{_template(compound)}{compound.get('kind')} {name}\n```", *self._said(compound)]
+        parts = [
+            f"## {escaped(name)}",
+            f"```cpp\n{_template(compound)}{compound.get('kind')} {name}\n```",
+            *self._said(compound),
+        ]
         for member in compound.iter("memberdef"):
             if _public(member):
                 parts.append(self._entry(f"`{_declaration(member)}`", member))
@@ -102,7 +106,9 @@ class _Page:
 
     def _said(self, thing):
         """Paragraphs of its comments."""
-        texts = [self._inline(one).strip() for one in [thing.find("briefdescription"), thing.find("detaileddescription")]]
+        texts = [
+            self._inline(one).strip() for one in [thing.find("briefdescription"), thing.find("detaileddescription")]
+        ]
         return [text for text in texts if text]
 
     def _inline(self, node):
@@ -151,9 +157,15 @@ def _declaration(member):
     kind = "".join(member.find("type").itertext()) if member.find("type") is not None else ""
     words = [kind, member.findtext("name") + (member.findtext("argsstring") or "")]
     if member.get("kind") == "typedef":
-        text = f"using {member.findtext('name')} = {kind}" if "using" in member.findtext("definition", "") else " ".join(words)
+        text = (
+            f"using {member.findtext('name')} = {kind}"
+            if "using" in member.findtext("definition", "")
+            else " ".join(words)
+        )
     else:
         start = member.find("initializer")
-        text = " ".join(filter(None, words)) + ("" if start is None else " " + " ".join("".join(start.itertext()).split()))
+        text = " ".join(filter(None, words)) + (
+            "" if start is None else " " + " ".join("".join(start.itertext()).split())
+        )
     text = re.sub(r"\s*([&*])(?=\w)", r"\1 ", text).replace("coapt::", "")
     return _template(member) + re.sub(r"(?<=[(<]) | (?=[>)])", "", text).replace("  ", " ")

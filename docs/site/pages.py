@@ -19,10 +19,18 @@ _PLACES = {
     "ARCHITECTURE.md": "project/architecture.md",
     "CHANGELOG.md": "project/changelog.md",
     "CONTRIBUTING.md": "project/contributing.md",
+    "docs/site/index.md": "index.md",
+    "docs/site/notebooks.md": "notebooks/index.md",
     "docs/man": "reference/commands/index.md",
     "clients/python/notebooks": "notebooks/index.md",
+    "core": "reference/cpp/index.md",
     "server/openapi.json": "reference/rest/index.md",
 }
+_KINDS = (
+    ("docs/man/", ".1.scd", "reference/commands/", ".md"),
+    ("docs/site/python/", ".rst", "reference/python/", ".rst"),
+    ("clients/python/notebooks/", ".ipynb", "notebooks/", ".md"),
+)
 _FENCE = re.compile(r"^\s*```.*?^\s*```\s*$", re.MULTILINE | re.DOTALL)
 _LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 
@@ -34,8 +42,9 @@ def place(path):
     folder, _, name = path.partition("/")
     if folder in ("core", "search") and path.endswith(".h"):
         return f"reference/cpp/{path.removesuffix('.h')}.md"
-    if path.startswith("docs/man/"):
-        return f"reference/commands/{pathlib.Path(path).name.removesuffix('.1.scd')}.md"
+    for beginning, end, there, new_end in _KINDS:
+        if path.startswith(beginning) and path.endswith(end):
+            return there + path.removeprefix(beginning).removesuffix(end) + new_end
     if not (ROOT / path).is_file():
         return None
     return name if folder == "docs" else path
@@ -95,7 +104,7 @@ class Gathering:
     def _take(self, origin, there):
         if origin.endswith(".md"):
             self._waiting.append(origin)
-        elif not there.endswith(".md"):
+        elif not there.endswith((".md", ".rst")):
             self.write(there, (ROOT / origin).read_bytes())
 
     def finish(self):
