@@ -24,7 +24,7 @@ from rest_pages import rest_pages
 SITE = pathlib.Path(__file__).parent
 BESIDE = ("README.md", "docs/README.md", "CHANGELOG.md")
 MANUAL = ("coapt", "coapt-server", "coapt-farm", "coapt-live", "coapt-lab")
-NOTEBOOKS = ("first_repair", "own_study", "own_objective", "surrogate")
+NOTEBOOKS = ("first_repair", "drawings", "own_study", "own_objective", "surrogate")
 
 
 def readers():

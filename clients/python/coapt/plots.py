@@ -10,7 +10,7 @@ them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from .errors import MissingPackage
 from .repair import PapillaryApproximation
@@ -151,22 +151,32 @@ def _rows(array: Any) -> list[Any]:
     return rows
 
 
-def plans(result: SearchResult | Evaluations, *, ax: Axes | None = None) -> Axes:
-    """Highest chordal tension of each ranked plan over its mean leak, with the leak's sd. Numbers are ranks, full points
-    Pareto-optimal plans. Left out: plans closed at one node of their region alone."""
+_AGAINST = {
+    "tension_max_n": "highest chordal tension, N",
+    "opening_area_mm2": "opening in diastole, mm²",
+    "durability_mm": "further disease until it leaks 5 mm², mm",
+}
+
+
+def plans(
+    result: SearchResult | Evaluations,
+    against: Literal["tension_max_n", "opening_area_mm2", "durability_mm"] = "tension_max_n",
+    *,
+    ax: Axes | None = None,
+) -> Axes:
+    """What ranked plans trade: tension, opening or durability over the mean leak, with the leak's sd. Numbers are ranks, full
+    points Pareto-optimal plans. Left out: plans of which one of both is not known."""
     axes = _axes(ax)
-    known = [
-        (plan, plan.leak_mm2.mean, plan.leak_mm2.sd or 0.0, plan.measure.tension_max_n)
-        for plan in result.plans
-        if plan.leak_mm2.mean is not None and plan.measure.tension_max_n is not None
-    ]
-    for plan, mean, sd, tension in known:
-        inside = _BLUE if plan.pareto else "white"
-        axes.errorbar([mean], [tension], xerr=[sd], fmt="o", color=_BLUE, ecolor=_GREY, markerfacecolor=inside)
-        axes.annotate(str(plan.rank), (mean, tension), xytext=(5, 5), textcoords="offset points")
+    for plan in result.plans:
+        mean, sd = plan.leak_mm2.mean, plan.leak_mm2.sd or 0.0
+        value = plan.measure.tension_max_n if against == "tension_max_n" else getattr(plan, against)
+        if mean is not None and value is not None:
+            inside = _BLUE if plan.pareto else "white"
+            axes.errorbar([mean], [value], xerr=[sd], fmt="o", color=_BLUE, ecolor=_GREY, markerfacecolor=inside)
+            axes.annotate(str(plan.rank), (mean, value), xytext=(5, 5), textcoords="offset points")
     axes.set_xlim(left=0.0)
     axes.set_xlabel("leak over the region, mean ± sd, mm²")
-    axes.set_ylabel("highest chordal tension, N")
+    axes.set_ylabel(_AGAINST[against])
     return axes
 
 

@@ -64,8 +64,8 @@ class Evaluations:
         )
 
     def to_frame(self) -> pandas.DataFrame:
-        """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those with mean_, sd_, p95_ and
-        worst_, which are over the region of interest."""
+        """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those that begin with
+        mean, sd, p95 and worst, which are over the region of interest."""
         return frames.plans(self.plans)
 
     def _repr_html_(self) -> str:
@@ -105,8 +105,8 @@ class SearchResult:
         )
 
     def to_frame(self) -> pandas.DataFrame:
-        """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those with mean_, sd_, p95_ and
-        worst_, which are over the region of interest."""
+        """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those that begin with
+        mean, sd, p95 and worst, which are over the region of interest."""
         return frames.plans(self.plans)
 
     def _repr_html_(self) -> str:
