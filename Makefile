@@ -16,7 +16,7 @@ STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -t
 ENGINE := build/wasm/bin/coapt-engine.wasm
 ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs-check openapi-check readers-check golden asan asan-build fuzz clean
+.PHONY: help demo serve farm deb deb-test check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check openapi-check readers-check golden asan asan-build fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -185,6 +185,18 @@ sources-check:  ## fail if a source that has changed, or includes what has, forg
 	@cmake/install_packages.sh build lab
 	@cmake --preset sources >/dev/null
 	cmake/check_sources.py build/sources $(SINCE)
+
+# Notebooks are run anew only if they have changed: rm -r build/docs-parts runs all.
+docs: configure  ## the documentation as one site, build/docs/index.html: guides, notebooks, references of Python, C++, HTTP and commands
+	@cmake/install_packages.sh test site
+	cmake --build --preset release --target coapt_python
+	@mkdir -p build/docs-parts
+	cmake -D OUTPUT=build/docs-parts/openapi.json -P server/openapi.cmake
+	doxygen docs/site/Doxyfile
+	PYTHONPATH=clients/python:build/release/python docs/site/run_notebooks.py build/docs-parts/notebooks
+	docs/site/gather.py build/docs-source build/docs-parts/headers build/docs-parts/openapi.json build/docs-parts/notebooks
+	sphinx-build -q -W --keep-going -j auto -c docs/site -d build/docs-parts/read build/docs-source build/docs
+	docs/site/check_site.py build/docs
 
 docs-check:  ## fail if a link or make target in the documents leads nowhere, or the README is too long
 	@tests/docs/check_documents.py

@@ -16,6 +16,9 @@ struct ClosedValve {
   RepairMarks repair{};  ///< what the plan put into it
 };
 
+/// Closes and measures a valve as it is; repair it before (apply_plan.h). Deterministic. The measures of a closure that did not
+/// converge, or whose leaflets cross, do not count: ClosureResult says so.
+/// @pre validate(valve) is empty.
 ClosedValve close_and_measure(const Valve& valve, const ClosureOptions& options = {});
 
 /// The closed valve with the plan that made it from `before`.

@@ -10,6 +10,7 @@
 
 namespace coapt {
 
+/// A valve by its dimensions in health, and what disease changed.
 struct HumanValve {
   ParametricValve dimensions;
   Remodelling change;        ///< what disease did to it
@@ -19,10 +20,15 @@ struct HumanValve {
   SystolicMotion systole{};
 };
 
+/// The valve itself, diseased. Errors are those of dimensions and change that make none.
 Expected<Valve> make_human_valve(const HumanValve& human);
 
+/// Health, as ParametricValve describes it.
 HumanValve human_normal();
+/// Functional regurgitation: a dilated, flattened annulus of 36 x 44 mm (PMC7368231), papillary tips drawn away, leaflets a
+/// little larger than in health.
 HumanValve human_functional_mr();
+/// P2's marginal chordae ruptured, in an annulus dilated by 12 %.
 HumanValve human_p2_prolapse();
 /// Diffuse myxomatous disease: large, thick, extensible leaflets on long chordae in a large, flat annulus.
 HumanValve barlow();

@@ -15,6 +15,7 @@ struct AnnulusFrame {
   Vec3 normal = Vec3::UnitZ();
 };
 
+/// Of Valve::annulus under pressure.
 AnnulusFrame annulus_frame(const Valve& valve);
 
 /// (transverse, anterior, normal) coordinates of a point, and the point with such coordinates.

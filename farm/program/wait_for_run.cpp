@@ -1,11 +1,11 @@
 #include "farm/program/wait_for_run.h"
 
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "clients/cli/exit_code.h"

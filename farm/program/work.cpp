@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <array>
@@ -6,6 +5,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "clients/cli/exit_code.h"
 #include "clients/cli/interrupt.h"

@@ -18,6 +18,7 @@ struct Effort {
 /// what it takes away.
 double ring_sizes_below(const Valve& before, const Valve& repaired);
 
+/// From the valves before and after a plan. Each muscle moves as a whole: its first head tells.
 Effort effort(const Valve& before, const Valve& repaired, const RepairPlan& plan);
 
 }  // namespace coapt

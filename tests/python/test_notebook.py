@@ -136,6 +136,11 @@ class Examples(ClientTest):
         self.assertTrue((self.folder / "before-after.png").exists())
         self.assert_practicable(names["plan"])
 
+    @unittest.skipUnless(has_engine(), "no engine")
+    def test_the_sites_front_page_runs(self):
+        names = self.run_blocks(SOURCE / "docs/site/index.md")
+        self.assertLess(names["after"].measure.leak_mm2, names["before"].measure.leak_mm2)
+
     @unittest.skipUnless(DRAWS and has_engine(), "pandas, matplotlib and the engine are needed")
     def test_the_guide_runs(self):
         names = self.run_blocks(SOURCE / "docs/engineer/python.md")

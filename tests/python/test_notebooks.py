@@ -1,11 +1,13 @@
 """The notebooks of the engine in this process run from top to bottom."""
 
 import importlib.util
+import inspect
 import json
 import os
 import unittest
 
 import coapt
+import coapt.plots
 from client_runs import has_engine
 from programs import SOURCE
 
@@ -42,6 +44,14 @@ class Notebooks(unittest.TestCase):
         leaks = self.names_of("own_study.ipynb")["leaks"]
         self.assertGreater(leaks["no repair"].iloc[-1], leaks["no repair"].iloc[0])
         self.assertLess(leaks["ring, three sizes below"].iloc[-1], leaks["no repair"].iloc[-1])
+
+    @installed("pandas", "matplotlib")
+    def test_every_drawing_is_shown(self):
+        shown = (NOTEBOOKS / "drawings.ipynb").read_text()
+        for name, draw in vars(coapt.plots).items():
+            if inspect.isfunction(draw) and not name.startswith("_"):
+                self.assertIn(f"plots.{name}", shown)
+        self.assertEqual(self.names_of("drawings.ipynb")["best"].rank, 1)
 
     @installed("nlopt", "scipy")
     def test_an_objective_of_ones_own_is_minimised(self):

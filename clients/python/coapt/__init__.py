@@ -1,13 +1,14 @@
 """Mitral valve repair in simulation, in this process or by a coapt-server.
 
-    import coapt
-    from coapt import Plan, Ring
-
-    print(coapt.preset("human-functional-mr").close(Plan(Ring("generic-classic", size_mm=36))).measure.leak_mm2)
-
-    engine = coapt.Engine()                                  # or coapt.Client("http://127.0.0.1:8080"): the same functions
-    result = engine.search("human-functional-mr", evaluations=60, seed=1, plans=2, region_points=65).result()
-    result.plans[0].picture().write("before-after.png")
+>>> import coapt
+>>> from coapt import Plan, Ring
+>>> valve = coapt.preset("human-functional-mr")
+>>> ring = Plan(Ring("generic-classic", size_mm=36))
+>>> valve.close(ring).measure.leak_mm2 < valve.close().measure.leak_mm2
+True
+>>> engine = coapt.Engine()  # or coapt.Client("http://127.0.0.1:8080"): the same functions
+>>> result = engine.search("human-functional-mr", evaluations=60, seed=1, plans=2, region_points=5).result()
+>>> result.plans[0].picture().write("before-after.png")
 
 Units are the last part of a name: mm, mm2, n (newtons), deg, s. coapt is research software, not a medical device; not for
 clinical decisions.
@@ -19,6 +20,7 @@ import pkgutil
 __path__ = pkgutil.extend_path(__path__, __name__)
 
 from .client import Client
+from .closures import Closure, Measure
 from .comparison import Comparison
 from .engine import Engine
 from .errors import (
@@ -46,6 +48,7 @@ from .local import close_many, engine, preset, read_valve
 from .local_valve import LocalValve
 from .meshes import Mesh, Picture
 from .openings import Opening
+from .ranked_plans import RankedPlan, Statistics
 from .repair import (
     ChordalExcision,
     ChordalLengthChange,
@@ -63,7 +66,7 @@ from .repair import (
     Ring,
     read_plans,
 )
-from .results import Before, Closure, Evaluations, Finding, Measure, RankedPlan, SearchResult, Statistics, StudyResult
+from .results import Before, Evaluations, Finding, SearchResult, StudyResult
 from .service import Service
 from .sources import PlanSource, Valve
 from .stored import ImportDecision, KeptPlan, RingShape, StoredValve

@@ -6,7 +6,7 @@ from typing import Any
 import numpy
 from numpy.typing import NDArray
 
-from .results import Status
+from .closures import Status
 
 class Problems(Exception):
     """Its text is a list of problems as JSON."""

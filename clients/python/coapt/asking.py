@@ -17,6 +17,8 @@ def given(**fields: Any) -> dict[str, Any]:
 
 
 class Asking:
+    """Questions, and how an answer that refuses them is told."""
+
     def __init__(self, transport: Transport) -> None:
         self._transport = transport
 

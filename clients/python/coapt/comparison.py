@@ -10,10 +10,10 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from .closures import Closure, Measure
 from .errors import NoSuchFile
 from .local_transport import engine_module, refusing
 from .meshes import Mesh
-from .results import Closure, Measure
 
 if TYPE_CHECKING:
     import numpy
@@ -28,19 +28,29 @@ ShapeSource: TypeAlias = Closure | Mesh | str | os.PathLike[str]
 @dataclass(frozen=True, eq=False)
 class Comparison:
     """Distances of a closed shape from a reference (coapt.comparison/1): node to node where both have the same nodes, else from
-    its nodes to the reference's surface. Positive: on the side to which the reference's normals point, the atrium's.
+    its nodes to the reference's surface.
 
-    signed_mm: of each node. moved_mm: N x 3, where the nodes lie after the alignment.
+    >>> valve = coapt.preset("human-normal")
+    >>> comparison = valve.compare(valve.close())
+    >>> comparison.rms_mm, comparison.node_to_node, comparison.moved_mm.shape == valve.vertices_mm.shape
+    (0.0, True, True)
     """
 
     rms_mm: float
+    """Root mean square."""
     p95_mm: float
+    """95th percentile."""
     max_mm: float
     node_to_node: bool
+    """False: from nodes to the reference's surface."""
     aligned: bool
+    """The closed shape was moved rigidly onto the reference before."""
     signed_mm: NDArray[numpy.float64] = field(repr=False)
+    """N: of each node; positive on the side to which the reference's normals point, the atrium's."""
     moved_mm: NDArray[numpy.float64] = field(repr=False)
+    """N x 3: where the nodes lie after the alignment."""
     json: Mapping[str, Any] = field(repr=False)
+    """The coapt.comparison/1."""
 
 
 def local_closure(native: _engine.Closure) -> Closure:

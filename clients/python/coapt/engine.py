@@ -8,12 +8,12 @@ import pathlib
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Literal
 
+from .closures import Closure
 from .comparison import Comparison, ShapeSource, local_closure, native_shape
 from .files import Path, read_json
 from .fits import FitResult, Known
 from .local_transport import LocalTransport, engine_module, reading, refusing
 from .local_valve import LocalValve
-from .results import Closure
 from .service import Service
 from .sources import Valve, valve_document
 from .transport import encoded
@@ -28,6 +28,13 @@ class Engine(Service):
 
     Jobs end with the process: with a database they go on in the next engine that has it, and closures of searches and studies
     that it knows are not made again.
+
+    >>> engine = coapt.Engine(threads=2)
+    >>> "human-functional-mr" in engine.presets()
+    True
+    >>> engine.close("human-functional-mr", Plan(OwnRing(2))).trusted
+    True
+    >>> engine.end()
 
     :param database: file of valves, jobs and closures, made if it is not there; None: one that goes with this process
     :param threads: of a job, an evaluation and a sweep; does not change any result; 0: all cores

@@ -12,13 +12,20 @@ from typing import Any
 class Problem:
     """One thing that is wrong with a request, or with a job.
 
-    path is a JSON pointer into the request's body ("/plan/steps/0/size_mm"), "?NAME" for a parameter of the query, empty
-    for the whole. message says what is wrong and what is accepted.
+    >>> try:
+    ...     coapt.preset("human-normal").close(Plan(Ring("generic-classic", size_mm=31)))
+    ... except coapt.InvalidRequest as error:
+    ...     print([(problem.code, problem.path) for problem in error.problems])
+    [('out_of_range', '/plan/steps/0/size_mm')]
     """
 
     code: str
+    """Its kind, for programs: "out_of_range", "missing_field", ..."""
     path: str
+    """A JSON pointer into the request's body ("/plan/steps/0/size_mm"), "?NAME" for a parameter of the query, empty for the
+    whole."""
     message: str
+    """What is wrong and what is accepted."""
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Problem:
@@ -29,7 +36,7 @@ class Problem:
 
 
 class CoaptError(Exception):
-    """All that this package raises on purpose. problems may be empty."""
+    """All that this package raises on purpose. problems: tuple of Problem, may be empty."""
 
     def __init__(self, message: str, problems: Sequence[Problem] = ()) -> None:
         self.problems: tuple[Problem, ...] = tuple(problems)

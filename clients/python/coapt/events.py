@@ -10,19 +10,24 @@ from typing import Any, Literal
 from .repair import Plan
 
 JobState = Literal["QUEUED", "RUNNING", "SUCCEEDED", "FAILED", "CANCELLED"]
+"""The last three: it has ended."""
+
 ENDED = ("SUCCEEDED", "FAILED", "CANCELLED")
 
 
 @dataclass(frozen=True)
 class LeadingPlan:
-    """A search's best plan so far. cost in mm2 over so many nodes of its region of interest; leak_mm2 as planned; description in
-    surgical words, a line a step."""
+    """A search's best plan so far."""
 
     plan: Plan
     description: tuple[str, ...]
+    """In surgical words, a line a step."""
     cost: float | None
+    """In mm2, over so many nodes."""
     nodes: int
+    """Of its region of interest that were closed."""
     leak_mm2: float | None
+    """As planned."""
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> LeadingPlan:
@@ -32,19 +37,24 @@ class LeadingPlan:
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a job is. closures includes known ones; best_leak_mm2 is the least leak of a plan as planned, best_cost the least
-    cost (mm2) at one closure a plan, best the plan in front, rms_mm the distance that a fit leaves so far, None: none yet;
-    seconds are those of running, over all attempts.
-    """
+    """How far a job is. None: none yet, or another kind of job."""
 
     stage: str
+    """"starting", "searching", "ranking", a part of a study, "importing" or "fitting"."""
     closures: int
+    """So far, known ones included."""
     closures_planned: int
+    """Of a search at most, of a study in its present stage; 0: not known yet."""
     best_leak_mm2: float | None
+    """The least leak of a plan as planned."""
     best_cost: float | None
+    """The least cost at one closure a plan, in mm2."""
     seconds: float
+    """Of running, over all attempts."""
     best: LeadingPlan | None = None
+    """The plan in front."""
     rms_mm: float | None = None
+    """The distance that a fit leaves, root mean square."""
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Progress:
@@ -68,10 +78,12 @@ class Progress:
 
 @dataclass(frozen=True)
 class Event:
-    """number counts a job's events from 1. One of state (the job changed to it) and progress is there."""
+    """What happened to a job: one of state and progress is there."""
 
     number: int
+    """Counts a job's events from 1."""
     state: JobState | None = None
+    """That the job changed to."""
     progress: Progress | None = None
 
 

@@ -18,13 +18,16 @@ Muscle = Literal["both", "anterolateral", "posteromedial"]
 
 @dataclass(frozen=True)
 class Section:
-    """A section across the line of coaptation, along: 0 anterolateral, 1 posteromedial commissure. height_mm of coaptation;
-    distance_mm, the smallest between the leaflets."""
+    """A section across the line of coaptation."""
 
     along: float
+    """0: anterolateral, 1: posteromedial commissure."""
     height_mm: float | None
+    """Of coaptation; 0 where leaflets do not touch."""
     distance_mm: float | None
+    """The smallest between the leaflets."""
     contact: bool
+    """Whether they touch."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +35,7 @@ class Coaptation:
     """Nine sections from commissure to commissure."""
 
     sections: tuple[Section, ...]
+    """In order from the anterolateral commissure."""
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Coaptation:
@@ -48,14 +52,16 @@ class Coaptation:
 
 @dataclass(frozen=True)
 class LeakMap:
-    """Leak when sutures and tips are off the plan. leak_mm2: a row for each error of suture_length_mm, a column for each angle
-    outwards_deg; None: not closed. muscle "both": the same error on both sides. Without a suture suture_length_mm is the error
-    of the distance between a tip and its trigone."""
+    """Leak when sutures and tips are off the plan."""
 
     muscle: Muscle
+    """Whose suture and tip; "both": the same error on both sides."""
     suture_length_mm: tuple[float, ...]
+    """Errors of length, -1 to 1, R of them; without a suture of the distance between a tip and its trigone."""
     outwards_deg: tuple[float, ...]
+    """Errors of the tip's angle, -5 to 5, C of them."""
     leak_mm2: tuple[tuple[float | None, ...], ...]
+    """R x C: a row for each length, a column for each angle; None: not closed."""
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> LeakMap:
@@ -69,9 +75,10 @@ class LeakMap:
 
 @dataclass(frozen=True)
 class LeakMaps:
-    """Of one plan: both muscles, then each suture alone. Empty: too little was closed."""
+    """Of one plan."""
 
     maps: tuple[LeakMap, ...]
+    """Both muscles, then each suture alone. Empty: too little was closed."""
 
     def of(self, muscle: Muscle = "both") -> LeakMap:
         """:raises KeyError: there is none of it"""
@@ -87,10 +94,12 @@ class LeakMaps:
 
 @dataclass(frozen=True)
 class Remodelling:
-    """Leak if the ventricle remodels further after the repair. leak_mm2: by direction, at displacement_mm."""
+    """Leak if the ventricle remodels further after the repair."""
 
     displacement_mm: tuple[int, ...]
+    """Of the papillary tips: 0, 1, 2, ..."""
     leak_mm2: Mapping[str, tuple[float | None, ...]]
+    """By direction ("apical", ...), one for each displacement."""
 
     @classmethod
     def from_json(cls, json: Sequence[Mapping[str, Any]]) -> Remodelling:
@@ -104,12 +113,19 @@ class Remodelling:
 
 @dataclass(frozen=True)
 class Table:
-    """CSV with a header line, units in the names of its columns; empty: not known."""
+    """CSV with a header line, units in the names of its columns; empty: not known.
+
+    >>> coapt.Table("suture_mm,leak_mm2\\n24,0.5\\n26,\\n").to_frame()["leak_mm2"].tolist()
+    [0.5, nan]
+    """
 
     csv: str = field(repr=False)
+    """The text of it."""
 
     def to_frame(self) -> pandas.DataFrame:
+        """Its columns; what is not known is NaN."""
         return frames.csv(self.csv)
 
     def write(self, path: str | os.PathLike[str]) -> None:
+        """To a file, UTF-8."""
         pathlib.Path(path).write_text(self.csv, encoding="utf-8")

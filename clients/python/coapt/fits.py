@@ -17,20 +17,23 @@ Known = Literal["slack", "tips", "prestretch", "hidden"]
 
 @dataclass(frozen=True)
 class Fit:
-    """To what a valve is fitted.
-
-    surface: the closed leaflets as imaged, a mesh or points (CSV), in the coordinates and the unit of the other files; None:
-    the leaflets themselves, imported with closed=True. side: what of them it shows. leak_mm2: as imaged, known to within
-    leak_sd_mm2. known: what stays as it is. points, rounds: of the surface, and of either pass, at most.
-    """
+    """To what a valve is fitted by Client.import_job()."""
 
     surface: str | os.PathLike[str] | None = None
+    """The closed leaflets as imaged, a mesh or points (CSV), in the coordinates and the unit of the other files; None: the leaflets
+    themselves, imported with closed=True."""
     side: Literal["atrial", "middle"] = "atrial"
+    """Of the leaflets, what the surface shows."""
     leak_mm2: float | None = None
+    """As imaged."""
     leak_sd_mm2: float | None = None
+    """To within which that is known."""
     known: Sequence[Known] = ()
+    """What stays as it is."""
     points: int | None = None
+    """Of the surface, at most."""
     rounds: int | None = None
+    """Of either pass, at most."""
 
     def to_json(self) -> dict[str, Any]:
         asked = {name: getattr(self, name) for name in ("leak_mm2", "leak_sd_mm2", "points", "rounds")}
@@ -44,30 +47,39 @@ class Fit:
 
 @dataclass(frozen=True)
 class FittedParameter:
-    """One unknown of a fit, in mm or without a unit ("1"); identifiable: the surface at least halves what was not known."""
+    """One unknown of a fit."""
 
     name: str
     unit: str
+    """"mm", or "1" for none."""
     value: float
+    """As fitted, in that unit."""
     sd: float
+    """Standard deviation of it."""
     prior: float
+    """What it was taken for before."""
     prior_sd: float
     identifiable: bool
+    """The surface at least halves what was not known."""
 
 
 @dataclass(frozen=True)
 class FitResult:
-    """Distances from the surface in mm, root mean square, before and after; the leak with its standard deviation after. Not
-    finished: it was stopped before it came to rest. json has the correlations."""
+    """How well a valve was fitted."""
 
     rms_before_mm: float
+    """Distance from the surface, root mean square, of the valve as it was."""
     rms_mm: float
+    """The same of the fitted one."""
     leak_before_mm2: float
     leak_mm2: float
     leak_sd_mm2: float
+    """Standard deviation of the fitted valve's leak."""
     parameters: tuple[FittedParameter, ...]
     finished: bool
+    """False: it was stopped before it came to rest."""
     json: Mapping[str, Any] = field(repr=False, compare=False)
+    """The whole of it, with the correlations."""
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> FitResult:
@@ -88,15 +100,19 @@ class FitResult:
 
 @dataclass(frozen=True)
 class ImportResult:
-    """valve: id of the one made, fitted if that was asked for; imported: id before the fit."""
+    """What an import has made."""
 
     valve: str
+    """Id of the stored valve, fitted if that was asked for."""
     imported: str
+    """Id of the one before the fit."""
     name: str
     triangles: int
     chordae: int
     decisions: tuple[ImportDecision, ...]
+    """That its files left open."""
     fit: FitResult | None
+    """None: not asked for."""
     json: Mapping[str, Any] = field(repr=False, compare=False)
     _transport: Transport = field(repr=False, compare=False)
     _path: str = field(repr=False, compare=False)

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     import pandas
 
     from .evidence import LeakMap, Remodelling, Section
-    from .results import Finding, RankedPlan
+    from .ranked_plans import RankedPlan
+    from .results import Finding
     from .sweep import SweepItem
 
 # Columns, and where their values are.

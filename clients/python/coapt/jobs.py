@@ -29,6 +29,13 @@ class Job(Generic[Result]):
     """A search, a study or an import. That of a service goes on without its client: Client.job(id) finds it again.
 
     json is the job as it was when it was last asked for; see refresh().
+
+    >>> job = coapt.preset("human-functional-mr").search(evaluations=20, plans=1, region_points=2, evidence=False)
+    >>> job.wait().state
+    'SUCCEEDED'
+    >>> best = job.result().plans[0]
+    >>> best.rank, best.plan == job.result().plans[0].plan
+    (1, True)
     """
 
     def __init__(
@@ -43,6 +50,7 @@ class Job(Generic[Result]):
 
     @property
     def id(self) -> str:
+        """By which Client.job() finds it again."""
         return str(self.json["id"])
 
     @property
@@ -52,15 +60,18 @@ class Job(Generic[Result]):
 
     @property
     def state(self) -> JobState:
+        """QUEUED, RUNNING, SUCCEEDED, FAILED or CANCELLED, when it was last asked for."""
         state: JobState = self.json["state"]
         return state
 
     @property
     def ended(self) -> bool:
+        """Whether that is one of the last three."""
         return self.state in ENDED
 
     @property
     def progress(self) -> Progress:
+        """How far it was when it was last asked for."""
         return Progress.from_json(self.json["progress"])
 
     @property
@@ -70,6 +81,7 @@ class Job(Generic[Result]):
 
     @property
     def path(self) -> str:
+        """Of its requests."""
         return f"/v1/jobs/{self.id}"
 
     def refresh(self) -> Job[Result]:
@@ -169,7 +181,10 @@ class Job(Generic[Result]):
         return self
 
     def delete(self) -> None:
-        """Removes an ended job with all its results."""
+        """Removes an ended job with all its results.
+
+        :raises Conflict: it has not ended
+        """
         self._transport.request("DELETE", self.path)
 
     def report(self) -> str:
@@ -182,6 +197,10 @@ class Job(Generic[Result]):
         return {file["name"]: file["bytes"] for file in listed}
 
     def file(self, name: str) -> bytes:
+        """One of them.
+
+        :raises NotFound: there is none of that name
+        """
         return self._transport.request("GET", f"{self.path}/files/{name}").body
 
     def table(self, name: str) -> Table:

@@ -17,7 +17,8 @@ _making = threading.Lock()
 
 
 def engine() -> Engine:
-    """
+    """The engine that preset(), read_valve() and close_many() use.
+
     :raises MissingPackage: this installation has none
     """
     with _making:
@@ -25,7 +26,10 @@ def engine() -> Engine:
 
 
 def preset(name: str) -> LocalValve:
-    """A valve that coapt brings along: preset("human-normal").close().measure.leak_mm2.
+    """A valve that coapt brings along; Service.presets() lists them.
+
+    >>> coapt.preset("human-normal").close().trusted
+    True
 
     :raises InvalidRequest: there is none of that name
     """
@@ -34,6 +38,9 @@ def preset(name: str) -> LocalValve:
 
 def read_valve(path: Path) -> LocalValve:
     """A file of a coapt.valve/1.
+
+    >>> coapt.read_valve("examples/valves/bodyparts3d-leaking.json").close().measure.leak_mm2 > 5
+    True
 
     :raises NoSuchFile, BadDocument: problems have pointers into the file
     """
@@ -48,6 +55,13 @@ def close_many(
 ) -> list[SweepItem]:
     """Closes every valve with every plan in this process: all plans of the first valve, then all of the second. An error of one
     stands in its place. See Engine.map() for one after the other.
+
+    >>> plans = [Plan(), "examples/plans/ring.json"]
+    >>> items = coapt.close_many(["human-normal", "porcine-1", "no-such-valve"], plans, threads=2)
+    >>> [(item.valve, item.plan, item.trusted) for item in items[:3]]
+    [('human-normal', 'plan 1', True), ('human-normal', 'ring', True), ('porcine-1', 'plan 1', True)]
+    >>> items[-1].error.status
+    422
 
     :param threads: closures at once; does not change any; all cores by default
     """

@@ -12,13 +12,14 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from . import _engine
+    from .closures import Closure
     from .comparison import Comparison, ShapeSource
     from .engine import Engine
     from .fits import FitResult
     from .jobs import Job
     from .meshes import Picture
     from .openings import Opening
-    from .results import Closure, Evaluations, SearchResult, StudyResult
+    from .results import Evaluations, SearchResult, StudyResult
     from .sources import PlanSource
 
 
@@ -27,6 +28,15 @@ class LocalValve:
     Engine.valve(). Frame: x posteromedial, y anterior, z to the atrium. A Client takes it, too.
 
     Arrays are the engine's own numbers: views that are not copied, read-only, and keep the valve alive.
+
+    >>> valve = coapt.preset("human-normal")
+    >>> valve
+    LocalValve('human-normal', 361 vertices, 648 triangles)
+    >>> valve.vertices_mm.shape, valve.faces.shape, valve.annulus_mm.shape[1]
+    ((361, 3), (648, 3), 3)
+    >>> wider = valve.with_arrays(annulus_mm=valve.annulus_mm * [1.0, 1.2, 1.0])  # 20 % deeper, from front to back
+    >>> wider.close().measure.leak_mm2 > valve.close().measure.leak_mm2
+    True
     """
 
     def __init__(self, engine: Engine, native: _engine.Valve, id: str | None = None) -> None:
@@ -35,6 +45,7 @@ class LocalValve:
 
     @property
     def name(self) -> str:
+        """Of its document."""
         return self.native.name
 
     @property
@@ -69,6 +80,12 @@ class LocalValve:
         :param vertices_mm: V x 3, float64, unstressed
         :param faces: F x 3, int32
         :param annulus_mm: A x 3, float64, under pressure
+        >>> try:
+        ...     coapt.preset("human-normal").with_arrays(annulus_mm=[[0.0, 1.0]])
+        ... except coapt.BadDocument as error:
+        ...     print(error.problems[0].path)
+        /annulus_mm
+
         :raises BadDocument: another type or shape, a number that is not finite, or no valve: problems say where
         """
         with reading("these arrays make no valve"):

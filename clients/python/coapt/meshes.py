@@ -20,8 +20,10 @@ class Picture:
     """A PNG; a notebook shows it."""
 
     png: bytes
+    """The content of the file."""
 
     def write(self, path: str | os.PathLike[str]) -> None:
+        """To a file."""
         pathlib.Path(path).write_bytes(self.png)
 
     def _repr_png_(self) -> bytes:
@@ -33,12 +35,16 @@ class Picture:
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """Triangles. vertices_mm: V x 3, frame of the valve (x posteromedial, y anterior, z to the atrium). faces: F x 3, numbers
-    of vertices from 0. Arrays of numpy where it is installed (float64; int64, or int32 of the engine in this process), lists of
-    lists elsewhere."""
+    """Triangles: arrays of numpy where it is installed, lists of lists elsewhere.
+
+    >>> coapt.preset("human-normal").close().leaflets()
+    Mesh(361 vertices, 648 triangles)
+    """
 
     vertices_mm: Any
+    """V x 3, float64, frame of the valve: x posteromedial, y anterior, z to the atrium."""
     faces: Any
+    """F x 3, numbers of vertices from 0; int32 of the engine in this process, else int64."""
 
     @classmethod
     def from_ply(cls, content: bytes) -> Mesh:

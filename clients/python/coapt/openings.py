@@ -7,35 +7,52 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from . import tables
-from .results import Document, Status, known_fields
+from .closures import Document, Status, known_fields
 
 
 @dataclass(frozen=True)
 class Opening:
-    """A valve, opened (coapt.opening/1). name is the valve's; None: not known, because it did not come to rest.
+    """A valve, opened (coapt.opening/1). None: not known, because it did not come to rest.
 
-    opening_area_mm2: of the narrowest passage of the open leaflets, passage_depth_mm below the annulus; funnel_tilt_deg: of their
-    axis from the annulus's normal. projected_area_mm2: open along that normal. annulus_area_mm2: in diastole. Gradients are
-    mean ones by Gorlin's equation, of the smaller area, at flow_ml_s and flow_exercise_ml_s.
+    >>> opening = coapt.preset("human-normal").open()
+    >>> opening.trusted, opening.opening_area_mm2 < opening.annulus_area_mm2, opening.flow_ml_s
+    (True, True, 155.0)
     """
 
     name: str
+    """The valve's."""
     status: Status
+    """"converged" (at rest), "step_limit" (not yet) or "diverged" (there is no shape)."""
     crossing: bool
+    """Whether leaflets pass through each other: then nothing is measured."""
     opening_area_mm2: float | None
+    """Of the narrowest passage of the open leaflets."""
     passage_depth_mm: float | None
+    """Of that passage, below the annulus."""
     funnel_tilt_deg: float | None
+    """Of the leaflets' axis from the annulus's normal."""
     projected_area_mm2: float | None
+    """Open along that normal."""
     annulus_area_mm2: float
+    """Of the annulus in diastole."""
     gradient_mmhg: float | None
+    """Mean, at flow_ml_s, by Gorlin's equation, of the smaller of passage and projected area."""
     gradient_exercise_mmhg: float | None
+    """The same at flow_exercise_ml_s."""
     flow_ml_s: float
+    """Mean flow of filling at rest."""
     flow_exercise_ml_s: float
+    """Mean flow of filling at exercise."""
     pressure_mmhg: float
+    """Of the atrium over the ventricle."""
     steps: int
+    """Of the relaxation."""
     seconds: float
+    """That opening took, where it was done."""
     warnings: tuple[str, ...]
+    """In sentences."""
     json: Document = field(repr=False, compare=False)
+    """The coapt.opening/1."""
 
     @classmethod
     def from_json(cls, json: Document) -> Opening:

@@ -1,15 +1,16 @@
 """Drawings with matplotlib, which is imported when the first is asked for. Each takes axes (ax=) or makes new ones, and returns
 them.
 
-    from coapt import plots
-
-    plots.leak_map(result.plans[0]).figure.savefig("map.pdf")
+>>> from coapt import plots
+>>> closure = coapt.preset("human-functional-mr").close()
+>>> plots.atrial_view(closure).figure.savefig("closed.pdf")
+>>> plots.section(closure).figure.savefig("section.pdf")
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from .errors import MissingPackage
 from .repair import PapillaryApproximation
@@ -17,8 +18,10 @@ from .repair import PapillaryApproximation
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from .closures import Closure
     from .evidence import Muscle
-    from .results import Closure, Evaluations, RankedPlan, SearchResult
+    from .ranked_plans import RankedPlan
+    from .results import Evaluations, SearchResult
 
 LEAKS_MM2 = 1.0  # a leak that counts, as in margins: a map's scale ends there or beyond
 _BLUE, _RED, _GREY = "#3b7dd8", "#c8372d", "#9aa3ad"
@@ -148,22 +151,32 @@ def _rows(array: Any) -> list[Any]:
     return rows
 
 
-def plans(result: SearchResult | Evaluations, *, ax: Axes | None = None) -> Axes:
-    """Highest chordal tension of each ranked plan over its mean leak, with the leak's sd. Numbers are ranks, full points
-    Pareto-optimal plans. Left out: plans closed at one node of their region alone."""
+_AGAINST = {
+    "tension_max_n": "highest chordal tension, N",
+    "opening_area_mm2": "opening in diastole, mm²",
+    "durability_mm": "further disease until it leaks 5 mm², mm",
+}
+
+
+def plans(
+    result: SearchResult | Evaluations,
+    against: Literal["tension_max_n", "opening_area_mm2", "durability_mm"] = "tension_max_n",
+    *,
+    ax: Axes | None = None,
+) -> Axes:
+    """What ranked plans trade: tension, opening or durability over the mean leak, with the leak's sd. Numbers are ranks, full
+    points Pareto-optimal plans. Left out: plans of which one of both is not known."""
     axes = _axes(ax)
-    known = [
-        (plan, plan.leak_mm2.mean, plan.leak_mm2.sd or 0.0, plan.measure.tension_max_n)
-        for plan in result.plans
-        if plan.leak_mm2.mean is not None and plan.measure.tension_max_n is not None
-    ]
-    for plan, mean, sd, tension in known:
-        inside = _BLUE if plan.pareto else "white"
-        axes.errorbar([mean], [tension], xerr=[sd], fmt="o", color=_BLUE, ecolor=_GREY, markerfacecolor=inside)
-        axes.annotate(str(plan.rank), (mean, tension), xytext=(5, 5), textcoords="offset points")
+    for plan in result.plans:
+        mean, sd = plan.leak_mm2.mean, plan.leak_mm2.sd or 0.0
+        value = plan.measure.tension_max_n if against == "tension_max_n" else getattr(plan, against)
+        if mean is not None and value is not None:
+            inside = _BLUE if plan.pareto else "white"
+            axes.errorbar([mean], [value], xerr=[sd], fmt="o", color=_BLUE, ecolor=_GREY, markerfacecolor=inside)
+            axes.annotate(str(plan.rank), (mean, value), xytext=(5, 5), textcoords="offset points")
     axes.set_xlim(left=0.0)
     axes.set_xlabel("leak over the region, mean ± sd, mm²")
-    axes.set_ylabel("highest chordal tension, N")
+    axes.set_ylabel(_AGAINST[against])
     return axes
 
 

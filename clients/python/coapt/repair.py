@@ -1,6 +1,8 @@
 """Repair plans (coapt.plan/1) from small parts. Lengths are millimetres.
 
-    Plan(Ring("generic-classic", size_mm=38), PapillaryApproximation("posteromedial", suture_length_mm=24))
+>>> plan = Plan(Ring("generic-classic", size_mm=38), PapillaryApproximation("posteromedial", suture_length_mm=24))
+>>> plan.to_json()["steps"][0]
+{'step': 'annuloplasty', 'shape': 'generic-classic', 'size_mm': 38}
 
 Each part knows its JSON; what a valve allows (which chordae there are, how short a suture may be) the service checks.
 """
@@ -267,7 +269,14 @@ def step_from_json(json: Mapping[str, Any]) -> Step:
 
 
 class Plan:
-    """Steps of a repair; their order does not change the result. Plan() is the valve as it is."""
+    """Steps of a repair; their order does not change the result. Plan() is the valve as it is.
+
+    >>> ring = Plan(OwnRing(2))
+    >>> ring.with_step(Neochorda("AL1", LeafletPoint("posterior", along=0.5), length_mm=20))
+    Plan(OwnRing(sizes_below=2), Neochorda(head='AL1', insertion=LeafletPoint(leaflet='posterior', along=0.5, height=1.0), length_mm=20))
+    >>> Plan.from_json(ring.to_json()) == ring
+    True
+    """
 
     def __init__(self, *steps: Step) -> None:
         self.steps: tuple[Step, ...] = steps
@@ -296,6 +305,7 @@ class Plan:
         return {"schema": "coapt.plan/1", "steps": [step.to_json() for step in self.steps]}
 
     def write(self, path: Path) -> None:
+        """To a file, as Plan.read() and `coapt close --plan` read it."""
         pathlib.Path(path).write_text(json.dumps(self.to_json(), indent=2) + "\n")
 
     def with_step(self, step: Step) -> Plan:
@@ -322,6 +332,9 @@ class NamedPlan:
 
 def read_plans(path: Path) -> list[NamedPlan]:
     """Every plan of a file, in its order: a coapt.plan/1, what `coapt plan --json` prints, or the page's saved plans.
+
+    >>> [one.name for one in read_plans("examples/plans/mixed.json")]
+    ['mixed']
 
     :raises NoSuchFile, BadDocument: it holds none
     """

@@ -8,12 +8,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal
 
 from .asking import given
+from .closures import known_fields
 from .errors import NotFound, Problem
 from .files import Path
 from .fits import Fit, ImportResult
 from .imports import files_to_import, packed_folder
 from .jobs import Job
-from .results import SearchResult, StudyResult, known_fields
+from .results import SearchResult, StudyResult
 from .short_work import ShortWork, repair_of
 from .sources import PlanSource, Valve, plan_document, valve_document
 from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
@@ -125,10 +126,12 @@ class Service(ShortWork):
         yield from map(KeptPlan.from_json, self._listed("/v1/kept-plans", "kept_plans", query))
 
     def rename_kept_plan(self, id: str, name: str) -> KeptPlan:
+        """:raises NotFound: there is none of this id"""
         answer = self._transport.request("PATCH", _path("/v1/kept-plans", id), {"name": name})
         return KeptPlan.from_json(answer.json())
 
     def delete_kept_plan(self, id: str) -> None:
+        """:raises NotFound: there is none of this id"""
         self._transport.request("DELETE", _path("/v1/kept-plans", id))
 
     # Long work
@@ -157,6 +160,11 @@ class Service(ShortWork):
         idempotency_key: str | None = None,
     ) -> Job[SearchResult]:
         """Searches repair plans. What is left out has the service's default, in brackets.
+
+        >>> rules = dict(forbidden=["neochorda"], fixed=Plan(OwnRing(2)))
+        >>> job = client.search("human-functional-mr", evaluations=20, plans=1, region_points=2, evidence=False, **rules)
+        >>> OwnRing(2) in job.result().plans[0].plan.steps
+        True
 
         :param evaluations: closures for the search itself; ranking takes more (2,000)
         :param front_share: more closures, as a share of those, for plans that trade leak, opening and durability otherwise than the best (0.3)
@@ -214,6 +222,10 @@ class Service(ShortWork):
     ) -> Job[StudyResult]:
         """Repeats a study of the thesis on a valve. The options are those of "approximation" and "thesis" alone.
 
+        >>> result = client.study("porcine-3", "annulus").result()
+        >>> result.findings[0].section, sum(finding.agrees for finding in result.findings) > 0
+        ('4.1', True)
+
         :param protocols: how positions of a region get their orifice (both look-ups)
         :param displacement_step_mm: 1, 2, 3 or 6, of the displaced configurations
         :param region_points: 17 to 1,089 nodes of each region of interest
@@ -243,9 +255,13 @@ class Service(ShortWork):
     ) -> Job[ImportResult]:
         """The imports above as a job, which also draws the valve beside what was given and fits it, in seconds to minutes.
 
-            job = client.import_job(["a.stl", "p.stl"], "ring.mrk.json", 1, closed=True, fit=Fit(leak_mm2=35))
-            result = job.wait(show_progress).result()
-            result.picture().write("import.png")
+        >>> folder = "examples/valves/source/bodyparts3d"
+        >>> leaflets = [f"{folder}/{name}_leaflet_sheet.obj" for name in ("anterior", "posterior")]
+        >>> job = client.import_job(leaflets, f"{folder}/annulus_centerline.csv", 1, name="chordae drawn by seed")
+        >>> result = job.wait().result()
+        >>> result.picture().write("import.png")
+        >>> client.close(result.valve).valve
+        'chordae drawn by seed'
 
         :param slicerheart: a folder, instead of leaflets, annulus and chordae
         :param chordae: CSV or JSON, or a seed; of a folder a seed alone, where it has none

@@ -7,9 +7,10 @@ from collections.abc import Iterable
 from typing import Any, Literal
 
 from .asking import Asking, given
+from .closures import Closure
 from .meshes import Mesh, Picture
 from .openings import Opening
-from .results import Closure, Evaluations
+from .results import Evaluations
 from .sources import PlanSource, Valve, all_named_plans, every_valve, plan_document, valve_document
 from .sweep import Sweep, SweepItem
 
@@ -30,6 +31,8 @@ def scoring_of(
 
 
 class ShortWork(Asking):
+    """What is answered at once."""
+
     def close(self, valve: Valve, plan: PlanSource | None = None) -> Closure:
         """Closes a valve, repaired if there is a plan, and measures what leaks. Look at Closure.trusted."""
         return self._closure(self._read(valve), None if plan is None else plan_document(plan))
@@ -74,9 +77,12 @@ class ShortWork(Asking):
         """Closes every valve with every plan, several at once, and yields the closures in order: all plans of the first valve,
         then all of the second. An error of one (no such file, an impossible plan) stands in its place, and the others go on.
 
-            for item in client.map(Path("valves").glob("*.json"), "plans.json"):
-                print(item.valve, item.plan, item.closure or item.error)
-            client.map(client.presets(), [Plan(), "ring.json"]).to_frame()
+        >>> for item in client.map(["human-normal", "porcine-1"], "examples/plans/ring.json"):
+        ...     print(item.valve, item.plan, item.trusted)
+        human-normal ring True
+        porcine-1 ring True
+        >>> len(client.map(["human-normal"], [Plan(), "examples/plans/ring.json"]).to_frame())
+        2
 
         A valve is read when its turn comes, so there may be any number of them; at most two closures a thread are ahead of
         what was taken. Leaving the loop ends it.

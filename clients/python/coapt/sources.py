@@ -9,8 +9,8 @@ from typing import Any, TypeAlias
 from .errors import BadDocument
 from .files import Path, is_path, plan_entries, read_json, read_plan_entries
 from .local_valve import LocalValve
+from .ranked_plans import RankedPlan
 from .repair import NamedPlan, Plan
-from .results import RankedPlan
 from .stored import KeptPlan, StoredValve
 
 Valve: TypeAlias = Path | Mapping[str, Any] | StoredValve | LocalValve

@@ -11,35 +11,42 @@ from .repair import Plan
 
 @dataclass(frozen=True)
 class ImportDecision:
-    """What an import settled that its files leave open, with the reason ("" where there is none to give). look: a person
-    should check it against the images."""
+    """What an import settled that its files leave open."""
 
     about: str
+    """What, such as "units"."""
     decision: str
+    """In a sentence."""
     reason: str
+    """In a sentence; empty where there is none to give."""
     look: bool = False
+    """A person should check it against the images."""
 
 
 @dataclass(frozen=True)
 class StoredValve:
-    """name is that of its document; chordae is None in a list, which does not count them; decisions are those of its
-    import."""
+    """A valve that a service or an engine keeps."""
 
     id: str
+    """SHA-256 of its content: the same valve has the same."""
     name: str
+    """Of its document."""
     vertices: int
     triangles: int
     chordae: int | None = None
+    """None in a list, which does not count them."""
     decisions: tuple[ImportDecision, ...] = ()
+    """Of its import."""
 
 
 @dataclass(frozen=True)
 class KeptPlan:
-    """A plan under a name. valve: the id or the preset's name that it was kept for."""
+    """A plan under a name."""
 
     id: str
     name: str
     valve: str
+    """The id or the preset's name that it was kept for."""
     plan: Plan
 
     @classmethod
@@ -49,10 +56,15 @@ class KeptPlan:
 
 @dataclass(frozen=True)
 class RingShape:
-    """Widths are shares of the labelled transverse size; transverse_factor: true transverse width over the label."""
+    """A ring of the catalogue."""
 
     name: str
+    """As Ring() takes it."""
     ap_over_transverse: float
+    """Anteroposterior width, as a share of the labelled transverse size."""
     transverse_factor: float
+    """True transverse width over the label."""
     saddle_over_transverse: float
+    """Height of the saddle, as a share of the label."""
     note: str
+    """What it stands for."""

@@ -10,8 +10,8 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from . import frames
+from .closures import Closure
 from .errors import CoaptError
-from .results import Closure
 from .sources import Valve, valve_document, valve_name
 
 if TYPE_CHECKING:
@@ -20,13 +20,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class SweepItem:
-    """One closure of a sweep, or the error in its place. Numbers count from 0, in the order given; valve and plan are names."""
+    """One closure of a sweep, or the error in its place."""
 
     valve_number: int
+    """From 0, in the order given."""
     plan_number: int
+    """From 0, in the order given."""
     valve: str
+    """Its name."""
     plan: str
+    """Its name; "no repair": the valve as it is."""
     closure: Closure | None
+    """None: see error."""
     error: CoaptError | None
 
     @property

@@ -9,9 +9,11 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .closures import Closure, Measure
     from .meshes import Picture
     from .openings import Opening
-    from .results import Before, Closure, Measure, RankedPlan, StudyResult
+    from .ranked_plans import RankedPlan
+    from .results import Before, StudyResult
 
 NOTICE = "coapt is research software, not a medical device; not for clinical decisions."
 _NOTICE_HTML = f'<p style="font-size:smaller;opacity:.75">{NOTICE}</p>'

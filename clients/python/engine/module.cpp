@@ -106,7 +106,7 @@ py::object known(double number) {
   return py::none();
 }
 
-/// Figures in the order of coapt.results.Measure.
+/// Figures in the order of coapt.closures.Measure.
 py::tuple figures_of(const ValveMeasure& measured) {
   const Coaptation& coaptation = measured.coaptation;
   py::tuple figures(15);
@@ -121,7 +121,7 @@ py::tuple figures_of(const ValveMeasure& measured) {
   return figures;
 }
 
-/// Arguments of coapt.results.Closure: name, status, crossing, residual, steps, seconds, figures, warnings.
+/// Arguments of coapt.closures.Closure: name, status, crossing, residual, steps, seconds, figures, warnings.
 py::tuple told(const LocalClosure& closed) {
   const ClosureResult& closure = closed.closure;
   return py::make_tuple(closed.repaired->name, to_string(closure.status), closure.crossing,

@@ -1,0 +1,174 @@
+"""A closed valve and its figures, as small typed objects. Each keeps the whole document in json.
+
+A unit is the last part of a name (mm, mm2, n: newtons, deg); None: not known, because too little was closed or a closure flew
+apart. Areas are anatomic, from geometry: not an effective regurgitant orifice area.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields
+from functools import cached_property
+from typing import Any, Literal
+
+from . import tables
+from .errors import CoaptError
+from .evidence import Coaptation
+from .meshes import Mesh
+
+Status = Literal["converged", "step_limit", "diverged"]
+"""How a closure ended: at rest, not yet at rest, or unstable, without a shape."""
+
+Document = Mapping[str, Any]
+
+
+def known_fields(kind: Any, json: Document) -> dict[str, Any]:
+    """Those of a dataclass: a later service may say more."""
+    return {one.name: json[one.name] for one in fields(kind)}
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A closed valve, measured. Errors are numerical (mesh, stopping early, other equilibria), kept by nine of ten measured
+    valves; None of a closure that is not to be trusted. Strains are the 99th percentile over triangles, as shares.
+
+    >>> measure = coapt.preset("human-functional-mr").close().measure
+    >>> measure.leak_mm2 == max(measure.orifice_area_mm2, measure.gap_area_mm2)
+    True
+    >>> [section.contact for section in measure.coaptation.sections].count(True) <= 9
+    True
+    """
+
+    leak_mm2: float | None
+    """The larger of orifice and gap: what a competent valve keeps near zero."""
+    leak_mm2_error: float | None
+    orifice_area_mm2: float | None
+    """What the view from the atrium shows open, leaflets with their half thickness."""
+    orifice_area_mm2_error: float | None
+    gap_area_mm2: float | None
+    """The opening between the leaflets in three dimensions, which that view can hide."""
+    gap_area_mm2_error: float | None
+    coaptation_height_mean_mm: float | None
+    """Over nine sections from commissure to commissure; 0 where leaflets do not touch."""
+    coaptation_height_min_mm: float | None
+    annulus_ap_mm: float | None
+    """Anteroposterior diameter, under pressure."""
+    annulus_al_pm_mm: float | None
+    """Transverse diameter, under pressure."""
+    tenting_height_mm: float | None
+    """Of the leaflets below the annulus's plane; below 0 where they billow."""
+    tension_max_n: float | None
+    """Of the segment of a chorda that carries most."""
+    tension_sum_n: float | None
+    """Of the chordae at their papillary heads."""
+    strain_circumferential_max: float | None
+    strain_radial_max: float | None
+    _document: Callable[[], Document] = field(repr=False, compare=False)
+
+    @classmethod
+    def from_json(cls, json: Document) -> Measure:
+        coaptation, annulus = json["coaptation"], json["annulus"]
+        return cls(
+            json["leak_mm2"],
+            json["leak_mm2_error"],
+            json["orifice_area_mm2"],
+            json["orifice_area_mm2_error"],
+            coaptation["gap_area_mm2"],
+            coaptation["gap_area_mm2_error"],
+            coaptation["height_mean_mm"],
+            coaptation["height_min_mm"],
+            annulus["ap_mm"],
+            annulus["al_pm_mm"],
+            json["tenting_height_mm"],
+            json["tension_max_n"],
+            json["tension_sum_n"],
+            json["strain_circumferential_max"],
+            json["strain_radial_max"],
+            lambda: json,
+        )
+
+    @cached_property
+    def json(self) -> Document:
+        """The whole of it: every orifice with its place, annulus, sections, and more."""
+        return self._document()
+
+    @property
+    def coaptation(self) -> Coaptation:
+        """How the leaflets meet, at nine sections."""
+        return Coaptation.from_json(self.json["coaptation"])
+
+
+@dataclass(frozen=True)
+class Closure:
+    """A valve, closed (coapt.closure/1).
+
+    >>> closure = coapt.preset("human-normal").close()
+    >>> closure.trusted, closure.status
+    (True, 'converged')
+    >>> vertices_n, axes_n = closure.closed_mm.shape
+    >>> axes_n, closure.closed_mm.dtype, closure.closed_mm.flags.writeable
+    (3, dtype('float64'), False)
+    """
+
+    valve: str
+    """Name of the valve."""
+    status: Status
+    """"converged" (at rest), "step_limit" (not yet) or "diverged" (there is no shape)."""
+    crossing: bool
+    """Whether leaflets pass through each other: then the figures do not count."""
+    residual: float | None
+    """Rms free force over rms pressure force, at the end."""
+    steps: int
+    """Of the relaxation, over all attempts."""
+    seconds: float
+    """That closing took, where it was done."""
+    measure: Measure
+    """Its figures."""
+    warnings: tuple[str, ...]
+    """In sentences; most closures have none."""
+    _document: Callable[[], Document] = field(repr=False, compare=False)
+    _leaflets: Callable[[], Mesh] | None = field(default=None, repr=False, compare=False)
+
+    @classmethod
+    def from_json(cls, json: Document, leaflets: Callable[[], Mesh] | None = None) -> Closure:
+        """:param leaflets: makes the closed mesh when it is asked for"""
+        return cls(
+            json["valve"],
+            json["status"],
+            json["crossing"],
+            json["residual"],
+            json["steps"],
+            json["seconds"],
+            Measure.from_json(json),
+            tuple(json["warnings"]),
+            lambda: json,
+            leaflets,
+        )
+
+    @cached_property
+    def json(self) -> Document:
+        """The coapt.closure/1."""
+        return self._document()
+
+    def leaflets(self) -> Mesh:
+        """The closed, repaired leaflets, vertices in the order of the valve's. Of the engine in this process its own numbers,
+        read-only, not copied; of a service asked for now, to the digits of its PLY file.
+
+        :raises CoaptError: the closure came from a document alone
+        """
+        if self._leaflets is None:
+            raise CoaptError("only closures of close(), close_many() and map() have leaflets")
+        return self._leaflets()
+
+    @property
+    def closed_mm(self) -> Any:
+        """V x 3, float64: leaflets().vertices_mm."""
+        return self.leaflets().vertices_mm
+
+    @property
+    def trusted(self) -> bool:
+        """Whether the figures count: it converged, and no leaflet passes through another."""
+        return self.status == "converged" and not self.crossing
+
+    def _repr_html_(self) -> str:
+        return tables.closure_html(self)

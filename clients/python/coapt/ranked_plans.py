@@ -1,0 +1,171 @@
+"""Repair plans with their evidence, as small typed objects. Each keeps the whole document in json; None: not known."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from . import tables
+from .closures import Document, Measure, Status, known_fields
+from .errors import CoaptError
+from .evidence import LeakMap, LeakMaps, Remodelling
+from .meshes import Mesh, Picture
+from .repair import Plan
+from .transport import Transport
+
+MeshFormat = Literal["ply", "obj", "stl", "vtk"]
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """mm2 over a plan's region of interest: its errors of suture length (1 mm) and papillary position (5 degrees). None: fewer
+    than two nodes of the region were closed."""
+
+    nominal: float | None
+    """As planned."""
+    mean: float | None
+    sd: float | None
+    worst: float | None
+    p95: float | None
+    """The 95th percentile."""
+    below_5: float | None
+    """Share of the region, 0 to 1, below 5 mm2."""
+    below_10: float | None
+    below_20: float | None
+
+    @classmethod
+    def from_json(cls, json: Document) -> Statistics:
+        return cls(**known_fields(cls, json))
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where a plan of a job is."""
+
+    transport: Transport
+    path: str
+
+
+@dataclass(frozen=True)
+class RankedPlan:
+    """A plan with its evidence."""
+
+    rank: int
+    """1 is the best."""
+    plan: Plan
+    """Ready for close(), evaluate() and others."""
+    description: tuple[str, ...]
+    """In surgical words, a line a step."""
+    leak_mm2: Statistics
+    """The larger of orifice and gap, over the region of interest."""
+    orifice_area_mm2: Statistics
+    cost: float | None
+    """In mm2, lower is better: what plans are ranked by."""
+    status: Status
+    """How the closure of the plan as planned ended."""
+    crossing: bool
+    """Whether leaflets pass through each other in it."""
+    measure: Measure
+    """The valve with this plan as planned."""
+    region_closures: int
+    """Nodes of the region of interest that were closed, 1 to 1,089."""
+    region_failures: int
+    """Of them not converged, or with leaflets that cross."""
+    margin_mm: float | None
+    """How much shorter or longer sutures may be before it leaks; 1.0: the region's border, it may be more."""
+    margin_deg: float | None
+    """How far off the tips may be before it leaks; 5.0: the region's border, it may be more."""
+    pareto: bool
+    """Pareto-optimal among the reported plans in leak (mean + sd), opening and durability."""
+    tie_with_next: bool
+    """The simulation cannot tell whether it or the next is better."""
+    warnings: tuple[str, ...]
+    """In sentences: rules of practice, closures that are not to be trusted, and others."""
+    opening_area_mm2: float | None
+    """In diastole; None: not asked for."""
+    gradient_mmhg: float | None
+    """Mean gradient in diastole, at rest; None: not asked for."""
+    durability_mm: float | None
+    """Further disease until it leaks 5 mm2, 12 at most; None: not asked for."""
+    json: Document = field(repr=False, compare=False)
+    """The whole of it, with gates and Sobol indices."""
+    _place: _Place | None = field(default=None, repr=False, compare=False)
+
+    @classmethod
+    def from_json(cls, json: Document, transport: Transport | None = None, job_path: str = "") -> RankedPlan:
+        margin = json["margin_to_leak"]
+        place = _Place(transport, f"{job_path}/plans/{json['rank']}") if transport else None
+        return cls(
+            json["rank"],
+            Plan.from_json(json["plan"]),
+            tuple(json["description"]),
+            Statistics.from_json(json["leak_mm2"]),
+            Statistics.from_json(json["orifice_area_mm2"]),
+            json["cost"],
+            json["status"],
+            json["crossing"],
+            Measure.from_json(json["measure"]),
+            json["region_closures"],
+            json["region_failures"],
+            margin["suture_length_mm"],
+            margin["angle_deg"],
+            json["pareto"],
+            json["tie_with_next"],
+            tuple(json["warnings"]),
+            json.get("opening_area_mm2"),
+            json.get("gradient_mmhg"),
+            json.get("durability_mm"),
+            json,
+            place,
+        )
+
+    @property
+    def closes_robustly(self) -> bool:
+        """All closures of its region converged uncrossed, mean + sd of the leak are below 1 mm2, and so is the leak on the
+        refined mesh."""
+        mean, sd = self.leak_mm2.mean, self.leak_mm2.sd
+        return (
+            bool(self.json.get("closes_robustly", True))
+            and self.status == "converged"
+            and not self.crossing
+            and self.region_failures == 0
+            and self.region_closures > 1
+            and mean is not None
+            and sd is not None
+            and mean + sd < 1.0
+        )
+
+    @property
+    def leak_maps(self) -> LeakMaps:
+        """Leak over errors of execution; empty: too little was closed."""
+        return LeakMaps(tuple(map(LeakMap.from_json, self.json["leak_map"])))
+
+    @property
+    def remodelling(self) -> Remodelling:
+        """Leak if the ventricle remodels further; empty without evidence."""
+        return Remodelling.from_json(self.json["remodelling"])
+
+    def picture(self) -> Picture:
+        """The view from the atrium, before and after (PNG); of a search's plans alone, as mesh() and report()."""
+        return Picture(self._get("/picture"))
+
+    def mesh(self, format: MeshFormat = "ply") -> bytes:
+        """A file of the closed, repaired leaflets: millimetres, frame of the valve."""
+        return self._get("/mesh", {"format": format})
+
+    def leaflets(self) -> Mesh:
+        """The same as numbers."""
+        return Mesh.from_ply(self.mesh("ply"))
+
+    def report(self) -> str:
+        """A page about this plan: HTML that stands alone."""
+        return self._get("/report").decode()
+
+    def _get(self, what: str, query: Document | None = None) -> bytes:
+        if self._place is None:
+            raise CoaptError("only the plans of a search have pictures, meshes and reports: see Client.search()")
+        return self._place.transport.request("GET", self._place.path + what, query=query).body
+
+    def _repr_html_(self) -> str:
+        picture = self.picture() if self._place else None
+        return tables.plan_html(self, picture)

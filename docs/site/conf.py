@@ -1,0 +1,62 @@
+"""The documentation site. Its sources are gathered into build/docs-source (gather.py); make docs does it all."""
+
+import pathlib
+import re
+import sys
+
+sys.path[:0] = [str(pathlib.Path(__file__).parent), str(pathlib.Path(__file__).parents[2] / "clients/python")]
+from pages import NOTICE, ROOT  # noqa: E402
+
+project, author = "coapt", "The coapt authors"
+copyright = f"the coapt authors. {NOTICE}"
+release = re.search(r"^project\(coapt VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_copybutton"]
+highlight_language = "bash"
+smartquotes = False  # options begin with two hyphens
+suppress_warnings = ["myst.header"]  # a page may go from its title to a heading of the third level
+
+myst_enable_extensions = ["colon_fence", "deflist"]
+myst_heading_anchors = 4
+
+html_theme = "furo"
+html_title = f"coapt {release}"
+html_static_path = [str(pathlib.Path(__file__).parent / "static")]
+html_css_files = ["site.css"]
+html_show_sourcelink = False
+html_copy_source = False
+html_theme_options = {"announcement": NOTICE, "top_of_page_button": None}
+copybutton_prompt_text = r">>> |\.\.\. |\$ "
+copybutton_prompt_is_regexp = True
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "signature"
+autodoc_typehints_format = "short"
+autodoc_type_aliases = {
+    name: name for name in ("Valve", "PlanSource", "ShapeSource", "Path", "Status", "JobState", "Document")
+}
+autodoc_preserve_defaults = True
+add_module_names = False
+ANSWERS = (
+    "closures",
+    "comparison",
+    "events",
+    "evidence",
+    "fits",
+    "openings",
+    "ranked_plans",
+    "results",
+    "stored",
+    "sweep",
+)
+
+
+def signature_of(app, what, name, thing, options, signature, returned):
+    """Answers are not made by a caller, so that how they are made says nothing."""
+    module = getattr(thing, "__module__", "").removeprefix("coapt.")
+    if what == "class" and module in ANSWERS and thing.__name__ != "Fit":
+        return "", None
+    return None
+
+
+def setup(app):
+    app.connect("autodoc-process-signature", signature_of)
