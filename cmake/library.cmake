@@ -17,6 +17,8 @@ foreach(folder ${COAPT_LIBRARY_FOLDERS} ${CMAKE_SOURCE_DIR}/search)
     set_target_properties(${part} PROPERTIES COAPT_EXPORTED ${COAPT_SHARED})
   endforeach()
 endforeach()
+# Types of Eigen are read there: what holds them cannot be more visible than they are.
+set_target_properties(coapt_headers PROPERTIES COAPT_EXPORTED ${COAPT_SHARED})
 set_target_properties(libcoapt PROPERTIES OUTPUT_NAME coapt EXPORT_NAME coapt LINKER_LANGUAGE CXX)
 target_compile_features(libcoapt PUBLIC cxx_std_20)
 # The headers include each other as "core/..." and "search/...".
