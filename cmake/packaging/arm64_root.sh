@@ -13,5 +13,5 @@ mkdir -p build
 apt-get indextargets --format "deb \$(SITE) \$(RELEASE) \$(COMPONENT)" "Created-By: Packages" | sort --unique | grep " $release" |
   mmdebstrap --quiet --arch=arm64 --variant=extract --include="$packages,libc6-dev,libstdc++6,libgomp1" "$release" "$root" -
 # Links of Debian's begin at the root, which is this machine's for the linker.
-find "$root" -type l -lname '/*' -printf '%p %l\n' | while read -r link target; do ln -srf "$root$target" "$link"; done
+find "$root/usr" -type l -lname '/*' -printf '%p %l\n' | while read -r link target; do ln -srf "$root$target" "$link"; done
 touch "$root/.complete"

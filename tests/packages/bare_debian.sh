@@ -22,9 +22,9 @@ sources_of() {
     awk -v here="$here" -v suite="$suite" '$2 ~ "^" here { sub("^" here, suite, $2); print "deb", $1, $2, $3 }'
 }
 
-# make_bare SUITE: nothing but what is essential, and apt.
+# make_bare SUITE: nothing but what is essential, and apt, which has its lists.
 make_bare() {
-  sources_of "$1" | mmdebstrap --quiet --mode=root --variant=apt "$1" "$root" -
+  sources_of "$1" | mmdebstrap --quiet --mode=root --variant=apt --skip=cleanup/apt/lists "$1" "$root" -
   mount -t proc proc "$root/proc"
   mount --rbind /dev "$root/dev"
   mount --make-rslave "$root/dev"
