@@ -195,7 +195,7 @@ docs: configure  ## the documentation as one site, build/docs/index.html: guides
 	doxygen docs/site/Doxyfile
 	PYTHONPATH=clients/python:build/release/python docs/site/run_notebooks.py build/docs-parts/notebooks
 	docs/site/gather.py build/docs-source build/docs-parts/headers build/docs-parts/openapi.json build/docs-parts/notebooks
-	sphinx-build -q -W --keep-going -j auto -c docs/site -d build/docs-parts/read build/docs-source build/docs
+	/usr/bin/python3 -m sphinx -q -W --keep-going -j auto -c docs/site -d build/docs-parts/read build/docs-source build/docs
 	docs/site/check_site.py build/docs
 
 docs-check:  ## fail if a link or make target in the documents leads nowhere, or the README is too long

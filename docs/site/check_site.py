@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Fails if a link of the built site leads nowhere, if a page loads anything from elsewhere, or does not say what coapt is
 not.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Gathers the sources of the documentation site: the repository's Markdown, and pages made of headers, manual pages, the
 OpenAPI document and notebooks.
 

@@ -12,19 +12,23 @@ def header_pages(folder):
     """Name and text of each page."""
     compounds = {}
     for entry in xml.parse(folder / "index.xml").getroot().iter("compound"):
-        if entry.get("kind") in ("file", "struct", "class"):
+        if entry.get("kind") in ("file", "namespace", "struct", "class"):
             compounds[entry.get("refid")] = xml.parse(folder / f"{entry.get('refid')}.xml").getroot()[0]
-    homes = {}
+    homes, members = {}, {}
     for refid, compound in compounds.items():
         place = compound.find("location").get("file")
-        if compound.get("kind") != "file" and _FOLDER.match(place):
+        if compound.get("kind") == "namespace":
+            for member in filter(_public, compound.iter("memberdef")):
+                members.setdefault(member.find("location").get("file"), []).append(member)
+        elif compound.get("kind") != "file" and _FOLDER.match(place):
             homes[refid] = (place.removesuffix(".h") + ".md", anchor(_name(compound)))
     files = {one.find("location").get("file"): one for one in compounds.values() if one.get("kind") == "file"}
     files = {place: files[place] for place in sorted(files) if place.endswith(".h") and _FOLDER.match(place)}
     pages = {}
     for place, compound in files.items():
         page = _Page(place.removesuffix(".h") + ".md", homes)
-        pages[page.name] = page.text(place, compound, compounds)
+        inner = [compounds[one.get("refid")] for one in compound.iter("innerclass") if one.get("refid") in compounds]
+        pages[page.name] = page.text(place, [*inner, *members.get(place, [])])
     return pages | _lists(files)
 
 
@@ -69,11 +73,9 @@ class _Page:
     def __init__(self, name, homes):
         self.name, self._homes, self._last = name, homes, ""
 
-    def text(self, place, compound, compounds):
+    def text(self, place, things):
         parts = [f"# {place}", *map(escaped, _opening(place)), f'```cpp\n#include "{place}"\n```']
-        inner = [compounds[one.get("refid")] for one in compound.iter("innerclass") if one.get("refid") in compounds]
-        members = [one for one in compound.iter("memberdef") if _public(one)]
-        for one in sorted([*inner, *members], key=_line):
+        for one in sorted(things, key=_line):
             parts += self._class(one) if one.tag == "compounddef" else self._member(one)
         return "\n\n".join(part for part in parts if part) + "\n"
 
@@ -84,10 +86,8 @@ class _Page:
             f"```cpp\n{_template(compound)}{compound.get('kind')} {name}\n```",
             *self._said(compound),
         ]
-        for member in compound.iter("memberdef"):
-            if _public(member):
-                parts.append(self._entry(f"`{_declaration(member)}`", member))
-        return parts
+        entries = [self._entry(_declaration(one), one) for one in compound.iter("memberdef") if _public(one)]
+        return [*parts, "\n".join(entries)]
 
     def _member(self, member):
         """A function, an alias or a constant; overloads stand below one heading."""
@@ -96,13 +96,13 @@ class _Page:
         self._last = name
         if member.get("kind") == "enum":
             parts += [f"```cpp\nenum class {name}\n```", *self._said(member)]
-            return parts + [self._entry(f"`{one.findtext('name')}`", one) for one in member.iter("enumvalue")]
+            return [*parts, "\n".join(self._entry(one.findtext("name"), one) for one in member.iter("enumvalue"))]
         return [*parts, f"```cpp\n{_declaration(member)};\n```", *self._said(member)]
 
     def _entry(self, term, thing):
-        """A definition; without words it is a term alone."""
+        """Of a list: a member, and what is said of it."""
         said = " ".join(self._said(thing)).replace("\n", " ")
-        return f"{term}\n: {said or '...'}"
+        return f"- `{term}`" + (f": {said}" if said else "")
 
     def _said(self, thing):
         """Paragraphs of its comments."""
@@ -167,5 +167,6 @@ def _declaration(member):
         text = " ".join(filter(None, words)) + (
             "" if start is None else " " + " ".join("".join(start.itertext()).split())
         )
-    text = re.sub(r"\s*([&*])(?=\w)", r"\1 ", text).replace("coapt::", "")
+    text = re.sub(r"\s*([&*])(?=\w)", r"\1 ", text).replace("coapt::", "").replace(" {}", "{}")
+    text = re.sub(r"(?<=\w)=(?=\w|\{)", " = ", text)
     return _template(member) + re.sub(r"(?<=[(<]) | (?=[>)])", "", text).replace("  ", " ")

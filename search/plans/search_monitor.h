@@ -59,7 +59,7 @@ class SearchMonitor {
     const std::lock_guard<std::mutex> lock(mutex_);
     random_costs_ = std::move(costs);
   }
-  /// @param best_leak_mm2 of this plan as planned, infinite if it is none.
+  /// @param leak_mm2 of this plan as planned, infinite if it is none.
   void closed(double leak_mm2) {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++progress_.closures;
