@@ -32,6 +32,7 @@ class PrivatePostgres:
         (self.data / "pg_hba.conf").write_text("local all boss trust\nlocal all all scram-sha-256\n")
         with (self.data / "postgresql.conf").open("a") as file:
             file.write(f"unix_socket_directories = '{self.folder}'\nlisten_addresses = ''\n{settings}\n")
+            file.write("dynamic_shared_memory_type = mmap\n")  # a container's /dev/shm is small, or goes
         self.start()
 
     def _run(self, name, *arguments):

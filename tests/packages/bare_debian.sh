@@ -10,7 +10,7 @@ fail() { echo "${0##*/}: $*" >&2; exit 1; }
 root=$(mktemp -d /var/tmp/coapt-bare-XXXXXX)
 finish() {
   umount --recursive "$root/proc" "$root/dev" 2>/dev/null || true
-  [[ -n ${KEEP:-} ]] || rm -rf "$root"
+  [[ -n ${KEEP:-} ]] || rm -rf --one-file-system "$root"
 }
 trap finish EXIT
 

@@ -125,9 +125,9 @@ class Examples(ClientTest):
         gates = self.client.evaluate(VALVE, [plan]).plans[0].json["gates"]
         self.assertEqual([gate["finding"] for gate in gates if gate["severity"] == "reject"], [])
 
+    @unittest.skipUnless(has_engine(), "no engine")
     def test_the_line_of_the_readme_runs(self):
-        line = re.search(r"`(Client\(.*?)`", (SOURCE / "README.md").read_text())[1]
-        leak = eval(line.replace("http://127.0.0.1:8080", self.url), vars(coapt))
+        leak = eval(re.search(r"`(coapt\.preset\(.*?)`", (SOURCE / "README.md").read_text())[1])
         self.assertEqual(leak, self.client.close(VALVE).measure.leak_mm2)
 
     @unittest.skipUnless(has_engine(), "no engine")
