@@ -282,8 +282,8 @@ TEST(PlansJson, SaysHowTheSearchWent) {
 
 TEST(PlansJson, WhatReproducesItIsAskedForInTheSameWords) {
   const ordered_json& reproduce = scene()["reproduce"];
-  EXPECT_EQ(keys(reproduce),
-            (std::vector<std::string>{"valve_hash", "version", "seed", "command", "search"}));
+  EXPECT_EQ(keys(reproduce), (std::vector<std::string>{"valve_hash", "version", "revision", "seed",
+                                                       "command", "search"}));
   EXPECT_EQ(reproduce["valve_hash"], search_request().valve_hash);
   EXPECT_EQ(reproduce["version"], version());
   EXPECT_EQ(reproduce["seed"], 18446744073709551615u);
