@@ -14,7 +14,8 @@ finish() {
   [[ -z $server ]] || kill "$server" 2>/dev/null || true
   buildah "${storage[@]}" rm --all >/dev/null 2>&1 || true
   buildah "${storage[@]}" rmi --all --force >/dev/null 2>&1 || true
-  rm -rf "$folder"
+  # Mounts of a container that was killed are this machine's: not reached.
+  rm -rf --one-file-system "$folder"
 }
 trap finish EXIT
 

@@ -21,9 +21,13 @@ databases=()
 for file in "$@"; do databases+=("$(realpath "$file")"); done
 suite=bookworm
 root=$(mktemp -d /var/tmp/coapt-debs-XXXXXX)
+# What is mounted in there is this machine's: unmounted first, and never reached by rm, whoever was killed on the way.
 finish() {
-  umount --recursive "$root/proc" "$root/dev" 2>/dev/null || true
-  [[ -n ${KEEP:-} ]] || rm -rf "$root"
+  local mounted
+  for mounted in $(awk -v root="$root/" 'index($2, root) == 1 { print $2 }' /proc/self/mounts | sort --reverse); do
+    umount --lazy "$mounted" || true
+  done
+  [[ -n ${KEEP:-} ]] || rm -rf --one-file-system "$root"
 }
 trap finish EXIT
 
