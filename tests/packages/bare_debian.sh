@@ -24,7 +24,7 @@ sources_of() {
 
 # make_bare SUITE: nothing but what is essential, and apt, which has its lists.
 make_bare() {
-  sources_of "$1" | mmdebstrap --quiet --mode=root --variant=apt --skip=cleanup/apt/lists "$1" "$root" -
+  sources_of "$1" | mmdebstrap --quiet --mode=root --variant=apt --dpkgopt=force-unsafe-io --skip=cleanup/apt/lists "$1" "$root" -
   mount -t proc proc "$root/proc"
   mount --rbind /dev "$root/dev"
   mount --make-rslave "$root/dev"

@@ -7,7 +7,7 @@ set -euo pipefail
 source "$(dirname "$0")/bare_debian.sh"
 
 wheel=$(realpath "$1")
-apt_install() { within apt-get install -qq -y --no-install-recommends -o Dpkg::Use-Pty=0 "$@" >"$root/tmp/apt.log" 2>&1 || { cat "$root/tmp/apt.log"; return 1; }; }
+apt_install() { within apt-get install -qq -y --no-install-recommends -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-unsafe-io "$@" >"$root/tmp/apt.log" 2>&1 || { cat "$root/tmp/apt.log"; return 1; }; }
 
 make_bare bookworm
 within apt-get update -qq
@@ -29,7 +29,7 @@ import coapt
 
 result = coapt.engine().search("human-functional-mr", evaluations=60, region_points=65, plans=1).result()
 plan = result.plans[0]
-print("first plan:", plan.plan, "leak as planned", plan.nominal_leak_mm2)
+print("first plan:", *plan.description, "leak as planned", plan.leak_mm2.nominal, "mm2")
 END
 echo "seconds: $(seconds "$start" "$python") to install Python, $(seconds "$python" "$installed") the wheel, $(seconds "$installed" "$EPOCHREALTIME") to the first ranked plan, $(seconds "$start" "$EPOCHREALTIME") together"
 
