@@ -11,7 +11,7 @@ project, author = "coapt", "The coapt authors"
 copyright = f"the coapt authors. {NOTICE}"
 release = re.search(r"^project\(coapt VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_copybutton"]
-highlight_language = "bash"
+highlight_language = "text"
 smartquotes = False  # options begin with two hyphens
 suppress_warnings = ["myst.header"]  # a page may go from its title to a heading of the third level
 
