@@ -31,9 +31,9 @@ class LocalValve:
 
     >>> valve = coapt.preset("human-normal")
     >>> valve
-    LocalValve('human-normal', 361 vertices, 648 triangles)
+    LocalValve('human-normal', 378 vertices, 648 triangles)
     >>> valve.vertices_mm.shape, valve.faces.shape, valve.annulus_mm.shape[1]
-    ((361, 3), (648, 3), 3)
+    ((378, 3), (648, 3), 3)
     >>> wider = valve.with_arrays(annulus_mm=valve.annulus_mm * [1.0, 1.2, 1.0])  # 20 % deeper, from front to back
     >>> wider.close().measure.leak_mm2 > valve.close().measure.leak_mm2
     True
