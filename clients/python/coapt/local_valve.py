@@ -77,8 +77,9 @@ class LocalValve:
     ) -> LocalValve:
         """A valve that has these instead, copied; the rest is this one's.
 
+        >>> valve = coapt.preset("human-normal")
         >>> try:
-        ...     coapt.preset("human-normal").with_arrays(annulus_mm=[[0.0, 1.0]])
+        ...     valve.with_arrays(annulus_mm=valve.annulus_mm[:, :2])
         ... except coapt.BadDocument as error:
         ...     print(error.problems[0].path)
         /annulus_mm
@@ -86,6 +87,7 @@ class LocalValve:
         :param vertices_mm: V x 3, float64, unstressed
         :param faces: F x 3, int32
         :param annulus_mm: A x 3, float64, under pressure
+        :raises TypeError: no array
         :raises BadDocument: another type or shape, a number that is not finite, or no valve: problems say where
         """
         with reading("these arrays make no valve"):
