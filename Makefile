@@ -198,9 +198,10 @@ docs: configure  ## the documentation as one site, build/docs/index.html: guides
 	/usr/bin/python3 -m sphinx -q -W --keep-going -j auto -c docs/site -d build/docs-parts/read build/docs-source build/docs
 	docs/site/check_site.py build/docs
 
-docs-check:  ## fail if a link or make target in the documents leads nowhere, or the README is too long
+docs-check:  ## fail if a link or make target in the documents leads nowhere, the README is too long, or the pages of the site are made wrongly
 	@tests/docs/check_documents.py
 	@tests/docs/check_versions.py
+	@tests/docs/test_site.py --quiet
 
 openapi-check: build/openapi-check/node_modules  ## fail if the OpenAPI document breaks a rule that @redocly/cli recommends
 	@cmake -D OUTPUT=build/openapi.json -P server/openapi.cmake

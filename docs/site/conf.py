@@ -11,7 +11,7 @@ project, author = "coapt", "The coapt authors"
 copyright = f"the coapt authors. {NOTICE}"
 release = re.search(r"^project\(coapt VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_copybutton"]
-highlight_language = "bash"
+highlight_language = "text"
 smartquotes = False  # options begin with two hyphens
 suppress_warnings = ["myst.header"]  # a page may go from its title to a heading of the third level
 
@@ -23,6 +23,7 @@ html_title = f"coapt {release}"
 html_static_path = [str(pathlib.Path(__file__).parent / "static")]
 html_css_files = ["site.css"]
 html_show_sourcelink = False
+html_domain_indices = False  # of one package
 html_copy_source = False
 html_theme_options = {"announcement": NOTICE, "top_of_page_button": None}
 copybutton_prompt_text = r">>> |\.\.\. |\$ "
@@ -35,6 +36,7 @@ autodoc_type_aliases = {
     name: name for name in ("Valve", "PlanSource", "ShapeSource", "Path", "Status", "JobState", "Document")
 }
 autodoc_preserve_defaults = True
+autodoc_default_options = {"undoc-members": True}
 add_module_names = False
 ANSWERS = (
     "closures",

@@ -5,6 +5,8 @@ import xml.etree.ElementTree as xml
 
 from pages import ROOT, anchor, escaped, relative
 
+# Two hundred headers would fill the contents of every page: their folder's page lists them.
+_ALONE = "---\norphan: true\n---"
 _FOLDER = re.compile(r"^(core|search)/")
 
 
@@ -41,8 +43,7 @@ def _lists(files):
     for folder, places in folders.items():
         names = [place.rpartition("/")[2].removesuffix(".h") for place in places]
         entries = "\n".join(f"- [{name}.h]({name}.md): {_first_sentence(place)}" for name, place in zip(names, places))
-        listed = "\n".join(names)
-        pages[f"{folder}/index.md"] = f"# {folder}\n\n{entries}\n\n```{{toctree}}\n:hidden:\n\n{listed}\n```\n"
+        pages[f"{folder}/index.md"] = f"# {folder}\n\n{entries}\n"
     entries = "\n".join(f"- [{folder}]({folder}/index.md)" for folder in folders)
     words = (
         "Headers of the static library `libcoapt`, made by Doxygen and laid out as the headers are."
@@ -74,7 +75,9 @@ class _Page:
         self.name, self._homes, self._last = name, homes, ""
 
     def text(self, place, things):
-        parts = [f"# {place}", *map(escaped, _opening(place)), f'```cpp\n#include "{place}"\n```']
+        folder = place.rpartition("/")[0]
+        parts = [_ALONE, f"[{folder}](index.md)", f"# {place}", *map(escaped, _opening(place))]
+        parts.append(f'```cpp\n#include "{place}"\n```')
         for one in sorted(things, key=_line):
             parts += self._class(one) if one.tag == "compounddef" else self._member(one)
         return "\n\n".join(part for part in parts if part) + "\n"

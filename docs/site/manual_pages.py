@@ -30,7 +30,7 @@ def _block(block):
         return _table(lines)
     if any(line.endswith("++") for line in lines) or all(line.startswith("\t") for line in lines):
         code = "\n".join(line.strip().removesuffix("++").replace("\\", "") for line in lines)
-        return f"```\n{code}\n```"
+        return f"```bash\n{code}\n```"
     if block.startswith("- "):
         return "\n".join("- " + _inline(item) for item in block[2:].split("\n- "))
     term, tab, description = block.partition("\n\t")

@@ -32,6 +32,7 @@ _KINDS = (
     ("clients/python/notebooks/", ".ipynb", "notebooks/", ".md"),
 )
 _FENCE = re.compile(r"^\s*```.*?^\s*```\s*$", re.MULTILINE | re.DOTALL)
+_COMMANDS = re.compile(r"```(\n(?:\$ )?(?:\S*/)?(?:coapt|make|cmake|curl|sudo|psql|head|examples/)\S* )")
 _LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 
 
@@ -81,7 +82,8 @@ class Gathering:
         """Markdown of a file of the repository, its links led to their places in the site."""
         pieces, end = [], 0
         for fence in _FENCE.finditer(text):
-            pieces += [self._links(text[end : fence.start()], path), fence.group()]
+            code = _COMMANDS.sub(r"```bash\1", fence.group(), count=1)
+            pieces += [self._links(text[end : fence.start()], path), code]
             end = fence.end()
         return "".join([*pieces, self._links(text[end:], path)])
 

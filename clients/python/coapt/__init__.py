@@ -7,7 +7,7 @@
 >>> valve.close(ring).measure.leak_mm2 < valve.close().measure.leak_mm2
 True
 >>> engine = coapt.Engine()  # or coapt.Client("http://127.0.0.1:8080"): the same functions
->>> result = engine.search("human-functional-mr", evaluations=60, seed=1, plans=2, region_points=5).result()
+>>> result = engine.search("human-functional-mr", evaluations=20, plans=1, region_points=5, evidence=False).result()
 >>> result.plans[0].picture().write("before-after.png")
 
 Units are the last part of a name: mm, mm2, n (newtons), deg, s. coapt is research software, not a medical device; not for

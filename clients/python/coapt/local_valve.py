@@ -31,9 +31,9 @@ class LocalValve:
 
     >>> valve = coapt.preset("human-normal")
     >>> valve
-    LocalValve('human-normal', 361 vertices, 648 triangles)
+    LocalValve('human-normal', 378 vertices, 648 triangles)
     >>> valve.vertices_mm.shape, valve.faces.shape, valve.annulus_mm.shape[1]
-    ((361, 3), (648, 3), 3)
+    ((378, 3), (648, 3), 3)
     >>> wider = valve.with_arrays(annulus_mm=valve.annulus_mm * [1.0, 1.2, 1.0])  # 20 % deeper, from front to back
     >>> wider.close().measure.leak_mm2 > valve.close().measure.leak_mm2
     True
@@ -77,15 +77,17 @@ class LocalValve:
     ) -> LocalValve:
         """A valve that has these instead, copied; the rest is this one's.
 
-        :param vertices_mm: V x 3, float64, unstressed
-        :param faces: F x 3, int32
-        :param annulus_mm: A x 3, float64, under pressure
+        >>> valve = coapt.preset("human-normal")
         >>> try:
-        ...     coapt.preset("human-normal").with_arrays(annulus_mm=[[0.0, 1.0]])
+        ...     valve.with_arrays(annulus_mm=valve.annulus_mm[:, :2])
         ... except coapt.BadDocument as error:
         ...     print(error.problems[0].path)
         /annulus_mm
 
+        :param vertices_mm: V x 3, float64, unstressed
+        :param faces: F x 3, int32
+        :param annulus_mm: A x 3, float64, under pressure
+        :raises TypeError: no array
         :raises BadDocument: another type or shape, a number that is not finite, or no valve: problems say where
         """
         with reading("these arrays make no valve"):

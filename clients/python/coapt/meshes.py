@@ -38,7 +38,7 @@ class Mesh:
     """Triangles: arrays of numpy where it is installed, lists of lists elsewhere.
 
     >>> coapt.preset("human-normal").close().leaflets()
-    Mesh(361 vertices, 648 triangles)
+    Mesh(378 vertices, 648 triangles)
     """
 
     vertices_mm: Any

@@ -10,6 +10,7 @@ them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import cycle
 from typing import TYPE_CHECKING, Any, Literal
 
 from .errors import MissingPackage
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 
 LEAKS_MM2 = 1.0  # a leak that counts, as in margins: a map's scale ends there or beyond
 _BLUE, _RED, _GREY = "#3b7dd8", "#c8372d", "#9aa3ad"
+# Colours that colour-blind readers tell apart (Okabe and Ito 2008), each with a marker of its own.
+_LINES = (("#0072b2", "o"), ("#d55e00", "s"), ("#009e73", "^"), ("#cc79a7", "D"), ("#56b4e9", "v"), ("#e69f00", "P"))
 _UNKNOWN = float("nan")
 
 
@@ -94,7 +97,7 @@ def coaptation(closure: Closure, *, ax: Axes | None = None) -> Axes:
     axes.set_xlim(0.0, 1.0)
     axes.set_xticks([0.0, 0.5, 1.0], ["anterolateral\ncommissure", "A2 and P2", "posteromedial\ncommissure"])
     axes.yaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
-    axes.set_ylabel("mm")
+    axes.set_ylabel("coaptation height or distance, mm")
     axes.legend()
     return axes
 
@@ -174,7 +177,8 @@ def plans(
             inside = _BLUE if plan.pareto else "white"
             axes.errorbar([mean], [value], xerr=[sd], fmt="o", color=_BLUE, ecolor=_GREY, markerfacecolor=inside)
             axes.annotate(str(plan.rank), (mean, value), xytext=(5, 5), textcoords="offset points")
-    axes.set_xlim(left=0.0)
+    axes.margins(y=0.15)  # a rank stands above its point
+    axes.set_xlim(left=-0.03 * max(1.0, axes.get_xlim()[1]))
     axes.set_xlabel("leak over the region, mean ± sd, mm²")
     axes.set_ylabel(_AGAINST[against])
     return axes
@@ -182,15 +186,17 @@ def plans(
 
 def progress(result: SearchResult, *, ax: Axes | None = None) -> Axes:
     """The cost of the best plan so far over closures, and what plans tried at random are expected to reach."""
-    axes = _axes(ax)
+    axes, highest = _axes(ax), 0.0
     for name, label, style in (("progress", "search", "-"), ("random_progress", "plans at random, expected", "--")):
         points: Sequence[Mapping[str, Any]] = [one for one in result.json[name] if one["cost"] is not None]
         if len(points) > 1:
             closures, costs = [one["closures"] for one in points], [one["cost"] for one in points]
+            highest = max([highest, *costs])
             axes.step(closures, costs, style, where="post", color=_BLUE if name == "progress" else _GREY, label=label)
-    axes.set_yscale("symlog", linthresh=1.0)
+    if highest > 20.0:  # mm2: else a linear scale shows more
+        axes.set_yscale("symlog", linthresh=1.0)
     axes.yaxis.set_major_formatter("{x:g}")
-    axes.set_ylim(bottom=0.0)
+    axes.set_ylim(0.0, 1.2 * highest if highest else 1.0)
     axes.set_xlabel("closures")
     axes.set_ylabel("cost of the best plan so far, mm²")
     axes.legend()
@@ -200,8 +206,9 @@ def progress(result: SearchResult, *, ax: Axes | None = None) -> Axes:
 def remodelling(plan: RankedPlan, *, ax: Axes | None = None) -> Axes:
     """Leak if the papillary tips move further after the repair, a line a direction."""
     axes, curves = _axes(ax), plan.remodelling
-    for direction, leaks in curves.leak_mm2.items():
-        axes.plot(curves.displacement_mm[: len(leaks)], _numbers(leaks), marker=".", label=direction)
+    for (direction, leaks), (colour, marker) in zip(curves.leak_mm2.items(), cycle(_LINES)):
+        shown = {"color": colour, "marker": marker, "markersize": 5, "alpha": 0.8, "clip_on": False}
+        axes.plot(curves.displacement_mm[: len(leaks)], _numbers(leaks), label=direction, **shown)
     axes.axhline(LEAKS_MM2, color=_GREY, linestyle="--", linewidth=0.8)
     axes.set_ylim(bottom=0.0)
     axes.set_xlabel("further remodelling, mm")

@@ -39,7 +39,7 @@ class Evaluations:
     >>> [plan.rank for plan in scored.plans]
     [2, 1]
     >>> list(scored.to_frame()["description"])
-    ['', "annuloplasty: ring in the annulus's own shape, undersized by 2 sizes (transverse 35.7 to 31.7 mm)"]
+    ['', "annuloplasty: ring in the annulus's own shape, undersized by 2 sizes (transverse 44.0 to 40.0 mm)"]
     """
 
     before: Before

@@ -224,7 +224,7 @@ class Service(ShortWork):
 
         >>> result = client.study("porcine-3", "annulus").result()
         >>> result.findings[0].section, sum(finding.agrees for finding in result.findings) > 0
-        ('4.1', True)
+        ('4.3.1', True)
 
         :param protocols: how positions of a region get their orifice (both look-ups)
         :param displacement_step_mm: 1, 2, 3 or 6, of the displaced configurations

@@ -28,6 +28,7 @@ const ordered_json& scene() {
 TEST(PlansJson, HasTheKeysThatScriptsRelyOn) {
   EXPECT_EQ(keys(scene()), (std::vector<std::string>{"schema",
                                                      "version",
+                                                     "revision",
                                                      "notice",
                                                      "before",
                                                      "any_competent",
