@@ -81,12 +81,12 @@ class FarmTest(unittest.TestCase):
         self.assertEqual(run.returncode, code, run.stderr)
         return run
 
-    def worker(self, *arguments, **environment):
-        return self.start("work", "--lease", "1", *arguments, **environment)
+    def worker(self, *arguments, lease=1, **environment):
+        return self.start("work", "--lease", lease, *arguments, **environment)
 
-    def stopped_worker(self, *arguments, items=25):
+    def stopped_worker(self, *arguments, items=25, **options):
         """Has computed so many items, and holds a task that it has begun."""
-        worker = self.worker(*arguments, TOY_STOPS_AFTER=str(items))
+        worker = self.worker(*arguments, TOY_STOPS_AFTER=str(items), **options)
         wait_until(lambda: is_stopped(worker))
         return worker
 

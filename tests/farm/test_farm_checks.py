@@ -10,7 +10,8 @@ class Checks(FarmTest):
     def test_a_worker_that_answers_wrongly_is_found_and_its_answers_are_replaced(self):
         request = Request(300, ms=1)
         coordinator = self.coordinator(request, "--check-share", "0.5")
-        right = self.stopped_worker("--name", "right", items=0)  # without another one the wrong one would check itself
+        # Without another one alive the wrong one would check itself.
+        right = self.stopped_worker("--name", "right", items=0, lease=60)
         self.worker("--name", "wrong", TOY_FLIP="0.3")
         wait_until(lambda: self.number("SELECT sum(tasks) FROM coapt_farm.worker") >= 15)
         right.send_signal(signal.SIGCONT)
@@ -24,8 +25,8 @@ class Checks(FarmTest):
 
     def test_two_workers_that_differ_wait_for_a_third(self):
         request = Request(10)
-        self.worker("--name", "wrong", TOY_FLIP="1")
-        self.worker("--name", "right")
+        self.worker("--name", "wrong", TOY_FLIP="1", lease=60)
+        self.worker("--name", "right", lease=60)
         wait_until(lambda: self.number("SELECT count(*) FROM coapt_farm.worker") == 2)  # one alone would check itself
         coordinator = self.coordinator(request, "--check-share", "1")
         twice = "SELECT count(*) FROM coapt_farm.opinion WHERE given = 2"
