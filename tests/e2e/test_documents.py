@@ -18,7 +18,7 @@ DOCUMENTS = sorted([SOURCE / "README.md", *(SOURCE / "docs").rglob("*.md"), *(SO
 
 # Flags that make a documented command short here. What it has of them already gets these values.
 SHORTER = {
-    "plan": "--evaluations 12 --plans 2 --region-points 2 --fine-levels 0 --model-draws 0 --no-evidence --no-openings",
+    "plan": "--evaluations 12 --plans 2 --region-points 2 --fine-levels 0 --model-draws 0 --no-evidence",
     "evaluate": "--region-points 2",
 }
 # Commands that are not run here, by a part of them, with the reason.
