@@ -963,7 +963,7 @@ export interface components {
             schema: "coapt.import/1";
             /** @description Of coapt. */
             version: string;
-            revision: components["schemas"]["Revision"];
+            revision?: components["schemas"]["Revision"];
             notice: components["schemas"]["Notice"];
             /** @description Of the valve. */
             name: string;
@@ -1000,7 +1000,7 @@ export interface components {
             schema: "coapt.fit/1";
             /** @description Of coapt. */
             version: string;
-            revision: components["schemas"]["Revision"];
+            revision?: components["schemas"]["Revision"];
             notice: components["schemas"]["Notice"];
             /** @description Id of the valve that was fitted. */
             valve: components["schemas"]["Id"];
@@ -1301,7 +1301,7 @@ export interface components {
             schema: "coapt.closure/1";
             /** @description Version of coapt that closed the valve. */
             version: string;
-            revision: components["schemas"]["Revision"];
+            revision?: components["schemas"]["Revision"];
             notice: components["schemas"]["Notice"];
             /** @description Name of the valve. */
             valve: string;
@@ -1479,7 +1479,7 @@ export interface components {
             schema: "coapt.opening/1";
             /** @description Version of coapt that opened the valve. */
             version: string;
-            revision: components["schemas"]["Revision"];
+            revision?: components["schemas"]["Revision"];
             notice: components["schemas"]["Notice"];
             /** @description Name of the valve. */
             name: string;
@@ -1705,7 +1705,7 @@ export interface components {
             schema: "coapt.weights/1";
             /** @description Of coapt. */
             version: string;
-            revision: components["schemas"]["Revision"];
+            revision?: components["schemas"]["Revision"];
             notice: components["schemas"]["Notice"];
             /** @description By name, as a search takes them; the most probable values. */
             weights: {
@@ -1987,7 +1987,7 @@ export interface components {
             schema: "coapt.plans/1";
             /** @description Version of coapt that searched. */
             version: string;
-            revision: components["schemas"]["Revision"];
+            revision?: components["schemas"]["Revision"];
             notice: components["schemas"]["Notice"];
             before: components["schemas"]["Before"];
             /** @description Whether a plan closes the valve also when the surgeon's hand varies. */
@@ -2109,7 +2109,7 @@ export interface components {
                 valve_hash: string;
                 /** @description Version of coapt that searched. */
                 version: string;
-                revision: components["schemas"]["Revision"];
+                revision?: components["schemas"]["Revision"];
                 /** @description Seed of the search. */
                 seed: number;
                 /** @description Empty: a request has none. */
@@ -2139,7 +2139,7 @@ export interface components {
         Evaluations: {
             /** @description Version of coapt that scored the plans. */
             version: string;
-            revision: components["schemas"]["Revision"];
+            revision?: components["schemas"]["Revision"];
             before: components["schemas"]["Before"];
             /** @description The plans in the order asked, each with its rank. */
             plans: (components["schemas"]["RankedPlan"] & {
@@ -2206,7 +2206,7 @@ export interface components {
             valve: string;
             /** @description Version of coapt that ran the study. */
             version: string;
-            revision: components["schemas"]["Revision"];
+            revision?: components["schemas"]["Revision"];
             /** @description Number of geometries. */
             configurations: number;
             /** @description Number of closures, those of earlier runs included. */
@@ -2483,7 +2483,7 @@ export interface components {
             jobs_running: number;
             notice: components["schemas"]["Notice"];
         };
-        /** @description Of the program that answered. */
+        /** @description Of the program that answered; missing in results that release 0.1 has kept. */
         Revision: {
             /** @description The commit; `+changes` after it if files differed from it, `unknown` if nobody told the build. */
             git: string;
@@ -2500,7 +2500,7 @@ export interface components {
             name: "coapt-server";
             /** @description Version of coapt. */
             version: string;
-            revision: components["schemas"]["Revision"];
+            revision?: components["schemas"]["Revision"];
             /**
              * @description Version of the API, the first part of its paths.
              * @constant
