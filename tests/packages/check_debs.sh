@@ -24,9 +24,9 @@ root=$(mktemp -d /var/tmp/coapt-debs-XXXXXX)
 # What is mounted in there is this machine's: unmounted first, and never reached by rm, whoever was killed on the way.
 finish() {
   local mounted
-  for mounted in $(awk -v root="$root/" 'index($2, root) == 1 { print $2 }' /proc/self/mounts | sort --reverse); do
-    umount --lazy "$mounted" || true
-  done
+  while read -r mounted; do
+    umount --lazy "$mounted" || return
+  done < <(awk -v root="$root" '$2 == root || index($2, root "/") == 1 { print $2 }' /proc/self/mounts | sort --reverse)
   [[ -n ${KEEP:-} ]] || rm -rf --one-file-system "$root"
 }
 trap finish EXIT
