@@ -35,8 +35,8 @@ serve() {
   local server answer
   within "$1/bin/coapt-server" --port 8091 --db /tmp/jobs.sqlite 2>"$root/tmp/messages" &
   server=$!
-  for _ in {1..50}; do
-    answer=$(exec 3<>/dev/tcp/127.0.0.1/8091 && printf 'GET / HTTP/1.1\r\nHost: 127.0.0.1:8091\r\n\r\n' >&3 && cat <&3) 2>/dev/null && break
+  for _ in {1..150}; do
+    answer=$({ exec 3<>/dev/tcp/127.0.0.1/8091 && printf 'GET / HTTP/1.1\r\nHost: 127.0.0.1:8091\r\n\r\n' >&3 && cat <&3; } 2>/dev/null) && break
     sleep 0.2
   done
   kill "$server"
