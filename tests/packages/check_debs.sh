@@ -99,7 +99,8 @@ run_tests() {
 serve() {
   local status=0
   within install -o _coapt -g _coapt -m 0400 /etc/coapt/token /tmp/token
-  within setpriv --reuid=_coapt --regid=_coapt --clear-groups coapt-server --port 8090 --db /var/lib/coapt/jobs.sqlite --token-file /tmp/token 2>"$root/tmp/messages" &
+  # Without the shell of within, so that what is killed is the service.
+  chroot "$root" /usr/bin/setpriv --reuid=_coapt --regid=_coapt --clear-groups /usr/bin/coapt-server --port 8090 --db /var/lib/coapt/jobs.sqlite --token-file /tmp/token 2>"$root/tmp/messages" &
   local server=$!
   within curl --silent --fail --output /dev/null --retry 30 --retry-delay 1 --retry-connrefused http://127.0.0.1:8090/healthz/live || status=$?
   [[ $status -ne 0 ]] || "$@" || status=$?
