@@ -146,7 +146,8 @@ remove_and_purge() {
   within apt-get remove -qq -y "${packages[@]}" >/dev/null
   [[ -s $root/var/lib/coapt/jobs.sqlite && -s $root/etc/coapt/token ]] || fail "removed, the service left no database"
   has_none_of coapt coapt-farm coapt-live coapt-server || fail "removed, programs are there"
-  within apt-get purge -qq -y "${packages[@]}" >/dev/null
+  # By dpkg, which minds no package that has left nothing behind.
+  within dpkg --purge "${packages[@]}" >/dev/null 2>&1
   left=$(cd "$root" && find . -xdev -name '*coapt*' -not -path './debs/*' -not -path './proc/*' -not -path './tmp/*' -not -path './tests/*' \
     -not -path './var/log/*')
   [[ -z $left ]] || fail "purged, this is left: $left"
