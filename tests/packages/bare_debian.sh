@@ -8,8 +8,12 @@ say() { printf '\n== %s\n' "$*"; }
 fail() { echo "${0##*/}: $*" >&2; exit 1; }
 
 root=$(mktemp -d /var/tmp/coapt-bare-XXXXXX)
+# What is mounted in there is this machine's: unmounted first, and never reached by rm, whoever was killed on the way.
 finish() {
-  umount --recursive "$root/proc" "$root/dev" 2>/dev/null || true
+  local mounted
+  while read -r mounted; do
+    umount --lazy "$mounted" || return
+  done < <(awk -v root="$root" '$2 == root || index($2, root "/") == 1 { print $2 }' /proc/self/mounts | sort --reverse)
   [[ -n ${KEEP:-} ]] || rm -rf --one-file-system "$root"
 }
 trap finish EXIT

@@ -11,53 +11,28 @@
 # Needs root, and the network for what the packages depend on. KEEP=yes leaves the Debian where it is.
 set -euo pipefail
 [[ $# -ge 1 && -d $1 ]] || { sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2; }
-# In mounts and processes of its own, all of which end with it.
-[[ -n ${COAPT_UNSHARED:-} ]] || COAPT_UNSHARED=yes exec unshare --mount --pid --fork --kill-child "$0" "$@"
+# shellcheck source=tests/packages/bare_debian.sh
+source "$(dirname "$0")/bare_debian.sh"
 
 source=$(cd "$(dirname "$0")/../.." && pwd)
 debs=$(realpath "$1")
 shift
 databases=()
 for file in "$@"; do databases+=("$(realpath "$file")"); done
-suite=bookworm
-root=$(mktemp -d /var/tmp/coapt-debs-XXXXXX)
-# What is mounted in there is this machine's: unmounted first, and never reached by rm, whoever was killed on the way.
-finish() {
-  local mounted
-  while read -r mounted; do
-    umount --lazy "$mounted" || return
-  done < <(awk -v root="$root" '$2 == root || index($2, root "/") == 1 { print $2 }' /proc/self/mounts | sort --reverse)
-  [[ -n ${KEEP:-} ]] || rm -rf --one-file-system "$root"
-}
-trap finish EXIT
 
-say() { printf '\n== %s\n' "$*"; }
-fail() { echo "check_debs.sh: $*" >&2; exit 1; }
-within() {
-  chroot "$root" env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
-    DEBIAN_FRONTEND=noninteractive "$@"
-}
 apt_install() { within apt-get install -qq -y --no-install-recommends -o Dpkg::Use-Pty=0 "$@" >"$root/tmp/apt.log" 2>&1 || { cat "$root/tmp/apt.log"; return 1; }; }
 # shellcheck disable=SC2016  # expanded there
 has_none_of() { within sh -c 'for program; do ! command -v "$program" || exit 1; done' sh "$@"; }
-megabytes() { du --summarize --one-file-system --block-size=1M "$root" | cut -f 1; }
 # paths PACKAGE: where its file lies in that Debian; of all without an argument.
 paths() { for deb in "$debs/${1-}${1+_}"*.deb; do echo "/debs/${deb##*/}"; done; }
 packages_of() { for deb in "$debs"/*.deb; do dpkg-deb --field "$deb" Package; done; }
 
 make_root() {
-  local sources
-  mapfile -t sources < <(grep -lE "^(Suites:|deb .*debian).*\b$suite\b" /etc/apt/sources.list.d/*.sources /etc/apt/sources.list 2>/dev/null)
-  mmdebstrap --quiet --mode=root --variant=apt "$suite" "$root" "${sources[@]}"
-  mount -t proc proc "$root/proc"
-  mount --rbind /dev "$root/dev"
-  mount --make-rslave "$root/dev"
+  make_bare bookworm
   printf '#!/bin/sh\nexit 101\n' >"$root/usr/sbin/policy-rc.d"
   chmod +x "$root/usr/sbin/policy-rc.d"
   mkdir "$root/debs"
   cp "$debs"/*.deb "$root/debs/"
-  cp --no-dereference /etc/resolv.conf "$root/etc/resolv.conf"
-  within apt-get update -qq
   has_none_of gcc g++ cc python3 || fail "the Debian to start from has compilers"
 }
 
@@ -73,8 +48,7 @@ to_the_first_plan() {
   within apt-get clean
   echo "installed: $(($(megabytes) - before)) MB more than the $before MB of the Debian without it"
   within sh -c 'cd /tmp && coapt plan human-functional-mr --evaluations 60 --region-points 65 --plans 1 -o report.html 2>/dev/null' || [[ $? -eq 4 ]]
-  awk -v start="$start" -v installed="$installed" -v end="$EPOCHREALTIME" \
-    'BEGIN { printf "seconds: %.1f to install, %.1f to the first ranked plan, together\n", installed - start, end - start }'
+  echo "seconds: $(seconds "$start" "$installed") to install, $(seconds "$start" "$EPOCHREALTIME") to the first ranked plan, together"
 }
 
 # The tests of debian/tests/control, each with the packages that it depends on; those of ours are there.
