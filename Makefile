@@ -2,7 +2,7 @@
 BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
-SOURCES := $(shell find core search io farm server clients/cli clients/engine lab tests -name "*.h" -o -name "*.cpp" -o -name "*.inl")
+SOURCES := $(shell find core search io farm server clients/cli clients/engine clients/live clients/python lab tests -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 PYTHON := $(shell find clients/python cmake docs examples lab tests -name "*.py")
 BLACK := black --line-length 120
@@ -16,7 +16,7 @@ STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -t
 ENGINE := build/wasm/bin/coapt-engine.wasm
 ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check openapi-check readers-check golden asan asan-build fuzz clean
+.PHONY: help demo serve farm deb deb-test check check-packages check-release check-sanitizer-build test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check openapi-check readers-check golden asan asan-build fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -39,10 +39,15 @@ check: check-packages  ## what a change must pass, as .ci/run does: every check 
 	$(MAKE) format-check lint includes-check docs-check openapi-check workflow-check
 	cmake --preset release -DCOAPT_LAB=ON
 	$(MAKE) build
-	$(MAKE) sources-check readers-check
-	$(MAKE) web-test static-test
-	$(MAKE) --jobs=2 --output-sync=target test asan-build
+	$(MAKE) --jobs=2 --output-sync=target check-release check-sanitizer-build
 	$(MAKE) asan
+
+# Browsers and services leave cores idle, which the sanitizer build takes.
+check-release:
+	$(MAKE) --jobs=1 sources-check readers-check web-test static-test test
+
+check-sanitizer-build:
+	nice -n 15 $(MAKE) --jobs=1 asan-build
 
 # At once, because steps that run side by side cannot each call apt-get.
 check-packages:
@@ -204,24 +209,17 @@ docs-check:  ## fail if a link or make target in the documents leads nowhere, th
 	@tests/docs/test_site.py --quiet
 
 openapi-check: build/openapi-check/node_modules  ## fail if the OpenAPI document breaks a rule that @redocly/cli recommends
+	@command -v cmake >/dev/null || cmake/install_packages.sh build
 	@cmake -D OUTPUT=build/openapi.json -P server/openapi.cmake
 	@REDOCLY_TELEMETRY=off REDOCLY_SUPPRESS_UPDATE_NOTICE=true \
-	  $</.bin/redocly lint --config server/openapi-check/redocly.yaml build/openapi.json
-
-build/openapi-check/node_modules: server/openapi-check/package-lock.json
-	@command -v cmake >/dev/null || cmake/install_packages.sh build
-	@command -v npm >/dev/null || cmake/install_packages.sh npm
-	@mkdir -p build/openapi-check
-	@cp server/openapi-check/package*.json build/openapi-check/
-	npm ci --ignore-scripts --no-audit --no-fund --prefix build/openapi-check
-	@touch $@
+	  $</.bin/redocly lint --config tests/openapi/redocly.yaml build/openapi.json
 
 readers-check: build build/readers-check/node_modules  ## fail if VTK, the glTF validator, Kubernetes's schemas or another reader finds a file of coapt wrong
 	@cmake/install_packages.sh readers
 	tests/readers/check_files.py $(BIN)/coapt env NODE_PATH=build/readers-check/node_modules node tests/readers/validate_glb.js
 	NODE_PATH=build/readers-check/node_modules node tests/readers/validate_manifests.js examples/farm/kubernetes/*.yaml
 
-# The npm packages of readers-check and workflow-check.
+# The npm packages of openapi-check, readers-check and workflow-check.
 build/%-check/node_modules: tests/%/package-lock.json
 	@command -v npm >/dev/null || cmake/install_packages.sh npm
 	@mkdir -p $(@D)

@@ -141,14 +141,11 @@ int run(const TrainRatersArguments& arguments) {
             {"draws", cases > 0 ? static_cast<double>(draws) / cases : 0.0},
             {"raters", tallies_json(tallies, chance)}};
   };
-  const nlohmann::ordered_json result = {{"schema", "coapt.training_raters/1"},
-                                         {"version", version()},
-                                         {"revision", revision_json()},
-                                         {"notice", kResearchNotice},
-                                         {"name", valve->name},
-                                         {"exams",
-                                          {exam_json("A", not_made_a, draws_a, of_a, kChanceA),
-                                           exam_json("B", not_made_b, draws_b, of_b, kChanceB)}}};
+  const nlohmann::ordered_json result = result_document(
+      "coapt.training_raters/1", {{"name", valve->name},
+                                  {"exams",
+                                   {exam_json("A", not_made_a, draws_a, of_a, kChanceA),
+                                    exam_json("B", not_made_b, draws_b, of_b, kChanceB)}}});
   if (arguments.json) {
     std::cout << result.dump(2) << '\n';
   } else {

@@ -46,24 +46,22 @@ Spread spread_of(std::vector<double> values) {
 }
 
 ordered_json to_json(const SessionResult& session, double rate_hz) {
-  return {{"schema", "coapt.live/1"},
-          {"notice", kResearchNotice},
-          {"end", end_name(session.end)},
-          {"seconds", session.seconds},
-          {"rate_hz", rate_hz},
-          {"periods", session.periods},
-          {"periods_missed", session.missed},
-          {"late_us", spread_json(spread_of(session.late_us))},
-          {"real_time_priority", session.real_time.priority},
-          {"memory_locked", session.real_time.memory_locked},
-          {"steps", session.steps},
-          {"steps_per_second", steps_per_second(session)},
-          {"look_us", spread_json(spread_of(session.look_us))},
-          {"returns", session.returns},
-          {"grasps", session.grasps},
-          {"largest_force_n", session.largest_force_n},
-          {"energy_mj", session.energy_mj},
-          {"lowest_energy_mj", session.lowest_energy_mj}};
+  return result_document("coapt.live/1", {{"end", end_name(session.end)},
+                                          {"seconds", session.seconds},
+                                          {"rate_hz", rate_hz},
+                                          {"periods", session.periods},
+                                          {"periods_missed", session.missed},
+                                          {"late_us", spread_json(spread_of(session.late_us))},
+                                          {"real_time_priority", session.real_time.priority},
+                                          {"memory_locked", session.real_time.memory_locked},
+                                          {"steps", session.steps},
+                                          {"steps_per_second", steps_per_second(session)},
+                                          {"look_us", spread_json(spread_of(session.look_us))},
+                                          {"returns", session.returns},
+                                          {"grasps", session.grasps},
+                                          {"largest_force_n", session.largest_force_n},
+                                          {"energy_mj", session.energy_mj},
+                                          {"lowest_energy_mj", session.lowest_energy_mj}});
 }
 
 void print_session(std::ostream& out, const SessionResult& session, double rate_hz) {

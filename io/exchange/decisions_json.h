@@ -32,15 +32,11 @@ inline nlohmann::ordered_json to_json(const std::vector<MeasuredThickness>& thic
 
 /// coapt.import/1. Keys that scripts rely on: decisions[] (about, decision, reason).
 inline nlohmann::ordered_json import_to_json(const ImportedValve& imported) {
-  return {{"schema", "coapt.import/1"},
-          {"version", version()},
-          {"revision", revision_json()},
-          {"notice", kResearchNotice},
-          {"name", imported.valve.name},
-          {"triangles", imported.valve.faces.rows()},
-          {"chordae", imported.valve.chordae.size()},
-          {"thickness", to_json(imported.thickness)},
-          {"decisions", to_json(imported.decisions)}};
+  return result_document("coapt.import/1", {{"name", imported.valve.name},
+                                            {"triangles", imported.valve.faces.rows()},
+                                            {"chordae", imported.valve.chordae.size()},
+                                            {"thickness", to_json(imported.thickness)},
+                                            {"decisions", to_json(imported.decisions)}});
 }
 
 }  // namespace coapt

@@ -48,11 +48,9 @@ ordered_json comparison_to_json(const ShapeComparison& comparison, const Compare
                                 const ComparedShape& reference, double contact_distance_mm) {
   const Vec3 before = closed.mesh.vertices_mm.colwise().mean().transpose();
   const Vec3 after = comparison.moved_mm.colwise().mean().transpose();
-  ordered_json json = {{"schema", "coapt.comparison/1"},
-                       {"version", version()},
-                       {"revision", revision_json()},
-                       {"notice", kResearchNotice},
-                       {"pairing", comparison.node_to_node ? "node_to_node" : "node_to_surface"},
+  ordered_json json =
+      result_document("coapt.comparison/1",
+                      {{"pairing", comparison.node_to_node ? "node_to_node" : "node_to_surface"},
                        {"rms_mm", comparison.distance.rms_mm},
                        {"p95_mm", comparison.distance.p95_mm},
                        {"max_mm", comparison.distance.max_mm},
@@ -67,7 +65,7 @@ ordered_json comparison_to_json(const ShapeComparison& comparison, const Compare
                          {"matrix", matrix_json(comparison.motion)}}},
                        {"contact_distance_mm", contact_distance_mm},
                        {"closed", shape_json(closed)},
-                       {"reference", shape_json(reference)}};
+                       {"reference", shape_json(reference)}});
   if (comparison.node_to_node) json["rms_after_rigid_mm"] = comparison.rms_after_rigid_mm;
   return json;
 }

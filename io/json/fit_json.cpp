@@ -96,26 +96,23 @@ std::optional<FitState> fit_state_from_json(const nlohmann::json& json) {
 
 ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files) {
   const bool atrial = files.measured.side == MeasuredSide::Atrial;
-  ordered_json json = {{"schema", "coapt.fit/1"},
-                       {"version", version()},
-                       {"revision", revision_json()},
-                       {"notice", kResearchNotice},
-                       {"valve", files.valve},
-                       {"closed", files.closed},
-                       {"side", atrial ? "atrial" : "middle"},
-                       {"rms_mm", fit.rms_mm},
-                       {"rms_before_mm", fit.rms_before_mm},
-                       {"points",
-                        {{"given", files.measured.points_mm.rows()},
-                         {"used", fit.points_mm.rows()},
-                         {"independent", fit.independent_points}}},
-                       {"leak_mm2", leak_json(fit, files.measured)},
-                       {"parameters", parameters_json(fit)},
-                       {"correlations", correlations_json(fit.covariance)},
-                       {"rounds", fit.rounds},
-                       {"closures", fit.closures},
-                       {"finished", fit.stop == FitStop::AtRest},
-                       {"stop", to_string(fit.stop)}};
+  ordered_json json =
+      result_document("coapt.fit/1", {{"valve", files.valve},
+                                      {"closed", files.closed},
+                                      {"side", atrial ? "atrial" : "middle"},
+                                      {"rms_mm", fit.rms_mm},
+                                      {"rms_before_mm", fit.rms_before_mm},
+                                      {"points",
+                                       {{"given", files.measured.points_mm.rows()},
+                                        {"used", fit.points_mm.rows()},
+                                        {"independent", fit.independent_points}}},
+                                      {"leak_mm2", leak_json(fit, files.measured)},
+                                      {"parameters", parameters_json(fit)},
+                                      {"correlations", correlations_json(fit.covariance)},
+                                      {"rounds", fit.rounds},
+                                      {"closures", fit.closures},
+                                      {"finished", fit.stop == FitStop::AtRest},
+                                      {"stop", to_string(fit.stop)}});
   if (!fit.hypotheses.empty()) {
     json["hypotheses"] = hypotheses_json(fit);
     json["hypotheses_left_out"] = fit.left_out;

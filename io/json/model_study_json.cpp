@@ -31,16 +31,13 @@ nlohmann::ordered_json area_json(const ModelUncertainty& area) {
 }  // namespace
 
 nlohmann::ordered_json to_json(const ModelStudy& study, const std::string& valve_name) {
-  return {{"schema", "coapt.model_study/1"},
-          {"version", version()},
-          {"revision", revision_json()},
-          {"notice", kResearchNotice},
-          {"valve", valve_name},
-          {"status", to_string(study.as_it_is.status)},
-          {"crossing", study.as_it_is.crossing},
-          {"draws", study.draws.size()},
-          {"untrusted", study.untrusted},
-          {"areas", {area_json(study.leak), area_json(study.orifice)}}};
+  return result_document("coapt.model_study/1",
+                         {{"valve", valve_name},
+                          {"status", to_string(study.as_it_is.status)},
+                          {"crossing", study.as_it_is.crossing},
+                          {"draws", study.draws.size()},
+                          {"untrusted", study.untrusted},
+                          {"areas", {area_json(study.leak), area_json(study.orifice)}}});
 }
 
 }  // namespace coapt

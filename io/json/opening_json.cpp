@@ -30,11 +30,7 @@ nlohmann::ordered_json opening_figures_json(const OpenedValve& opened,
 
 nlohmann::ordered_json opening_to_json(const OpenedValve& opened, const OpeningOptions& options,
                                        double seconds) {
-  nlohmann::ordered_json json = {{"schema", "coapt.opening/1"},
-                                 {"version", version()},
-                                 {"revision", revision_json()},
-                                 {"notice", kResearchNotice},
-                                 {"name", opened.valve.name}};
+  nlohmann::ordered_json json = result_document("coapt.opening/1", {{"name", opened.valve.name}});
   json.update(opening_figures_json(opened, options, seconds));
   return json;
 }

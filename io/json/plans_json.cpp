@@ -231,37 +231,35 @@ ordered_json to_json(const StartCheck& starts) {
 }
 
 ordered_json to_json(const SearchResult& result) {
-  return {{"schema", "coapt.plans/1"},
-          {"version", version()},
-          {"revision", revision_json()},
-          {"notice", kResearchNotice},
-          {"before", before_json(result)},
-          {"any_competent", result.any_competent},
-          {"plans",
-           list_of(result.plans,
-                   [&](const RankedPlan& plan) { return ranked_json(plan, result.fine_mesh); })},
-          {"fine_mesh", fine_mesh_json(result.fine_mesh)},
-          {"model_draws", model_json(result)},
-          {"best_cost_history", list_of(result.progress, [](const Progress& p) { return p.cost; })},
-          {"progress", list_of(result.progress, progress_json)},
-          {"random_progress", list_of(result.random_progress, progress_json)},
-          {"pareto_front", list_of(result.pareto_front, pareto_json)},
-          {"ladder", list_of(result.ladder, ladder_json)},
-          {"branches", result.branches},
-          {"cut", list_of(result.cut,
-                          [](const CutBranches& cut) {
-                            return ordered_json{{"what", cut.what}, {"why", cut.why}};
-                          })},
-          {"plans_possible", result.plans_possible},
-          {"plans_tried", result.plans_tried},
-          {"stop", name_of(result.stop)},
-          {"closures", result.closures},
-          {"evaluations", result.evaluations},
-          {"closures_known", result.closures_known},
-          {"closures_not_converged", result.closures_not_converged},
-          {"closures_crossed", result.closures_crossed},
-          {"seconds", result.seconds},
-          {"not_modelled", not_modelled()}};
+  return result_document(
+      "coapt.plans/1",
+      {{"before", before_json(result)},
+       {"any_competent", result.any_competent},
+       {"plans",
+        list_of(result.plans,
+                [&](const RankedPlan& plan) { return ranked_json(plan, result.fine_mesh); })},
+       {"fine_mesh", fine_mesh_json(result.fine_mesh)},
+       {"model_draws", model_json(result)},
+       {"best_cost_history", list_of(result.progress, [](const Progress& p) { return p.cost; })},
+       {"progress", list_of(result.progress, progress_json)},
+       {"random_progress", list_of(result.random_progress, progress_json)},
+       {"pareto_front", list_of(result.pareto_front, pareto_json)},
+       {"ladder", list_of(result.ladder, ladder_json)},
+       {"branches", result.branches},
+       {"cut", list_of(result.cut,
+                       [](const CutBranches& cut) {
+                         return ordered_json{{"what", cut.what}, {"why", cut.why}};
+                       })},
+       {"plans_possible", result.plans_possible},
+       {"plans_tried", result.plans_tried},
+       {"stop", name_of(result.stop)},
+       {"closures", result.closures},
+       {"evaluations", result.evaluations},
+       {"closures_known", result.closures_known},
+       {"closures_not_converged", result.closures_not_converged},
+       {"closures_crossed", result.closures_crossed},
+       {"seconds", result.seconds},
+       {"not_modelled", not_modelled()}});
 }
 
 ordered_json to_json(const SearchResult& result, const SearchRequest& request) {

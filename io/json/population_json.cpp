@@ -118,15 +118,11 @@ Expected<PopulationMember> member_from_json(const nlohmann::json& json) {
 ordered_json to_json(const Population& population) {
   ordered_json members = ordered_json::array();
   for (const PopulationMember& member : population.members) members.push_back(to_json(member));
-  return {{"schema", "coapt.population/1"},
-          {"version", version()},
-          {"revision", revision_json()},
-          {"notice", kResearchNotice},
-          {"seed", population.seed},
-          {"prior", to_json(population.prior)},
-          {"anatomy_factors", names_of(anatomy_factors())},
-          {"lesion_factors", names_of(lesion_factors())},
-          {"members", std::move(members)}};
+  return result_document("coapt.population/1", {{"seed", population.seed},
+                                                {"prior", to_json(population.prior)},
+                                                {"anatomy_factors", names_of(anatomy_factors())},
+                                                {"lesion_factors", names_of(lesion_factors())},
+                                                {"members", std::move(members)}});
 }
 
 Expected<Population> population_from_json(const nlohmann::json& json) {

@@ -141,31 +141,29 @@ ordered_json to_json(const PopulationTree& tree) {
 
 ordered_json to_json(const PopulationStudy& study) {
   const SearchRegret regret = search_regret(study.searched);
-  return {{"schema", "coapt.population_study/1"},
-          {"version", version()},
-          {"revision", revision_json()},
-          {"notice", kResearchNotice},
-          {"members", study.members},
-          {"not_made", study.not_made},
-          {"nodes", study.nodes},
-          {"closures", study.closures},
-          {"failures", study.failures},
-          {"groups", list_json(study.groups, group_json)},
-          {"tree", study.tree ? to_json(*study.tree) : ordered_json(nullptr)},
-          {"searched",
-           {{"members", list_json(study.searched,
-                                  [](const SearchedMember& member) -> ordered_json {
-                                    return {{"index", member.index},
-                                            {"plan", member.plan},
-                                            {"closures", member.closures},
-                                            {"search", record_json(member.searched)},
-                                            {"tree", record_json(member.chosen)},
-                                            {"best_candidate", record_json(member.best)}};
-                                  })},
-            {"tree_less_search_cost", interval_json(regret.tree_cost)},
-            {"tree_less_search_mm2", interval_json(regret.tree_leak_mm2)},
-            {"best_less_search_cost", interval_json(regret.best_cost)},
-            {"best_less_search_mm2", interval_json(regret.best_leak_mm2)}}}};
+  return result_document(
+      "coapt.population_study/1",
+      {{"members", study.members},
+       {"not_made", study.not_made},
+       {"nodes", study.nodes},
+       {"closures", study.closures},
+       {"failures", study.failures},
+       {"groups", list_json(study.groups, group_json)},
+       {"tree", study.tree ? to_json(*study.tree) : ordered_json(nullptr)},
+       {"searched",
+        {{"members", list_json(study.searched,
+                               [](const SearchedMember& member) -> ordered_json {
+                                 return {{"index", member.index},
+                                         {"plan", member.plan},
+                                         {"closures", member.closures},
+                                         {"search", record_json(member.searched)},
+                                         {"tree", record_json(member.chosen)},
+                                         {"best_candidate", record_json(member.best)}};
+                               })},
+         {"tree_less_search_cost", interval_json(regret.tree_cost)},
+         {"tree_less_search_mm2", interval_json(regret.tree_leak_mm2)},
+         {"best_less_search_cost", interval_json(regret.best_cost)},
+         {"best_less_search_mm2", interval_json(regret.best_leak_mm2)}}}});
 }
 
 }  // namespace coapt

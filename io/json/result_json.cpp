@@ -203,22 +203,19 @@ ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
                         {"crossing_pairs", attempt.crossing_pairs},
                         {"residual", attempt.residual},
                         {"steps", attempt.steps}});
-  ordered_json json = joined({{"schema", "coapt.closure/1"},
-                              {"version", version()},
-                              {"revision", revision_json()},
-                              {"notice", kResearchNotice},
-                              {"valve", valve.name},
-                              {"triangles", valve.faces.rows()},
-                              {"method", to_string(closure.method)},
-                              {"membrane", to_string(closure.membrane)},
-                              {"status", to_string(closure.status)},
-                              {"residual", closure.residual},
-                              {"steps", closure.steps},
-                              {"seconds", seconds},
-                              {"crossing", closure.crossing},
-                              {"crossing_pairs", closure.crossing_pairs},
-                              {"attempts", std::move(attempts)}},
-                             to_json(measure));
+  ordered_json json =
+      joined(result_document("coapt.closure/1", {{"valve", valve.name},
+                                                 {"triangles", valve.faces.rows()},
+                                                 {"method", to_string(closure.method)},
+                                                 {"membrane", to_string(closure.membrane)},
+                                                 {"status", to_string(closure.status)},
+                                                 {"residual", closure.residual},
+                                                 {"steps", closure.steps},
+                                                 {"seconds", seconds},
+                                                 {"crossing", closure.crossing},
+                                                 {"crossing_pairs", closure.crossing_pairs},
+                                                 {"attempts", std::move(attempts)}}),
+             to_json(measure));
   if (is_mitral(valve))
     json["coaptation_area_index"] = coaptation_area_index(valve, closure.closed_mm);
   return json;

@@ -101,28 +101,25 @@ ordered_json to_json(const RingDesignResult& result, const RingDesignSource& sou
     json["cost"] = rival.cost;
     rivals.push_back(std::move(json));
   }
-  return {{"schema", "coapt.ring_design/1"},
-          {"version", version()},
-          {"revision", revision_json()},
-          {"notice", kResearchNotice},
-          {"design", ring_document(result, source)},
-          {"generic", ring_candidate_json(result.search.generic.candidate)},
-          {"gain_held_out", all.below_percent.mean},
-          {"gain_low", all.below_percent.low},
-          {"gain_high", all.below_percent.high},
-          {"leak_gain_mm2", all.leak_mm2.mean},
-          {"leak_gain_low_mm2", all.leak_mm2.low},
-          {"leak_gain_high_mm2", all.leak_mm2.high},
-          {"searched_members", result.searched_members},
-          {"held_out_members", result.held_out_members},
-          {"untrusted_members", result.untrusted_members},
-          {"searched_disturbances", result.searched_disturbances},
-          {"held_out_disturbances", result.held_out_disturbances},
-          {"designs", result.search.designs},
-          {"evaluations", result.search.evaluations},
-          {"verdicts", std::move(verdicts)},
-          {"claims", claims_json(result.claims)},
-          {"rivals", std::move(rivals)}};
+  return result_document("coapt.ring_design/1",
+                         {{"design", ring_document(result, source)},
+                          {"generic", ring_candidate_json(result.search.generic.candidate)},
+                          {"gain_held_out", all.below_percent.mean},
+                          {"gain_low", all.below_percent.low},
+                          {"gain_high", all.below_percent.high},
+                          {"leak_gain_mm2", all.leak_mm2.mean},
+                          {"leak_gain_low_mm2", all.leak_mm2.low},
+                          {"leak_gain_high_mm2", all.leak_mm2.high},
+                          {"searched_members", result.searched_members},
+                          {"held_out_members", result.held_out_members},
+                          {"untrusted_members", result.untrusted_members},
+                          {"searched_disturbances", result.searched_disturbances},
+                          {"held_out_disturbances", result.held_out_disturbances},
+                          {"designs", result.search.designs},
+                          {"evaluations", result.search.evaluations},
+                          {"verdicts", std::move(verdicts)},
+                          {"claims", claims_json(result.claims)},
+                          {"rivals", std::move(rivals)}});
 }
 
 }  // namespace coapt

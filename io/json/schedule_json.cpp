@@ -102,11 +102,12 @@ ordered_json exam_to_json(const Schedule& schedule, std::uint64_t learner_seed,
     }
     blocks.push_back(std::move(block));
   }
-  return {
-      {"schema", "coapt.training_exam/1"}, {"version", version()},  {"revision", revision_json()},
-      {"notice", kResearchNotice},         {"name", schedule.name}, {"title", schedule.title},
-      {"notes", schedule.notes},           {"seed", learner_seed},  {"first_case", first_seed},
-      {"blocks", std::move(blocks)}};
+  return result_document("coapt.training_exam/1", {{"name", schedule.name},
+                                                   {"title", schedule.title},
+                                                   {"notes", schedule.notes},
+                                                   {"seed", learner_seed},
+                                                   {"first_case", first_seed},
+                                                   {"blocks", std::move(blocks)}});
 }
 
 }  // namespace coapt

@@ -94,14 +94,10 @@ ordered_json score_to_json(const std::vector<TrainingTrial>& trials) {
     scores.push_back(one_score(score));
     if (!score.block) next.push_back(next_of(score, own.at({score.learner, score.segments})));
   }
-  return {{"schema", "coapt.training_score/1"},
-          {"version", version()},
-          {"revision", revision_json()},
-          {"notice", kResearchNotice},
-          {"trials", trials.size()},
-          {"scores", std::move(scores)},
-          {"next", std::move(next)},
-          {"cases", calibrated(trials)}};
+  return result_document("coapt.training_score/1", {{"trials", trials.size()},
+                                                    {"scores", std::move(scores)},
+                                                    {"next", std::move(next)},
+                                                    {"cases", calibrated(trials)}});
 }
 
 }  // namespace coapt

@@ -38,16 +38,13 @@ ordered_json difference_json(const ClosedDifference& difference) {
 /// What cases of both exams begin with.
 template <class Case>
 ordered_json heading(std::string_view exam, const Case& made, const Valve& from) {
-  return {{"schema", "coapt.training_case/1"},
-          {"version", version()},
-          {"revision", revision_json()},
-          {"notice", kResearchNotice},
-          {"exam", exam},
-          {"seed", made.seed},
-          {"name", from.name},
-          {"difficulty", made.difficulty},
-          {"smallest_difference", made.smallest_difference},
-          {"draws", made.draws}};
+  return result_document("coapt.training_case/1",
+                         {{"exam", exam},
+                          {"seed", made.seed},
+                          {"name", from.name},
+                          {"difficulty", made.difficulty},
+                          {"smallest_difference", made.smallest_difference},
+                          {"draws", made.draws}});
 }
 
 ordered_json valve_document(const Valve& valve) {

@@ -24,5 +24,7 @@ std::string_view git_revision();
 std::string about(std::string_view program);
 /// {"git", "closures", "plans"}: beside "version" in results.
 nlohmann::ordered_json revision_json();
+/// A result as users get it: "schema", "version", "revision", "notice", then the members of `rest`.
+nlohmann::ordered_json result_document(std::string_view schema, nlohmann::ordered_json rest);
 
 }  // namespace coapt

@@ -107,20 +107,18 @@ CostTerms terms_from_json(const ordered_json& plan) {
 
 ordered_json to_json(const LearnedWeights& learned, const AnswerCounts& counts) {
   const PreferencePosterior& posterior = learned.posterior;
-  return {{"schema", "coapt.weights/1"},
-          {"version", version()},
-          {"revision", revision_json()},
-          {"notice", kResearchNotice},
-          {"weights", to_json(learned.weights)},
-          {"noise_mm2", std::exp(posterior.mean[kNoise])},
-          {"tie", std::exp(posterior.mean[kTie])},
-          {"log_sd", log_sd_json(log_sd(posterior))},
-          {"covariance",
-           {{"names", unknown_names()}, {"matrix", covariance_json(posterior.covariance)}}},
-          {"informed", informed_json(posterior)},
-          {"answers", counts.answers},
-          {"unable", counts.unable},
-          {"consistency", counts.consistency ? ordered_json(*counts.consistency) : ordered_json()}};
+  return result_document(
+      "coapt.weights/1",
+      {{"weights", to_json(learned.weights)},
+       {"noise_mm2", std::exp(posterior.mean[kNoise])},
+       {"tie", std::exp(posterior.mean[kTie])},
+       {"log_sd", log_sd_json(log_sd(posterior))},
+       {"covariance",
+        {{"names", unknown_names()}, {"matrix", covariance_json(posterior.covariance)}}},
+       {"informed", informed_json(posterior)},
+       {"answers", counts.answers},
+       {"unable", counts.unable},
+       {"consistency", counts.consistency ? ordered_json(*counts.consistency) : ordered_json()}});
 }
 
 Expected<LearnedWeights> read_learned_weights(std::string_view text) {

@@ -102,6 +102,17 @@ class Arrays(EngineTest):
         other = {name: part for name, part in valve.items() if name != "schema"}
         self.assertEqual(self.problems(coapt.InvalidRequest, self.client.valve, other)[0][0], "/valve/schema")
 
+    def test_what_is_no_shape_is_not_compared(self):
+        closed = self.valve.close()
+        for given in ((closed,), self.valve.vertices_mm, None):
+            self.assertIn(
+                type(given).__name__, str(self.refused(coapt.BadDocument, self.client.compare, closed, given))
+            )
+
+    def test_fewer_threads_than_none_are_refused(self):
+        refused = self.problems(coapt.InvalidRequest, coapt.close_many, VALVE, threads=-1)
+        self.assertEqual(refused, [("/threads", "out_of_range")])
+
     def test_points_of_another_type_or_shape_are_not_fitted_to(self):
         points = numpy.array(self.valve.vertices_mm)
         broken = points.copy()

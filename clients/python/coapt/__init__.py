@@ -49,26 +49,24 @@ from .local_valve import LocalValve
 from .meshes import Mesh, Picture
 from .openings import Opening
 from .ranked_plans import RankedPlan, Statistics
-from .repair import (
+from .repair import NamedPlan, Plan, read_plans
+from .results import Before, Evaluations, Finding, SearchResult, StudyResult
+from .service import Service
+from .sources import PlanSource, Valve
+from .steps import (
     ChordalExcision,
     ChordalLengthChange,
     ChordalTransfer,
     DesignedRing,
     EdgeToEdge,
     LeafletPoint,
-    NamedPlan,
     Neochorda,
     OwnRing,
     PapillaryApproximation,
     QuadrangularResection,
-    TriangularResection,
-    Plan,
     Ring,
-    read_plans,
+    TriangularResection,
 )
-from .results import Before, Evaluations, Finding, SearchResult, StudyResult
-from .service import Service
-from .sources import PlanSource, Valve
 from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
 from .sweep import Sweep, SweepItem
 from .tables import NOTICE

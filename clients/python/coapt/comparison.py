@@ -11,7 +11,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .closures import Closure, Measure
-from .errors import NoSuchFile
+from .errors import BadDocument, NoSuchFile
 from .local_transport import engine_module, refusing
 from .meshes import Mesh
 
@@ -86,6 +86,8 @@ def native_shape(source: ShapeSource) -> Any:
         mesh = source.leaflets() if isinstance(source, Closure) else source
         with refusing():
             return shapes.of_arrays("arrays", mesh.vertices_mm, mesh.faces.astype("int32"))
+    if not isinstance(source, (str, os.PathLike)):
+        raise BadDocument(f"no shape: {type(source).__name__}; a closure, a Mesh or a file is needed")
     file = pathlib.Path(source)
     try:
         content = file.read_bytes()

@@ -14,7 +14,7 @@ from itertools import cycle
 from typing import TYPE_CHECKING, Any, Literal
 
 from .errors import MissingPackage
-from .repair import PapillaryApproximation
+from .steps import PapillaryApproximation
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 from .asking import Asking, given
 from .closures import Closure
+from .errors import InvalidRequest, Problem
 from .meshes import Mesh, Picture
 from .openings import Opening
 from .results import Evaluations
@@ -90,7 +91,11 @@ class ShortWork(Asking):
         :param plans: read at once; None: the valves as they are
         :param threads: closures asked for at once; by default as many as this machine has cores, 32 at most. More than
             the service's cores gain nothing
+        :raises InvalidRequest: threads is negative
         """
+        if threads is not None and threads < 0:
+            problem = Problem("out_of_range", "/threads", f"is {threads}, must be 0 (all cores) or more")
+            raise InvalidRequest(400, "not so many threads", [problem])
         named = [("no repair", None)] if plans is None else all_named_plans(plans)
         return Sweep(self._closure, every_valve(valves), named, self._at_once(threads), self._read)
 

@@ -47,18 +47,8 @@ LocalService::LocalService(const std::string& database, int threads)
       parsing_(cores(threads), kPatience),
       compute_(cores(threads), kPatience),
       reports_(cores(threads), kPatience),
-      service_{limits_,
-               store_,
-               board_,
-               known_,
-               parsing_,
-               compute_,
-               reports_,
-               farm_,
-               metrics_,
-               page_,
-               tokens_,
-               [] { return HttpLoad{}; }},
+      service_{limits_,  store_, board_,   known_, parsing_, compute_,
+               reports_, farm_,  metrics_, page_,  tokens_,  [] { return HttpLoad{}; }},
       routes_(routes_of(service_)) {
   taken(PlanStore::open(retention_.plans));
   taken(ClosureStore::open(retention_.studies));

@@ -38,11 +38,8 @@ LocalClosure close_locally(const LocalValve& valve, std::string_view plan) {
   closed.closure = close_valve(*closed.repaired);
   closed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   closed.measure = measure(*closed.repaired, closed.closure);
+  closed.warnings = warnings_of(operation_gates({closed.plan, *closed.valve, *closed.repaired}));
   return closed;
-}
-
-std::vector<std::string> warnings_of(const LocalClosure& closed) {
-  return warnings_of(operation_gates({closed.plan, *closed.valve, *closed.repaired}));
 }
 
 std::string document_of(const LocalClosure& closed) {

@@ -34,15 +34,13 @@ struct LocalClosure {
   RepairPlan plan{};
   ClosureResult closure{};
   ValveMeasure measure{};
-  double seconds = 0.0;  ///< of closing
+  double seconds = 0.0;                 ///< of closing
+  std::vector<std::string> warnings{};  ///< as in coapt.closure/1
 };
 
 /// Closes the valve, repaired if `plan` (a coapt.plan/1) is not empty, and measures it: the service's closure, to the bit.
 /// Throws Problems, whose paths begin with "/plan". From many threads at once.
 LocalClosure close_locally(const LocalValve& valve, std::string_view plan);
-
-/// As in coapt.closure/1.
-std::vector<std::string> warnings_of(const LocalClosure& closed);
 
 /// What the service answers of it (POST /v1/closures).
 std::string document_of(const LocalClosure& closed);

@@ -126,7 +126,7 @@ py::tuple told(const LocalClosure& closed) {
   const ClosureResult& closure = closed.closure;
   return py::make_tuple(closed.repaired->name, to_string(closure.status), closure.crossing,
                         known(closure.residual), closure.steps, closed.seconds,
-                        figures_of(closed.measure), py::tuple(py::cast(warnings_of(closed))));
+                        figures_of(closed.measure), py::tuple(py::cast(closed.warnings)));
 }
 
 void add_valves(py::module_& module) {

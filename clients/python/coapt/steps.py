@@ -1,0 +1,259 @@
+"""Steps of repair plans, each with its JSON in coapt.plan/1. Lengths are millimetres.
+
+What a valve allows (which chordae there are, how short a suture may be) is checked where the plan is used.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, Literal, TypeAlias
+
+from .errors import BadDocument
+from .files import did_you_mean
+
+Side = Literal["anterolateral", "posteromedial"]
+Anchor = Literal["ipsilateral_trigone", "saddle_peak", "annulus_point"]
+
+
+@dataclass(frozen=True)
+class LeafletPoint:
+    """A place on a leaflet. along: 0 at the anterolateral, 1 at the posteromedial commissure. height: 0 at the annulus, 1 at
+    the free edge."""
+
+    leaflet: Literal["anterior", "posterior"]
+    along: float
+    height: float = 1.0
+
+    def to_json(self) -> dict[str, Any]:
+        return {"leaflet": self.leaflet, "along": self.along, "height": self.height}
+
+
+@dataclass(frozen=True)
+class Ring:
+    """An annuloplasty ring of the catalogue (Client.rings()). size_mm: its label, the transverse width, 24 to 40 in steps of
+    2."""
+
+    shape: str
+    size_mm: float
+    step: ClassVar[str] = "annuloplasty"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"step": self.step, "shape": self.shape, "size_mm": self.size_mm}
+
+
+@dataclass(frozen=True)
+class DesignedRing:
+    """A ring of a shape of one's own: ring is the "ring" of a coapt.ring/1 document, size_mm its width, 24 to 40 in steps of 2."""
+
+    ring: Mapping[str, Any]
+    size_mm: float
+    step: ClassVar[str] = "annuloplasty"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"step": self.step, "shape": "designed", "ring": dict(self.ring), "size_mm": self.size_mm}
+
+
+@dataclass(frozen=True)
+class OwnRing:
+    """A ring of the valve's own shape, sizes_below (0 to 6) sizes of 2 mm transverse smaller."""
+
+    sizes_below: int
+    step: ClassVar[str] = "annuloplasty"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"step": self.step, "shape": "own", "sizes_below": self.sizes_below}
+
+
+@dataclass(frozen=True)
+class Neochorda:
+    """A new chorda of length_mm (5 to 40) from a papillary head, by its id in the valve, to a leaflet."""
+
+    head: str
+    insertion: LeafletPoint
+    length_mm: float
+    step: ClassVar[str] = "neochorda"
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "step": self.step,
+            "head": self.head,
+            "insertion": self.insertion.to_json(),
+            "length_mm": self.length_mm,
+        }
+
+
+@dataclass(frozen=True)
+class ChordalLengthChange:
+    """A chorda's trunk made longer by change_mm (-20 to 20); negative shortens."""
+
+    chorda: str
+    change_mm: float
+    step: ClassVar[str] = "chordal_length_change"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"step": self.step, "chorda": self.chorda, "change_mm": self.change_mm}
+
+
+@dataclass(frozen=True)
+class ChordalExcision:
+    """A chorda cut away."""
+
+    chorda: str
+    step: ClassVar[str] = "chordal_excision"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"step": self.step, "chorda": self.chorda}
+
+
+@dataclass(frozen=True)
+class ChordalTransfer:
+    """A chorda moved to another place of a leaflet."""
+
+    chorda: str
+    insertion: LeafletPoint
+    step: ClassVar[str] = "chordal_transfer"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"step": self.step, "chorda": self.chorda, "insertion": self.insertion.to_json()}
+
+
+@dataclass(frozen=True)
+class PapillaryApproximation:
+    """A suture that pulls the tip of a papillary muscle to within suture_length_mm (12 to 100) of an anchor on the annulus.
+
+    annulus_around, of anchor "annulus_point" alone: 0 posteromedial commissure, 0.25 saddle peak, 0.5 anterolateral
+    commissure, 0.75 mid-posterior.
+    """
+
+    side: Side
+    suture_length_mm: float
+    anchor: Anchor = "ipsilateral_trigone"
+    annulus_around: float | None = None
+    step: ClassVar[str] = "papillary_approximation"
+
+    def to_json(self) -> dict[str, Any]:
+        json: dict[str, Any] = {"step": self.step, "side": self.side, "anchor": self.anchor}
+        if self.annulus_around is not None:
+            json["annulus_around"] = self.annulus_around
+        return json | {"suture_length_mm": self.suture_length_mm}
+
+
+@dataclass(frozen=True)
+class EdgeToEdge:
+    """Opposite points of both free edges held together, width_mm (2 to 15) along them: by a stitch (Alfieri) or a clip."""
+
+    device: Literal["stitch", "clip"] = "clip"
+    along: float = 0.5
+    width_mm: float = 4.0
+    step: ClassVar[str] = "edge_to_edge"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"step": self.step, "device": self.device, "along": self.along, "width_mm": self.width_mm}
+
+
+@dataclass(frozen=True)
+class TriangularResection:
+    """A wedge of a leaflet cut out, width_mm (3 to 20) at the free edge, that share of the height (0.3 to 0.95) towards the
+    annulus."""
+
+    width_mm: float
+    along: float = 0.5
+    leaflet: Literal["anterior", "posterior"] = "posterior"
+    height: float = 0.7
+    step: ClassVar[str] = "leaflet_resection"
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "step": self.step,
+            "shape": "triangular",
+            "leaflet": self.leaflet,
+            "along": self.along,
+            "width_mm": self.width_mm,
+            "height": self.height,
+        }
+
+
+@dataclass(frozen=True)
+class QuadrangularResection:
+    """A strip of the posterior leaflet cut out, width_mm (3 to 30) from free edge to annulus. The rest slides over the
+    annulus, or without sliding the annulus is gathered."""
+
+    width_mm: float
+    along: float = 0.5
+    sliding: bool = True
+    step: ClassVar[str] = "leaflet_resection"
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "step": self.step,
+            "shape": "quadrangular",
+            "along": self.along,
+            "width_mm": self.width_mm,
+            "sliding": self.sliding,
+        }
+
+
+Step: TypeAlias = (
+    Ring
+    | OwnRing
+    | DesignedRing
+    | Neochorda
+    | ChordalLengthChange
+    | ChordalExcision
+    | ChordalTransfer
+    | PapillaryApproximation
+    | EdgeToEdge
+    | TriangularResection
+    | QuadrangularResection
+)
+_KINDS: dict[str, type[Step]] = {
+    Ring.step: Ring,
+    Neochorda.step: Neochorda,
+    ChordalLengthChange.step: ChordalLengthChange,
+    ChordalExcision.step: ChordalExcision,
+    ChordalTransfer.step: ChordalTransfer,
+    PapillaryApproximation.step: PapillaryApproximation,
+    EdgeToEdge.step: EdgeToEdge,
+    TriangularResection.step: TriangularResection,
+}
+_SHAPES: dict[str, dict[str, type[Step]]] = {
+    Ring.step: {"own": OwnRing, "designed": DesignedRing},
+    TriangularResection.step: {"triangular": TriangularResection, "quadrangular": QuadrangularResection},
+}
+
+
+def _made(kind: Any, json: Any) -> Any:
+    """A part from its fields. Their values are checked by the service.
+
+    :raises BadDocument: one is unknown or missing
+    """
+    if not isinstance(json, Mapping):
+        raise BadDocument(f"no step of coapt.plan/1: {kind.__name__} cannot be {json!r}")
+    needed = {one.name: one.default is dataclasses.MISSING for one in dataclasses.fields(kind)}
+    wrong = [f'has no field "{name}"{did_you_mean(name, needed)}' for name in json if name not in needed]
+    wrong += [f'needs "{name}"' for name in needed if needed[name] and name not in json]
+    if wrong:
+        raise BadDocument(f"no step of coapt.plan/1: {kind.__name__} {', '.join(wrong)}")
+    return kind(**json)
+
+
+def step_from_json(json: Mapping[str, Any]) -> Step:
+    """:raises BadDocument: it is no step of coapt.plan/1"""
+    fields = {name: value for name, value in json.items() if name != "step"}
+    name = json.get("step")
+    if not isinstance(name, str) or name not in _KINDS:
+        known = ", ".join(_KINDS)
+        raise BadDocument(
+            f'no step of coapt.plan/1: "step" is {name!r}, must be one of {known}{did_you_mean(str(name), _KINDS)}'
+        )
+    if "insertion" in fields:
+        fields["insertion"] = _made(LeafletPoint, fields["insertion"])
+    kind, shape = _KINDS[name], fields.get("shape")
+    if isinstance(shape, str) and shape in _SHAPES.get(name, {}):
+        kind = _SHAPES[name][fields.pop("shape")]
+    elif name == TriangularResection.step:
+        raise BadDocument(f'no step of coapt.plan/1: "shape" is {shape!r}, must be triangular or quadrangular')
+    step: Step = _made(kind, fields)
+    return step

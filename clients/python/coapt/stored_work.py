@@ -1,0 +1,115 @@
+"""Valves and plans that are kept by what answers."""
+
+from __future__ import annotations
+
+import urllib.parse
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from .asking import given
+from .closures import known_fields
+from .errors import NotFound, Problem
+from .files import Path
+from .imports import files_to_import, packed_folder
+from .short_work import ShortWork, repair_of
+from .sources import PlanSource, Valve, valve_document
+from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
+
+
+def path_of(folder: str, name: str) -> str:
+    return f"{folder}/{urllib.parse.quote(name, safe='')}"
+
+
+class StoredWork(ShortWork):
+    """Valves and plans that are kept, and the rings there are."""
+
+    def rings(self) -> list[RingShape]:
+        """Shapes that Ring() may name."""
+        return [RingShape(**known_fields(RingShape, ring)) for ring in self._get("/v1/rings")["rings"]]
+
+    def put_valve(self, valve: Valve) -> StoredValve:
+        """Stores a valve; the same valve has the same id."""
+        document = valve_document(valve)
+        stored = self._post("/v1/valves", document)
+        return StoredValve(stored["id"], document["name"], stored["vertices"], stored["triangles"], stored["chordae"])
+
+    def import_valve(
+        self,
+        leaflets: Iterable[Path] | Path,
+        annulus: Path | None,
+        chordae: Path | int,
+        *,
+        tips: Path | None = None,
+        name: str = "imported",
+        **options: Any,
+    ) -> StoredValve:
+        """Makes a valve of the files of a segmentation tool, in one unit, and stores it.
+
+        :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior leaflet, or one skirt; or the path of a label map
+            of both (NRRD or NIfTI)
+        :param annulus: CSV of x,y,z, or a closed curve of Slicer (.mrk.json); None: that of the label map, else found at the
+            leaflets
+        :param chordae: CSV or JSON; or a seed: they were not seen, and are drawn from anatomy
+        :param tips: of drawn chordae: papillary tips that were seen, CSV of papillary,x,y,z or labelled points of
+            Slicer; left out, they are drawn, too
+        :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
+            "cm" or "m"; left out, they are guessed from the annulus), closed (True or False: the leaflets were imaged
+            closed or open; left out, that is guessed), hidden_mm (of closed leaflets, what coaptation hides), label_numbers
+            (of a label map: a mapping of "anterior", "posterior" and "annulus" to numbers), frame ("LPS" or "RAS")
+        :raises Refused: what is wrong with which file
+        """
+        return self._imported(files_to_import(leaflets, annulus, chordae, tips), name, options)
+
+    def import_slicerheart(self, folder: Path, *, name: str = "imported", **options: Any) -> StoredValve:
+        """The same of a folder that SlicerHeart's ValveFemExport or `coapt export` wrote."""
+        return self._imported({"slicerheart": packed_folder(folder)}, name, options)
+
+    def _imported(self, files: dict[str, Any], name: str, options: dict[str, Any]) -> StoredValve:
+        stored = self._post("/v1/valves:import", files | options | {"name": name})
+        decisions = tuple(ImportDecision(**decision) for decision in stored["decisions"])
+        return StoredValve(stored["id"], name, stored["vertices"], stored["triangles"], stored["chordae"], decisions)
+
+    def valves(self) -> Iterator[StoredValve]:
+        """Stored valves, newest first: those of put_valve() and those that jobs were asked for with."""
+        for one in self._listed("/v1/valves", "valves"):
+            yield StoredValve(one["valve"], one["name"], one["vertices"], one["triangles"])
+
+    def get_valve(self, name: str) -> dict[str, Any]:
+        """The coapt.valve/1 of a preset or a stored valve: millimetres; x posteromedial, y anterior, z to the atrium."""
+        try:
+            valve: dict[str, Any] = self._get(path_of("/v1/valves", name))
+        except NotFound as error:
+            raise self._with_preset(error, name) from None
+        return valve
+
+    def delete_valve(self, id: str) -> None:
+        """:raises Conflict: jobs or kept plans refer to it; delete these first"""
+        self._transport.request("DELETE", path_of("/v1/valves", id))
+
+    def validate_valve(self, valve: Valve) -> tuple[Problem, ...]:
+        """Every problem of what is to be a valve; empty: it is one. Nothing is stored."""
+        return tuple(map(Problem.from_json, self._post("/v1/valves:validate", valve_document(valve))["problems"]))
+
+    def keep_plan(self, valve: Valve, plan: PlanSource, name: str) -> KeptPlan:
+        """Keeps a plan that is possible on the valve, which is stored if it is a document; the page lists it, too.
+
+        :param name: one line, at most 200 bytes
+        :raises Conflict: there are as many as the service keeps
+        """
+        source = valve_document(valve)
+        of = source if isinstance(source, str) else self.put_valve(source).id
+        return KeptPlan.from_json(self._ask("/v1/kept-plans", of, repair_of(plan, name=name)).json())
+
+    def kept_plans(self, valve: str | StoredValve | None = None) -> Iterator[KeptPlan]:
+        """Kept plans, newest first; only those of a valve, by the id or preset's name that they were kept for."""
+        query = given(valve=None if valve is None else valve_document(valve))
+        yield from map(KeptPlan.from_json, self._listed("/v1/kept-plans", "kept_plans", query))
+
+    def rename_kept_plan(self, id: str, name: str) -> KeptPlan:
+        """:raises NotFound: there is none of this id"""
+        answer = self._transport.request("PATCH", path_of("/v1/kept-plans", id), {"name": name})
+        return KeptPlan.from_json(answer.json())
+
+    def delete_kept_plan(self, id: str) -> None:
+        """:raises NotFound: there is none of this id"""
+        self._transport.request("DELETE", path_of("/v1/kept-plans", id))
