@@ -2,7 +2,7 @@
 BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
-SOURCES := $(shell find core search io farm server clients/cli clients/engine clients/live clients/python lab tests -name "*.h" -o -name "*.cpp" -o -name "*.inl")
+SOURCES := $(shell find core search io farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 PYTHON := $(shell find clients/python cmake docs examples lab tests -name "*.py")
 BLACK := black --line-length 120
@@ -106,8 +106,9 @@ web-pictures: programs web  ## the page's pictures in docs/images, and its times
 	node $(WEB)/test/page/pictures.mjs docs/images
 	node $(WEB)/test/page/times.mjs
 
-deb: web static  ## Debian packages of the last commit, with their source, in build/deb
+deb: wasm static  ## Debian packages of the last commit, with their source, in build/deb
 	@cmake/install_packages.sh build docs deb
+	$(MAKE) web
 	cmake/make_debs.sh
 
 DATABASES :=
@@ -251,7 +252,7 @@ fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each throug
 	build/fuzz/bin/fuzz_image -runs=100000 -seed=1 build/fuzz/corpus/image
 	TMPDIR=/dev/shm build/fuzz/bin/fuzz_endpoints $(FUZZ) build/fuzz/corpus/endpoints
 
-.PHONY: wheel tarball sbom archives-test reproducible clang arm64 workflow-check
+.PHONY: wheel tarball sbom archives-test container-test reproducible clang arm64 workflow-check
 PACK := cmake/packaging/source_date.sh
 ARM64_TESTS := golden_test closure_test metrics_test presets_test repair_test validate_test refine_test remodel_test leaflet_coordinates_test opened_test live_test search_test
 
@@ -273,13 +274,17 @@ tarball: configure wasm static  ## the programs, the page and their libraries, f
 	@$(MAKE) --no-print-directory sbom
 
 sbom:  ## bills of materials (SPDX 2.3) beside the wheel, the tarball and the Debian packages that are there
-	@for artefact in build/wheel/*.whl build/tarball/*.tar.gz build/deb/*.deb; do [ ! -e $$artefact ] || echo $$artefact; done \
-	  | xargs --no-run-if-empty $(PACK) cmake/packaging/make_sbom.py | xargs --no-run-if-empty cmake/packaging/check_sbom.py
+	@list=$$(for artefact in build/wheel/*.whl build/tarball/*.tar.gz build/deb/*.deb; do [ ! -e $$artefact ] || echo $$artefact; done) && \
+	  { [ -z "$$list" ] || { bills=$$($(PACK) cmake/packaging/make_sbom.py $$list) && cmake/packaging/check_sbom.py $$bills; }; }
 
 archives-test:  ## the wheel and the tarball in a bare Debian 12, the tarball in Debian 13, too (needs root)
 	@cmake/install_packages.sh bare
 	tests/packages/check_wheel.sh build/wheel/*.whl
 	tests/packages/check_tarball.sh build/tarball/*.tar.gz
+
+container-test:  ## the service of build/deb in a container, built by buildah from examples/deploy/Containerfile (needs root)
+	@cmake/install_packages.sh container
+	tests/packages/check_container.sh build/deb
 
 reproducible:  ## wheel and tarball of the last commit, built twice in different folders, have the same bytes
 	@cmake/install_packages.sh build wheel tarball docs wasm

@@ -2,6 +2,10 @@
 // NEON/PacketMath.h and NEON/GeneralBlockPanelKernel.h. Read before Eigen, this makes two roundings of them, as on x86-64.
 #pragma once
 
+#ifdef EIGEN_CORE_H
+#error "Eigen was read before"
+#endif
+
 #include <arm_neon.h>
 
 #undef __ARM_FEATURE_FMA

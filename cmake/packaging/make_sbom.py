@@ -45,11 +45,17 @@ def parts_of(content):
     names = {pathlib.PurePath(name).name for name in content}
     parts = set()
     if names & {"coapt", "coapt-server", "coapt-farm", "coapt-live"}:
-        parts |= {"engine", "programs"}
+        parts |= {"engine", "documents", "programs"}
+    if "coapt-live" in names:
+        parts.add("live")
     if any(name.startswith("_engine.cpython") for name in names):
-        parts |= {"engine", "python"}
-    if any(name.startswith(("libcoapt.", "coapt-engine.wasm")) for name in names):
+        parts |= {"engine", "documents", "python"}
+    if any(name.startswith("libcoapt.") for name in names):
         parts.add("engine")
+    if "coapt-engine.wasm" in names:
+        parts |= {"engine", "documents", "wasm"}
+    if any("/_static/furo" in name or "/_static/styles/furo" in name for name in content):
+        parts.add("site")
     return parts
 
 

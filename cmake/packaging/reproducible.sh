@@ -8,12 +8,9 @@ cd "$(dirname "$0")/../.."
 place=build/reproducible
 rm -rf "$place"
 one=$place/one two=$place/a/longer/path/two
-for clone in "$one" "$two"; do
-  mkdir -p "$(dirname "$clone")"
-  git clone --quiet . "$clone"
-done
-(umask 022 && TZ=UTC LC_ALL=C CMAKE_BUILD_PARALLEL_LEVEL=$(nproc) make -C "$one" "$@")
-(umask 077 && TZ=Asia/Tokyo LC_ALL=C.UTF-8 CMAKE_BUILD_PARALLEL_LEVEL=1 make -C "$two" "$@")
+mkdir -p "$(dirname "$two")"
+(umask 022 && git clone --quiet . "$one" && TZ=UTC LC_ALL=C CMAKE_BUILD_PARALLEL_LEVEL=$(nproc) make -C "$one" "$@")
+(umask 077 && git clone --quiet . "$two" && TZ=Asia/Tokyo LC_ALL=C.UTF-8 CMAKE_BUILD_PARALLEL_LEVEL=1 make -C "$two" "$@")
 
 differ=0 compared=0
 for artefact in "$one"/build/{wheel/*.whl,tarball/*.tar.gz}*; do
@@ -22,6 +19,7 @@ for artefact in "$one"/build/{wheel/*.whl,tarball/*.tar.gz}*; do
   compared=$((compared + 1))
   cmp "$artefact" "$other" || { differ=1; ! command -v diffoscope >/dev/null || diffoscope "$artefact" "$other" || true; }
 done
-[[ $compared -gt 0 ]] || { echo "reproducible.sh: nothing to compare" >&2; exit 1; }
+# Each target leaves an artefact and its bill of materials.
+[[ $compared -eq $((2 * $#)) ]] || { echo "reproducible.sh: $compared files to compare, not two of each target" >&2; exit 1; }
 echo "$compared files compared"
 exit "$differ"

@@ -35,13 +35,22 @@ SPDX_LICENSES = {
     "postgresql": "PostgreSQL",
     "zlib": "Zlib",
 }
-# Headers and static archives whose code is in our binaries; what is linked dynamically has a file of its own.
+# Headers and static archives whose code is in our binaries, and scripts of the site; what is linked dynamically has a file of its own.
 COMPILED_IN = {
     "libeigen3-dev": "engine",
-    "nlohmann-json3-dev": "engine",
+    "nlohmann-json3-dev": "documents",
     "pybind11-dev": "python",
     "libcli11-dev": "programs",
-    "libboost-dev": "programs",
+    "libboost-dev": "live",
+    "libc++-19-dev-wasm32": "wasm",
+    "libc++abi-19-dev-wasm32": "wasm",
+    "libclang-rt-19-dev-wasm32": "wasm",
+    "wasi-libc": "wasm",
+    "furo": "site",
+    "sphinx-common": "site",
+    "python3-sphinx-copybutton": "site",
+    "libjs-jquery": "site",
+    "libjs-underscore": "site",
 }
 LIBRARY_TABLE = "libraries.tsv"  # bundle_libraries.py
 
@@ -90,7 +99,7 @@ def debian_license(package):
     if not path.exists():
         return "NOASSERTION"
     for paragraph in path.read_text(encoding="utf-8", errors="replace").split("\n\n"):
-        if re.search(r"^Files: *\*\s*$", paragraph, re.MULTILINE):
+        if re.search(r"^Files:\s*\*\s*$", paragraph, re.MULTILINE):
             named = re.search(r"^License: *(\S+)\s*$", paragraph, re.MULTILINE)
             return SPDX_LICENSES.get(named[1].lower(), "NOASSERTION") if named else "NOASSERTION"
     return "NOASSERTION"
@@ -121,11 +130,11 @@ def bundled_components(content):
 
 
 def compiled_components(parts):
-    """:param parts: "engine", "programs", "python": which of ours are in the artefact"""
+    """:param parts: of COMPILED_IN, which of ours are in the artefact"""
     found = []
     for package, part in COMPILED_IN.items():
         if part in parts and (known := installed(package)):
-            found.append(debian_component(package, *known, "STATIC_LINK"))
+            found.append(debian_component(package, *known, "CONTAINS" if part == "site" else "STATIC_LINK"))
     return found
 
 

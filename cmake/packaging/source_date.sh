@@ -3,7 +3,8 @@
 # and time zone: what is packed has the same bytes wherever and whenever it is packed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-export SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}"
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}
+export SOURCE_DATE_EPOCH
 export LC_ALL=C.UTF-8 TZ=UTC PYTHONDONTWRITEBYTECODE=1
 umask 022
 exec "$@"

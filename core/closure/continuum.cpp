@@ -99,7 +99,7 @@ SheetLaw sheet_law(const Tissue& tissue) {
   const double post1 = kMpaPerKpa * tissue.circumferential_post_kpa;
   const double post2 = kMpaPerKpa * tissue.radial_post_kpa;
   constexpr double kPlane = 1.0 / (1.0 - kMatrixPoisson * kMatrixPoisson);
-  const auto at_45_degrees = [](double a, double b) { return std::hypot(a, b) / kSqrt2; };
+  const auto at_45_degrees = [](double a, double b) { return Vec2(a, b).norm() / kSqrt2; };
   SheetLaw law;
   law.along_mpa = kPlane * pre1;
   law.across_mpa = kPlane * pre2;

@@ -7,8 +7,6 @@
 
 namespace coapt {
 
-using Vec2 = Eigen::Vector2d;
-
 /// Right-handed axes on the annulus's plane of best fit (principal components of its vertices).
 /// They follow the valve when it is moved or turned: `x` runs from the anterolateral to the
 /// posteromedial commissure, `y` is anterior, `normal` points to the atrium, from where the loop

@@ -31,7 +31,7 @@ AreaPrecision precision_of(const Valve& valve, const ClosureResult& closure) {
 }
 
 double area_error_mm2(double area_mm2, const AreaPrecision& precision) {
-  return std::hypot(mesh_error_mm2(area_mm2, precision.triangles), stopping_error_mm2(precision));
+  return Vec2(mesh_error_mm2(area_mm2, precision.triangles), stopping_error_mm2(precision)).norm();
 }
 
 }  // namespace coapt

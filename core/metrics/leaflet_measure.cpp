@@ -59,7 +59,7 @@ std::array<double, 2> principal_stretches(const std::array<Vec3, 3>& rest_mm,
   const Eigen::Matrix<double, 3, 2> gradient = closed * rest.inverse();
   const Eigen::Matrix2d c = gradient.transpose() * gradient;
   const double mean = 0.5 * c.trace();
-  const double apart = std::hypot(0.5 * (c(0, 0) - c(1, 1)), c(0, 1));
+  const double apart = Vec2(0.5 * (c(0, 0) - c(1, 1)), c(0, 1)).norm();
   return {std::sqrt(mean + apart), std::sqrt(std::max(0.0, mean - apart))};
 }
 

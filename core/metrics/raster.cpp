@@ -8,8 +8,6 @@
 namespace coapt {
 namespace {
 
-using Vec2 = Eigen::Vector2d;
-
 /// First row or column whose centre is at `edge_px` or beyond, in [0, count]; 0 for NaN.
 int first_centre(double edge_px, int count) {
   const double position = edge_px - 0.5;

@@ -179,7 +179,7 @@ double strip_mm2(const Gap& gap, const Radii& above, double thickness_mm) {
     const double outside = above[static_cast<std::size_t>(bin % kBins)];
     swept_mm2 += 0.5 * kBin * std::max(0.0, outside * outside - radius * radius);
   }
-  return (1.0 - thickness_mm / length_mm) * std::hypot(swept_mm2, kPlane_mm * length_mm);
+  return (1.0 - thickness_mm / length_mm) * Vec2(swept_mm2, kPlane_mm * length_mm).norm();
 }
 
 /// Where the smallest surface ends at the leaflets: its plane's lines, and between them the free edges above it.

@@ -73,7 +73,6 @@ bool LeafletCut::takes(double tissue_along, double height) const {
 
 double LeafletCut::across_seam(const std::array<double, 2>& from,
                                const std::array<double, 2>& to) const {
-  using Vec2 = Eigen::Vector2d;
   const auto flat = [&](double along, double height) {
     return Vec2((along - step_.along) * row_mm(height), height * height_mm_);
   };

@@ -10,8 +10,6 @@
 namespace coapt {
 namespace {
 
-using Vec2 = Eigen::Vector2d;
-
 /// Weights of the point of triangle (a, b, c) nearest to the origin, in the plane.
 std::array<double, 3> nearest_weights(const Vec2& a, const Vec2& b, const Vec2& c) {
   const auto cross = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); };

@@ -11,8 +11,6 @@
 namespace coapt {
 namespace {
 
-using Vec2 = Eigen::Vector2d;
-
 constexpr double kSpeck_mm = 0.3;  // shorter chains are crumbs of the segmentation
 
 struct Chain {

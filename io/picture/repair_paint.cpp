@@ -9,8 +9,6 @@
 namespace coapt {
 namespace {
 
-using Vec2 = Eigen::Vector2d;
-
 constexpr double kRingThickness_mm = 2.2;  // about that of a cloth-covered ring
 constexpr double kTipRadius = 6.0;
 

@@ -21,7 +21,7 @@ constexpr double kDiscrepancy = 3.5;
 
 /// Distances beyond kOutlier_mm count as little more than that (a point of another structure).
 double capped(double distance_mm) {
-  return distance_mm / std::hypot(1.0, distance_mm / kOutlier_mm);
+  return distance_mm / Vec2(1.0, distance_mm / kOutlier_mm).norm();
 }
 
 }  // namespace

@@ -40,6 +40,10 @@ within() {
     DEBIAN_FRONTEND=noninteractive "$@"
 }
 
+apt_install() {
+  within apt-get install -qq -y --no-install-recommends -o Dpkg::Use-Pty=0 "$@" >"$root/tmp/apt.log" 2>&1 || { cat "$root/tmp/apt.log"; return 1; }
+}
+
 megabytes() { du --summarize --one-file-system --block-size=1M "$root" | cut -f 1; }
 
 # seconds SINCE UNTIL, both of EPOCHREALTIME

@@ -20,7 +20,6 @@ shift
 databases=()
 for file in "$@"; do databases+=("$(realpath "$file")"); done
 
-apt_install() { within apt-get install -qq -y --no-install-recommends -o Dpkg::Use-Pty=0 "$@" >"$root/tmp/apt.log" 2>&1 || { cat "$root/tmp/apt.log"; return 1; }; }
 # shellcheck disable=SC2016  # expanded there
 has_none_of() { within sh -c 'for program; do ! command -v "$program" || exit 1; done' sh "$@"; }
 # paths PACKAGE: where its file lies in that Debian; of all without an argument.
@@ -56,17 +55,17 @@ run_tests() {
   local line name='' depends
   mkdir -p "$root/tests"
   cp -r "$source/debian/tests/." "$root/tests/"
-  while read -r line; do
+  while read -r -u 3 line; do
     case $line in
       Tests:*) name=${line#Tests: } ;;
       Depends:*)
         IFS=', ' read -ra depends <<<"${line#Depends: }"
         say "test $name"
         apt_install "${depends[@]}"
-        within sh -ec "folder=\$(mktemp -d) && AUTOPKGTEST_TMP=\$folder /tests/$name" || fail "the test $name"
+        within sh -ec "folder=\$(mktemp -d) && AUTOPKGTEST_TMP=\$folder /tests/$name" </dev/null || fail "the test $name"
         ;;
     esac
-  done <"$root/tests/control"
+  done 3<"$root/tests/control"
 }
 
 # serve COMMAND...: with the service on the database of the package, as its unit would start it.

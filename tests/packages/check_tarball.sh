@@ -33,14 +33,15 @@ check() {
 # The service of the folder is asked for its page, without a tool that a bare Debian has not.
 serve() {
   local server answer
-  within "$1/bin/coapt-server" --port 8091 --db /tmp/jobs.sqlite 2>"$root/tmp/messages" &
+  # Without the shell of within, so that what is ended is the service.
+  chroot "$root" /usr/bin/env -i LANG=C.UTF-8 "$1/bin/coapt-server" --port 8091 --db /tmp/jobs.sqlite 2>"$root/tmp/messages" &
   server=$!
   for _ in {1..150}; do
     answer=$({ exec 3<>/dev/tcp/127.0.0.1/8091 && printf 'GET / HTTP/1.1\r\nHost: 127.0.0.1:8091\r\n\r\n' >&3 && cat <&3; } 2>/dev/null) && break
     sleep 0.2
   done
   kill "$server"
-  wait "$server" || true
+  wait "$server" || fail "the service ends with status $?"
   [[ $answer == *"<title>"* ]] || { cat "$root/tmp/messages"; fail "the service has no page"; }
   echo "the service hands out its page"
 }
@@ -49,6 +50,6 @@ for suite in "$@"; do
   say "$suite"
   (check "$suite")
   finish
-  mkdir -p "$root"
+  root=$(mktemp -d /var/tmp/coapt-bare-XXXXXX)
 done
 say "passed"

@@ -7,7 +7,6 @@ set -euo pipefail
 source "$(dirname "$0")/bare_debian.sh"
 
 wheel=$(realpath "$1")
-apt_install() { within apt-get install -qq -y --no-install-recommends -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-unsafe-io "$@" >"$root/tmp/apt.log" 2>&1 || { cat "$root/tmp/apt.log"; return 1; }; }
 
 make_bare bookworm
 within apt-get update -qq

@@ -20,7 +20,7 @@ from coapt import (
     Ring,
     TriangularResection,
 )
-from coapt.steps import step_from_json
+from coapt.step_documents import step_from_json
 from programs import SOURCE, ProgramTest
 
 SHAPE = {
@@ -91,6 +91,8 @@ class Plans(ProgramTest):
             ({"step": "annuloplasty", "shape": "own"}, 'OwnRing needs "sizes_below"'),
             ({"step": "annuloplasty"}, 'Ring needs "shape", needs "size_mm"'),
             (neochorda | {"insertion": 0.5}, "LeafletPoint cannot be 0.5"),
+            (7, "7 is no object"),
+            (None, "None is no object"),
             ({"step": ["annuloplasty"]}, '"step" is \\[.annuloplasty.\\], must be one of'),
             ({"step": "leaflet_resection", "shape": []}, '"shape" is \\[\\], must be triangular or quadrangular'),
         ):

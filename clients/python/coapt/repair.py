@@ -15,7 +15,8 @@ from typing import Any
 
 from .errors import BadDocument
 from .files import Path, read_plan_entries
-from .steps import Step, step_from_json
+from .step_documents import step_from_json
+from .steps import Step
 
 
 class Plan:
@@ -66,7 +67,7 @@ class Plan:
         return isinstance(other, Plan) and self.steps == other.steps
 
     def __hash__(self) -> int:
-        return hash(self.steps)
+        return hash(json.dumps(self.to_json(), sort_keys=True))
 
     def __repr__(self) -> str:
         return f"Plan({', '.join(map(repr, self.steps))})"

@@ -89,13 +89,13 @@ class ShortWork(Asking):
         what was taken. Leaving the loop ends it.
 
         :param plans: read at once; None: the valves as they are
-        :param threads: closures asked for at once; by default as many as this machine has cores, 32 at most. More than
+        :param threads: closures asked for at once; by default and with 0 as many as this machine has cores, 32 at most. More than
             the service's cores gain nothing
         :raises InvalidRequest: threads is negative
         """
         if threads is not None and threads < 0:
             problem = Problem("out_of_range", "/threads", f"is {threads}, must be 0 (all cores) or more")
-            raise InvalidRequest(400, "not so many threads", [problem])
+            raise InvalidRequest(400, "number of threads out of range", [problem])
         named = [("no repair", None)] if plans is None else all_named_plans(plans)
         return Sweep(self._closure, every_valve(valves), named, self._at_once(threads), self._read)
 

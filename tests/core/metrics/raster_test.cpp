@@ -8,7 +8,6 @@
 namespace coapt {
 namespace {
 
-using Vec2 = Eigen::Vector2d;
 
 Mask full_mask(int width, int height) {
   return {width, height, std::vector<std::uint8_t>(width * height, 1)};
