@@ -8,7 +8,6 @@
 namespace coapt {
 namespace {
 
-
 Mask full_mask(int width, int height) {
   return {width, height, std::vector<std::uint8_t>(width * height, 1)};
 }
