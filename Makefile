@@ -16,7 +16,7 @@ STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -t
 ENGINE := build/wasm/bin/coapt-engine.wasm
 ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check check-packages check-release check-sanitizer-build test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check openapi-check readers-check golden asan asan-build fuzz clean
+.PHONY: help demo serve farm deb deb-test check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check openapi-check readers-check golden asan asan-build asan-build-aside fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -39,15 +39,10 @@ check: check-packages  ## what a change must pass, as .ci/run does: every check 
 	$(MAKE) format-check lint includes-check docs-check openapi-check workflow-check
 	cmake --preset release -DCOAPT_LAB=ON
 	$(MAKE) build
-	$(MAKE) --jobs=2 --output-sync=target check-release check-sanitizer-build
+	$(MAKE) sources-check readers-check
+	$(MAKE) web-test static-test
+	$(MAKE) --jobs=2 --output-sync=target test asan-build-aside
 	$(MAKE) asan
-
-# Browsers and services leave cores idle, which the sanitizer build takes.
-check-release:
-	$(MAKE) --jobs=1 sources-check readers-check web-test static-test test
-
-check-sanitizer-build:
-	nice -n 15 $(MAKE) --jobs=1 asan-build
 
 # At once, because steps that run side by side cannot each call apt-get.
 check-packages:
@@ -234,6 +229,10 @@ golden:  ## the same bits of closures and a search by g++ and clang++, each at -
 
 asan: asan-build  ## build and test with the address and undefined-behaviour sanitizers, but the long tests
 	ctest --preset asan $(CTEST) --label-exclude long
+
+# Services leave cores idle while they are tested; the page's tests fail where a build takes the cores.
+asan-build-aside:
+	nice -n 15 $(MAKE) asan-build
 
 asan-build:
 	@cmake/install_packages.sh build test
