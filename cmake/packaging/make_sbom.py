@@ -54,7 +54,7 @@ def parts_of(content):
         parts.add("engine")
     if "coapt-engine.wasm" in names:
         parts |= {"engine", "documents", "wasm"}
-    if any("/_static/furo" in name or "/_static/styles/furo" in name for name in content):
+    if "furo.css" in names:
         parts.add("site")
     return parts
 

@@ -14,7 +14,7 @@
 namespace coapt {
 
 using Index = std::ptrdiff_t;  ///< of rows and elements; signed, as std::ssize and Eigen's
-using Vec2 = Eigen::Vector2d;  // its norm() has the same bits everywhere; std::hypot has not
+using Vec2 = Eigen::Vector2d;  ///< its norm() has the same bits everywhere; std::hypot has not
 using Vec3 = Eigen::Vector3d;
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< n x 3
 using Faces = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;      ///< n x 3

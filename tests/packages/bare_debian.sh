@@ -7,7 +7,8 @@
 say() { printf '\n== %s\n' "$*"; }
 fail() { echo "${0##*/}: $*" >&2; exit 1; }
 
-root=$(mktemp -d /var/tmp/coapt-bare-XXXXXX)
+new_root() { root=$(mktemp -d /var/tmp/coapt-bare-XXXXXX); }
+new_root
 # What is mounted in there is this machine's: unmounted first, and never reached by rm, whoever was killed on the way.
 finish() {
   local mounted

@@ -50,6 +50,6 @@ for suite in "$@"; do
   say "$suite"
   (check "$suite")
   finish
-  root=$(mktemp -d /var/tmp/coapt-bare-XXXXXX)
+  new_root
 done
 say "passed"

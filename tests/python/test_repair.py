@@ -99,6 +99,14 @@ class Plans(ProgramTest):
             with self.assertRaisesRegex(BadDocument, said):
                 step_from_json(step)
 
+    def test_equal_plans_have_one_hash(self):
+        for one, other in (
+            (Ring("generic-flat", 32), Ring("generic-flat", 32.0)),
+            (DesignedRing(SHAPE, 32), DesignedRing(dict(SHAPE), 32.0)),
+        ):
+            self.assertEqual(Plan(one), Plan(other))
+            self.assertEqual(hash(Plan(one)), hash(Plan(other)))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -67,7 +67,7 @@ class Plan:
         return isinstance(other, Plan) and self.steps == other.steps
 
     def __hash__(self) -> int:
-        return hash(json.dumps(self.to_json(), sort_keys=True))
+        return hash(self.steps)
 
     def __repr__(self) -> str:
         return f"Plan({', '.join(map(repr, self.steps))})"

@@ -6,7 +6,7 @@ What a valve allows (which chordae there are, how short a suture may be) is chec
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal, TypeAlias
 
 Side = Literal["anterolateral", "posteromedial"]
@@ -43,7 +43,7 @@ class Ring:
 class DesignedRing:
     """A ring of a shape of one's own: ring is the "ring" of a coapt.ring/1 document, size_mm its width, 24 to 40 in steps of 2."""
 
-    ring: Mapping[str, Any]
+    ring: Mapping[str, Any] = field(hash=False)
     size_mm: float
     step: ClassVar[str] = "annuloplasty"
 
