@@ -46,7 +46,7 @@ check: check-packages  ## what a change must pass, as .ci/run does: every check 
 
 # At once, because steps that run side by side cannot each call apt-get.
 check-packages:
-	@cmake/install_packages.sh build docs test cluster proxy lab readers browser wasm format lint
+	@cmake/install_packages.sh build docs test cluster proxy lab readers browser wasm format lint clang sanitizers
 	@command -v npm >/dev/null || cmake/install_packages.sh npm
 
 test: test-packages build  ## build and run the product's tests; in a build with the laboratory its tests, too
@@ -180,7 +180,7 @@ lint: $(WEB)/node_modules  ## what biome finds in TypeScript and flake8 in Pytho
 	@flake8 --extend-ignore=E203,E501,W503 $(PYTHON)
 
 includes-check:  ## fail if an include goes against the arrows of ARCHITECTURE.md
-	cmake/check_includes.sh
+	cmake/check_includes.py
 
 sources-check:  ## fail if a source that has changed, or includes what has, forgets an include; SINCE=commit says since when
 	@cmake/install_packages.sh build lab
@@ -224,7 +224,7 @@ build/%-check/node_modules: tests/%/package-lock.json
 	@touch $@
 
 golden:  ## the same bits of closures and a search by g++ and clang++, each at -O1 and -O3
-	@cmake/install_packages.sh build fuzz
+	@cmake/install_packages.sh build clang
 	cmake/golden.sh
 
 asan: asan-build  ## build and test with the address and undefined-behaviour sanitizers, but the long tests
@@ -235,12 +235,12 @@ asan-build-aside:
 	nice -n 15 $(MAKE) asan-build
 
 asan-build:
-	@cmake/install_packages.sh build test
+	@cmake/install_packages.sh build test clang sanitizers
 	cmake --preset asan
 	cmake --build --preset asan
 
 fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each through readers and endpoints, under the sanitizers
-	@cmake/install_packages.sh build fuzz
+	@cmake/install_packages.sh build clang sanitizers
 	cmake --preset fuzz
 	cmake --build --preset fuzz --target fuzz_read_valve fuzz_read_plan fuzz_mesh fuzz_image fuzz_endpoints fuzz_seeds
 	build/fuzz/bin/fuzz_seeds build/fuzz/corpus

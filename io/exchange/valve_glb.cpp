@@ -272,8 +272,8 @@ std::string scene(const ClosedValve& exported, const ValveShape& shape,
     document["nodes"].push_back({{"name", mesh.name}, {"mesh", index}});
   }
   if (target_count > 0)
-    document["animations"] = {
-        closing(target_count, static_cast<int>(document["meshes"].size()), buffer)};
+    document["animations"] = ordered_json::array(
+        {closing(target_count, static_cast<int>(document["meshes"].size()), buffer)});
   return buffer.file(std::move(document));
 }
 

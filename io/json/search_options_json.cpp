@@ -20,7 +20,7 @@ template <class Options>
 JsonField option_field(const OptionRow<Options>& row, Options& options) {
   return std::visit(
       [&]<class Value>(Value Options::*member) -> JsonField {
-        const auto read = [&row](const JsonPlace& place) -> Value {
+        const auto read = [&](const JsonPlace& place) -> Value {
           if constexpr (std::is_same_v<Value, bool>) {
             return read_boolean(place);
           } else if constexpr (std::is_same_v<Value, double>) {

@@ -131,7 +131,6 @@ std::vector<OrificeSample> OrificeTable::at(std::span<const Configuration> confi
 void OrificeTable::close(const std::vector<ConfigurationKey>& keys, Start start, Share of_batch) {
   std::vector<Closed> closed(keys.size());
   std::mutex mutex;
-  auto [done, planned] = of_batch;
   // A closure that cannot be kept ends the batch, by its exception.
   std::atomic<bool> failed = false;
   for_each_index(static_cast<int>(keys.size()), options_.threads, [&](int i) {
@@ -144,7 +143,7 @@ void OrificeTable::close(const std::vector<ConfigurationKey>& keys, Start start,
       failed = true;
       throw;
     }
-    if (options_.progress) options_.progress(++done, planned);
+    if (options_.progress) options_.progress(++of_batch.done, of_batch.planned);
   });
   for (std::size_t i = 0; i < keys.size(); ++i) {
     known_.try_emplace(keys[i], Entry{closed[i].sample});

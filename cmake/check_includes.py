@@ -1,10 +1,19 @@
-#!/bin/bash
-# check_includes.sh [ROOT]: fails if an #include goes against the arrows of ARCHITECTURE.md.
-set -euo pipefail
-cd "${1:-$(dirname "$0")/..}"
+#!/usr/bin/env python3
+"""check_includes.py [ROOT]: fails if an #include goes against the arrows of ARCHITECTURE.md."""
+import os
+import re
+import sys
+from pathlib import Path
+
+
+def rows(table):
+    """The table's rows: what stands before the colon, and the words after it."""
+    return [(name.strip(), words.split()) for name, words in (line.split(":") for line in table.strip().splitlines())]
+
 
 # Folder, then the folders whose headers it may include besides its own. A slash at the end: files right in that folder.
-readonly arrows='
+ARROWS = rows(
+    """
 core/valve       :
 core/repair      : core/valve
 core/closure     : core/valve
@@ -51,9 +60,11 @@ lab/preference   : core search
 lab/charts       : core search io lab/closures
 lab/farm         : core/valve io/command_line farm/database farm/work clients/cli
 lab/cli          : core search io clients/cli lab
-'
+"""
+)
 # Pattern of what only one folder may include, then that folder.
-readonly reserved='
+RESERVED = rows(
+    """
 nlopt           : search lab/rivals
 clipper[.]hpp   : core/metrics
 cairo           : io/picture
@@ -68,76 +79,59 @@ boost/          : clients/live
 pybind11/       : clients/python
 pagmo/          : lab/rivals
 dlib/           : lab/rivals
-'
+"""
+)
 # core and the comparators are pure: no threads, clock, randomness, files or streams.
-readonly impure='^(thread|mutex|atomic|future|condition_variable|chrono|ctime|time[.]h|random|filesystem|fstream|iostream|omp[.]h)$'
+PURE = ("core", "lab/comparators")
+IMPURE = (
+    r"thread|mutex|atomic|future|condition_variable|chrono|ctime|time[.]h|random|filesystem|fstream|iostream|omp[.]h"
+)
+ROOMS = ("core", "search", "io", "farm", "server", "clients", "lab")
 
-# within FILE FOLDER...: whether FILE lies in one of the folders.
-within() {
-  local file=$1 folder
-  shift
-  for folder in "$@"; do
-    case $folder in
-      */) [[ ${file%/*}/ == "$folder" ]] && return 0 ;;
-      *) [[ $file == "$folder"/* ]] && return 0 ;;
-    esac
-  done
-  return 1
-}
 
-wrong=0
-complain() {
-  echo "$1" >&2
-  wrong=1
-}
+def within(file, folders):
+    return any(os.path.dirname(file) + "/" == f if f.endswith("/") else file.startswith(f + "/") for f in folders)
 
-# Every include as "file:line:text".
-includes() { grep -rnE --include='*.h' --include='*.cpp' '^[[:space:]]*#[[:space:]]*include' "$1" || true; }
 
-folders=()
-while IFS=: read -r folder allowed; do
-  read -r folder <<<"$folder"
-  read -ra allowed <<<"$allowed"
-  folders+=("$folder")
-  [[ -d $folder ]] || continue
-  while IFS=: read -r file line text; do
-    within "$file" "$folder" || continue
-    [[ $text =~ \"([^\"]+)\" ]] || continue
-    within "${BASH_REMATCH[1]}" "$folder" "${allowed[@]}" ||
-      complain "$file:$line: $folder may not include ${BASH_REMATCH[1]}"
-  done < <(includes "${folder%/}")
-done < <(grep : <<<"$arrows")
+def sources():
+    """Every source of the rooms, as (file, lines)."""
+    for room in ROOMS:
+        for folder, subfolders, files in os.walk(room):
+            subfolders[:] = sorted(name for name in subfolders if name != "node_modules")
+            for name in sorted(files):
+                if name.endswith((".h", ".cpp")):
+                    file = f"{folder}/{name}"
+                    yield file, Path(file).read_text().splitlines()
 
-for root in core search io farm server clients lab; do
-  [[ -d $root ]] || continue
-  while read -r file; do
-    within "$file" "${folders[@]}" || complain "$file: its folder has no row in cmake/check_includes.sh"
-  done < <(find "$root" -name node_modules -prune -o \( -name '*.h' -o -name '*.cpp' \) -print)
-done
 
-while IFS=: read -r pattern owners; do
-  read -r pattern <<<"$pattern"
-  read -ra owners <<<"$owners"
-  while IFS=: read -r file line text; do
-    [[ $text =~ \<($pattern[^>]*)\> ]] || continue
-    within "$file" "${owners[@]}" ||
-      complain "$file:$line: only ${owners[*]} may include <${BASH_REMATCH[1]}>"
-  done < <(for root in core search io farm server clients lab; do [[ -d $root ]] && includes "$root"; done)
-done < <(grep : <<<"$reserved")
+def complaints(file, lines):
+    """What is wrong with the includes of a file of these lines."""
+    allowed = [[folder, *others] for folder, others in ARROWS if within(file, [folder])]
+    if not allowed:
+        yield f"{file}: its folder has no row in cmake/check_includes.py"
+    for number, line in enumerate(lines, 1):
+        if re.match(r"\s*#\s*pragma\s+omp", line) and file != "search/parallel.h":
+            yield f"{file}:{number}: OpenMP only in search/parallel.h"
+        include = re.match(r"\s*#\s*include\s*(?:\"([^\"]+)\"|<([^>]+)>)", line)
+        if not include:
+            continue
+        own, library = include.groups()
+        for folder, *others in allowed:
+            if own and not within(own, [folder, *others]):
+                yield f"{file}:{number}: {folder} may not include {own}"
+        for pattern, owners in RESERVED:
+            if library and re.match(pattern, library) and not within(file, owners):
+                yield f"{file}:{number}: only {' '.join(owners)} may include <{library}>"
+        if library and within(file, PURE) and re.fullmatch(IMPURE, library):
+            yield f"{file}:{number}: {file.split('/')[0]} may not include <{library}>"
 
-for root in core lab/comparators; do
-  [[ -d $root ]] || continue
-  while IFS=: read -r file line text; do
-    [[ $text =~ \<([^>]+)\> ]] || continue
-    [[ ! ${BASH_REMATCH[1]} =~ $impure ]] ||
-      complain "$file:$line: $root may not include <${BASH_REMATCH[1]}>"
-  done < <(includes "$root")
-done
 
-for root in core search io farm server clients lab; do
-  [[ -d $root ]] || continue
-  while IFS=: read -r file line _; do
-    [[ $file == search/parallel.h ]] || complain "$file:$line: OpenMP only in search/parallel.h"
-  done < <(grep -rnE --include='*.h' --include='*.cpp' '#[[:space:]]*pragma[[:space:]]+omp' "$root" || true)
-done
-exit "$wrong"
+def main():
+    os.chdir(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent)
+    wrong = [text for file, lines in sources() for text in complaints(file, lines)]
+    print(*wrong, sep="\n", end="\n" if wrong else "", file=sys.stderr)
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
