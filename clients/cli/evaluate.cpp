@@ -201,7 +201,8 @@ void add_evaluate(Command parent, int& status) {
   command.add_flag("--json", arguments->json, "Print JSON, as coapt plan does, with each \"file\"");
   add_server_option(command, arguments->server);
   command.footer(
-      "A service does 1,000 closures at most: plans times --region-points, and the evidence.\n\n"
+      "A service makes 500 closures at most, unless it was started with another limit: plans times "
+      "--region-points, and the evidence.\n\n"
       "Examples:\n"
       "  coapt evaluate human-functional-mr examples/plans/ring.json examples/plans/mixed.json -o "
       "report.html\n"
