@@ -2,11 +2,12 @@
 """cmake/check_includes.py passes this repository and finds each kind of wrong arrow."""
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
-CMAKE = Path(__file__).resolve().parents[2] / "cmake"
-sys.path.insert(0, str(CMAKE))
+CHECK = Path(__file__).resolve().parents[2] / "cmake/check_includes.py"
+sys.path.insert(0, str(CHECK.parent))
 from check_includes import complaints  # noqa: E402
 
 PASSES = [
@@ -40,6 +41,8 @@ FAILS = [
     ("search/a.cpp", "#include <sqlite3.h>"),
     ("core/valve/a.cpp", "#include <chrono>"),
     ("core/valve/a.cpp", "#pragma omp parallel for"),
+    ("core/valve/a.cpp", "/**/ # pragma omp simd"),
+    ("core/valve/a.cpp", "#include_next <chrono>"),
     ("search/plans/a.cpp", '#include "search/studies/findings.h"'),
     ("search/a.cpp", '#include "search/plans/objective.h"'),
     ("io/mesh/a.cpp", '#include "search/evaluator.h"'),
@@ -59,7 +62,16 @@ FAILS = [
 
 class Includes(unittest.TestCase):
     def test_this_repository_passes(self):
-        subprocess.run([CMAKE / "check_includes.py"], check=True)
+        subprocess.run([CHECK], check=True)
+
+    def test_a_tree_with_wrong_arrows_fails_and_names_each(self):
+        with tempfile.TemporaryDirectory() as tree:
+            for file, line in (("core/valve/a.cpp", "#include <chrono>"), ("io/json/a.h", '#include "server/http.h"')):
+                (Path(tree) / file).parent.mkdir(parents=True)
+                (Path(tree) / file).write_text(line + "\n")
+            run = subprocess.run([CHECK, tree], capture_output=True, text=True)
+        self.assertEqual(run.returncode, 1)
+        self.assertRegex(run.stderr, r"^core/valve/a.cpp:1: .*<chrono>\nio/json/a.h:1: .* server/http.h\n$")
 
     def test_arrows_that_pass(self):
         for file, line in PASSES:
