@@ -1,86 +1,34 @@
 #!/usr/bin/env python3
 """check_includes.py [ROOT]: fails if an #include goes against the arrows of ARCHITECTURE.md."""
+import functools
 import os
 import re
 import sys
 from pathlib import Path
 
 
-def rows(table):
-    """The table's rows: what stands before the colon, and the words after it."""
-    return [(name.strip(), words.split()) for name, words in (line.split(":") for line in table.strip().splitlines())]
+@functools.cache
+def table(name):
+    """The block ```name of ARCHITECTURE.md, where the arrows stand, as rows: what stands before the colon, and the words after it."""
+    block = re.search(
+        f"^```{name}\n(.*?)^```",
+        (Path(__file__).resolve().parents[1] / "ARCHITECTURE.md").read_text(),
+        re.MULTILINE | re.DOTALL,
+    )
+    lines = (line.split(":") for line in block[1].strip().splitlines())
+    return [(name.strip(), words.split()) for name, words in lines]
 
 
-# Folder, then the folders whose headers it may include besides its own. A slash at the end: files right in that folder.
-ARROWS = rows(
-    """
-core/valve       :
-core/repair      : core/valve
-core/closure     : core/valve
-core/metrics     : core/closure core/valve
-core/closed      : core/repair core/metrics core/closure core/valve
-core/opened      : core/metrics core/closure core/valve
-core/live        : core/closure core/valve
-core/presets     : core/closure core/valve
-search/          : core
-search/plans     : core search/ search/fit
-search/studies   : core search/ search/plans
-search/fit       : core search/
-search/preference : core search/ search/plans
-search/training  : core search/
-search/population : core search/ search/plans search/studies search/training
-search/rings     : core search/ search/plans search/population
-io/command_line  : core/valve
-io/json          : core search
-io/mesh          : core io/json
-io/image         : core io/mesh
-io/dicom         : core io/mesh io/image
-io/exchange      : core search io/json io/mesh io/image
-io/picture       : core search io/json io/mesh
-io/store         : core search io/json
-farm/work        : core search io
-farm/ask         : core search io farm/work
-farm/database    : core/valve farm/work
-farm/program     : core/valve io farm/work farm/database clients/cli
-server/          : core search io farm/work farm/ask server/endpoints server/jobs
-server/jobs      : core search io farm/work farm/ask server/
-server/endpoints : core search io server/ server/jobs
-clients/cli      : core search io farm/work farm/ask
-clients/engine   : core search io/json
-clients/live     : core io clients/cli
-clients/python   : core search io farm/ask server/ server/jobs
-lab/comparators  : core
-lab/rivals       : core
-lab/closures     : core search io
-lab/lattices     : core search io lab/rivals
-lab/verdicts     : core search lab/closures
-lab/twins        : core search lab/closures
-lab/diseases     : core search
-lab/preference   : core search
-lab/charts       : core search io lab/closures
-lab/farm         : core/valve io/command_line farm/database farm/work clients/cli
-lab/cli          : core search io clients/cli lab
-"""
-)
-# Pattern of what only one folder may include, then that folder.
-RESERVED = rows(
-    """
-nlopt           : search lab/rivals
-clipper[.]hpp   : core/metrics
-cairo           : io/picture
-httplib[.]h     : server clients/cli
-CLI/            : io/command_line
-nlohmann/       : io farm server clients/cli clients/engine clients/live clients/python lab
-sqlite3[.]h     : io/store
-libpq           : farm/database
-lzma[.]h        : io/mesh
-dcmtk/          : io/dicom
-boost/          : clients/live
-pybind11/       : clients/python
-pagmo/          : lab/rivals
-dlib/           : lab/rivals
-"""
-)
+def arrows():
+    """Folder, then the folders whose headers it may include besides its own. A slash at the end: files right in that folder."""
+    return table("arrows")
+
+
+def reserved():
+    """Pattern of the libraries that only some folders may include, then those folders."""
+    return table("libraries")
+
+
 # core and the comparators are pure: no threads, clock, randomness, files or streams.
 PURE = ("core", "lab/comparators")
 IMPURE = (
@@ -106,9 +54,9 @@ def sources():
 
 def complaints(file, lines):
     """What is wrong with the includes of a file of these lines."""
-    allowed = [[folder, *others] for folder, others in ARROWS if within(file, [folder])]
+    allowed = [[folder, *others] for folder, others in arrows() if within(file, [folder])]
     if not allowed:
-        yield f"{file}: its folder has no row in cmake/check_includes.py"
+        yield f"{file}: its folder has no row among the arrows of ARCHITECTURE.md"
     for number, line in enumerate(lines, 1):
         if re.search(r"#\s*pragma\s+omp", line) and file != "search/parallel.h":
             yield f"{file}:{number}: OpenMP only in search/parallel.h"
@@ -119,7 +67,7 @@ def complaints(file, lines):
                 if not within(own, [folder, *others]):
                     yield f"{file}:{number}: {folder} may not include {own}"
         for library in re.findall("<([^>]+)>", line):
-            for pattern, owners in RESERVED:
+            for pattern, owners in reserved():
                 if re.match(pattern, library) and not within(file, owners):
                     yield f"{file}:{number}: only {' '.join(owners)} may include <{library}>"
             if within(file, PURE) and re.fullmatch(IMPURE, library):
