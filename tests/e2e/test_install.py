@@ -26,7 +26,6 @@ class Install(unittest.TestCase):
             expected = {
                 "bin/coapt",
                 "bin/coapt-farm",
-                "bin/coapt-live",
                 "bin/coapt-server",
                 "share/bash-completion/completions/coapt",
                 "share/bash-completion/completions/coapt-farm",
