@@ -130,7 +130,7 @@ void add_bench_front(Command parent, int& status) {
       "front", "Compare how fast the search and its rivals find what plans trade");
   command
       .add_option("-o,--output", arguments->directory,
-                  "Directory for front.csv, front-rise.csv, front-rise.svg")
+                  "Directory for front.csv, front-rise.csv, front-rise.png")
       .show_default();
   command.add_option("--lattice", arguments->lattices,
                      "Some of functional, porcine-both, human-pm, real, ischaemic, flail-p2");

@@ -187,7 +187,7 @@ void add_bench_search(Command parent, int& status) {
       "search", "Compare the search with its rivals on exhaustively solved lattices");
   command
       .add_option("-o,--output", arguments->directory,
-                  "Directory for ert.csv, ecdf.csv, ecdf.svg, bench.json")
+                  "Directory for ert.csv, ecdf.csv, ecdf.png, bench.json")
       .show_default();
   command.add_option("--lattice", arguments->lattices,
                      "Some of functional, porcine-both, human-pm, real, ischaemic, flail-p2");

@@ -148,9 +148,9 @@ class Program(unittest.TestCase):
             drawn = []
             for _ in range(2):
                 plot.main([str(ecdf)])
-                drawn.append(ecdf.with_suffix(".svg").read_bytes())
+                drawn.append(ecdf.with_suffix(".png").read_bytes())
             self.assertEqual(drawn[0], drawn[1])
-            self.assertIn(b"<svg", drawn[0])
+            self.assertEqual(drawn[0][:4], b"\x89PNG")
 
     def test_a_table_of_another_name_is_refused(self):
         with self.assertRaises(SystemExit) as refused, unittest.mock.patch("sys.stderr", io.StringIO()):
