@@ -12,11 +12,6 @@ mesh.csv                error of areas and shapes against the number of triangle
 uniqueness.csv          how unique the closed state is, over the leaflets' rigidity
 verdicts.csv            leak and verdict of the same plans on three meshes
 twins.csv               fitted against true values of valves whose answers are known
-barlow.csv              coaptation and leak of valves with Barlow's disease against their annulus
-durable-anchors.csv     how long repairs by either anchor last while the disease goes on
-preference.csv          regret of weights that were learned from simulated experts
-chordae.csv             leak of plans on drawn chordae against that on the anatomy's own
-farm.csv                throughput of a farm against its workers, cost of a task against the size of a run
 growth.csv              time of the parts of a closure against the number of triangles
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
 """
@@ -27,14 +22,9 @@ import io
 import pathlib
 import statistics
 
-import barlow
-import chordae
-import durable_anchors
-import farm
 import front_rise
 import growth
 import mesh
-import preference
 import twins
 import uniqueness
 import verdicts
@@ -484,16 +474,11 @@ CHARTS = {
     "orifice-resolution": {"orifice-error": draw_orifice_error, "orifice-time": draw_orifice_time},
     "gap": {"gap": draw_gap},
     "mesh": {"mesh": mesh.draw_errors},
-    "farm": {"farm": farm.draw_farm},
     "growth": {"growth": growth.draw_growth},
     "uniqueness": {"uniqueness": uniqueness.draw_uniqueness},
     "verdicts": {"verdicts": verdicts.draw_verdicts},
     "twins": {"twins": twins.draw_twins},
     "ruptures": {"ruptures": twins.draw_ruptures},
-    "chordae": {"chordae": chordae.draw_chordae},
-    "barlow": {"barlow": barlow.draw_barlow},
-    "durable-anchors": {"durable-anchors": durable_anchors.draw_durable_anchors},
-    "preference": {"preference": preference.draw_preference},
     "front-rise": {"front-rise": front_rise.draw_front_rise},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},

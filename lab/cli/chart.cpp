@@ -7,8 +7,7 @@
 #include "io/command_line/command_line.h"
 #include "lab/charts/tables.h"
 #include "lab/cli/chart_parts.h"
-#include "lab/cli/chart_patients.h"
-#include "lab/cli/chart_preference.h"
+#include "lab/cli/chart_twins.h"
 #include "lab/cli/commands.h"
 #include "lab/comparators/newton.h"
 #include "lab/comparators/xpbd.h"
@@ -136,10 +135,6 @@ void add_chart(Command parent, int& status) {
   add_accuracy_charts(chart, status);
   add_twins(chart, status);
   add_ruptures(chart, status);
-  add_drawn_chordae(chart, status);
-  add_barlow(chart, status);
-  add_durable_anchors(chart, status);
-  add_preference(chart, status);
 }
 
 }  // namespace coapt
