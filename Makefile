@@ -82,7 +82,7 @@ types: $(WEB)/node_modules  ## the page's types of the service's documents, from
 
 web-test: programs web  ## types, unit tests, and the page in a real browser with axe-core
 	@cmake/install_packages.sh browser
-	cd $(WEB) && node types.mjs --check && npx --no-install tsc --noEmit && npx --no-install vitest run
+	cd $(WEB) && node types.mjs && npx --no-install tsc --noEmit && npx --no-install vitest run
 	node --test --test-reporter=spec $(WEB)/test/page/*.test.mjs
 
 wasm: $(ENGINE)  ## the engine as a WebAssembly module for browsers, in build/wasm/bin
