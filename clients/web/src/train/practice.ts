@@ -1,9 +1,8 @@
 // Which case comes next in practice: one that was not right and is due again, else a new one that the learner gets right with a
 // probability of about 0.6 (docs/training.md).
 import type { TrainEngine } from './engine'
-import type { Learner } from './session'
 import { keptTrials, trialsCsv } from './trials'
-import type { Exam, Trial } from './types'
+import type { Exam, Learner, Trial } from './types'
 
 const CANDIDATES = 3 // new cases of which the one nearest to the wanted difficulty is taken
 

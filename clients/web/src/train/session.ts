@@ -10,13 +10,8 @@ import type { FourValves } from './four_valves'
 import { type Frame, panel } from './frame'
 import { makeAhead, nextSeed } from './practice'
 import { keepTrial } from './trials'
-import type { Case, Exam, InstructionBlock, Judged, LaidExam, TrialBlock } from './types'
+import type { Case, Exam, InstructionBlock, Judged, LaidExam, Learner, TrialBlock } from './types'
 import { pressed, unless } from './waits'
-
-export interface Learner {
-  number: number
-  valve: string // a preset's name or the id of an opened valve, of which cases are made
-}
 
 export interface SessionParts {
   engine: TrainEngine

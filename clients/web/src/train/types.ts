@@ -94,6 +94,11 @@ export interface Scores {
   next: NextCase[]
 }
 
+export interface Learner {
+  number: number
+  valve: string // a preset's name or the id of an opened valve, of which cases are made
+}
+
 /// How a valve was analysed.
 export interface Analysed {
   seconds: number
