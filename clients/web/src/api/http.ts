@@ -63,11 +63,16 @@ export async function request(method: string, path: string, body?: unknown, sign
 
 async function errorOf(response: Response): Promise<ApiError> {
   try {
-    const problem = (await response.json()) as { detail?: string; title?: string; problems?: Problem[] }
-    return new ApiError(response.status, problem.detail ?? problem.title ?? '', problem.problems ?? [])
+    return refusal(response.status, await response.json())
   } catch {
     return new ApiError(response.status, `the service answered ${response.status}`, [])
   }
+}
+
+/// `said`: the answer's document.
+export function refusal(status: number, said: unknown): ApiError {
+  const { detail, title, problems } = said as { detail?: string; title?: string; problems?: Problem[] }
+  return new ApiError(status, detail ?? title ?? '', problems ?? [])
 }
 
 export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T> {

@@ -1,13 +1,7 @@
 // Requests to the engine's thread, one at a time.
 import type { EngineAnswer } from './module'
+import { diedWords, type EngineThread } from './thread'
 import type { EngineReply, EngineRequest } from './worker'
-
-/// Of a Worker, what is used here.
-export interface EngineThread {
-  postMessage(message: string | EngineRequest): void
-  onmessage: ((event: MessageEvent<EngineReply>) => void) | null
-  onerror: ((event: ErrorEvent) => void) | null
-}
 
 export type AskEngine = (path: string, body: string, signal?: AbortSignal) => Promise<EngineAnswer>
 
@@ -18,17 +12,16 @@ interface Waiting {
   reject(error: unknown): void
 }
 
-/// `address`: of the engine's file. What is aborted while it waits is never computed; what is being computed is finished and
-/// dropped, for a thread cannot be interrupted.
-export function engineClient(thread: EngineThread, address: string): AskEngine {
+/// What is aborted while it waits is never computed; what is being computed is finished and dropped, for a thread cannot be
+/// interrupted.
+export function engineClient(thread: EngineThread<EngineRequest, EngineReply>): AskEngine {
   const waiting: Waiting[] = []
   let running: Waiting | null = null
   let dead: Error | null = null // the thread, of an error of its own
-  thread.postMessage(address)
   thread.onmessage = ({ data }) =>
     end((asked) => ('failed' in data ? asked.reject(new Error(data.failed)) : asked.resolve(data)))
-  thread.onerror = ({ message }) => {
-    dead = new Error(message || 'The engine cannot be started; reload the page.')
+  thread.onerror = (event) => {
+    dead = new Error(diedWords(event))
     end((asked) => asked.reject(dead))
   }
 
@@ -58,10 +51,4 @@ export function engineClient(thread: EngineThread, address: string): AskEngine {
       waiting.push({ request: { path, body }, signal, resolve, reject })
       next()
     })
-}
-
-/// The engine beside the page.
-export function startThread(): AskEngine {
-  const thread = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-  return engineClient(thread, new URL('coapt-engine.wasm', document.baseURI).href)
 }

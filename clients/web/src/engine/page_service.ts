@@ -1,6 +1,11 @@
 // The one local service of the page that is open, with its engine.
-import { startThread } from './client'
+import { engineClient } from './client'
 import { browserValves } from './kept_valves'
 import { localService } from './local_service'
+import { startThread } from './thread'
 
-export const pageService = localService({ engine: startThread(), file: (path) => fetch(path), valves: browserValves() })
+export const pageService = localService({
+  engine: engineClient(startThread()),
+  file: (path) => fetch(path),
+  valves: browserValves(),
+})

@@ -1,8 +1,9 @@
 // A thread of the engine with a valve that moves. It is another one than that of requests (static page), so that a closure of
 // half a second does not hold up the hand; the script is the same, and it answers requests, too.
-import { ApiError } from '../api/http'
-import type { Plan, Problem, ValveShape } from '../api/types'
+import { refusal } from '../api/http'
+import type { Plan, ValveShape } from '../api/types'
 import type { LiveCommand, LiveReply } from '../engine/live_loop'
+import { diedWords, type EngineThread, engineWords, requireSimd, startThread } from '../engine/thread'
 
 /// Of a valve that is started: what does not move.
 export interface LiveValve {
@@ -13,19 +14,8 @@ export interface LiveValve {
 }
 
 export type LivePicture = Extract<LiveReply, { live: 'picture' }>
+export type LiveThread = EngineThread<LiveCommand, LiveReply> & Pick<Worker, 'terminate'>
 type Hand = Exclude<LiveCommand, { live: 'start' | 'change' }>
-
-/// Of a Worker, what is used here.
-export interface LiveThread {
-  postMessage(message: string | LiveCommand): void
-  onmessage: ((event: MessageEvent<LiveReply>) => void) | null
-  onerror: ((event: ErrorEvent) => void) | null
-  terminate(): void
-}
-
-export const NO_SIMD = 'This needs WebAssembly with SIMD, which this browser does not have: use a newer one.'
-const NO_ENGINE =
-  'This needs the engine beside the page (coapt-engine.wasm), which is not there: make wasm builds it, then make web puts it there; start coapt-server anew.'
 
 export class LiveClient {
   onPicture: (picture: LivePicture) => void = () => {}
@@ -33,14 +23,9 @@ export class LiveClient {
   private readonly waiting = new Map<number, { resolve(valve: LiveValve): void; reject(error: unknown): void }>()
   private count = 0
 
-  /// `address`: of the engine's file.
-  constructor(
-    private readonly thread: LiveThread,
-    address: string,
-  ) {
-    thread.postMessage(address)
+  constructor(private readonly thread: LiveThread) {
     thread.onmessage = ({ data }) => this.take(data)
-    thread.onerror = ({ message }) => this.fail(message || 'The engine cannot be started; reload the page.')
+    thread.onerror = (event) => this.fail(diedWords(event))
   }
 
   /// `valve`: a document, as text. Another valve, under the pressure of systole if none is said; rejects with an ApiError.
@@ -80,12 +65,8 @@ export class LiveClient {
     const asked = this.waiting.get(id)
     this.waiting.delete(id)
     const said: unknown = JSON.parse(new TextDecoder().decode(body))
-    if (status === 200) {
-      asked?.resolve(said as LiveValve)
-      return
-    }
-    const { detail, problems } = said as { detail: string; problems: Problem[] }
-    asked?.reject(new ApiError(status, detail, problems))
+    if (status === 200) asked?.resolve(said as LiveValve)
+    else asked?.reject(refusal(status, said))
   }
 
   private fail(message: string): void {
@@ -96,25 +77,12 @@ export class LiveClient {
   }
 }
 
-/// What its thread says, for a person.
-export function engineWords(message: string): string {
-  return message.includes('(404)') ? NO_ENGINE : message
-}
-
 function planField(plan: Plan | null): string {
   return plan ? `,"plan":${JSON.stringify(plan)}` : ''
 }
 
-// A function that returns a v128: (module (func (result v128) i32.const 0 i8x16.splat)).
-const SIMD = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11]
-
-export function hasSimd(): boolean {
-  return typeof WebAssembly === 'object' && WebAssembly.validate(Uint8Array.from(SIMD))
-}
-
 /// Throws where the browser cannot.
 export function startLive(): LiveClient {
-  if (!hasSimd()) throw new Error(NO_SIMD)
-  const thread = new Worker(new URL('../engine/worker.ts', import.meta.url), { type: 'module' })
-  return new LiveClient(thread, new URL('coapt-engine.wasm', document.baseURI).href)
+  requireSimd()
+  return new LiveClient(startThread())
 }

@@ -1,9 +1,8 @@
 // The trainer's own thread of the engine: cases, the order of an exam, scores. A case takes some seconds: the next one is made
 // while a learner is busy with the one before.
-import { ApiError } from '../api/http'
-import type { Problem } from '../api/types'
+import { refusal } from '../api/http'
 import { type AskEngine, engineClient } from '../engine/client'
-import { engineWords, NO_SIMD, hasSimd } from '../live/client'
+import { engineWords, requireSimd, startThread } from '../engine/thread'
 import { valveText } from '../state/valves'
 import type { Case, CaseA, CaseB, Exam, LaidExam, Schedule, Scores } from './types'
 
@@ -50,19 +49,18 @@ export class TrainEngine {
   }
 
   private begin(): AskEngine {
-    this.thread = new Worker(new URL('../engine/worker.ts', import.meta.url), { type: 'module' })
-    this.ask = engineClient(this.thread, new URL('coapt-engine.wasm', document.baseURI).href)
+    this.thread = startThread()
+    this.ask = engineClient(this.thread)
     return this.ask
   }
 
   private async answer<T>(path: string, body: string): Promise<T> {
-    if (!hasSimd()) throw new Error(NO_SIMD)
+    requireSimd()
     const answered = await (this.ask ?? this.begin())(path, body).catch((error: unknown) => {
       throw new Error(engineWords(error instanceof Error ? error.message : String(error)))
     })
     const said: unknown = JSON.parse(decoder.decode(answered.body))
     if (answered.status === 200) return said as T
-    const { detail, problems } = said as { detail: string; problems: Problem[] }
-    throw new ApiError(answered.status, detail, problems)
+    throw refusal(answered.status, said)
   }
 }

@@ -1,4 +1,5 @@
 // The engine's module (src/engine/module.ts) for tests outside of vite, and what they compare with the native programs.
+import { readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { build } from 'vite'
 
@@ -11,6 +12,12 @@ export async function engineScript() {
     build: { lib: { entry, formats: ['iife'], name: 'coaptEngine' }, write: false },
   })
   return output[0].code
+}
+
+/// The engine of this file, in node.
+export async function startInNode(file) {
+  const { startEngine } = new Function(`${await engineScript()}; return coaptEngine`)()
+  return startEngine(await WebAssembly.compile(readFileSync(file)))
 }
 
 /// FNV-1a, as closed_presets and live_pull print it.

@@ -5,9 +5,8 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { afterAll, beforeAll, expect, test } from 'vitest'
-import { startEngine } from '../../src/engine/module'
 import { readPicture } from '../../src/engine/picture'
-import { hash } from './bits.mjs'
+import { hash, startInNode } from './bits.mjs'
 
 const ROOT = fileURLToPath(new URL('../../../../', import.meta.url))
 const BIN = join(ROOT, 'build/release/bin')
@@ -21,7 +20,7 @@ const presets = execFileSync(join(BIN, 'closed_presets'), [folder], { encoding: 
   .map((line) => line.split(' ')) // name, steps, bits
 let engine
 beforeAll(async () => {
-  engine = await startEngine(await WebAssembly.compile(readFileSync(join(ROOT, 'build/wasm/bin/coapt-engine.wasm'))))
+  engine = await startInNode(join(ROOT, 'build/wasm/bin/coapt-engine.wasm'))
 })
 afterAll(() => rmSync(folder, { recursive: true }))
 

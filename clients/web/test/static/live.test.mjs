@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
 import { accessProblems, openView, ROOT, startBrowser, startService } from '../page/page.mjs'
-import { engineScript } from './bits.mjs'
+import { startInNode } from './bits.mjs'
 import { startFiles } from './files.mjs'
 
 const STATIC = join(ROOT, 'build/static')
@@ -40,8 +40,7 @@ function rms(a, b) {
 
 /// What close_valve makes of it.
 async function closedVertices() {
-  const { startEngine } = new Function(`${await engineScript()}; return coaptEngine`)()
-  const engine = await startEngine(await WebAssembly.compile(readFileSync(join(STATIC, 'coapt-engine.wasm'))))
+  const engine = await startInNode(join(STATIC, 'coapt-engine.wasm'))
   engine.answer('/v1/closures', `{"valve":${readFileSync(join(STATIC, `presets/${VALVE}.json`), 'utf8')}}`)
   return [...new Float64Array(engine.closed().buffer)]
 }

@@ -4,7 +4,7 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { openView, ROOT, startBrowser } from '../page/page.mjs'
-import { engineScript } from './bits.mjs'
+import { startInNode } from './bits.mjs'
 import { startFiles } from './files.mjs'
 
 const STATIC = join(ROOT, 'build/static')
@@ -12,8 +12,7 @@ const STEPS = 30_000
 const name = process.argv[2] ?? 'human-normal'
 const share = (values, at) => [...values].sort((a, b) => a - b)[Math.floor(at * (values.length - 1))]
 
-const { startEngine } = new Function(`${await engineScript()}; return coaptEngine`)()
-const { live } = await startEngine(await WebAssembly.compile(readFileSync(join(STATIC, 'coapt-engine.wasm'))))
+const { live } = await startInNode(join(STATIC, 'coapt-engine.wasm'))
 live.start(`{"valve":${readFileSync(join(STATIC, `presets/${name}.json`), 'utf8')}}`)
 live.advance(3000) // closes, and is compiled
 live.grab(0, 361)

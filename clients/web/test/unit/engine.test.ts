@@ -1,11 +1,13 @@
 import { expect, test } from 'vitest'
-import { type EngineThread, engineClient } from '../../src/engine/client'
+import { engineClient } from '../../src/engine/client'
 import type { KeptValve, ValveShelf } from '../../src/engine/kept_valves'
 import { localService } from '../../src/engine/local_service'
+import type { EngineThread } from '../../src/engine/thread'
 import { wasi } from '../../src/engine/wasi'
-import type { EngineRequest } from '../../src/engine/worker'
+import type { EngineReply, EngineRequest } from '../../src/engine/worker'
 
 const bytes = (text: string) => new TextEncoder().encode(text) as Uint8Array<ArrayBuffer>
+type Thread = EngineThread<EngineRequest, EngineReply>
 const VALVE = '{"name": "mine", "vertices_mm": [[0, 0, -0.0]], "faces": []}'
 
 function shelf(): ValveShelf {
@@ -53,26 +55,26 @@ test('what a module writes is printed, and counted', () => {
 
 test('the engine is asked one request after the other; what is aborted while it waits, not at all', async () => {
   const sent: unknown[] = []
-  const thread: EngineThread = { postMessage: (message) => sent.push(message), onmessage: null, onerror: null }
+  const thread: Thread = { postMessage: (message) => sent.push(message), onmessage: null, onerror: null }
   const reply = (text: string) => thread.onmessage?.({ data: { status: 200, body: bytes(text) } } as MessageEvent)
-  const ask = engineClient(thread, 'engine.wasm')
+  const ask = engineClient(thread)
   const given_up = new AbortController()
   const first = ask('/1', '')
   const second = ask('/2', '', given_up.signal)
   const third = ask('/3', '')
-  expect(sent).toEqual(['engine.wasm', { path: '/1', body: '' }])
+  expect(sent).toEqual([{ path: '/1', body: '' }])
   given_up.abort()
   await expect(second).rejects.toThrow(/abort/i)
   reply('one')
-  expect(sent.slice(2)).toEqual([{ path: '/3', body: '' }])
+  expect(sent.slice(1)).toEqual([{ path: '/3', body: '' }])
   reply('three')
   expect(new TextDecoder().decode((await first).body)).toBe('one')
   expect(new TextDecoder().decode((await third).body)).toBe('three')
 })
 
 test('an engine that aborts fails its request alone', async () => {
-  const thread: EngineThread = { postMessage: () => {}, onmessage: null, onerror: null }
-  const ask = engineClient(thread, 'engine.wasm')
+  const thread: Thread = { postMessage: () => {}, onmessage: null, onerror: null }
+  const ask = engineClient(thread)
   const [first, second] = [ask('/1', ''), ask('/2', '')]
   thread.onmessage?.({ data: { failed: 'unreachable' } } as MessageEvent)
   thread.onmessage?.({ data: { status: 200, body: bytes('') } } as MessageEvent)
@@ -81,8 +83,8 @@ test('an engine that aborts fails its request alone', async () => {
 })
 
 test('a thread that has died fails what waits for it, and what comes later', async () => {
-  const thread: EngineThread = { postMessage: () => {}, onmessage: null, onerror: null }
-  const ask = engineClient(thread, 'engine.wasm')
+  const thread: Thread = { postMessage: () => {}, onmessage: null, onerror: null }
+  const ask = engineClient(thread)
   const asked = [ask('/1', ''), ask('/2', '')]
   thread.onerror?.({ message: 'no such script' } as ErrorEvent)
   for (const answer of [...asked, ask('/3', '')]) await expect(answer).rejects.toThrow('no such script')

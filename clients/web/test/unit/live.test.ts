@@ -2,7 +2,8 @@ import { expect, test } from 'vitest'
 import type { LiveEngine } from '../../src/engine/module'
 import { type LiveCommand, LiveLoop, type LiveReply } from '../../src/engine/live_loop'
 import { readPicture } from '../../src/engine/picture'
-import { hasSimd, LiveClient, type LiveThread } from '../../src/live/client'
+import { requireSimd } from '../../src/engine/thread'
+import { LiveClient, type LiveThread } from '../../src/live/client'
 import { Pictures, Rate } from '../../src/live/rates'
 import { edgeOf, highlighted, prolapse } from '../../src/live/surface'
 import { stateWords } from '../../src/live/state_words'
@@ -110,7 +111,7 @@ function client() {
     onerror: null,
     terminate: () => {},
   }
-  const live = new LiveClient(thread, 'engine.wasm')
+  const live = new LiveClient(thread)
   const reply = (data: LiveReply): void => thread.onmessage?.({ data } as MessageEvent<LiveReply>)
   return { live, posted, reply }
 }
@@ -120,7 +121,6 @@ test('a valve goes to the engine as the text that it is', async () => {
   const started = live.start('{"x": -0.0}', null, 0)
   const changed = live.change('{"x": -0.0}', { schema: 'coapt.plan/1', steps: [] })
   expect(posted).toEqual([
-    'engine.wasm',
     { live: 'start', body: '{"valve":{"x": -0.0},"pressure_mmhg":0}', id: 1 },
     { live: 'change', body: '{"valve":{"x": -0.0},"plan":{"schema":"coapt.plan/1","steps":[]}}', id: 2 },
   ])
@@ -140,7 +140,7 @@ test('where there is no engine the page says how to get it', async () => {
   expect(told.length).toBe(1)
 })
 
-test('this engine runs SIMD', () => expect(hasSimd()).toBe(true))
+test('this engine runs SIMD', () => expect(requireSimd).not.toThrow())
 
 test('a picture is read as the engine writes it', () => {
   const hook = [1, 1, 2, 3, 4, 5, 6, 3, 0, 4]

@@ -1,0 +1,35 @@
+// A thread of the engine (worker.ts): how it is started, and what it says, for a person.
+
+/// Of a Worker, what is used of it.
+export interface EngineThread<Message, Reply> {
+  postMessage(message: Message): void
+  onmessage: ((event: MessageEvent<Reply>) => void) | null
+  onerror: ((event: ErrorEvent) => void) | null
+}
+
+const NO_SIMD = 'This needs WebAssembly with SIMD, which this browser does not have: use a newer one.'
+const NO_ENGINE =
+  'This needs the engine beside the page (coapt-engine.wasm), which is not there: make wasm builds it, then make web puts it there; start coapt-server anew.'
+
+export function startThread(): Worker {
+  const thread = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
+  thread.postMessage(new URL('coapt-engine.wasm', document.baseURI).href)
+  return thread
+}
+
+/// Of a thread that has died.
+export function diedWords({ message }: ErrorEvent): string {
+  return message || 'The engine cannot be started; reload the page.'
+}
+
+export function engineWords(message: string): string {
+  return message.includes('(404)') ? NO_ENGINE : message
+}
+
+// A function that returns a v128: (module (func (result v128) i32.const 0 i8x16.splat)).
+const SIMD = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11]
+
+/// Throws where the browser cannot run the engine.
+export function requireSimd(): void {
+  if (typeof WebAssembly !== 'object' || !WebAssembly.validate(Uint8Array.from(SIMD))) throw new Error(NO_SIMD)
+}
