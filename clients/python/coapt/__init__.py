@@ -22,7 +22,7 @@ __path__ = pkgutil.extend_path(__path__, __name__)
 from .client import Client
 from .closures import Closure, Measure
 from .comparison import Comparison
-from .engine import Engine
+from .engine import Engine, LocalValve
 from .errors import (
     AccessDenied,
     BadDocument,
@@ -45,7 +45,6 @@ from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling, Section, Table
 from .fits import Fit, FitResult, FittedParameter, ImportResult
 from .jobs import Job, show_progress
 from .local import close_many, engine, preset, read_valve
-from .local_valve import LocalValve
 from .meshes import Mesh, Picture
 from .openings import Opening
 from .ranked_plans import RankedPlan, Statistics

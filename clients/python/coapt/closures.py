@@ -6,6 +6,7 @@ apart. Areas are anatomic, from geometry: not an effective regurgitant orifice a
 
 from __future__ import annotations
 
+import html
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
@@ -171,4 +172,26 @@ class Closure:
         return self.status == "converged" and not self.crossing
 
     def _repr_html_(self) -> str:
-        return tables.closure_html(self)
+        warned = "" if self.trusted else "<p><b>These figures do not count.</b></p>"
+        bars = tables.coaptation_svg(self.measure.json["coaptation"]["sections"])
+        return (
+            f"<h4>{html.escape(self.valve)}: {tables.state(self.status, self.crossing)}</h4>{warned}"
+            f"{tables.table((), _figures(self.measure))}"
+            f"<p>Coaptation height at nine sections, mm (blue); leaflets apart, mm (red)</p>{bars}"
+            f"<p>{tables.listed(self.warnings, '! ')}</p>{tables.NOTICE_HTML}"
+        )
+
+
+def _figures(measure: Measure) -> list[tuple[str, str]]:
+    number, with_error = tables.number, tables.with_error
+    return [
+        ("leak", f"<b>{with_error(measure.leak_mm2, measure.leak_mm2_error)} mm²</b>, the larger of orifice and gap"),
+        ("orifice seen from the atrium", f"{with_error(measure.orifice_area_mm2, measure.orifice_area_mm2_error)} mm²"),
+        ("gap between the leaflets", f"{with_error(measure.gap_area_mm2, measure.gap_area_mm2_error)} mm²"),
+        (
+            "coaptation height",
+            f"mean {number(measure.coaptation_height_mean_mm)}, min {number(measure.coaptation_height_min_mm)} mm",
+        ),
+        ("largest chordal tension", f"{number(measure.tension_max_n, 2)} N"),
+        ("annulus", f"AP {number(measure.annulus_ap_mm)}, AL-PM {number(measure.annulus_al_pm_mm)} mm"),
+    ]

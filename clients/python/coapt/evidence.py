@@ -47,7 +47,7 @@ class Coaptation:
 
     def to_frame(self) -> pandas.DataFrame:
         """A row a section: along, height_mm, distance_mm, contact."""
-        return frames.sections(self.sections)
+        return frames.records(Section, self.sections)
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,13 @@ class LeakMaps:
 
     def to_frame(self) -> pandas.DataFrame:
         """A row a node: muscle, suture_length_mm and outwards_deg (errors), leak_mm2."""
-        return frames.leak_maps(self.maps)
+        rows = [
+            (one.muscle, length, angle, leak)
+            for one in self.maps
+            for length, leaks in zip(one.suture_length_mm, one.leak_mm2)
+            for angle, leak in zip(one.outwards_deg, leaks)
+        ]
+        return frames.leaks(rows, ("muscle", "suture_length_mm", "outwards_deg", "leak_mm2"))
 
 
 @dataclass(frozen=True)
@@ -108,7 +114,12 @@ class Remodelling:
 
     def to_frame(self) -> pandas.DataFrame:
         """A row a step: direction, displacement_mm, leak_mm2."""
-        return frames.remodelling(self)
+        rows = [
+            (direction, displacement, leak)
+            for direction, leaks in self.leak_mm2.items()
+            for displacement, leak in zip(self.displacement_mm, leaks)
+        ]
+        return frames.leaks(rows, ("direction", "displacement_mm", "leak_mm2"))
 
 
 @dataclass(frozen=True)

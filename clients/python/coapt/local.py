@@ -6,9 +6,8 @@ import os
 import threading
 from collections.abc import Iterable
 
-from .engine import Engine
+from .engine import Engine, LocalValve
 from .files import Path
-from .local_valve import LocalValve
 from .sources import PlanSource, Valve
 from .sweep import SweepItem
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -71,4 +72,20 @@ class Opening:
         return scene
 
     def _repr_html_(self) -> str:
-        return tables.opening_html(self)
+        warned = "" if self.trusted else "<p><b>These figures do not count.</b></p>"
+        number = tables.number
+        rows = [
+            ("narrowest passage", f"<b>{_cm2(self.opening_area_mm2)}</b>"),
+            ("seen along the annulus's normal", _cm2(self.projected_area_mm2)),
+            ("annulus in diastole", _cm2(self.annulus_area_mm2)),
+            ("mean gradient", f"{number(self.gradient_mmhg)} mmHg at {number(self.flow_ml_s, 0)} ml/s"),
+            ("at exercise", f"{number(self.gradient_exercise_mmhg)} mmHg at {number(self.flow_exercise_ml_s, 0)} ml/s"),
+        ]
+        return (
+            f"<h4>{html.escape(self.name)}, open: {tables.state(self.status, self.crossing)}</h4>{warned}"
+            f"{tables.table((), rows)}<p>{tables.listed(self.warnings, '! ')}</p>{tables.NOTICE_HTML}"
+        )
+
+
+def _cm2(mm2: float | None) -> str:
+    return f"{tables.number(None if mm2 is None else 0.01 * mm2)} cm²"

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import base64
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Literal
 
-from . import tables
+from . import frames, tables
 from .closures import Document, Measure, Status, known_fields
 from .errors import CoaptError
 from .evidence import LeakMap, LeakMaps, Remodelling
@@ -14,6 +16,30 @@ from .repair import Plan
 from .transport import Transport
 
 MeshFormat = Literal["ply", "obj", "stl", "vtk"]
+
+COLUMNS = {
+    "rank": "rank",
+    "description": "description",
+    "cost_mm2": "cost",
+    "nodes": "region_closures",
+    "failed_nodes": "region_failures",
+    "mean_leak_mm2": "leak_mm2.mean",
+    "sd_leak_mm2": "leak_mm2.sd",
+    "p95_leak_mm2": "leak_mm2.p95",
+    "worst_leak_mm2": "leak_mm2.worst",
+    **frames.MEASURE,
+    "margin_mm": "margin_mm",
+    "margin_deg": "margin_deg",
+    "status": "status",
+    "crossing": "crossing",
+    "pareto": "pareto",
+    "tie_with_next": "tie_with_next",
+    "closes_robustly": "closes_robustly",
+    "plan": "plan",
+}
+"""Of a table of plans, and where their values are."""
+
+_FARTHEST_MM, _FARTHEST_DEG = 1.0, 5.0  # borders of the region of interest: a margin there may be larger
 
 
 @dataclass(frozen=True)
@@ -167,5 +193,37 @@ class RankedPlan:
         return self._place.transport.request("GET", self._place.path + what, query=query).body
 
     def _repr_html_(self) -> str:
-        picture = self.picture() if self._place else None
-        return tables.plan_html(self, picture)
+        shown = ""
+        if self._place:
+            content = base64.b64encode(self.picture().png).decode()
+            shown = f'<img alt="view from the atrium, before and after" style="max-width:100%" src="data:image/png;base64,{content}">'
+        return plans_table([self]) + shown + tables.NOTICE_HTML
+
+
+def plans_table(plans: Iterable[RankedPlan]) -> str:
+    """A row each, as HTML."""
+    head = ("", "plan", "leak as planned, mm²", "mean ± sd over the region", "worst", "margin", "tension, N")
+    return tables.table(head, map(_row, plans))
+
+
+def _row(plan: RankedPlan) -> tuple[str, ...]:
+    leak, number = plan.leak_mm2, tables.number
+    margins = _margin(plan.margin_mm, _FARTHEST_MM, 2, " mm") + _margin(plan.margin_deg, _FARTHEST_DEG, 1, "°")
+    what = tables.listed(plan.description) or "no repair"
+    settled = plan.status == "converged" and not plan.crossing
+    warnings = (() if settled else (tables.state(plan.status, plan.crossing),)) + plan.warnings
+    warned = f"<br><small>{tables.listed(warnings, '! ')}</small>" if warnings else ""
+    tie = "<br><small>ties with the next</small>" if plan.tie_with_next else ""
+    return (
+        str(plan.rank),
+        what + warned + tie,
+        number(leak.nominal),
+        f"{number(leak.mean)} ± {number(leak.sd)}",
+        number(leak.worst),
+        ", ".join(margins) or "-",
+        number(plan.measure.tension_max_n, 2),
+    )
+
+
+def _margin(value: float | None, farthest: float, decimals: int, unit: str) -> list[str]:
+    return [] if value is None else [f"{'more than ' * (value >= farthest)}{tables.number(value, decimals)}{unit}"]

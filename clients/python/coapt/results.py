@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import html
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from . import frames, tables
 from .closures import Document, Measure, Status, known_fields
-from .ranked_plans import RankedPlan
+from .ranked_plans import COLUMNS, RankedPlan, plans_table
 from .transport import Transport
 
 if TYPE_CHECKING:
@@ -66,10 +68,10 @@ class Evaluations:
     def to_frame(self) -> pandas.DataFrame:
         """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those that begin with
         mean, sd, p95 and worst, which are over the region of interest."""
-        return frames.plans(self.plans)
+        return frames.table(self.plans, COLUMNS)
 
     def _repr_html_(self) -> str:
-        return tables.plans_html(self.before, self.plans)
+        return _plans_html(self.before, self.plans)
 
 
 @dataclass(frozen=True)
@@ -107,10 +109,10 @@ class SearchResult:
     def to_frame(self) -> pandas.DataFrame:
         """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those that begin with
         mean, sd, p95 and worst, which are over the region of interest."""
-        return frames.plans(self.plans)
+        return frames.table(self.plans, COLUMNS)
 
     def _repr_html_(self) -> str:
-        return tables.plans_html(self.before, self.plans)
+        return _plans_html(self.before, self.plans)
 
 
 @dataclass(frozen=True)
@@ -167,7 +169,24 @@ class StudyResult:
 
     def to_frame(self) -> pandas.DataFrame:
         """A row a finding."""
-        return frames.findings(self.findings)
+        return frames.records(Finding, self.findings)
 
     def _repr_html_(self) -> str:
-        return tables.findings_html(self)
+        rows = [
+            (
+                "agrees" if finding.agrees else "<b>differs</b>",
+                html.escape(finding.finding),
+                html.escape(finding.thesis),
+                html.escape(finding.ours),
+            )
+            for finding in self.findings
+        ]
+        return tables.table(("", "finding", "thesis", html.escape(self.valve)), rows) + tables.NOTICE_HTML
+
+
+def _plans_html(before: Before, plans: Sequence[RankedPlan]) -> str:
+    state = (
+        f"<p>Before: leak {tables.number(before.measure.leak_mm2)} mm², orifice "
+        f"{tables.number(before.measure.orifice_area_mm2)} mm², {tables.state(before.status, before.crossing)}</p>"
+    )
+    return state + plans_table(plans) + tables.NOTICE_HTML

@@ -3,17 +3,31 @@
 from __future__ import annotations
 
 import os
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping
 from typing import Any, TypeAlias
 
 from .errors import BadDocument
 from .files import Path, is_path, plan_entries, read_json, read_plan_entries
-from .local_valve import LocalValve
 from .ranked_plans import RankedPlan
 from .repair import NamedPlan, Plan
 from .stored import KeptPlan, StoredValve
 
-Valve: TypeAlias = Path | Mapping[str, Any] | StoredValve | LocalValve
+
+class ValveHere(ABC):
+    """A valve in this process."""
+
+    @property
+    @abstractmethod
+    def name(self) -> str:
+        """Of its document."""
+
+    @abstractmethod
+    def to_json(self) -> dict[str, Any]:
+        """The coapt.valve/1."""
+
+
+Valve: TypeAlias = Path | Mapping[str, Any] | StoredValve | ValveHere
 """A preset's name or the id of a stored valve; a file (a pathlib.Path, or text that ends in ".json") of a coapt.valve/1; such a
 document; what Client.valves() lists; or one in this process."""
 
@@ -21,7 +35,7 @@ PlanSource: TypeAlias = Plan | NamedPlan | RankedPlan | KeptPlan | Mapping[str, 
 """A plan, from wherever it comes, or a file (a pathlib.Path, or text that ends in ".json") or document of one or several:
 coapt.plan/1, what `coapt plan --json` prints, the page's saved plans. Where one plan is asked for, the first counts."""
 
-_ONE_VALVE = (str, os.PathLike, Mapping, StoredValve, LocalValve)
+_ONE_VALVE = (str, os.PathLike, Mapping, StoredValve, ValveHere)
 _ONE_PLAN = (Plan, NamedPlan, RankedPlan, KeptPlan, Mapping, str, os.PathLike)
 
 
@@ -31,7 +45,7 @@ def valve_document(valve: Valve) -> Any:
     """
     if isinstance(valve, StoredValve):
         return valve.id
-    if isinstance(valve, LocalValve):
+    if isinstance(valve, ValveHere):
         return valve.to_json()
     return read_json(valve) if is_path(valve) else valve
 
@@ -40,7 +54,7 @@ def valve_name(valve: Valve) -> str:
     """What to call it in a table."""
     if isinstance(valve, Mapping):
         return str(valve.get("name", ""))
-    return valve.name if isinstance(valve, (StoredValve, LocalValve)) else str(valve)
+    return valve.name if isinstance(valve, (StoredValve, ValveHere)) else str(valve)
 
 
 def named_plans(source: PlanSource) -> list[tuple[str, Any]]:

@@ -17,6 +17,25 @@ from .sources import Valve, valve_document, valve_name
 if TYPE_CHECKING:
     import pandas
 
+COLUMNS = {
+    "valve_number": "valve_number",
+    "plan_number": "plan_number",
+    "valve": "valve",
+    "plan": "plan",
+    "trusted": "trusted",
+    "status": "closure.status",
+    "crossing": "closure.crossing",
+    **{column: f"closure.{place}" for column, place in frames.MEASURE.items()},
+    "annulus_ap_mm": "closure.measure.annulus_ap_mm",
+    "annulus_al_pm_mm": "closure.measure.annulus_al_pm_mm",
+    "tenting_height_mm": "closure.measure.tenting_height_mm",
+    "tension_sum_n": "closure.measure.tension_sum_n",
+    "strain_circumferential_max": "closure.measure.strain_circumferential_max",
+    "strain_radial_max": "closure.measure.strain_radial_max",
+    "error": "problem",
+}
+"""Of its table, and where their values are."""
+
 
 @dataclass(frozen=True)
 class SweepItem:
@@ -64,7 +83,7 @@ class Sweep:
 
     def to_frame(self) -> pandas.DataFrame:
         """Makes all closures: a row each, with the valve's and the plan's number and name, figures, trusted, error."""
-        return frames.sweep(self)
+        return frames.table(self, COLUMNS)
 
     def __iter__(self) -> Iterator[SweepItem]:
         waiting: deque[Future[SweepItem]] = deque()
