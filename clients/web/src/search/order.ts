@@ -1,51 +1,45 @@
-// The order of plans at other prices, by the rules of the search (search/plans/ranking.cpp): what every plan should meet
-// decides before the cost does.
-import type { RankedPlan } from '../api/types'
+// The order of plans at other prices. What the program ranks by before the cost it states of each plan; which of it comes
+// first, its ranks say. Plans that it ranks by the cost alone change places, and no others.
+import type { Gate, RankedPlan } from '../api/types'
 import { joined, number } from '../format'
-import { isRobust, openingMm2, tieWords } from './figures'
+import { isRobust, tieWords } from './figures'
 import { costOf, priceItems, type Wanted, type Weights } from './price'
 
-const OFTEN_FAILING = 0.05 // of the closures over the region: then its figures mean little
-export const STENOSIS_MM2 = 150
-
+const OFTEN_FAILING = 0.05 // as search/plans/ranking.cpp has it
 const TOLD_MM2 = 0.05 // differences below it are not told
 const TOLD = 3 // differences, the largest first
 
-interface Requirement {
-  isMet(plan: RankedPlan): boolean
-  unmet: string // of a plan, after its name
+interface Statement {
+  holds(plan: RankedPlan): boolean
+  not: string // of a plan, after its name
 }
 
-/// The first in which two plans differ decides.
-const REQUIREMENTS: Requirement[] = [
+const STATEMENTS: Statement[] = [
+  { holds: passes('convergence', 'crossing'), not: 'its closure as planned is not to be trusted' },
   {
-    isMet: ({ status, crossing, measure }) => status === 'converged' && !crossing && measure.leak_mm2 !== null,
-    unmet: 'its closure as planned is not to be trusted',
+    holds: ({ region_failures, region_closures }) => region_failures <= OFTEN_FAILING * region_closures,
+    not: 'more than a twentieth of its closures over the region failed',
   },
-  {
-    isMet: ({ region_failures, region_closures }) => region_failures <= OFTEN_FAILING * region_closures,
-    unmet: 'more than a twentieth of its closures over the region failed',
-  },
-  {
-    isMet: (plan) => (openingMm2(plan) ?? STENOSIS_MM2) >= STENOSIS_MM2,
-    unmet: 'it opens to less than 1.5 cm²',
-  },
-  { isMet: isRobust, unmet: 'it is not shown to close robustly' },
+  { holds: passes('opening_area'), not: 'it opens to less than 1.5 cm²' },
+  { holds: isRobust, not: 'it is not shown to close robustly' },
 ]
 
-/// `plans` as the search ranks them; its own weights leave them so.
-export function reordered(plans: RankedPlan[], own: Weights, wanted: Weights): RankedPlan[] {
-  const costs = new Map(plans.map((plan) => [plan.rank, costOf(plan, own, wanted) ?? Number.POSITIVE_INFINITY]))
-  return [...plans].sort((a, b) => {
-    const decisive = deciding(a, b)
-    if (decisive) return decisive.isMet(a) ? -1 : 1
-    const [cost, other] = [costs.get(a.rank) as number, costs.get(b.rank) as number]
-    return cost === other ? 0 : cost - other // infinite ones have no difference
-  })
+function passes(...rules: Gate['rule'][]): Statement['holds'] {
+  return ({ gates }) => !gates.some(({ rule, severity }) => severity === 'reject' && rules.includes(rule))
 }
 
-function deciding(a: RankedPlan, b: RankedPlan): Requirement | undefined {
-  return REQUIREMENTS.find(({ isMet }) => isMet(a) !== isMet(b))
+/// By rank, then each run of plans of which the program states the same by cost; its own weights leave them as ranked.
+export function reordered(plans: RankedPlan[], own: Weights, wanted: Weights): RankedPlan[] {
+  const ranked = [...plans].sort((a, b) => a.rank - b.rank)
+  let run = 0
+  return ranked
+    .map((plan, i) => {
+      const ahead = ranked[i - 1] ?? plan
+      if (STATEMENTS.some(({ holds }) => holds(ahead) !== holds(plan))) ++run
+      return { plan, run, cost: costOf(plan, own, wanted) ?? Number.POSITIVE_INFINITY }
+    })
+    .sort((a, b) => a.run - b.run || (a.cost === b.cost ? 0 : a.cost - b.cost)) // infinite ones have no difference
+    .map(({ plan }) => plan)
 }
 
 /// Why the first of `order` stands before the second: "Plan 1 stands first with a cost of 2.90 mm²; plan 2 has 3.37: 0.52
@@ -58,8 +52,8 @@ export function whyFirst(order: RankedPlan[], own: Weights, { weights, by }: Wan
   const tie = by === '' && first.tie_with_next ? `${tieWords(first, second, order) ?? ''} ` : ''
   const plan = by === '' ? 'Plan' : `By ${by} plan`
   const costs = `${plan} ${first.rank} stands first with a cost of ${number(cost, 2)} mm²; plan ${second.rank} has ${number(other, 2)}`
-  const decisive = deciding(first, second)
-  if (decisive) return `${tie}${costs}, ${other < cost ? 'but' : 'and'} ${decisive.unmet}.`
+  const decisive = STATEMENTS.find(({ holds }) => holds(first) && !holds(second))
+  if (decisive) return `${tie}${costs}, ${other < cost ? 'but' : 'and'} ${decisive.not}.`
   return `${tie}${costs}${differences(first, second, weights)}.`
 }
 

@@ -8,11 +8,11 @@ import { h } from '../dom'
 import { cm2, joined, number, withUnit } from '../format'
 import { doubts, FURTHEST_DISEASE_MM, openingMm2 } from './figures'
 import { frontRows, frontTable, unrankedPoints } from './front'
-import { STENOSIS_MM2 } from './order'
 import { LEVEL_MM, placeOf, tradeCells, tradeInWords, tradeOfFront, tradeOfRanked } from './trade'
 import parts from '../style/parts.module.css'
 
 const COMPETENT_MM2 = 1
+const STENOSIS_MM2 = 150
 const GOOD_REPAIR_MM2 = 5 // search/plans/objective.h
 const TITLE = 'Leak against opening in diastole'
 

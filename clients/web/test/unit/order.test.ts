@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest'
+import kept from '../../../../tests/kept/0.1/plans.json'
 import type { RankedPlan } from '../../src/api/types'
 import { reordered, whyFirst } from '../../src/search/order'
-import { wantedWeights, AS_SEARCHED, type Factors } from '../../src/search/price'
+import { wantedWeights, AS_SEARCHED, type Factors, type Weights } from '../../src/search/price'
 import { planOf, WEIGHTS } from './plans'
 
 const at = (factors: Partial<Factors>, learned = {}) => wantedWeights(WEIGHTS, { ...AS_SEARCHED, ...factors }, learned)
@@ -28,6 +29,11 @@ test('factors of 1 leave the order of the search, where costs decide and where t
 
 test('the order does not come from that in which plans are given', () => {
   expect(ranks([...decided].reverse())).toEqual([1, 2, 3, 4, 5, 6, 7])
+})
+
+test('plans that release 0.1 has kept stay as it ranked them', () => {
+  const { plans, weights } = kept as unknown as { plans: RankedPlan[]; weights: Weights }
+  expect(reordered([...plans].reverse(), weights, weights)).toEqual(plans)
 })
 
 test('plans of one cost stay in the order of the search', () => {
@@ -68,8 +74,8 @@ test('no preference brings forward a plan that lacks what comes before the cost'
   expect(ranks(decided, { leak: 0, opening: 0, durability: 0, operation: 0 })[2]).toBe(3)
 })
 
-test('the smaller of passage and what is seen open decides on stenosis; what is not known does not', () => {
-  const narrow = planOf({ rank: 2, cost: 1, opening_mm2: 300, seen_mm2: 140 })
+test('an opening that the program rejects comes before the cost; one that is not known does not', () => {
+  const narrow = planOf({ rank: 2, cost: 1, opening_mm2: 140 })
   const unopened = planOf({ rank: 1, cost: 2, opening_mm2: null })
   expect(ranks([unopened, narrow])).toEqual([1, 2])
 })
@@ -102,6 +108,10 @@ test('what decided before the cost is the reason', () => {
   )
   expect(whyFirst([planOf({ cost: 2 }), planOf({ rank: 2, cost: 3, opening_mm2: 120 })], WEIGHTS, asSearched)).toBe(
     'Plan 1 stands first with a cost of 2.00 mm²; plan 2 has 3.00, and it opens to less than 1.5 cm².',
+  )
+  const failing = planOf({ rank: 2, cost: 4, robust: false, failures: 6 })
+  expect(whyFirst([planOf({ cost: 5, robust: false }), failing], WEIGHTS, asSearched)).toBe(
+    'Plan 1 stands first with a cost of 5.00 mm²; plan 2 has 4.00, but more than a twentieth of its closures over the region failed.',
   )
 })
 

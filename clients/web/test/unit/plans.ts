@@ -69,7 +69,8 @@ export function frontPlanOf(plan: Plan, given: Partial<FrontPlan> = {}): FrontPl
 
 /// Robust, open to 3 cm2, unless something else is said.
 export function planOf(given: Given): RankedPlan {
-  const { rank = 1, robust = true, tie = false, mean = 0.25, opening_mm2 = 300 } = given
+  const { rank = 1, robust = true, tie = false, mean = 0.25, opening_mm2 = 300, seen_mm2 = opening_mm2 } = given
+  const { status = 'converged', crossing = false } = given
   const amounts = termsOf(given.terms ?? {})
   const sum = Object.entries(amounts).reduce(
     (all, [name, amount]) => all + WEIGHTS[name as keyof CostTerms] * amount,
@@ -84,13 +85,18 @@ export function planOf(given: Given): RankedPlan {
     fine: null,
     leak_mm2: { mean, sd: mean === null ? null : 0.25 },
     measure: { leak_mm2: 0.1 },
-    status: given.status ?? 'converged',
-    crossing: given.crossing ?? false,
+    status,
+    crossing,
+    gates: Object.entries({
+      convergence: status === 'converged',
+      crossing: !crossing,
+      opening_area: (opening_mm2 ?? 150) >= 150,
+    }).map(([rule, passes]) => ({ rule, severity: passes ? 'pass' : 'reject' })),
     closes_robustly: robust,
     region_closures: 100,
     region_failures: given.failures ?? 0,
     opening_area_mm2: opening_mm2,
-    projected_area_mm2: given.seen_mm2 === undefined ? opening_mm2 : given.seen_mm2,
+    projected_area_mm2: seen_mm2,
     durability_mm: given.durability_mm === undefined ? 9 : given.durability_mm,
     pareto: given.pareto ?? false,
     tie_with_next: tie,
