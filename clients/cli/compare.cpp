@@ -8,8 +8,9 @@
 
 #include "clients/cli/closure_options.h"
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "clients/cli/read_argument.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/exchange/import_files.h"
 #include "io/exchange/shape_file.h"
 #include "io/json/comparison_json.h"

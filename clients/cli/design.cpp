@@ -5,11 +5,11 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/design_inputs.h"
 #include "clients/cli/design_outputs.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
-#include "clients/cli/progress_bar.h"
 #include "core/repair/limits.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
+#include "io/command_line/progress_bar.h"
 #include "io/picture/text.h"
 
 namespace coapt {

@@ -1,7 +1,7 @@
 #include "clients/cli/design_inputs.h"
 
-#include "clients/cli/files.h"
 #include "clients/cli/population_directory.h"
+#include "clients/cli/read_argument.h"
 #include "search/population/population.h"
 
 namespace coapt {

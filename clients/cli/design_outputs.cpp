@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <ostream>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/mesh/ring_solid.h"
 #include "io/mesh/write_mesh.h"
 #include "io/picture/ring_page.h"

@@ -5,15 +5,17 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/print.h"
-#include "clients/cli/progress_bar.h"
+#include "clients/cli/read_argument.h"
+#include "clients/cli/result_exit_code.h"
 #include "clients/cli/ring_option.h"
 #include "clients/cli/search_option.h"
+#include "clients/cli/search_progress.h"
 #include "clients/cli/server_option.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/picture/report.h"
@@ -163,7 +165,7 @@ int run(EvaluateArguments arguments) {
   if (!store) return report_store_errors("evaluate", store.errors());
   const auto evaluate = [&] {
     const ProgressBar bar;
-    context.progress = [&](const SearchProgress& progress) { bar.show(progress); };
+    context.progress = [&](const SearchProgress& progress) { show(bar, progress); };
     return evaluate_plans(*valve, plans, arguments.options, context);
   };
   const Expected<SearchResult> result = evaluate();

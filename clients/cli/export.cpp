@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
 #include "clients/cli/plan_option.h"
+#include "clients/cli/read_argument.h"
 #include "core/valve/number_text.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/exchange/formats.h"
 #include "io/json/plan_json.h"
 #include "search/evaluator.h"

@@ -1,6 +1,6 @@
 // coapt: the command line.
 #include "clients/cli/commands.h"
-#include "clients/cli/program.h"
+#include "io/command_line/program.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
+#include "io/command_line/exit_code.h"
 
 namespace coapt {
 

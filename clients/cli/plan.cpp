@@ -3,17 +3,18 @@
 #include <string>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
 #include "clients/cli/farm_option.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
 #include "clients/cli/plan_arguments.h"
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/plan_valves.h"
-#include "clients/cli/progress_bar.h"
+#include "clients/cli/read_argument.h"
 #include "clients/cli/search_option.h"
+#include "clients/cli/search_progress.h"
 #include "clients/cli/service_job.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
@@ -72,7 +73,7 @@ int run(const Command& command, PlanArguments arguments) {
 
   const auto search = [&] {
     const ProgressBar bar;
-    context.progress = [&](const SearchProgress& progress) { bar.show(progress); };
+    context.progress = [&](const SearchProgress& progress) { show(bar, progress); };
     return search_plans(*valve, options, context);
   };
   const Expected<SearchResult> result = search();

@@ -3,10 +3,11 @@
 #include <sstream>
 #include <type_traits>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "clients/cli/read_argument.h"
 #include "clients/cli/ring_option.h"
 #include "clients/cli/search_option.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/json/json_reader.h"
 #include "io/json/search_options_json.h"
 #include "io/json/weights_json.h"

@@ -1,9 +1,9 @@
 #include "clients/cli/plan_option.h"
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "clients/cli/read_argument.h"
 #include "clients/cli/ring_option.h"
 #include "core/repair/apply_plan.h"
+#include "io/command_line/files.h"
 
 namespace coapt {
 

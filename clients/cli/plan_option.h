@@ -34,7 +34,7 @@ struct PlannedValve {
   Valve repaired{};
 };
 
-/// A command's valve (files.h) with its plan applied.
+/// A command's valve (read_argument.h) with its plan applied.
 PlannedValve read_planned_valve(const std::string& argument, const PlanOption& option);
 
 }  // namespace coapt

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/store/subject.h"
 
 namespace coapt {

@@ -5,13 +5,15 @@
 #include <iostream>
 #include <set>
 
-#include "clients/cli/exit_code.h"
 #include "clients/cli/farm_option.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
 #include "clients/cli/print.h"
-#include "clients/cli/progress_bar.h"
+#include "clients/cli/read_argument.h"
+#include "clients/cli/result_exit_code.h"
 #include "farm/work/plan_work.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
+#include "io/command_line/progress_bar.h"
 #include "io/json/weights_json.h"
 #include "io/picture/report_material.h"
 #include "io/picture/study_csv.h"

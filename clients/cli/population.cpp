@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
 #include "clients/cli/farm_option.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
 #include "clients/cli/population_directory.h"
-#include "clients/cli/progress_bar.h"
 #include "farm/work/population_work.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
+#include "io/command_line/progress_bar.h"
 #include "io/json/population_json.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
 #include "clients/cli/preference_inputs.h"
 #include "clients/cli/print.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/json/preference_json.h"
 #include "io/picture/text.h"
 #include "search/preference/raters.h"

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <optional>
 
-#include "clients/cli/files.h"
+#include "io/command_line/files.h"
 #include "io/json/ring_json.h"
 
 namespace coapt {

@@ -7,9 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "clients/cli/read_argument.h"
 #include "core/valve/problem_list.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/json/plan_json.h"
 #include "io/json/valve_json.h"
 

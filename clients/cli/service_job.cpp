@@ -1,15 +1,13 @@
 #include "clients/cli/service_job.h"
 
 #include <chrono>
-#include <cmath>
 #include <random>
 #include <sstream>
 #include <thread>
 
 #include "clients/cli/print.h"
-#include "clients/cli/progress_bar.h"
+#include "clients/cli/search_progress.h"
 #include "io/json/result_json.h"
-#include "io/picture/text.h"
 
 namespace coapt {
 namespace {
@@ -27,12 +25,13 @@ std::string new_key() {
   return key.str();
 }
 
-void show(const ProgressBar& bar, const ordered_json& progress) {
-  const double best_mm2 = number_of(progress.at("best_leak_mm2"));
-  const std::string best =
-      std::isnan(best_mm2) ? "" : ", lowest leak as planned " + fixed(best_mm2, 1) + " mm2";
-  bar.show(progress.at("closures"), progress.at("closures_planned"),
-           "closures, " + progress.at("stage").get<std::string>() + best);
+SearchProgress progress_of(const ordered_json& json) {
+  SearchProgress progress;
+  progress.closures = json.at("closures");
+  progress.closures_planned = json.at("closures_planned");
+  progress.best_leak_mm2 = number_of(json.at("best_leak_mm2"));
+  progress.stage = json.at("stage");
+  return progress;
 }
 
 }  // namespace
@@ -52,7 +51,7 @@ Expected<ServiceJob> run_job(const Service& service, const std::string& path,
   {
     const ProgressBar bar;
     const Errors errors = follow_job(service, job.path, [&](const ServiceEvent& event) {
-      if (!event.progress.is_null()) show(bar, event.progress);
+      if (!event.progress.is_null()) show(bar, progress_of(event.progress));
     });
     if (!errors.empty()) return errors;
   }

@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
 #include "clients/cli/farm_option.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
+#include "clients/cli/read_argument.h"
 #include "clients/cli/server_option.h"
 #include "clients/cli/service_job.h"
 #include "clients/cli/study_directory.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
 #include "io/json/findings_json.h"
 #include "io/picture/study_report.h"
 

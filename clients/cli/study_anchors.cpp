@@ -3,13 +3,13 @@
 #include <string>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
 #include "clients/cli/farm_option.h"
-#include "clients/cli/files.h"
 #include "clients/cli/study_directory.h"
 #include "core/presets/porcine_thesis.h"
 #include "core/presets/presets.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/picture/anchor_question_chart.h"
 #include "io/picture/study_csv.h"
 #include "io/picture/study_page.h"

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "clients/cli/files.h"
 #include "farm/ask/farm_closures.h"
+#include "io/command_line/files.h"
 #include "io/store/subject.h"
 
 namespace coapt {

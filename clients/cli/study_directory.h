@@ -6,7 +6,7 @@
 #include <mutex>
 #include <string>
 
-#include "clients/cli/progress_bar.h"
+#include "io/command_line/progress_bar.h"
 #include "io/store/closure_store.h"
 
 namespace coapt {

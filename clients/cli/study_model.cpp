@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
 #include "clients/cli/plan_option.h"
-#include "clients/cli/progress_bar.h"
+#include "clients/cli/read_argument.h"
 #include "core/valve/number_text.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
+#include "io/command_line/progress_bar.h"
 #include "io/json/model_study_json.h"
 #include "io/picture/histogram_chart.h"
 #include "io/picture/study_csv.h"

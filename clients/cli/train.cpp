@@ -4,8 +4,9 @@
 #include <string>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "clients/cli/read_argument.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/json/training_json.h"
 #include "io/json/valve_json.h"
 #include "io/picture/picture.h"

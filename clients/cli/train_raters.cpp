@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
-#include "clients/cli/progress_bar.h"
+#include "clients/cli/read_argument.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/progress_bar.h"
 #include "io/json/version.h"
 #include "io/picture/text.h"
 #include "search/random_share.h"

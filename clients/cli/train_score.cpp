@@ -4,8 +4,8 @@
 #include <string>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/json/schedule_json.h"
 #include "io/json/score_json.h"
 #include "io/json/trials_csv.h"

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "clients/cli/read_argument.h"
+#include "io/command_line/exit_code.h"
 #include "io/json/result_json.h"
 
 namespace coapt {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
 #include "clients/cli/import_inputs.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/exchange/abaqus_valve.h"
 #include "io/exchange/decisions_json.h"
 #include "io/exchange/import_files.h"

@@ -5,8 +5,9 @@
 #include <string>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "clients/cli/read_argument.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/picture/text.h"
 
 namespace coapt {

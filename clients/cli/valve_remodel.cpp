@@ -3,8 +3,9 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/files.h"
+#include "clients/cli/read_argument.h"
 #include "core/valve/remodel.h"
+#include "io/command_line/files.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {

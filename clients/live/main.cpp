@@ -5,15 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
 #include "clients/cli/plan_option.h"
+#include "clients/cli/read_argument.h"
 #include "clients/live/haply_device.h"
 #include "clients/live/live_session.h"
 #include "clients/live/session_report.h"
 #include "clients/live/stylus_script.h"
 #include "core/live/live_valve.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
 #include "io/json/result_json.h"
 #include "io/json/version.h"
 

@@ -5,14 +5,14 @@
 #include <optional>
 #include <sstream>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
 #include "farm/program/commands.h"
 #include "farm/program/farm_option.h"
 #include "farm/program/persistence.h"
 #include "farm/program/wait_for_run.h"
 #include "farm/work/work_file.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
 
 namespace coapt {
 namespace {

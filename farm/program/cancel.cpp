@@ -1,9 +1,9 @@
 #include <iostream>
 #include <memory>
 
-#include "clients/cli/exit_code.h"
 #include "farm/program/commands.h"
 #include "farm/program/farm_option.h"
+#include "io/command_line/exit_code.h"
 
 namespace coapt {
 namespace {

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <limits>
 
-#include "clients/cli/exit_code.h"
+#include "io/command_line/exit_code.h"
 #include "io/json/result_json.h"
 
 namespace coapt {

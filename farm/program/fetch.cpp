@@ -3,12 +3,12 @@
 #include <iostream>
 #include <memory>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
 #include "farm/program/commands.h"
 #include "farm/program/farm_option.h"
 #include "farm/program/wait_for_run.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
 
 namespace coapt {
 namespace {

@@ -1,7 +1,7 @@
 // coapt-farm: closures and searches shared among machines.
-#include "clients/cli/program.h"
 #include "farm/program/commands.h"
 #include "farm/work/work.h"
+#include "io/command_line/program.h"
 
 namespace {
 

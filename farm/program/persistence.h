@@ -10,9 +10,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "clients/cli/exit_code.h"
 #include "farm/database/farm_database.h"
 #include "farm/program/farm_option.h"
+#include "io/command_line/exit_code.h"
 
 namespace coapt {
 

@@ -4,10 +4,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "clients/cli/interrupt.h"
 #include "farm/program/commands.h"
 #include "farm/program/persistence.h"
 #include "farm/program/status_text.h"
+#include "io/command_line/interrupt.h"
 
 namespace coapt {
 namespace {

@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/progress_bar.h"
 #include "farm/program/farm_option.h"
 #include "farm/program/persistence.h"
 #include "farm/program/status_text.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/progress_bar.h"
 
 namespace coapt {
 namespace {

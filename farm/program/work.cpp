@@ -7,11 +7,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/interrupt.h"
 #include "farm/database/worker.h"
 #include "farm/program/commands.h"
 #include "farm/program/farm_option.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/interrupt.h"
 #include "io/picture/text.h"
 
 namespace coapt {

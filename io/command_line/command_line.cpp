@@ -8,11 +8,10 @@
 #include <type_traits>
 
 #include "core/valve/nearest_name.h"
+#include "io/command_line/exit_code.h"
 
 namespace coapt {
 namespace {
-
-constexpr int kUsageError = 2;
 
 template <class T>
 Check number_check(T min, T max) {
@@ -226,11 +225,11 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
       std::cerr << app_->get_name() << ": unknown: " << unknown.front()
                 << did_you_mean(unknown.front(), names_in(*app_)) << '\n';
     app_->exit(error);
-    return kUsageError;
+    return exit_code::kBadInput;
   } catch (const CLI::ParseError& error) {
     const int code = app_->exit(error);
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) suggest(*app_);
-    return code == 0 ? 0 : kUsageError;
+    return code == 0 ? 0 : exit_code::kBadInput;
   }
 }
 

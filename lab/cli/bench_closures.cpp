@@ -3,11 +3,12 @@
 #include <string>
 
 #include "clients/cli/closure_options.h"
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
-#include "clients/cli/progress_bar.h"
+#include "clients/cli/read_argument.h"
 #include "core/metrics/quantile.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/progress_bar.h"
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "lab/cli/commands.h"

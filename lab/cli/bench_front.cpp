@@ -4,12 +4,13 @@
 #include <memory>
 #include <mutex>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
 #include "clients/cli/plan_store_option.h"
-#include "clients/cli/progress_bar.h"
+#include "clients/cli/read_argument.h"
+#include "clients/cli/search_progress.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
 #include "io/store/subject.h"
 #include "lab/cli/bench_parts.h"
 #include "lab/cli/commands.h"
@@ -47,7 +48,7 @@ int solve(const BenchFrontArguments& arguments, const LatticeCase& one,
   if (const auto text = read_input(file)) openings = read_openings(subject, *text);
   const ProgressBar bar;
   context.progress = [&](const SearchProgress& progress) {
-    if (progress.closures % 64 == 0) bar.show(progress);
+    if (progress.closures % 64 == 0) show(bar, progress);
   };
   std::optional<SolvedFront> front = solve_front(
       one, arguments.threads, context, std::move(openings),

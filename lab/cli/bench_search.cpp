@@ -4,12 +4,13 @@
 #include <memory>
 #include <mutex>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
-#include "clients/cli/interrupt.h"
 #include "clients/cli/plan_store_option.h"
-#include "clients/cli/progress_bar.h"
+#include "clients/cli/read_argument.h"
+#include "clients/cli/search_progress.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/json/version.h"
@@ -68,7 +69,7 @@ int solve(const BenchSearchArguments& arguments, const LatticeCase& one,
   if (!store) return report_store_errors("bench search", store.errors());
   const ProgressBar bar;
   context.progress = [&](const SearchProgress& progress) {
-    if (progress.closures % 64 == 0) bar.show(progress);
+    if (progress.closures % 64 == 0) show(bar, progress);
   };
   std::optional<SolvedLattice> lattice = solve_lattice(one, arguments.threads, context);
   if (!lattice) return exit_code::kInterrupted;

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "clients/cli/progress_bar.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/progress_bar.h"
 #include "lab/charts/tables.h"
 #include "lab/cli/chart_parts.h"
 #include "lab/cli/chart_twins.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "clients/cli/closure_options.h"
-#include "clients/cli/progress_bar.h"
 #include "io/command_line/command_line.h"
+#include "io/command_line/progress_bar.h"
 #include "lab/charts/tables.h"
 #include "lab/cli/chart_parts.h"
 #include "lab/closures/mesh_study.h"

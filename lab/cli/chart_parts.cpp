@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "clients/cli/exit_code.h"
-#include "clients/cli/files.h"
+#include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "lab/cli/draw.h"
 
 namespace coapt {

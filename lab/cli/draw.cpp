@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "clients/cli/files.h"
+#include "io/command_line/files.h"
 
 namespace coapt {
 

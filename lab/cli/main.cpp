@@ -1,5 +1,5 @@
 // coapt-lab: measures coapt and what it was chosen over.
-#include "clients/cli/program.h"
+#include "io/command_line/program.h"
 #include "lab/cli/commands.h"
 
 namespace {

@@ -13,8 +13,8 @@
 #include <string>
 #include <thread>
 
-#include "clients/cli/program.h"
 #include "farm/program/commands.h"
+#include "io/command_line/program.h"
 
 namespace {
 

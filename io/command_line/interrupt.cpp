@@ -1,4 +1,4 @@
-#include "clients/cli/interrupt.h"
+#include "io/command_line/interrupt.h"
 
 #include <csignal>
 

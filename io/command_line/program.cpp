@@ -1,4 +1,4 @@
-#include "clients/cli/program.h"
+#include "io/command_line/program.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <iostream>
 #include <string>
 
-#include "clients/cli/exit_code.h"
+#include "io/command_line/exit_code.h"
 #include "io/json/version.h"
 
 namespace coapt {

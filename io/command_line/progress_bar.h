@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <string>
 
-#include "search/plans/plan_search.h"
-
 namespace coapt {
 
 /// One line on standard error that shows how far something is; nothing if that is not a terminal.
@@ -16,7 +14,6 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  void show(const SearchProgress& progress) const;
   /// `what` follows the numbers: "3 of 10 closures".
   void show(std::int64_t done, std::int64_t planned, const std::string& what) const;
 

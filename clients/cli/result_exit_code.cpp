@@ -1,6 +1,8 @@
-#include "clients/cli/exit_code.h"
+#include "clients/cli/result_exit_code.h"
 
 #include <nlohmann/json.hpp>
+
+#include "io/command_line/exit_code.h"
 
 namespace coapt {
 

@@ -1,12 +1,9 @@
-#include "clients/cli/progress_bar.h"
+#include "io/command_line/progress_bar.h"
 
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
-
-#include "io/picture/text.h"
 
 namespace coapt {
 namespace {
@@ -20,14 +17,6 @@ ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {
   if (terminal_) std::cerr << kClearLine << std::flush;
-}
-
-void ProgressBar::show(const SearchProgress& progress) const {
-  const std::string best =
-      std::isinf(progress.best_leak_mm2)
-          ? ""
-          : ", lowest leak as planned " + fixed(progress.best_leak_mm2, 1) + " mm2";
-  show(progress.closures, progress.closures_planned, "closures, " + progress.stage + best);
 }
 
 void ProgressBar::show(std::int64_t done, std::int64_t planned, const std::string& what) const {
