@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/metrics/quantile.h"
+#include "core/valve/vertex_normals.h"
 
 namespace coapt {
 namespace {
@@ -17,20 +18,6 @@ std::set<std::pair<int, int>> edges_of(const Faces& faces) {
   for (Eigen::Index f = 0; f < faces.rows(); ++f)
     for (int k = 0; k < 3; ++k) edges.insert(std::minmax({faces(f, k), faces(f, (k + 1) % 3)}));
   return edges;
-}
-
-/// Of the faces around each vertex, weighted by their areas; unit length.
-Points vertex_normals(const Points& vertices_mm, const Faces& faces) {
-  Points normals = Points::Zero(vertices_mm.rows(), 3);
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    const Vec3 a = vertices_mm.row(faces(f, 0)).transpose();
-    const Vec3 b = vertices_mm.row(faces(f, 1)).transpose();
-    const Vec3 c = vertices_mm.row(faces(f, 2)).transpose();
-    const Vec3 normal = (b - a).cross(c - a);
-    for (int k = 0; k < 3; ++k) normals.row(faces(f, k)) += normal.transpose();
-  }
-  for (auto normal : normals.rowwise()) normal.normalize();
-  return normals;
 }
 
 DistanceSummary summary_of(const std::vector<double>& distances_mm) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/valve/vertex_normals.h"
 #include "io/exchange/glb.h"
 #include "io/exchange/tubes.h"
 #include "io/exchange/valve_markups.h"
@@ -43,19 +44,6 @@ Points turned(const Points& vectors) {
 }
 
 Points in_metres(const Points& points_mm) { return 1e-3 * turned(points_mm); }
-
-/// Of the surface at each vertex, weighted by area.
-Points vertex_normals(const Faces& faces, const Points& vertices_mm) {
-  Points normals = Points::Zero(vertices_mm.rows(), 3);
-  for (const auto& face : faces.rowwise()) {
-    const Vec3 a = vertices_mm.row(face[0]), b = vertices_mm.row(face[1]),
-               c = vertices_mm.row(face[2]);
-    for (const int vertex : face) normals.row(vertex) += (b - a).cross(c - a);
-  }
-  for (auto normal : normals.rowwise())
-    normal = normal.norm() > 0.0 ? normal.normalized().eval() : Vec3::UnitZ().transpose().eval();
-  return normals;
-}
 
 /// Edges that one face alone has, each as the corners (face, corner of its start).
 std::vector<std::pair<Eigen::Index, int>> free_edges(const Faces& faces) {
@@ -110,7 +98,9 @@ MorphedMesh leaflets(const Valve& valve, const std::vector<ValveShape>& states) 
   mesh.colours.insert(mesh.colours.end(), above.begin(), above.end());
   for (const ValveShape& state : states) {
     const Points middle = state.vertices_mm(source, Eigen::all);
-    const Points normals = vertex_normals(valve.faces, state.vertices_mm)(source, Eigen::all);
+    Points normals = vertex_normals(state.vertices_mm, valve.faces)(source, Eigen::all);
+    for (auto normal : normals.rowwise())
+      if (!(normal.norm() > 0.0)) normal = Vec3::UnitZ().transpose();
     const Points half = 0.5 * valve.tissue.thickness_mm * normals;
     mesh.vertices_mm.emplace_back(2 * middle.rows(), 3) << middle + half, middle - half;
     mesh.normals.emplace_back(2 * middle.rows(), 3) << normals, -normals;

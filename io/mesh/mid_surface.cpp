@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/metrics/surface_tree.h"
+#include "core/valve/vertex_normals.h"
 #include "io/mesh/sheet_repair.h"
 
 namespace coapt {
@@ -60,16 +61,6 @@ Points smoothed(const TriangleMesh& mesh, int pairs) {
   return x;
 }
 
-/// Means of the faces around, by area; zero where there are none.
-Points vertex_normals(const TriangleMesh& mesh) {
-  Points normals = Points::Zero(mesh.vertices_mm.rows(), 3);
-  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
-    for (const int v : mesh.faces.row(f)) normals.row(v) += area_vector(mesh, f).transpose();
-  for (auto normal : normals.rowwise())
-    if (const double norm = normal.norm(); norm > 0.0) normal /= norm;
-  return normals;
-}
-
 double volume_mm3(const TriangleMesh& mesh) {
   const Vec3 centre = mesh.vertices_mm.colwise().mean();
   double sum = 0.0;
@@ -113,7 +104,7 @@ Shell facing_itself(const TriangleMesh& input) {
   shell.mesh = {smoothed(input, kSmoothings), input.faces};
   shell.gentle_mm = smoothed(input, gentle_pairs(input));
   if (volume_mm3(shell.mesh) < 0.0) shell.mesh.faces.col(1).swap(shell.mesh.faces.col(2));
-  const Points at_vertices = vertex_normals(shell.mesh);
+  const Points at_vertices = vertex_normals(shell.mesh.vertices_mm, shell.mesh.faces);
   const Eigen::Index n = shell.mesh.faces.rows();
   shell.normals.resize(n, 3);
   for (Eigen::Index f = 0; f < n; ++f) {
@@ -266,7 +257,8 @@ Expected<MidSurface> mid_surface(const TriangleMesh& input) {
   const double one_mm2 = kept_area(shell.mesh, one), two_mm2 = kept_area(shell.mesh, two);
   if (!(std::min(one_mm2, two_mm2) > kLeastOpposed * std::max(one_mm2, two_mm2))) return unclear;
   const std::vector<bool>& kept = one_mm2 >= two_mm2 ? one : two;
-  const Points normals = vertex_normals(part_of(shell.mesh, kept));
+  const TriangleMesh smooth_side = part_of(shell.mesh, kept);
+  const Points normals = vertex_normals(smooth_side.vertices_mm, smooth_side.faces);
   const TriangleMesh side = part_of({shell.gentle_mm, shell.mesh.faces}, kept);
   const SurfaceTree other(shell.gentle_mm, shell.mesh.faces);
   const std::vector<bool>& facing = one_mm2 >= two_mm2 ? two : one;
