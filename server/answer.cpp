@@ -1,55 +1,12 @@
 #include "server/answer.h"
 
-#include "io/json/result_json.h"
+#include "io/json/problem_json.h"
 #include "io/json/version.h"
 
 namespace coapt {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr const char* kProblemTypes = "https://coapt.example/problems/";
-
-const char* title(int status) {
-  switch (status) {
-    case 400:
-      return "Bad request";
-    case 401:
-      return "Unauthorized";
-    case 403:
-      return "Forbidden";
-    case 404:
-      return "Not found";
-    case 405:
-      return "Method not allowed";
-    case 408:
-      return "Request timeout";
-    case 409:
-      return "Conflict";
-    case 411:
-      return "Length required";
-    case 413:
-      return "Content too large";
-    case 414:
-      return "URI too long";
-    case 415:
-      return "Unsupported media type";
-    case 421:
-      return "Misdirected request";
-    case 422:
-      return "Unprocessable content";
-    case 429:
-      return "Too many requests";
-    case 431:
-      return "Request header fields too large";
-    case 503:
-      return "Service unavailable";
-    case 507:
-      return "Insufficient storage";
-    default:
-      return status < 500 ? "Request error" : "Internal error";
-  }
-}
 
 bool says(const Answer& answer, std::string_view name) {
   for (const auto& [given, value] : answer.headers) {
@@ -72,13 +29,7 @@ Answer json_answer(int status, ordered_json object) {
 }
 
 Answer problem(int status, const Errors& errors) {
-  ordered_json problems = to_json(errors);
-  const std::string kind = errors.empty() ? "unsupported" : problems[0]["code"].get<std::string>();
-  return json_answer(status, {{"type", kProblemTypes + kind},
-                              {"title", title(status)},
-                              {"status", status},
-                              {"detail", errors.empty() ? title(status) : errors.front().message},
-                              {"problems", std::move(problems)}});
+  return json_answer(status, problem_json(status, errors));
 }
 
 Answer problem(int status, ErrorCode code, const std::string& message) {
@@ -117,7 +68,7 @@ Headers all_headers(const Answer& answer) {
 std::string as_http(const Answer& answer) {
   const std::string bytes = content_bytes(answer);
   std::string http =
-      "HTTP/1.1 " + std::to_string(answer.status) + ' ' + title(answer.status) + "\r\n";
+      "HTTP/1.1 " + std::to_string(answer.status) + ' ' + status_title(answer.status) + "\r\n";
   for (const auto& [name, value] : all_headers(answer)) http += name + ": " + value + "\r\n";
   return http + "Content-Type: " + content_type(answer) +
          "\r\nContent-Length: " + std::to_string(bytes.size()) + "\r\nConnection: close\r\n\r\n" +

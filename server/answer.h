@@ -43,8 +43,7 @@ struct Answer {
 /// A JSON object of the service's own: with the research-only notice in it.
 Answer json_answer(int status, nlohmann::ordered_json object);
 
-/// RFC 9457: {"type", "title", "status", "detail", "problems": [{"code", "path", "message"}]}; paths
-/// point into the request's body.
+/// problem_json() of the errors.
 Answer problem(int status, const Errors& errors);
 Answer problem(int status, ErrorCode code, const std::string& message);
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "io/json/plan_json.h"
-#include "io/json/result_json.h"
+#include "io/json/problem_json.h"
 #include "io/json/valve_json.h"
 #include "io/json/version.h"
 
@@ -18,10 +18,7 @@ EngineAnswer json_answer(int status, ordered_json object, Points closed_mm) {
 }
 
 EngineAnswer problem(int status, const Errors& errors) {
-  return json_answer(status, {{"title", status == 404 ? "Not found" : "Unprocessable content"},
-                              {"status", status},
-                              {"detail", errors.front().message},
-                              {"problems", to_json(errors)}});
+  return json_answer(status, problem_json(status, errors));
 }
 
 EngineAnswer problem_below(const std::string& path, const Errors& errors) {

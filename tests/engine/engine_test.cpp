@@ -76,7 +76,9 @@ TEST_F(EngineTest, EveryProblemIsToldWithItsPlace) {
 }
 
 TEST_F(EngineTest, WhatIsNoJsonIsRefused) {
-  EXPECT_EQ(answer("/v1/closures", "").status, 400);
+  const EngineAnswer empty = answer("/v1/closures", "");
+  EXPECT_EQ(empty.status, 400);
+  EXPECT_EQ(json::parse(empty.body)["title"], "Bad request");
   EXPECT_EQ(answer("/v1/closures", "{").status, 400);
   EXPECT_EQ(answer("/v1/closures", "[]").status, 422);
 }
