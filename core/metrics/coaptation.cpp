@@ -7,7 +7,7 @@
 #include "core/metrics/gap.h"
 #include "core/metrics/leaflet_sides.h"
 #include "core/metrics/quantile.h"
-#include "core/metrics/surface.h"
+#include "core/metrics/surface_tree.h"
 
 namespace coapt {
 namespace {
@@ -41,20 +41,22 @@ void for_anterior_pieces(const std::vector<SectionLine>& lines, const std::vecto
 /// distance changes by no more than the way from one to the other.
 struct MeasuredPoint {
   Vec3 at_mm = Vec3::Zero();
-  SurfacePoint nearest;
-  double least_mm(const Vec3& point) const { return nearest.distance_mm - (point - at_mm).norm(); }
+  TreePoint nearest;
+  double least_mm(const Vec3& point) const {
+    return nearest.face < 0 ? 0.0 : nearest.distance_mm - (point - at_mm).norm();
+  }
 };
 
 /// Where the cuts' corners on the anterior side are nearest: a bound of what matters between them.
 CoaptationSection nearest_corner(const std::vector<SectionLine>& lines,
-                                 const std::vector<Leaflet>& sides, const TriangleSet& posterior) {
+                                 const std::vector<Leaflet>& sides, const SurfaceTree& posterior) {
   CoaptationSection section;
   section.distance_mm = kInfinity;
   MeasuredPoint last;
   for_anterior_pieces(lines, sides, [&](const SectionLine& line, std::size_t i) {
     for (const Vec3& point : {line.points_mm[i], line.points_mm[i + 1]}) {
       if (last.least_mm(point) >= section.distance_mm) continue;
-      last = {point, nearest_within(posterior, point, kInfinity, last.nearest.triangle)};
+      last = {point, posterior.nearest(point, kInfinity, last.nearest.face)};
       if (last.nearest.distance_mm >= section.distance_mm) continue;
       section.distance_mm = last.nearest.distance_mm;
       section.nearest_mm = {point, last.nearest.point_mm};
@@ -64,7 +66,7 @@ CoaptationSection nearest_corner(const std::vector<SectionLine>& lines,
 }
 
 CoaptationSection measure_section(const std::vector<SectionLine>& lines,
-                                  const std::vector<Leaflet>& sides, const TriangleSet& posterior,
+                                  const std::vector<Leaflet>& sides, const SurfaceTree& posterior,
                                   const CoaptationOptions& options) {
   CoaptationSection section = nearest_corner(lines, sides, posterior);
   const double contact_mm = options.contact_distance_mm;
@@ -76,10 +78,9 @@ CoaptationSection measure_section(const std::vector<SectionLine>& lines,
              if (least_mm > std::max(section.distance_mm, contact_mm)) return;
              // In contact with the triangle that was nearest a little before, a point matters only
              // if it may be nearer than all others.
-             const bool touches =
-                 distance_to(posterior, point, last.nearest.triangle) <= contact_mm;
+             const bool touches = posterior.distance_mm(point, last.nearest.face) <= contact_mm;
              if (!touches || least_mm < section.distance_mm) {
-               last = {point, nearest_within(posterior, point, kInfinity, last.nearest.triangle)};
+               last = {point, posterior.nearest(point, kInfinity, last.nearest.face)};
                if (last.nearest.distance_mm < section.distance_mm) {
                  section.distance_mm = last.nearest.distance_mm;
                  section.nearest_mm = {point, last.nearest.point_mm};
@@ -132,7 +133,7 @@ struct Flank {
 };
 
 Flank flank(const SectionLine& line, const std::vector<Leaflet>& sides, Leaflet side,
-            const TriangleSet& other, const SectionAxes& axes, const CoaptationOptions& options) {
+            const SurfaceTree& other, const SectionAxes& axes, const CoaptationOptions& options) {
   Flank flank;
   std::size_t pieces = line.faces.size();
   Vec3 touching = Vec3::Zero();
@@ -142,7 +143,7 @@ Flank flank(const SectionLine& line, const std::vector<Leaflet>& sides, Leaflet 
     sample(line.points_mm[i], line.points_mm[i + 1], options.sample_mm,
            [&](const Vec3& point, double) {
              if (axes(point).y() >= depth ||
-                 distance_within(other, point, 2.0 * options.contact_distance_mm) >
+                 other.nearest(point, 2.0 * options.contact_distance_mm).distance_mm >
                      options.contact_distance_mm)
                return;
              depth = axes(point).y();
@@ -164,7 +165,7 @@ std::vector<CoaptationSection> coaptation_sections(const Valve& valve, const Poi
                                                    const CoaptationOptions& asked) {
   const CoaptationOptions options = with_contact_distance(asked, valve);
   const std::vector<Leaflet> sides = leaflet_sides(valve);
-  const TriangleSet posterior = surface_of(valve, closed_mm, sides, Leaflet::Posterior);
+  const SurfaceTree posterior = surface_of(valve, closed_mm, sides, Leaflet::Posterior);
   std::vector<CoaptationSection> sections;
   for (const double place : along) {
     const SectionPlane plane = coaptation_plane(valve, place);

@@ -7,7 +7,7 @@
 
 #include "core/metrics/leaflet_sides.h"
 #include "core/metrics/side_net.h"
-#include "core/metrics/surface.h"
+#include "core/metrics/surface_tree.h"
 
 namespace coapt {
 namespace {
@@ -52,7 +52,7 @@ struct Later {
 
 class LineSearch {
  public:
-  LineSearch(const SideNet& net, const TriangleSet& other, double thickness_mm)
+  LineSearch(const SideNet& net, const SurfaceTree& other, double thickness_mm)
       : net_(net), other_(other), thickness_mm_(thickness_mm), nodes_(net.nodes_mm.size()) {}
 
   Gap run() {
@@ -79,7 +79,7 @@ class LineSearch {
 
  private:
   struct Node {
-    std::optional<SurfacePoint> across;
+    std::optional<TreePoint> across;
     double area_mm2 = kUnreached;  // of the best way known
     int from = -1;
     bool is_settled = false, is_goal = false;
@@ -109,8 +109,8 @@ class LineSearch {
   void look_across(int i, int neighbour) {
     Node& at = node(i);
     if (at.across) return;
-    const int hint = neighbour < 0 ? -1 : node(neighbour).across->triangle;
-    at.across = nearest_within(other_, place(i), kUnreached, hint);
+    const int hint = neighbour < 0 ? -1 : node(neighbour).across->face;
+    at.across = other_.nearest(place(i), kUnreached, hint);
   }
 
   void push(int from, int to, bool exactly) {
@@ -158,7 +158,7 @@ class LineSearch {
   }
 
   const SideNet& net_;
-  const TriangleSet& other_;
+  const SurfaceTree& other_;
   double thickness_mm_;
   std::vector<Node> nodes_;
   std::priority_queue<Step, std::vector<Step>, Later> queue_;
@@ -169,8 +169,8 @@ class LineSearch {
 Gap measure_gap(const Valve& valve, const Points& closed_mm) {
   const std::vector<Leaflet> sides = leaflet_sides(valve);
   const SideNet net = make_side_net(valve, closed_mm, sides, Leaflet::Anterior);
-  const TriangleSet posterior = surface_of(valve, closed_mm, sides, Leaflet::Posterior);
-  if (net.faces.empty() || posterior.triangles.empty()) return {kUnreached, {}};
+  const SurfaceTree posterior = surface_of(valve, closed_mm, sides, Leaflet::Posterior);
+  if (net.faces.empty() || posterior.faces().rows() == 0) return {kUnreached, {}};
   return LineSearch(net, posterior, valve.tissue.thickness_mm).run();
 }
 

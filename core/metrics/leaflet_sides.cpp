@@ -23,14 +23,12 @@ std::vector<Leaflet> leaflet_sides(const Valve& valve) {
   return sides;
 }
 
-TriangleSet surface_of(const Valve& valve, const Points& closed_mm,
+SurfaceTree surface_of(const Valve& valve, const Points& closed_mm,
                        const std::vector<Leaflet>& sides, Leaflet side) {
-  std::vector<SurfaceTriangle> triangles;
+  std::vector<Index> own;
   for (Index f = 0; f < valve.faces.rows(); ++f)
-    if (sides[static_cast<std::size_t>(f)] == side)
-      triangles.push_back({closed_mm.row(valve.faces(f, 0)), closed_mm.row(valve.faces(f, 1)),
-                           closed_mm.row(valve.faces(f, 2))});
-  return make_surface(std::move(triangles));
+    if (sides[static_cast<std::size_t>(f)] == side) own.push_back(f);
+  return {closed_mm, valve.faces(own, Eigen::all)};
 }
 
 }  // namespace coapt

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/metrics/surface.h"
+#include "core/metrics/surface_tree.h"
 #include "core/valve/valve.h"
 
 namespace coapt {
@@ -13,7 +13,7 @@ namespace coapt {
 std::vector<Leaflet> leaflet_sides(const Valve& valve);
 
 /// The faces of one side. @param sides leaflet_sides()
-TriangleSet surface_of(const Valve& valve, const Points& closed_mm,
+SurfaceTree surface_of(const Valve& valve, const Points& closed_mm,
                        const std::vector<Leaflet>& sides, Leaflet side);
 
 }  // namespace coapt

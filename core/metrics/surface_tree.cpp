@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "core/closure/contact.h"
@@ -10,140 +9,188 @@
 namespace coapt {
 namespace {
 
-constexpr int kLeafFaces = 4;
+constexpr int kTrianglesInLeaf = 8;
+constexpr std::size_t kDeepest = 64;  // halves of 2^31 triangles are 31 deep
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+double squared_distance(const Vec3& low, const Vec3& high, const Vec3& point) {
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double beside = std::max(std::max(low[k] - point[k], point[k] - high[k]), 0.0);
+    sum += beside * beside;
+  }
+  return sum;
+}
 
 /// Where a ray enters a box; infinity where it misses.
-double entry_mm(const Eigen::AlignedBox3d& box, const Vec3& from_mm, const Vec3& direction) {
-  double enters = 0.0, leaves = std::numeric_limits<double>::infinity();
+double entry_mm(const Vec3& low, const Vec3& high, const Vec3& from_mm, const Vec3& direction) {
+  double enters = 0.0, leaves = kFar;
   for (int k = 0; k < 3; ++k) {
     if (direction[k] == 0.0) {
-      if (from_mm[k] < box.min()[k] || from_mm[k] > box.max()[k]) return leaves;
+      if (from_mm[k] < low[k] || from_mm[k] > high[k]) return kFar;
       continue;
     }
-    double near = (box.min()[k] - from_mm[k]) / direction[k];
-    double far = (box.max()[k] - from_mm[k]) / direction[k];
+    double near = (low[k] - from_mm[k]) / direction[k], far = (high[k] - from_mm[k]) / direction[k];
     if (near > far) std::swap(near, far);
     enters = std::max(enters, near);
     leaves = std::min(leaves, far);
   }
-  return enters <= leaves ? enters : std::numeric_limits<double>::infinity();
+  return enters <= leaves ? enters : kFar;
+}
+
+bool is_nearer(double distance_mm, int face, const TreePoint& than) {
+  return distance_mm < than.distance_mm || (distance_mm == than.distance_mm && face < than.face);
+}
+
+void try_triangle(const Vec3& point, const std::array<Vec3, 3>& corners_mm, int face,
+                  TreePoint& nearest) {
+  const auto& [a, b, c] = corners_mm;
+  const Vec3 weights = closest_point_weights(point, a, b, c);
+  const Vec3 at = weights[0] * a + weights[1] * b + weights[2] * c;
+  const double away = (point - at).norm();
+  if (is_nearer(away, face, nearest)) nearest = {face, weights, at, away};
+}
+
+std::array<Vec3, 3> corners_of(const Points& vertices_mm, const Faces& faces, int face) {
+  return {vertices_mm.row(faces(face, 0)), vertices_mm.row(faces(face, 1)),
+          vertices_mm.row(faces(face, 2))};
 }
 
 }  // namespace
 
 SurfaceTree::SurfaceTree(Points vertices_mm, Faces faces)
     : vertices_mm_(std::move(vertices_mm)), faces_(std::move(faces)) {
-  assert(faces_.rows() > 0);
-  centres_mm_.resize(faces_.rows(), 3);
-  for (Eigen::Index f = 0; f < faces_.rows(); ++f)
-    centres_mm_.row(f) = vertices_mm_(faces_.row(f), Eigen::all).colwise().mean();
-  order_.resize(static_cast<std::size_t>(faces_.rows()));
-  std::iota(order_.begin(), order_.end(), 0);
-  nodes_.push_back({{}, 0, static_cast<int>(faces_.rows()), -1});
-  for (std::size_t node = 0; node < nodes_.size(); ++node) split(static_cast<int>(node));
+  const int count = static_cast<int>(faces_.rows());
+  triangles_.reserve(static_cast<std::size_t>(count));
+  for (int face = 0; face < count; ++face) {
+    Triangle triangle{corners_of(vertices_mm_, faces_, face), face, Vec3::Zero(), 0.0};
+    const auto& [a, b, c] = triangle.corners_mm;
+    triangle.centre_mm = (a + b + c) / 3.0;
+    for (const Vec3& corner : triangle.corners_mm)
+      triangle.radius_mm = std::max(triangle.radius_mm, (corner - triangle.centre_mm).norm());
+    triangles_.push_back(triangle);
+  }
+  if (count > 0) add_box(0, count);
 }
 
-void SurfaceTree::split(int index) {
-  Node node = nodes_[static_cast<std::size_t>(index)];
-  Eigen::AlignedBox3d centres;
-  const auto begin = order_.begin() + node.first, end = order_.begin() + node.last;
-  for (auto face = begin; face != end; ++face) {
-    centres.extend(Vec3(centres_mm_.row(*face).transpose()));
-    for (const int vertex : faces_.row(*face))
-      node.box.extend(Vec3(vertices_mm_.row(vertex).transpose()));
+void SurfaceTree::add_box(int first, int count) {
+  const auto begin = triangles_.begin() + first, end = begin + count;
+  const std::size_t own = boxes_.size();
+  Box box{begin->corners_mm[0], begin->corners_mm[0], first, count, 0};
+  for (auto triangle = begin; triangle != end; ++triangle)
+    for (const Vec3& corner : triangle->corners_mm) {
+      box.low_mm = box.low_mm.cwiseMin(corner);
+      box.high_mm = box.high_mm.cwiseMax(corner);
+    }
+  boxes_.push_back(box);
+  if (count <= kTrianglesInLeaf) return;
+  int axis = 0;
+  (box.high_mm - box.low_mm).maxCoeff(&axis);
+  const int half = count / 2;
+  std::nth_element(begin, begin + half, end, [axis](const Triangle& a, const Triangle& b) {
+    return a.centre_mm[axis] < b.centre_mm[axis];
+  });
+  add_box(first, half);
+  boxes_[own].right = static_cast<int>(boxes_.size());
+  add_box(first + half, count - half);
+}
+
+/// Depth first, the nearer half first: `bound(box)` is the least that faces in a box can reach, `leaf(box)` looks at all of
+/// them and returns the best so far.
+template <class Bound, class Leaf>
+void SurfaceTree::descend(double best, const Bound& bound, const Leaf& leaf) const {
+  struct Waiting {
+    int box;
+    double bound;
+  };
+  const auto waiting_at = [&](int i) {
+    return Waiting{i, bound(boxes_[static_cast<std::size_t>(i)])};
+  };
+  std::array<Waiting, kDeepest> waiting;
+  std::size_t count = 0;
+  if (!boxes_.empty()) waiting[count++] = waiting_at(0);
+  while (count > 0) {
+    const Waiting next = waiting[--count];
+    if (next.bound > best) continue;
+    const Box& box = boxes_[static_cast<std::size_t>(next.box)];
+    if (box.right == 0) {
+      best = leaf(box);
+      continue;
+    }
+    Waiting near = waiting_at(next.box + 1), far = waiting_at(box.right);
+    if (far.bound < near.bound) std::swap(near, far);
+    waiting[count++] = far;
+    waiting[count++] = near;
   }
-  if (node.last - node.first > kLeafFaces) {
-    Eigen::Index axis = 0;
-    centres.sizes().maxCoeff(&axis);
-    const auto middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end, [&](int a, int b) {
-      return std::pair(centres_mm_(a, axis), a) < std::pair(centres_mm_(b, axis), b);
-    });
-    node.left = static_cast<int>(nodes_.size());
-    const int half = static_cast<int>(middle - order_.begin());
-    nodes_.push_back({{}, node.first, half, -1});
-    nodes_.push_back({{}, half, node.last, -1});
-  }
-  nodes_[static_cast<std::size_t>(index)] = node;
 }
 
 template <class Counts>
-TreePoint SurfaceTree::search(const Vec3& point_mm, double limit_mm, const Counts& counts) const {
-  TreePoint nearest;
-  nearest.distance_mm = limit_mm;
-  std::vector<std::pair<double, int>> open = {{nodes_[0].box.exteriorDistance(point_mm), 0}};
-  while (!open.empty()) {
-    const auto [distance, index] = open.back();
-    open.pop_back();
-    if (distance > nearest.distance_mm) continue;
-    const Node& node = nodes_[static_cast<std::size_t>(index)];
-    if (node.left >= 0) {
-      std::array<std::pair<double, int>, 2> halves;
-      for (int k = 0; k < 2; ++k) {
-        const int half = node.left + k;
-        halves[static_cast<std::size_t>(k)] = {
-            nodes_[static_cast<std::size_t>(half)].box.exteriorDistance(point_mm), half};
-      }
-      if (halves[0].first < halves[1].first) std::swap(halves[0], halves[1]);
-      open.insert(open.end(), halves.begin(), halves.end());
-      continue;
+void SurfaceTree::search(const Vec3& point_mm, const Counts& counts, TreePoint& nearest) const {
+  const auto bound = [&](const Box& box) {
+    return squared_distance(box.low_mm, box.high_mm, point_mm);
+  };
+  const auto leaf = [&](const Box& box) {
+    for (int i = box.first; i < box.first + box.count; ++i) {
+      const Triangle& triangle = triangles_[static_cast<std::size_t>(i)];
+      const double reach_mm = nearest.distance_mm + triangle.radius_mm;
+      if ((point_mm - triangle.centre_mm).squaredNorm() <= reach_mm * reach_mm &&
+          counts(triangle.face))
+        try_triangle(point_mm, triangle.corners_mm, triangle.face, nearest);
     }
-    for (int i = node.first; i < node.last; ++i) {
-      const int face = order_[static_cast<std::size_t>(i)];
-      if (!counts(face)) continue;
-      const Vec3 a = vertices_mm_.row(faces_(face, 0)).transpose();
-      const Vec3 b = vertices_mm_.row(faces_(face, 1)).transpose();
-      const Vec3 c = vertices_mm_.row(faces_(face, 2)).transpose();
-      const Vec3 weights = closest_point_weights(point_mm, a, b, c);
-      const Vec3 at = weights[0] * a + weights[1] * b + weights[2] * c;
-      const double away = (point_mm - at).norm();
-      if (away < nearest.distance_mm ||
-          (away == nearest.distance_mm && nearest.face >= 0 && face < nearest.face))
-        nearest = {face, weights, at, away};
-    }
-  }
-  return nearest;
+    return nearest.distance_mm * nearest.distance_mm;
+  };
+  descend(nearest.distance_mm * nearest.distance_mm, bound, leaf);
 }
 
-TreePoint SurfaceTree::nearest(const Vec3& point_mm) const {
-  return search(point_mm, std::numeric_limits<double>::infinity(), [](int) { return true; });
+TreePoint SurfaceTree::nearest(const Vec3& point_mm, double limit_mm, int hint) const {
+  TreePoint nearest;
+  nearest.distance_mm = limit_mm;
+  if (hint >= 0) try_triangle(point_mm, corners_of(vertices_mm_, faces_, hint), hint, nearest);
+  search(
+      point_mm, [](int) { return true; }, nearest);
+  return nearest;
 }
 
 TreePoint SurfaceTree::nearest_within(const Vec3& point_mm, double limit_mm,
                                       const std::function<bool(int)>& counts) const {
-  return search(point_mm, limit_mm, counts);
+  TreePoint nearest;
+  nearest.distance_mm = limit_mm;
+  search(point_mm, counts, nearest);
+  return nearest;
+}
+
+double SurfaceTree::distance_mm(const Vec3& point_mm, int face) const {
+  TreePoint nearest;
+  if (face >= 0) try_triangle(point_mm, corners_of(vertices_mm_, faces_, face), face, nearest);
+  return nearest.distance_mm;
 }
 
 TreePoint SurfaceTree::first_hit(const Vec3& from_mm, const Vec3& direction, double limit_mm,
                                  const std::function<bool(int)>& counts) const {
   TreePoint hit;
   hit.distance_mm = limit_mm;
-  std::vector<int> open = {0};
-  while (!open.empty()) {
-    const Node& node = nodes_[static_cast<std::size_t>(open.back())];
-    open.pop_back();
-    if (entry_mm(node.box, from_mm, direction) > hit.distance_mm) continue;
-    if (node.left >= 0) {
-      open.insert(open.end(), {node.left + 1, node.left});
-      continue;
-    }
-    for (int i = node.first; i < node.last; ++i) {
-      const int face = order_[static_cast<std::size_t>(i)];
+  const auto bound = [&](const Box& box) {
+    return entry_mm(box.low_mm, box.high_mm, from_mm, direction);
+  };
+  const auto leaf = [&](const Box& box) {
+    for (int i = box.first; i < box.first + box.count; ++i) {
+      const auto& [corners_mm, face, centre_mm, radius_mm] =
+          triangles_[static_cast<std::size_t>(i)];
       if (!counts(face)) continue;
-      const Vec3 a = vertices_mm_.row(faces_(face, 0)).transpose();
-      const Vec3 ab = vertices_mm_.row(faces_(face, 1)).transpose() - a;
-      const Vec3 ac = vertices_mm_.row(faces_(face, 2)).transpose() - a;
+      const Vec3 ab = corners_mm[1] - corners_mm[0], ac = corners_mm[2] - corners_mm[0];
       // Moeller and Trumbore 1997.
-      const Vec3 p = direction.cross(ac), s = from_mm - a, q = s.cross(ab);
+      const Vec3 p = direction.cross(ac), s = from_mm - corners_mm[0], q = s.cross(ab);
       const double determinant = ab.dot(p);
       if (determinant == 0.0) continue;
       const double u = s.dot(p) / determinant, v = direction.dot(q) / determinant;
       const double away = ac.dot(q) / determinant;
       if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && away > 0.0)) continue;
-      if (away < hit.distance_mm || (away == hit.distance_mm && face < hit.face))
+      if (is_nearer(away, face, hit))
         hit = {face, {1.0 - u - v, u, v}, from_mm + away * direction, away};
     }
-  }
+    return hit.distance_mm;
+  };
+  descend(limit_mm, bound, leaf);
   return hit;
 }
 

@@ -1,5 +1,5 @@
-// Nearest points of a triangle mesh through a tree of boxes. Unlike surface.h it tells the face and its barycentric weights
-// by the mesh's own numbers, can leave faces out, and names the face of the smallest number where several are as near.
+// Nearest points of a triangle mesh, and where rays meet it: a tree of boxes over the faces, in its leaves spheres around each
+// face, and inside these the exact distance. Of faces that are as near, the one with the smallest number counts.
 #pragma once
 
 #include <array>
@@ -20,15 +20,19 @@ struct TreePoint {
 
 class SurfaceTree {
  public:
-  /// At least one face. Indices must be in range.
+  /// Indices must be in range, vertices finite. Without faces nothing is near.
   SurfaceTree(Points vertices_mm, Faces faces);
 
-  /// Where several faces are as near, the one with the smallest number.
-  TreePoint nearest(const Vec3& point_mm) const;
+  /// Nearer than `limit_mm`; else at that distance, without a face. A face thought to be near, as `hint`, saves time.
+  TreePoint nearest(const Vec3& point_mm, double limit_mm = std::numeric_limits<double>::infinity(),
+                    int hint = -1) const;
 
   /// The nearest of the faces that `counts` says yes to, nearer than `limit_mm`.
   TreePoint nearest_within(const Vec3& point_mm, double limit_mm,
                            const std::function<bool(int)>& counts) const;
+
+  /// Infinite to face -1.
+  double distance_mm(const Vec3& point_mm, int face) const;
 
   /// Where a ray first meets a face that `counts` says yes to, nearer than `limit_mm`; faces that it runs along do not count.
   /// @param direction of length 1
@@ -39,19 +43,28 @@ class SurfaceTree {
   const Faces& faces() const { return faces_; }
 
  private:
-  /// A box around faces order_[first, last); its halves are the nodes `left` and `left` + 1.
-  struct Node {
-    Eigen::AlignedBox3d box;
-    int first = 0, last = 0, left = -1;
+  struct Triangle {
+    std::array<Vec3, 3> corners_mm;
+    int face;
+    Vec3 centre_mm;  ///< of a sphere around it
+    double radius_mm;
   };
-  void split(int node);
+  /// Around triangles_[first, first + count). If it has `right`, its halves are the next box and `right`.
+  struct Box {
+    Vec3 low_mm, high_mm;
+    int first = 0, count = 0;
+    int right = 0;  ///< 0: a leaf
+  };
+  void add_box(int first, int count);
+  template <class Bound, class Leaf>
+  void descend(double best, const Bound& bound, const Leaf& leaf) const;
   template <class Counts>
-  TreePoint search(const Vec3& point_mm, double limit_mm, const Counts& counts) const;
+  void search(const Vec3& point_mm, const Counts& counts, TreePoint& nearest) const;
 
-  Points vertices_mm_, centres_mm_;
+  Points vertices_mm_;
   Faces faces_;
-  std::vector<int> order_;
-  std::vector<Node> nodes_;
+  std::vector<Triangle> triangles_;  ///< in the order of the tree
+  std::vector<Box> boxes_;           ///< the root first
 };
 
 /// The boundary of a surface: the edges that one face alone has, and their ends.

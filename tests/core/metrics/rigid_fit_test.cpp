@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/metrics/surface.h"
 #include "tests/core/metrics/shape_scene.h"
 
 namespace coapt {
@@ -12,41 +11,6 @@ SurfaceTree tree_of(const LeafletMesh& mesh) { return {mesh.vertices_mm, mesh.fa
 
 double largest_distance_mm(const Points& a, const Points& b) {
   return (a - b).rowwise().norm().maxCoeff();
-}
-
-TEST(SurfaceTree, FindsTheNearestPointThatGoingThroughAllTrianglesFinds) {
-  const LeafletMesh mesh = bowl();
-  const SurfaceTree tree = tree_of(mesh);
-  for (int i = 0; i < 200; ++i) {
-    const Vec3 point(20.0 * std::sin(1.7 * i), 15.0 * std::sin(2.9 * i), 12.0 * std::sin(0.7 * i));
-    const TreePoint nearest = tree.nearest(point);
-    double least_mm = 1e9;
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
-      least_mm = std::min(least_mm,
-                          distance_within(make_surface({{mesh.vertices_mm.row(mesh.faces(f, 0)),
-                                                         mesh.vertices_mm.row(mesh.faces(f, 1)),
-                                                         mesh.vertices_mm.row(mesh.faces(f, 2))}}),
-                                          point, 1e9));
-    EXPECT_NEAR(nearest.distance_mm, least_mm, 1e-12);
-    EXPECT_NEAR(nearest.distance_mm, (nearest.point_mm - point).norm(), 1e-12);
-  }
-}
-
-TEST(SurfaceTree, LeavesOutFacesThatDoNotCountAndThoseBeyondTheLimit) {
-  const SurfaceTree tree = tree_of(plane({0.0, 2.0, 0.0, 1.0, 2, 1}, 0.0));
-  const auto from_second_cell = [](int face) { return face >= 2; };
-  EXPECT_NEAR(tree.nearest_within({0.5, 0.5, 0.0}, 10.0, from_second_cell).distance_mm, 0.5, 1e-12);
-  EXPECT_EQ(tree.nearest_within({0.5, 0.5, 0.0}, 0.4, from_second_cell).face, -1);
-}
-
-TEST(SurfaceEdge, HoldsTheBoundaryAndNothingElse) {
-  const LeafletMesh mesh = plane({0.0, 2.0, 0.0, 2.0, 2, 2}, 0.0);
-  const SurfaceTree tree = tree_of(mesh);
-  const SurfaceEdge edge(mesh.faces);
-  EXPECT_TRUE(edge.holds(tree.nearest({-1.0, 0.7, 0.0})));
-  EXPECT_TRUE(edge.holds(tree.nearest({3.0, 3.0, 1.0})));
-  EXPECT_FALSE(edge.holds(tree.nearest({1.0, 1.0, 1.0})));  // the vertex in the middle
-  EXPECT_FALSE(edge.holds(tree.nearest({0.5, 0.5, 1.0})));  // on a diagonal
 }
 
 TEST(RigidFit, ToPointsFindsTheMotionBackAndNeverAMirrorImage) {
