@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "clients/cli/closure_options.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/converge_option.h"
+#include "clients/cli/method_option.h"
 #include "clients/cli/plan_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/read_argument.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "clients/cli/closure_options.h"
 #include "clients/cli/commands.h"
+#include "clients/cli/method_option.h"
 #include "clients/cli/read_argument.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"

@@ -6,7 +6,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_store_option.h"
-#include "clients/cli/print.h"
+#include "clients/cli/print_ranked.h"
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
 #include "clients/cli/ring_option.h"

@@ -1,7 +1,7 @@
+#include "clients/cli/method_option.h"
+
 #include <map>
 #include <string>
-
-#include "clients/cli/closure_options.h"
 
 namespace coapt {
 

@@ -3,10 +3,10 @@
 #include <memory>
 #include <string>
 
-#include "clients/cli/closure_options.h"
 #include "clients/cli/commands.h"
+#include "clients/cli/method_option.h"
 #include "clients/cli/plan_option.h"
-#include "clients/cli/print.h"
+#include "clients/cli/print_opening.h"
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
 #include "clients/cli/server_option.h"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "clients/cli/farm_option.h"
-#include "clients/cli/print.h"
+#include "clients/cli/print_ranked.h"
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
 #include "farm/work/plan_work.h"

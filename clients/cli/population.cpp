@@ -1,5 +1,4 @@
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -169,15 +168,6 @@ void add_population_valve(Command parent, int& status) {
 }
 
 }  // namespace
-
-Expected<Population> read_population_directory(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  const Expected<std::string> text = read_input(
-      fs::is_directory(path, ignored) ? (fs::path(path) / "population.json").string() : path);
-  if (!text) return text.errors();
-  return read_population(*text);
-}
 
 void add_population(Command parent, int& status) {
   Command population =

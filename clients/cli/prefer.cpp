@@ -9,6 +9,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/preference_inputs.h"
 #include "clients/cli/print.h"
+#include "clients/cli/print_preference.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/json/preference_json.h"

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "clients/cli/print_opening.h"
 #include "core/valve/number_text.h"
 #include "io/picture/text.h"
 #include "search/plans/objective.h"

@@ -1,3 +1,5 @@
+#include "clients/cli/print_opening.h"
+
 #include <nlohmann/json.hpp>
 #include <ostream>
 

@@ -1,3 +1,5 @@
+#include "clients/cli/print_preference.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -7,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "clients/cli/print.h"
 #include "io/picture/text.h"
 #include "search/preference/posterior.h"
 

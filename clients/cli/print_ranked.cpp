@@ -1,3 +1,5 @@
+#include "clients/cli/print_ranked.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>

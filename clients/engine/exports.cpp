@@ -3,15 +3,6 @@
 
 #include "clients/engine/buffers.h"
 
-namespace coapt {
-
-Buffers& buffers() {
-  static Buffers all;
-  return all;
-}
-
-}  // namespace coapt
-
 extern "C" {
 
 /// Room for a request's path and body, UTF-8, to be written to before coapt_answer().

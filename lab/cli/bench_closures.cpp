@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "clients/cli/closure_options.h"
+#include "clients/cli/method_option.h"
 #include "clients/cli/read_argument.h"
 #include "core/metrics/quantile.h"
 #include "io/command_line/command_line.h"

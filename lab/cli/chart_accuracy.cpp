@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/cli/closure_options.h"
+#include "clients/cli/method_option.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/progress_bar.h"
 #include "lab/charts/tables.h"

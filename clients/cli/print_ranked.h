@@ -1,0 +1,12 @@
+#pragma once
+
+#include <iosfwd>
+#include <nlohmann/json_fwd.hpp>
+
+namespace coapt {
+
+/// Of coapt.plans/1: the state before, then one row per plan with its steps and warnings below, then how the search
+/// went; "-" where the region is not known. At most 100 columns.
+void print_ranked(std::ostream& out, const nlohmann::ordered_json& result);
+
+}  // namespace coapt
