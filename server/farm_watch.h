@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "farm/ask/ask.h"
+#include "farm/ask/farm.h"
 
 namespace coapt {
 

@@ -23,6 +23,7 @@
 #include "server/login_accounts.h"
 #include "server/memory.h"
 #include "server/options.h"
+#include "server/routes.h"
 #include "server/service.h"
 
 namespace coapt {

@@ -1,8 +1,11 @@
+#include "server/routes.h"
+
 #include "server/endpoints/closures.h"
 #include "server/endpoints/evaluations.h"
 #include "server/endpoints/exports.h"
 #include "server/endpoints/health.h"
 #include "server/endpoints/imports.h"
+#include "server/endpoints/job_events.h"
 #include "server/endpoints/job_results.h"
 #include "server/endpoints/jobs.h"
 #include "server/endpoints/kept_plans.h"

@@ -1,4 +1,4 @@
-// All that endpoints stand on, and the table of routes.
+// All that endpoints stand on.
 #pragma once
 
 #include <functional>
@@ -31,8 +31,5 @@ struct Service {
   const PageTokens& tokens;
   std::function<HttpLoad()> load;  ///< of the HTTP server
 };
-
-/// The service must outlive them.
-Routes routes_of(const Service& service);
 
 }  // namespace coapt

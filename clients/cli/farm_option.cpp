@@ -1,5 +1,7 @@
 #include "clients/cli/farm_option.h"
 
+#include "farm/ask/farm.h"
+
 namespace coapt {
 
 void add_farm_option(Command command, std::string& url, const std::string& what) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "farm/ask/farm.h"
 #include "farm/ask/farm_closures.h"
 #include "io/command_line/files.h"
 #include "io/store/subject.h"

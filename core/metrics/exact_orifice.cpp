@@ -4,7 +4,6 @@
 
 #include "core/metrics/clean_contour.h"
 #include "core/metrics/edge_heights.h"
-#include "core/metrics/free_area.h"
 #include "core/metrics/openings.h"
 #include "core/metrics/silhouette.h"
 

@@ -45,6 +45,13 @@ struct OrificeOutline {
 std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& closed_mm,
                                              double half_thickness_mm);
 
+/// Area within `outline` that is farther than `half_thickness_mm` from every line of `tissue`, as exact as the orifice;
+/// NaN if the union fails.
+/// @param outline closed, n points, either direction.
+/// @param tissue open lines, each of at least two points, within 1 m.
+double free_area_mm2(const std::vector<Vec2>& outline, const std::vector<std::vector<Vec2>>& tissue,
+                     double half_thickness_mm);
+
 /// Regurgitant orifice after thesis 4.2.1.
 struct OrificeMeasure {
   double area_mm2 = 0.0;          ///< leaflets with their half thickness

@@ -2,6 +2,9 @@
 
 #include <limits>
 
+#include "core/metrics/openings_clipper.h"
+#include "core/metrics/openings_sweep.h"
+
 namespace coapt {
 
 Openings openings_of(const std::vector<Vec2>& outline_mm, const FlatTissue& tissue,

@@ -38,19 +38,6 @@ struct Openings {
 Openings openings_of(const std::vector<Vec2>& outline_mm, const FlatTissue& tissue,
                      double radius_mm);
 
-/// By unions of polygons, exact up to the rounding of where edges meet (Vatti's algorithm, library
-/// Clipper 6.4); arcs are polygons within 1e-4 mm. Accuracy: 1e-4 mm times the contours' length at
-/// worst; bare, a hundredth of that.
-Openings clipped_openings(const std::vector<Vec2>& outline_mm, const FlatTissue& tissue,
-                          double radius_mm);
-
-/// By scan lines, without a library (openings_sweep.cpp); never fails. Accuracy: within 5e-4 mm2 of
-/// clipped_openings() on 120 closed valves, 3e-3 mm2 in whichever direction x points. Openings and
-/// tissue narrower than 0.05 mm along x can be missed, and tissue that thin can join what it parts.
-/// Takes 1 ms for 650 faces, four times as long.
-Openings swept_openings(const std::vector<Vec2>& outline_mm, const FlatTissue& tissue,
-                        double radius_mm);
-
 /// NaN where the union failed.
 double total_mm2(const std::optional<std::vector<Opening>>& openings);
 

@@ -1,3 +1,5 @@
+#include "core/metrics/openings_clipper.h"
+
 #include <algorithm>
 #include <clipper.hpp>
 

@@ -6,6 +6,8 @@
 // outside of all tissue. Its open length is integrated over x by Simpson's rule, and lines are set
 // closer where that differs from the trapezium rule: where edges end or cross or run along y.
 // Regions and their contours come from open intervals of neighbouring lines (open_intervals.h).
+#include "core/metrics/openings_sweep.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/metrics/free_area.h"
+#include "core/metrics/exact_orifice.h"
 #include "core/metrics/outline.h"
 #include "core/metrics/section.h"
 

@@ -1,3 +1,5 @@
+#include "farm/ask/farm.h"
+
 #include <unistd.h>
 
 #include <filesystem>

@@ -1,9 +1,10 @@
 // Events are the store's: a client that comes back after a while, or after the server was killed, is told what it
 // missed.
+#include "server/endpoints/job_events.h"
+
 #include <memory>
 
 #include "server/answers.h"
-#include "server/endpoints/jobs.h"
 #include "server/query.h"
 
 namespace coapt {

@@ -1,4 +1,4 @@
-// Jobs: seen, listed, cancelled, removed, followed.
+// Jobs: seen, listed, cancelled, removed.
 #pragma once
 
 #include "server/jobs/job_board.h"
@@ -30,14 +30,6 @@ struct CancelJob {
 /// DELETE /v1/jobs/{id}, when it has ended.
 struct DeleteJob {
   JobStore& store;
-  Answer operator()(const Request& request) const;
-};
-
-/// GET /v1/jobs/{id}/events: server-sent events (WHATWG HTML, 9.2) from after Last-Event-ID on, a heartbeat every
-/// 15 s, until the job has ended; 204, which tells a browser to ask no more, if nothing can come.
-struct GetJobEvents {
-  const JobStore& store;
-  const JobBoard& jobs;
   Answer operator()(const Request& request) const;
 };
 

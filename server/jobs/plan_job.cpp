@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "farm/ask/farm.h"
 #include "io/json/json_reader.h"
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "farm/ask/farm.h"
 #include "farm/ask/farm_closures.h"
 #include "io/json/findings_json.h"
 #include "io/store/closure_store.h"

@@ -11,6 +11,7 @@
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/valve_json.h"
+#include "server/routes.h"
 #include "server/service.h"
 #include "tests/fuzz/endpoint_choice.h"
 #include "tests/scenes/small_valve.h"

@@ -10,6 +10,7 @@
 #include "server/jobs/plan_job.h"
 #include "server/jobs/study_job.h"
 #include "server/json_body.h"
+#include "server/routes.h"
 
 namespace coapt {
 namespace {

@@ -6,6 +6,8 @@
 
 #include "core/closure/closure.h"
 #include "core/metrics/openings.h"
+#include "core/metrics/openings_clipper.h"
+#include "core/metrics/openings_sweep.h"
 #include "core/metrics/projection.h"
 #include "core/metrics/silhouette.h"
 #include "core/presets/presets.h"

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/metrics/openings_clipper.h"
+#include "core/metrics/openings_sweep.h"
+
 namespace coapt {
 namespace {
 

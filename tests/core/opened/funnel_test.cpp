@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/metrics/free_area.h"
+#include "core/metrics/exact_orifice.h"
 #include "core/presets/presets.h"
 #include "core/valve/leaflet_coordinates.h"
 

@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "farm/ask/farm.h"
 #include "farm/ask/farm_closures.h"
 #include "farm/work/orifice_work.h"
 #include "farm/work/work_file.h"

@@ -12,6 +12,7 @@
 #include "core/valve/parametric.h"
 #include "io/json/plan_json.h"
 #include "io/json/valve_json.h"
+#include "server/routes.h"
 #include "server/service.h"
 #include "tests/io/store/store_scene.h"
 
