@@ -19,7 +19,7 @@
 #include "io/exchange/shape_file.h"
 #include "io/json/fit_json.h"
 #include "io/json/valve_json.h"
-#include "io/mesh/import_valve.h"
+#include "io/mesh/import_readers.h"
 #include "io/picture/fit_picture.h"
 #include "io/picture/text.h"
 

@@ -7,7 +7,7 @@
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/json/valve_json.h"
-#include "io/mesh/import_valve.h"
+#include "io/mesh/import_readers.h"
 
 namespace coapt {
 namespace {

@@ -5,6 +5,7 @@
 #include "io/exchange/import_files.h"
 #include "io/exchange/label_parts.h"
 #include "io/exchange/markups.h"
+#include "io/mesh/import_readers.h"
 
 namespace coapt {
 namespace {

@@ -8,6 +8,7 @@
 #include "io/exchange/chorda_trees.h"
 #include "io/exchange/markups.h"
 #include "io/exchange/stated_axes.h"
+#include "io/mesh/import_readers.h"
 
 namespace coapt {
 namespace {

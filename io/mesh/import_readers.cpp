@@ -5,6 +5,8 @@
 // this order. Chordae in JSON: {"chordae": [{"id", "papillary", "insertion_mm", "tip_mm",
 // "kind"}]}.
 
+#include "io/mesh/import_readers.h"
+
 #include <algorithm>
 #include <array>
 #include <map>

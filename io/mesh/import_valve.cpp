@@ -83,6 +83,11 @@ std::string sentence(const ImportDecision& of) {
 
 }  // namespace
 
+const char* to_string(LengthUnit unit) {
+  if (unit == LengthUnit::Metre) return "m";
+  return unit == LengthUnit::Centimetre ? "cm" : "mm";
+}
+
 Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportOptions& options) {
   ProblemList problems;
   check_options(source, options, problems);

@@ -50,8 +50,4 @@ class MeshBuilder {
   ProblemList problems_;
 };
 
-Expected<TriangleMesh> read_obj(std::string_view text);
-Expected<TriangleMesh> read_ply(std::string_view bytes);
-Expected<TriangleMesh> read_stl(std::string_view bytes);
-
 }  // namespace coapt

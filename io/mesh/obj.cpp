@@ -1,6 +1,8 @@
 // Wavefront OBJ: v and f lines (v/vt/vn, negative indices count backwards); everything else is
 // passed over, as other programs do.
 
+#include "io/mesh/obj.h"
+
 #include "io/mesh/mesh_builder.h"
 #include "io/mesh/text_scan.h"
 

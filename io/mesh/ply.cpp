@@ -2,6 +2,8 @@
 // element "face" a list "vertex_indices" (or "vertex_index"); other elements and properties are
 // passed over.
 
+#include "io/mesh/ply.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>

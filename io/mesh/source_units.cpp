@@ -39,11 +39,6 @@ double in_mm(LengthUnit unit) {
   return unit == LengthUnit::Centimetre ? 10.0 : 1.0;
 }
 
-const char* to_string(LengthUnit unit) {
-  if (unit == LengthUnit::Metre) return "m";
-  return unit == LengthUnit::Centimetre ? "cm" : "mm";
-}
-
 std::optional<LengthUnit> guessed_unit(const Points& annulus) {
   if (annulus.rows() < 3 || !annulus.allFinite()) return {};
   const double length = ArcLength(annulus).total_mm();

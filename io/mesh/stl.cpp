@@ -2,6 +2,8 @@
 //
 // A binary file may begin with "solid" as well: it is binary if its length is what its count says.
 
+#include "io/mesh/stl.h"
+
 #include <cstdint>
 #include <map>
 

@@ -2,6 +2,7 @@
 
 #include "core/valve/patient_frame.h"
 #include "io/exchange/slicerheart.h"
+#include "io/mesh/import_readers.h"
 #include "io/mesh/source_units.h"
 #include "server/base64.h"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "io/exchange/markups.h"
-#include "io/mesh/import_valve.h"
+#include "io/mesh/import_readers.h"
 #include "io/mesh/vtu.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

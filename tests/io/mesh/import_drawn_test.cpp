@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cone_scene.h"
+#include "io/mesh/import_readers.h"
 
 namespace coapt {
 namespace {

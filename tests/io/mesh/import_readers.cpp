@@ -1,3 +1,5 @@
+#include "io/mesh/import_readers.h"
+
 #include <gtest/gtest.h>
 
 #include "io/mesh/import_valve.h"

@@ -9,6 +9,7 @@
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
+#include "io/mesh/import_readers.h"
 #include "io/mesh/import_valve.h"
 
 namespace coapt {

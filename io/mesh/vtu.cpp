@@ -1,3 +1,5 @@
+#include "io/mesh/vtu.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +9,6 @@
 #include "io/mesh/mesh_builder.h"
 #include "io/mesh/text_scan.h"
 #include "io/mesh/vtk_xml.h"
-#include "io/mesh/vtu.h"
 
 namespace coapt {
 namespace {

@@ -1,0 +1,47 @@
+#include "io/mesh/mesh_file.h"
+
+#include "io/mesh/obj.h"
+#include "io/mesh/ply.h"
+#include "io/mesh/stl.h"
+#include "io/mesh/vtk.h"
+#include "io/mesh/vtu.h"
+
+namespace coapt {
+
+TriangleMesh joined(const std::vector<TriangleMesh>& meshes) {
+  TriangleMesh all;
+  for (const TriangleMesh& mesh : meshes) {
+    const Eigen::Index vertices = all.vertices_mm.rows(), faces = all.faces.rows();
+    all.vertices_mm.conservativeResize(vertices + mesh.vertices_mm.rows(), 3);
+    all.vertices_mm.bottomRows(mesh.vertices_mm.rows()) = mesh.vertices_mm;
+    all.faces.conservativeResize(faces + mesh.faces.rows(), 3);
+    all.faces.bottomRows(mesh.faces.rows()) =
+        (mesh.faces.array() + static_cast<int>(vertices)).matrix();
+  }
+  return all;
+}
+
+Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format) {
+  if (format == "obj") return read_obj(bytes);
+  if (format == "ply") return read_ply(bytes);
+  if (format == "stl") return read_stl(bytes);
+  if (format == "vtk") {
+    Expected<VtkPolyData> data = read_vtk(bytes);
+    if (!data) return data.errors();
+    if (data->faces.rows() == 0)
+      return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};
+    return TriangleMesh{std::move(data->points_mm), std::move(data->faces), {}};
+  }
+  return Error{
+      ErrorCode::Unsupported, "",
+      "mesh format '" + std::string(format.substr(0, 20)) + "', accepted: obj, ply, stl, vtk"};
+}
+
+Expected<TriangleMesh> read_packed_mesh(std::string_view bytes, std::string_view format) {
+  if (format != "vtp" && format != "vtu") return read_mesh(bytes, format);
+  Expected<VtuGrid> grid = format == "vtp" ? read_vtp(bytes) : read_vtu(bytes);
+  if (!grid) return grid.errors();
+  return std::move(grid->mesh);
+}
+
+}  // namespace coapt

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+#include "io/mesh/mesh_file.h"
+
+namespace coapt {
+
+Expected<TriangleMesh> read_ply(std::string_view bytes);
+
+}  // namespace coapt
