@@ -18,6 +18,7 @@
 #include "io/json/population_json.h"
 #include "io/json/population_study_json.h"
 #include "io/picture/population_page.h"
+#include "io/picture/population_study_csv.h"
 #include "io/picture/population_study_page.h"
 #include "io/picture/text.h"
 #include "io/picture/tree_picture.h"

@@ -1,5 +1,8 @@
 #include "io/image/label_map.h"
 
+#include "io/image/nifti.h"
+#include "io/image/nrrd.h"
+
 namespace coapt {
 
 bool is_label_map_format(std::string_view format) {

@@ -43,15 +43,6 @@ inline constexpr Index kMostVoxels = Index{1} << 27;
 /// Of what a service is sent: 128 MiB in memory, a CT of 512 x 512 x 256.
 inline constexpr Index kMostVoxelsSent = Index{1} << 26;
 
-/// Attached data (no detached header), encodings raw, gzip and ascii, whole numbers from 0 to 65535 of any type, both byte
-/// orders, three axes and at most one of layers, as Slicer writes in .seg.nrrd. `most_voxels`: of all layers together.
-/// Errors name the field ("/sizes").
-Expected<LabelMap> read_nrrd(std::string_view bytes, Index most_voxels = kMostVoxels);
-
-/// One file (.nii or .nii.gz), NIfTI-1 or -2, one volume. The frame is that of sform, else of qform, else there is none.
-/// Not accepted: intensities that are scaled (scl_slope), numbers that are not whole. Errors name the field ("/dim").
-Expected<LabelMap> read_nifti(std::string_view bytes, Index most_voxels = kMostVoxels);
-
 /// Whether a format_of() file name extension ("nrrd", "nii", "gz") may be one of these two.
 bool is_label_map_format(std::string_view format);
 

@@ -1,6 +1,8 @@
 // NIfTI-1 and -2 (nifti.nimh.nih.gov, nifti1.h and nifti2.h): a header of 348 or 540 bytes in the byte order of the machine
 // that wrote it, then, from vox_offset on, the voxels. Frames lead to RAS, so x and y change their signs.
 
+#include "io/image/nifti.h"
+
 #include <array>
 #include <cmath>
 #include <cstring>

@@ -1,6 +1,8 @@
 // NRRD ("Nearly raw raster data", teem.sourceforge.net/nrrd/format.html): lines "field: value" and "key:=value" up to an
 // empty line, then the data. Of the keys only those are kept that name Slicer's segments.
 
+#include "io/image/nrrd.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>

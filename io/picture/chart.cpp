@@ -1,9 +1,10 @@
 // One line panel, narrower than a figure of several; its x axis may be of decades.
+#include "io/picture/chart.h"
+
 #include <array>
 #include <cmath>
 
 #include "io/picture/line_chart.h"
-#include "io/picture/picture.h"
 
 namespace coapt {
 namespace {

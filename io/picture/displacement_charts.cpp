@@ -1,4 +1,6 @@
 // Charts over displaced papillary muscles (study_charts.h).
+#include "io/picture/displacement_charts.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

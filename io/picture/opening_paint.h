@@ -1,10 +1,10 @@
 // Where a closed valve is open, in the atrial view.
 #pragma once
 
+#include "core/closed/closed_valve.h"
 #include "core/metrics/orifice.h"
 #include "io/picture/canvas.h"
 #include "io/picture/leaflet_paint.h"
-#include "io/picture/picture.h"
 
 namespace coapt {
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "core/closed/closed_valve.h"
 
@@ -19,18 +18,5 @@ std::string comparison_picture_png(const ClosedValve& before, const ClosedValve&
 /// a legend; and the section of after, before behind it in grey.
 std::string atrial_pair_png(const ClosedValve& before, const ClosedValve& after);
 std::string section_change_png(const ClosedValve& before, const ClosedValve& after);
-
-struct Series {
-  std::string label;
-  std::vector<double> x, y;
-  bool line = true;  ///< through the points; else markers alone
-  bool dashed = false;
-};
-struct Chart {
-  std::string title, x_label, y_label;
-  std::vector<Series> series;
-  bool log_x = false;  ///< decades; x must be > 0
-};
-std::string chart_svg(const Chart& chart);
 
 }  // namespace coapt

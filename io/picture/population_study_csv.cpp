@@ -1,6 +1,7 @@
+#include "io/picture/population_study_csv.h"
+
 #include "core/valve/number_text.h"
 #include "io/picture/csv_lines.h"
-#include "io/picture/population_study_page.h"
 #include "search/training/binomial.h"
 
 namespace coapt {

@@ -1,4 +1,4 @@
-// What a study of a population found, as tables and as a page.
+// What a study of a population found, as a page.
 #pragma once
 
 #include <string>
@@ -7,11 +7,6 @@
 #include "search/population/population_study.h"
 
 namespace coapt {
-
-/// A row per member and candidate that it was offered, with what an echo shows of the member.
-std::string population_records_csv(const std::vector<PopulationRecord>& records);
-/// A row per group and number: "group,table,row,count,of,value,low,high".
-std::string population_findings_csv(const PopulationStudy& study);
 
 /// What decided, in sentences: for the terminal and the head of the page.
 std::vector<std::string> study_sentences(const PopulationStudy& study);

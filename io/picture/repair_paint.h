@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "io/picture/picture.h"
+#include "core/closed/closed_valve.h"
 #include "io/picture/views.h"
 
 namespace coapt {

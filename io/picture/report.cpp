@@ -4,6 +4,7 @@
 
 #include "io/json/plan_json.h"
 #include "io/picture/html.h"
+#include "io/picture/picture.h"
 #include "io/picture/report_page_style.h"
 #include "io/picture/report_parts.h"
 #include "io/picture/report_words.h"

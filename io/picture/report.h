@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/closed/closed_valve.h"
 #include "io/json/plans_json.h"
-#include "io/picture/picture.h"
 
 namespace coapt {
 

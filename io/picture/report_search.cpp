@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/picture/chart.h"
 #include "io/picture/html.h"
 #include "io/picture/report_parts.h"
 #include "io/picture/text.h"

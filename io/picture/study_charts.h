@@ -15,12 +15,6 @@ const char* class_title(Displaced displaced);  ///< "Both muscles displaced"
 /// Figure 4.5, and each height against the first one. `with_thesis`: the thesis's numbers as rings.
 std::string annulus_svg(const AnnulusStudy& study, bool with_thesis = false);
 
-/// Figures 4.6 to 4.8: for each class orifice surfaces, and the gradient as arrows.
-std::string papillary_svg(const PapillaryStudy& study);
-
-/// Figure 4.9: orifice under a ring over that under the properly sized annulus.
-std::string ring_svg(const RingStudy& study);
-
 /// Figure 4.10 for all anchors of the study: means of the regions of interest, below them their sd.
 std::string anchors_histogram_svg(const ApproximationStudy& study);
 

@@ -6,6 +6,7 @@
 #include "io/json/plans_json.h"
 #include "io/json/result_json.h"
 #include "io/json/version.h"
+#include "io/picture/displacement_charts.h"
 #include "io/picture/study_charts.h"
 #include "io/picture/study_csv.h"
 #include "io/picture/text.h"

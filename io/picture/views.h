@@ -1,8 +1,8 @@
 // The two drawings of a closed valve that pictures are composed of.
 #pragma once
 
+#include "core/closed/closed_valve.h"
 #include "io/picture/canvas.h"
-#include "io/picture/picture.h"
 
 namespace coapt {
 

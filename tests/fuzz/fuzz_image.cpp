@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include "io/exchange/label_parts.h"
+#include "io/image/nifti.h"
+#include "io/image/nrrd.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace coapt;

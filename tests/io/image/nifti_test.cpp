@@ -1,3 +1,5 @@
+#include "io/image/nifti.h"
+
 #include <gtest/gtest.h>
 #include <zlib.h>
 

@@ -1,3 +1,5 @@
+#include "io/image/nrrd.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>

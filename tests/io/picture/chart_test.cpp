@@ -1,9 +1,10 @@
+#include "io/picture/chart.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <string>
 
-#include "io/picture/picture.h"
 #include "tests/io/picture/markup.h"
 
 namespace coapt {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "io/picture/displacement_charts.h"
 #include "io/picture/oblique_plot.h"
 #include "tests/io/picture/markup.h"
 
