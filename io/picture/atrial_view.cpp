@@ -1,5 +1,7 @@
 // Leaflets and orifices are drawn at twice the size and scaled down, because cairo's mesh gradients
 // have hard edges; lines and words come over them.
+#include "io/picture/atrial_view.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,7 +13,7 @@
 #include "io/picture/opening_paint.h"
 #include "io/picture/repair_paint.h"
 #include "io/picture/text.h"
-#include "io/picture/views.h"
+#include "io/picture/view_frame.h"
 
 namespace coapt {
 namespace {
@@ -136,18 +138,6 @@ void paint_chordae(const Canvas& canvas, const ClosedValve& open, const AnnularP
 
 }  // namespace
 
-void draw_scale_bar(const Canvas& canvas, const ViewFrame& frame) {
-  cairo_t* cairo = canvas.context.get();
-  const double length = 10.0 * frame.pixels_per_mm;
-  const Vec2 at(frame.box.x + 16.0, frame.box.y + frame.box.height - 18.0);
-  set_colour(canvas, palette::kMuted);
-  cairo_set_line_width(cairo, 2.0);
-  cairo_move_to(cairo, at.x(), at.y());
-  cairo_line_to(cairo, at.x() + length, at.y());
-  cairo_stroke(cairo);
-  draw_text(canvas, at + Vec2(0.5 * length, -8.0), "10 mm", {13.0, palette::kMuted, Align::Centre});
-}
-
 double atrial_scale(const Box& box, const ClosedValve& closed) {
   constexpr double kLabels = 105.0;  // pixels beside the annulus, on either side
   const AnnulusMeasure& annulus = closed.measure.annulus;
@@ -156,12 +146,6 @@ double atrial_scale(const Box& box, const ClosedValve& closed) {
     size_mm = size_mm.cwiseMax(extent_before_mm(closed, annular_plane(closed.valve)).sizes());
   return std::min((box.width - 2.0 * kLabels) / size_mm.x(),
                   (box.height - 0.8 * kLabels) / size_mm.y());
-}
-
-void draw_unknown(const Canvas& canvas, const ViewFrame& frame) {
-  draw_text(canvas, {frame.box.x + 0.5 * frame.box.width, frame.box.y + 0.5 * frame.box.height},
-            "The closure diverged: there is nothing to draw.",
-            {16.0, palette::kWarning, Align::Centre}, frame.box.width);
 }
 
 void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/picture/leaflet_paint.h"
-#include "io/picture/views.h"
+#include "io/picture/view_frame.h"
 
 namespace coapt {
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "io/json/version.h"
+#include "io/picture/atrial_view.h"
 #include "io/picture/repair_paint.h"
+#include "io/picture/section_map.h"
+#include "io/picture/section_view.h"
 #include "io/picture/text.h"
-#include "io/picture/views.h"
 
 namespace coapt {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/closed/closed_valve.h"
-#include "io/picture/views.h"
+#include "io/picture/view_frame.h"
 
 namespace coapt {
 

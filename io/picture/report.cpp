@@ -2,6 +2,8 @@
 // to get the same again.
 #include "io/picture/report.h"
 
+#include <algorithm>
+
 #include "io/json/plan_json.h"
 #include "io/picture/html.h"
 #include "io/picture/picture.h"
@@ -60,6 +62,18 @@ std::string drawn(const ReportPicture& picture, const ClosedValve& before,
 
 std::string picture_of(const PlanReport& report, const ReportPicture& picture) {
   return report.picture ? report.picture(picture) : drawn(picture, report.before, report.after);
+}
+
+std::size_t plan_in_front(const PlanReport& report) {
+  const std::vector<RankedPlan>& plans = report.result.plans;
+  const auto found = std::find_if(plans.begin(), plans.end(), [&](const RankedPlan& plan) {
+    return plan.rank == report.about;
+  });
+  return found == plans.end() ? 0 : static_cast<std::size_t>(found - plans.begin());
+}
+
+bool is_told(const PlanReport& report, const RankedPlan& plan) {
+  return report.about == 0 || plan.rank == report.result.plans[plan_in_front(report)].rank;
 }
 
 std::string plan_report_html(const PlanReport& report) {

@@ -47,4 +47,13 @@ PlanPictures pictures_of(const SearchResult& result);
 /// The report on all plans.
 std::string plan_report_html(const SearchResult& result, const SearchRequest& request);
 
+/// Index of the plan in front. @pre there are plans.
+std::size_t plan_in_front(const PlanReport& report);
+
+/// Whether the evidence has a part for that plan.
+bool is_told(const PlanReport& report, const RankedPlan& plan);
+
+/// In base64: drawn, or what stands for it.
+std::string picture_of(const PlanReport& report, const ReportPicture& picture);
+
 }  // namespace coapt

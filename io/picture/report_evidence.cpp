@@ -4,6 +4,7 @@
 #include "io/picture/evidence_figure.h"
 #include "io/picture/html.h"
 #include "io/picture/report_parts.h"
+#include "io/picture/report_words.h"
 #include "io/picture/text.h"
 
 namespace coapt {

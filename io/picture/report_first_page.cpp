@@ -283,18 +283,6 @@ std::string others(const PlanReport& report, std::size_t front) {
 
 }  // namespace
 
-std::size_t plan_in_front(const PlanReport& report) {
-  const std::vector<RankedPlan>& plans = report.result.plans;
-  const auto found = std::find_if(plans.begin(), plans.end(), [&](const RankedPlan& plan) {
-    return plan.rank == report.about;
-  });
-  return found == plans.end() ? 0 : static_cast<std::size_t>(found - plans.begin());
-}
-
-bool is_told(const PlanReport& report, const RankedPlan& plan) {
-  return report.about == 0 || plan.rank == report.result.plans[plan_in_front(report)].rank;
-}
-
 std::string first_page(const PlanReport& report) {
   const std::size_t front = plan_in_front(report);
   const RankedPlan& plan = report.result.plans[front];

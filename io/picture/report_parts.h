@@ -1,4 +1,4 @@
-// Sections of the plan report, each as HTML.
+// Sections of the plan report, each as HTML and in a file of its own.
 #pragma once
 
 #include <string>
@@ -6,25 +6,6 @@
 #include "io/picture/report.h"
 
 namespace coapt {
-
-/// The steps in words; "no repair" if there are none.
-std::vector<std::string> steps_of(const RankedPlan& plan);
-
-/// "0.4 ± 0.5", "n/a".
-std::string mean_and_sd(const OrificeStatistics& leak);
-
-/// "0.75", "> 1.00" where nothing leaks as far as the region goes.
-std::string suture_margin(const LeakMargin& margin);
-std::string angle_margin(const LeakMargin& margin);
-
-/// Index of the plan in front. @pre there are plans.
-std::size_t plan_in_front(const PlanReport& report);
-
-/// Whether the evidence has a part for that plan.
-bool is_told(const PlanReport& report, const RankedPlan& plan);
-
-/// In base64: drawn, or what stands for it.
-std::string picture_of(const PlanReport& report, const ReportPicture& picture);
 
 /// What a surgeon reads in two minutes, on one sheet. @pre there are plans.
 std::string first_page(const PlanReport& report);

@@ -13,12 +13,6 @@
 namespace coapt {
 namespace {
 
-constexpr double kFarthest_mm = 1.0, kFarthest_deg = 5.0;  // borders of the region: see LeakMargin
-
-std::string margin(double value, double farthest, int decimals) {
-  return (value >= farthest ? "> " : "") + fixed(value, decimals);
-}
-
 std::string cell(const std::string& words, const std::string& attributes = "") {
   return "<td" + attributes + ">" + escape_html(words) + "</td>";
 }
@@ -166,22 +160,6 @@ std::string trade_offs(const SearchResult& result) {
 }
 
 }  // namespace
-
-std::vector<std::string> steps_of(const RankedPlan& plan) {
-  return plan.description.empty() ? std::vector<std::string>{"no repair"} : plan.description;
-}
-
-std::string mean_and_sd(const OrificeStatistics& leak) {
-  return std::isfinite(leak.mean) ? fixed(leak.mean, 1) + " ± " + fixed(leak.sd, 1) : "n/a";
-}
-
-std::string suture_margin(const LeakMargin& to_leak) {
-  return margin(to_leak.suture_length_mm, kFarthest_mm, 2);
-}
-
-std::string angle_margin(const LeakMargin& to_leak) {
-  return margin(to_leak.angle_deg, kFarthest_deg, 1);
-}
 
 std::string ranked_section(const PlanReport& report) {
   const SearchResult& result = report.result;

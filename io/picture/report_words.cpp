@@ -15,6 +15,7 @@
 namespace coapt {
 namespace {
 
+constexpr double kFarthest_mm = 1.0, kFarthest_deg = 5.0;  // borders of the region: see LeakMargin
 constexpr double kTold_mm = 0.5;    // parts of a movement below it are not told
 constexpr double kFreeEdge = 0.95;  // heights from here on are the free edge, as describe() says
 constexpr std::size_t kOpeningsTold = 3, kNamesTold = 4;
@@ -224,6 +225,10 @@ std::string in_short(const ChordalLengthChange& step) {
 std::string in_short(const ChordalExcision& step) { return step.chorda + " cut"; }
 std::string in_short(const ChordalTransfer& step) { return step.chorda + " transferred"; }
 
+std::string margin(double value, double farthest, int decimals) {
+  return (value >= farthest ? "> " : "") + fixed(value, decimals);
+}
+
 }  // namespace
 
 std::string with_unit(double value, int decimals, const char* unit) {
@@ -280,6 +285,22 @@ std::string valve_words(const ClosedValve& before) {
     told += " and " + std::to_string(ruptured.size() - kNamesTold) + " more chordae";
   if (!ruptured.empty()) told += ".";
   return told;
+}
+
+std::vector<std::string> steps_of(const RankedPlan& plan) {
+  return plan.description.empty() ? std::vector<std::string>{"no repair"} : plan.description;
+}
+
+std::string mean_and_sd(const OrificeStatistics& leak) {
+  return std::isfinite(leak.mean) ? fixed(leak.mean, 1) + " ± " + fixed(leak.sd, 1) : "n/a";
+}
+
+std::string suture_margin(const LeakMargin& to_leak) {
+  return margin(to_leak.suture_length_mm, kFarthest_mm, 2);
+}
+
+std::string angle_margin(const LeakMargin& to_leak) {
+  return margin(to_leak.angle_deg, kFarthest_deg, 1);
 }
 
 }  // namespace coapt

@@ -22,6 +22,16 @@ std::string short_words(const RankedPlan& plan);
 /// Of the valve before: its dimensions, its ruptured chordae, and where it leaks how much.
 std::string valve_words(const ClosedValve& before);
 
+/// The steps in words; "no repair" if there are none.
+std::vector<std::string> steps_of(const RankedPlan& plan);
+
+/// "0.4 ± 0.5", "n/a".
+std::string mean_and_sd(const OrificeStatistics& leak);
+
+/// "0.75", "> 1.00" where nothing leaks as far as the region goes.
+std::string suture_margin(const LeakMargin& margin);
+std::string angle_margin(const LeakMargin& margin);
+
 /// "1.5 N", "n/a": with its unit only where it is known.
 std::string with_unit(double value, int decimals, const char* unit);
 

@@ -1,8 +1,9 @@
 // Where the long-axis section lies in its panel: its coordinates, its extent, its scale.
 #pragma once
 
+#include "core/closed/closed_valve.h"
 #include "core/metrics/section.h"
-#include "io/picture/views.h"
+#include "io/picture/view_frame.h"
 
 namespace coapt {
 
@@ -22,5 +23,8 @@ struct SectionMap {
 /// The middle of the annular line a fifth below the top and in the middle of the panel, or as near
 /// to that as lets the leaflets, the tips and their labels into the box.
 SectionMap section_map(const ViewFrame& frame, const ClosedValve& closed);
+
+/// The largest scale at which the section down to the papillary tips fits into a box.
+double section_scale(const Box& box, const ClosedValve& closed);
 
 }  // namespace coapt

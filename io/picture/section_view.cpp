@@ -1,3 +1,5 @@
+#include "io/picture/section_view.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

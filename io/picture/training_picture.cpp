@@ -4,7 +4,7 @@
 
 #include "core/metrics/annulus.h"
 #include "io/json/version.h"
-#include "io/picture/views.h"
+#include "io/picture/atrial_view.h"
 
 namespace coapt {
 namespace {
