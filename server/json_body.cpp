@@ -4,6 +4,7 @@
 
 #include "core/presets/presets.h"
 #include "core/valve/nearest_name.h"
+#include "io/json/parse_json.h"
 #include "io/json/valve_json.h"
 #include "server/answers.h"
 #include "server/memory.h"

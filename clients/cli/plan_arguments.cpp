@@ -8,7 +8,7 @@
 #include "clients/cli/search_option.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
-#include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/json/search_options_json.h"
 #include "io/json/weights_json.h"
 

@@ -15,6 +15,7 @@
 #include "io/command_line/interrupt.h"
 #include "io/command_line/progress_bar.h"
 #include "io/json/population_json.h"
+#include "io/json/population_prior_json.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
 #include "io/picture/population_page.h"

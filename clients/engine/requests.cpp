@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "io/json/parse_json.h"
 #include "io/json/plan_json.h"
 #include "io/json/problem_json.h"
 #include "io/json/valve_json.h"

@@ -5,7 +5,9 @@
 
 #include "farm/work/closure_options_json.h"
 #include "farm/work/work_parts.h"
+#include "io/json/parse_json.h"
 #include "io/json/population_json.h"
+#include "io/json/population_prior_json.h"
 #include "search/parallel.h"
 #include "search/plans/disturbance.h"
 

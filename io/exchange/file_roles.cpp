@@ -9,6 +9,7 @@
 #include "io/exchange/part_names.h"
 #include "io/image/label_map.h"
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/mesh/csv_table.h"
 
 namespace coapt {

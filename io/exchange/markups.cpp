@@ -1,6 +1,7 @@
 #include "io/exchange/markups.h"
 
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/json/version.h"
 #include "io/mesh/mesh_builder.h"
 

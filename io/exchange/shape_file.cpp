@@ -11,6 +11,7 @@
 #include "core/metrics/leaflet_sides.h"
 #include "core/valve/number_text.h"
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/mesh/vtk.h"
 #include "io/mesh/vtu.h"
 

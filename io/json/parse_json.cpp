@@ -1,6 +1,8 @@
 // nlohmann's tokenizer drives a builder that keeps its own stack: the usual one neither limits
 // depth nor notices a name that comes twice.
 
+#include "io/json/parse_json.h"
+
 #include <nlohmann/json.hpp>
 
 #include "io/json/json_reader.h"

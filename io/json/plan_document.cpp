@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/json/plan_json.h"
 
 namespace coapt {

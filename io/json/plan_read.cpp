@@ -2,6 +2,7 @@
 
 #include "core/repair/limits.h"
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/json/plan_json.h"
 #include "io/json/ring_json.h"
 #include "io/json/valve_json.h"

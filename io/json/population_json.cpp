@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
+#include "io/json/population_prior_json.h"
 #include "io/json/result_json.h"
 #include "io/json/version.h"
 #include "search/population/population_factors.h"

@@ -1,4 +1,4 @@
-// Populations and their priors as JSON: coapt.population/1, coapt.population_prior/1.
+// Populations as JSON: coapt.population/1.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,17 +7,6 @@
 #include "search/population/population.h"
 
 namespace coapt {
-
-/// {"schema", "name", "anatomy": {NAME: {"mean", "sd", "min", "max", "source", "assumed"}, ...}, "correlations": [{"first",
-/// "second", "r", "source", "assumed"}, ...], "aetiologies": [{"name", "share", "source", "assumed", "lesions": {...}}, ...]}.
-/// Errors: those of check_prior(), too.
-Expected<PopulationPrior> read_prior(std::string_view text);
-Expected<PopulationPrior> prior_from_json(const nlohmann::json& json);
-nlohmann::ordered_json to_json(const PopulationPrior& prior);
-
-/// examples/populations/adult.json, as it was compiled in.
-std::string_view adult_prior_text();
-PopulationPrior adult_prior();
 
 /// {"schema", "version", "notice", "seed", "prior": coapt.population_prior/1, "anatomy_factors": [names], "lesion_factors":
 /// [names], "members": [{"index", "aetiology", "anatomy": [...], "lesions": [...], "leak_healthy_mm2", "leak_mm2", "draws": {...}}, ...]}.

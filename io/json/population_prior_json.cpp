@@ -1,8 +1,11 @@
+#include "io/json/population_prior_json.h"
+
 #include <cassert>
 #include <map>
 #include <utility>
 
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/json/population_json.h"
 #include "search/population/population_factors.h"
 

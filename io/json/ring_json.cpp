@@ -1,5 +1,7 @@
 #include "io/json/ring_json.h"
 
+#include "io/json/parse_json.h"
+
 namespace coapt {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/json/result_json.h"
 #include "io/json/version.h"
 

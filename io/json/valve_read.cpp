@@ -6,6 +6,7 @@
 
 #include "core/valve/validate.h"
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {

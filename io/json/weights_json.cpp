@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/json/result_json.h"
 #include "io/json/search_options_json.h"
 #include "io/json/version.h"

@@ -14,6 +14,7 @@
 
 #include "core/valve/problem_list.h"
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/mesh/csv_table.h"
 #include "io/mesh/import_valve.h"
 

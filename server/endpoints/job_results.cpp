@@ -4,7 +4,6 @@
 
 #include "core/repair/apply_plan.h"
 #include "io/exchange/formats.h"
-#include "io/json/json_reader.h"
 #include "io/json/plan_json.h"
 #include "io/picture/picture.h"
 #include "server/answers.h"

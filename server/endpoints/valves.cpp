@@ -1,6 +1,7 @@
 #include "server/endpoints/valves.h"
 
 #include "core/presets/presets.h"
+#include "io/json/parse_json.h"
 #include "io/json/repair_answers.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"

@@ -4,7 +4,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/json/search_options_json.h"
 #include "io/store/closure_store.h"
 #include "io/store/plan_store.h"

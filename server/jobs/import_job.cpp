@@ -4,6 +4,7 @@
 
 #include "io/exchange/decisions_json.h"
 #include "io/json/fit_json.h"
+#include "io/json/parse_json.h"
 #include "io/json/valve_json.h"
 #include "io/picture/fit_picture.h"
 #include "io/picture/import_picture.h"

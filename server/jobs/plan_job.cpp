@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "farm/ask/farm.h"
-#include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
 #include "io/json/valve_json.h"

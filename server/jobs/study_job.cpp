@@ -5,6 +5,7 @@
 #include "farm/ask/farm.h"
 #include "farm/ask/farm_closures.h"
 #include "io/json/findings_json.h"
+#include "io/json/parse_json.h"
 #include "io/store/closure_store.h"
 #include "io/store/subject.h"
 #include "server/answer.h"

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/json/population_json.h"
+#include "io/json/population_prior_json.h"
 
 namespace coapt {
 namespace {

@@ -1,3 +1,5 @@
+#include "io/json/parse_json.h"
+
 #include "io/json/json_reader.h"
 #include "tests/io/json/found.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
-#include "io/json/population_json.h"
+#include "io/json/population_prior_json.h"
 #include "search/population/population_findings.h"
 #include "search/population/population_tree.h"
 

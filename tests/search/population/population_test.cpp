@@ -8,6 +8,7 @@
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
 #include "io/json/population_json.h"
+#include "io/json/population_prior_json.h"
 #include "search/parallel.h"
 #include "search/plans/objective.h"
 #include "search/population/population_factors.h"
