@@ -20,7 +20,6 @@ constexpr Range kTransitionStrain = {0.0, 2.0};
 constexpr Range kChordaeKpa = {1.0, 1e7};
 constexpr Range kPrestretch = {1.0, 2.0};
 constexpr Range kBendingNmm = {0.0, 10.0};
-constexpr Range kCoordinateMm = {-500.0, 500.0};
 constexpr Range kPatientMm = {-10000.0, 10000.0};  // of images, from the scanner's own origin
 constexpr Range kExponentialKpa = {0.0, 1e4};
 constexpr Range kExponent = {0.01, 1000.0};
@@ -220,19 +219,6 @@ void check_drawn(const Valve& valve, ProblemList& problems) {
 }
 
 }  // namespace
-
-bool check_points(const Points& points, const std::string& path, ProblemList& problems) {
-  bool good = true;
-  for (int row = 0; row < points.rows(); ++row) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double number = points(row, axis);
-      if (number >= kCoordinateMm.min && number <= kCoordinateMm.max) continue;
-      check_range(problems, at(at(path, row), axis), number, kCoordinateMm, " mm");
-      good = false;
-    }
-  }
-  return good;
-}
 
 ProblemList problems_in(const Valve& valve) {
   ProblemList problems;

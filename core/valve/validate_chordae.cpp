@@ -13,7 +13,6 @@ constexpr Range kDiameterMm = {0.05, 5.0};
 constexpr Range kZoneMm = {0.0, 10.0};
 constexpr Range kChordaKpa = {1.0, 1e7};
 constexpr Range kBranchPointMm = {-500.0, 500.0};
-constexpr double kWeightTolerance = 1e-6;
 
 void check_measures(const ChordaSegment& segment, int faces, const std::string& path,
                     ProblemList& problems) {
@@ -95,26 +94,6 @@ void check_tree(const std::vector<ChordaSegment>& segments, const std::string& p
 }
 
 }  // namespace
-
-void check_insertion(const Insertion& insertion, int faces, const std::string& path,
-                     ProblemList& problems) {
-  if (faces > 0 && (insertion.face < 0 || insertion.face >= faces)) {
-    problems.add(ErrorCode::BadReference, path + "/face",
-                 "is " + std::to_string(insertion.face) + ", must be the index of a face, 0 to " +
-                     std::to_string(faces - 1));
-  }
-  bool inside = true;
-  double sum = 0.0;
-  for (int corner = 0; corner < 3; ++corner) {
-    const double weight = insertion.weights[corner];
-    inside &= check_range(problems, at(path + "/weights", corner), weight, {0.0, 1.0});
-    sum += weight;
-  }
-  if (inside && !(std::abs(sum - 1.0) <= kWeightTolerance)) {
-    problems.add(ErrorCode::OutOfRange, path + "/weights",
-                 "add up to " + shown(sum) + ", must add up to 1 within 1e-6");
-  }
-}
 
 void check_chordae(const Valve& valve, ProblemList& problems) {
   if (valve.chordae.size() > kMaxChordae) {

@@ -1,4 +1,5 @@
-// The parts of validate(). Each lists its own problems and says what the later ones may rely on.
+// The parts of validate(), each in a file of its own, and what they share. Each lists its own problems and says what the
+// later ones may rely on.
 #pragma once
 
 #include <string>
@@ -8,6 +9,9 @@
 #include "core/valve/valve.h"
 
 namespace coapt {
+
+/// Wide enough for any valve, narrow enough to catch a wrong unit.
+inline constexpr Range kCoordinateMm = {-500.0, 500.0};
 
 struct MeshCheck {
   bool vertices_usable = false;  ///< a sensible number of them, all of them finite
