@@ -67,7 +67,7 @@ std::vector<Vec3> suture_pulls_n(const Valve& valve, const std::vector<Vec3>& an
 }
 
 SutureLoad suture_load(const Valve& valve, const ClosureResult& closure, int count) {
-  const Vec3 normal = annular_plane(valve).normal;
+  const Vec3 normal = annulus_frame(valve, AnnulusAxis::Commissures).normal;
   SutureLoad load;
   for (const Vec3& pull : suture_pulls_n(valve, support_forces(valve, closure).annulus_n, count)) {
     load.max_n = std::max(load.max_n, pull.norm());

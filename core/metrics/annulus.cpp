@@ -1,47 +1,8 @@
 #include "core/metrics/annulus.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
-
-#include "core/valve/mean_point.h"
-
 namespace coapt {
 
-AnnularPlane annular_plane(const Valve& valve) {
-  AnnularPlane plane;
-  const Points& loop = valve.annulus_mm;
-  plane.origin_mm = mean_point(loop);
-  const Points centred = loop.rowwise() - plane.origin_mm.transpose();
-  const Eigen::Matrix3d scatter = centred.transpose() * centred;
-  plane.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
-
-  Vec3 twice_area = Vec3::Zero();
-  for (Index i = 0; i < loop.rows(); ++i) {
-    const Vec3 here = centred.row(i).transpose();
-    const Vec3 next = centred.row((i + 1) % loop.rows()).transpose();
-    twice_area += here.cross(next);
-  }
-  if (plane.normal.dot(twice_area) < 0.0) plane.normal = -plane.normal;
-
-  const Vec3 across =
-      is_mitral(valve) ? Vec3(annulus_position_mm(valve, valve.landmarks.posteromedial_commissure) -
-                              annulus_position_mm(valve, valve.landmarks.anterolateral_commissure))
-                       : Vec3(Vec3::UnitX());
-  plane.x = (across - plane.normal * plane.normal.dot(across)).normalized();
-  plane.y = plane.normal.cross(plane.x);
-  return plane;
-}
-
-Vec2 project(const AnnularPlane& plane, const Vec3& point_mm) {
-  const Vec3 offset = point_mm - plane.origin_mm;
-  return {offset.dot(plane.x), offset.dot(plane.y)};
-}
-
-Vec3 unproject(const AnnularPlane& plane, const Vec2& coordinates_mm) {
-  return plane.origin_mm + coordinates_mm.x() * plane.x + coordinates_mm.y() * plane.y;
-}
-
-std::vector<Vec2> annulus_polygon(const Valve& valve, const AnnularPlane& plane) {
+std::vector<Vec2> annulus_polygon(const Valve& valve, const AnnulusFrame& plane) {
   std::vector<Vec2> polygon;
   polygon.reserve(valve.annulus_mm.rows());
   for (Index i = 0; i < valve.annulus_mm.rows(); ++i)
@@ -60,7 +21,7 @@ double polygon_area(const std::vector<Vec2>& polygon) {
 }
 
 AnnulusMeasure measure_annulus(const Valve& valve) {
-  const AnnularPlane plane = annular_plane(valve);
+  const AnnulusFrame plane = annulus_frame(valve, AnnulusAxis::Commissures);
   const Points& loop = valve.annulus_mm;
   const auto extent_mm = [&loop](const Vec3& direction) {
     const Eigen::VectorXd along = loop * direction;

@@ -1,31 +1,14 @@
-// The annulus under pressure: its plane of best fit and its dimensions.
+// The dimensions of the annulus under pressure.
 #pragma once
 
 #include <vector>
 
-#include "core/valve/valve.h"
+#include "core/valve/annulus_frame.h"
 
 namespace coapt {
 
-/// Right-handed axes on the annulus's plane of best fit (principal components of its vertices).
-/// They follow the valve when it is moved or turned: `x` runs from the anterolateral to the
-/// posteromedial commissure, `y` is anterior, `normal` points to the atrium, from where the loop
-/// runs counter-clockwise. Of a valve that is not mitral `x` is that of its frame.
-struct AnnularPlane {
-  Vec3 origin_mm = Vec3::Zero();  ///< mean of the annulus vertices
-  Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), normal = Vec3::UnitZ();
-};
-
-AnnularPlane annular_plane(const Valve& valve);
-
-/// Coordinates along x and y.
-Vec2 project(const AnnularPlane& plane, const Vec3& point_mm);
-
-/// The point of the plane with these coordinates.
-Vec3 unproject(const AnnularPlane& plane, const Vec2& coordinates_mm);
-
 /// Projected annulus, |A| points, counter-clockwise.
-std::vector<Vec2> annulus_polygon(const Valve& valve, const AnnularPlane& plane);
+std::vector<Vec2> annulus_polygon(const Valve& valve, const AnnulusFrame& plane);
 
 /// Shoelace formula (thesis equation 4.1), positive when counter-clockwise.
 double polygon_area(const std::vector<Vec2>& polygon);

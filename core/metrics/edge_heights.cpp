@@ -5,7 +5,7 @@
 
 namespace coapt {
 
-EdgeHeights::EdgeHeights(const Faces& faces, const Points& closed_mm, const AnnularPlane& plane) {
+EdgeHeights::EdgeHeights(const Faces& faces, const Points& closed_mm, const AnnulusFrame& plane) {
   const auto height_mm = [&](const Vec3& point) {
     return (point - plane.origin_mm).dot(plane.normal);
   };

@@ -11,7 +11,7 @@ namespace coapt {
 class EdgeHeights {
  public:
   /// @param closed_mm |V| x 3, finite.
-  EdgeHeights(const Faces& faces, const Points& closed_mm, const AnnularPlane& plane);
+  EdgeHeights(const Faces& faces, const Points& closed_mm, const AnnulusFrame& plane);
 
   /// Above the plane, of the nearest edge. Takes as long as there are edges.
   double at(const Vec2& point_mm) const;

@@ -34,7 +34,8 @@ ExactOrifice exact_orifice(const Valve& valve, const Projection& projection,
 
 std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& closed_mm,
                                              double half_thickness_mm) {
-  const Projection projection = project_valve(valve, closed_mm, annular_plane(valve));
+  const Projection projection =
+      project_valve(valve, closed_mm, annulus_frame(valve, AnnulusAxis::Commissures));
   const EdgeHeights edges(valve.faces, closed_mm, projection.plane);
   std::vector<OrificeOutline> outlines;
   const Openings seen = look(valve, projection, half_thickness_mm);
@@ -58,8 +59,9 @@ std::vector<OrificeOutline> orifice_outlines(const Valve& valve, const Points& c
 }
 
 ExactOrifice exact_orifice(const Valve& valve, const Points& closed_mm, double half_thickness_mm) {
-  return exact_orifice(valve, project_valve(valve, closed_mm, annular_plane(valve)),
-                       half_thickness_mm);
+  return exact_orifice(
+      valve, project_valve(valve, closed_mm, annulus_frame(valve, AnnulusAxis::Commissures)),
+      half_thickness_mm);
 }
 
 double free_area_mm2(const std::vector<Vec2>& outline, const std::vector<std::vector<Vec2>>& tissue,
@@ -69,7 +71,7 @@ double free_area_mm2(const std::vector<Vec2>& outline, const std::vector<std::ve
 
 OrificeMeasure measure_orifice(const Valve& valve, const ClosureResult& closure) {
   const double half_thickness_mm = 0.5 * valve.tissue.thickness_mm;
-  const AnnularPlane plane = annular_plane(valve);
+  const AnnulusFrame plane = annulus_frame(valve, AnnulusAxis::Commissures);
   const auto seen = [&](const Points& closed_mm) {
     return exact_orifice(valve, project_valve(valve, closed_mm, plane), half_thickness_mm);
   };

@@ -8,7 +8,7 @@ namespace coapt {
 std::vector<Leaflet> leaflet_sides(const Valve& valve) {
   const Vec3 from = valve.rest_mm.row(valve.landmarks.anterolateral_commissure).transpose();
   const Vec3 to = valve.rest_mm.row(valve.landmarks.posteromedial_commissure).transpose();
-  const Vec3 anterior = annular_plane(valve).normal.cross(to - from);
+  const Vec3 anterior = annulus_frame(valve, AnnulusAxis::Commissures).normal.cross(to - from);
   std::vector<Leaflet> sides;
   sides.reserve(valve.segments.size());
   for (std::size_t f = 0; f < valve.segments.size(); ++f) {

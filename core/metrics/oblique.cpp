@@ -15,7 +15,7 @@ constexpr double kTiltStep_deg = 10.0, kMostTilt_deg = 60.0, kAzimuthStep_deg = 
 
 }  // namespace
 
-AnnularPlane tilted(const AnnularPlane& plane, double tilt_deg, double azimuth_deg) {
+AnnulusFrame tilted(const AnnulusFrame& plane, double tilt_deg, double azimuth_deg) {
   constexpr double kRadians = std::numbers::pi / 180.0;
   const double azimuth = azimuth_deg * kRadians;
   const Vec3 leaning = plane.x * std::cos(azimuth) + plane.y * std::sin(azimuth);
@@ -25,8 +25,8 @@ AnnularPlane tilted(const AnnularPlane& plane, double tilt_deg, double azimuth_d
 
 ObliqueOrifice oblique_orifice(const Valve& valve, const Points& closed_mm,
                                double half_thickness_mm) {
-  const AnnularPlane plane = annular_plane(valve);
-  const auto area_mm2 = [&](const AnnularPlane& view) {
+  const AnnulusFrame plane = annulus_frame(valve, AnnulusAxis::Commissures);
+  const auto area_mm2 = [&](const AnnulusFrame& view) {
     return exact_orifice(valve, project_valve(valve, closed_mm, view), half_thickness_mm).area_mm2;
   };
   ObliqueOrifice widest{area_mm2(plane), 0.0, 0.0};

@@ -26,7 +26,7 @@ struct ObliqueOrifice {
 
 /// Axes for a view along the normal tilted by that much; those of `plane` turned by the least
 /// angle.
-AnnularPlane tilted(const AnnularPlane& plane, double tilt_deg, double azimuth_deg);
+AnnulusFrame tilted(const AnnulusFrame& plane, double tilt_deg, double azimuth_deg);
 
 /// The widest of 0, 10, ... 60 degrees of tilt at eight azimuths; the first of equal ones.
 /// @param closed_mm |V| x 3, finite.

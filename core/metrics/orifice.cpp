@@ -143,7 +143,8 @@ Vec2 from_pixels(const OrificeView& view, const Vec2& pixels) {
 
 OrificeView view_orifices(const Valve& valve, const Points& closed_mm, double half_thickness_mm,
                           const ImageSize& size) {
-  const Projection projection = project_valve(valve, closed_mm, annular_plane(valve));
+  const Projection projection =
+      project_valve(valve, closed_mm, annulus_frame(valve, AnnulusAxis::Commissures));
   OrificeView view = draw_leaflets(draw_annulus(projection, size), projection, half_thickness_mm);
   collect_orifices(valve, projection, view);
   return view;

@@ -37,7 +37,7 @@ struct ImageSize {
 /// The atrial view: columns run posteromedially, rows posteriorly.
 struct OrificeView {
   int width = 800, height = 600;
-  AnnularPlane plane;
+  AnnulusFrame plane;
   Vec2 centre_mm = Vec2::Zero();  ///< plane coordinates of the middle of the image
   double mm_per_pixel = 0.0;
   double pixel_area_mm2 = 0.0;    ///< equation 4.2

@@ -28,7 +28,7 @@ double squared_distance_to_triangle(const Vec2& point, const Triangle& triangle)
 
 }  // namespace
 
-Projection project_valve(const Valve& valve, const Points& closed_mm, const AnnularPlane& plane) {
+Projection project_valve(const Valve& valve, const Points& closed_mm, const AnnulusFrame& plane) {
   Projection projection{plane, annulus_polygon(valve, plane), {}};
   std::vector<Vec2> vertices(closed_mm.rows());
   for (std::size_t i = 0; i < vertices.size(); ++i)

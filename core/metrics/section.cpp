@@ -81,7 +81,8 @@ std::vector<SectionLine> cut(const Faces& faces, const Points& points_mm,
 SectionPlane mid_valve_plane(const Valve& valve) {
   const Vec3 saddle_peak = annulus_position_mm(valve, valve.landmarks.saddle_peak);
   const Vec3 to_posterior = annulus_position_mm(valve, valve.landmarks.mid_posterior) - saddle_peak;
-  return {saddle_peak, annular_plane(valve).normal.cross(to_posterior).normalized()};
+  return {saddle_peak,
+          annulus_frame(valve, AnnulusAxis::Commissures).normal.cross(to_posterior).normalized()};
 }
 
 SectionPlane coaptation_plane(const Valve& valve, double along) {

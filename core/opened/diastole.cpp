@@ -9,7 +9,7 @@ namespace coapt {
 
 Expected<Valve> in_diastole(const Valve& valve) {
   Valve open = valve;
-  const AnnulusFrame frame = annulus_frame(valve);
+  const AnnulusFrame frame = annulus_frame(valve, AnnulusAxis::SaddlePeak);
   const double wider = 1.0 / std::sqrt(1.0 - valve.systole.annular_contraction);
   for (auto vertex : open.annulus_mm.rowwise()) {
     Vec3 place = into_frame(frame, vertex);

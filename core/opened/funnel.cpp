@@ -231,7 +231,7 @@ FunnelPassage narrowest_passage(const Valve& valve, const Points& open_mm) {
   for (const auto& point : valve.annulus_mm.rowwise()) top_mm = std::max(top_mm, depth(point));
   for (const auto& point : open_mm.rowwise()) bottom_mm = std::max(bottom_mm, depth(point));
   const double thickness_mm = valve.tissue.thickness_mm;
-  std::vector<Vec2> ring = annulus_polygon(valve, annular_plane(valve));
+  std::vector<Vec2> ring = annulus_polygon(valve, annulus_frame(valve, AnnulusAxis::Commissures));
   ring.push_back(ring.front());
   FunnelPassage found{free_area_mm2(ring, {ring}, 0.5 * thickness_mm), 0.0, axis.along, {}};
   Crossing narrowest;

@@ -31,7 +31,7 @@ OpeningMeasure measured(const Valve& valve, const Points& open_mm,
   }
   measure.opening_area_mm2 = passage->area_mm2;
   measure.passage_depth_mm = passage->depth_mm;
-  const double cosine = -passage->axis.dot(annular_plane(valve).normal);
+  const double cosine = -passage->axis.dot(annulus_frame(valve, AnnulusAxis::Commissures).normal);
   measure.tilt_deg = std::acos(std::min(1.0, cosine)) * 180.0 / std::numbers::pi;
   measure.projected_area_mm2 =
       exact_orifice(valve, open_mm, 0.5 * valve.tissue.thickness_mm).area_mm2;

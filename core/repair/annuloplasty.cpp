@@ -29,7 +29,7 @@ Vec3 fixed_point(const Valve& valve, const AnnulusFrame& frame) {
 }
 
 void shrink(double factor, Valve& valve) {
-  const AnnulusFrame frame = annulus_frame(valve);
+  const AnnulusFrame frame = annulus_frame(valve, AnnulusAxis::SaddlePeak);
   const Vec3 centre = out_of_frame(frame, fixed_point(valve, frame));
   for (std::size_t i = 0; i < valve.annulus.size(); ++i)
     valve.annulus_mm.row(i) = centre + factor * (row(valve.annulus_mm, i) - centre);
@@ -61,7 +61,7 @@ bool check_size(double size_mm, const std::string& path, ProblemList& problems) 
 bool check_ring(const OwnRing& ring, const Valve& valve, const std::string& path,
                 ProblemList& problems) {
   const bool possible = check_range(problems, path + "/sizes_below", ring.sizes_below, kSizesBelow);
-  const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
+  const double transverse = transverse_diameter_mm(valve);
   const double most = (1.0 - kLeastOwnRing) * transverse / kRingSizeStep_mm;
   if (!possible || ring.sizes_below <= most) return possible;
   problems.add(ErrorCode::ImpossibleStep, path + "/sizes_below",
@@ -112,7 +112,7 @@ void suture_ring(const RingShape& shape, double size_mm, Valve& valve) {
 }
 
 void suture_contour(const Points& contour_mm, Valve& valve) {
-  const AnnulusFrame frame = annulus_frame(valve);
+  const AnnulusFrame frame = annulus_frame(valve, AnnulusAxis::SaddlePeak);
   const ArcLength ring(contour_mm);
   const double front = ring.crossing_mm(true), back = ring.crossing_mm(false);
   Vec3 shift = fixed_point(valve, frame) - ring.at(front);
@@ -140,7 +140,7 @@ void suture_contour(const Points& contour_mm, Valve& valve) {
 void apply_annuloplasty(const Annuloplasty& step, Valve& valve) {
   valve.systole.annular_contraction = 0.0;
   if (const auto* own = std::get_if<OwnRing>(&step.ring)) {
-    const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
+    const double transverse = transverse_diameter_mm(valve);
     shrink((transverse - kRingSizeStep_mm * own->sizes_below) / transverse, valve);
   } else if (const auto* made = std::get_if<CatalogueRing>(&step.ring)) {
     suture_ring(*find_ring(made->shape), made->size_mm, valve);

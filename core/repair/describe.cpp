@@ -41,7 +41,7 @@ std::string words(const Valve& valve, const Annuloplasty& step) {
     return "annuloplasty: designed ring " + ring->shape.name + ", size " + shown(ring->size_mm) +
            " mm";
   const int below = std::get<OwnRing>(step.ring).sizes_below;
-  const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
+  const double transverse = transverse_diameter_mm(valve);
   if (below == 0)
     return "annuloplasty: ring in the annulus's own shape and size (transverse " +
            with_decimals(transverse, 1) + " mm)";

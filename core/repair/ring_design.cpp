@@ -15,7 +15,7 @@ double ring_size_mm(double width_over_transverse, double transverse_mm) {
 }
 
 Annuloplasty sized_ring(const RingDesign& design, const Valve& valve) {
-  const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
+  const double transverse = transverse_diameter_mm(valve);
   return {DesignedRing{design.shape, ring_size_mm(design.width_over_transverse, transverse)}};
 }
 

@@ -55,7 +55,7 @@ double backward_share(const Valve& valve, const AnnulusFrame& frame, const Trigo
 void dilate(const AnnulusFrame& frame, const TrigoneLine& line, double share, Valve& valve) {
   for (Index i = 0; i < valve.annulus_mm.rows(); ++i) {
     const double behind = line.behind_mm(into_frame(frame, valve.annulus_mm.row(i)));
-    if (behind > 0.0) valve.annulus_mm.row(i) -= share * behind * frame.anterior.transpose();
+    if (behind > 0.0) valve.annulus_mm.row(i) -= share * behind * frame.y.transpose();
   }
 }
 
@@ -100,10 +100,10 @@ Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
   if (!problems.empty()) return std::move(problems).take();
 
   Valve remodelled = valve;
-  const AnnulusFrame frame = annulus_frame(valve);
+  const AnnulusFrame frame = annulus_frame(valve, AnnulusAxis::SaddlePeak);
   const TrigoneLine line = trigone_line(valve, frame);
-  const double share = backward_share(
-      valve, frame, line, change.ap_dilation_percent / 100.0 * ap_diameter_mm(valve, frame));
+  const double share = backward_share(valve, frame, line,
+                                      change.ap_dilation_percent / 100.0 * ap_diameter_mm(valve));
   if (!(share > -1.0 && std::isfinite(share)))
     return Error{ErrorCode::OutOfRange, "/ap_dilation_percent",
                  "is " + shown(change.ap_dilation_percent) +
@@ -120,7 +120,7 @@ Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
 }
 
 void grow_annulus(double ap_growth_mm, Valve& valve) {
-  const AnnulusFrame frame = annulus_frame(valve);
+  const AnnulusFrame frame = annulus_frame(valve, AnnulusAxis::SaddlePeak);
   const TrigoneLine line = trigone_line(valve, frame);
   dilate(frame, line, backward_share(valve, frame, line, ap_growth_mm), valve);
 }

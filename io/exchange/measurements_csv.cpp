@@ -42,7 +42,7 @@ void add_annulus(const Valve& valve, const AnnulusMeasure& annulus, Table& table
   table.add("ALC-PMC distance", distance(4, 5), "mm");
   table.add("Sphericity index (A-P / AL-PM)", distance(0, 1) / distance(2, 3), "mm/mm");
 
-  const AnnularPlane plane = annular_plane(valve);
+  const AnnulusFrame plane = annulus_frame(valve, AnnulusAxis::Commissures);
   const Eigen::VectorXd height =
       (valve.annulus_mm.rowwise() - plane.origin_mm.transpose()) * plane.normal;
   table.add("Annulus height", height.maxCoeff() - height.minCoeff(), "mm");

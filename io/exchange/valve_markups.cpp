@@ -51,7 +51,7 @@ Vec3 mean_head(const Valve& valve, const ValveShape& shape, Side side) {
 }  // namespace
 
 std::array<int, 6> landmark_vertices(const Valve& valve) {
-  const AnnularPlane plane = annular_plane(valve);
+  const AnnulusFrame plane = annulus_frame(valve, AnnulusAxis::Commissures);
   const auto along = [&](int vertex) {
     return project(plane, annulus_position_mm(valve, vertex)).x();
   };

@@ -26,7 +26,7 @@ const char* title_of(const Valve& valve) {
 }
 
 VtkScalars heights(const Valve& valve, const Points& points_mm) {
-  const AnnularPlane plane = annular_plane(valve);
+  const AnnulusFrame plane = annulus_frame(valve, AnnulusAxis::Commissures);
   const Eigen::VectorXd height = (points_mm.rowwise() - plane.origin_mm.transpose()) * plane.normal;
   return {"height_mm", {height.begin(), height.end()}};
 }

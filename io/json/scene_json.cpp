@@ -49,7 +49,7 @@ ordered_json faces_json(const Faces& faces) {
   return list;
 }
 
-ordered_json plane_json(const AnnularPlane& plane) {
+ordered_json plane_json(const AnnulusFrame& plane) {
   return {{"origin_mm", point(plane.origin_mm)},
           {"x", direction(plane.x)},
           {"y", direction(plane.y)},
@@ -214,7 +214,7 @@ ClosureResult unloaded(const Valve& valve) {
 ordered_json without_closed_state(const Valve& valve, const RepairPlan& plan,
                                   const ClosureResult& closure) {
   return {{"schema", "coapt.scene/1"},
-          {"plane", plane_json(annular_plane(valve))},
+          {"plane", plane_json(annulus_frame(valve, AnnulusAxis::Commissures))},
           {"thickness_mm", valve.tissue.thickness_mm},
           {"rest_mm", flat(valve.rest_mm)},
           {"closed_mm", nullptr},

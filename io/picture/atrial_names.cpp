@@ -25,7 +25,7 @@ void keep_apart(Label& label, bool upwards, const std::vector<Label>& placed) {
 
 }  // namespace
 
-void draw_landmarks(const Canvas& canvas, const Valve& valve, const AnnularPlane& plane,
+void draw_landmarks(const Canvas& canvas, const Valve& valve, const AnnulusFrame& plane,
                     const Mapping& map, const Vec2& centre_px) {
   const Landmarks& marks = valve.landmarks;
   const std::pair<int, const char*> labelled[] = {
@@ -54,7 +54,7 @@ void draw_landmarks(const Canvas& canvas, const Valve& valve, const AnnularPlane
   }
 }
 
-void draw_segment_names(const Canvas& canvas, const Valve& valve, const AnnularPlane& plane,
+void draw_segment_names(const Canvas& canvas, const Valve& valve, const AnnulusFrame& plane,
                         const Mapping& map, const Vec2& centre_px) {
   constexpr double kLeastInwards = 20.0;  // px: clear of a ring
   std::vector<char> on_annulus(static_cast<std::size_t>(valve.rest_mm.rows()), 0);

@@ -37,7 +37,7 @@ void draw_annulus(const Canvas& canvas, const std::vector<Vec2>& annulus, const 
 }
 
 /// Of the annulus that a ring drew in, on the plane of the annulus now.
-Eigen::AlignedBox2d extent_before_mm(const ClosedValve& closed, const AnnularPlane& plane) {
+Eigen::AlignedBox2d extent_before_mm(const ClosedValve& closed, const AnnulusFrame& plane) {
   Eigen::AlignedBox2d extent;
   const Points& loop_mm = closed.repair.annulus_before_mm;
   for (Eigen::Index i = 0; i < loop_mm.rows(); ++i)
@@ -112,7 +112,7 @@ void draw_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& 
 }
 
 /// Chordae under the open leaflets, those that are not ruptured.
-void paint_chordae(const Canvas& canvas, const ClosedValve& open, const AnnularPlane& plane,
+void paint_chordae(const Canvas& canvas, const ClosedValve& open, const AnnulusFrame& plane,
                    const Mapping& map) {
   const Valve& valve = open.valve;
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
@@ -143,7 +143,8 @@ double atrial_scale(const Box& box, const ClosedValve& closed) {
   const AnnulusMeasure& annulus = closed.measure.annulus;
   Vec2 size_mm(annulus.al_pm_mm, annulus.ap_mm);
   if (closed.repair.annulus_before_mm.rows() > 0)
-    size_mm = size_mm.cwiseMax(extent_before_mm(closed, annular_plane(closed.valve)).sizes());
+    size_mm = size_mm.cwiseMax(
+        extent_before_mm(closed, annulus_frame(closed.valve, AnnulusAxis::Commissures)).sizes());
   return std::min((box.width - 2.0 * kLabels) / size_mm.x(),
                   (box.height - 0.8 * kLabels) / size_mm.y());
 }

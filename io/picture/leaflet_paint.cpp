@@ -13,7 +13,7 @@ constexpr double kDarkest_mm =
 
 /// Light that reaches each vertex: of a lamp above the anterolateral side, less of it the deeper.
 std::vector<double> light_of(const Valve& valve, const Points& closed_mm,
-                             const AnnularPlane& plane) {
+                             const AnnulusFrame& plane) {
   Points normals = Points::Zero(closed_mm.rows(), 3);
   for (Eigen::Index f = 0; f < valve.faces.rows(); ++f) {
     const Vec3 a = closed_mm.row(valve.faces(f, 0)).transpose();
@@ -41,7 +41,7 @@ Colour lit(const Colour& tint, double light) {
 }  // namespace
 
 std::vector<PaintedFace> painted_faces(const Valve& valve, const Points& closed_mm,
-                                       const AnnularPlane& plane, const Mapping& map) {
+                                       const AnnulusFrame& plane, const Mapping& map) {
   const std::vector<Leaflet> sides = leaflet_sides(valve);
   const std::vector<double> light = light_of(valve, closed_mm, plane);
   std::vector<PaintedFace> faces(sides.size());

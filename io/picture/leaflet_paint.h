@@ -29,7 +29,7 @@ struct PaintedFace {
 
 /// Far to near.
 std::vector<PaintedFace> painted_faces(const Valve& valve, const Points& closed_mm,
-                                       const AnnularPlane& plane, const Mapping& map);
+                                       const AnnulusFrame& plane, const Mapping& map);
 
 void paint_rims(const Canvas& canvas, const std::vector<PaintedFace>& faces, double thickness_px);
 

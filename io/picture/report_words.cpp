@@ -59,7 +59,7 @@ std::string ring_words(const DesignedRing& ring) {
 
 StepWords words(const Operated& operated, const Annuloplasty& step, std::size_t) {
   const Valve& valve = operated.before.valve;
-  const double across = transverse_diameter_mm(valve, annulus_frame(valve));
+  const double across = transverse_diameter_mm(valve);
   const double ring_across =
       std::visit([&](const auto& ring) { return ring_across_mm(ring, across); }, step.ring);
   const double narrower = (across - ring_across) / kRingSizeStep_mm;

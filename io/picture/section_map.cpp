@@ -54,7 +54,7 @@ double needed(const std::array<Flank, 2>& parts, double pixels_per_mm) {
 
 SectionMap unplaced(const Valve& valve) {
   const SectionPlane plane = mid_valve_plane(valve);
-  const Vec3 up = annular_plane(valve).normal;
+  const Vec3 up = annulus_frame(valve, AnnulusAxis::Commissures).normal;
   const Vec3 middle_mm = 0.5 * (annulus_position_mm(valve, valve.landmarks.saddle_peak) +
                                 annulus_position_mm(valve, valve.landmarks.mid_posterior));
   return {middle_mm, plane.normal.cross(up), up, plane.normal, Vec2::Zero(), 1.0};

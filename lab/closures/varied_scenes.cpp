@@ -51,7 +51,7 @@ RepairPlan repair(const Valve& valve, SceneRings rings, Dice& dice) {
   if (dice() < kRepairShare && rings == SceneRings::Catalogue) {
     CatalogueRing ring;
     ring.shape = kRingShapes[static_cast<std::size_t>(dice() * kRingShapes.size())].name;
-    const double width = transverse_diameter_mm(valve, annulus_frame(valve));
+    const double width = transverse_diameter_mm(valve);
     const double below = kRingSizeStep_mm * std::floor((kMostSizesBelow + 1.0) * dice());
     ring.size_mm = std::clamp(kRingSizeStep_mm * std::floor(width / kRingSizeStep_mm) - below,
                               kRingSizesMm.min, kRingSizesMm.max);

@@ -140,7 +140,7 @@ std::vector<double> torn_shares(const Valve& repaired, double torn_out) {
 
 /// Of a valve whose annulus a ring holds; `before` had none.
 void missew(const Valve& before, const SewingError& error, Valve& valve) {
-  const AnnulusFrame frame = annulus_frame(valve);
+  const AnnulusFrame frame = annulus_frame(valve, AnnulusAxis::SaddlePeak);
   const std::vector<double> torn = error.torn_out < 0.0
                                        ? std::vector<double>(valve.annulus.size(), 0.0)
                                        : torn_shares(valve, error.torn_out);

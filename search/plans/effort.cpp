@@ -21,9 +21,8 @@ double movement_mm(const Valve& before, const Valve& repaired, Side side) {
 }  // namespace
 
 double ring_sizes_below(const Valve& before, const Valve& repaired) {
-  const AnnulusFrame native = annulus_frame(before), ringed = annulus_frame(repaired);
-  const double width = transverse_diameter_mm(before, native);
-  const double share = ap_diameter_mm(repaired, ringed) * transverse_diameter_mm(repaired, ringed) /
+  const double width = transverse_diameter_mm(before);
+  const double share = ap_diameter_mm(repaired) * transverse_diameter_mm(repaired) /
                        (kHealthyProportion * width * width);
   const double narrower_mm = (1.0 - std::sqrt(share)) * width;  // NaN if a diameter is
   return narrower_mm <= 0.0 ? 0.0 : narrower_mm / kRingSizeStep_mm;

@@ -49,7 +49,7 @@ struct RingWidths {
 };
 
 RingWidths widths(const Annuloplasty& step, const Operation& operation) {
-  const double transverse = transverse_diameter_mm(operation.valve, annulus_frame(operation.valve));
+  const double transverse = transverse_diameter_mm(operation.valve);
   if (const auto* own = std::get_if<OwnRing>(&step.ring)) {
     const double width = transverse - kRingSizeStep_mm * own->sizes_below;
     return {transverse, width, width};

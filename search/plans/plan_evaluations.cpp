@@ -32,10 +32,9 @@ bool is_infeasible(const PlanRecord& record) {
 }
 
 Eigen::VectorXd place_of(const Valve& repaired, const RepairPlan& plan) {
-  const AnnulusFrame frame = annulus_frame(repaired);
   Eigen::VectorXd place = Eigen::VectorXd::Zero(10 + 2 * kMostNeochordae);
-  place[0] = ap_diameter_mm(repaired, frame) / kAnnulusUnit_mm;
-  place[1] = transverse_diameter_mm(repaired, frame) / kAnnulusUnit_mm;
+  place[0] = ap_diameter_mm(repaired) / kAnnulusUnit_mm;
+  place[1] = transverse_diameter_mm(repaired) / kAnnulusUnit_mm;
   place.segment<3>(2) = papillary_tip_mm(repaired, Side::Anterolateral) / kTipUnit_mm;
   place.segment<3>(5) = papillary_tip_mm(repaired, Side::Posteromedial) / kTipUnit_mm;
   Eigen::Index neochordae = 0, chordal = 0;

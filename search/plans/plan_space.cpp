@@ -83,7 +83,7 @@ std::vector<std::string> PlanSpace::offer_rings() {
     return {""};
   }
   std::vector<std::string> offered = {""};
-  const double width = transverse_diameter_mm(valve_, annulus_frame(valve_));
+  const double width = transverse_diameter_mm(valve_);
   const auto try_ring = [&](const Annuloplasty& step, double size) {
     RepairPlan plan = rules_.fixed;
     plan.steps.emplace_back(step);
@@ -139,7 +139,7 @@ Parameter PlanSpace::ring_sizes(const std::string& shape) const {
   const double below = lesion_ ? 0.0 : kUsualSizesBelow.min;
   if (shape == kOwnShape)
     return make_parameter(ParameterOf::RingSize, 0, {first, last}, 1.0, std::max(1.0, below));
-  const double width = transverse_diameter_mm(valve_, annulus_frame(valve_));
+  const double width = transverse_diameter_mm(valve_);
   const RingShape* made = find_ring(shape);
   const double factor = made != nullptr ? made->transverse_factor : 1.0;  // designed: true width
   return make_parameter(ParameterOf::RingSize, 0, {first, last}, kRingSizeStep_mm,

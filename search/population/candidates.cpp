@@ -193,7 +193,7 @@ bool is_offered(const CandidateRepair& candidate, Aetiology aetiology) {
 }
 
 CandidateSite candidate_site(const Valve& valve) {
-  CandidateSite site{valve, transverse_diameter_mm(valve, annulus_frame(valve))};
+  CandidateSite site{valve, transverse_diameter_mm(valve)};
   // Chordae that are too long are a lesion as well: as if P2's were ruptured.
   Valve unheld = valve;
   for (Chorda& chorda : unheld.chordae)

@@ -9,7 +9,6 @@
 
 #include "core/closure/predicted_start.h"
 #include "core/repair/apply_plan.h"
-#include "core/valve/annulus_frame.h"
 #include "search/evaluator.h"
 #include "search/parallel.h"
 #include "search/plans/disturbance.h"

@@ -32,9 +32,7 @@ Evaluation close_disturbed(const Evaluator& evaluate, const Ringed& ringed, int 
 }
 
 double sizes_narrower(const Valve& before, const Valve& repaired) {
-  return (transverse_diameter_mm(before, annulus_frame(before)) -
-          transverse_diameter_mm(repaired, annulus_frame(repaired))) /
-         kRingSizeStep_mm;
+  return (transverse_diameter_mm(before) - transverse_diameter_mm(repaired)) / kRingSizeStep_mm;
 }
 
 /// Each course is closed up to where it leaks, as close_disease() does.
@@ -56,7 +54,7 @@ Annuloplasty sized_ring(const RingCandidate& candidate, const Valve& valve) {
   if (const auto* shape = std::get_if<DesignedShape>(&candidate.shape))
     return sized_ring(RingDesign{*shape, share}, valve);
   const auto& name = std::get<std::string>(candidate.shape);
-  const double transverse = transverse_diameter_mm(valve, annulus_frame(valve));
+  const double transverse = transverse_diameter_mm(valve);
   return {
       CatalogueRing{name, ring_size_mm(share / find_ring(name)->transverse_factor, transverse)}};
 }

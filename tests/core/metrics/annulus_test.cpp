@@ -55,7 +55,7 @@ TEST(Annulus, RigidMotionChangesNothing) {
 }
 
 TEST(Annulus, ThePlanesAxesAreThoseOfTheValve) {
-  const AnnularPlane plane = annular_plane(elliptic_annulus(6.0));
+  const AnnulusFrame plane = annulus_frame(elliptic_annulus(6.0), AnnulusAxis::Commissures);
   EXPECT_LT((plane.x - Vec3::UnitX()).norm(), 1e-9);
   EXPECT_LT((plane.y - Vec3::UnitY()).norm(), 1e-9);
   EXPECT_LT((plane.normal - Vec3::UnitZ()).norm(), 1e-9);

@@ -207,13 +207,13 @@ TEST(ExactOrifice, AnnulusPointsInLineOrThereTwiceChangeNothing) {
       0;
   valve.annulus = {0, 1, 1, 1, 2, 3, 3, 3};  // only landmarks are looked up
   valve.annulus_mm = loop;
-  Projection projection = project_valve(valve, valve.rest_mm, AnnularPlane{});
+  Projection projection = project_valve(valve, valve.rest_mm, AnnulusFrame{});
   EXPECT_NEAR(exact_orifice(valve, projection, 0.0).area_mm2, 776.0, 1e-4);
 }
 
 TEST(ExactOrifice, InsideIsWhateverAnAnnulusThatCrossesItselfWindsRound) {
   const Valve valve = leaflets(flap(-100.0, -100.0, -99.0, -99.0, 0.0));
-  Projection projection = project_valve(valve, valve.rest_mm, AnnularPlane{});
+  Projection projection = project_valve(valve, valve.rest_mm, AnnulusFrame{});
   projection.annulus = {{-10.0, -5.0}, {10.0, 5.0}, {10.0, -5.0}, {-10.0, 5.0}};  // a bow tie
   const ExactOrifice bow_tie = exact_orifice(valve, projection, 0.0);
   EXPECT_NEAR(bow_tie.area_mm2, 100.0, 1e-4);

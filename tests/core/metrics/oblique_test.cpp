@@ -13,10 +13,10 @@ namespace coapt {
 namespace {
 
 TEST(Oblique, TiltedAxesLeanToTheirAzimuthAndStayRightHanded) {
-  const AnnularPlane plane;
+  const AnnulusFrame plane;
   EXPECT_LT((tilted(plane, 90.0, 0.0).normal - plane.x).norm(), 1e-12);
   EXPECT_LT((tilted(plane, 90.0, 90.0).normal - plane.y).norm(), 1e-12);
-  const AnnularPlane view = tilted(plane, 33.0, 205.0);
+  const AnnulusFrame view = tilted(plane, 33.0, 205.0);
   EXPECT_NEAR(view.normal.dot(plane.normal), std::cos(33.0 * std::numbers::pi / 180.0), 1e-12);
   EXPECT_LT((view.x.cross(view.y) - view.normal).norm(), 1e-12);
   EXPECT_LT((tilted(plane, 0.0, 70.0).x - plane.x).norm(), 1e-12);
@@ -47,7 +47,7 @@ TEST(Oblique, TheWidthBetweenOverlappingLeafletsFollowsFromTheDirection) {
   for (const double tilt_deg : {0.0, 20.0, 30.0, 40.0, 50.0, 60.0})
     for (const double half_thickness_mm : {0.0, 0.5}) {
       const Projection view =
-          project_valve(valve, valve.rest_mm, tilted(AnnularPlane{}, tilt_deg, 90.0));
+          project_valve(valve, valve.rest_mm, tilted(AnnulusFrame{}, tilt_deg, 90.0));
       EXPECT_NEAR(exact_orifice(valve, view, half_thickness_mm).area_mm2,
                   passage_mm2(tilt_deg * std::numbers::pi / 180.0, half_thickness_mm), 1e-3)
           << tilt_deg;
@@ -56,7 +56,7 @@ TEST(Oblique, TheWidthBetweenOverlappingLeafletsFollowsFromTheDirection) {
 
 TEST(Oblique, ThePassageBesideAPosteriorProlapseLeansAnteriorly) {
   const Valve valve = overlapping_leaflets();
-  const AnnularPlane plane = annular_plane(valve);
+  const AnnulusFrame plane = annulus_frame(valve, AnnulusAxis::Commissures);
   EXPECT_EQ(exact_orifice(valve, valve.rest_mm, 0.5).area_mm2, 0.0) << "hidden from the atrium";
   const ObliqueOrifice widest = oblique_orifice(valve, valve.rest_mm, 0.5);
   EXPECT_EQ(widest.azimuth_deg, 90.0);

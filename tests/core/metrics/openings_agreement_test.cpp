@@ -59,7 +59,8 @@ TEST(OpeningsAgreement, OfClippingAndSweepingOnEveryPresetAndDisplacedVariants) 
       ASSERT_TRUE(valve);
       SCOPED_TRACE(name + " " + std::to_string(variant));
       const Points closed_mm = close_valve(*valve).closed_mm;
-      const Projection projection = project_valve(*valve, closed_mm, annular_plane(*valve));
+      const Projection projection =
+          project_valve(*valve, closed_mm, annulus_frame(*valve, AnnulusAxis::Commissures));
       const FlatTissue tissue = silhouette(*valve, projection);
       const double half_thickness_mm = 0.5 * valve->tissue.thickness_mm;
       const Openings clipped = clipped_openings(projection.annulus, tissue, half_thickness_mm);

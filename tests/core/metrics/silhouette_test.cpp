@@ -11,7 +11,7 @@ namespace coapt {
 namespace {
 
 FlatTissue seen_from_above(const Valve& valve) {
-  return silhouette(valve, project_valve(valve, valve.rest_mm, AnnularPlane{}));
+  return silhouette(valve, project_valve(valve, valve.rest_mm, AnnulusFrame{}));
 }
 
 TEST(Silhouette, OfADiscWithAHoleIsItsTwoRims) {

@@ -6,7 +6,6 @@
 #include "core/repair/apply_plan.h"
 #include "core/repair/ring_design.h"
 #include "core/repair/rings.h"
-#include "core/valve/annulus_frame.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {

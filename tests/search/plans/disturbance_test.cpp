@@ -259,9 +259,7 @@ TEST(Disturb, DiseaseWidensAnAnnulusThatNoRingHolds) {
   disease.anterolateral_share = 0.5;
   disease.annular_growth_mm = 1.5;
   const Valve further = disturb(valve, valve, {}, disease);
-  const AnnulusFrame before = annulus_frame(valve);
-  EXPECT_NEAR(ap_diameter_mm(further, annulus_frame(further)), ap_diameter_mm(valve, before) + 1.5,
-              0.02);
+  EXPECT_NEAR(ap_diameter_mm(further), ap_diameter_mm(valve) + 1.5, 0.02);
   EXPECT_NEAR(further.heads[0].tip_mm.x(), valve.heads[0].tip_mm.x() - 1.0, 1e-12);
   EXPECT_NEAR(further.heads[1].tip_mm.x(), valve.heads[1].tip_mm.x() + 2.0, 1e-12);
   const RepairPlan ring{{Annuloplasty{OwnRing{0}}}};
@@ -293,7 +291,7 @@ TEST(Disturb, ARingIsSewnOffItsPlaceAndTurned) {
   const Valve repaired = *apply_plan(valve, ring);
   Disturbance error;
   error.sewing = {.shift_transverse_mm = 1.0, .shift_anterior_mm = -0.5, .turn_deg = 90.0};
-  const AnnulusFrame frame = annulus_frame(repaired);
+  const AnnulusFrame frame = annulus_frame(repaired, AnnulusAxis::SaddlePeak);
   const Valve sewn = disturb(valve, repaired, ring, error);
   for (Index i = 0; i < sewn.annulus_mm.rows(); ++i) {
     const Vec3 was = into_frame(frame, repaired.annulus_mm.row(i));
