@@ -6,6 +6,7 @@
 #include "core/valve/nearest_name.h"
 #include "io/json/parse_json.h"
 #include "io/json/valve_json.h"
+#include "io/store/stored_valves.h"
 #include "server/answers.h"
 #include "server/memory.h"
 
@@ -23,7 +24,7 @@ struct Document {
 Expected<Valve> found_valve(const ValveSource& source, const std::string& name) {
   const std::vector<std::string>& presets = preset_names();
   if (std::find(presets.begin(), presets.end(), name) != presets.end()) return make_preset(name);
-  const Expected<std::optional<std::string>> stored = source.store.valve(name);
+  const Expected<std::optional<std::string>> stored = stored_valve(source.store, name);
   if (!stored) return stored.errors();
   if (!*stored)
     return Error{ErrorCode::BadReference, "",

@@ -15,24 +15,6 @@ JobState state_named(const std::string& name) {
 
 }  // namespace
 
-const char* to_string(JobState state) {
-  switch (state) {
-    case JobState::Queued:
-      return "QUEUED";
-    case JobState::Running:
-      return "RUNNING";
-    case JobState::Succeeded:
-      return "SUCCEEDED";
-    case JobState::Failed:
-      return "FAILED";
-    case JobState::Cancelled:
-      return "CANCELLED";
-  }
-  return "";
-}
-
-bool has_ended(JobState state) { return state != JobState::Queued && state != JobState::Running; }
-
 Job job_at(const Statement& row) {
   int column = 0;
   const auto text = [&] { return bytes_at(row, column++); };

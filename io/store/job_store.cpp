@@ -1,110 +1,59 @@
 #include "io/store/job_store.h"
 
-#include <array>
+#include <sqlite3.h>
+
+#include <cassert>
 #include <utility>
 
 #include "io/store/job_row.h"
+#include "io/store/job_schema.h"
+#include "io/store/list_page.h"
+#include "io/store/stored_valves.h"
 
 namespace coapt {
 namespace {
 
-// What may be large lies in tables of its own: a row is written anew with each change of a job.
-constexpr StoreFormat kJobFormat = {.application = 0x636f6a62,  // "cojb"
-                                    .schema = 1,
-                                    .rows = "jobs",
-                                    .tables = R"(
-CREATE TABLE valves (
-  number INTEGER PRIMARY KEY,
-  id TEXT NOT NULL UNIQUE,
-  document BLOB NOT NULL
-) STRICT;
-CREATE TABLE jobs (
-  number INTEGER PRIMARY KEY AUTOINCREMENT,
-  id TEXT NOT NULL UNIQUE,
-  idempotency_key TEXT UNIQUE,
-  kind TEXT NOT NULL,
-  valve TEXT NOT NULL REFERENCES valves (id),
-  state TEXT NOT NULL DEFAULT 'QUEUED'
-    CHECK (state IN ('QUEUED', 'RUNNING', 'SUCCEEDED', 'FAILED', 'CANCELLED')),
-  cancel_requested INTEGER NOT NULL DEFAULT 0,
-  created_ms INTEGER NOT NULL,
-  started_ms INTEGER NOT NULL DEFAULT 0,   -- 0: not yet
-  finished_ms INTEGER NOT NULL DEFAULT 0,  -- likewise
-  seconds REAL NOT NULL DEFAULT 0,
-  stalled INTEGER NOT NULL DEFAULT 0,
-  kept INTEGER NOT NULL DEFAULT 0,
-  progress TEXT NOT NULL DEFAULT '',
-  summary TEXT NOT NULL DEFAULT ''
-) STRICT;
-CREATE INDEX jobs_by_valve ON jobs (valve);
-CREATE INDEX jobs_by_state ON jobs (state, number);
-CREATE TABLE bodies (
-  job INTEGER PRIMARY KEY REFERENCES jobs ON DELETE CASCADE,
-  request BLOB NOT NULL,
-  result BLOB  -- NULL: none
-) STRICT;
-CREATE TABLE files (
-  number INTEGER PRIMARY KEY,
-  job INTEGER NOT NULL REFERENCES jobs ON DELETE CASCADE,
-  name TEXT NOT NULL,
-  type TEXT NOT NULL,
-  content BLOB NOT NULL,
-  UNIQUE (job, name)
-) STRICT;
-CREATE TABLE events (
-  job INTEGER REFERENCES jobs ON DELETE CASCADE,
-  number INTEGER,  -- from 1 in each job
-  kind TEXT NOT NULL,
-  content TEXT NOT NULL,
-  PRIMARY KEY (job, number)
-) STRICT, WITHOUT ROWID;
-)",
-                                    .settings =
-                                        "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;"
-                                        "PRAGMA journal_size_limit = 67108864",  // bytes
-                                    .tells_causes = true};
+constexpr const char* kUnended = " AND state IN ('QUEUED', 'RUNNING')";
 
-// Made in files of an earlier coapt, too; one that does not know them leaves them alone.
-constexpr const char* kMaterials = R"(CREATE TABLE IF NOT EXISTS materials (
-  job INTEGER PRIMARY KEY REFERENCES jobs ON DELETE CASCADE,
-  content BLOB NOT NULL
-) STRICT)";
-constexpr const char* kInputs = R"(CREATE TABLE IF NOT EXISTS inputs (
-  job INTEGER PRIMARY KEY REFERENCES jobs ON DELETE CASCADE,
-  content BLOB NOT NULL,
-  state BLOB  -- NULL: none yet
-) STRICT)";
-constexpr std::array kAddedTables = {
-    // What lists say, so that they need not read the documents.
-    R"(CREATE TABLE valve_summaries (
-  valve INTEGER PRIMARY KEY REFERENCES valves ON DELETE CASCADE,
-  name TEXT NOT NULL,
-  vertices INTEGER NOT NULL,
-  triangles INTEGER NOT NULL
-) STRICT)",
-    R"(CREATE TABLE kept_plans (
-  number INTEGER PRIMARY KEY AUTOINCREMENT,
-  id TEXT NOT NULL UNIQUE,
-  name TEXT NOT NULL,
-  valve TEXT NOT NULL,  -- id of a stored valve, or a preset's name
-  plan TEXT NOT NULL
-) STRICT)",
-    "CREATE INDEX kept_plans_by_valve ON kept_plans (valve, number)"};
+enum class Presence { Missing, Unended, Ended };
 
-/// Of all valves that have no summary yet. What is no valve has an empty one.
-void summarise_valves(Transaction& change) {
-  change.run(R"(INSERT INTO valve_summaries
-SELECT number, coalesce(json_extract(document, '$.name'), ''),
-  coalesce(json_array_length(document, '$.vertices_mm'), 0), coalesce(json_array_length(document, '$.faces'), 0)
-FROM (SELECT number, iif(json_valid(CAST(document AS TEXT)), CAST(document AS TEXT), '{}') AS document FROM valves
-  WHERE NOT EXISTS (SELECT 1 FROM valve_summaries WHERE valve = number)))");
+Presence presence_of(Transaction& transaction, const std::string& id) {
+  Presence presence = Presence::Missing;
+  transaction.run(std::string("SELECT id = ?1") + kUnended + " FROM jobs WHERE id = ?1", {id},
+                  [&presence](const Statement& row) {
+                    presence =
+                        sqlite3_column_int(row.get(), 0) != 0 ? Presence::Unended : Presence::Ended;
+                  });
+  return presence;
 }
 
-// Not INSERT OR IGNORE, which would pass over every constraint and not only over the key's.
-constexpr const char* kInsertValve =
-    "INSERT INTO valves (id, document) VALUES (?, ?) ON CONFLICT DO NOTHING";
+/// As presence_of(), with a failure if there is none.
+Presence find(Transaction& transaction, const std::string& id) {
+  const Presence presence = presence_of(transaction, id);
+  if (presence == Presence::Missing)
+    transaction.refuse(ErrorCode::BadReference, "there is no such job");
+  return presence;
+}
 
 }  // namespace
+
+const char* to_string(JobState state) {
+  switch (state) {
+    case JobState::Queued:
+      return "QUEUED";
+    case JobState::Running:
+      return "RUNNING";
+    case JobState::Succeeded:
+      return "SUCCEEDED";
+    case JobState::Failed:
+      return "FAILED";
+    case JobState::Cancelled:
+      return "CANCELLED";
+  }
+  return "";
+}
+
+bool has_ended(JobState state) { return state != JobState::Queued && state != JobState::Running; }
 
 JobStore::JobStore(FileLock lock, StoreDatabase writer, StoreDatabase reader)
     : lock_(std::move(lock)),
@@ -121,7 +70,7 @@ Transaction JobStore::reading() const {
 
 Expected<JobStore> JobStore::open(const std::string& path, int lock_timeout_ms) {
   // The lock comes second: beside what is not a store nothing is made.
-  Expected<StoreDatabase> writer = StoreDatabase::open(path, kJobFormat, lock_timeout_ms);
+  Expected<StoreDatabase> writer = StoreDatabase::open(path, job_format(), lock_timeout_ms);
   if (!writer) return writer.errors();
   Expected<FileLock> lock = FileLock::take(writer->file() + "-lock");
   if (!lock) {
@@ -130,52 +79,26 @@ Expected<JobStore> JobStore::open(const std::string& path, int lock_timeout_ms) 
       errors[0].message = path + ": is used by another coapt-server";
     return errors;
   }
-  StoreFormat read_only = kJobFormat;
+  StoreFormat read_only = job_format();
   read_only.settings = "PRAGMA query_only = ON";
   Expected<StoreDatabase> reader = StoreDatabase::open(path, read_only, lock_timeout_ms);
   if (!reader) return reader.errors();
   JobStore store(*std::move(lock), *std::move(writer), *std::move(reader));
-  if (Errors errors = store.add_tables(); !errors.empty()) return errors;
+  {
+    Transaction change = store.writing("cannot be opened");
+    add_tables(change);
+    if (Errors errors = change.end(); !errors.empty()) return errors;
+  }
   Transaction tables(*store.reader_, Transaction::Kind::Read, "cannot be opened");
-  tables.run(
-      "SELECT 1 FROM valves, jobs, bodies, files, events, valve_summaries, kept_plans, "
-      "materials, inputs LIMIT 0");
+  look_for_tables(tables);
   if (Errors errors = tables.end(); !errors.empty()) return errors;
   return store;
 }
 
-Errors JobStore::add_tables() {
-  Transaction change = writing("cannot be opened");
-  change.run(kMaterials);
-  change.run(kInputs);
-  bool are_there = false;
-  change.run("SELECT 1 FROM sqlite_schema WHERE name = 'kept_plans'", {},
-             [&are_there](const Statement&) { are_there = true; });
-  if (are_there) return change.end();
-  for (const char* table : kAddedTables) change.run(table);
-  summarise_valves(change);
+Errors JobStore::check_writable() {
+  Transaction change = writing("cannot be written");
+  change.run("PRAGMA user_version = " + std::to_string(job_format().schema));
   return change.end();
-}
-
-Expected<bool> JobStore::add_valve(const std::string& id, const std::string& document) {
-  Transaction change = writing("a valve cannot be kept");
-  change.run(kInsertValve, {id, Blob{document}});
-  const bool is_new = change.changed() == 1;
-  if (is_new) summarise_valves(change);
-  return change.end_with(is_new);
-}
-
-Expected<bool> JobStore::remove_valve(const std::string& id) {
-  Transaction change = writing("a valve cannot be removed");
-  change.run("SELECT 1 FROM jobs WHERE valve = ? LIMIT 1", {id}, [&change](const Statement&) {
-    change.refuse(ErrorCode::BadReference, "jobs refer to the valve: remove them first");
-  });
-  change.run("SELECT 1 FROM kept_plans WHERE valve = ? LIMIT 1", {id}, [&change](const Statement&) {
-    change.refuse(ErrorCode::BadReference, "kept plans refer to the valve: remove them first");
-  });
-  change.run("DELETE FROM valves WHERE id = ?", {id});
-  const bool was_there = change.changed() == 1;
-  return change.end_with(was_there);
 }
 
 Expected<JobStore::Submitted> JobStore::submit(const NewJob& job, const std::string& valve_document,
@@ -186,8 +109,7 @@ Expected<JobStore::Submitted> JobStore::submit(const NewJob& job, const std::str
     if (std::optional<Job> known = find_job(change, "idempotency_key", job.idempotency_key))
       return change.end_with(Submitted{*std::move(known), false});
   }
-  change.run(kInsertValve, {job.valve, Blob{valve_document}});
-  if (change.changed() == 1) summarise_valves(change);
+  insert_valve(change, job.valve, valve_document);
   change.run(
       "INSERT INTO jobs (id, idempotency_key, kind, valve, created_ms) VALUES (?, ?, ?, ?, ?)",
       {job.id, has_key ? SqlValue(job.idempotency_key) : SqlValue(nullptr), job.kind, job.valve,
@@ -202,10 +124,217 @@ Expected<JobStore::Submitted> JobStore::submit(const NewJob& job, const std::str
   return change.end_with(Submitted{added ? *std::move(added) : Job{}, true});
 }
 
-Errors JobStore::check_writable() {
-  Transaction change = writing("cannot be written");
-  change.run("PRAGMA user_version = " + std::to_string(kJobFormat.schema));
+Expected<int> JobStore::start(const std::string& id, std::int64_t kept, std::int64_t now_ms) {
+  int stalled = 0;
+  Transaction change = writing("a job cannot be started");
+  if (find(change, id) == Presence::Ended)
+    change.refuse(ErrorCode::BadReference, "the job has ended");
+  // RUNNING here: its last attempt neither ended nor was suspended, it was killed.
+  change.run(
+      "UPDATE jobs SET stalled = CASE WHEN state = 'RUNNING' AND kept = ?2 THEN stalled + 1 "
+      "ELSE 0 END, kept = ?2, state = 'RUNNING', "
+      "started_ms = CASE started_ms WHEN 0 THEN ?3 ELSE started_ms END WHERE id = ?1 RETURNING "
+      "stalled",
+      {id, kept, now_ms},
+      [&stalled](const Statement& row) { stalled = sqlite3_column_int(row.get(), 0); });
+  tell_state(change, id, JobState::Running);
+  return change.end_with(stalled);
+}
+
+Errors JobStore::suspend(const std::string& id, double seconds, const std::string& progress) {
+  Transaction change = writing("a job cannot be suspended");
+  find(change, id);
+  change.run(
+      "UPDATE jobs SET state = 'QUEUED', stalled = 0, seconds = ?2, "
+      "progress = CASE ?3 WHEN '' THEN progress ELSE ?3 END WHERE id = ?1 AND state = 'RUNNING'",
+      {id, seconds, progress});
+  if (change.changed() > 0) tell_state(change, id, JobState::Queued);
   return change.end();
+}
+
+Errors JobStore::request_cancel(const std::string& id) {
+  Transaction change = writing("a job cannot be cancelled");
+  find(change, id);
+  change.run(std::string("UPDATE jobs SET cancel_requested = 1 WHERE id = ?") + kUnended, {id});
+  return change.end();
+}
+
+Errors JobStore::keep_state(const std::string& id, const std::string& state) {
+  Transaction change = writing("where a job is cannot be kept");
+  change.run("UPDATE inputs SET state = ?2 WHERE job = (SELECT number FROM jobs WHERE id = ?1)",
+             {id, Blob{state}});
+  return change.end();
+}
+
+Errors JobStore::finish(const std::string& id, const JobEnd& end, std::int64_t now_ms) {
+  assert(has_ended(end.state));
+  Transaction change = writing("the end of a job cannot be kept");
+  if (find(change, id) != Presence::Unended) return change.end();
+  change.run(
+      "UPDATE jobs SET state = ?2, finished_ms = ?3, seconds = ?4, summary = ?5, "
+      "progress = CASE ?6 WHEN '' THEN progress ELSE ?6 END WHERE id = ?1",
+      {id, to_string(end.state), now_ms, end.seconds, end.summary, end.progress});
+  if (!end.result.empty())
+    change.run("UPDATE bodies SET result = ?2 WHERE job = (SELECT number FROM jobs WHERE id = ?1)",
+               {id, Blob{end.result}});
+  if (!end.material.empty())
+    change.run("INSERT INTO materials (job, content) SELECT number, ?2 FROM jobs WHERE id = ?1",
+               {id, Blob{end.material}});
+  change.run("DELETE FROM inputs WHERE job = (SELECT number FROM jobs WHERE id = ?1)", {id});
+  for (const JobFile& file : end.files)
+    change.run(
+        "INSERT INTO files (job, name, type, content) SELECT number, ?2, ?3, ?4 FROM jobs "
+        "WHERE id = ?1",
+        {id, file.name, file.type, Blob{file.content}});
+  tell_state(change, id, end.state);
+  return change.end();
+}
+
+Expected<bool> JobStore::remove(const std::string& id) {
+  Transaction change = writing("a job cannot be removed");
+  const Presence presence = presence_of(change, id);
+  if (presence == Presence::Unended)
+    change.refuse(ErrorCode::BadReference, "the job has not ended: cancel it first");
+  change.run("DELETE FROM jobs WHERE id = ?", {id});
+  return change.end_with(presence == Presence::Ended);
+}
+
+Errors JobStore::retain(const Retention& retention, std::int64_t now_ms) {
+  constexpr double kDay_ms = 24.0 * 3600.0 * 1000.0;
+  const std::int64_t oldest_ms =
+      retention.days > 0.0 ? now_ms - static_cast<std::int64_t>(retention.days * kDay_ms) : 0;
+  Transaction change = writing("old jobs and valves cannot be removed");
+  change.run(
+      "DELETE FROM jobs WHERE finished_ms > 0 AND (finished_ms < ?2 OR number <= "
+      "(SELECT number FROM jobs WHERE finished_ms > 0 ORDER BY number DESC LIMIT 1 OFFSET ?1))",
+      {std::int64_t{retention.jobs}, oldest_ms});
+  change.run(
+      "DELETE FROM valves WHERE (SELECT count(*) FROM valves) > ?1 AND number <= "
+      "(SELECT number FROM valves ORDER BY number DESC LIMIT 1 OFFSET ?1) "
+      "AND id NOT IN (SELECT valve FROM jobs) AND id NOT IN (SELECT valve FROM kept_plans)",
+      {std::int64_t{retention.valves}});
+  return change.end();
+}
+
+Expected<std::int64_t> JobStore::add_event(const std::string& id, const std::string& kind,
+                                           const std::string& content, double seconds) {
+  std::int64_t number = 0;
+  Transaction change = writing("an event cannot be kept");
+  find(change, id);
+  change.run(kInsertEvent, {id, kind, content},
+             [&number](const Statement& row) { number = sqlite3_column_int64(row.get(), 0); });
+  if (kind == "progress")
+    change.run(std::string("UPDATE jobs SET progress = ?2, seconds = ?3 WHERE id = ?1") + kUnended,
+               {id, content, seconds});
+  return change.end_with(number);
+}
+
+Expected<std::optional<Job>> JobStore::job(const std::string& id) const {
+  Transaction reads = reading();
+  std::optional<Job> found = find_job(reads, "id", id);
+  return reads.end_with(std::move(found));
+}
+
+Expected<std::optional<Job>> JobStore::job_of_key(const std::string& idempotency_key) const {
+  Transaction reads = reading();
+  std::optional<Job> found = find_job(reads, "idempotency_key", idempotency_key);
+  return reads.end_with(std::move(found));
+}
+
+Expected<JobPage> JobStore::page(int size, std::int64_t before,
+                                 std::optional<JobState> state) const {
+  std::string sql = std::string("SELECT ") + kJobColumns + " FROM jobs WHERE number < ?";
+  std::vector<SqlValue> values = {upper_end(before)};
+  if (state) {
+    sql += " AND state = ?";
+    values.emplace_back(to_string(*state));
+  }
+  JobPage page;
+  Transaction reads = reading();
+  page.next_before = read_page(reads, sql, std::move(values), size,
+                               [&page](const Statement& row) { page.jobs.push_back(job_at(row)); });
+  return reads.end_with(std::move(page));
+}
+
+Expected<std::vector<Job>> JobStore::unfinished() const {
+  std::vector<Job> jobs;
+  Transaction reads = reading();
+  reads.run(std::string("SELECT ") + kJobColumns +
+                " FROM jobs WHERE state IN ('QUEUED', 'RUNNING') ORDER BY number",
+            {}, [&jobs](const Statement& row) { jobs.push_back(job_at(row)); });
+  return reads.end_with(std::move(jobs));
+}
+
+Expected<std::int64_t> JobStore::count(JobState state) const {
+  std::int64_t jobs = 0;
+  Transaction reads = reading();
+  reads.run("SELECT count(*) FROM jobs WHERE state = ?", {to_string(state)},
+            [&jobs](const Statement& row) { jobs = sqlite3_column_int64(row.get(), 0); });
+  return reads.end_with(jobs);
+}
+
+Expected<std::vector<JobEvent>> JobStore::events(const std::string& id, std::int64_t after,
+                                                 int most) const {
+  std::vector<JobEvent> events;
+  Transaction reads = reading();
+  reads.run(
+      "SELECT number, kind, content FROM events WHERE job = (SELECT number FROM jobs WHERE id = ?) "
+      "AND number > ? ORDER BY number LIMIT ?",
+      {id, after, most}, [&events](const Statement& row) {
+        events.push_back({sqlite3_column_int64(row.get(), 0), bytes_at(row, 1), bytes_at(row, 2)});
+      });
+  return reads.end_with(std::move(events));
+}
+
+Expected<std::optional<std::string>> JobStore::result(const std::string& id) const {
+  return bytes_of(reading(),
+                  "SELECT result FROM bodies WHERE job = (SELECT number FROM jobs WHERE id = ?) "
+                  "AND result IS NOT NULL",
+                  {id});
+}
+
+Expected<std::vector<JobFileName>> JobStore::files(const std::string& id) const {
+  std::vector<JobFileName> files;
+  Transaction reads = reading();
+  reads.run(
+      "SELECT name, type, length(content) FROM files "
+      "WHERE job = (SELECT number FROM jobs WHERE id = ?) ORDER BY number",
+      {id}, [&files](const Statement& row) {
+        files.push_back({bytes_at(row, 0), bytes_at(row, 1), sqlite3_column_int64(row.get(), 2)});
+      });
+  return reads.end_with(std::move(files));
+}
+
+Expected<std::optional<JobFile>> JobStore::file(const std::string& id,
+                                                const std::string& name) const {
+  std::optional<JobFile> file;
+  Transaction reads = reading();
+  reads.run(
+      "SELECT name, type, content FROM files "
+      "WHERE job = (SELECT number FROM jobs WHERE id = ?) AND name = ?",
+      {id, name}, [&file](const Statement& row) {
+        file = JobFile{bytes_at(row, 0), bytes_at(row, 1), bytes_at(row, 2)};
+      });
+  return reads.end_with(std::move(file));
+}
+
+Expected<std::optional<std::string>> JobStore::input(const std::string& id) const {
+  return bytes_of(reading(),
+                  "SELECT content FROM inputs WHERE job = (SELECT number FROM jobs WHERE id = ?)",
+                  {id});
+}
+
+Expected<std::optional<std::string>> JobStore::state(const std::string& id) const {
+  return bytes_of(reading(),
+                  "SELECT state FROM inputs WHERE state IS NOT NULL AND job = (SELECT number FROM "
+                  "jobs WHERE id = ?)",
+                  {id});
+}
+
+Expected<std::optional<std::string>> JobStore::material(const std::string& id) const {
+  return bytes_of(
+      reading(), "SELECT content FROM materials WHERE job = (SELECT number FROM jobs WHERE id = ?)",
+      {id});
 }
 
 }  // namespace coapt

@@ -1,4 +1,5 @@
-// Valves, kept plans, jobs, what these have come to: the server's memory, in one SQLite file.
+// Jobs and what they have come to, with valves (stored_valves.h) and kept plans (kept_plans.h): the server's memory, in one
+// SQLite file.
 //
 // What has returned without an error outlives the process and a loss of power (every commit is forced to
 // the disk), which costs milliseconds: nothing here is called for each closure. Reading goes through a
@@ -74,30 +75,6 @@ struct JobEnd {
   std::string material = {};  ///< of files that are made when they are asked for; empty: none
 };
 
-/// What a list says of a stored valve.
-struct ValveSummary {
-  std::string id, name;  ///< name: of the document; empty if it has none
-  int vertices = 0, triangles = 0;
-};
-
-struct ValvePage {
-  std::vector<ValveSummary> valves;  ///< newest first
-  std::int64_t next_before = 0;      ///< 0: there are no more
-};
-
-/// A repair plan that somebody wants to find again.
-struct KeptPlan {
-  std::string id;     ///< unguessable, the caller's
-  std::string name;   ///< for people to read
-  std::string valve;  ///< id of a stored valve, or a preset's name
-  std::string plan;   ///< JSON
-};
-
-struct KeptPlanPage {
-  std::vector<KeptPlan> plans;   ///< newest first
-  std::int64_t next_before = 0;  ///< 0: there are no more
-};
-
 struct JobPage {
   std::vector<Job> jobs;         ///< newest first
   std::int64_t next_before = 0;  ///< 0: there are no more
@@ -121,23 +98,6 @@ class JobStore {
   /// not a byte of it changed. Busy if another server has it open: PATH-lock, beside it, is locked. This
   /// call and those below wait up to `lock_timeout_ms` for other processes.
   static Expected<JobStore> open(const std::string& path, int lock_timeout_ms = 2000);
-
-  /// Keeps a valve; true if it is new, else the first stays.
-  Expected<bool> add_valve(const std::string& id, const std::string& document);
-  Expected<std::optional<std::string>> valve(const std::string& id) const;
-  /// @param size from 1 @param before only those stored before that place; 0: all
-  Expected<ValvePage> valves(int size, std::int64_t before) const;
-  /// False if there is none. BadReference if a job or a kept plan refers to it.
-  Expected<bool> remove_valve(const std::string& id);
-
-  /// False, and nothing is kept, if there are `most` already.
-  Expected<bool> keep_plan(const KeptPlan& plan, int most);
-  Expected<std::optional<KeptPlan>> kept_plan(const std::string& id) const;
-  /// @param size from 1 @param before only those kept before that place; 0: all @param valve empty: of all valves
-  Expected<KeptPlanPage> kept_plans(int size, std::int64_t before, const std::string& valve) const;
-  /// False if there is none; likewise below.
-  Expected<bool> rename_kept_plan(const std::string& id, const std::string& name);
-  Expected<bool> remove_kept_plan(const std::string& id);
 
   struct Submitted {
     Job job;
@@ -192,12 +152,12 @@ class JobStore {
   /// Whether something can be written now: a page, as it is, forced to the disk.
   Errors check_writable();
 
- private:
-  JobStore(FileLock lock, StoreDatabase writer, StoreDatabase reader);
-
-  Errors add_tables();
+  /// For what else lies in the file. @param problem for messages: "a plan cannot be kept"
   Transaction writing(const char* problem) const;
   Transaction reading() const;
+
+ private:
+  JobStore(FileLock lock, StoreDatabase writer, StoreDatabase reader);
 
   FileLock lock_;  // released last
   std::unique_ptr<StoreConnection> writer_, reader_;

@@ -56,4 +56,11 @@ Errors Transaction::end() {
   return errors_;
 }
 
+Expected<std::optional<std::string>> bytes_of(Transaction reads, const std::string& sql,
+                                              const std::vector<SqlValue>& values) {
+  std::optional<std::string> bytes;
+  reads.run(sql, values, [&bytes](const Statement& row) { bytes = bytes_at(row, 0); });
+  return reads.end_with(std::move(bytes));
+}
+
 }  // namespace coapt

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -71,5 +72,9 @@ class Transaction {
   std::string problem_;
   Errors errors_;
 };
+
+/// The first column of the row that `sql` finds; none if it finds no row.
+Expected<std::optional<std::string>> bytes_of(Transaction reads, const std::string& sql,
+                                              const std::vector<SqlValue>& values);
 
 }  // namespace coapt

@@ -4,6 +4,7 @@
 
 #include "core/repair/apply_plan.h"
 #include "io/json/plan_json.h"
+#include "io/store/kept_plans.h"
 #include "server/answers.h"
 #include "server/content_id.h"
 #include "server/query.h"
@@ -64,7 +65,7 @@ Answer PostKeptPlan::operator()(const Request& request) const {
     return problem(422, errors);
   kept.plan = to_json(plan).dump();
   const int most = valves.limits.kept_plans;
-  const Expected<bool> is_kept = store.keep_plan(kept, most);
+  const Expected<bool> is_kept = keep_plan(store, kept, most);
   if (!is_kept) return store_problem(is_kept.errors());
   if (!*is_kept)
     return problem(
@@ -82,8 +83,8 @@ Answer GetKeptPlans::operator()(const Request& request) const {
   const std::int64_t before = page_token_in(request, tokens, problems);
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const auto valve = request.query.find("valve");
-  const Expected<KeptPlanPage> page = store.kept_plans(
-      static_cast<int>(size), before, valve == request.query.end() ? "" : valve->second);
+  const Expected<KeptPlanPage> page = kept_plans(store, static_cast<int>(size), before,
+                                                 valve == request.query.end() ? "" : valve->second);
   if (!page) return store_problem(page.errors());
   ordered_json list = ordered_json::array();
   for (const KeptPlan& kept : page->plans) list.push_back(to_json(kept));
@@ -93,7 +94,7 @@ Answer GetKeptPlans::operator()(const Request& request) const {
 }
 
 Answer GetKeptPlan::operator()(const Request& request) const {
-  return kept_answer(store.kept_plan(request.parameters.at(0)));
+  return kept_answer(kept_plan(store, request.parameters.at(0)));
 }
 
 Answer RenameKeptPlan::operator()(const Request& request) const {
@@ -101,13 +102,13 @@ Answer RenameKeptPlan::operator()(const Request& request) const {
   if (auto refused = read_body(valves, request.body, {{"name", into(name, read_name_of_plan)}}))
     return *std::move(refused);
   const std::string& id = request.parameters.at(0);
-  const Expected<bool> renamed = store.rename_kept_plan(id, name);
+  const Expected<bool> renamed = rename_kept_plan(store, id, name);
   if (!renamed) return store_problem(renamed.errors());
-  return *renamed ? kept_answer(store.kept_plan(id)) : not_found(kKind);
+  return *renamed ? kept_answer(kept_plan(store, id)) : not_found(kKind);
 }
 
 Answer DeleteKeptPlan::operator()(const Request& request) const {
-  const Expected<bool> removed = store.remove_kept_plan(request.parameters.at(0));
+  const Expected<bool> removed = remove_kept_plan(store, request.parameters.at(0));
   if (!removed) return store_problem(removed.errors());
   return *removed ? Answer{204} : not_found(kKind);
 }

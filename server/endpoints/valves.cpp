@@ -5,6 +5,7 @@
 #include "io/json/repair_answers.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
+#include "io/store/stored_valves.h"
 #include "server/answers.h"
 #include "server/content_id.h"
 #include "server/jobs/job_board.h"
@@ -36,7 +37,7 @@ Answer store_valve(JobStore& store, const ServiceLimits& limits, const Valve& va
                    const nlohmann::ordered_json& more) {
   const std::string document = write_valve(valve);
   const std::string id = content_id(document);
-  const Expected<bool> is_new = store.add_valve(id, document);
+  const Expected<bool> is_new = add_valve(store, id, document);
   if (!is_new) return store_problem(is_new.errors());
   static_cast<void>(store.retain(limits.retention, wall_clock_ms()));  // else with the next
   nlohmann::ordered_json stored = {{"id", id},
@@ -62,7 +63,7 @@ Answer GetValves::operator()(const Request& request) const {
   const std::int64_t size = integer_in(request, "page_size", {1.0, 100.0}, 20, problems);
   const std::int64_t before = page_token_in(request, tokens, problems);
   if (!problems.empty()) return problem(422, std::move(problems).take());
-  const Expected<ValvePage> page = store.valves(static_cast<int>(size), before);
+  const Expected<ValvePage> page = stored_valves(store, static_cast<int>(size), before);
   if (!page) return store_problem(page.errors());
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ValveSummary& valve : page->valves)
@@ -90,7 +91,7 @@ Answer GetValve::operator()(const Request& request) const {
 }
 
 Answer DeleteValve::operator()(const Request& request) const {
-  const Expected<bool> removed = store.remove_valve(request.parameters.at(0));
+  const Expected<bool> removed = remove_valve(store, request.parameters.at(0));
   known.remove(request.parameters.at(0));
   if (removed) return *removed ? Answer{204} : not_found("valve");
   const bool is_used = removed.errors().front().code == ErrorCode::BadReference;

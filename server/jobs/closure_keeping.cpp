@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "io/json/valve_json.h"
+#include "io/store/stored_valves.h"
 
 namespace coapt {
 namespace {
@@ -12,7 +13,7 @@ constexpr int kMostStalled = 5;  // attempts in a row that a job may kill
 }  // namespace
 
 Expected<Valve> valve_of(const JobStore& store, const Job& job) {
-  const Expected<std::optional<std::string>> document = store.valve(job.valve);
+  const Expected<std::optional<std::string>> document = stored_valve(store, job.valve);
   if (!document) return document.errors();
   if (!*document) return Error{ErrorCode::BadReference, "/valve", "is no longer stored"};
   return read_valve(**document);

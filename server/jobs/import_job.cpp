@@ -9,6 +9,7 @@
 #include "io/picture/fit_picture.h"
 #include "io/picture/import_picture.h"
 #include "io/picture/text.h"
+#include "io/store/stored_valves.h"
 #include "server/content_id.h"
 #include "server/jobs/closure_keeping.h"
 #include "server/jobs/import_request.h"
@@ -133,7 +134,7 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
   }
   const std::string document = write_valve(made);
   const std::string id = content_id(document);
-  retried<bool>(board, job, [&] { return store.add_valve(id, document); });
+  retried<bool>(board, job, [&] { return add_valve(store, id, document); });
   files.push_back({"valve.json", "application/json", document});
 
   ordered_json result = import_to_json(*imported);

@@ -11,6 +11,8 @@
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/valve_json.h"
+#include "io/store/kept_plans.h"
+#include "io/store/stored_valves.h"
 #include "server/routes.h"
 #include "server/service.h"
 #include "tests/fuzz/endpoint_choice.h"
@@ -80,7 +82,7 @@ struct Bench {
     const JobFile report = {"report.html", "text/html; charset=utf-8", "<p>Report</p>"};
     must(store.finish(kEndedJob, {JobState::Succeeded, 1.0, "{}", "{}", a_result(), {report}}, 3));
     const std::string plan = to_json(RepairPlan{}).dump();
-    if (!must(store.keep_plan({kKeptPlan, "A plan", kStoredValve, plan}, 1))) std::abort();
+    if (!must(keep_plan(store, {kKeptPlan, "A plan", kStoredValve, plan}, 1))) std::abort();
     must(jobs.resume());
   }
 };
@@ -127,11 +129,11 @@ void undo(Bench& bench, const Answer& answer) {
     if (value.starts_with("/v1/jobs/")) {
       const std::optional<Job> job = must(bench.store.job(id));
       if (!must(bench.jobs.cancel(id)) || !must(bench.store.remove(id))) std::abort();
-      if (job->valve != kStoredValve) (void)bench.store.remove_valve(job->valve);
+      if (job->valve != kStoredValve) (void)remove_valve(bench.store, job->valve);
     } else if (value.starts_with("/v1/kept-plans/")) {
-      if (!must(bench.store.remove_kept_plan(id))) std::abort();
+      if (!must(remove_kept_plan(bench.store, id))) std::abort();
     } else {
-      (void)bench.store.remove_valve(id);
+      (void)remove_valve(bench.store, id);
     }
   }
 }

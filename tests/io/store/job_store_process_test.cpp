@@ -9,6 +9,7 @@
 #include <random>
 
 #include "io/store/job_store.h"
+#include "io/store/stored_valves.h"
 #include "tests/io/store/job_scene.h"
 #include "tests/io/store/process_scene.h"
 #include "tests/io/store/store_scene.h"
@@ -54,7 +55,7 @@ int expect_calls(const JobStore& store, int at_least) {
   for (int i = 0; i <= last; ++i) {
     const Job job = job_of(store, numbered_id(i));
     EXPECT_EQ(job.request, numbered_job(i).request);
-    EXPECT_EQ(**store.valve(job.valve), numbered_document(i));
+    EXPECT_EQ(**stored_valve(store, job.valve), numbered_document(i));
     const std::vector<JobEvent> events = events_of(store, job.id, "progress");
     const int last_event = static_cast<int>(events.size());
     for (int event = 1; event <= last_event; ++event)

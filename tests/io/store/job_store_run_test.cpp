@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "io/store/job_store.h"
+#include "io/store/kept_plans.h"
+#include "io/store/stored_valves.h"
 #include "tests/io/store/job_scene.h"
 
 namespace coapt {
@@ -180,11 +182,11 @@ TEST_F(JobStoreRun, EndedJobsStayAsLongAsAsked) {
 
 TEST_F(JobStoreRun, ValvesThatNothingRefersToGoTheOldestFirst) {
   submit(store(), 1);  // valve-0
-  for (const char* id : {"a", "b", "c", "d"}) EXPECT_TRUE(*store().add_valve(id, "{}"));
-  EXPECT_TRUE(*store().keep_plan({"kept", "a plan", "a", "{}"}, 9));
+  for (const char* id : {"a", "b", "c", "d"}) EXPECT_TRUE(*add_valve(store(), id, "{}"));
+  EXPECT_TRUE(*keep_plan(store(), {"kept", "a plan", "a", "{}"}, 9));
   EXPECT_TRUE(store().retain({.valves = 2}, 1).empty());
-  EXPECT_FALSE(*store().valve("b"));
-  for (const char* id : {"valve-0", "a", "c", "d"}) EXPECT_TRUE(*store().valve(id)) << id;
+  EXPECT_FALSE(*stored_valve(store(), "b"));
+  for (const char* id : {"valve-0", "a", "c", "d"}) EXPECT_TRUE(*stored_valve(store(), id)) << id;
 }
 
 TEST_F(JobStoreRun, WhatIsAskedOfAJobThatIsNotThereIsABadReference) {

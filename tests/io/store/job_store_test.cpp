@@ -5,6 +5,7 @@
 #include <atomic>
 #include <thread>
 
+#include "io/store/stored_valves.h"
 #include "tests/io/store/job_scene.h"
 
 namespace coapt {
@@ -37,7 +38,7 @@ TEST_F(JobStoreTest, GivesASubmittedJobBackByteForByteAfterOpeningAgain) {
     EXPECT_EQ(job.kept, 0);
     EXPECT_EQ(job.progress + job.summary, "");
   }
-  EXPECT_EQ(**store().valve(wanted.valve), all_bytes(200'000));
+  EXPECT_EQ(**stored_valve(store(), wanted.valve), all_bytes(200'000));
 }
 
 TEST_F(JobStoreTest, KnowsAnIdempotencyKeyAgainAndKeepsNothingElseThen) {
@@ -51,7 +52,7 @@ TEST_F(JobStoreTest, KnowsAnIdempotencyKeyAgainAndKeepsNothingElseThen) {
   EXPECT_EQ(submitted->job.id, numbered_id(1));
   EXPECT_EQ(submitted->job.request, numbered_job(1).request);
   EXPECT_FALSE(*store().job(numbered_id(2)));
-  EXPECT_FALSE(*store().valve("another valve"));
+  EXPECT_FALSE(*stored_valve(store(), "another valve"));
 }
 
 TEST_F(JobStoreTest, TakesManyJobsWithoutAKeyButNoIdTwice) {
@@ -66,21 +67,21 @@ TEST_F(JobStoreTest, TakesManyJobsWithoutAKeyButNoIdTwice) {
 }
 
 TEST_F(JobStoreTest, KeepsTheFirstValveOfAnIdAndRemovesNoneThatAJobRefersTo) {
-  EXPECT_TRUE(*store().add_valve("v", "first"));
-  EXPECT_FALSE(*store().add_valve("v", "second"));
-  EXPECT_EQ(**store().valve("v"), "first");
-  EXPECT_TRUE(*store().remove_valve("v"));
-  EXPECT_FALSE(*store().remove_valve("v"));
-  EXPECT_FALSE(*store().valve("v"));
+  EXPECT_TRUE(*add_valve(store(), "v", "first"));
+  EXPECT_FALSE(*add_valve(store(), "v", "second"));
+  EXPECT_EQ(**stored_valve(store(), "v"), "first");
+  EXPECT_TRUE(*remove_valve(store(), "v"));
+  EXPECT_FALSE(*remove_valve(store(), "v"));
+  EXPECT_FALSE(*stored_valve(store(), "v"));
 
   submit(store(), 1);
-  const auto refused = store().remove_valve(numbered_job(1).valve);
+  const auto refused = remove_valve(store(), numbered_job(1).valve);
   ASSERT_FALSE(refused);
   expect_bad_reference(refused.errors());
-  EXPECT_EQ(**store().valve(numbered_job(1).valve), numbered_document(1));
+  EXPECT_EQ(**stored_valve(store(), numbered_job(1).valve), numbered_document(1));
   EXPECT_TRUE(store().finish(numbered_id(1), numbered_end(1), 9).empty());
   EXPECT_TRUE(*store().remove(numbered_id(1)));
-  EXPECT_TRUE(*store().remove_valve(numbered_job(1).valve));
+  EXPECT_TRUE(*remove_valve(store(), numbered_job(1).valve));
 }
 
 TEST_F(JobStoreTest, PagesNewestFirstAndPassesTheBodiesOver) {

@@ -12,6 +12,7 @@
 #include "core/valve/parametric.h"
 #include "io/json/plan_json.h"
 #include "io/json/valve_json.h"
+#include "io/store/stored_valves.h"
 #include "server/routes.h"
 #include "server/service.h"
 #include "tests/io/store/store_scene.h"
@@ -76,7 +77,7 @@ class ServiceTest : public testing::Test {
   /// The id of the small valve, stored.
   std::string stored_valve() {
     const std::string id(64, 'a');
-    EXPECT_TRUE(store_.add_valve(id, write_valve(small_valve())));
+    EXPECT_TRUE(add_valve(store_, id, write_valve(small_valve())));
     return id;
   }
   /// Submitted, and not taken yet.
