@@ -5,8 +5,7 @@ import { withError, withUnit } from '../format'
 import { iconButton } from '../icons'
 import { problemList } from '../problems'
 import { describe } from '../repair/steps'
-import { leakWords } from '../valve/headline'
-import { gradeOf } from '../valve/presets'
+import { leakPlace, leakWords } from '../valve/headline'
 import { problemsOf } from '../workspace'
 import { figureSvg, WIDTH_MM, type Figure } from './figure'
 import { drawingAsPng, drawingAsSvg, pixelsOf } from './png'
@@ -44,10 +43,9 @@ export function pictureSaver(figure: (width_px: number) => Figure, told: HTMLEle
 /// What a picture says of a closure, and of the repair that led to it.
 export function figureLines(before: Scene, after: Scene | null, plan: Plan): string[] {
   const { closure } = after ?? before
-  const grade = closure.leak_mm2 === null ? '' : ` (${gradeOf(closure.leak_mm2)})`
   const { gap_area_mm2, gap_area_mm2_error, height_mean_mm } = closure.coaptation
   return [
-    `Leak ${leakWords(before, after)}${grade}`,
+    `Leak ${leakWords(before, after)}${leakPlace(closure)}`,
     `Orifice ${withError(closure.orifice_area_mm2, closure.orifice_area_mm2_error, 'mm²')}, gap ${withError(gap_area_mm2, gap_area_mm2_error, 'mm²')}, coaptation height ${withUnit(height_mean_mm, 'mm')} on average`,
     ...(after ? plan.steps.map((step, i) => `${i + 1}. ${describe(step)}`) : []),
   ]

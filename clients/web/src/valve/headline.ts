@@ -1,13 +1,12 @@
-// The leak as the one large number of a view, and how sure it is.
-import type { Scene } from '../api/types'
+// The leak as the one large number of a view, where it is, and how sure it is.
+import type { Closure, Scene } from '../api/types'
 import { h } from '../dom'
 import { knownDigits, withError } from '../format'
 import { term } from '../help/term'
-import { gradeOf } from './presets'
 import valveStyle from './valve.module.css'
 
 export function headline(before: Scene, after: Scene | null): HTMLElement {
-  const { leak_mm2, leak_mm2_error } = (after ?? before).closure
+  const { closure } = after ?? before
   return h(
     'p',
     { class: valveStyle.headline, 'data-part': 'headline' },
@@ -15,11 +14,18 @@ export function headline(before: Scene, after: Scene | null): HTMLElement {
     h(
       'span',
       { class: valveStyle.sure },
-      term('leak', leak_mm2 === null ? 'leak' : gradeOf(leak_mm2)),
-      ', ',
-      leak_mm2_error === null ? 'error not known' : term('error', 'error of the computation'),
+      term('leak', 'leak'),
+      `${leakPlace(closure)}, `,
+      closure.leak_mm2_error === null ? 'error not known' : term('error', 'error of the computation'),
     ),
   )
+}
+
+/// " at P2": the segment beside the largest opening. Empty where there is none, or the leak is not more than its error.
+export function leakPlace(closure: Closure): string {
+  const [largest, ...others] = closure.orifices
+  if (!largest || !((closure.leak_mm2 ?? 0) > (closure.leak_mm2_error ?? 0))) return ''
+  return `${others.length > 0 ? ', largest' : ''} at ${largest.segment}`
 }
 
 /// "45.7 → 2.1 ± 0.4 mm²": each leak to the digits that are known of it, the error of the last.

@@ -2,7 +2,6 @@
 import { presets, problemsOfValve, storeValve } from '../api/calls'
 import type { Problem } from '../api/types'
 import { field, h } from '../dom'
-import { withUnit } from '../format'
 import { HAS_SERVICE } from '../mode'
 import { problemList } from '../problems'
 import { nameValve } from '../state/valves'
@@ -10,7 +9,7 @@ import { problemsOf, type ValveSource, type Workspace } from '../workspace'
 import { importPanel } from './import'
 import type { ImportStage } from './import_stage'
 import { openedList } from './opened_list'
-import { gradeOf, presetWords } from './presets'
+import { presetWords } from './presets'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
@@ -52,8 +51,7 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
     if (choice) choice.value = told.reference // of a file: none
     show([], '')
     said.textContent = `${told.label} is open.`
-    const words = presetWords(told.reference)
-    about.textContent = words ? `${words.about} ${withUnit(words.leak_mm2, 'mm²')}, ${gradeOf(words.leak_mm2)}.` : ''
+    about.textContent = presetWords(told.reference)?.about ?? ''
   }
 
   async function open(reference: string, label: string): Promise<void> {
@@ -136,15 +134,10 @@ function presetChoice(names: string[], choose: (name: string) => void): HTMLSele
   const element = h('select', { onchange: () => choose(element.value) })
   for (const group of ['Human', 'Disease', 'Porcine', 'Others'] as const) {
     const of = names.filter((name) => (presetWords(name)?.group ?? 'Others') === group)
-    const options = of.map((name) => h('option', { value: name }, optionOf(name)))
+    const options = of.map((name) => h('option', { value: name }, presetWords(name)?.title ?? name))
     if (options.length > 0) element.append(h('optgroup', { label: group }, ...options))
   }
   return element
-}
-
-function optionOf(name: string): string {
-  const words = presetWords(name)
-  return words ? `${words.title}: ${gradeOf(words.leak_mm2)}` : name
 }
 
 /// What stands at a JSON pointer in the text of a file, shortened; empty if nothing does.
