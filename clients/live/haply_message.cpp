@@ -56,8 +56,8 @@ std::optional<HaplyState> read_haply_state(std::string_view message) {
 
 std::string haply_force_message(const std::string& device_id, const Vec3& force_n) {
   const json values = {{"x", force_n.x()}, {"y", force_n.y()}, {"z", force_n.z()}};
-  const json command = {{"device_id", device_id},
-                        {"commands", {{"set_cursor_force", {{"values", values}}}}}};
+  const json command = {{"commands", {{"set_cursor_force", {{"values", values}}}}},
+                        {"device_id", device_id}};
   return json{{"inverse3", json::array({command})}}.dump();
 }
 

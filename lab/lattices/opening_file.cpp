@@ -2,7 +2,8 @@
 
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
+
+#include "io/json/json_reader.h"
 
 namespace coapt {
 
@@ -12,7 +13,7 @@ std::string write_openings(const std::string& subject, const KnownOpenings& open
     rows[key] = {static_cast<int>(opening.status), opening.crossing,
                  opening.measure.opening_area_mm2, opening.measure.projected_area_mm2,
                  opening.measure.gradient_mmhg};
-  return nlohmann::json{{"subject", subject}, {"openings", rows}}.dump();
+  return nlohmann::json{{"openings", rows}, {"subject", subject}}.dump();
 }
 
 KnownOpenings read_openings(const std::string& subject, const std::string& text) {
@@ -20,11 +21,11 @@ KnownOpenings read_openings(const std::string& subject, const std::string& text)
     return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
   };
   KnownOpenings openings;
-  const auto json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_object() || json.value("subject", nlohmann::json()) != subject ||
-      !json.contains("openings") || !json["openings"].is_object())
+  const Expected<nlohmann::json> json = parse_json(text);
+  if (!json || !json->is_object() || json->value("subject", nlohmann::json()) != subject ||
+      !json->contains("openings") || !(*json)["openings"].is_object())
     return {};
-  for (const auto& [key, row] : json["openings"].items()) {
+  for (const auto& [key, row] : (*json)["openings"].items()) {
     if (!row.is_array() || row.size() != 5 || !row[0].is_number_integer() || !row[1].is_boolean())
       return {};
     PlanOpening opening{static_cast<ClosureStatus>(row[0].get<int>()), row[1].get<bool>(), {}};
