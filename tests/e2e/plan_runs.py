@@ -4,6 +4,7 @@ import contextlib
 import sqlite3
 
 VALVE = "human-functional-mr"
+BARE = {"fine_levels": 0, "model_draws": 0}  # without what is closed once more at the end
 
 
 def options(evidence=False, **changes):

@@ -2,7 +2,6 @@
 
 import os
 import pathlib
-import resource
 import time
 
 HANGS_S = 300  # against hanging, not a measure
@@ -28,11 +27,6 @@ def cpu_seconds(process):
 def is_stopped(process):
     """By SIGSTOP."""
     return after_name(process)[0] == "T"
-
-
-def children_cpu_seconds():
-    """Of those that have ended, in user mode."""
-    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
 
 
 def catches(process, signal):

@@ -1,8 +1,11 @@
 """The binaries under test, as ctest names them, and what every test asks of them."""
 
+import atexit
+import functools
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -19,6 +22,16 @@ def coapt(*arguments, stdin=""):
     """Runs coapt; the result has returncode, stdout, stderr."""
     command = [COAPT, *map(str, arguments)]
     return subprocess.run(command, input=stdin, capture_output=True, text=True, timeout=300)
+
+
+@functools.cache
+def small_valve(preset="human-functional-mr"):
+    """A file with the preset in about 200 triangles, for tests that do not ask about the mesh."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="coapt-small-"))
+    atexit.register(shutil.rmtree, folder)
+    path = folder / f"{preset}.json"
+    subprocess.run([COAPT, "valve", "make", preset, "--triangles", "200", "-o", path], check=True)
+    return path
 
 
 class ProgramTest(unittest.TestCase):

@@ -7,7 +7,7 @@ import time
 import unittest
 
 from openapi_runs import OpenApiTest
-from programs import SOURCE
+from programs import SOURCE, small_valve
 from server_runs import search_of
 
 FILE_STARTS = {
@@ -75,7 +75,8 @@ class OpenApi(OpenApiTest):
             for side in ("anterolateral", "posteromedial")
         ]
         plans = [{"schema": "coapt.plan/1", "steps": sutures}]
-        reply = self.send("evaluatePlans", {"valve": "human-functional-mr", "plans": plans, "evidence": True})
+        valve = json.loads(small_valve().read_text())
+        reply = self.send("evaluatePlans", {"valve": valve, "plans": plans, "evidence": True})
         self.assertIn("independent_leak_mm2", reply.json()["plans"][0])
 
     def test_a_study_and_its_results_are_as_it_says(self):

@@ -1,13 +1,14 @@
 """coapt plan: what it answers."""
 
+import functools
 import json
 import signal
 import subprocess
 import unittest
 
-from plan_runs import VALVE, is_robust, options, rows, without_machine
-from process_runs import HANGS_S, catches, children_cpu_seconds, cpu_seconds, wait_until
-from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, ProgramTest, coapt
+from plan_runs import BARE, VALVE, is_robust, options, rows, without_machine
+from process_runs import HANGS_S, catches, cpu_seconds, wait_until
+from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, ProgramTest, coapt, small_valve
 
 LONG = ["--evaluations", "100000", "--json"]
 GATES = [
@@ -34,17 +35,38 @@ GATES = [
 ]
 
 
-class Plan(ProgramTest):
-    def plan(self, *arguments, valve=VALVE, **changes):
-        """The answer of a small search, and the exit code."""
-        result = coapt("plan", valve, *options(**changes), *arguments, "--json")
-        self.assertIn(result.returncode, [OK, NO_COMPETENT_PLAN], result.stderr)
-        self.assertEqual(result.stderr, "")
-        return json.loads(result.stdout), result.returncode
+def planned(*arguments, valve=None, **changes):
+    """The answer of a small search, and the exit code."""
+    result = coapt("plan", valve or small_valve(), *options(**changes), *arguments, "--json")
+    assert result.returncode in (OK, NO_COMPETENT_PLAN) and result.stderr == "", result.stderr
+    return json.loads(result.stdout), result.returncode
 
+
+@functools.cache
+def search(**changes):
+    """One that several tests read."""
+    return planned(evaluations=40, region_points=17, **changes)
+
+
+@functools.cache
+def words():
+    """What a search of the preset prints for people."""
+    return coapt("plan", VALVE, *options(evaluations=3, plans=1)).stdout
+
+
+@functools.cache
+def out_of_time():
+    """The answer of a long search that has had time for a plan, which a busy machine needs more of."""
+    for seconds in [1, 4, 16, 64]:
+        result, _ = planned(valve=VALVE, evaluations=100000, region_points=1089, plans=1, seconds=seconds, threads=2)
+        if result["plans"]:
+            return result
+    raise TimeoutError("no plan in 64 s")
+
+
+class Plan(ProgramTest):
     def test_the_ranking_is_the_same_for_one_and_two_threads_and_can_be_closed_again(self):
-        one, code = self.plan(evaluations=40, region_points=17, threads=1)
-        two, _ = self.plan(evaluations=40, region_points=17, threads=2)
+        (one, code), (two, _) = search(threads=1), search(threads=2)
         self.assertEqual(without_machine(one), without_machine(two))
 
         self.assertGreater(one["before"]["orifice_area_mm2"], 5.0)
@@ -55,36 +77,15 @@ class Plan(ProgramTest):
         self.assertEqual(code == OK, is_robust(best))
         self.assertEqual(one["any_competent"], any(map(is_robust, one["plans"])))
 
-        closed = coapt("close", VALVE, "--plan", self.write("plan.json", best["plan"]), "--json")
+        closed = coapt("close", small_valve(), "--plan", self.write("plan.json", best["plan"]), "--json")
         self.assertEqual(json.loads(closed.stdout)["orifice_area_mm2"], best["orifice_area_mm2"]["nominal"])
 
-    def test_closures_stay_within_what_the_help_adds_up(self):
-        for evaluations, plans, points, evidence in [
-            (1, 1, 1, False),
-            (3, 2, 20, False),
-            (40, 2, 66, False),
-            (12, 1, 2, True),
-        ]:
-            with self.subTest((evaluations, plans, points, evidence)):
-                result, _ = self.plan(evidence=evidence, evaluations=evaluations, plans=plans, region_points=points)
-                self.assertLessEqual(result["evaluations"], evaluations)
-                most = (
-                    1
-                    + evaluations
-                    + 2 * plans * min(65, points)
-                    + plans * max(0, points - 65)
-                    + plans * (308 if evidence else 0)
-                )
-                self.assertLessEqual(result["closures"], most)
-                self.assertGreaterEqual(result["closures"], 1 + result["evaluations"])
-                self.assertEqual(result["closures_known"], 0)
-                for plan in result["plans"]:
-                    self.assertGreaterEqual(plan["region_closures"], points)
-
     def test_reported_plans_are_closed_once_more_on_a_finer_mesh(self):
-        result, _ = self.plan(evaluations=20)
-        mesh = result["fine_mesh"]
-        self.assertEqual((mesh["levels"], mesh["triangles"], mesh["closures"]), (1, 2592, 1 + len(result["plans"])))
+        result, _ = search(threads=1)
+        mesh, triangles = result["fine_mesh"], len(json.loads(small_valve().read_text())["faces"])
+        self.assertEqual(
+            (mesh["levels"], mesh["triangles"], mesh["closures"]), (1, 4 * triangles, 1 + len(result["plans"]))
+        )
         self.assertGreater(mesh["leak_before_mm2"], 5.0)
         self.assertEqual(
             sorted(plan["fine"]["own_mesh_rank"] for plan in result["plans"]),
@@ -93,16 +94,15 @@ class Plan(ProgramTest):
         for plan in result["plans"]:
             self.assertEqual(plan["closes_robustly"], is_robust(plan))
             self.assertAlmostEqual(plan["fine"]["leak_mm2"], plan["leak_mm2"]["nominal"], delta=10.0)
-        own, _ = self.plan(evaluations=20, fine_levels=0)
+        own, _ = search(**BARE)
         self.assertEqual(own["fine_mesh"]["levels"], 0)
         self.assertEqual([plan["fine"] for plan in own["plans"]], [None] * len(own["plans"]))
         self.assertEqual(own["closures"], result["closures"])
-        words = coapt("plan", VALVE, *options(evaluations=3, plans=1)).stdout
-        self.assertRegex(words, r"\n +on 2,592 triangles: leak \d+\.\d+ ± \d+\.\d+ mm2 \(orifice")
-        self.assertRegex(words, r"\nFiner mesh: 2,592 triangles, unrepaired leak \d+\.\d mm2; it leaves")
+        self.assertRegex(words(), r"\n +on 2,592 triangles: leak \d+\.\d+ ± \d+\.\d+ mm2 \(orifice")
+        self.assertRegex(words(), r"\nFiner mesh: 2,592 triangles, unrepaired leak \d+\.\d mm2; it leaves")
 
     def test_reported_plans_are_closed_under_draws_of_the_model(self):
-        result, _ = self.plan(evaluations=20)
+        result, _ = search(threads=1)
         plans, drawn = result["plans"], result["model_draws"]
         self.assertEqual((drawn["draws"], drawn["closures"]), (8, 8 * (1 + len(plans))))
         self.assertGreater(drawn["before"]["leak_mm2"]["sd"], 1.0)
@@ -113,24 +113,24 @@ class Plan(ProgramTest):
             if following:
                 likely = plan["probability_outranks_next"]
                 self.assertEqual(plan["tie_with_next"], 0.05 <= likely <= 0.95 or share <= 0.95)
-        own, _ = self.plan(evaluations=20, model_draws=0)
+        own, _ = search(**BARE)
         self.assertEqual(
             own["model_draws"], {"draws": 0, "before": None, "closures": 0, "chordae_drawn": False, "fit_drawn": False}
         )
         self.assertEqual([plan["under_draws"] for plan in own["plans"]], [None] * len(plans))
-        self.assertEqual([plan["cost"] for plan in own["plans"]], [plan["cost"] for plan in plans])
-        words = coapt("plan", VALVE, *options(evaluations=3, plans=1)).stdout
-        self.assertRegex(words, r"\n +leak \d+\.\d mm2 as planned: model ± \d+\.\d \(mean")
-        self.assertRegex(words, r"\nModel: 8 draws of tissue and chordae")
+        by_own_mesh = sorted(plans, key=lambda plan: plan["fine"]["own_mesh_rank"])
+        self.assertEqual([plan["cost"] for plan in own["plans"]], [plan["cost"] for plan in by_own_mesh])
+        self.assertRegex(words(), r"\n +leak \d+\.\d mm2 as planned: model ± \d+\.\d \(mean")
+        self.assertRegex(words(), r"\nModel: 8 draws of tissue and chordae")
 
     def test_no_more_plans_than_asked_for(self):
         for changes in [{"region_points": 2}, {"region_points": 1}]:
             with self.subTest(changes):
-                self.assertEqual(len(self.plan(plans=1, **changes)[0]["plans"]), 1)
-        self.assertEqual(len(self.out_of_time(plans=1)["plans"]), 1)
+                self.assertEqual(len(planned(plans=1, **BARE, **changes)[0]["plans"]), 1)
+        self.assertEqual(len(out_of_time()["plans"]), 1)
 
     def test_each_plan_says_what_speaks_for_it_and_against_it(self):
-        result, _ = self.plan(evaluations=40, region_points=17)
+        result, _ = search(threads=1)
         for plan in result["plans"]:
             self.assertEqual([gate["rule"] for gate in plan["gates"]], GATES)
             for gate in plan["gates"]:
@@ -163,7 +163,7 @@ class Plan(ProgramTest):
         self.run_ok(
             "valve",
             "remodel",
-            VALVE,
+            small_valve(),
             "--ap-dilation",
             "60",
             "--displace-pm",
@@ -173,40 +173,30 @@ class Plan(ProgramTest):
             "-o",
             valve,
         )
-        result, code = self.plan(valve=valve)
+        result, code = planned(valve=valve)
         self.assertEqual((code, result["any_competent"]), (NO_COMPETENT_PLAN, False))
         costs = [(plan["fine"] or plan)["cost"] for plan in result["plans"]]
         self.assertEqual((len(costs), costs), (2, sorted(costs)))
         for plan in result["plans"]:
             self.assertFalse(is_robust(plan))
-        words = coapt("plan", valve, *options())
-        self.assertEqual(words.returncode, NO_COMPETENT_PLAN)
-        self.assertIn("\nNo plan closes this valve robustly; the ranking starts with the least bad.\n", words.stdout)
-        self.assertRegex(words.stdout, r"\n +1 +\S+ ")
+        told = coapt("plan", valve, *options(evaluations=3, **BARE))
+        self.assertEqual(told.returncode, NO_COMPETENT_PLAN)
+        self.assertIn("\nNo plan closes this valve robustly; the ranking starts with the least bad.\n", told.stdout)
+        self.assertRegex(told.stdout, r"\n +1 +\S+ ")
 
     def test_the_report_is_one_page_with_the_pictures_in_it(self):
         report = self.folder / "report.html"
-        self.plan("-o", report)
+        planned("-o", report, evaluations=3, plans=1)
         page = report.read_text()
         self.assertIn("data:image/png;base64,", page)
         self.assertNotIn('src="http', page)
         self.assertIn("not a medical device", page)
 
-    def out_of_time(self, **changes):
-        """The answer of a long search that has had time for a plan, which a busy machine needs more of."""
-        for seconds in [2, 8, 32, 128]:
-            before, threads = children_cpu_seconds(), 2
-            result, _ = self.plan(evaluations=100000, region_points=1089, seconds=seconds, threads=threads, **changes)
-            self.assertLess(children_cpu_seconds() - before, threads * (seconds + 18))
-            if result["plans"]:
-                break
-        return result
-
     def search_with_closures(self, closures, *arguments):
         """A long search that has kept so many closures."""
         store = self.folder / f"{closures}-{len(list(self.folder.iterdir()))}.sqlite"
         search = subprocess.Popen(
-            [COAPT, "plan", VALVE, *LONG, "--store", store, *arguments], stdout=subprocess.PIPE, text=True
+            [COAPT, "plan", small_valve(), *LONG, "--store", store, *arguments], stdout=subprocess.PIPE, text=True
         )
         wait_until(lambda: len(rows(store)) >= closures)
         return search
@@ -214,7 +204,7 @@ class Plan(ProgramTest):
     def test_a_report_without_a_place_is_refused_before_the_search(self):
         for path, code in [("/nowhere/r.html", FAILURE), ("-", BAD_INPUT)]:
             with self.subTest(path):
-                result = coapt("plan", VALVE, *LONG, "-o", path)
+                result = coapt("plan", small_valve(), *LONG, "-o", path)
                 self.assertEqual((result.returncode, result.stdout), (code, ""))
                 self.assertIn(path, result.stderr)
 
@@ -249,16 +239,16 @@ class Plan(ProgramTest):
         self.assertEqual((search.returncode, output), (-signal.SIGINT, ""))
 
     def test_a_plan_that_was_not_re_scored_has_no_region(self):
-        arguments = ["plan", VALVE, *options(evaluations=3, plans=1, region_points=1)]
+        arguments = ["plan", small_valve(), *options(evaluations=3, plans=1, region_points=1)]
         result = coapt(*arguments, "--json")
         self.assertEqual(result.returncode, NO_COMPETENT_PLAN)
         best = json.loads(result.stdout)["plans"][0]
         for figures in [best["orifice_area_mm2"], best["leak_mm2"]]:
             self.assertIsInstance(figures["nominal"], float)
             self.assertEqual([figures[key] for key in ["mean", "sd", "worst"]], [None] * 3)
-        words = coapt(*arguments).stdout
-        self.assertRegex(words, r"\n +1 +[\d.]+ +[\d.]+ +- +- +- +- +- +- +- ")
-        self.assertNotIn("region of interest", words)
+        told = coapt(*arguments).stdout
+        self.assertRegex(told, r"\n +1 +[\d.]+ +[\d.]+ +- +- +- +- +- +- +- ")
+        self.assertNotIn("region of interest", told)
 
     def test_without_any_plan_there_is_no_table(self):
         result = coapt("plan", VALVE, "--seconds", "1e-9")
@@ -267,10 +257,10 @@ class Plan(ProgramTest):
         self.assertNotIn("rank", result.stdout)
 
     def test_the_time_limit_ends_the_search(self):
-        result = self.out_of_time()
+        result = out_of_time()
         self.assertEqual(result["stop"], "time_limit")
         self.assertLess(result["closures"], 100000)
-        self.assertGreater(len(result["plans"]), 0)
+        self.assertLess(result["plans"][0]["region_closures"], 1089)
 
 
 if __name__ == "__main__":

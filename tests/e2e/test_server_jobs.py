@@ -4,7 +4,7 @@ import json
 import subprocess
 import unittest
 
-from programs import coapt
+from programs import coapt, small_valve
 from server_runs import ServerTest, search_of
 
 
@@ -70,7 +70,7 @@ class Jobs(ServerTest):
         self.assert_problem(self.curl(f"/v1/jobs/{job['id']}"), 404)
 
     def test_a_time_limit_holds(self):
-        job = self.submit(search_of(1, evaluations=50000, seconds=2, region_points=1089))
+        job = self.submit(search_of(1, evaluations=50000, seconds=1, region_points=1089))
         ended = self.ended(job["id"])
         self.assertEqual((ended["state"], ended["stop"]), ("SUCCEEDED", "time_limit"))
 
@@ -104,7 +104,8 @@ class Jobs(ServerTest):
         self.assert_problem(self.curl(f"/v1/jobs/{job['id']}/plans/99"), 404)
 
     def test_a_study_is_a_job_with_files(self):
-        status, _, job = self.post("/v1/studies", {"valve": "porcine-3", "study": {"name": "annulus"}})
+        valve = json.loads(small_valve("porcine-3").read_text())
+        status, _, job = self.post("/v1/studies", {"valve": valve, "study": {"name": "annulus"}})
         self.assertEqual(status, 202)
         ended = self.ended(job["id"])
         self.assertEqual(ended["state"], "SUCCEEDED", ended["problems"])

@@ -1,16 +1,21 @@
 """coapt study."""
 
+import atexit
 import csv
+import functools
 import json
 import os
+import pathlib
+import shutil
 import signal
 import sqlite3
 import subprocess
-import time
+import tempfile
 import unittest
 import xml.etree.ElementTree
 
-from programs import BAD_INPUT, COAPT, FAILURE, ProgramTest, coapt
+from process_runs import wait_until
+from programs import BAD_INPUT, COAPT, FAILURE, ProgramTest, coapt, small_valve
 
 VALVE = "human-normal"
 CONFIGURATIONS = 5 * 31
@@ -42,15 +47,28 @@ def closures_kept(folder):
         store.close()
 
 
+def study(kind, valve, folder, *arguments):
+    """Its summary."""
+    result = coapt("study", kind, valve, "-o", folder, "--json", *arguments)
+    assert result.returncode == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+@functools.cache
+def undisturbed():
+    """The summary of a study that several tests read, and its folder: to be copied before anything is added."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="coapt-study-"))
+    atexit.register(shutil.rmtree, folder)
+    return study("annulus", VALVE, folder, "--threads", "2"), folder
+
+
 class Annulus(ProgramTest):
-    def study(self, name, *arguments):
-        """The summary of a study in a folder of that name, and the folder."""
-        folder = self.folder / name
-        result = self.run_ok("study", "annulus", VALVE, "-o", folder, "--json", *arguments)
-        return json.loads(result.stdout), folder
+    def copy(self):
+        """Of the folder of undisturbed()."""
+        return shutil.copytree(undisturbed()[1], self.folder / "study")
 
     def test_summary_tables_and_findings_have_what_scripts_rely_on(self):
-        summary, folder = self.study("first")
+        summary, folder = undisturbed()
         self.assertEqual(summary["valve"], VALVE)
         self.assertEqual(summary["configurations"], CONFIGURATIONS)
         self.assertEqual((summary["closures"], summary["closures_known"]), (CONFIGURATIONS, 0))
@@ -76,16 +94,17 @@ class Annulus(ProgramTest):
             self.assertIsInstance(finding["agrees"], bool)
 
     def test_a_second_run_closes_nothing_and_writes_the_same(self):
-        _, folder = self.study("study")
+        folder = self.copy()
         first = contents(folder)
-        again, _ = self.study("study")
+        again = study("annulus", VALVE, folder)
         self.assertEqual((again["closures"], again["closures_known"]), (CONFIGURATIONS, CONFIGURATIONS))
         self.assertEqual(again["configurations"], CONFIGURATIONS)
         self.assertEqual(contents(folder), first)
 
     def test_a_study_counts_only_its_own_configurations(self):
-        _, folder = self.study("shared")
-        ring = json.loads(self.run_ok("study", "ring", VALVE, "-o", folder, "--json").stdout)
+        folder, valve = self.folder / "shared", small_valve(VALVE)
+        study("annulus", valve, folder)
+        ring = study("ring", valve, folder)
         self.assertEqual(ring["study"], "ring")
         self.assertEqual(ring["configurations"], RING_CONFIGURATIONS)
         self.assertEqual((ring["closures"], ring["closures_known"]), (RING_CONFIGURATIONS, 1))  # undisturbed in both
@@ -97,9 +116,9 @@ class Annulus(ProgramTest):
             self.assertIn(f"study-{name}", self.run_ok("study", name, "--help").stdout)
 
     def test_threads_do_not_change_a_byte(self):
-        _, one = self.study("one", "--threads", "1")
-        _, two = self.study("two", "--threads", "2")
-        self.assertEqual(contents(one), contents(two))
+        one = self.folder / "one"
+        study("annulus", VALVE, one, "--threads", "1")
+        self.assertEqual(contents(one), contents(undisturbed()[1]))
 
     def test_a_killed_study_goes_on_where_it_was(self):
         folder = self.folder / "killed"
@@ -108,19 +127,16 @@ class Annulus(ProgramTest):
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
-        deadline = time.monotonic() + 120.0
-        while closures_kept(folder) == 0 and running.poll() is None and time.monotonic() < deadline:
-            time.sleep(0.01)
+        wait_until(lambda: closures_kept(folder) > 0 or running.poll() is not None)
         running.send_signal(signal.SIGKILL)
         running.wait()
         self.assertEqual(running.returncode, -signal.SIGKILL, "it ended before it was killed")
         kept = closures_kept(folder)
         self.assertGreater(kept, 0)
         self.assertLess(kept, CONFIGURATIONS)
-        rest, _ = self.study("killed")
+        rest = study("annulus", VALVE, folder)
         self.assertEqual((rest["closures"], rest["closures_known"]), (CONFIGURATIONS, kept))
-        _, undisturbed = self.study("undisturbed")
-        self.assertEqual(contents(folder), contents(undisturbed))
+        self.assertEqual(contents(folder), contents(undisturbed()[1]))
 
 
 PARAMETERS = [
@@ -139,16 +155,15 @@ PARAMETERS = [
 class Model(ProgramTest):
     def study(self, name, *arguments):
         folder = self.folder / name
-        result = self.run_ok("study", "model", "human-functional-mr", "-o", folder, "--json", *arguments)
-        return json.loads(result.stdout), folder
+        return study("model", "human-functional-mr", folder, *arguments), folder
 
     def test_areas_parameters_and_draws_have_what_scripts_rely_on(self):
-        study, folder = self.study("model", "--draws", "24", "--threads", "2")
-        self.assertEqual((study["schema"], study["valve"]), ("coapt.model_study/1", "human-functional-mr"))
-        self.assertEqual((study["draws"], study["untrusted"]), (24, 0))
-        self.assertEqual(json.loads((folder / "model.json").read_text()), study)
-        self.assertEqual([area["name"] for area in study["areas"]], ["leak", "orifice"])
-        for area in study["areas"]:
+        found, folder = self.study("model", "--draws", "24", "--threads", "2")
+        self.assertEqual((found["schema"], found["valve"]), ("coapt.model_study/1", "human-functional-mr"))
+        self.assertEqual((found["draws"], found["untrusted"]), (24, 0))
+        self.assertEqual(json.loads((folder / "model.json").read_text()), found)
+        self.assertEqual([area["name"] for area in found["areas"]], ["leak", "orifice"])
+        for area in found["areas"]:
             self.assertLess(area["p5_mm2"], area["mean_mm2"])
             self.assertLess(area["mean_mm2"], area["p95_mm2"])
             self.assertGreater(area["sd_mm2"], 1.0)
@@ -163,7 +178,7 @@ class Model(ProgramTest):
         self.assertEqual(list(rows[0])[:9], PARAMETERS)
         self.assertIn("Areas over the draws", (folder / "index.html").read_text())
         one, _ = self.study("one", "--draws", "24", "--threads", "1")
-        self.assertEqual(one, study)
+        self.assertEqual(one, found)
 
     def test_a_plan_is_applied_first_and_the_table_says_the_models_error(self):
         plan = self.write(

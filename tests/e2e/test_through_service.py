@@ -7,11 +7,11 @@ import re
 import signal
 import subprocess
 import tempfile
-import time
 import unittest
 
-from plan_runs import VALVE, options
-from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, OK, coapt
+from plan_runs import BARE, VALVE, options
+from process_runs import HANGS_S, wait_until
+from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, OK, coapt, small_valve
 from relay import Relay
 from server_runs import ServerTest
 
@@ -59,13 +59,13 @@ class SameOutput(ThroughService):
         )
 
     def test_closures_are_the_same(self):
-        file = self.make(VALVE)
+        file = small_valve()
         for arguments in [
             (VALVE,),
             (file,),
             (file, "--plan", self.ring),
             (VALVE, "--json"),
-            (VALVE, "--plan", self.ring, "--json"),
+            (file, "--plan", self.ring, "--json"),
         ]:
             self.assertEqual(self.assert_same("close", *arguments).returncode, OK)
         self.assert_same("close", "-", stdin=file.read_text())
@@ -77,49 +77,55 @@ class SameOutput(ThroughService):
             ["--json"],
             ["--flow", 200, "--exercise", 2, "--plan", self.ring, "--json"],
         ):
-            self.assertEqual(self.assert_same("open", VALVE, *more).returncode, OK)
+            self.assertEqual(self.assert_same("open", small_valve(), *more).returncode, OK)
 
     def test_pictures_are_the_same(self):
         for more in ([], ["--plan", self.ring]):
             here, there = self.folder / "here.png", self.folder / "there.png"
             self.assertEqual(
                 (
-                    coapt("close", VALVE, *more, "--render", here).returncode,
-                    self.remote("close", VALVE, *more, "--render", there).returncode,
+                    coapt("close", small_valve(), *more, "--render", here).returncode,
+                    self.remote("close", small_valve(), *more, "--render", there).returncode,
                 ),
                 (OK, OK),
             )
             self.assertEqual(there.read_bytes(), here.read_bytes())
 
     def test_evaluations_are_the_same(self):
+        valve = small_valve()
         for more in ([], ["--json"]):
-            self.assert_same("evaluate", VALVE, self.own, self.ring, "--no-evidence", "--region-points", 9, *more)
-        self.assert_same("evaluate", VALVE, self.both, "--region-points", 2, "--json")
-        self.assert_same("evaluate", VALVE, self.own, self.own, "--no-evidence", "--region-points", 1, "--json")
+            self.assert_same("evaluate", valve, self.own, self.ring, "--no-evidence", "--region-points", 9, *more)
+        self.assert_same("evaluate", valve, self.own, self.own, "--no-evidence", "--region-points", 1, "--json")
         # Enough nodes for a ladder.
-        self.assert_same("evaluate", VALVE, self.own, self.ring, "--no-evidence", "--region-points", 70)
+        self.assert_same("evaluate", valve, self.own, self.ring, "--no-evidence", "--region-points", 70)
 
     def test_searches_are_the_same(self):
-        for more in (["--json"], ["--forbid", "annuloplasty:own", "--fix", self.ring]):
-            self.assert_same("plan", VALVE, *options(), *more)
+        self.assert_same("plan", VALVE, *options(**BARE), "--json")
+        self.assert_same("plan", small_valve(), *options(), "--forbid", "annuloplasty:own", "--fix", self.ring)
 
     def test_a_search_from_a_file_has_the_same_report(self):
         search = self.write(
             "search.json",
             {"evaluations": 8, "plans": 1, "region_points": 2, "evidence": False, "weights": {"movement": 0.5}},
         )
-        self.assert_same_pictures("plan", VALVE, "--search", search, "--seed", 7)
+        self.assert_same_pictures("plan", small_valve(), "--search", search, "--seed", 7)
 
     def test_a_report_on_own_plans_is_the_same(self):
-        self.assert_same_pictures("evaluate", VALVE, self.own, self.ring, "--no-evidence", "--region-points", 2)
-        self.assert_same_pictures("evaluate", VALVE, self.both, "--region-points", 2)
+        more = ("--region-points", 2, "--json")
+        self.assert_same_pictures("evaluate", small_valve(), self.own, self.ring, "--no-evidence", *more)
+        self.assert_same_pictures("evaluate", small_valve(), self.both, *more)
 
     def assert_same_pictures(self, *command):
-        pages = []
-        for run in (coapt, self.remote):
-            page = self.folder / "report.html"
-            self.assertIn(run(*command, "-o", page).returncode, (0, 4))
+        """Nor does what is printed differ."""
+        page, pages = self.folder / "report.html", []
+
+        def run(run_it):
+            result = run_it(*command, "-o", page)
+            self.assertIn(result.returncode, (0, 4))
             pages.append(without_seconds(page.read_text()))
+            return without_seconds(result.stdout), result.returncode, result.stderr
+
+        self.assertEqual(run(self.remote), run(coapt))
         # They differ in the command line that a page tells: a request has none.
         pictures = [PICTURE.findall(page) for page in pages]
         self.assertGreater(len(pictures[0]), 1)
@@ -127,8 +133,9 @@ class SameOutput(ThroughService):
 
     def test_a_study_is_the_same_with_all_its_files(self):
         here, there = self.folder / "here", self.folder / "there"
-        one = coapt("study", "annulus", "porcine-3", "-o", here)
-        other = self.remote("study", "annulus", "porcine-3", "-o", there)
+        valve = small_valve("porcine-3")
+        one = coapt("study", "annulus", valve, "-o", here)
+        other = self.remote("study", "annulus", valve, "-o", there)
         self.assertEqual((one.returncode, other.returncode, other.stderr), (OK, OK, ""))
         self.assertEqual(without_seconds(other.stdout).replace(str(there), str(here)), without_seconds(one.stdout))
         names = {file.name for file in here.iterdir() if not file.name.startswith("closures.sqlite")}
@@ -137,7 +144,7 @@ class SameOutput(ThroughService):
             self.assertEqual(
                 without_seconds((there / name).read_text()), without_seconds((here / name).read_text()), name
             )
-        again = self.remote("study", "annulus", "porcine-3", "-o", there, "--json")
+        again = self.remote("study", "annulus", valve, "-o", there, "--json")
         study = json.loads(again.stdout)
         self.assertEqual(study["closures"], study["closures_known"])
 
@@ -146,7 +153,7 @@ class SameOutput(ThroughService):
             self.remote(
                 "study",
                 "approximation",
-                "porcine-thesis",
+                small_valve("porcine-thesis"),
                 "--displacement-step",
                 6,
                 "--region-points",
@@ -286,19 +293,17 @@ class Interrupted(ThroughService):
         )
 
     def job_when(self, condition):
-        deadline = time.monotonic() + 100
-        while time.monotonic() < deadline:
-            for job in self.curl("/v1/jobs")[2]["jobs"]:
-                if condition(job):
-                    return job["id"]
-            time.sleep(0.05)
-        self.fail("no such job")
+        def found():
+            return [job["id"] for job in self.curl("/v1/jobs")[2]["jobs"] if condition(job)]
+
+        wait_until(found)
+        return found()[0]
 
     def test_ctrl_c_cancels_the_job_and_prints_its_best_so_far(self):
-        run = self.start("plan", VALVE, "--evaluations", 50000, "--region-points", 2, "--no-evidence")
+        run = self.start("plan", small_valve(), "--evaluations", 50000, "--region-points", 2, "--no-evidence")
         job = self.job_when(lambda job: job["progress"]["closures"] > 20)
         os.killpg(run.pid, signal.SIGINT)
-        out, err = run.communicate(timeout=200)
+        out, err = run.communicate(timeout=HANGS_S)
         self.assertEqual((run.returncode, err), (INTERRUPTED, ""))
         self.assertRegex(out, r"(?m)^   1 ")
         self.assertEqual(self.curl(f"/v1/jobs/{job}")[2]["state"], "CANCELLED")
@@ -307,22 +312,22 @@ class Interrupted(ThroughService):
         run = self.start("study", "thesis", "porcine-thesis", "-o", self.folder / "s")
         self.job_when(lambda job: job["progress"]["closures"] > 0)
         os.killpg(run.pid, signal.SIGINT)
-        _, err = run.communicate(timeout=200)
+        _, err = run.communicate(timeout=HANGS_S)
         self.assertEqual(run.returncode, INTERRUPTED)
         self.assertIn("request it again to continue", err)
 
     def test_a_search_is_followed_over_the_death_of_its_service(self):
         relay = Relay(self.server.port)
         self.addCleanup(relay.close)
-        run = self.start("plan", VALVE, *options(evaluations=20), url=f"http://127.0.0.1:{relay.port}")
+        run = self.start("plan", VALVE, *options(evaluations=20, **BARE), url=f"http://127.0.0.1:{relay.port}")
         self.job_when(lambda job: job["progress"]["closures"] > 3)
         self.server.kill()
         self.server = self.start_server()
         relay.target = self.server.port
-        out, _ = run.communicate(timeout=300)
+        out, _ = run.communicate(timeout=HANGS_S)
         self.assertEqual(
             without_seconds(re.sub(r", \d+ known from an earlier run", "", out)),
-            without_seconds(coapt("plan", VALVE, *options(evaluations=20)).stdout),
+            without_seconds(coapt("plan", VALVE, *options(evaluations=20, **BARE)).stdout),
         )
 
 

@@ -5,12 +5,13 @@ import sys
 import unittest
 
 import coapt
+from plan_runs import BARE
 from programs import ProgramTest
 from server_runs import ServerTest
 
 TOKEN = "open-sesame-2026"
 VALVE = "human-functional-mr"
-SMALL = {"evaluations": 6, "seed": 5, "plans": 1, "region_points": 2, "evidence": False}
+SMALL = {"evaluations": 6, "seed": 5, "plans": 1, "region_points": 2, "evidence": False} | BARE
 ENDLESS = SMALL | {"evaluations": 50000}
 
 

@@ -7,7 +7,8 @@ import unittest
 import coapt
 from client_runs import VALVE, ClientTest, both
 from coapt import Client, OwnRing, PapillaryApproximation, Plan, Ring
-from programs import SOURCE, coapt as coapt_command
+from plan_runs import BARE
+from programs import SOURCE, coapt as coapt_command, small_valve
 
 
 @both
@@ -38,7 +39,7 @@ class Valves(ClientTest):
         self.assertIn("/pressure_kpa: ", str(error))
 
     def test_a_valve_that_jobs_refer_to_stays(self):
-        job = self.client.search(VALVE, evaluations=6, plans=1, region_points=2, evidence=False).wait()
+        job = self.client.search(VALVE, evaluations=6, plans=1, region_points=2, evidence=False, **BARE).wait()
         self.assertEqual(self.refused(coapt.Conflict, self.client.delete_valve, job.json["valve"]).status, 409)
         job.delete()
         self.client.delete_valve(job.json["valve"])
@@ -88,10 +89,11 @@ class Closures(ClientTest):
     def test_a_picture_is_the_one_of_the_command_line(self):
         plan = Plan(Ring("generic-classic", size_mm=30))
         plan.write(self.folder / "plan.json")
-        coapt_command("close", VALVE, "--plan", self.folder / "plan.json", "--render", self.folder / "closed.png")
-        picture = self.client.picture(VALVE, plan)
+        valve = small_valve()
+        coapt_command("close", valve, "--plan", self.folder / "plan.json", "--render", self.folder / "closed.png")
+        picture = self.client.picture(valve, plan)
         self.assertEqual(picture._repr_png_(), (self.folder / "closed.png").read_bytes())
-        self.assertNotEqual(self.client.picture(VALVE), picture)
+        self.assertNotEqual(self.client.picture(valve), picture)
 
     def test_a_scene_has_the_points_and_the_way_there(self):
         scene = self.client.scene(VALVE, frames=3)
@@ -101,12 +103,13 @@ class Closures(ClientTest):
         self.assertEqual(self.client.scene(VALVE)["motion_mm"], [])
 
     def test_own_plans_have_a_report(self):
-        page = self.client.report(VALVE, [Plan(Ring("generic-classic", size_mm=30))], region_points=2)
+        valve = small_valve()
+        page = self.client.report(valve, [Plan(Ring("generic-classic", size_mm=30))], region_points=2)
         self.assertIn("How the plans were scored", page)
         self.assertNotIn("Under further remodelling", page)
-        self.assertIn("Under further remodelling", self.client.report(VALVE, [Plan(OwnRing(1))], evidence=True))
+        self.assertIn("Under further remodelling", self.client.report(valve, [Plan(OwnRing(1))], evidence=True))
         self.assertEqual(
-            self.problems(coapt.InvalidRequest, self.client.report, VALVE, 11 * [Plan(OwnRing(1))]),
+            self.problems(coapt.InvalidRequest, self.client.report, valve, 11 * [Plan(OwnRing(1))]),
             [("/plans", "out_of_range")],
         )
 

@@ -6,16 +6,16 @@ import unittest
 import coapt
 from client_runs import ENDLESS, SMALL, VALVE, ClientTest, both
 from coapt import OwnRing, Plan
-from programs import coapt as coapt_command
+from programs import coapt as coapt_command, small_valve
 
 
 @both
 class Searches(ClientTest):
     def test_a_search_finds_the_plans_of_the_command_line(self):
-        seen = []
-        job = self.client.search(VALVE, **SMALL, forbidden=["annuloplasty:own"], weights={"movement": 0.5})
+        seen, search = [], SMALL | {"fine_levels": 1, "model_draws": 8}
+        job = self.client.search(VALVE, **search, forbidden=["annuloplasty:own"], weights={"movement": 0.5})
         result = job.wait(progress=seen.append).result()
-        search = SMALL | {"rules": {"forbidden": ["annuloplasty:own"]}, "weights": {"movement": 0.5}}
+        search |= {"rules": {"forbidden": ["annuloplasty:own"]}, "weights": {"movement": 0.5}}
         printed = json.loads(
             coapt_command("plan", VALVE, "--search", self.write("search.json", search), "--json").stdout
         )
@@ -45,7 +45,7 @@ class Searches(ClientTest):
         self.assertEqual(result.json["reproduce"]["search"]["rules"]["most_movement_mm"], 5)
 
     def test_a_plan_is_had_as_picture_mesh_and_report(self):
-        job = self.client.search(VALVE, **SMALL)
+        job = self.client.search(small_valve(), **SMALL)
         best = job.result().plans[0]
         best.picture().write(self.folder / "picture.png")
         self.assertEqual((self.folder / "picture.png").read_bytes()[:4], b"\x89PNG")
@@ -53,7 +53,7 @@ class Searches(ClientTest):
         self.assertTrue(best.report().startswith("<!DOCTYPE html>"))
         self.assertTrue(job.report().startswith("<!DOCTYPE html>"))
         self.assertEqual(job.files()["report.html"], len(job.file("report.html")))
-        valve, leaflets = self.client.get_valve(VALVE), best.leaflets()
+        valve, leaflets = json.loads(small_valve().read_text()), best.leaflets()
         self.assertEqual(
             (len(leaflets.vertices_mm), len(leaflets.faces)), (len(valve["vertices_mm"]), len(valve["faces"]))
         )
@@ -107,7 +107,7 @@ class Limited(ClientTest):
 @both
 class Studies(ClientTest):
     def test_a_study_has_findings_and_files(self):
-        job = self.client.study("porcine-3", "annulus")
+        job = self.client.study(small_valve("porcine-3"), "annulus")
         result = job.result()
         self.assertEqual((result.study, result.valve), ("annulus", "porcine-3"))
         self.assertEqual(sum(finding.agrees for finding in result.findings), result.json["agree"])

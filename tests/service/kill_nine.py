@@ -16,6 +16,7 @@ from served import ENDED, Server, parser_of, report, search_of
 
 # What may differ between two runs of one search.
 OF_THE_RUN = {"id", "created", "started", "finished", "seconds", "closures_known", "links"}
+FINALE = {"fine_levels": 1, "model_draws": 8}  # what is closed once more at the end
 MOMENTS = ("running", "running twice", "starting", "near the end", "submitting")
 
 
@@ -119,7 +120,7 @@ def run(binary, folder, searches, seed=1, evaluations=150):
     """Figures of so many disturbed searches, among them all that was wrong."""
     chooser = random.Random(seed)
     kinds = [
-        Search({"valve": valve, "search": search_of(seed, evaluations, plans=2, region_points=17)})
+        Search({"valve": valve, "search": search_of(seed, evaluations, plans=2, region_points=17, **FINALE)})
         for seed, valve in enumerate(["human-functional-mr", "human-p2-prolapse"][: max(1, searches // 3)])
     ]
     for number, search in enumerate(kinds):

@@ -145,5 +145,6 @@ def percentile(values, percent):
 
 
 def search_of(seed, evaluations=6, **fields):
-    """A search request's "search": small, without evidence unless told."""
-    return {"evaluations": evaluations, "seed": seed, "plans": 1, "region_points": 2, "evidence": False} | fields
+    """A search request's "search": small, and nothing closed once more at its end unless told."""
+    small = {"evaluations": evaluations, "seed": seed, "plans": 1, "region_points": 2}
+    return small | {"evidence": False, "fine_levels": 0, "model_draws": 0} | fields

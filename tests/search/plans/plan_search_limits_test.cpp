@@ -20,6 +20,29 @@ TEST(SearchLimits, TheBudgetIsNeverExceeded) {
   }
 }
 
+TEST(SearchLimits, ClosuresStayWithinWhatTheHelpOfTheCommandAddsUp) {
+  struct Size {
+    int evaluations, plans, region_points;
+    bool evidence;
+  };
+  for (const auto& [evaluations, plans, points, evidence] :
+       {Size{1, 1, 1, false}, Size{3, 2, 20, false}, Size{40, 2, 66, false},
+        Size{12, 1, 2, true}}) {
+    SearchOptions options = small_search();
+    options.evaluations = evaluations;
+    options.plans = plans;
+    options.region_points = points;
+    options.evidence = evidence;
+    const SearchResult result = searched(needs_suture, options);
+    EXPECT_LE(result.evaluations, evaluations);
+    EXPECT_LE(result.closures, 1 + evaluations + 2 * plans * std::min(65, points) +
+                                   plans * std::max(0, points - 65) + plans * (evidence ? 308 : 0));
+    EXPECT_GE(result.closures, 1 + result.evaluations);
+    EXPECT_EQ(result.closures_known, 0);
+    for (const RankedPlan& plan : result.plans) EXPECT_GE(plan.region.closures, points);
+  }
+}
+
 TEST(SearchLimits, ASearchThatHasPlansLeftEndsAtItsBudget) {
   // Nothing helps: no operation is dearer than what it must beat, tens of thousands of plans are left.
   const Evaluator evaluate = leak_of([](const Valve&) { return 30.0; });

@@ -85,6 +85,19 @@ TEST(ResumedSearch, InterruptedAnywhereItEndsAsIfItHadNotBeen) {
   }
 }
 
+TEST(ResumedSearch, GivesUpAtTheFirstClosureThatCannotBeKept) {
+  SearchOptions options = long_search();
+  options.threads = 1;
+  for (const int most : {0, 33, 505}) {  // of a search of 500, before its ranking and in it
+    Keeper keeper;
+    keeper.most = most;
+    SearchContext context = context_of(needs_suture);
+    context.keep = keeper.function();
+    EXPECT_THROW((void)search_plans(small_valve(), options, context), std::runtime_error);
+    EXPECT_EQ(keeper.count, most + 1) << "nothing more is tried";
+  }
+}
+
 TEST(ResumedSearch, OwnPlansAreKnownAgainToo) {
   Keeper keeper;
   const std::vector<NamedPlan> plans = {{"ring", own_ring(2)},
