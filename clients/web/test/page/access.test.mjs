@@ -42,6 +42,7 @@ test('what is wrong is found', async () => {
 
 test('views and steps can be reached with the keyboard alone', async () => {
   const { page } = await openView(browser, service.url, 'valve')
+  await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
   await page.keyboard.press('Tab')
   assert.equal(await page.evaluate(() => document.activeElement?.textContent), 'Skip to content')
   for (let i = 0; i < 3; ++i) await page.keyboard.press('Tab')

@@ -1,7 +1,7 @@
 // A repair by grabbing it on the valve: with the pointer, a finger and the keyboard.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { accessProblems, openBefore, page } from './page.mjs'
+import { accessProblems, openBefore, page, settled } from './page.mjs'
 
 openBefore('repair', { width: 1440, height: 900 }, () =>
   page.locator('[data-part=labels] [data-part=orifice]').first().waitFor(),
@@ -15,13 +15,28 @@ const isAnswered = () => page.locator('[aria-busy=false]').waitFor()
 const titled = (words) =>
   page.waitForFunction((wanted) => document.querySelector('[data-part=steps]')?.textContent?.includes(wanted), words)
 
-/// Down on the handle, along the way; not let go.
+/// Down on the handle, along the way; not let go. The handle has followed.
 async function dragBy(name, across, down) {
   await isAnswered()
+  await settled()
   const { x, y, width, height } = await handle(name).boundingBox()
   await page.mouse.move(x + width / 2, y + height / 2)
   await page.mouse.down()
-  await page.mouse.move(x + width / 2 + across, y + height / 2 + down, { steps: 5 })
+  const to = [x + width / 2 + across, y + height / 2 + down]
+  await page.mouse.move(...to, { steps: 5 })
+  await handle(name).evaluate(
+    (button, [left, top]) =>
+      new Promise((isThere) => {
+        const look = () => {
+          const box = button.getBoundingClientRect()
+          const away = Math.hypot(box.x + box.width / 2 - left, box.y + box.height / 2 - top)
+          if (away < 1) isThere()
+          else requestAnimationFrame(look)
+        }
+        look()
+      }),
+    to,
+  )
 }
 
 test("a suture's end is dragged: its length is told, applied once when it is let go, and one undo takes it back", async () => {
@@ -29,7 +44,6 @@ test("a suture's end is dragged: its length is told, applied once when it is let
   await handle('Suture length, posteromedial').waitFor()
   await isAnswered()
   await page.getByRole('button', { name: 'Oblique' }).click()
-  await page.waitForTimeout(500)
   const [title] = await steps()
   const leak = await headline()
   await dragBy('Suture length, posteromedial', -6, -30)
@@ -71,7 +85,6 @@ test('arrow keys set what is grabbed, step by step; the focus stays', async () =
 
 test('the other end is tied to another point of the annulus', async () => {
   await page.getByRole('button', { name: 'From the atrium' }).click()
-  await page.waitForTimeout(500)
   await dragBy('Suture anchor, posteromedial', 20, 60)
   assert.match(await told().textContent(), /^anchor at \d+°, suture \d+\.\d mm$/)
   await page.mouse.up()

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { test } from 'node:test'
-import { accessProblems, ROOT, openBefore, page, service } from './page.mjs'
+import { accessProblems, ROOT, openBefore, page, service, settled } from './page.mjs'
 
 const CONTRACT = JSON.parse(readFileSync(join(ROOT, 'server/openapi.json')))
 const { leaflets, annulus, chordae } = CONTRACT.components.examples.one_skirt.value
@@ -55,6 +55,7 @@ test('files dropped on the page are seen before they are imported, a landmark is
   await pick.click()
   assert.equal(await pick.getAttribute('aria-pressed'), 'true')
   await page.getByRole('button', { name: 'From the atrium' }).click()
+  await settled()
   const { x, y, width, height } = await files.boundingBox()
   const place = panel.getByLabel('Mid-anterior: x, y, z')
   for (let share = 0.05; share < 0.5 && (await place.inputValue()) === ''; share += 0.02)

@@ -1,7 +1,7 @@
 // Words over the valve: none covers another or the leak, at four sizes.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { openBefore, page, service } from './page.mjs'
+import { openBefore, page, resize, service, settled } from './page.mjs'
 
 const SIZES = [
   [1440, 900],
@@ -58,7 +58,7 @@ function assertApart(boxes, where) {
 }
 
 async function assertReadable(where, least) {
-  await page.evaluate(() => new Promise((seen) => requestAnimationFrame(() => requestAnimationFrame(seen))))
+  await settled()
   const boxes = await words()
   assert.ok(boxes.length >= least, `${where}: ${boxes.length} words`)
   assert.ok(
@@ -75,7 +75,7 @@ for (const valve of ['human-functional-mr', 'human-p2-prolapse'])
     await page.goto(`${service.url}/#/valve?valve=${valve}`)
     await page.locator('[data-part=open-valve]', { hasText: valve }).waitFor()
     for (const [width, height] of SIZES) {
-      await page.setViewportSize({ width, height })
+      await resize(width, height)
       for (const view of VIEWS) {
         await page.getByRole('button', { name: view, exact: true }).click()
         await assertReadable(`${valve}, ${width} x ${height}, ${view}`, 9)
@@ -84,12 +84,12 @@ for (const valve of ['human-functional-mr', 'human-p2-prolapse'])
   })
 
 test('words on a repair stand apart and beside the leak', async () => {
-  await page.setViewportSize({ width: 1280, height: 800 })
+  await resize(1280, 800)
   await page.goto(`${service.url}/#/repair?valve=human-functional-mr`)
   await page.getByRole('button', { name: 'Suture PM' }).click()
   await page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
   for (const [width, height] of SIZES.slice(0, 2)) {
-    await page.setViewportSize({ width, height })
+    await resize(width, height)
     await assertReadable(`repair, ${width} x ${height}`, 12)
   }
 })

@@ -102,6 +102,17 @@ export function openBefore(name, options = {}, ready = async () => {}) {
   })
 }
 
+/// When the page has laid out and drawn what it was asked for: its cameras jump, and a frame draws all of it.
+export const settled = (of = page) =>
+  of.evaluate(() => new Promise((seen) => requestAnimationFrame(() => requestAnimationFrame(seen))))
+
+/// Gives the window another size; the page has followed it then.
+export async function resize(width, height, of = page) {
+  await of.setViewportSize({ width, height })
+  await of.waitForFunction(([w, h]) => innerWidth === w && innerHeight === h, [width, height])
+  await settled(of)
+}
+
 /// Where on the page the point is that a label names; the label may stand beside it.
 export function namedPoint(viewer, label) {
   return viewer.locator('[data-part=labels]').evaluate((labels, wanted) => {

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict'
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { test } from 'node:test'
-import { namedPoint, openBefore, page, service } from './page.mjs'
+import { namedPoint, openBefore, page, service, settled } from './page.mjs'
 
 openBefore('repair', {}, () => page.locator('[data-part=labels] [data-part=orifice]').first().waitFor())
 
@@ -47,12 +47,15 @@ test('a slider that is dragged slowly stays under the pointer; one undo takes th
   const at = (share) => [box.x + share * box.width, box.y + box.height / 2]
   await page.mouse.move(...at(0.02))
   await page.mouse.down()
-  for (const share of [0.3, 0.6, 0.98]) {
+  for (const [share, sizes] of [
+    [0.3, 2],
+    [0.6, 4],
+    [0.98, 6],
+  ]) {
     await page.mouse.move(...at(share))
-    await page.waitForTimeout(700) // closures are answered meanwhile
+    await page.locator('[data-part=steps]', { hasText: `undersized by ${sizes} sizes` }).waitFor() // while it is held, too
+    await page.locator('[aria-busy=false]').waitFor()
   }
-  const dragged = (await steps())[0]
-  assert.match(dragged, /undersized by 6 sizes/) // while it is held, too
   await page.mouse.up()
   await page.waitForFunction(() =>
     /undersized by 6 sizes/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
@@ -85,12 +88,12 @@ test('a neochorda is placed by clicking the leaflet and a papillary head', async
   await page.mouse.move(x, y, { steps: 4 })
   await page.mouse.up()
   await page.getByRole('button', { name: 'From the atrium' }).click()
-  await page.waitForTimeout(500)
+  await settled()
   assert.match(await page.locator('[data-part=picking]').textContent(), /Click where the neochorda/)
   await page.mouse.click(x, y)
   await page.locator('[data-part=picking]', { hasText: 'papillary head' }).waitFor()
   await page.getByRole('button', { name: 'From the ventricle' }).click()
-  await page.waitForTimeout(500)
+  await settled()
   const head = await namedPoint(first, 'AL3')
   await page.mouse.click(head.x, head.y)
   await page.waitForFunction(() =>

@@ -1,7 +1,7 @@
 // Fingers on the valve.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { openBefore, page } from './page.mjs'
+import { openBefore, page, settled } from './page.mjs'
 
 let session
 openBefore('valve', { width: 820, height: 1180 }, async () => {
@@ -11,8 +11,6 @@ openBefore('valve', { width: 820, height: 1180 }, async () => {
 })
 
 const touch = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints })
-const settled = () =>
-  page.evaluate(() => new Promise((seen) => requestAnimationFrame(() => requestAnimationFrame(seen))))
 const boxOf = async (name) => page.locator('[data-part=labels] span', { hasText: name }).first().boundingBox()
 const middle = ({ x, y, width, height }) => ({ x: x + width / 2, y: y + height / 2 })
 

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict'
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { test } from 'node:test'
-import { openBefore, page, service } from './page.mjs'
+import { openBefore, page, resize, service, settled } from './page.mjs'
 
 openBefore('valve')
 
@@ -110,12 +110,11 @@ test('the value under the pointer is told with its unit', async () => {
     ['height', /^A2: -?\d+\.\d mm$/],
   ]) {
     await page.getByRole('combobox', { name: 'Colours' }).selectOption(mode)
-    await page.waitForTimeout(200)
+    await settled()
     const { x, y, width, height } = await a2.boundingBox()
     await page.mouse.move(x, y)
     await page.mouse.move(x + width / 2, y + height / 2)
-    await page.locator('[data-part=readout]').waitFor()
-    assert.match(await page.locator('[data-part=readout]').textContent(), words)
+    await page.locator('[data-part=readout]', { hasText: words }).waitFor()
   }
   await page.mouse.move(2, 2)
   await page.locator('[data-part=readout]').waitFor({ state: 'hidden' })
@@ -141,6 +140,7 @@ test('a range of colours that is typed holds for other valves, until it is let g
 test('a distance is measured between two points', async () => {
   await page.getByRole('button', { name: 'From the atrium' }).click()
   await page.getByRole('button', { name: 'Measure a distance' }).click()
+  await settled()
   const box = await page.locator('[data-part=viewer] canvas').boundingBox()
   const labels = page.locator('[data-part=labels] span')
   for (const name of ['A2', 'P2']) {
@@ -189,7 +189,7 @@ test('arrow keys turn the valve', async () => {
   const first = await place()
   await page.locator('[data-part=viewer] canvas').focus()
   for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowDown')
-  await page.waitForTimeout(300)
+  await settled()
   assert.notDeepEqual(await place(), first)
 })
 
@@ -201,8 +201,7 @@ test('the whole annulus is in the picture at first, after the window has got ano
     [1180, 820],
     [390, 844],
   ]) {
-    await page.setViewportSize({ width, height })
-    await page.waitForTimeout(300)
+    await resize(width, height)
     const canvas = await page.locator('[data-part=viewer] canvas').boundingBox()
     const names = await page.locator('[data-part=labels] [data-part=landmark]:visible').all()
     const boxes = await Promise.all(names.map((name) => name.boundingBox()))
@@ -213,7 +212,7 @@ test('the whole annulus is in the picture at first, after the window has got ano
     const along = Math.max(...middles.map(([, y]) => y)) - Math.min(...middles.map(([, y]) => y))
     assert.ok(across > 0.6 * canvas.width || along > 0.6 * canvas.height, `${width}: ${across} of ${canvas.width}`)
   }
-  await page.setViewportSize({ width: 1280, height: 800 })
+  await resize(1280, 800)
 })
 
 test('it says on every view that it is for research only, and what is not modelled', async () => {

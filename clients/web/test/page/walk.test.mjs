@@ -1,7 +1,7 @@
 // What a surgeon does from the first look to the report, and what is seen at each step, with a service that dies on the way.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { openView, startBrowser, startService } from './page.mjs'
+import { openView, resize, startBrowser, startService } from './page.mjs'
 
 let service, browser, page
 before(async () => {
@@ -38,15 +38,14 @@ test('the valve fills the stage at every size, and its leak is the largest text'
     [820, 1180, 0.45],
     [390, 844, 0.4],
   ]) {
-    await page.setViewportSize({ width, height })
-    await page.waitForTimeout(200)
+    await resize(width, height, page)
     const canvas = await page.locator('[data-part=viewer] canvas').first().boundingBox()
     const seen = Math.min(canvas.y + canvas.height, height) - canvas.y
     assert.ok((canvas.width * seen) / (width * height) > least, `${width}: ${canvas.width} x ${seen}`)
     assert.match(await headline(), /^46 ± \d mm²/)
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0)
   }
-  await page.setViewportSize({ width: 1440, height: 900 })
+  await resize(1440, 900, page)
 })
 
 test('a word explains itself', async () => {
