@@ -10,6 +10,7 @@ import { hash, startInNode } from './bits.mjs'
 
 const ROOT = fileURLToPath(new URL('../../../../', import.meta.url))
 const BIN = join(ROOT, 'build/release/bin')
+const MODULE = join(ROOT, 'build/wasm/bin/coapt-engine.wasm')
 const PATIENCE_MS = 300_000
 const RING = { schema: 'coapt.plan/1', steps: [{ step: 'annuloplasty', shape: 'own', sizes_below: 2 }] }
 
@@ -20,7 +21,7 @@ const presets = execFileSync(join(BIN, 'closed_presets'), [folder], { encoding: 
   .map((line) => line.split(' ')) // name, steps, bits
 let engine
 beforeAll(async () => {
-  engine = await startInNode(join(ROOT, 'build/wasm/bin/coapt-engine.wasm'))
+  engine = await startInNode(MODULE)
 })
 afterAll(() => rmSync(folder, { recursive: true }))
 
@@ -41,6 +42,29 @@ function native(...args) {
     return JSON.parse(leaks.stdout)
   }
 }
+
+/// An unsigned LEB128 number of a module at `place`.
+function number(bytes, place) {
+  let value = 0
+  let shift = 0
+  for (let at = place; ; at++, shift += 7) {
+    value += (bytes[at] & 127) * 2 ** shift
+    if (bytes[at] < 128) return { value, next: at + 1 }
+  }
+}
+
+test('the stack is the first 4 MiB of memory, below which an overflow traps', () => {
+  const bytes = readFileSync(MODULE)
+  const GLOBALS = 6
+  let at = 8 // behind magic and version
+  while (bytes[at] !== GLOBALS) {
+    const size = number(bytes, at + 1)
+    at = size.next + size.value
+  }
+  const first = number(bytes, number(bytes, at + 1).next).next // the stack pointer: an i32 that changes, from a constant on
+  expect([...bytes.subarray(first, first + 3)]).toEqual([0x7f, 1, 0x41])
+  expect(number(bytes, first + 3).value).toBe(4 * 1024 * 1024)
+})
 
 test.each(presets)("%s closes to the native program's bits", { timeout: PATIENCE_MS }, (name, steps, bits) => {
   const { status, answer } = ask('/v1/closures', name)
