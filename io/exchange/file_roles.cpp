@@ -80,9 +80,9 @@ void guess_meshes(const std::vector<std::size_t>& meshes, std::vector<GuessedRol
   if (meshes.size() != 2) return;
   GuessedRole &first = roles[meshes[0]], &second = roles[meshes[1]];
   if (first.role == FileRole::None && second.role == FileRole::None) {
-    first = {FileRole::Anterior,
-             "of two meshes without telling names the anterior one comes first"};
-    second = {FileRole::Posterior, first.reason};
+    first = {FileRole::Anterior, "of two meshes without telling names the anterior one comes first",
+             true};
+    second = {FileRole::Posterior, first.reason, true};
   } else if (first.role == FileRole::None || second.role == FileRole::None) {
     const bool anterior = first.role == FileRole::Anterior || second.role == FileRole::Anterior;
     (first.role == FileRole::None ? first : second) = {
@@ -169,7 +169,7 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
                                     std::to_string(files.size()) + " (." +
                                     format_of(files[i].name).substr(0, 8) + ") is " +
                                     (skirt ? "both leaflets" : words_of(role)),
-                                roles[i].reason});
+                                roles[i].reason, roles[i].look});
   }
   if (!problems.empty()) return std::move(problems).take();
   const auto place = [&](FileRole role, const std::string& pointer, auto take) {

@@ -11,6 +11,7 @@ enum class FileRole { Labels, Anterior, Posterior, Annulus, Chordae, Tips, None 
 struct GuessedRole {
   FileRole role = FileRole::None;
   std::string reason;
+  bool look = false;  ///< only the order in which files were given tells
 };
 
 /// For each file. Label maps by extension; markups and tables by what they hold; meshes by name, two without names in the

@@ -22,6 +22,7 @@ struct Wanted {
 struct Chosen {
   LabelAt label;
   const char* reason;
+  bool look = false;  ///< its number alone chose it
 };
 
 std::string numbers_in(const std::vector<LabelAt>& labels) {
@@ -73,8 +74,9 @@ class LabelChoice {
       return Chosen{*label, "by the name that the file gives it"};
     if (!named_)
       if (const auto label = label_of_number(labels_, wanted.number))
-        return Chosen{
-            *label, "without names 1 is the anterior leaflet, 2 the posterior one, 3 the annulus"};
+        return Chosen{*label,
+                      "without names 1 is the anterior leaflet, 2 the posterior one, 3 the annulus",
+                      true};
     if (wanted.part != NamedPart::Annulus)
       miss(wanted, std::string("is missing: no label is named the ") + wanted.name +
                        (named_ ? "" : ", and none is " + std::to_string(wanted.number)));
@@ -133,7 +135,7 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
     if (!chosen[i]) continue;
     parts.decisions.push_back(
         {"labels", "label " + std::to_string(chosen[i]->label.value) + " is the " + wanted[i].name,
-         chosen[i]->reason});
+         chosen[i]->reason, chosen[i]->look});
     const auto take = [&](const Errors& errors) {
       for (const Error& error : errors) problems.add(error.code, "/labels", error.message);
     };

@@ -80,6 +80,19 @@ TEST(FileRoles, DecisionsDoNotRepeatNamesOfFiles) {
   EXPECT_TRUE(sorted->files.annulus);
 }
 
+TEST(FileRoles, APersonShouldLookAtMeshesThatOnlyTheirOrderTellsApart) {
+  const auto looks = [](const std::vector<NamedFile>& files) {
+    const Expected<SortedFiles> sorted = sorted_files(files);
+    std::vector<bool> found;
+    for (const ImportDecision& decision : sorted->decisions) found.push_back(decision.look);
+    return found;
+  };
+  EXPECT_EQ(looks({{"1.stl", ""}, {"2.stl", ""}, {"c.csv", "1,2,3"}}),
+            (std::vector{true, true, false}));
+  EXPECT_EQ(looks({{"1.stl", ""}, {"posterior.stl", ""}}), (std::vector{false, false}));
+  EXPECT_EQ(looks({{"skirt.stl", ""}}), (std::vector{false}));
+}
+
 TEST(FileRoles, TwoOfOneRoleAndUnknownFilesAreNamed) {
   const Expected<SortedFiles> twice = sorted_files({{"a.nrrd", ""}, {"b.nii", ""}});
   ASSERT_FALSE(twice);

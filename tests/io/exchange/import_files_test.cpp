@@ -81,6 +81,12 @@ std::string labels_nrrd(const std::string& keys, const std::array<int, 3>& label
   return text;
 }
 
+std::vector<bool> looks(const ImportSource& source) {
+  std::vector<bool> found;
+  for (const ImportDecision& decision : source.decisions) found.push_back(decision.look);
+  return found;
+}
+
 TEST(ImportFiles, LabelsByNumberByNameOrAsGiven) {
   ImportFiles files;
   files.labels = {"DOE.nrrd", labels_nrrd("", {1, 2, 3})};
@@ -90,6 +96,7 @@ TEST(ImportFiles, LabelsByNumberByNameOrAsGiven) {
   EXPECT_EQ(source->annulus_mm.rows(), 72);
   EXPECT_LT(source->leaflets[0].vertices_mm.col(1).maxCoeff(), 15.8);
   EXPECT_GT(source->leaflets[1].vertices_mm.col(1).minCoeff(), 16.2);
+  EXPECT_EQ(looks(*source), (std::vector{true, true, true, false})) << "numbers alone chose";
 
   files.labels = {"x.nrrd", labels_nrrd("Segment0_Name:=DOE^JANE anterior\nSegment0_LabelValue:=8\n"
                                         "Segment1_Name:=posterior\nSegment1_LabelValue:=7\n",
@@ -98,6 +105,7 @@ TEST(ImportFiles, LabelsByNumberByNameOrAsGiven) {
   ASSERT_TRUE(source) << source.errors()[0].path << source.errors()[0].message;
   EXPECT_EQ(source->annulus_mm.rows(), 0) << "other labels are named, this one is not";
   EXPECT_EQ(source->decisions[0].decision, "label 8 is the anterior leaflet");
+  EXPECT_EQ(looks(*source), (std::vector{false, false, false}));
   for (const ImportDecision& decision : source->decisions)
     EXPECT_EQ((decision.decision + decision.reason).find("DOE"), std::string::npos);
 
@@ -107,6 +115,7 @@ TEST(ImportFiles, LabelsByNumberByNameOrAsGiven) {
   ASSERT_TRUE(source);
   EXPECT_GT(source->leaflets[0].vertices_mm.col(1).minCoeff(), 16.2);
   EXPECT_EQ(source->annulus_mm.rows(), 72);
+  EXPECT_EQ(looks(*source), (std::vector{false, false, false, false}));
 }
 
 TEST(ImportFiles, LabelsThatAreNotThereOrTwiceAreNamed) {
