@@ -69,6 +69,13 @@ std::string misused(const ValveImportArguments& arguments) {
   return "";
 }
 
+void tell_looks(const std::vector<ImportDecision>& decisions) {
+  for (const ImportDecision& decision : decisions)
+    if (decision.look)
+      std::cerr << "coapt: valve import: check this against the images: " << sentence(decision)
+                << ".\n";
+}
+
 int run(ValveImportArguments& arguments) {
   if (!arguments.abaqus.empty()) return run_abaqus(arguments);
   if (const int failed = check_output(arguments.picture)) return failed;
@@ -105,7 +112,10 @@ int run(ValveImportArguments& arguments) {
     if (const int failed =
             write_output(arguments.picture, import_picture_png(*valve, valve->valve.name)))
       return failed;
-  if (arguments.json) std::cout << import_to_json(*valve).dump(2) << '\n';
+  if (arguments.json)
+    std::cout << import_to_json(*valve).dump(2) << '\n';
+  else
+    tell_looks(valve->decisions);
   return exit_code::kOk;
 }
 

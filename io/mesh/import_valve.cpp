@@ -77,11 +77,11 @@ Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips, int see
   return made;
 }
 
+}  // namespace
+
 std::string sentence(const ImportDecision& of) {
   return of.about + ": " + of.decision + (of.reason.empty() ? "" : "; " + of.reason);
 }
-
-}  // namespace
 
 const char* to_string(LengthUnit unit) {
   if (unit == LengthUnit::Metre) return "m";

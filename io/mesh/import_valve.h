@@ -57,13 +57,16 @@ struct GivenLandmarks {
 enum class LengthUnit { Millimetre, Centimetre, Metre };
 const char* to_string(LengthUnit unit);  ///< mm, cm, m
 
-/// One thing that an import decided, as its valve's provenance says it: "about: decision; reason".
+/// One thing that an import decided.
 struct ImportDecision {
   std::string about;     ///< "units", "frame", "mesh", ...
   std::string decision;  ///< what was taken or made
   std::string reason;    ///< why, or by what rule; empty where that is the decision itself
   bool look = false;     ///< a person should check it against the images
 };
+
+/// As the valve's provenance says it: "about: decision; reason".
+std::string sentence(const ImportDecision& of);
 
 inline constexpr Eigen::Index kMostFaces = 1'000'000;  ///< of a leaflet's mesh
 

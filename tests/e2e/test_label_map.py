@@ -121,6 +121,21 @@ class LabelMaps(ProgramTest):
             ),
         )
 
+    def test_what_a_person_should_check_is_said_with_and_without_json(self):
+        (self.folder / "bare.nrrd").write_bytes(nrrd())
+        command = ["valve", "import", self.folder / "bare.nrrd", "-o", self.folder / "valve.json"]
+        told, listed = self.run_ok(*command), self.run_ok(*command, "--json")
+        looks = [one for one in json.loads(listed.stdout)["decisions"] if one["look"]]
+        self.assertEqual(looks[0]["decision"], "label 1 is the anterior leaflet")
+        self.assertEqual(
+            told.stderr.splitlines(),
+            [
+                f"coapt: valve import: check this against the images: {one['about']}: {one['decision']}; {one['reason']}."
+                for one in looks
+            ],
+        )
+        self.assertEqual((told.stdout, listed.stderr), ("", ""))
+
     def test_nothing_that_comes_of_images_names_a_patient(self):
         """Neither the valve nor the decisions nor any message."""
         keys = "PatientName:=DOE^JANE\nSegment0_Name:=DOE JANE anterior\nSegment0_LabelValue:=1\n"
