@@ -81,6 +81,16 @@ void note_attachment(const ExportArguments& arguments, const ClosedValve& export
             << with_decimals(shift, 2) << " mm from their insertions\n";
 }
 
+/// Says it of files from which no import makes a valve with ties.
+void note_ties(const ExportArguments& arguments, const Valve& valve) {
+  if (valve.ties.empty()) return;
+  for (const std::string& path : arguments.outputs)
+    if (is_folder(path) || format_of_path(path)->loses_ties)
+      std::cerr << "coapt: " << path
+                << ": the ties of the edge-to-edge repair are not kept; a valve that is imported "
+                   "from this has none\n";
+}
+
 int run(const ExportArguments& arguments) {
   const PlannedValve planned = read_planned_valve(arguments.valve, arguments.plan);
   if (planned.failed) return planned.failed;
@@ -94,6 +104,7 @@ int run(const ExportArguments& arguments) {
     if (const int failed = write(path, exported, arguments.options)) return failed;
   }
   note_attachment(arguments, exported);
+  note_ties(arguments, exported.valve);
   return trusted(exported.closure) ? exit_code::kOk : exit_code::kNotClosed;
 }
 

@@ -67,10 +67,10 @@ constexpr char kPly[] = "ply", kObj[] = "obj", kStl[] = "stl";
 
 constexpr std::array<Format, 8> kFormats = {
     {{{"glb", "model/gltf-binary", "leaflets and chordae, closing animation (metres)"}, glb},
-     {{"vtk", kBytes, "leaflets and chordae with data (legacy VTK)"}, vtk},
-     {{kPly, kBytes, "the leaflets"}, mesh<kPly>},
-     {{kObj, "model/obj", "the leaflets"}, mesh<kObj>},
-     {{kStl, "model/stl", "the leaflets"}, mesh<kStl>},
+     {{"vtk", kBytes, "leaflets and chordae with data (legacy VTK)", true}, vtk},
+     {{kPly, kBytes, "the leaflets", true}, mesh<kPly>},
+     {{kObj, "model/obj", "the leaflets", true}, mesh<kObj>},
+     {{kStl, "model/stl", "the leaflets", true}, mesh<kStl>},
      {{"mrk.json", "application/json", "annulus, tips, landmarks, repair as Slicer's markups"},
       markups},
      {{"csv", "text/csv", "measurements under SlicerHeart's names"}, measurements},

@@ -15,6 +15,8 @@ struct FileFormat {
   const char* name;        ///< also the extension: "glb", "mrk.json"
   const char* media_type;  ///< as registered, else application/octet-stream
   const char* what;        ///< in words
+  /// Neither holds nor draws Valve::ties, which a valve imported from it therefore lacks.
+  bool loses_ties = false;
 };
 
 std::span<const FileFormat> file_formats();
@@ -48,7 +50,7 @@ inline constexpr std::array<const char*, 4> kOptionalFiles = {
     "repair.mrk.json", "under_pressure.mrk.json", "measurements.csv", "tissue.json"};
 
 /// What SlicerHeart's ValveFemExport leaves in a folder, and its markups and measurements: both leaflets together and
-/// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Measurements only of the closed shape; of the open one where annulus and tips go, tissue and pressure.
+/// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Valve::ties are only drawn. Measurements only of the closed shape; of the open one where annulus and tips go, tissue and pressure.
 Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& closed,
                                                    const ExportOptions& options = {});
 

@@ -40,6 +40,22 @@ class Export(ProgramTest):
         names = [markup["name"] for markup in json.loads(file.read_text())["markups"]]
         self.assertIn("ring: generic-classic, size 32 mm", names)
 
+    def test_ties_that_a_file_cannot_hold_are_said_not_to_be_kept(self):
+        clip = {"step": "edge_to_edge", "device": "clip", "along": 0.5, "width_mm": 6}
+        plan = self.write("plan.json", {"schema": "coapt.plan/1", "steps": [clip]})
+        outputs = [f"{self.folder}/model/", *(f"{self.folder}/valve.{name}" for name in ("stl", "glb", "feb"))]
+        files = [part for output in outputs for part in ("-o", output)]
+        said = self.run_ok("export", "human-normal", "--plan", plan, *files).stderr.splitlines()
+        self.assertEqual(
+            [line for line in said if "ties" in line],
+            [
+                f"coapt: {output}: the ties of the edge-to-edge repair are not kept; a valve that is imported from this "
+                "has none"
+                for output in outputs[:2]
+            ],
+        )
+        self.assertEqual(self.run_ok("export", "human-normal", "-o", outputs[1]).stderr, "")
+
     def test_a_wrong_plan_is_named_with_its_pointer(self):
         plan = self.write("plan.json", {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "no"}]})
         result = coapt("export", "human-normal", "--plan", plan, "-o", self.folder / "valve.glb")

@@ -26,6 +26,13 @@ TEST(Formats, EachIsWrittenOfTheClosedValveAndOfTheOpenOneButMeasurements) {
   }
 }
 
+TEST(Formats, LoseTiesWhereTheyNeitherHoldNorDrawThem) {
+  std::string losing;
+  for (const FileFormat& format : file_formats())
+    if (format.loses_ties) losing += std::string(format.name) + ' ';
+  EXPECT_EQ(losing, "vtk ply obj stl ");
+}
+
 TEST(Formats, AClosureThatFlewApartHasNoClosedShape) {
   ClosedValve exported = still_valve();
   exported.closure.closed_mm(3, 1) = std::numeric_limits<double>::quiet_NaN();
