@@ -135,7 +135,8 @@ std::string undersizing(const RankedPlan& plan) {
 std::string opening_figure(const RankedPlan& plan) {
   if (!plan.opening) return "";
   if (!trusted(*plan.opening))
-    return key_figure("Opening in diastole", "not known", "it did not come to rest");
+    return key_figure("Opening in diastole", "not known",
+                      plan.opening->behind_clip ? "behind a clip" : "it did not come to rest");
   return key_figure("Opening in diastole",
                     with_unit(0.01 * opening_mm2(plan.opening->measure), 1, "cm²"),
                     "mean gradient " + with_unit(plan.opening->measure.gradient_mmhg, 1, "mmHg") +

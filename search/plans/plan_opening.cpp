@@ -15,12 +15,13 @@ constexpr const char* kGradientSource =
 }  // namespace
 
 bool trusted(const PlanOpening& opening) {
-  return opening.status == ClosureStatus::Converged && !opening.crossing &&
+  return opening.status == ClosureStatus::Converged && !opening.crossing && !opening.behind_clip &&
          std::isfinite(opening_mm2(opening.measure)) &&
          std::isfinite(opening.measure.gradient_mmhg);
 }
 
 PlanOpening open_plan(const Valve& repaired) {
+  if (!repaired.ties.empty()) return {.behind_clip = true};
   const Expected<OpenedValve> opened = open_valve(repaired);
   if (!opened) return {ClosureStatus::Diverged, false, {}};
   return {opened->closure.status, opened->closure.crossing, opened->measure};
@@ -39,8 +40,10 @@ std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
   Gate area{"opening_area", GateSeverity::NotAssessed, "", kPractice};
   Gate gradient{"mean_gradient", GateSeverity::NotAssessed, "", kGradientSource};
   if (!opening || !trusted(*opening)) {
-    area.finding = gradient.finding = opening ? "the open valve did not come to rest uncrossed"
-                                              : "the repaired valve was not opened";
+    area.finding = gradient.finding = !opening ? "the repaired valve was not opened"
+                                      : opening->behind_clip
+                                          ? kUnknownBehindClip
+                                          : "the open valve did not come to rest uncrossed";
     return {area, gradient};
   }
   const double mm2 = opening_mm2(opening->measure), mmhg = opening->measure.gradient_mmhg;

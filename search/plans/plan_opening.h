@@ -16,10 +16,11 @@ namespace coapt {
 struct PlanOpening {
   ClosureStatus status = ClosureStatus::Converged;
   bool crossing = false;
-  OpeningMeasure measure;
+  OpeningMeasure measure{};
+  bool behind_clip = false;  ///< the valve has ties, and what is open beside them is not known
 };
 
-/// Came to rest, uncrossed, its areas numbers.
+/// Came to rest, uncrossed, without ties, its areas numbers.
 bool trusted(const PlanOpening& opening);
 
 /// Opens a repaired valve. Called from several threads at once.
@@ -28,6 +29,7 @@ using Opener = std::function<PlanOpening(const Valve&)>;
 /// At rest, by open_valve()'s own options.
 PlanOpening open_plan(const Valve& repaired);
 
+inline constexpr const char* kUnknownBehindClip = "opening not known behind a clip or stitch";
 inline constexpr double kUsualGradient_mmhg = 3.0, kStenosis_mmhg = 5.0;
 inline constexpr double kStenosis_mm2 = 150.0, kNarrow_mm2 = 200.0;  ///< rejected, warned of
 

@@ -219,6 +219,7 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
         strength_gates(record)})
     plan.gates.insert(plan.gates.end(), gates.begin(), gates.end());
   plan.warnings = warnings_of(plan.gates);
+  if (record.opening && record.opening->behind_clip) plan.warnings.push_back(kUnknownBehindClip);
   if (plan.region.leak_mm2.worst > kGoodRepair_mm2)
     plan.warnings.push_back("leaks more than " + shown(kGoodRepair_mm2) +
                             " mm2 somewhere in the region of interest");

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/repair/apply_plan.h"
 #include "search/plans/durability.h"
 #include "search/plans/pareto.h"
+#include "search/plans/ranking.h"
 #include "tests/search/plans/search_scene.h"
 
 namespace coapt::scene {
@@ -49,6 +51,25 @@ TEST(PlanOpening, IsNotAssessedWhereTheOpenValveDidNotComeToRest) {
     EXPECT_FALSE(is_stenotic(none));
   }
   EXPECT_EQ(price(opening_terms(unsettled), {}), 0.0);
+}
+
+TEST(PlanOpening, IsNotKnownBehindAClipAndRejectsNothing) {
+  using enum GateSeverity;
+  const RepairPlan clip{{EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}}};
+  const PlanOpening unknown = open_plan(*apply_plan(small_valve(), clip));
+  EXPECT_EQ(severities(unknown), (std::vector{NotAssessed, NotAssessed}));
+  EXPECT_EQ(opening_gates(unknown)[0].finding, "opening not known behind a clip or stitch");
+  EXPECT_FALSE(is_stenotic(unknown));
+  EXPECT_EQ(price(opening_terms(unknown), {}), 0.0);
+  EXPECT_FALSE(open_plan(small_valve()).behind_clip);
+
+  PlanEvaluationOptions options = on_threads(1);
+  options.open = open_plan;
+  EvaluationScene scene(leak_of([](const Valve&) { return 0.5; }), std::move(options));
+  PlanRecord* plan = &scene.closed(clip, 2);
+  ASSERT_TRUE(scene.evaluations.open({&plan, 1}, PlanEvaluations::Phase::Searching));
+  EXPECT_EQ(rank(scene.evaluations, {plan}, 2)[0].warnings,
+            std::vector<std::string>{kUnknownBehindClip});
 }
 
 TEST(PlanOpening, PriceRisesAboveThreeMmhgAndFasterAboveFive) {
