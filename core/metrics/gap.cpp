@@ -115,13 +115,16 @@ class LineSearch {
 
   void push(int from, int to, bool exactly) {
     if (node(to).area_mm2 <= node(from).area_mm2) return;
-    const double length_mm = (place(to) - place(from)).norm();
+    const double own_mm = (place(to) - place(from)).norm();
     // A way through contact costs nothing, wherever it ends; most that begin there are never needed.
     if (exactly || width(from) > 0.0) look_across(to, from);
     exactly = node(to).across.has_value();
+    // Of a place that is not known the nearest point may stay, and be nearer by all of the way.
+    const double other_mm =
+        exactly ? (node(to).across->point_mm - node(from).across->point_mm).norm() : 0.0;
     const double area_mm2 =
-        node(from).area_mm2 +
-        area_between(width(from), exactly ? width(to) : width(from) - length_mm, length_mm);
+        node(from).area_mm2 + area_between(width(from), exactly ? width(to) : width(from) - own_mm,
+                                           0.5 * (own_mm + other_mm));
     if (area_mm2 >= node(to).area_mm2) return;
     if (exactly) node(to).area_mm2 = area_mm2;
     queue_.push({area_mm2, left(to), to, from, exactly});

@@ -5,21 +5,21 @@
 // the other, bounds such a membrane: at each place it reaches to the nearest point of the posterior
 // side, and is as wide as that is far, less the thickness (half of either leaflet's). The line of
 // the smallest area is the throat of the leak: Dijkstra's shortest way along a net over the side
-// (side_net.h), where a step costs its length in space times its mean width.
+// (side_net.h), where a step costs its mean width times the mean of its length in space and of the
+// way that the nearest point goes: of the membrane's two borders, of which on a bend one is longer.
 //
 // No plane is cut and no place is in contact or out of it: a width is zero where the mid-surfaces
-// are no farther apart than the thickness, so the area is as continuous in the vertices as the
-// distances are, and zero where the leaflets touch in a band from commissure to commissure. It
+// are no farther apart than the thickness, so widths are as continuous in the vertices as distances
+// are, and the area is zero where the leaflets touch in a band from commissure to commissure. It
 // needs no tolerance: leaflets pressed together rest at 0.85 to 1 times their thickness, and the
 // line passes the facets of a coarse mesh where they are nearest. The line runs along the anterior
 // side because that has no clefts: along the posterior one it would run around each of them, though
 // scallops that touch each other shut it.
 //
-// Limits: the membrane's length is that of its anterior border, which on the inside of a bend is
-// too short by half its width over the bend's radius (6 % for 2 mm). Nearest points jump where the
-// line passes a hole in the posterior side (a cleft, a scallop far off), and of that only the strip
-// beside the line is counted: 75 % of a round hole, nothing less of a slit. Such holes the atrial
-// view shows, and the orifice counts them exactly.
+// Limits: nearest points jump where the line passes a hole in the posterior side (a cleft, a scallop
+// far off) or a ridge. The triangle between the places before and behind is counted, what lies
+// beyond it is not: beside a flail segment a third of a leak was missed. Such holes the atrial view
+// shows, and the orifice counts them exactly.
 #pragma once
 
 #include <vector>

@@ -37,7 +37,7 @@ struct KnownGap {
   double area_mm2 = 0.0;
 };
 
-/// Integral over the slit, by Simpson's rule.
+/// Integral over the slit, by Simpson's rule; densities are the width times the mean length of both borders.
 double over_slit(const std::function<double(double)>& density) {
   constexpr int kPieces = 2000;
   const double step = 2.0 * kHalfSlit_mm / kPieces;
@@ -67,7 +67,7 @@ KnownGap oblique_slit() {
     return point;
   };
   return {"oblique slit", sheet, plane, over_slit([](double along) {
-            return width_mm(along) * std::hypot(1.0, slope_of_width(along));
+            return width_mm(along) * 0.5 * (1.0 + std::hypot(1.0, slope_of_width(along)));
           })};
 }
 
@@ -84,7 +84,8 @@ KnownGap crescent() {
   const Shape cylinder = [=](double u, double v) { return on_cylinder(u, v, 0.0); };
   return {"crescent", sheet, cylinder, over_slit([](double along) {
             const double r = kRadius_mm - kThickness_mm - width_mm(along);
-            return width_mm(along) * std::hypot(r / kRadius_mm, slope_of_width(along));
+            return width_mm(along) * 0.5 *
+                   (1.0 + std::hypot(r / kRadius_mm, slope_of_width(along)));
           })};
 }
 

@@ -113,25 +113,25 @@ std::vector<Scene> scenes() {
   const auto fast = Method::Fast;
   const auto springs = Membrane::Springs, continuum = Membrane::Continuum;
   return {
-      {"normal", preset("human-normal"), springs, fast, {0x371511f3d7c1e948}},
-      {"normal", preset("human-normal"), continuum, fast, {0xc47fe3160cf38d07}},
-      {"normal", preset("human-normal"), springs, Method::Thesis, {0x4063100bdbf3723c}},
-      {"functional", preset("human-functional-mr"), springs, fast, {0x3331e24f78a83d7}},
-      {"prolapse", preset("human-p2-prolapse"), springs, fast, {0xa9406bad770759b8}},
-      {"porcine", preset("porcine-thesis"), continuum, fast, {0x7de3d8032b8a7cd3}},
-      {"displaced", displaced(), springs, fast, {0x59b7a60b04d69a46}},
-      {"displaced", displaced(), continuum, fast, {0xf54d8d15ff6f4de1}},
+      {"normal", preset("human-normal"), springs, fast, {0xa2d67a9cf2a09f7b}},
+      {"normal", preset("human-normal"), continuum, fast, {0x6a6fb6c4920d3b77}},
+      {"normal", preset("human-normal"), springs, Method::Thesis, {0x5cbe98e012d659a2}},
+      {"functional", preset("human-functional-mr"), springs, fast, {0xf9b74fb8ff6c2c2e}},
+      {"prolapse", preset("human-p2-prolapse"), springs, fast, {0x8f67bf0261b6d8ae}},
+      {"porcine", preset("porcine-thesis"), continuum, fast, {0xddda21b3e025b42b}},
+      {"displaced", displaced(), springs, fast, {0x566c98cae03c68cc}},
+      {"displaced", displaced(), continuum, fast, {0x6f9f6f016dfdad01}},
       {"own ring",
        repaired("human-functional-mr", Annuloplasty{OwnRing{2}}),
        springs,
        fast,
-       {0xaa1fd42be82f3ed5}},
+       {0x702e17d6d1c01901}},
       {"suture",
        repaired("human-functional-mr",
                 PapillaryApproximation{.side = Side::Posteromedial, .suture_length_mm = 26.0}),
        continuum,
        fast,
-       {0xc0b742049493a57a}},
+       {0x4ae1a8bc7b4b91de}},
   };
 }
 

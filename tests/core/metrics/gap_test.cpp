@@ -57,6 +57,42 @@ TEST(Gap, OfLeafletsThatTouchIsExactlyZero) {
   EXPECT_EQ(area_mm2(facing_walls(1.0)), 0.0);
 }
 
+/// Two concentric walls, 20 mm deep, over 120 degrees of arc.
+Valve facing_arcs(double anterior_radius_mm, double posterior_radius_mm) {
+  constexpr int kColumns = 61, kRows = 5;
+  const double first = std::numbers::pi / 6.0, step = 4.0 * first / (kColumns - 1);
+  Valve valve;
+  std::vector<Vec3> points;
+  std::vector<std::array<int, 3>> faces;
+  for (const double radius_mm : {anterior_radius_mm, posterior_radius_mm})
+    for (int i = 0; i < kColumns; ++i)
+      for (int j = 0; j < kRows; ++j) {
+        const int corner = static_cast<int>(points.size());
+        points.emplace_back(-radius_mm * std::cos(first + step * i),
+                            -radius_mm * std::sin(first + step * i), -5.0 * j);
+        if (i + 1 == kColumns || j + 1 == kRows) continue;
+        faces.push_back({corner, corner + kRows, corner + kRows + 1});
+        faces.push_back({corner, corner + kRows + 1, corner + 1});
+        valve.segments.insert(valve.segments.end(), 2,
+                              radius_mm == anterior_radius_mm ? Segment::A2 : Segment::P2);
+      }
+  sheets::set_rows(valve.rest_mm, points);
+  sheets::set_faces(valve, faces);
+  std::vector<int> loop;
+  for (int i = 0; i < kColumns; ++i) loop.push_back(i * kRows);
+  for (int i = 2 * kColumns - 1; i >= kColumns; --i) loop.push_back(i * kRows);
+  sheets::set_annulus(valve, loop);
+  return valve;
+}
+
+TEST(Gap, OfARibbonBetweenTwoArcsIsTheSectorBetweenTheirFaces) {
+  // Of 120 degrees between radii of 12.5 and 15.5 mm, whichever side is outside. The walls are
+  // polygons of 60 sides, of which an outer posterior one is not reached over half of the last ones.
+  const double sector = std::numbers::pi / 3.0 * (15.5 * 15.5 - 12.5 * 12.5);
+  EXPECT_NEAR(area_mm2(facing_arcs(12.0, 16.0)), sector, 3e-3 * sector);
+  EXPECT_NEAR(area_mm2(facing_arcs(16.0, 12.0)), sector, 3e-3 * sector);
+}
+
 TEST(Gap, OfASlitThatOpensLinearlyIsATriangle) {
   const Valve valve = facing_walls(1.0);
   Points closed = valve.rest_mm;
@@ -65,9 +101,10 @@ TEST(Gap, OfASlitThatOpensLinearlyIsATriangle) {
       if (valve.segments[static_cast<std::size_t>(f)] == Segment::A2)
         closed(valve.faces(f, k), 1) =
             1.0 + std::max(0.0, valve.rest_mm(valve.faces(f, k), 0)) / 3.0;
-  // The anterior wall bends away from x = 0 on, to 5 mm more at x = 15, and is hypot(15, 5) long.
+  // The anterior wall bends away from x = 0 on, to 5 mm more at x = 15, and is hypot(15, 5) long;
+  // the posterior one is 15 mm long.
   const Gap gap = measure_gap(valve, closed);
-  EXPECT_NEAR(gap.area_mm2, 0.5 * 5.0 * std::hypot(15.0, 5.0), 1e-9);
+  EXPECT_NEAR(gap.area_mm2, 0.5 * 5.0 * 0.5 * (std::hypot(15.0, 5.0) + 15.0), 1e-9);
   EXPECT_NEAR(gap.places.back().width_mm, 5.0, 1e-9);
   for (const GapPlace& place : gap.places) {
     EXPECT_NEAR(place.width_mm, std::max(0.0, place.anterior_mm.x()) / 3.0, 1e-9);
@@ -80,10 +117,12 @@ TEST(Gap, OfAFlailStripThatHidesItIsMeasuredAcrossTheOverlap) {
   EXPECT_EQ(area_mm2(flail_strip(0.0)), 0.0);
   EXPECT_EQ(measure(valve, closed_at_rest(valve)).orifice.area_raw_mm2, 0.0);
   // The roof rises by a third: below it the distance is (1 + (6 - |x|) / 3) cos(atan(1 / 3)), more
-  // than 1 mm for |x| < 5.838; the width grows by sin(atan(1 / 3)) a millimetre from there. The net's
-  // nodes are 1 mm apart.
-  const double slope = std::sin(std::atan(1.0 / 3.0));
-  EXPECT_NEAR(area_mm2(valve), slope * 5.838 * 5.838, 0.08);
+  // than 1 mm for |x| < 5.838; the width grows by sin(atan(1 / 3)) a millimetre from there, in which
+  // the nearest point goes cos(atan(1 / 3)) mm. The net's nodes are 1 mm apart; in the step to x = 0
+  // the nearest point leaps from one slope to the other, by (2.7, 0, 0.3).
+  const double sine = std::sin(std::atan(1.0 / 3.0)), cosine = std::cos(std::atan(1.0 / 3.0));
+  const double leap = (3.0 * cosine - 1.0 - 0.5 * sine) * 0.5 * (std::hypot(2.7, 0.3) - cosine);
+  EXPECT_NEAR(area_mm2(valve), sine * 5.838 * 5.838 * 0.5 * (1.0 + cosine) + leap, 0.08);
 }
 
 TEST(Gap, GrowsWithoutAJumpWhenTheLeafletsPart) {
@@ -127,7 +166,8 @@ TEST(Gap, IsTheAreaOfTheStripAlongItsPlaces) {
   double area = 0.0;
   for (std::size_t i = 1; i < gap.places.size(); ++i) {
     const GapPlace &a = gap.places[i - 1], &b = gap.places[i];
-    area += 0.5 * (a.width_mm + b.width_mm) * (b.anterior_mm - a.anterior_mm).norm();
+    area += 0.5 * (a.width_mm + b.width_mm) * 0.5 *
+            ((b.anterior_mm - a.anterior_mm).norm() + (b.posterior_mm - a.posterior_mm).norm());
   }
   EXPECT_NEAR(area, gap.area_mm2, 0.02 * gap.area_mm2);  // pieces on the brink of contact
   EXPECT_LT(gap.places.front().anterior_mm.x(), gap.places.back().anterior_mm.x());
