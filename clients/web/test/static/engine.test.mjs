@@ -61,7 +61,8 @@ test('the stack is the first 4 MiB of memory, below which an overflow traps', ()
     const size = number(bytes, at + 1)
     at = size.next + size.value
   }
-  const first = number(bytes, number(bytes, at + 1).next).next // the stack pointer: an i32 that changes, from a constant on
+  // The first one is the stack pointer: an i32 that changes, from a constant on.
+  const first = number(bytes, number(bytes, at + 1).next).next
   expect([...bytes.subarray(first, first + 3)]).toEqual([0x7f, 1, 0x41])
   expect(number(bytes, first + 3).value).toBe(4 * 1024 * 1024)
 })
