@@ -7,9 +7,9 @@ import unittest
 from unittest import mock
 
 import coapt
-from client_runs import SMALL, VALVE, ClientTest
+from client_runs import SMALL, ClientTest
 from coapt import Plan, Ring
-from programs import SOURCE
+from programs import SOURCE, small_valve
 
 RING = SOURCE / "examples/plans/ring.json"
 UNITS = ("_mm", "_mm2", "_n", "_deg")
@@ -26,7 +26,7 @@ class Frames(ClientTest):
                 self.assertTrue(name.endswith(UNITS) or name in COUNTS | SHARES, name)
 
     def test_ranked_plans_are_a_row_each(self):
-        result = self.client.evaluate(VALVE, [RING, Plan()], region_points=2, evidence=True)
+        result = self.client.evaluate(small_valve(), [RING, Plan()], region_points=2, evidence=True)
         frame = result.to_frame()
         self.assert_units(frame)
         self.assertEqual(list(frame["rank"]), [plan.rank for plan in result.plans])
@@ -38,18 +38,18 @@ class Frames(ClientTest):
         self.assertEqual(Plan.from_json(json.loads(frame.plan[0])), result.plans[0].plan)
 
     def test_a_table_of_no_plans_has_the_same_columns(self):
-        some = self.client.evaluate(VALVE, [RING])
+        some = self.client.evaluate(small_valve(), [RING])
         none = coapt.Evaluations(some.before, (), 0, 0.0, {})
         self.assertEqual(list(none.to_frame().columns), list(some.to_frame().columns))
 
     def test_what_is_not_known_is_a_number_that_is_none(self):
-        plan = self.client.evaluate(VALVE, [RING]).plans[0]
+        plan = self.client.evaluate(small_valve(), [RING]).plans[0]
         self.assertIsNone(plan.leak_mm2.sd)
         frame = coapt.Evaluations(None, (plan,), 1, 0.0, {}).to_frame()
         self.assertEqual((frame.sd_leak_mm2.dtype.kind, frame.sd_leak_mm2.isna()[0]), ("f", True))
 
     def test_a_leak_map_is_a_row_a_node(self):
-        plan = self.client.evaluate(VALVE, [SOURCE / "examples/plans/mixed.json"], 17, evidence=True).plans[0]
+        plan = self.client.evaluate(small_valve(), [SOURCE / "examples/plans/mixed.json"], 17, evidence=True).plans[0]
         both = plan.leak_maps.of("both")
         self.assertEqual([one.muscle for one in plan.leak_maps.maps], ["both", "posteromedial"])
         frame = plan.leak_maps.to_frame()
@@ -63,14 +63,16 @@ class Frames(ClientTest):
             plan.leak_maps.of("anterolateral")
 
     def test_remodelling_begins_with_the_plan_as_planned(self):
-        plan = self.client.evaluate(VALVE, [RING], evidence=True).plans[0]
+        plan = self.client.evaluate(small_valve(), [RING], evidence=True).plans[0]
         frame = plan.remodelling.to_frame()
         self.assertEqual(set(frame[frame.displacement_mm == 0].leak_mm2), {plan.leak_mm2.nominal})
         self.assertEqual(set(frame.displacement_mm), set(range(7)))
-        self.assertEqual(list(self.client.evaluate(VALVE, [RING]).plans[0].remodelling.to_frame().direction), [])
+        self.assertEqual(
+            list(self.client.evaluate(small_valve(), [RING]).plans[0].remodelling.to_frame().direction), []
+        )
 
     def test_sections_run_from_commissure_to_commissure(self):
-        measure = self.client.close(VALVE).measure
+        measure = self.client.close(small_valve()).measure
         frame = measure.coaptation.to_frame()
         self.assert_units(frame)
         self.assertEqual(len(frame), 9)
@@ -79,7 +81,7 @@ class Frames(ClientTest):
         self.assertEqual(frame.distance_mm.max(), measure.json["coaptation"]["distance_max_mm"])
 
     def test_every_plan_that_a_search_tried_is_a_row(self):
-        job = self.client.search(VALVE, **SMALL)
+        job = self.client.search(small_valve(), **SMALL)
         best = job.result().plans[0]
         frame = job.evaluations().to_frame()
         self.assert_units(frame)
@@ -95,7 +97,7 @@ class Frames(ClientTest):
         self.assertEqual((self.folder / "tried.csv").read_text(), job.evaluations().csv)
 
     def test_a_study_has_its_findings_and_tables(self):
-        job = self.client.study("porcine-3", "annulus")
+        job = self.client.study(small_valve("porcine-3"), "annulus")
         result = job.result()
         self.assertEqual(int(result.to_frame().agrees.sum()), result.json["agree"])
         frame = job.table("annulus.csv").to_frame()
@@ -103,10 +105,10 @@ class Frames(ClientTest):
         self.refused(coapt.NotFound, job.evaluations)
 
     def test_a_sweep_has_its_errors_beside_its_figures(self):
-        frame = self.client.map([VALVE, "nowhere.json"], [RING, Plan(Ring("generic-classic", 31))]).to_frame()
+        frame = self.client.map([small_valve(), "nowhere.json"], [RING, Plan(Ring("generic-classic", 31))]).to_frame()
         self.assert_units(frame)
         self.assertEqual(list(frame.trusted), [True, False, False, False])
-        self.assertEqual(frame.leak_mm2[0], self.client.close(VALVE, RING).measure.leak_mm2)
+        self.assertEqual(frame.leak_mm2[0], self.client.close(small_valve(), RING).measure.leak_mm2)
         self.assertEqual(list(frame.error == ""), list(frame.trusted))
         self.assertEqual(list(frame.leak_mm2.isna()), [False, True, True, True])
         known = frame[frame.trusted]

@@ -7,9 +7,9 @@ import unittest
 from unittest import mock
 
 import coapt
-from client_runs import SMALL, VALVE, ClientTest
+from client_runs import SMALL, ClientTest
 from coapt import Plan, plots
-from programs import SOURCE
+from programs import SOURCE, small_valve
 
 PLANS = SOURCE / "examples/plans"
 UNITS = ("mm", "mm²", "N", "degrees", "closures")
@@ -38,7 +38,7 @@ class Plots(ClientTest):
         return axes
 
     def scored(self, *plans, **options):
-        return self.client.evaluate(VALVE, plans, **options)
+        return self.client.evaluate(small_valve(), plans, **options)
 
     def test_a_leak_map_has_a_cell_a_node_and_frames_the_plan(self):
         plan = self.scored(PLANS / "mixed.json", region_points=17, evidence=True).plans[0]
@@ -58,7 +58,7 @@ class Plots(ClientTest):
         self.assertEqual(labels, ["tip to trigone, mm off the plan", "suture length, mm off the plan"])
 
     def test_coaptation_is_a_bar_a_section_down_where_leaflets_are_apart(self):
-        closure = self.client.close(VALVE)
+        closure = self.client.close(small_valve())
         heights = [bar.get_height() for bar in self.drawn(plots.coaptation, closure).patches]
         sections = closure.measure.coaptation.sections
         self.assertEqual(
@@ -66,7 +66,7 @@ class Plots(ClientTest):
         )
 
     def test_the_atrial_view_has_every_triangle_and_the_section_lies_within_it(self):
-        closure = self.client.close(VALVE)
+        closure = self.client.close(small_valve())
         leaflets = closure.leaflets()
         self.assertEqual(
             len(self.drawn(plots.atrial_view, closure).collections[0].get_facecolors()), len(leaflets.faces)
@@ -78,9 +78,9 @@ class Plots(ClientTest):
 
     @unittest.skipUnless(importlib.util.find_spec("meshio"), "meshio is not installed")
     def test_leaflets_are_meshes_of_meshio(self):
-        leaflets = self.client.close(VALVE).leaflets()
+        leaflets = self.client.close(small_valve()).leaflets()
         leaflets.to_meshio().write(self.folder / "closed.vtk")
-        self.assertEqual(self.client.close(VALVE).closed_mm.shape, leaflets.vertices_mm.shape)
+        self.assertEqual(self.client.close(small_valve()).closed_mm.shape, leaflets.vertices_mm.shape)
         self.assertGreater((self.folder / "closed.vtk").stat().st_size, 1000)
         with mock.patch.dict(sys.modules, {"pyvista": None}):
             with self.assertRaisesRegex(coapt.MissingPackage, "pyvista"):
@@ -96,7 +96,7 @@ class Plots(ClientTest):
         self.assertEqual(list(self.drawn(plots.plans, self.scored(Plan())).texts), [])  # nothing is known of its region
 
     def test_progress_ends_where_the_search_did(self):
-        result = self.client.search(VALVE, **SMALL | {"evaluations": 20}).result()
+        result = self.client.search(small_valve(), **SMALL | {"evaluations": 20}).result()
         line = self.drawn(plots.progress, result).lines[0]
         self.assertEqual(line.get_xydata()[-1].tolist(), list(result.json["progress"][-1].values()))
 
@@ -106,7 +106,7 @@ class Plots(ClientTest):
         self.assertEqual(labels, list(plan.remodelling.leak_mm2))
 
     def test_axes_are_made_where_none_are_given(self):
-        closure = self.client.close(VALVE)
+        closure = self.client.close(small_valve())
         self.assertIsNot(plots.coaptation(closure).figure, plots.coaptation(closure).figure)
 
 
