@@ -15,33 +15,36 @@ after(async () => {
   await service.stop()
 })
 
-for (const view of ['valve', 'repair', 'search', 'studies'])
-  for (const [theme, width] of [
-    ['light', 1280],
-    ['dark', 820],
-  ])
-    test(`${view} has nothing against it, ${theme}, ${width} px wide`, async () => {
-      const { page, complaints } = await openView(browser, service.url, view, { theme, width, height: 900 })
-      await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
-      if (view === 'repair') await page.getByRole('button', { name: 'Suture AL' }).click()
-      assert.deepEqual(await accessProblems(page), [])
+for (const [theme, width] of [
+  ['light', 1280],
+  ['dark', 820],
+])
+  test(`no view has anything against it, ${theme}, ${width} px wide`, async () => {
+    const { page, complaints } = await openView(browser, service.url, 'valve', { theme, width, height: 900 })
+    await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
+    for (const view of ['Valve', 'Repair', 'Search', 'Studies']) {
+      await page.getByRole('link', { name: view, exact: true }).click()
+      await page.locator('main h1', { hasText: view }).waitFor({ state: 'attached' })
+      if (view === 'Repair') await page.getByRole('button', { name: 'Suture AL' }).click()
+      assert.deepEqual(await accessProblems(page), [], view)
       const overflow = await page.evaluate(
         () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
       )
-      assert.equal(overflow, 0, 'nothing sticks out to the side')
-      assert.deepEqual(complaints, [])
-      await page.close()
-    })
+      assert.equal(overflow, 0, `${view}: nothing sticks out to the side`)
+    }
+    assert.deepEqual(complaints, [])
+    await page.context().close()
+  })
 
 test('what is wrong is found', async () => {
-  const { page } = await openView(browser, service.url, 'valve')
+  const { page } = await openView(browser, service.url, 'studies')
   await page.evaluate(() => document.querySelector('main').append(document.createElement('button')))
   assert.match((await accessProblems(page)).join(), /button-name/)
-  await page.close()
+  await page.context().close()
 })
 
 test('views and steps can be reached with the keyboard alone', async () => {
-  const { page } = await openView(browser, service.url, 'valve')
+  const { page } = await openView(browser, service.url, 'studies')
   await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
   await page.keyboard.press('Tab')
   assert.equal(await page.evaluate(() => document.activeElement?.textContent), 'Skip to content')
@@ -53,7 +56,7 @@ test('views and steps can be reached with the keyboard alone', async () => {
   )
   await page.keyboard.press('Enter')
   await page.locator('nav [aria-current]', { hasText: 'Search' }).waitFor()
-  await page.close()
+  await page.context().close()
 })
 
 test('a service with a token gives the page to everybody, and a valve to who knows it', async () => {
@@ -62,12 +65,12 @@ test('a service with a token gives the page to everybody, and a valve to who kno
   writeFileSync(file, token, { mode: 0o600 })
   const closed = await startService(['--token-file', file])
   try {
-    const { page } = await openView(browser, closed.url, 'valve')
+    const { page } = await openView(browser, closed.url, 'studies')
     const input = page.getByLabel('Token', { exact: true }).last()
     await input.fill(token)
     await page.getByRole('button', { name: 'Continue' }).click()
     await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
-    await page.close()
+    await page.context().close()
 
     const context = await browser.newContext()
     const invited = await context.newPage()

@@ -9,7 +9,7 @@ const RUN = {
 }
 const WORKER = { name: 'node1-1', alive: true, barred: false, items: 2048, rate_per_s: 120.5, seen_s: 0.8 }
 
-openBefore('valve')
+openBefore('studies')
 
 test('there is no link to a farm where the service has none', async () => {
   await page.getByRole('link', { name: 'Studies' }).waitFor()

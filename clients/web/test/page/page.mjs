@@ -2,7 +2,7 @@
 // (errors, blocked by policy, requests to elsewhere) is collected in `complaints`.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
-import { mkdtempSync, rmSync } from 'node:fs'
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -58,6 +58,8 @@ export async function startService(
 
 export function startBrowser() {
   const args = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
+  // The processor draws: nothing but WebGL as a graphics card would, and that without smoothing edges.
+  args.push('--disable-gpu-compositing', '--webgl-msaa-sample-count=0')
   return chromium.launch({ executablePath: BROWSER, args })
 }
 
@@ -126,9 +128,8 @@ export function namedPoint(viewer, label) {
 /// What axe-core finds against the page as it is, as text.
 export async function accessProblems(page) {
   await page.evaluate(() => document.fonts.ready)
-  const source = await import('node:fs/promises').then((fs) => fs.readFile(AXE, 'utf8'))
   // The page's policy allows no script of a test's; the browser's own way in is not bound by it.
-  await page.evaluate(source)
+  if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(readFileSync(AXE, 'utf8'))
   const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }))
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 160)).join(' | ')}`)
 }

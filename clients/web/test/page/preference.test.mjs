@@ -24,7 +24,7 @@ const post = (path, body) =>
     body: JSON.stringify(body),
   })
 async function startSearch() {
-  const search = { evaluations: 60, region_points: 33, plans: 3, evidence: false }
+  const search = { evaluations: 30, region_points: 9, plans: 3, evidence: false, fine_levels: 0, model_draws: 0 }
   job = (await (await post('/v1/plans', { valve: VALVE, search })).json()).id
   while ((await fetch(`${service.url}/v1/jobs/${job}/result`)).status !== 200) await wait(500)
 }
