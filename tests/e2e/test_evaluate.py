@@ -4,7 +4,7 @@ import json
 import unittest
 
 from plan_runs import VALVE, is_robust
-from programs import BAD_INPUT, NO_COMPETENT_PLAN, OK, ProgramTest, coapt
+from programs import BAD_INPUT, NO_COMPETENT_PLAN, OK, ProgramTest, coapt, small_valve
 
 SMALL = ["--region-points", "9", "--no-evidence"]
 
@@ -26,7 +26,7 @@ class Evaluate(ProgramTest):
         self.mending = self.write("mending.json", MENDING)
 
     def evaluate(self, *arguments):
-        result = coapt("evaluate", VALVE, *arguments, "--json")
+        result = coapt("evaluate", small_valve(), *arguments, "--json")
         self.assertIn(result.returncode, [OK, NO_COMPETENT_PLAN], result.stderr)
         self.assertEqual(result.stderr, "")
         return json.loads(result.stdout), result.returncode
@@ -46,10 +46,19 @@ class Evaluate(ProgramTest):
 
     def test_what_plan_prints_and_what_the_page_saves_are_plans(self):
         ranked = coapt(
-            "plan", VALVE, "--evaluations", "20", "--plans", "2", "--region-points", "5", "--no-evidence", "--json"
+            "plan",
+            small_valve(),
+            "--evaluations",
+            "20",
+            "--plans",
+            "2",
+            "--region-points",
+            "5",
+            "--no-evidence",
+            "--json",
         )
         found = json.loads(ranked.stdout)["plans"]
-        result = coapt("evaluate", VALVE, "-", *SMALL, "--json", stdin=ranked.stdout)
+        result = coapt("evaluate", small_valve(), "-", *SMALL, "--json", stdin=ranked.stdout)
         answer = json.loads(result.stdout)
         self.assertEqual(sorted(plan["name"] for plan in answer["plans"]), ["-: plan 1", "-: plan 2"])
         by_name = {plan["name"]: plan["plan"] for plan in answer["plans"]}
@@ -58,10 +67,10 @@ class Evaluate(ProgramTest):
         saved = self.write(
             "plans.json", {"plans": [{"name": "mine", "plan": MENDING}, {"name": "mild", "plan": ring(2)}]}
         )
-        second = coapt("close", VALVE, "--plan", saved, "--rank", "2", "--json")
-        alone = coapt("close", VALVE, "--plan", self.mild, "--json")
+        second = coapt("close", small_valve(), "--plan", saved, "--rank", "2", "--json")
+        alone = coapt("close", small_valve(), "--plan", self.mild, "--json")
         self.assertEqual(json.loads(second.stdout)["leak_mm2"], json.loads(alone.stdout)["leak_mm2"])
-        third = coapt("close", VALVE, "--plan", saved, "--rank", "3")
+        third = coapt("close", small_valve(), "--plan", saved, "--rank", "3")
         self.assertEqual(third.returncode, BAD_INPUT)
         self.assertIn("has no plan 3; --rank must be from 1 to 2", third.stderr)
 
@@ -74,7 +83,7 @@ class Evaluate(ProgramTest):
         answer, code = self.evaluate(self.mild, *SMALL)
         self.assertEqual((code, answer["any_competent"]), (NO_COMPETENT_PLAN, False))
         self.assertIsNone(answer["plans"][0]["probability_outranks_next"])
-        words = coapt("evaluate", VALVE, self.mild, *SMALL)
+        words = coapt("evaluate", small_valve(), self.mild, *SMALL)
         self.assertEqual(words.returncode, NO_COMPETENT_PLAN)
         self.assertIn("\nNo plan closes this valve robustly; the ranking starts with the least bad.\n", words.stdout)
         self.assertIn(f"{self.mild}:\n", words.stdout)
@@ -103,7 +112,7 @@ class Evaluate(ProgramTest):
 
     def test_a_plan_is_closed_as_coapt_close_does(self):
         plan = self.evaluate(self.mending, "--region-points", "1", "--no-evidence")[0]["plans"][0]
-        closed = json.loads(coapt("close", VALVE, "--plan", self.mending, "--json").stdout)
+        closed = json.loads(coapt("close", small_valve(), "--plan", self.mending, "--json").stdout)
         self.assertEqual(plan["measure"]["orifice_area_mm2"], closed["orifice_area_mm2"])
         self.assertEqual(plan["leak_mm2"]["nominal"], closed["leak_mm2"])
 
@@ -139,7 +148,7 @@ class Evaluate(ProgramTest):
                 ],
             },
         )
-        result = coapt("evaluate", VALVE, self.mild, chorda, head, "--json")
+        result = coapt("evaluate", small_valve(), self.mild, chorda, head, "--json")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         first, second = result.stderr.splitlines()
         self.assertTrue(first.startswith(f"coapt: {chorda}: /steps/0/chorda: is 'none'"), first)
@@ -147,7 +156,7 @@ class Evaluate(ProgramTest):
 
     def test_every_file_that_is_no_plan_is_refused(self):
         wrong = self.write("wrong.json", '{"steps": NaN}')
-        result = coapt("evaluate", VALVE, self.folder / "missing.json", self.mild, wrong)
+        result = coapt("evaluate", small_valve(), self.folder / "missing.json", self.mild, wrong)
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         first, second = result.stderr.splitlines()
         self.assertIn("missing.json: cannot be opened", first)

@@ -4,8 +4,8 @@ import json
 import unittest
 
 import jsonschema
-from plan_runs import VALVE, options, without_machine
-from programs import BAD_INPUT, NO_COMPETENT_PLAN, OK, SOURCE, ProgramTest, coapt
+from plan_runs import options, without_machine
+from programs import BAD_INPUT, NO_COMPETENT_PLAN, OK, SOURCE, ProgramTest, coapt, small_valve
 
 LONG = ["--evaluations", "100000"]
 RING = {"step": "annuloplasty", "shape": "own", "sizes_below": 3}
@@ -31,13 +31,13 @@ def search_schema():
 
 class Input(ProgramTest):
     def plan(self, *arguments, **changes):
-        result = coapt("plan", VALVE, *options(**changes), *arguments, "--json")
+        result = coapt("plan", small_valve(), *options(**changes), *arguments, "--json")
         self.assertIn(result.returncode, [OK, NO_COMPETENT_PLAN], result.stderr)
         return json.loads(result.stdout)
 
     def refused(self, *arguments):
         """The lines on standard error of a search that is refused at once."""
-        result = coapt("plan", VALVE, *arguments, "--json")
+        result = coapt("plan", small_valve(), *arguments, "--json")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""), result.stderr)
         self.assertNotEqual(result.stderr, "")
         return result.stderr.splitlines()
@@ -149,7 +149,7 @@ class Search(Input):
         validator.validate(asked)
         self.assertFalse(validator.is_valid(asked | {"rules": {"fixed": {"steps": [RING | {"sizes_below": 7}]}}}))
 
-        first = coapt("plan", VALVE, "--search", self.write("asked.json", asked), "--json")
+        first = coapt("plan", small_valve(), "--search", self.write("asked.json", asked), "--json")
         first = json.loads(first.stdout)
         written = first["reproduce"]["search"]
         validator.validate(written)
@@ -160,7 +160,7 @@ class Search(Input):
         self.assertEqual(
             (written["weights"]["movement"], written["weights"]["step"], written["weights"]["leak"]), (0, 0.5, 1)
         )
-        again = coapt("plan", VALVE, "--search", self.write("written.json", written), "--json")
+        again = coapt("plan", small_valve(), "--search", self.write("written.json", written), "--json")
         again = json.loads(again.stdout)
         for answer in (first, again):
             del answer["reproduce"]["command"]

@@ -36,7 +36,7 @@ class Full(ServerTest):
         self.assertEqual(self.server.wait_for_end(self.submit(search_of(2))["id"])["state"], "SUCCEEDED")
 
     def test_a_running_search_waits_for_room_and_goes_on(self):
-        job_id = self.submit(search_of(3, evaluations=400))["id"]
+        job_id = self.submit(search_of(3, evaluations=150))["id"]
         self.server.wait_until(job_id, lambda job: job["progress"]["closures"] > 10)
         with self.no_room():
             waiting = self.server.wait_until(job_id, lambda job: job["waiting_for"] is not None)
