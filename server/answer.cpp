@@ -6,8 +6,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 bool says(const Answer& answer, std::string_view name) {
   for (const auto& [given, value] : answer.headers) {
     if (given == name) return true;
@@ -23,7 +21,7 @@ const char* content_security_policy(std::string_view type) {
 
 }  // namespace
 
-Answer json_answer(int status, ordered_json object) {
+Answer json_answer(int status, Json object) {
   object["notice"] = kResearchNotice;
   return {status, std::move(object)};
 }
@@ -39,15 +37,15 @@ Answer problem(int status, ErrorCode code, const std::string& message) {
 std::string content_type(const Answer& answer) {
   if (const auto* content = std::get_if<Content>(&answer.body)) return content->type;
   if (const auto* stream = std::get_if<Stream>(&answer.body)) return stream->type;
-  if (std::get<ordered_json>(answer.body).is_null()) return "";
+  if (std::get<Json>(answer.body).is_null()) return "";
   return answer.status < 400 ? "application/json" : "application/problem+json";
 }
 
 std::string content_bytes(const Answer& answer) {
   if (const auto* content = std::get_if<Content>(&answer.body)) return content->bytes;
-  const auto* json = std::get_if<ordered_json>(&answer.body);
+  const auto* json = std::get_if<Json>(&answer.body);
   if (json == nullptr || json->is_null()) return "";
-  return json->dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  return json->dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Headers all_headers(const Answer& answer) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "core/valve/types.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -35,13 +35,13 @@ struct Stream {
 using Headers = std::vector<std::pair<std::string, std::string>>;
 
 struct Answer {
-  int status = 200;                                                 ///< HTTP status
-  std::variant<nlohmann::ordered_json, Content, Stream> body = {};  ///< null: none
+  int status = 200;                               ///< HTTP status
+  std::variant<Json, Content, Stream> body = {};  ///< null: none
   Headers headers = {};  ///< besides those that all have, or instead of them
 };
 
 /// A JSON object of the service's own: with the research-only notice in it.
-Answer json_answer(int status, nlohmann::ordered_json object);
+Answer json_answer(int status, Json object);
 
 /// problem_json() of the errors.
 Answer problem(int status, const Errors& errors);

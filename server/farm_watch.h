@@ -3,10 +3,10 @@
 
 #include <chrono>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "farm/ask/farm.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -19,13 +19,13 @@ class FarmWatch {
 
   /// {"runs": [...], "workers": [...]}, at most a second old: what users of the service may know, neither machines nor accounts. From
   /// any thread; some 30 ms. Errors: the farm does not answer. @pre has_farm()
-  Expected<nlohmann::ordered_json> status();
+  Expected<Json> status();
 
  private:
   std::optional<Farm> farm_;
   std::mutex mutex_;
   std::chrono::steady_clock::time_point asked_;
-  std::optional<Expected<nlohmann::ordered_json>> last_;
+  std::optional<Expected<Json>> last_;
 };
 
 }  // namespace coapt

@@ -18,7 +18,7 @@ struct Document {
   ~Document() {
     if (json) take_apart(*json);
   }
-  Expected<nlohmann::json> json;
+  Expected<Json> json;
 };
 
 Expected<Valve> found_valve(const ValveSource& source, const std::string& name) {

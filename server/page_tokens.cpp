@@ -79,8 +79,7 @@ std::int64_t page_token_in(const Request& request, const PageTokens& tokens,
   return place.value_or(0);
 }
 
-nlohmann::ordered_json next_page_token(const Request& request, const PageTokens& tokens,
-                                       std::int64_t place) {
+Json next_page_token(const Request& request, const PageTokens& tokens, std::int64_t place) {
   if (place == 0) return nullptr;
   return tokens.token(request.path, place);
 }

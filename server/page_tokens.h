@@ -33,7 +33,6 @@ class PageTokens {
 std::int64_t page_token_in(const Request& request, const PageTokens& tokens, ProblemList& problems);
 
 /// For "next_page_token": null if `place` is 0.
-nlohmann::ordered_json next_page_token(const Request& request, const PageTokens& tokens,
-                                       std::int64_t place);
+Json next_page_token(const Request& request, const PageTokens& tokens, std::int64_t place);
 
 }  // namespace coapt

@@ -42,7 +42,7 @@ struct CloseArguments {
 };
 
 /// Prints coapt.closure/1; returns an exit code.
-int show(const CloseArguments& arguments, const nlohmann::ordered_json& closure) {
+int show(const CloseArguments& arguments, const Json& closure) {
   if (arguments.json) {
     std::cout << closure.dump(2) << '\n';
   } else {
@@ -55,7 +55,7 @@ int run_by(const Service& service, const CloseArguments& arguments) {
   const auto [unsent, request, sources] = repair_to_send(arguments.valve, arguments.plan);
   if (unsent) return unsent;
   if (const int failed = check_output(arguments.picture)) return failed;
-  const Expected<nlohmann::ordered_json> closure = post_json(service, "/v1/closures", request);
+  const Expected<Json> closure = post_json(service, "/v1/closures", request);
   if (!closure) return report_service_errors("close", closure.errors(), sources);
   const int status = show(arguments, *closure);
   if (arguments.picture.empty()) return status;
@@ -89,7 +89,7 @@ int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOpt
   const ClosureResult closure = close_valve(valve, options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   auto json = closure_to_json(valve, closure, measure(valve, closure), seconds.count());
-  json["warnings"] = nlohmann::ordered_json::array();
+  json["warnings"] = Json::array();
   const int status = show(arguments, json);
   const int failed = write_closed(arguments, valve, closure);
   return failed != exit_code::kOk ? failed : status;
@@ -147,8 +147,7 @@ int run(const CloseArguments& arguments) {
 
   auto json = closure_to_json(closed.valve, closure, closed.measure, seconds.count());
   if (finer) json["convergence"] = std::move(finer->json);
-  if (arguments.oblique)
-    json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : nlohmann::ordered_json();
+  if (arguments.oblique) json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : Json();
   if (opened) json["opening"] = opening_figures_json(*opened, {}, opening_seconds.count());
   if (accurate) json["accuracy"] = to_json(*accurate, *arguments.accuracy_mm2);
   json["warnings"] = warnings;

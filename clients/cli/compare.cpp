@@ -21,8 +21,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr double kContactThicknesses = 1.25;  // as of coaptation (core/metrics/coaptation.h)
 
 struct CompareArguments {
@@ -90,21 +88,21 @@ std::ostream& line(std::ostream& out, const char* label) {
   return out << "  " << std::left << std::setw(11) << label << std::right;
 }
 
-std::string in_mm(const ordered_json& value) { return fixed(value.get<double>(), 3) + " mm"; }
+std::string in_mm(const Json& value) { return fixed(value.get<double>(), 3) + " mm"; }
 
-void print_shape(std::ostream& out, const char* label, const ordered_json& shape) {
+void print_shape(std::ostream& out, const char* label, const Json& shape) {
   line(out, label) << shape["nodes"] << " nodes, " << fixed(shape["area_mm2"], 1) << " mm2 (";
   const char* comma = "";
-  for (const ordered_json& leaflet : shape["leaflets"]) {
+  for (const Json& leaflet : shape["leaflets"]) {
     out << comma << leaflet["name"].get<std::string>() << ' ' << fixed(leaflet["area_mm2"], 1);
     comma = ", ";
   }
   out << "), " << percent(shape["contact_share"]) << " of nodes in contact\n";
 }
 
-void print_comparison(std::ostream& out, const ordered_json& json) {
+void print_comparison(std::ostream& out, const Json& json) {
   const bool nodes = json["pairing"] == "node_to_node";
-  const ordered_json& alignment = json["alignment"];
+  const Json& alignment = json["alignment"];
   out << json["closed"]["source"].get<std::string>() << " against "
       << json["reference"]["source"].get<std::string>()
       << (nodes ? ", node to node" : ", node to surface");
@@ -172,7 +170,7 @@ int run(const CompareArguments& arguments) {
                              nodes_in_contact(reference->mesh, contact_mm)};
   const ShapeComparison comparison =
       compare_shapes(ours.mesh, theirs.mesh, alignment_of(arguments.alignment));
-  const ordered_json json = comparison_to_json(comparison, ours, theirs, contact_mm);
+  const Json json = comparison_to_json(comparison, ours, theirs, contact_mm);
   if (arguments.json) {
     std::cout << json.dump(2) << '\n';
   } else {

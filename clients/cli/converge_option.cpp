@@ -43,7 +43,7 @@ TimedConvergence converge(const Valve& valve, const ConvergeOption& option,
     seconds.push_back(std::chrono::duration<double>(Clock::now() - started).count());
     started = Clock::now();
   });
-  nlohmann::ordered_json json = to_json(convergence, options);
+  Json json = to_json(convergence, options);
   for (std::size_t i = 0; i < seconds.size(); ++i) json["levels"][i]["seconds"] = seconds[i];
   return {std::move(convergence), std::move(json)};
 }

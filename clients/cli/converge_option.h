@@ -1,11 +1,11 @@
 // --converge and what belongs to it: closing on finer and finer meshes.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/closed/mesh_convergence.h"
 #include "io/command_line/command_line.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -20,7 +20,7 @@ void add_converge_option(Command command, ConvergeOption& option);
 
 struct TimedConvergence {
   MeshConvergence convergence;
-  nlohmann::ordered_json json;  ///< see to_json(const MeshConvergence&)
+  Json json;  ///< see to_json(const MeshConvergence&)
 };
 
 /// Of `valve`, each level timed.

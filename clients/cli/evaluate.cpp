@@ -75,8 +75,8 @@ int report_plan_errors(const std::vector<NamedPlan>& plans, const Errors& errors
 }
 
 /// Prints coapt.plans/1; returns an exit code.
-int show(const EvaluateArguments& arguments, nlohmann::ordered_json result) {
-  for (nlohmann::ordered_json& plan : result["plans"]) plan["file"] = plan["name"];
+int show(const EvaluateArguments& arguments, Json result) {
+  for (Json& plan : result["plans"]) plan["file"] = plan["name"];
   if (arguments.json) {
     std::cout << result.dump(2) << '\n';
   } else {
@@ -86,24 +86,23 @@ int show(const EvaluateArguments& arguments, nlohmann::ordered_json result) {
 }
 
 /// The service's answer, which has the plans in the order asked, as a ranking of named plans.
-nlohmann::ordered_json ranking_of(const nlohmann::ordered_json& answer,
-                                  const std::vector<NamedPlan>& plans) {
-  std::map<int, nlohmann::ordered_json> by_rank;
-  for (const nlohmann::ordered_json& plan : answer["plans"]) {
+Json ranking_of(const Json& answer, const std::vector<NamedPlan>& plans) {
+  std::map<int, Json> by_rank;
+  for (const Json& plan : answer["plans"]) {
     const int rank = plan["rank"];
     const std::string& name = plans.at(plan["index"]).name;
     if (const auto twice = by_rank.find(rank); twice != by_rank.end()) {
       twice->second["name"] = twice->second["name"].get<std::string>() + ", " + name;
       continue;
     }
-    nlohmann::ordered_json named = {{"rank", rank}, {"name", name}};
+    Json named = {{"rank", rank}, {"name", name}};
     named.update(plan);
     named.erase("index");
     by_rank[rank] = std::move(named);
   }
-  nlohmann::ordered_json result = to_json(SearchResult{});
+  Json result = to_json(SearchResult{});
   for (const auto& [name, value] : answer.items()) result[name] = value;
-  result["plans"] = nlohmann::ordered_json::array();
+  result["plans"] = Json::array();
   for (auto& [rank, plan] : by_rank) result["plans"].push_back(std::move(plan));
   return result;
 }
@@ -119,18 +118,18 @@ std::map<std::string, std::string> sources_of(const std::string& valve,
 
 int run_by(const Service& service, const EvaluateArguments& arguments) {
   if (const int failed = check_output(arguments.report)) return failed;
-  const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
+  const Expected<Json> valve = valve_to_send(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   std::vector<NamedPlan> plans;
   const Expected<Valve> known =
       arguments.rings.empty() ? Expected<Valve>(Errors{{}}) : read_valve_argument(arguments.valve);
   if (const int failed = read_plans(arguments, known ? &*known : nullptr, plans)) return failed;
-  nlohmann::ordered_json request = {{"valve", *valve},
-                                    {"plans", nlohmann::ordered_json::array()},
-                                    {"region_points", arguments.options.region_points},
-                                    {"evidence", !arguments.no_evidence}};
+  Json request = {{"valve", *valve},
+                  {"plans", Json::array()},
+                  {"region_points", arguments.options.region_points},
+                  {"evidence", !arguments.no_evidence}};
   for (const NamedPlan& plan : plans) request["plans"].push_back(to_json(plan.plan));
-  const Expected<nlohmann::ordered_json> answer = post_json(service, "/v1/evaluations", request);
+  const Expected<Json> answer = post_json(service, "/v1/evaluations", request);
   if (!answer)
     return report_service_errors("evaluate", answer.errors(), sources_of(arguments.valve, plans));
   const int status = show(arguments, ranking_of(*answer, plans));

@@ -26,8 +26,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr double kMostSeconds = 600.0;
 
 enum class SurfaceFrame { Patient, Valve };

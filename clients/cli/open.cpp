@@ -29,7 +29,7 @@ struct OpenArguments {
 };
 
 /// Prints coapt.opening/1; returns an exit code.
-int show(const OpenArguments& arguments, const nlohmann::ordered_json& opening) {
+int show(const OpenArguments& arguments, const Json& opening) {
   if (arguments.json)
     std::cout << opening.dump(2) << '\n';
   else
@@ -44,7 +44,7 @@ int run_by(const Service& service, const OpenArguments& arguments) {
   request["pressure_mmhg"] = options.pressure_mmhg;
   request["flow_ml_s"] = options.flow_ml_s;
   request["exercise"] = options.exercise;
-  Expected<nlohmann::ordered_json> opening = post_json(service, "/v1/openings", request);
+  Expected<Json> opening = post_json(service, "/v1/openings", request);
   if (!opening) return report_service_errors("open", opening.errors(), sources);
   opening->erase("scene");
   return show(arguments, *opening);

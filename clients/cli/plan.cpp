@@ -38,15 +38,14 @@ int report_refused_search(const PlanArguments& arguments, const Errors& errors) 
 
 int run_by(const Service& service, const Command& command, PlanArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
+  const Expected<Json> valve = valve_to_send(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   if (const int failed = complete_options(command, arguments)) return failed;
   if (const int failed = check_output(arguments.report)) return failed;
-  const nlohmann::ordered_json request = {{"valve", *valve},
-                                          {"search", to_json(arguments.options)}};
+  const Json request = {{"valve", *valve}, {"search", to_json(arguments.options)}};
   const Expected<ServiceJob> job = run_job(service, "/v1/plans", request, interrupted);
   if (!job) return report_refused_search(arguments, job.errors());
-  Expected<nlohmann::ordered_json> result = get_json(service, job->path + "/result");
+  Expected<Json> result = get_json(service, job->path + "/result");
   if (!result) {
     const int failed = report_service_errors("plan", result.errors(), {});
     return job->state == "CANCELLED" ? exit_code::kInterrupted : failed;

@@ -43,7 +43,7 @@ int complete_options(const Command& command, PlanArguments& arguments) {
   if (!arguments.search.empty()) {
     const Expected<std::string> text = read_input(arguments.search);
     if (!text) return report_errors(arguments.search, text.errors());
-    const Expected<nlohmann::json> json = parse_json(*text);
+    const Expected<Json> json = parse_json(*text);
     if (!json) return report_errors(arguments.search, json.errors());
     Expected<SearchOptions> read = search_options_from_json(*json);
     if (!read) return report_errors(arguments.search, read.errors());

@@ -23,7 +23,6 @@ namespace coapt {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 /// A valve of the command line.
 struct GivenValve {
@@ -107,15 +106,15 @@ int report_asked(const PlanArguments& arguments, const Errors& errors) {
   return status;
 }
 
-std::vector<std::string> summary_row(const std::string& name, const ordered_json& plans) {
-  const auto number = [](const ordered_json& value) {
+std::vector<std::string> summary_row(const std::string& name, const Json& plans) {
+  const auto number = [](const Json& value) {
     return value.is_number() ? fixed(value.get<double>(), 2) : "";
   };
   std::vector<std::string> row = {name, number(plans["before"]["leak_mm2"])};
   if (plans["plans"].empty()) return {name, row[1], "", "", "", "", plans["stop"]};
-  const ordered_json& best = plans["plans"].front();
+  const Json& best = plans["plans"].front();
   std::string words;
-  for (const ordered_json& line : best["description"])
+  for (const Json& line : best["description"])
     words += (words.empty() ? "" : "; ") + line.get<std::string>();
   row.insert(row.end(),
              {number(best["leak_mm2"]["mean"]), number(best["leak_mm2"]["sd"]),
@@ -125,7 +124,7 @@ std::vector<std::string> summary_row(const std::string& name, const ordered_json
 
 /// Writes the files of one valve. Returns an exit code; kOk is not yet a robust plan.
 int write_plans(const std::string& directory, const GivenValve& given, const PlanAnswer& answer,
-                const ordered_json& plans) {
+                const Json& plans) {
   const std::string path = (fs::path(directory) / given.name).string();
   if (const int failed = write_output(path + ".json", plans.dump(2) + "\n")) return failed;
   const Expected<std::string> report = report_page(answer.material, 0, given.valve);
@@ -134,8 +133,8 @@ int write_plans(const std::string& directory, const GivenValve& given, const Pla
 }
 
 /// An answer as coapt.plans/1, as this command line would have made it.
-ordered_json plans_of(const PlanAnswer& answer, PlanArguments arguments, const std::string& valve) {
-  ordered_json plans = ordered_json::parse(answer.plans);
+Json plans_of(const PlanAnswer& answer, PlanArguments arguments, const std::string& valve) {
+  Json plans = Json::parse(answer.plans);
   arguments.valve = valve;
   plans["reproduce"]["command"] = command_line(arguments);
   return plans;
@@ -192,7 +191,7 @@ class PlanFolder {
 
   /// Returns an exit code; kOk whatever the plans are.
   int add(const GivenValve& given, const PlanAnswer& answer) {
-    ordered_json plans = plans_of(answer, arguments_, given.argument);
+    Json plans = plans_of(answer, arguments_, given.argument);
     if (arguments_.preference) add_preferred_over_next(plans, *arguments_.preference);
     if (const int failed = write_plans(arguments_.report, given, answer, plans)) return failed;
     summary_.push_back(summary_row(given.name, plans));
@@ -220,7 +219,7 @@ class PlanFolder {
 
 }  // namespace
 
-int show_plans(const PlanArguments& arguments, ordered_json result) {
+int show_plans(const PlanArguments& arguments, Json result) {
   if (arguments.preference) add_preferred_over_next(result, *arguments.preference);
   if (arguments.json) {
     std::cout << result.dump(2) << '\n';

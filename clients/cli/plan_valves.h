@@ -10,6 +10,6 @@ namespace coapt {
 int plan_by_request(const Command& command, PlanArguments arguments);
 
 /// Prints coapt.plans/1; returns an exit code.
-int show_plans(const PlanArguments& arguments, nlohmann::ordered_json result);
+int show_plans(const PlanArguments& arguments, Json result);
 
 }  // namespace coapt

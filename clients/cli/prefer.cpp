@@ -37,7 +37,7 @@ PreferencePosterior posterior_of(const Interview& interview) {
 }
 
 /// With the file of each case.
-nlohmann::ordered_json first_places_json(const Interview& interview, const PosteriorDraws& draws) {
+Json first_places_json(const Interview& interview, const PosteriorDraws& draws) {
   const PreferenceCases& of = interview.of;
   auto json = first_places_to_json(of.cases, draws);
   for (auto& place : json)
@@ -54,10 +54,10 @@ int add_answer(Interview& interview, const Question& question, Preference given)
 int print_next(const Interview& interview) {
   const PosteriorDraws draws = draw(posterior_of(interview));
   const auto question = next_question(interview.of.cases, interview.sheet.answers, draws);
-  nlohmann::ordered_json json = {{"schema", "coapt.question/1"},
-                                 {"answers", interview.sheet.answers.size()},
-                                 {"question", nullptr},
-                                 {"first_places", first_places_json(interview, draws)}};
+  Json json = {{"schema", "coapt.question/1"},
+               {"answers", interview.sheet.answers.size()},
+               {"question", nullptr},
+               {"first_places", first_places_json(interview, draws)}};
   if (question)
     json["question"] = to_json(*question, interview.of.cases, interview.arguments.hide_figures);
   std::cout << json.dump(2) << '\n';
@@ -117,15 +117,13 @@ int compare(const Interview& interview) {
   const AnswersFile other = read_answers_file(arguments.compare, interview.of.cases, "");
   if (other.failed) return other.failed;
   const Agreement found = agreement(interview.sheet.answers, other.sheet.answers);
-  const nlohmann::ordered_json kappa =
-      found.kappa ? nlohmann::ordered_json(*found.kappa) : nlohmann::ordered_json();
+  const Json kappa = found.kappa ? Json(*found.kappa) : Json();
   if (arguments.json) {
-    const nlohmann::ordered_json json = {
-        {"schema", "coapt.agreement/1"},
-        {"raters", {interview.sheet.rater, other.sheet.rater}},
-        {"pairs", found.pairs},
-        {"alike", found.pairs > 0 ? nlohmann::ordered_json(found.share) : kappa},
-        {"kappa", kappa}};
+    const Json json = {{"schema", "coapt.agreement/1"},
+                       {"raters", {interview.sheet.rater, other.sheet.rater}},
+                       {"pairs", found.pairs},
+                       {"alike", found.pairs > 0 ? Json(found.share) : kappa},
+                       {"kappa", kappa}};
     std::cout << json.dump(2) << '\n';
   } else {
     std::cout << counted(found.pairs, "pair") << " answered by both";
@@ -153,7 +151,7 @@ int run(const PreferArguments& arguments) {
   if (arguments.next || (!asks && !arguments.json && arguments.output.empty()))
     return print_next(interview);
 
-  const nlohmann::ordered_json weights =
+  const Json weights =
       learned_to_json(cases.cases, interview.sheet.answers, posterior_of(interview));
   if (!arguments.output.empty())
     if (const int failed = write_output(arguments.output, weights.dump(2) + '\n')) return failed;

@@ -18,8 +18,7 @@ std::string name_of_plans(const PlanCase& plans) {
   std::string amounts;
   for (const ComparedPlan& plan : plans.plans)
     amounts +=
-        nlohmann::json(std::vector<double>(plan.terms.amounts.begin(), plan.terms.amounts.end()))
-            .dump();
+        Json(std::vector<double>(plan.terms.amounts.begin(), plan.terms.amounts.end())).dump();
   return fnv1a_128(amounts).substr(0, kNameDigits);
 }
 

@@ -4,18 +4,16 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "clients/cli/print_opening.h"
 #include "core/valve/number_text.h"
+#include "io/json/json.h"
 #include "io/picture/text.h"
 #include "search/plans/objective.h"
 
 namespace coapt {
 namespace {
-
-using nlohmann::ordered_json;
 
 constexpr double kSmallestListed_mm2 = 0.05;  // less is shown as 0.0
 
@@ -24,27 +22,25 @@ std::ostream& row(std::ostream& out, const char* label) {
 }
 
 /// "n/a" if it is null.
-std::string rounded(const ordered_json& value, int decimals) {
-  return fixed(number_of(value), decimals);
-}
+std::string rounded(const Json& value, int decimals) { return fixed(number_of(value), decimals); }
 
 /// "45.7 ± 2.1 mm2".
-std::string area(const ordered_json& value, const ordered_json& error) {
+std::string area(const Json& value, const Json& error) {
   return with_error(number_of(value), number_of(error), "mm2");
 }
 
-void print_attempts(std::ostream& out, const ordered_json& attempts) {
+void print_attempts(std::ostream& out, const Json& attempts) {
   if (attempts.size() < 2) return;
-  for (const ordered_json& attempt : attempts)
+  for (const Json& attempt : attempts)
     out << "  tried " << attempt["how"].get<std::string>() << ": "
         << attempt["status"].get<std::string>() << " after " << attempt["steps"] << " steps, "
         << attempt["crossing_pairs"] << " crossings\n";
 }
 
 /// Of a valve that is not mitral.
-void print_leaflets(std::ostream& out, const ordered_json& measure) {
+void print_leaflets(std::ostream& out, const Json& measure) {
   row(out, "orifice") << rounded(measure["orifice_area_mm2"], 1) << " mm2 seen from the atrium\n";
-  for (const ordered_json& leaflet : measure["leaflets"])
+  for (const Json& leaflet : measure["leaflets"])
     row(out, "leaflet") << printable(leaflet["name"].get<std::string>()) << ": area "
                         << rounded(leaflet["rest_area_mm2"], 0) << " to "
                         << rounded(leaflet["closed_area_mm2"], 0) << " mm2, median stretch "
@@ -54,12 +50,12 @@ void print_leaflets(std::ostream& out, const ordered_json& measure) {
                       << rounded(measure["tension_sum_n"], 1) << " N\n";
 }
 
-void print_measure(std::ostream& out, const ordered_json& measure) {
+void print_measure(std::ostream& out, const Json& measure) {
   if (measure.contains("leaflets")) {
     print_leaflets(out, measure);
     return;
   }
-  const ordered_json& coaptation = measure["coaptation"];
+  const Json& coaptation = measure["coaptation"];
   const double hidden =
       number_of(coaptation["gap_area_mm2"]) - number_of(measure["orifice_area_mm2"]);
   row(out, "leak") << area(measure["leak_mm2"], measure["leak_mm2_error"])
@@ -73,7 +69,7 @@ void print_measure(std::ostream& out, const ordered_json& measure) {
   if (measure["orifice_area_mean_mm2"] != measure["orifice_area_mm2"])
     out << ", mean of end states " << rounded(measure["orifice_area_mean_mm2"], 1);
   out << ")\n";
-  for (const ordered_json& opening : measure["orifices"]) {
+  for (const Json& opening : measure["orifices"]) {
     if (number_of(opening["area_mm2"]) < kSmallestListed_mm2) continue;
     row(out, "") << known_digits(number_of(opening["area_mm2"]),
                                  number_of(measure["orifice_area_mm2_error"]))
@@ -82,10 +78,10 @@ void print_measure(std::ostream& out, const ordered_json& measure) {
   row(out, "gap") << area(coaptation["gap_area_mm2"], coaptation["gap_area_mm2_error"])
                   << " between the leaflets, up to " << rounded(coaptation["distance_max_mm"], 2)
                   << " mm from mid-surface to mid-surface\n";
-  const ordered_json& sections = coaptation["sections"];
-  const auto touching =
-      std::count_if(sections.begin(), sections.end(),
-                    [](const ordered_json& section) { return section["contact"].get<bool>(); });
+  const Json& sections = coaptation["sections"];
+  const auto touching = std::count_if(sections.begin(), sections.end(), [](const Json& section) {
+    return section["contact"].get<bool>();
+  });
   row(out, "coaptation") << "height min " << rounded(coaptation["height_min_mm"], 1) << ", mean "
                          << rounded(coaptation["height_mean_mm"], 1) << " mm; contact at "
                          << touching << " of " << sections.size() << " sections";
@@ -93,7 +89,7 @@ void print_measure(std::ostream& out, const ordered_json& measure) {
     out << "; " << fixed(100.0 * number_of(measure["coaptation_area_index"]), 0)
         << " % of the leaflets' area";
   out << '\n';
-  const ordered_json& annulus = measure["annulus"];
+  const Json& annulus = measure["annulus"];
   row(out, "annulus") << "AP " << rounded(annulus["ap_mm"], 1) << ", AL-PM "
                       << rounded(annulus["al_pm_mm"], 1) << ", circumference "
                       << rounded(annulus["circumference_mm"], 1) << ", saddle "
@@ -109,7 +105,7 @@ void print_measure(std::ostream& out, const ordered_json& measure) {
                              << fixed(100.0 * number_of(measure["strain_radial_max"]), 1) << " %\n";
 }
 
-void print_oblique(std::ostream& out, const ordered_json& widest) {
+void print_oblique(std::ostream& out, const Json& widest) {
   row(out, "widest passage") << rounded(widest["max"], 1) << " mm2, "
                              << rounded(widest["tilt_deg"], 0)
                              << " degrees from the annulus's normal, azimuth "
@@ -118,7 +114,7 @@ void print_oblique(std::ostream& out, const ordered_json& widest) {
 }
 
 /// What the meshes say of their limit.
-void print_limit(std::ostream& out, const ordered_json& convergence) {
+void print_limit(std::ostream& out, const Json& convergence) {
   const double error = number_of(convergence["leak_error_mm2"]);
   const double order = number_of(convergence["order"]);
   const std::size_t meshes = convergence["levels"].size();
@@ -142,7 +138,7 @@ void print_limit(std::ostream& out, const ordered_json& convergence) {
   out << '\n';
 }
 
-void print_convergence(std::ostream& out, const ordered_json& convergence) {
+void print_convergence(std::ostream& out, const Json& convergence) {
   const std::string stop = convergence["stop"];
   const double share = number_of(convergence["within_share"]);
   row(out, "finer meshes")
@@ -153,7 +149,7 @@ void print_convergence(std::ostream& out, const ordered_json& convergence) {
       << " (changes within " << rounded(convergence["within_mm2"], 2) << " mm2"
       << (share > 0.0 ? " or " + percent(share) : "") << ")\n"
       << "    triangles   orifice       gap      leak    change   seconds\n";
-  for (const ordered_json& level : convergence["levels"])
+  for (const Json& level : convergence["levels"])
     out << std::setw(13) << grouped(level["triangles"]) << std::setw(10)
         << rounded(level["orifice_area_mm2"], 1) << std::setw(10)
         << rounded(level["gap_area_mm2"], 1) << std::setw(10) << rounded(level["leak_mm2"], 1)
@@ -165,15 +161,15 @@ void print_convergence(std::ostream& out, const ordered_json& convergence) {
 
 }  // namespace
 
-double number_of(const ordered_json& value) {
+double number_of(const Json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-const char* crossing_words(const ordered_json& closure) {
+const char* crossing_words(const Json& closure) {
   return closure["crossing"].get<bool>() ? "leaflets cross" : "no crossing";
 }
 
-void print_closure(std::ostream& out, const ordered_json& closure) {
+void print_closure(std::ostream& out, const Json& closure) {
   out << printable(closure["valve"].get<std::string>()) << ": "
       << closure["status"].get<std::string>() << " after " << closure["steps"]
       << " steps, residual " << rounded(closure["residual"], 4) << ", " << crossing_words(closure)
@@ -194,7 +190,7 @@ void print_closure(std::ostream& out, const ordered_json& closure) {
                          << " mm\n";
   if (const auto convergence = closure.find("convergence"); convergence != closure.end())
     print_convergence(out, *convergence);
-  for (const ordered_json& warning : closure["warnings"])
+  for (const Json& warning : closure["warnings"])
     out << "  ! " << warning.get<std::string>() << '\n';
 }
 

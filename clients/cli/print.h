@@ -3,17 +3,18 @@
 #pragma once
 
 #include <iosfwd>
-#include <nlohmann/json_fwd.hpp>
+
+#include "io/json/json_fwd.h"
 
 namespace coapt {
 
 /// Of coapt.closure/1.
-void print_closure(std::ostream& out, const nlohmann::ordered_json& closure);
+void print_closure(std::ostream& out, const Json& closure);
 
 /// NaN if it is null.
-double number_of(const nlohmann::ordered_json& value);
+double number_of(const Json& value);
 
 /// Of what has a member "crossing".
-const char* crossing_words(const nlohmann::ordered_json& closure);
+const char* crossing_words(const Json& closure);
 
 }  // namespace coapt

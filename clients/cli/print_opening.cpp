@@ -1,34 +1,32 @@
 #include "clients/cli/print_opening.h"
 
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "clients/cli/print.h"
 #include "core/valve/number_text.h"
+#include "io/json/json.h"
 #include "io/picture/text.h"
 
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 /// In cm2, as openings are given.
-std::string cm2(const ordered_json& mm2) { return fixed(0.01 * number_of(mm2), 1) + " cm2"; }
+std::string cm2(const Json& mm2) { return fixed(0.01 * number_of(mm2), 1) + " cm2"; }
 
 /// "1.0 mmHg at 155 ml/s".
-std::string gradient(const ordered_json& mmhg, const ordered_json& flow) {
+std::string gradient(const Json& mmhg, const Json& flow) {
   return fixed(number_of(mmhg), 1) + " mmHg at " + significant(number_of(flow), 3) + " ml/s";
 }
 
 /// What speaks against its figures; empty: nothing.
-const char* distrust(const ordered_json& opening) {
+const char* distrust(const Json& opening) {
   if (opening["crossing"].get<bool>()) return "leaflets cross, no opening is measured";
   return opening["status"] == "converged" ? "" : "did not come to rest, no opening is measured";
 }
 
 }  // namespace
 
-void print_opening(std::ostream& out, const ordered_json& opening) {
+void print_opening(std::ostream& out, const Json& opening) {
   const std::string problem = distrust(opening);
   out << printable(opening["name"].get<std::string>()) << ": "
       << (problem.empty() ? "open, at rest" : problem) << '\n';
@@ -45,13 +43,13 @@ void print_opening(std::ostream& out, const ordered_json& opening) {
         << gradient(opening["gradient_exercise_mmhg"], opening["flow_exercise_ml_s"])
         << " (Gorlin, of the smaller area)\n";
   }
-  for (const ordered_json& warning : opening["warnings"])
+  for (const Json& warning : opening["warnings"])
     out << "  ! " << warning.get<std::string>() << '\n';
   if (problem.empty())
     out << "coapt is research software, not a medical device; not for clinical decisions.\n";
 }
 
-std::string opening_in_short(const ordered_json& opening) {
+std::string opening_in_short(const Json& opening) {
   if (const std::string problem = distrust(opening); !problem.empty()) return problem;
   return cm2(opening["opening_area_mm2"]) + ", mean gradient " +
          gradient(opening["gradient_mmhg"], opening["flow_ml_s"]);

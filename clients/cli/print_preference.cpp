@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "io/json/json.h"
 #include "io/picture/text.h"
 #include "search/preference/posterior.h"
 
 namespace coapt {
 namespace {
-
-using nlohmann::ordered_json;
 
 constexpr std::size_t kColumn = 48;       // two and a gap make at most 100
 constexpr double kInterval90 = 1.644854;  // sds of a normal distribution
@@ -34,13 +32,13 @@ void add_wrapped(std::vector<std::string>& lines, const std::string& text) {
   lines.push_back(line);
 }
 
-void add_figure(std::vector<std::string>& lines, const ordered_json& plan, const char* key,
+void add_figure(std::vector<std::string>& lines, const Json& plan, const char* key,
                 const char* words, const char* unit) {
   if (!plan.contains(key) || plan[key].is_null()) return;
   lines.push_back(words + fixed(plan[key], 1) + ' ' + unit);
 }
 
-std::vector<std::string> column_of(const ordered_json& plan, const std::string& key) {
+std::vector<std::string> column_of(const Json& plan, const std::string& key) {
   std::vector<std::string> lines = {'[' + key + ']'};
   for (const std::string step : plan["description"]) add_wrapped(lines, step);
   if (plan["description"].empty()) lines.push_back("no repair");
@@ -59,7 +57,7 @@ std::string term_words(const std::string& name) {
 
 }  // namespace
 
-void print_question(std::ostream& out, const ordered_json& question) {
+void print_question(std::ostream& out, const Json& question) {
   const std::vector<std::string> left = column_of(question["plans"][0], "1");
   const std::vector<std::string> right = column_of(question["plans"][1], "2");
   for (std::size_t i = 0; i < std::max(left.size(), right.size()); ++i) {
@@ -71,7 +69,7 @@ void print_question(std::ostream& out, const ordered_json& question) {
   }
 }
 
-void print_weights(std::ostream& out, const ordered_json& learned) {
+void print_weights(std::ostream& out, const Json& learned) {
   out << counted(learned["answers"].get<long>(), "answer") << ", " << learned["unable"]
       << " of them \"cannot tell\"";
   if (!learned["consistency"].is_null())
@@ -80,7 +78,7 @@ void print_weights(std::ostream& out, const ordered_json& learned) {
   std::string silent;
   for (int term = 0; term < kLearnedTerms; ++term) {
     const std::string name = unknown_name(term);
-    const ordered_json& informed = learned["informed"];
+    const Json& informed = learned["informed"];
     if (std::find(informed.begin(), informed.end(), name) == informed.end()) {
       silent += (silent.empty() ? "" : ", ") + term_words(name);
       continue;

@@ -4,29 +4,27 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "clients/cli/print.h"
+#include "io/json/json.h"
 #include "io/picture/text.h"
 
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr std::size_t kColumns = 100;
 constexpr double kFarthest_mm = 1.0, kFarthest_deg = 5.0;  // borders of the region: see LeakMargin
 
-std::string known(const ordered_json& value, int decimals = 1) {
+std::string known(const Json& value, int decimals = 1) {
   const double number = number_of(value);
   return std::isfinite(number) ? fixed(number, decimals) : "-";
 }
 
-std::string margin(const ordered_json& value, double farthest, int decimals) {
+std::string margin(const Json& value, double farthest, int decimals) {
   return (number_of(value) >= farthest ? ">" : "") + known(value, decimals);
 }
 
@@ -54,9 +52,9 @@ void print_header(std::ostream& out) {
       << "          mm2    mm2" << std::string(49, ' ') << "          mm        N\n";
 }
 
-void print_row(std::ostream& out, const ordered_json& plan) {
-  const ordered_json &leak = plan["leak_mm2"], &to_leak = plan["margin_to_leak"];
-  const ordered_json &measure = plan["measure"], &coaptation = measure["coaptation"];
+void print_row(std::ostream& out, const Json& plan) {
+  const Json &leak = plan["leak_mm2"], &to_leak = plan["margin_to_leak"];
+  const Json &measure = plan["measure"], &coaptation = measure["coaptation"];
   const double below = number_of(leak["below_5"]);
   out << std::setw(4) << plan["rank"].get<int>() << std::setw(9)
       << known(measure["orifice_area_mm2"]) << std::setw(7) << known(coaptation["gap_area_mm2"])
@@ -70,14 +68,14 @@ void print_row(std::ostream& out, const ordered_json& plan) {
 }
 
 /// Whether the finer mesh gave it another place.
-bool changed_place(const ordered_json& plan) {
-  const ordered_json& fine = plan["fine"];
+bool changed_place(const Json& plan) {
+  const Json& fine = plan["fine"];
   return !fine.is_null() && !fine["own_mesh_rank"].is_null() &&
          fine["own_mesh_rank"] != plan["rank"];
 }
 
-void print_fine(std::ostream& out, const ordered_json& plan) {
-  const ordered_json& fine = plan["fine"];
+void print_fine(std::ostream& out, const Json& plan) {
+  const Json& fine = plan["fine"];
   if (fine.is_null()) return;
   std::string words =
       "on " + grouped(fine["triangles"]) + " triangles: leak " +
@@ -91,7 +89,7 @@ void print_fine(std::ostream& out, const ordered_json& plan) {
 }
 
 /// "opens to 3.1 cm2, mean gradient 2.0 mmHg; bears 4.2 mm of further disease (25 % of courses all 12 mm)"
-void print_outlook(std::ostream& out, const ordered_json& plan) {
+void print_outlook(std::ostream& out, const Json& plan) {
   const auto number = [&](const char* key) {
     const auto found = plan.find(key);  // a result of release 0.1 has none
     return found == plan.end() ? std::numeric_limits<double>::quiet_NaN() : number_of(*found);
@@ -108,10 +106,10 @@ void print_outlook(std::ostream& out, const ordered_json& plan) {
   if (!words.empty()) print_words(out, "      ", words);
 }
 
-void print_model_draws(std::ostream& out, const ordered_json& result) {
+void print_model_draws(std::ostream& out, const Json& result) {
   const auto model = result.find("model_draws");
   if (model == result.end() || (*model)["before"].is_null()) return;
-  const ordered_json& leak = (*model)["before"]["leak_mm2"];
+  const Json& leak = (*model)["before"]["leak_mm2"];
   print_words(
       out, "Model: ",
       counted((*model)["draws"].get<long>(), "draw") +
@@ -124,12 +122,12 @@ void print_model_draws(std::ostream& out, const ordered_json& result) {
 }
 
 /// What the finer mesh was for, and whether it would order the plans otherwise.
-void print_fine_mesh(std::ostream& out, const ordered_json& result) {
+void print_fine_mesh(std::ostream& out, const Json& result) {
   const auto mesh = result.find("fine_mesh");
   if (mesh == result.end() || (*mesh)["levels"] == 0) return;
-  const ordered_json& plans = result["plans"];
-  const bool complete = std::none_of(
-      plans.begin(), plans.end(), [](const ordered_json& plan) { return plan["fine"].is_null(); });
+  const Json& plans = result["plans"];
+  const bool complete = std::none_of(plans.begin(), plans.end(),
+                                     [](const Json& plan) { return plan["fine"].is_null(); });
   const bool changed = std::any_of(plans.begin(), plans.end(), changed_place);
   print_words(out, "Finer mesh: ",
               grouped((*mesh)["triangles"]) + " triangles, unrepaired leak " +
@@ -140,10 +138,10 @@ void print_fine_mesh(std::ostream& out, const ordered_json& result) {
 }
 
 /// What the model's own error makes of the leak as planned.
-void print_draws(std::ostream& out, const ordered_json& plan) {
+void print_draws(std::ostream& out, const Json& plan) {
   const auto drawn = plan.find("under_draws");
   if (drawn == plan.end() || drawn->is_null()) return;
-  const ordered_json& leak = (*drawn)["leak_mm2"];
+  const Json& leak = (*drawn)["leak_mm2"];
   std::string words = "leak " + known(plan["leak_mm2"]["nominal"]) + " mm2 as planned: model ± " +
                       known(leak["sd"]) + " (mean " + known(leak["mean"]) + ", worst " +
                       known(leak["worst"]);
@@ -153,7 +151,7 @@ void print_draws(std::ostream& out, const ordered_json& plan) {
 }
 
 /// How many of a sample end elsewhere from a cold start.
-void print_cold_starts(std::ostream& out, const ordered_json& plan) {
+void print_cold_starts(std::ostream& out, const Json& plan) {
   const auto starts = plan.find("cold_starts");
   if (starts == plan.end() || starts->is_null() || (*starts)["closures"] == 0) return;
   const int closures = (*starts)["closures"], elsewhere = (*starts)["elsewhere"];
@@ -165,9 +163,9 @@ void print_cold_starts(std::ostream& out, const ordered_json& plan) {
 }
 
 /// Why the order of a plan and the next is open.
-std::string tie_words(const ordered_json& plan) {
+std::string tie_words(const Json& plan) {
   const double likely = number_of(plan["probability_outranks_next"]);
-  const double ahead = number_of(plan.value("share_of_draws_ahead", ordered_json()));
+  const double ahead = number_of(plan.value("share_of_draws_ahead", Json()));
   std::string words = std::isfinite(likely) ? percent(likely) + " likely ahead" : "";
   if (std::isfinite(ahead))
     words += (words.empty() ? "" : ", ") + ("ahead in " + percent(ahead)) + " of the model's draws";
@@ -175,9 +173,9 @@ std::string tie_words(const ordered_json& plan) {
 }
 
 /// What gates say against a plan, then what else is to be warned of.
-void print_warnings(std::ostream& out, const ordered_json& plan) {
+void print_warnings(std::ostream& out, const Json& plan) {
   std::vector<std::string> said;
-  for (const ordered_json& gate : plan["gates"]) {
+  for (const Json& gate : plan["gates"]) {
     const bool rejected = gate["severity"] == "reject";
     if (!rejected && gate["severity"] != "warn") continue;
     said.push_back(gate["finding"]);
@@ -188,7 +186,7 @@ void print_warnings(std::ostream& out, const ordered_json& plan) {
       print_words(out, "      ! ", warning);
 }
 
-void print_plan(std::ostream& out, const ordered_json& plan) {
+void print_plan(std::ostream& out, const Json& plan) {
   print_row(out, plan);
   if (plan.contains("name")) print_words(out, "      ", plan["name"].get<std::string>() + ":");
   for (const std::string step : plan["description"]) print_words(out, "      ", step);
@@ -208,9 +206,9 @@ void print_plan(std::ostream& out, const ordered_json& plan) {
         << '\n';
 }
 
-std::string ladder_words(const ordered_json& ladder) {
+std::string ladder_words(const Json& ladder) {
   std::string words;
-  for (const ordered_json& step : ladder) {
+  for (const Json& step : ladder) {
     const int from = step["from"];
     const double spearman = number_of(step["spearman"]);
     words += (words.empty() ? "" : "; ") + (from == 0 ? "geometry" : grouped(from)) + " to " +
@@ -223,7 +221,7 @@ std::string ladder_words(const ordered_json& ladder) {
   return words;
 }
 
-void print_search(std::ostream& out, const ordered_json& result) {
+void print_search(std::ostream& out, const Json& result) {
   if (!result["ladder"].empty())
     print_words(out, "Ladder: ",
                 "Spearman's correlation of costs from few closures a plan with those from more: " +
@@ -231,16 +229,16 @@ void print_search(std::ostream& out, const ordered_json& result) {
   if (result["branches"] > 0)
     out << "Branches: " << result["branches"] << ", with " << grouped(result["plans_possible"])
         << " possible plans, of which " << grouped(result["plans_tried"]) << " tried\n";
-  for (const ordered_json& cut : result["cut"])
+  for (const Json& cut : result["cut"])
     print_words(
         out, "  left out: ", cut["what"].get<std::string>() + ": " + cut["why"].get<std::string>());
 }
 
 }  // namespace
 
-void print_ranked(std::ostream& out, const ordered_json& result) {
-  const ordered_json &before = result["before"], &coaptation = before["coaptation"];
-  const ordered_json& plans = result["plans"];
+void print_ranked(std::ostream& out, const Json& result) {
+  const Json &before = result["before"], &coaptation = before["coaptation"];
+  const Json& plans = result["plans"];
   print_words(out, "Before: ",
               "orifice " +
                   with_error(number_of(before["orifice_area_mm2"]),
@@ -258,9 +256,9 @@ void print_ranked(std::ostream& out, const ordered_json& result) {
       out << "No plan closes this valve robustly; the ranking starts with the least bad.\n\n";
     print_header(out);
   }
-  for (const ordered_json& plan : plans) print_plan(out, plan);
+  for (const Json& plan : plans) print_plan(out, plan);
   if (std::any_of(plans.begin(), plans.end(),
-                  [](const ordered_json& plan) { return plan["pareto"].get<bool>(); }))
+                  [](const Json& plan) { return plan["pareto"].get<bool>(); }))
     print_words(
         out, "* ",
         "Pareto-optimal among the ranked plans in leak (mean + sd), opening and durability");

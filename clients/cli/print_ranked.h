@@ -1,12 +1,13 @@
 #pragma once
 
 #include <iosfwd>
-#include <nlohmann/json_fwd.hpp>
+
+#include "io/json/json_fwd.h"
 
 namespace coapt {
 
 /// Of coapt.plans/1: the state before, then one row per plan with its steps and warnings below, then how the search
 /// went; "-" where the region is not known. At most 100 columns.
-void print_ranked(std::ostream& out, const nlohmann::ordered_json& result);
+void print_ranked(std::ostream& out, const Json& result);
 
 }  // namespace coapt

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include "io/json/json_fwd.h"
 
 namespace coapt {
 
 /// Of coapt.closure/1 or coapt.opening/1.
-int exit_code_of_closure(const nlohmann::ordered_json& closure);
+int exit_code_of_closure(const Json& closure);
 
 /// Of coapt.plans/1: kOk if the best-ranked plan closes robustly.
-int exit_code_of_plans(const nlohmann::ordered_json& result);
+int exit_code_of_plans(const Json& result);
 
 }  // namespace coapt

@@ -106,17 +106,16 @@ Expected<std::optional<Service>> service_of(const Command& command, const Server
   return std::optional<Service>(Service{option.url, *token});
 }
 
-Expected<nlohmann::ordered_json> valve_to_send(const std::string& argument) {
+Expected<Json> valve_to_send(const std::string& argument) {
   std::error_code ignored;
-  if (argument != "-" && !std::filesystem::exists(argument, ignored))
-    return nlohmann::ordered_json(argument);
+  if (argument != "-" && !std::filesystem::exists(argument, ignored)) return Json(argument);
   const Expected<Valve> valve = read_valve_argument(argument);
   if (!valve) return valve.errors();
-  return nlohmann::ordered_json::parse(write_valve(*valve));
+  return Json::parse(write_valve(*valve));
 }
 
 RepairToSend repair_to_send(const std::string& valve, const PlanOption& plan) {
-  const Expected<nlohmann::ordered_json> sent = valve_to_send(valve);
+  const Expected<Json> sent = valve_to_send(valve);
   if (!sent) return {.failed = report_errors(valve, sent.errors())};
   const Expected<Valve> known =
       plan.ring.empty() ? Expected<Valve>(Errors{{}}) : read_valve_argument(valve);

@@ -28,11 +28,11 @@ Expected<std::optional<Service>> service_of(const Command& command, const Server
 
 /// A valve for a request: a file (or "-") is checked here and sent; any other word is the service's preset, or the id of
 /// a valve that it has stored.
-Expected<nlohmann::ordered_json> valve_to_send(const std::string& argument);
+Expected<Json> valve_to_send(const std::string& argument);
 
 struct RepairToSend {
-  int failed = 0;                    ///< an exit code; what is wrong was said on standard error
-  nlohmann::ordered_json request{};  ///< "valve", and "plan" if there is one
+  int failed = 0;  ///< an exit code; what is wrong was said on standard error
+  Json request{};  ///< "valve", and "plan" if there is one
   std::map<std::string, std::string> sources{};  ///< for report_service_errors()
 };
 

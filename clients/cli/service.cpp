@@ -15,7 +15,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kTries = 5;
@@ -115,7 +114,7 @@ Expected<Reply> call_once(const Service& service, const Call& call) {
 
 /// What a service, or a proxy before it, says against a request.
 Errors problems_of(const Service& service, const Reply& reply) {
-  const auto json = ordered_json::parse(reply.body, nullptr, false);
+  const auto json = Json::parse(reply.body, nullptr, false);
   if (json.is_object() && json.contains("problems"))
     if (Errors errors = errors_from_json(json["problems"]); !errors.empty()) return errors;
   return {Error{reply.status >= 500 ? ErrorCode::InputOutput : ErrorCode::Unsupported, "",
@@ -148,9 +147,9 @@ Expected<std::string> body_of(Expected<Reply> reply) {
   return std::move(reply->body);
 }
 
-Expected<ordered_json> json_of(const Service& service, const Expected<Reply>& reply) {
+Expected<Json> json_of(const Service& service, const Expected<Reply>& reply) {
   if (!reply) return reply.errors();
-  ordered_json json = ordered_json::parse(reply->body, nullptr, false);
+  Json json = Json::parse(reply->body, nullptr, false);
   if (json.is_discarded())
     return Error{ErrorCode::InputOutput, "", service.url + " did not answer with JSON"};
   return json;
@@ -185,11 +184,11 @@ class EventReader {
       if (line.starts_with("event: ")) kind = line.substr(7);
       if (line.starts_with("data: ")) data = line.substr(6);
     }
-    const ordered_json json = ordered_json::parse(data, nullptr, false);
+    const Json json = Json::parse(data, nullptr, false);
     if (!json.is_object()) return;
     const std::string state = kind == "state" ? json.value("state", "") : "";
     ended_ = state == "SUCCEEDED" || state == "FAILED" || state == "CANCELLED";
-    tell_({state, kind == "progress" ? json : ordered_json()});
+    tell_({state, kind == "progress" ? json : Json()});
   }
 
   const std::function<void(const ServiceEvent&)>& tell_;
@@ -232,17 +231,16 @@ Expected<std::string> get(const Service& service, const std::string& path) {
   return body_of(call(service, {"GET", path, "", ""}));
 }
 
-Expected<std::string> post(const Service& service, const std::string& path,
-                           const ordered_json& body) {
+Expected<std::string> post(const Service& service, const std::string& path, const Json& body) {
   return body_of(call(service, {"POST", path, body.dump(), ""}));
 }
 
-Expected<ordered_json> get_json(const Service& service, const std::string& path) {
+Expected<Json> get_json(const Service& service, const std::string& path) {
   return json_of(service, call(service, {"GET", path, "", ""}));
 }
 
-Expected<ordered_json> post_json(const Service& service, const std::string& path,
-                                 const ordered_json& body, const std::string& key) {
+Expected<Json> post_json(const Service& service, const std::string& path, const Json& body,
+                         const std::string& key) {
   return json_of(service, call(service, {"POST", path, body.dump(), key}));
 }
 

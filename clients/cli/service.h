@@ -3,11 +3,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "core/valve/types.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -21,21 +21,19 @@ struct Service {
 Expected<std::string> get(const Service& service, const std::string& path);
 
 /// The same, as JSON.
-Expected<nlohmann::ordered_json> get_json(const Service& service, const std::string& path);
+Expected<Json> get_json(const Service& service, const std::string& path);
 
 /// What answers a POST, as it is: a page, a file.
-Expected<std::string> post(const Service& service, const std::string& path,
-                           const nlohmann::ordered_json& body);
+Expected<std::string> post(const Service& service, const std::string& path, const Json& body);
 
 /// The JSON that answers a POST, which is sent again if the answer gets lost. @param key Idempotency-Key; may be empty
-Expected<nlohmann::ordered_json> post_json(const Service& service, const std::string& path,
-                                           const nlohmann::ordered_json& body,
-                                           const std::string& key = "");
+Expected<Json> post_json(const Service& service, const std::string& path, const Json& body,
+                         const std::string& key = "");
 
 /// What happened to a job: one of a state and a progress (Progress of openapi.json).
 struct ServiceEvent {
   std::string state;
-  nlohmann::ordered_json progress;
+  Json progress;
 };
 
 /// Tells every event of a job until it has ended. A stream that breaks off is taken up after the last event, also when

@@ -12,8 +12,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr std::chrono::milliseconds kLook(100);  // for Ctrl-C
 
 /// 128 random bits.
@@ -25,7 +23,7 @@ std::string new_key() {
   return key.str();
 }
 
-SearchProgress progress_of(const ordered_json& json) {
+SearchProgress progress_of(const Json& json) {
   SearchProgress progress;
   progress.closures = json.at("closures");
   progress.closures_planned = json.at("closures_planned");
@@ -36,17 +34,16 @@ SearchProgress progress_of(const ordered_json& json) {
 
 }  // namespace
 
-Expected<ServiceJob> run_job(const Service& service, const std::string& path,
-                             const ordered_json& request, const std::atomic<bool>& interrupted) {
-  const Expected<ordered_json> submitted = post_json(service, path, request, new_key());
+Expected<ServiceJob> run_job(const Service& service, const std::string& path, const Json& request,
+                             const std::atomic<bool>& interrupted) {
+  const Expected<Json> submitted = post_json(service, path, request, new_key());
   if (!submitted) return submitted.errors();
   ServiceJob job{"/v1/jobs/" + submitted->at("id").get<std::string>(), ""};
 
   // Cancels beside the stream, which may be silent.
   const std::jthread watcher([&](const std::stop_token& over) {
     while (!over.stop_requested() && !interrupted) std::this_thread::sleep_for(kLook);
-    if (interrupted)
-      static_cast<void>(post_json(service, job.path + ":cancel", ordered_json::object()));
+    if (interrupted) static_cast<void>(post_json(service, job.path + ":cancel", Json::object()));
   });
   {
     const ProgressBar bar;
@@ -55,7 +52,7 @@ Expected<ServiceJob> run_job(const Service& service, const std::string& path,
     });
     if (!errors.empty()) return errors;
   }
-  const Expected<ordered_json> ended = get_json(service, job.path);
+  const Expected<Json> ended = get_json(service, job.path);
   if (!ended) return ended.errors();
   job.state = ended->at("state");
   if (job.state == "FAILED") return errors_from_json(ended->at("problems"));

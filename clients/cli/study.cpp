@@ -31,14 +31,13 @@ struct StudyArguments {
 };
 
 /// Prints a study's summary (study.json) and its findings; returns an exit code.
-int show(const StudyArguments& arguments, const nlohmann::ordered_json& study,
-         const nlohmann::ordered_json& findings) {
+int show(const StudyArguments& arguments, const Json& study, const Json& findings) {
   if (arguments.json) {
     std::cout << study.dump(2) << '\n';
     return exit_code::kOk;
   }
   if (findings.empty()) std::cout << "No displacement leaks enough to be repaired.\n";
-  for (const nlohmann::ordered_json& finding : findings)
+  for (const Json& finding : findings)
     std::cout << (finding["agrees"].get<bool>() ? "agrees   " : "DIFFERS  ")
               << finding["finding"].get<std::string>() << ": " << finding["ours"].get<std::string>()
               << '\n';
@@ -49,8 +48,7 @@ int show(const StudyArguments& arguments, const nlohmann::ordered_json& study,
 
 int finish(const StudyArguments& arguments, const StudyDirectory& directory, OrificeTable& table,
            StudyReport report) {
-  const nlohmann::ordered_json answer =
-      complete(report, arguments.kind, table, directory.seconds());
+  const Json answer = complete(report, arguments.kind, table, directory.seconds());
   for (const auto& [name, content] : report.files)
     if (const int error = directory.write(name, content)) return error;
   return show(arguments, answer, to_json(report.findings));
@@ -65,9 +63,9 @@ void choose_protocols(StudyArguments& arguments) {
       if (name == to_string(protocol)) arguments.options.protocols.push_back(protocol);
 }
 
-nlohmann::ordered_json request_of(const StudyArguments& arguments) {
+Json request_of(const StudyArguments& arguments) {
   const ThesisStudyOptions& options = arguments.options;
-  nlohmann::ordered_json study = {{"name", to_string(arguments.kind)}};
+  Json study = {{"name", to_string(arguments.kind)}};
   if (arguments.kind != StudyKind::Approximation && arguments.kind != StudyKind::Thesis)
     return study;
   for (const Protocol protocol : options.protocols)
@@ -81,9 +79,9 @@ nlohmann::ordered_json request_of(const StudyArguments& arguments) {
 /// Puts the files that a job has left into the directory. Returns an exit code.
 int fetch_files(const Service& service, const ServiceJob& job, const std::string& directory) {
   namespace fs = std::filesystem;
-  const Expected<nlohmann::ordered_json> listed = get_json(service, job.path + "/files");
+  const Expected<Json> listed = get_json(service, job.path + "/files");
   if (!listed) return report_service_errors("study", listed.errors(), {});
-  for (const nlohmann::ordered_json& file : listed->at("files")) {
+  for (const Json& file : listed->at("files")) {
     // Only its last part: a service must not write elsewhere.
     const std::string name = fs::path(file.at("name").get<std::string>()).filename().string();
     const Expected<std::string> content = get(service, job.path + "/files/" + name);
@@ -96,14 +94,14 @@ int fetch_files(const Service& service, const ServiceJob& job, const std::string
 
 int run_by(const Service& service, StudyArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const Expected<nlohmann::ordered_json> valve = valve_to_send(arguments.valve);
+  const Expected<Json> valve = valve_to_send(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   if (const Errors errors = make_directory(arguments.directory); !errors.empty()) {
     report_errors("study", errors);
     return exit_code::kFailure;
   }
   choose_protocols(arguments);
-  const nlohmann::ordered_json request = {{"valve", *valve}, {"study", request_of(arguments)}};
+  const Json request = {{"valve", *valve}, {"study", request_of(arguments)}};
   const Expected<ServiceJob> job = run_job(service, "/v1/studies", request, interrupted);
   if (!job) return report_service_errors("study", job.errors(), {{"/valve", arguments.valve}});
   if (job->state == "CANCELLED") {
@@ -111,10 +109,10 @@ int run_by(const Service& service, StudyArguments arguments) {
                  "continue\n";
     return exit_code::kInterrupted;
   }
-  Expected<nlohmann::ordered_json> study = get_json(service, job->path + "/result");
+  Expected<Json> study = get_json(service, job->path + "/result");
   if (!study) return report_service_errors("study", study.errors(), {});
   if (const int failed = fetch_files(service, *job, arguments.directory)) return failed;
-  const nlohmann::ordered_json findings = (*study)["findings"];
+  const Json findings = (*study)["findings"];
   (*study)["findings"] = findings.size();
   return show(arguments, *study, findings);
 }

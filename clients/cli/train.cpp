@@ -45,7 +45,7 @@ class CaseDirectory {
   int failed_ = exit_code::kOk;
 };
 
-void print_case(const nlohmann::ordered_json& made, const std::string& directory) {
+void print_case(const Json& made, const std::string& directory) {
   std::cout << "Exam " << made["exam"].get<std::string>() << ", seed " << made["seed"] << ", of "
             << printable(made["name"].get<std::string>()) << ": difficulty "
             << fixed(made["difficulty"], 2) << " (smallest difference "
@@ -61,8 +61,7 @@ void print_case(const nlohmann::ordered_json& made, const std::string& directory
   std::cout << "Written to " << directory << ": case.json, valves and pictures\n";
 }
 
-int finish(const TrainCaseArguments& arguments, CaseDirectory& directory,
-           const nlohmann::ordered_json& made) {
+int finish(const TrainCaseArguments& arguments, CaseDirectory& directory, const Json& made) {
   directory.write("case.json", made.dump(2) + '\n');
   if (directory.failed()) return directory.failed();
   if (arguments.json) {
@@ -76,7 +75,7 @@ int finish(const TrainCaseArguments& arguments, CaseDirectory& directory,
 int write_exam_a(const TrainCaseArguments& arguments, const Valve& valve) {
   const Expected<ExamACase> made = make_exam_a(valve, arguments.seed);
   if (!made) return report_errors(arguments.valve, made.errors());
-  nlohmann::ordered_json json = to_json(*made, valve);
+  Json json = to_json(*made, valve);
   CaseDirectory directory(arguments.directory);
   std::array<const ClosedValve*, kChoices> closed{};
   for (std::size_t i = 0; i < kChoices; ++i) {
@@ -94,7 +93,7 @@ int write_exam_a(const TrainCaseArguments& arguments, const Valve& valve) {
 int write_exam_b(const TrainCaseArguments& arguments, const Valve& valve) {
   const Expected<ExamBCase> made = make_exam_b(valve, arguments.seed);
   if (!made) return report_errors(arguments.valve, made.errors());
-  nlohmann::ordered_json json = to_json(*made, valve);
+  Json json = to_json(*made, valve);
   json["file"] = "valve.json";
   CaseDirectory directory(arguments.directory);
   directory.write("valve.json", write_valve(made->closed.valve));

@@ -33,8 +33,8 @@ struct RaterTally {
   int right = 0, answers = 0;
 };
 
-nlohmann::ordered_json tallies_json(const std::vector<RaterTally>& tallies, double chance) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json tallies_json(const std::vector<RaterTally>& tallies, double chance) {
+  Json list = Json::array();
   for (const RaterTally& tally : tallies) {
     if (tally.answers == 0) continue;
     list.push_back({{"rater", tally.rater},
@@ -85,7 +85,7 @@ void rate_exam_b(const ExamBCase& made, const KnownValve& known, std::mt19937_64
     }
 }
 
-void print_raters(const nlohmann::ordered_json& result) {
+void print_raters(const Json& result) {
   for (const auto& exam : result["exams"]) {
     std::cout << "Exam " << exam["exam"].get<std::string>() << ", "
               << counted(exam["cases"].get<long>(), "case") << " (" << exam["not_made"]
@@ -133,8 +133,7 @@ int run(const TrainRatersArguments& arguments) {
   }
   bar.show(arguments.cases, arguments.cases, "cases");
   const auto exam_json = [&](const char* exam, int not_made, int draws,
-                             const std::vector<RaterTally>& tallies,
-                             double chance) -> nlohmann::ordered_json {
+                             const std::vector<RaterTally>& tallies, double chance) -> Json {
     const int cases = arguments.cases - not_made;
     return {{"exam", exam},
             {"cases", cases},
@@ -142,11 +141,11 @@ int run(const TrainRatersArguments& arguments) {
             {"draws", cases > 0 ? static_cast<double>(draws) / cases : 0.0},
             {"raters", tallies_json(tallies, chance)}};
   };
-  const nlohmann::ordered_json result = result_document(
-      "coapt.training_raters/1", {{"name", valve->name},
-                                  {"exams",
-                                   {exam_json("A", not_made_a, draws_a, of_a, kChanceA),
-                                    exam_json("B", not_made_b, draws_b, of_b, kChanceB)}}});
+  const Json result = result_document("coapt.training_raters/1",
+                                      {{"name", valve->name},
+                                       {"exams",
+                                        {exam_json("A", not_made_a, draws_a, of_a, kChanceA),
+                                         exam_json("B", not_made_b, draws_b, of_b, kChanceB)}}});
   if (arguments.json) {
     std::cout << result.dump(2) << '\n';
   } else {

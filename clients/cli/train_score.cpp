@@ -26,7 +26,7 @@ struct TrainScoreArguments {
   bool json = false;
 };
 
-void print_exam(const nlohmann::ordered_json& exam) {
+void print_exam(const Json& exam) {
   std::cout << printable(exam["title"].get<std::string>()) << '\n';
   for (const auto& block : exam["blocks"]) {
     std::cout << '\n' << printable(block["name"].get<std::string>()) << ": ";
@@ -42,7 +42,7 @@ void print_exam(const nlohmann::ordered_json& exam) {
   }
 }
 
-void print_scores(const nlohmann::ordered_json& result) {
+void print_scores(const Json& result) {
   std::cout
       << "learner exam  block            right        share (95 %)      chance  p      Brier  "
          "s     ability\n";
@@ -88,7 +88,7 @@ int run(const TrainScoreArguments& arguments) {
   if (!text) return report_errors(arguments.trials, text.errors());
   const Expected<std::vector<TrainingTrial>> trials = read_trials_csv(*text);
   if (!trials) return report_errors(arguments.trials, trials.errors());
-  const nlohmann::ordered_json scores = score_to_json(*trials);
+  const Json scores = score_to_json(*trials);
   if (arguments.json) {
     std::cout << scores.dump(2) << '\n';
   } else {

@@ -1,13 +1,13 @@
 #include <iostream>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "clients/cli/commands.h"
 #include "clients/cli/read_argument.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
+#include "io/json/json.h"
 #include "io/picture/text.h"
 
 namespace coapt {
@@ -50,19 +50,18 @@ Summary summarize(const Valve& valve) {
 }
 
 void print_json(const Valve& valve, const Summary& summary) {
-  const nlohmann::ordered_json json = {
-      {"name", valve.name},
-      {"triangles", valve.faces.rows()},
-      {"vertices", valve.rest_mm.rows()},
-      {"annulus_points", valve.annulus.size()},
-      {"papillary_heads", valve.heads.size()},
-      {"chordae", summary.chordae},
-      {"ruptured_chordae", summary.ruptured},
-      {"saddle_to_mid_posterior_mm", summary.saddle_to_mid_posterior_mm},
-      {"commissures_mm", summary.commissures_mm},
-      {"leaflet_area_mm2", summary.leaflet_area_mm2},
-      {"pressure_kpa", valve.pressure_kpa},
-      {"provenance", valve.provenance}};
+  const Json json = {{"name", valve.name},
+                     {"triangles", valve.faces.rows()},
+                     {"vertices", valve.rest_mm.rows()},
+                     {"annulus_points", valve.annulus.size()},
+                     {"papillary_heads", valve.heads.size()},
+                     {"chordae", summary.chordae},
+                     {"ruptured_chordae", summary.ruptured},
+                     {"saddle_to_mid_posterior_mm", summary.saddle_to_mid_posterior_mm},
+                     {"commissures_mm", summary.commissures_mm},
+                     {"leaflet_area_mm2", summary.leaflet_area_mm2},
+                     {"pressure_kpa", valve.pressure_kpa},
+                     {"provenance", valve.provenance}};
   std::cout << json.dump(2) << '\n';
 }
 

@@ -80,7 +80,7 @@ auto seed_up_to(std::uint64_t most) {
 template <class Case>
 EngineAnswer case_answer(const Expected<Case>& made, const Valve& from) {
   if (!made) return problem_below("/valve", made.errors());
-  nlohmann::ordered_json json = to_json(*made, from);
+  Json json = to_json(*made, from);
   add_shapes(json, *made);
   return json_answer(200, std::move(json));
 }

@@ -60,10 +60,10 @@ EngineAnswer LiveEngine::started(const RepairRequest& asked) {
   heads_ = std::ssize(asked.repaired.heads);
   knots_ = std::ssize(asked.repaired.ties);
   vertices_ = static_cast<int>(asked.repaired.rest_mm.rows());
-  nlohmann::ordered_json cables = nlohmann::ordered_json::array();
+  Json cables = Json::array();
   for (const LiveCable& cable : moving_->cables()) cables.push_back({cable.chorda, cable.segment});
   cables_ = static_cast<int>(cables.size());
-  nlohmann::ordered_json hooks = nlohmann::ordered_json::array();
+  Json hooks = Json::array();
   for (int hook = 0; hook < kHooks; ++hook) hooks.push_back(moving_->hook(hook).has_value());
   return json_answer(200, {{"scene", unloaded_scene_to_json(asked.repaired, asked.plan)},
                            {"systole_mmhg", kMmhgPerKpa * asked.repaired.pressure_kpa},

@@ -10,11 +10,9 @@
 
 namespace coapt {
 
-using nlohmann::ordered_json;
-
-EngineAnswer json_answer(int status, ordered_json object, Points closed_mm) {
+EngineAnswer json_answer(int status, Json object, Points closed_mm) {
   object["notice"] = kResearchNotice;
-  return {status, object.dump(-1, ' ', false, ordered_json::error_handler_t::replace),
+  return {status, object.dump(-1, ' ', false, Json::error_handler_t::replace),
           std::move(closed_mm)};
 }
 
@@ -29,7 +27,7 @@ EngineAnswer problem_below(const std::string& path, const Errors& errors) {
 }
 
 std::optional<EngineAnswer> read_body(std::string_view body, const std::vector<JsonField>& fields) {
-  const Expected<nlohmann::json> json = parse_json(body);
+  const Expected<Json> json = parse_json(body);
   if (!json) return problem(400, json.errors());
   ProblemList problems;
   read_fields({*json, problems}, fields);

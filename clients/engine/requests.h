@@ -1,18 +1,18 @@
 // What the engine's answers have in common.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "clients/engine/engine.h"
+#include "io/json/json.h"
 #include "io/json/repair_answers.h"
 
 namespace coapt {
 
-EngineAnswer json_answer(int status, nlohmann::ordered_json object, Points closed_mm = {});
+EngineAnswer json_answer(int status, Json object, Points closed_mm = {});
 EngineAnswer problem(int status, const Errors& errors);
 /// 422, of errors whose paths begin below `path` of the body.
 EngineAnswer problem_below(const std::string& path, const Errors& errors);

@@ -1,27 +1,24 @@
 #include "clients/live/haply_message.h"
 
-#include <nlohmann/json.hpp>
-
 #include "clients/live/haptic_device.h"
+#include "io/json/json.h"
 
 namespace coapt {
 namespace {
 
-using nlohmann::json;
-
 constexpr double kMmPerM = 1000.0;
 
 /// The state of the first device of a list; null where there is none.
-json first_state(const json& message, const char* list) {
+Json first_state(const Json& message, const char* list) {
   const auto devices = message.find(list);
   if (devices == message.end() || !devices->is_array() || devices->empty()) return {};
-  const json& device = devices->front();
-  return device.is_object() ? device.value("state", json()) : json();
+  const Json& device = devices->front();
+  return device.is_object() ? device.value("state", Json()) : Json();
 }
 
-std::optional<Vec3> point_of(const json& state) {
+std::optional<Vec3> point_of(const Json& state) {
   if (!state.is_object() || !state.contains("cursor_position")) return std::nullopt;
-  const json& at = state["cursor_position"];
+  const Json& at = state["cursor_position"];
   Vec3 point;
   for (int k = 0; k < 3; ++k) {
     const auto number = at.find(std::string(1, "xyz"[k]));
@@ -31,11 +28,11 @@ std::optional<Vec3> point_of(const json& state) {
   return (point.array().abs() <= kFarthest_mm).all() ? std::optional<Vec3>(point) : std::nullopt;
 }
 
-bool is_pressed(const json& grip) {
+bool is_pressed(const Json& grip) {
   if (!grip.is_object()) return false;
   if (grip.contains("button")) return grip["button"] == true;
   if (!grip.contains("buttons")) return false;
-  for (const json& button : grip["buttons"])
+  for (const Json& button : grip["buttons"])
     if (button == true) return true;
   return false;
 }
@@ -43,11 +40,11 @@ bool is_pressed(const json& grip) {
 }  // namespace
 
 std::optional<HaplyState> read_haply_state(std::string_view message) {
-  const json state = json::parse(message, nullptr, false);
+  const Json state = Json::parse(message, nullptr, false);
   if (!state.is_object()) return std::nullopt;
   const std::optional<Vec3> point = point_of(first_state(state, "inverse3"));
   if (!point) return std::nullopt;
-  const json& id = state["inverse3"].front().value("device_id", json());
+  const Json& id = state["inverse3"].front().value("device_id", Json());
   if (!id.is_string()) return std::nullopt;
   return HaplyState{id.get<std::string>(), *point,
                     is_pressed(first_state(state, "wireless_verse_grip")) ||
@@ -55,10 +52,10 @@ std::optional<HaplyState> read_haply_state(std::string_view message) {
 }
 
 std::string haply_force_message(const std::string& device_id, const Vec3& force_n) {
-  const json values = {{"x", force_n.x()}, {"y", force_n.y()}, {"z", force_n.z()}};
-  const json command = {{"commands", {{"set_cursor_force", {{"values", values}}}}},
+  const Json values = {{"x", force_n.x()}, {"y", force_n.y()}, {"z", force_n.z()}};
+  const Json command = {{"commands", {{"set_cursor_force", {{"values", values}}}}},
                         {"device_id", device_id}};
-  return json{{"inverse3", json::array({command})}}.dump();
+  return Json{{"inverse3", Json::array({command})}}.dump();
 }
 
 }  // namespace coapt

@@ -11,8 +11,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 const char* end_name(SessionEnd end) {
   switch (end) {
     case SessionEnd::Device:
@@ -27,7 +25,7 @@ const char* end_name(SessionEnd end) {
   return "";
 }
 
-ordered_json spread_json(const Spread& spread) {
+Json spread_json(const Spread& spread) {
   return {{"median", spread.median}, {"p99", spread.p99}, {"largest", spread.largest}};
 }
 
@@ -45,7 +43,7 @@ Spread spread_of(std::vector<double> values) {
   return {values[last / 2], values[last * 99 / 100], values[last]};
 }
 
-ordered_json to_json(const SessionResult& session, double rate_hz) {
+Json to_json(const SessionResult& session, double rate_hz) {
   return result_document("coapt.live/1", {{"end", end_name(session.end)},
                                           {"seconds", session.seconds},
                                           {"rate_hz", rate_hz},

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <iosfwd>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "clients/live/live_session.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -17,7 +17,7 @@ struct Spread {
 Spread spread_of(std::vector<double> values);
 
 /// coapt.live/1.
-nlohmann::ordered_json to_json(const SessionResult& session, double rate_hz);
+Json to_json(const SessionResult& session, double rate_hz);
 
 void print_session(std::ostream& out, const SessionResult& session, double rate_hz);
 

@@ -3,11 +3,11 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "farm/ask/ask.h"
 #include "farm/ask/child_process.h"
 #include "farm/work/work_file.h"
+#include "io/json/json.h"
 #include "io/json/result_json.h"
 
 namespace coapt {
@@ -25,10 +25,9 @@ struct FarmTalk {
 };
 
 void hear(std::string_view line, FarmTalk& talk, const AskContext& context) {
-  const nlohmann::ordered_json said =
-      nlohmann::ordered_json::parse(line, nullptr, /*allow_exceptions=*/false);
+  const Json said = Json::parse(line, nullptr, /*allow_exceptions=*/false);
   if (said.is_object() && said.contains("error")) {
-    for (Error& error : errors_from_json(nlohmann::ordered_json::array({said["error"]})))
+    for (Error& error : errors_from_json(Json::array({said["error"]})))
       talk.errors.push_back(std::move(error));
   } else if (said.is_object() && said.contains("done")) {
     const auto number = [&said](const char* name, double otherwise) {

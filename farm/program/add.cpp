@@ -1,7 +1,6 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
@@ -13,6 +12,7 @@
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
+#include "io/json/json.h"
 
 namespace coapt {
 namespace {
@@ -75,10 +75,7 @@ int add(const AddArguments& arguments, const FarmKinds& kinds) {
     return status == exit_code::kOk ? hand_out(*database, *id, arguments, interrupted) : status;
   }
   if (arguments.json)
-    std::cout << nlohmann::ordered_json{{"run", *id},
-                                        {"items", run.items},
-                                        {"work_id", run.work_id}}
-              << '\n';
+    std::cout << Json{{"run", *id}, {"items", run.items}, {"work_id", run.work_id}} << '\n';
   else
     std::cout << "run " << *id << ": " << run.items << " items\n";
   return exit_code::kOk;

@@ -2,12 +2,12 @@
 
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "farm/program/commands.h"
 #include "farm/program/persistence.h"
 #include "farm/program/status_text.h"
 #include "io/command_line/interrupt.h"
+#include "io/json/json.h"
 
 namespace coapt {
 namespace {
@@ -17,7 +17,7 @@ struct StatusArguments {
   bool json = false, prometheus = false, watch = false;
 };
 
-void print(const nlohmann::ordered_json& status, const StatusArguments& arguments) {
+void print(const Json& status, const StatusArguments& arguments) {
   if (arguments.json)
     std::cout << status.dump(2) << '\n';
   else if (arguments.prometheus)
@@ -36,7 +36,7 @@ int show_status(const StatusArguments& arguments) {
         persistently(*database, interrupted, false, status, [&] { return database->status(); });
     if (!text) return status;
     if (arguments.watch && isatty(STDOUT_FILENO) == 1) std::cout << "\033[H\033[J";
-    print(nlohmann::ordered_json::parse(*text), arguments);
+    print(Json::parse(*text), arguments);
     if (!arguments.watch || interrupted) return exit_code::kOk;
     std::cout << std::flush;
     sleep_unless(std::chrono::seconds(2), interrupted);

@@ -1,15 +1,13 @@
 #include "farm/program/status_text.h"
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/json/json.h"
 #include "io/picture/text.h"
 
 namespace coapt {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr long kEndedRuns = 10;  ///< of which status tells
 

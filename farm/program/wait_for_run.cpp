@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "farm/program/farm_option.h"
@@ -13,11 +12,10 @@
 #include "farm/program/status_text.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/progress_bar.h"
+#include "io/json/json.h"
 
 namespace coapt {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::chrono::milliseconds kShortest(20), kLongest(500), kLine(1000);
 // The question costs the database the more, the more tasks are left: it has other things to do.

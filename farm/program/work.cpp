@@ -5,13 +5,13 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "farm/database/worker.h"
 #include "farm/program/commands.h"
 #include "farm/program/farm_option.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/interrupt.h"
+#include "io/json/json.h"
 #include "io/picture/text.h"
 
 namespace coapt {
@@ -44,13 +44,10 @@ const char* word_of(WorkerEnd end) {
 
 void print_report(const WorkArguments& arguments, const WorkerReport& report) {
   if (arguments.json) {
-    std::cout << nlohmann::ordered_json{{"schema", "coapt.farm-worker/1"},
-                                        {"worker", arguments.worker.name.name},
-                                        {"end", word_of(report.end)},
-                                        {"tasks", report.tasks},
-                                        {"items", report.items},
-                                        {"computing_s", report.computing_s},
-                                        {"seconds", report.seconds}}
+    std::cout << Json{{"schema", "coapt.farm-worker/1"}, {"worker", arguments.worker.name.name},
+                      {"end", word_of(report.end)},      {"tasks", report.tasks},
+                      {"items", report.items},           {"computing_s", report.computing_s},
+                      {"seconds", report.seconds}}
                      .dump(2)
               << '\n';
   } else if (!arguments.quiet) {

@@ -37,7 +37,7 @@ Membrane read_closing_membrane(const JsonPlace& place) {
 
 }  // namespace
 
-Expected<nlohmann::ordered_json> closure_options_json(const ClosureOptions& options) {
+Expected<Json> closure_options_json(const ClosureOptions& options) {
   // Names all fields, so that this does not compile when there is one more.
   const auto& [method, membrane, residual_tolerance, way_tolerance_mm, max_steps,
                contact_pressure_mpa, speed, damping_per_ms, samples, edge_contact, self_contact,
@@ -47,18 +47,18 @@ Expected<nlohmann::ordered_json> closure_options_json(const ClosureOptions& opti
     problems.add(ErrorCode::Unsupported, "/motion", "states on the way are not kept elsewhere");
   if (std::isfinite(budget.vertex_steps))
     problems.add(ErrorCode::Unsupported, "/budget", "a budget of steps holds here alone");
-  const nlohmann::ordered_json json = {{"method", to_string(method)},
-                                       {"membrane", to_string(membrane)},
-                                       {"residual_tolerance", residual_tolerance},
-                                       {"way_tolerance_mm", way_tolerance_mm},
-                                       {"max_steps", max_steps},
-                                       {"contact_pressure_mpa", contact_pressure_mpa},
-                                       {"speed", speed},
-                                       {"damping_per_ms", damping_per_ms},
-                                       {"samples", samples},
-                                       {"edge_contact", edge_contact},
-                                       {"self_contact", name_of(self_contact)}};
-  read_closure_options({nlohmann::json(json), problems});
+  const Json json = {{"method", to_string(method)},
+                     {"membrane", to_string(membrane)},
+                     {"residual_tolerance", residual_tolerance},
+                     {"way_tolerance_mm", way_tolerance_mm},
+                     {"max_steps", max_steps},
+                     {"contact_pressure_mpa", contact_pressure_mpa},
+                     {"speed", speed},
+                     {"damping_per_ms", damping_per_ms},
+                     {"samples", samples},
+                     {"edge_contact", edge_contact},
+                     {"self_contact", name_of(self_contact)}};
+  read_closure_options({Json(json), problems});
   if (!problems.empty()) return std::move(problems).take();
   return json;
 }

@@ -8,7 +8,7 @@ namespace coapt {
 
 /// Refused (Unsupported) is what cannot be said or would be lost: states on the way, a budget of steps, numbers that are none.
 /// ClosureBudget::cancelled is of this process and left out.
-Expected<nlohmann::ordered_json> closure_options_json(const ClosureOptions& options);
+Expected<Json> closure_options_json(const ClosureOptions& options);
 
 ClosureOptions read_closure_options(const JsonPlace& place);
 

@@ -21,7 +21,7 @@ constexpr double kItems = 256.0, kTriangles = 648.0, kThesisFactor = 100.0;
 constexpr std::int64_t kMostKeyNumber = std::int64_t{1} << 52;  // a double holds it
 
 std::int64_t read_key_number(const JsonPlace& place) {
-  const nlohmann::json& value = place.value;
+  const Json& value = place.value;
   const bool fits = value.is_number_unsigned()
                         ? value.get<std::uint64_t>() <= std::uint64_t{kMostKeyNumber}
                         : value.is_number_integer() && value.get<std::int64_t>() >= -kMostKeyNumber;
@@ -128,15 +128,14 @@ class OrificeWorker {
 
 Expected<WorkRequest> orifice_request(const Valve& valve, const ClosureOptions& closure,
                                       const std::vector<ConfigurationKey>& keys) {
-  Expected<nlohmann::ordered_json> options = closure_options_json(closure);
+  Expected<Json> options = closure_options_json(closure);
   if (!options) return options.errors();
-  const nlohmann::ordered_json json = {
-      {"valve", 1}, {"closure", *std::move(options)}, {"keys", keys}};
+  const Json json = {{"valve", 1}, {"closure", *std::move(options)}, {"keys", keys}};
   return WorkRequest{"orifices", {json.dump(), write_valve(valve)}};
 }
 
 Expected<Work> open_orifice_work(const WorkRequest& request, OrificeTables* tables) {
-  const Expected<nlohmann::json> json = parse_json(request.parts.front());
+  const Expected<Json> json = parse_json(request.parts.front());
   if (!json) return json.errors();
   ProblemList problems;
   Valve valve;

@@ -59,14 +59,13 @@ Expected<WorkRequest> plan_request(const std::vector<Valve>& valves, const Searc
   if (options.seconds > 0.0)
     problems.add(ErrorCode::Unsupported, "/seconds",
                  "a limit of time would let the machine decide the plans; must be 0");
-  const Expected<nlohmann::ordered_json> closure = closure_options_json(options.closure);
+  const Expected<Json> closure = closure_options_json(options.closure);
   if (!closure || *closure != *closure_options_json({}))
     problems.add(ErrorCode::Unsupported, "/closure", "options of the closure must be the default");
   if (!problems.empty()) return std::move(problems).take();
   SearchOptions sent = options;
   sent.threads = 0;
-  nlohmann::ordered_json json = {{"search", to_json(sent)},
-                                 {"valves", nlohmann::ordered_json::array()}};
+  Json json = {{"search", to_json(sent)}, {"valves", Json::array()}};
   WorkRequest request{"plans", {""}};
   for (const Valve& valve : valves) {
     json["valves"].push_back(request.parts.size());
@@ -77,7 +76,7 @@ Expected<WorkRequest> plan_request(const std::vector<Valve>& valves, const Searc
 }
 
 Expected<Work> open_plan_work(const WorkRequest& request) {
-  const Expected<nlohmann::json> json = parse_json(request.parts.front());
+  const Expected<Json> json = parse_json(request.parts.front());
   if (!json) return json.errors();
   ProblemList problems;
   Work work;

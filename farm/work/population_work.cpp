@@ -23,12 +23,12 @@ int read_count(const JsonPlace& place) { return read_integer_in(place, 1, kMostI
 }  // namespace
 
 WorkRequest members_request(const PopulationPrior& prior, std::uint64_t seed, int members) {
-  const nlohmann::ordered_json json = {{"prior", 1}, {"seed", seed}, {"members", members}};
+  const Json json = {{"prior", 1}, {"seed", seed}, {"members", members}};
   return {"members", {json.dump(), to_json(prior).dump()}};
 }
 
 Expected<Work> open_members_work(const WorkRequest& request) {
-  const Expected<nlohmann::json> json = parse_json(request.parts.front());
+  const Expected<Json> json = parse_json(request.parts.front());
   if (!json) return json.errors();
   ProblemList problems;
   PopulationPrior prior;
@@ -65,7 +65,7 @@ Expected<std::vector<PopulationMember>> member_answers(std::string_view bytes) {
   while (!bytes.empty()) {
     const std::optional<std::string> text = take_text(bytes);
     if (!text) return Error{ErrorCode::Unsupported, "", "an answer with a member is cut off"};
-    const Expected<nlohmann::json> json = parse_json(*text);
+    const Expected<Json> json = parse_json(*text);
     if (!json) return json.errors();
     const Expected<PopulationMember> one = member_from_json(*json);
     if (!one) return one.errors();
@@ -76,16 +76,15 @@ Expected<std::vector<PopulationMember>> member_answers(std::string_view bytes) {
 
 Expected<WorkRequest> records_request(const Population& population, int members,
                                       const PopulationRecordOptions& options) {
-  const Expected<nlohmann::ordered_json> closure = closure_options_json(options.closure);
+  const Expected<Json> closure = closure_options_json(options.closure);
   if (!closure || *closure != *closure_options_json({}))
     return Error{ErrorCode::Unsupported, "/closure", "options of the closure must be the default"};
-  const nlohmann::ordered_json json = {
-      {"population", 1}, {"members", members}, {"nodes", options.nodes}};
+  const Json json = {{"population", 1}, {"members", members}, {"nodes", options.nodes}};
   return WorkRequest{"records", {json.dump(), to_json(population).dump()}};
 }
 
 Expected<Work> open_records_work(const WorkRequest& request) {
-  const Expected<nlohmann::json> json = parse_json(request.parts.front());
+  const Expected<Json> json = parse_json(request.parts.front());
   if (!json) return json.errors();
   ProblemList problems;
   const auto population = std::make_shared<Population>();

@@ -1,9 +1,9 @@
 // What an import decided and made, as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/json/json.h"
 #include "io/json/result_json.h"
 #include "io/json/version.h"
 #include "io/mesh/import_valve.h"
@@ -11,8 +11,8 @@
 namespace coapt {
 
 /// [{"about", "decision", "reason", "look"}, ...]
-inline nlohmann::ordered_json to_json(const std::vector<ImportDecision>& decisions) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+inline Json to_json(const std::vector<ImportDecision>& decisions) {
+  Json list = Json::array();
   for (const ImportDecision& of : decisions)
     list.push_back(
         {{"about", of.about}, {"decision", of.decision}, {"reason", of.reason}, {"look", of.look}});
@@ -20,8 +20,8 @@ inline nlohmann::ordered_json to_json(const std::vector<ImportDecision>& decisio
 }
 
 /// [{"leaflet", "mean_mm", "p10_mm", "p90_mm"}, ...] of leaflets that came as shells; leaflets count from 0.
-inline nlohmann::ordered_json to_json(const std::vector<MeasuredThickness>& thickness) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+inline Json to_json(const std::vector<MeasuredThickness>& thickness) {
+  Json list = Json::array();
   for (const MeasuredThickness& of : thickness)
     list.push_back({{"leaflet", of.leaflet},
                     {"mean_mm", of.mean_mm},
@@ -31,7 +31,7 @@ inline nlohmann::ordered_json to_json(const std::vector<MeasuredThickness>& thic
 }
 
 /// coapt.import/1. Keys that scripts rely on: decisions[] (about, decision, reason).
-inline nlohmann::ordered_json import_to_json(const ImportedValve& imported) {
+inline Json import_to_json(const ImportedValve& imported) {
   return result_document("coapt.import/1", {{"name", imported.valve.name},
                                             {"triangles", imported.valve.faces.rows()},
                                             {"chordae", imported.valve.chordae.size()},

@@ -24,7 +24,7 @@ bool is_mesh(const std::string& name) {
 }
 
 GuessedRole role_of_json(const std::string& bytes) {
-  if (const Expected<nlohmann::json> document = parse_json(bytes);
+  if (const Expected<Json> document = parse_json(bytes);
       document && document->is_object() && document->contains("chordae"))
     return {FileRole::Chordae, "it has a list of chordae"};
   const Expected<std::vector<Markup>> markups = read_markups(bytes);

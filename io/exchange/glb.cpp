@@ -5,8 +5,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr int kUnsignedByte = 5121, kUnsignedInt = 5125, kFloat = 5126;  // component types
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;         // targets
 constexpr std::uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A, kBinary = 0x004E4942;
@@ -26,8 +24,8 @@ void append_chunk(std::string& file, std::uint32_t type, const std::string& chun
 
 void GlbBuffer::append(float number) { append_little_endian(bytes_, number); }
 
-int GlbBuffer::add(ordered_json accessor, std::size_t start, int target) {
-  ordered_json view = {{"buffer", 0}, {"byteOffset", start}, {"byteLength", bytes_.size() - start}};
+int GlbBuffer::add(Json accessor, std::size_t start, int target) {
+  Json view = {{"buffer", 0}, {"byteOffset", start}, {"byteLength", bytes_.size() - start}};
   if (target != 0) view["target"] = target;
   accessor["bufferView"] = views_.size();
   views_.push_back(std::move(view));
@@ -39,7 +37,7 @@ int GlbBuffer::add_vectors(const Points& vectors, bool bounds) {
   const std::size_t start = bytes_.size();
   const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> single = vectors.cast<float>();
   for (const float number : single.reshaped<Eigen::RowMajor>()) append(number);
-  ordered_json accessor = {{"componentType", kFloat}, {"count", vectors.rows()}, {"type", "VEC3"}};
+  Json accessor = {{"componentType", kFloat}, {"count", vectors.rows()}, {"type", "VEC3"}};
   if (bounds)
     for (int axis = 0; axis < 3; ++axis) {
       accessor["min"].push_back(single.col(axis).minCoeff());
@@ -70,8 +68,7 @@ int GlbBuffer::add_triangles(const Faces& faces) {
 int GlbBuffer::add_scalars(const std::vector<double>& scalars, bool bounds) {
   const std::size_t start = bytes_.size();
   for (const double number : scalars) append(static_cast<float>(number));
-  ordered_json accessor = {
-      {"componentType", kFloat}, {"count", scalars.size()}, {"type", "SCALAR"}};
+  Json accessor = {{"componentType", kFloat}, {"count", scalars.size()}, {"type", "SCALAR"}};
   if (bounds) {
     const auto [least, most] = std::minmax_element(scalars.begin(), scalars.end());
     accessor["min"] = {static_cast<float>(*least)};
@@ -80,7 +77,7 @@ int GlbBuffer::add_scalars(const std::vector<double>& scalars, bool bounds) {
   return add(std::move(accessor), start, 0);
 }
 
-std::string GlbBuffer::file(ordered_json document) const {
+std::string GlbBuffer::file(Json document) const {
   const std::string binary = padded(bytes_, '\0');
   document["accessors"] = accessors_;
   document["bufferViews"] = views_;

@@ -1,11 +1,11 @@
 // glTF 2.0 binary (Khronos glTF 2.0 specification, 4.4): one JSON chunk, one buffer.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "core/valve/types.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -21,15 +21,15 @@ class GlbBuffer {
   int add_scalars(const std::vector<double>& scalars, bool bounds);
 
   /// The whole file: `document` with buffers, bufferViews and accessors added.
-  std::string file(nlohmann::ordered_json document) const;
+  std::string file(Json document) const;
 
  private:
-  int add(nlohmann::ordered_json accessor, std::size_t start, int target);
+  int add(Json accessor, std::size_t start, int target);
   void append(float number);
 
   std::string bytes_;
-  nlohmann::ordered_json views_ = nlohmann::ordered_json::array();
-  nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();
+  Json views_ = Json::array();
+  Json accessors_ = Json::array();
 };
 
 }  // namespace coapt

@@ -8,8 +8,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr const char* kSchema =
     "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
     "Schema/markups-schema-v1.0.3.json#";
@@ -19,8 +17,8 @@ constexpr std::string_view kVersions =
 constexpr MarkupType kTypes[] = {MarkupType::Fiducial, MarkupType::Line, MarkupType::Curve,
                                  MarkupType::ClosedCurve};
 
-ordered_json control_points(const Markup& markup) {
-  ordered_json points = ordered_json::array();
+Json control_points(const Markup& markup) {
+  Json points = Json::array();
   for (Eigen::Index i = 0; i < markup.points_mm.rows(); ++i) {
     const auto& p = markup.points_mm.row(i);
     points.push_back({{"id", std::to_string(i + 1)},
@@ -35,7 +33,7 @@ ordered_json control_points(const Markup& markup) {
 }
 
 /// The member if it is there and a string.
-std::string text_of(const nlohmann::json& object, const char* name, const char* otherwise) {
+std::string text_of(const Json& object, const char* name, const char* otherwise) {
   const auto found = object.find(name);
   return found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
 }
@@ -72,7 +70,7 @@ const char* words_of(MarkupAxes axes) {
 }  // namespace
 
 std::string write_markups(const std::vector<Markup>& markups, MarkupAxes axes) {
-  ordered_json list = ordered_json::array();
+  Json list = Json::array();
   for (const Markup& markup : markups)
     list.push_back(
         {{"type", to_string(markup.type)},
@@ -85,14 +83,14 @@ std::string write_markups(const std::vector<Markup>& markups, MarkupAxes axes) {
          {"controlPoints", control_points(markup)},
          {"display",
           {{"visibility", true}, {"pointLabelsVisibility", markup.type == MarkupType::Fiducial}}}});
-  const ordered_json document = {{"@schema", kSchema},
-                                 {"coapt", {{"notice", kResearchNotice}, {"axes", words_of(axes)}}},
-                                 {"markups", std::move(list)}};
+  const Json document = {{"@schema", kSchema},
+                         {"coapt", {{"notice", kResearchNotice}, {"axes", words_of(axes)}}},
+                         {"markups", std::move(list)}};
   return document.dump(1) + '\n';
 }
 
 Expected<std::vector<Markup>> read_markups(std::string_view text) {
-  const Expected<nlohmann::json> document = parse_json(text);
+  const Expected<Json> document = parse_json(text);
   if (!document) return document.errors();
   ProblemList problems;
   const JsonPlace root{*document, problems};

@@ -121,19 +121,18 @@ Expected<LeafletMesh> read_grid(Expected<VtuGrid> grid, const ShapeFileOptions& 
                      options, false);
 }
 
-bool is_scene(const nlohmann::json& document) {
+bool is_scene(const Json& document) {
   return document.is_object() && document.contains("schema") &&
          document["schema"] == "coapt.scene/1";
 }
 
 /// A member that is a flat list of rows of three numbers.
-std::vector<double> triples(const nlohmann::json& document, const char* name,
-                            ProblemList& problems) {
+std::vector<double> triples(const Json& document, const char* name, ProblemList& problems) {
   const auto found = document.find(name);
   const bool fits = found != document.end() && found->is_array() && !found->empty() &&
                     found->size() % 3 == 0 &&
                     std::all_of(found->begin(), found->end(),
-                                [](const nlohmann::json& entry) { return entry.is_number(); });
+                                [](const Json& entry) { return entry.is_number(); });
   if (fits) return found->get<std::vector<double>>();
   problems.add(ErrorCode::WrongType, std::string("/") + name,
                "must be a list of numbers, three a row, at least one row");
@@ -173,12 +172,12 @@ Expected<LeafletMesh> read_shape(std::string_view bytes, std::string_view format
 }
 
 bool is_scene_text(std::string_view text) {
-  const Expected<nlohmann::json> document = parse_json(text);
+  const Expected<Json> document = parse_json(text);
   return document && is_scene(*document);
 }
 
 Expected<LeafletMesh> read_scene_shape(std::string_view text) {
-  const Expected<nlohmann::json> document = parse_json(text);
+  const Expected<Json> document = parse_json(text);
   if (!document) return document.errors();
   if (!is_scene(*document))
     return Error{ErrorCode::Unsupported, "/schema", "must be coapt.scene/1"};

@@ -13,8 +13,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr std::size_t kMostTargets = 16;
 constexpr double kClosingSeconds = 1.5, kHoldSeconds = 1.0;
 constexpr double kRingRadius_mm = 1.2, kSutureRadius_mm = 0.35;
@@ -187,17 +185,16 @@ std::vector<ValveShape> evenly_spaced(std::vector<ValveShape> states) {
   return chosen;
 }
 
-ordered_json primitive(const MorphedMesh& mesh, GlbBuffer& buffer) {
-  ordered_json json = {{"attributes",
-                        {{"POSITION", buffer.add_vectors(in_metres(mesh.vertices_mm[0]), true)},
-                         {"NORMAL", buffer.add_vectors(turned(mesh.normals[0]), false)},
-                         {"COLOR_0", buffer.add_colours(mesh.colours)}}},
-                       {"indices", buffer.add_triangles(mesh.faces)},
-                       {"material", 0}};
+Json primitive(const MorphedMesh& mesh, GlbBuffer& buffer) {
+  Json json = {{"attributes",
+                {{"POSITION", buffer.add_vectors(in_metres(mesh.vertices_mm[0]), true)},
+                 {"NORMAL", buffer.add_vectors(turned(mesh.normals[0]), false)},
+                 {"COLOR_0", buffer.add_colours(mesh.colours)}}},
+               {"indices", buffer.add_triangles(mesh.faces)},
+               {"material", 0}};
   for (std::size_t i = 1; i < mesh.vertices_mm.size(); ++i) {
-    ordered_json target = {
-        {"POSITION",
-         buffer.add_vectors(in_metres(mesh.vertices_mm[i] - mesh.vertices_mm[0]), true)}};
+    Json target = {{"POSITION", buffer.add_vectors(
+                                    in_metres(mesh.vertices_mm[i] - mesh.vertices_mm[0]), true)}};
     if (i < mesh.normals.size())
       target["NORMAL"] = buffer.add_vectors(turned(mesh.normals[i] - mesh.normals[0]), false);
     json["targets"].push_back(std::move(target));
@@ -206,7 +203,7 @@ ordered_json primitive(const MorphedMesh& mesh, GlbBuffer& buffer) {
 }
 
 /// One target after the other at full weight, then none, which is the closed valve; linear between them.
-ordered_json closing(std::size_t targets, int meshes, GlbBuffer& buffer) {
+Json closing(std::size_t targets, int meshes, GlbBuffer& buffer) {
   std::vector<double> seconds, weights;
   for (std::size_t key = 0; key <= targets; ++key) {
     seconds.push_back(kClosingSeconds * static_cast<double>(key) / static_cast<double>(targets));
@@ -215,10 +212,10 @@ ordered_json closing(std::size_t targets, int meshes, GlbBuffer& buffer) {
   }
   seconds.push_back(kClosingSeconds + kHoldSeconds);
   weights.insert(weights.end(), targets, 0.0);
-  const ordered_json sampler = {{"input", buffer.add_scalars(seconds, true)},
-                                {"output", buffer.add_scalars(weights, false)},
-                                {"interpolation", "LINEAR"}};
-  ordered_json animation = {{"name", "closing"}, {"samplers", {sampler}}};
+  const Json sampler = {{"input", buffer.add_scalars(seconds, true)},
+                        {"output", buffer.add_scalars(weights, false)},
+                        {"interpolation", "LINEAR"}};
+  Json animation = {{"name", "closing"}, {"samplers", {sampler}}};
   for (int node = 1; node <= meshes; ++node)
     animation["channels"].push_back(
         {{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}});
@@ -233,7 +230,7 @@ std::string scene(const ClosedValve& exported, const ValveShape& shape,
   const std::size_t target_count = states.size() - 1;
 
   GlbBuffer buffer;
-  ordered_json document = {
+  Json document = {
       {"asset",
        {{"version", "2.0"},
         {"generator", "coapt " + std::string(version())},
@@ -246,7 +243,7 @@ std::string scene(const ClosedValve& exported, const ValveShape& shape,
       {"scene", 0},
       {"scenes", {{{"nodes", {0}}}}},
       {"nodes", {{{"name", valve.name}}}},
-      {"meshes", ordered_json::array()},
+      {"meshes", Json::array()},
       {"materials",
        {{{"name", "tissue"},
          {"doubleSided", true},
@@ -254,7 +251,7 @@ std::string scene(const ClosedValve& exported, const ValveShape& shape,
   for (const MorphedMesh& mesh :
        {leaflets(valve, states), chordae(valve, states), repair(exported, states)}) {
     if (mesh.faces.rows() == 0) continue;
-    ordered_json json = {{"name", mesh.name}, {"primitives", {primitive(mesh, buffer)}}};
+    Json json = {{"name", mesh.name}, {"primitives", {primitive(mesh, buffer)}}};
     if (target_count > 0) json["weights"] = std::vector<double>(target_count, 0.0);
     const std::size_t index = document["meshes"].size();
     document["meshes"].push_back(std::move(json));
@@ -262,8 +259,8 @@ std::string scene(const ClosedValve& exported, const ValveShape& shape,
     document["nodes"].push_back({{"name", mesh.name}, {"mesh", index}});
   }
   if (target_count > 0)
-    document["animations"] = ordered_json::array(
-        {closing(target_count, static_cast<int>(document["meshes"].size()), buffer)});
+    document["animations"] =
+        Json::array({closing(target_count, static_cast<int>(document["meshes"].size()), buffer)});
   return buffer.file(std::move(document));
 }
 

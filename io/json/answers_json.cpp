@@ -9,8 +9,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr Range kAmounts = {-1e9, 1e9};  // a finer mesh may take from a leak
 
 /// NaN where it is null.
@@ -81,18 +79,16 @@ GivenAnswer read_answer(const JsonPlace& place, const std::vector<PlanCase>& cas
   return given;
 }
 
-ordered_json figure_json(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json();
-}
+Json figure_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-ordered_json pair_json(const PlanPair& pair, const std::vector<PlanCase>& cases) {
+Json pair_json(const PlanPair& pair, const std::vector<PlanCase>& cases) {
   return {{"case", cases[static_cast<std::size_t>(pair.of_case)].name},
           {"first", pair.first + 1},
           {"second", pair.second + 1}};
 }
 
-ordered_json compared_json(const ComparedPlan& plan, int rank, bool hide_figures) {
-  ordered_json json = {{"rank", rank}, {"description", plan.description}};
+Json compared_json(const ComparedPlan& plan, int rank, bool hide_figures) {
+  Json json = {{"rank", rank}, {"description", plan.description}};
   if (hide_figures) return json;
   json.update({{"leak_mm2", figure_json(plan.leak_mm2)},
                {"opening_area_mm2", figure_json(plan.opening_area_mm2)},
@@ -114,7 +110,7 @@ PlanCase read_plan_case(const JsonPlace& place) {
 }
 
 Expected<PlanCase> read_plan_case(std::string_view text) {
-  const Expected<nlohmann::json> json = parse_json(text);
+  const Expected<Json> json = parse_json(text);
   if (!json) return json.errors();
   ProblemList problems;
   PlanCase read = read_plan_case(JsonPlace{*json, problems});
@@ -127,7 +123,7 @@ std::vector<GivenAnswer> read_answers(const JsonPlace& place, const std::vector<
 }
 
 Expected<AnswerSheet> read_answers(std::string_view text, const std::vector<PlanCase>& cases) {
-  const Expected<nlohmann::json> json = parse_json(text);
+  const Expected<Json> json = parse_json(text);
   if (!json) return json.errors();
   ProblemList problems;
   AnswerSheet sheet;
@@ -139,19 +135,18 @@ Expected<AnswerSheet> read_answers(std::string_view text, const std::vector<Plan
   return sheet;
 }
 
-ordered_json to_json(const AnswerSheet& sheet, const std::vector<PlanCase>& cases) {
-  ordered_json answers = ordered_json::array();
+Json to_json(const AnswerSheet& sheet, const std::vector<PlanCase>& cases) {
+  Json answers = Json::array();
   for (const GivenAnswer& given : sheet.answers) {
-    ordered_json entry = pair_json(given.pair, cases);
+    Json entry = pair_json(given.pair, cases);
     entry["answer"] = to_string(given.answer);
     answers.push_back(std::move(entry));
   }
   return {{"schema", "coapt.answers/1"}, {"rater", sheet.rater}, {"answers", answers}};
 }
 
-ordered_json to_json(const Question& question, const std::vector<PlanCase>& cases,
-                     bool hide_figures) {
-  ordered_json json = pair_json(question.pair, cases), plans = ordered_json::array();
+Json to_json(const Question& question, const std::vector<PlanCase>& cases, bool hide_figures) {
+  Json json = pair_json(question.pair, cases), plans = Json::array();
   json["repeats"] = question.repeats;
   json["information_bits"] = question.information_bits;
   const auto& all = cases[static_cast<std::size_t>(question.pair.of_case)].plans;

@@ -1,11 +1,11 @@
 // Plans to compare, and an expert's answers (coapt.answers/1), as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/json/json.h"
 #include "io/json/json_reader.h"
 #include "search/preference/question.h"
 
@@ -26,11 +26,10 @@ Expected<AnswerSheet> read_answers(std::string_view text, const std::vector<Plan
 /// Those in that list.
 std::vector<GivenAnswer> read_answers(const JsonPlace& place, const std::vector<PlanCase>& cases);
 
-nlohmann::ordered_json to_json(const AnswerSheet& sheet, const std::vector<PlanCase>& cases);
+Json to_json(const AnswerSheet& sheet, const std::vector<PlanCase>& cases);
 
 /// {"case", "first", "second", "repeats", "information_bits", "plans": [...]}: what is asked with its two plans, the first
 /// one first; figures that are not known are null, hidden ones left out.
-nlohmann::ordered_json to_json(const Question& question, const std::vector<PlanCase>& cases,
-                               bool hide_figures);
+Json to_json(const Question& question, const std::vector<PlanCase>& cases, bool hide_figures);
 
 }  // namespace coapt

@@ -8,10 +8,8 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json shape_json(const ComparedShape& shape) {
-  ordered_json leaflets = ordered_json::array();
+Json shape_json(const ComparedShape& shape) {
+  Json leaflets = Json::array();
   double area_mm2 = 0.0;
   for (const auto& [name, leaflet_mm2] : leaflet_areas(shape.mesh)) {
     leaflets.push_back({{"name", name}, {"area_mm2", leaflet_mm2}});
@@ -28,13 +26,13 @@ ordered_json shape_json(const ComparedShape& shape) {
                             static_cast<double>(std::max<std::size_t>(1, shape.contact.size()))}};
 }
 
-ordered_json summary_json(const DistanceSummary& distance) {
+Json summary_json(const DistanceSummary& distance) {
   return {{"rms_mm", distance.rms_mm}, {"p95_mm", distance.p95_mm}, {"max_mm", distance.max_mm}};
 }
 
 /// x -> matrix (x, 1), row by row.
-ordered_json matrix_json(const RigidMotion& motion) {
-  ordered_json rows = ordered_json::array();
+Json matrix_json(const RigidMotion& motion) {
+  Json rows = Json::array();
   for (int i = 0; i < 3; ++i)
     rows.push_back(
         {motion.rotation(i, 0), motion.rotation(i, 1), motion.rotation(i, 2), motion.shift_mm[i]});
@@ -44,11 +42,11 @@ ordered_json matrix_json(const RigidMotion& motion) {
 
 }  // namespace
 
-ordered_json comparison_to_json(const ShapeComparison& comparison, const ComparedShape& closed,
-                                const ComparedShape& reference, double contact_distance_mm) {
+Json comparison_to_json(const ShapeComparison& comparison, const ComparedShape& closed,
+                        const ComparedShape& reference, double contact_distance_mm) {
   const Vec3 before = closed.mesh.vertices_mm.colwise().mean().transpose();
   const Vec3 after = comparison.moved_mm.colwise().mean().transpose();
-  ordered_json json =
+  Json json =
       result_document("coapt.comparison/1",
                       {{"pairing", comparison.node_to_node ? "node_to_node" : "node_to_surface"},
                        {"rms_mm", comparison.distance.rms_mm},

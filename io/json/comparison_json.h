@@ -1,10 +1,10 @@
 // What a comparison of two closed shapes answers, as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/metrics/shape_comparison.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -16,9 +16,7 @@ struct ComparedShape {
 };
 
 /// coapt.comparison/1. Keys that scripts rely on: rms_mm, p95_mm, max_mm.
-nlohmann::ordered_json comparison_to_json(const ShapeComparison& comparison,
-                                          const ComparedShape& closed,
-                                          const ComparedShape& reference,
-                                          double contact_distance_mm);
+Json comparison_to_json(const ShapeComparison& comparison, const ComparedShape& closed,
+                        const ComparedShape& reference, double contact_distance_mm);
 
 }  // namespace coapt

@@ -2,8 +2,8 @@
 
 namespace coapt {
 
-nlohmann::ordered_json to_json(const std::vector<Finding>& findings) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json to_json(const std::vector<Finding>& findings) {
+  Json list = Json::array();
   for (const Finding& finding : findings)
     list.push_back({{"finding", finding.finding},
                     {"section", finding.section},

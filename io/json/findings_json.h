@@ -1,14 +1,14 @@
 // The thesis's findings beside ours, as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/json/json.h"
 #include "search/studies/findings.h"
 
 namespace coapt {
 
 /// [{"finding", "section", "thesis", "ours", "judged", "agrees"}, ...]
-nlohmann::ordered_json to_json(const std::vector<Finding>& findings);
+Json to_json(const std::vector<Finding>& findings);
 
 }  // namespace coapt

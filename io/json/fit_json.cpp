@@ -9,10 +9,8 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json parameters_json(const ValveFit& fit) {
-  ordered_json all = ordered_json::array();
+Json parameters_json(const ValveFit& fit) {
+  Json all = Json::array();
   for (const FittedParameter& fitted : fit.parameters) {
     const FitParameter& parameter = fitted.parameter;
     all.push_back({{"name", parameter.name},
@@ -26,10 +24,10 @@ ordered_json parameters_json(const ValveFit& fit) {
   return all;
 }
 
-ordered_json correlations_json(const Eigen::MatrixXd& covariance) {
-  ordered_json rows = ordered_json::array();
+Json correlations_json(const Eigen::MatrixXd& covariance) {
+  Json rows = Json::array();
   for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
-    ordered_json row = ordered_json::array();
+    Json row = Json::array();
     for (Eigen::Index j = 0; j < covariance.cols(); ++j)
       row.push_back(covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j)));
     rows.push_back(std::move(row));
@@ -37,23 +35,23 @@ ordered_json correlations_json(const Eigen::MatrixXd& covariance) {
   return rows;
 }
 
-ordered_json hypotheses_json(const ValveFit& fit) {
-  ordered_json all = ordered_json::array();
+Json hypotheses_json(const ValveFit& fit) {
+  Json all = Json::array();
   for (const FitHypothesis& of : fit.hypotheses) {
     const bool closes = std::isfinite(of.rms_mm);
     all.push_back({{"name", of.name},
                    {"probability", of.probability},
-                   {"objective", closes ? ordered_json(of.objective) : ordered_json(nullptr)},
-                   {"rms_mm", closes ? ordered_json(of.rms_mm) : ordered_json(nullptr)},
-                   {"leak_mm2", closes ? ordered_json(of.leak_mm2) : ordered_json(nullptr)},
+                   {"objective", closes ? Json(of.objective) : Json(nullptr)},
+                   {"rms_mm", closes ? Json(of.rms_mm) : Json(nullptr)},
+                   {"leak_mm2", closes ? Json(of.leak_mm2) : Json(nullptr)},
                    {"refitted", of.refitted},
                    {"taken", of.name == fit.taken}});
   }
   return all;
 }
 
-ordered_json leak_json(const ValveFit& fit, const MeasuredClosure& measured) {
-  ordered_json leak = {
+Json leak_json(const ValveFit& fit, const MeasuredClosure& measured) {
+  Json leak = {
       {"before", leak_mm2(fit.before.measure)}, {"fitted", fit.leak.mm2}, {"sd", fit.leak.sd_mm2}};
   if (measured.leak_mm2) {
     leak["given"] = *measured.leak_mm2;
@@ -64,7 +62,7 @@ ordered_json leak_json(const ValveFit& fit, const MeasuredClosure& measured) {
 
 }  // namespace
 
-ordered_json to_json(const FitState& state) {
+Json to_json(const FitState& state) {
   const Eigen::VectorXd& point = state.squares.point;
   return {{"pass", state.pass},
           {"noise_mm", state.noise_mm},
@@ -76,7 +74,7 @@ ordered_json to_json(const FitState& state) {
           {"closures", state.closures}};
 }
 
-std::optional<FitState> fit_state_from_json(const nlohmann::json& json) {
+std::optional<FitState> fit_state_from_json(const Json& json) {
   FitState state;
   std::vector<double> point;
   ProblemList problems;
@@ -94,25 +92,24 @@ std::optional<FitState> fit_state_from_json(const nlohmann::json& json) {
   return state;
 }
 
-ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files) {
+Json fit_to_json(const ValveFit& fit, const FittedFiles& files) {
   const bool atrial = files.measured.side == MeasuredSide::Atrial;
-  ordered_json json =
-      result_document("coapt.fit/1", {{"valve", files.valve},
-                                      {"closed", files.closed},
-                                      {"side", atrial ? "atrial" : "middle"},
-                                      {"rms_mm", fit.rms_mm},
-                                      {"rms_before_mm", fit.rms_before_mm},
-                                      {"points",
-                                       {{"given", files.measured.points_mm.rows()},
-                                        {"used", fit.points_mm.rows()},
-                                        {"independent", fit.independent_points}}},
-                                      {"leak_mm2", leak_json(fit, files.measured)},
-                                      {"parameters", parameters_json(fit)},
-                                      {"correlations", correlations_json(fit.covariance)},
-                                      {"rounds", fit.rounds},
-                                      {"closures", fit.closures},
-                                      {"finished", fit.stop == FitStop::AtRest},
-                                      {"stop", to_string(fit.stop)}});
+  Json json = result_document("coapt.fit/1", {{"valve", files.valve},
+                                              {"closed", files.closed},
+                                              {"side", atrial ? "atrial" : "middle"},
+                                              {"rms_mm", fit.rms_mm},
+                                              {"rms_before_mm", fit.rms_before_mm},
+                                              {"points",
+                                               {{"given", files.measured.points_mm.rows()},
+                                                {"used", fit.points_mm.rows()},
+                                                {"independent", fit.independent_points}}},
+                                              {"leak_mm2", leak_json(fit, files.measured)},
+                                              {"parameters", parameters_json(fit)},
+                                              {"correlations", correlations_json(fit.covariance)},
+                                              {"rounds", fit.rounds},
+                                              {"closures", fit.closures},
+                                              {"finished", fit.stop == FitStop::AtRest},
+                                              {"stop", to_string(fit.stop)}});
   if (!fit.hypotheses.empty()) {
     json["hypotheses"] = hypotheses_json(fit);
     json["hypotheses_left_out"] = fit.left_out;

@@ -1,10 +1,10 @@
 // What a fit of a valve to its measured closed state answers, as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "io/json/json.h"
 #include "search/fit/fit.h"
 
 namespace coapt {
@@ -17,10 +17,10 @@ struct FittedFiles {
 
 /// coapt.fit/1. Keys that scripts rely on: rms_mm, parameters[] (name, value, sd, identifiable); with FitOptions::ruptures
 /// hypotheses[] (name, probability, rms_mm, leak_mm2, refitted, taken).
-nlohmann::ordered_json fit_to_json(const ValveFit& fit, const FittedFiles& files);
+Json fit_to_json(const ValveFit& fit, const FittedFiles& files);
 
 /// Where a fit was, for whoever keeps it: numbers come back bit for bit. None if `json` is no such state.
-nlohmann::ordered_json to_json(const FitState& state);
-std::optional<FitState> fit_state_from_json(const nlohmann::json& json);
+Json to_json(const FitState& state);
+std::optional<FitState> fit_state_from_json(const Json& json);
 
 }  // namespace coapt

@@ -12,13 +12,13 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMaxShown = 40;
 
 // A value as it may stand in a message: short ones in full.
-std::string described(const nlohmann::json& value) {
+std::string described(const Json& value) {
   if (value.is_array()) return "an array";
   if (value.is_object()) return "an object";
   if (value.is_string() && value.get_ref<const std::string&>().size() > kMaxShown) {
     return "a long string";
   }
-  return value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return value.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 void wrong_type(const JsonPlace& place, const char* expected) {
@@ -26,12 +26,12 @@ void wrong_type(const JsonPlace& place, const char* expected) {
               "is " + described(place.value) + ", must be " + expected);
 }
 
-JsonPlace member(const JsonPlace& place, const nlohmann::json& value, std::string_view name) {
+JsonPlace member(const JsonPlace& place, const Json& value, std::string_view name) {
   return {value, place.problems, &place, name};
 }
 
 void report_missing(const JsonPlace& place, std::string_view name) {
-  add_problem(member(place, nlohmann::json(), name), ErrorCode::MissingField, "is missing");
+  add_problem(member(place, Json(), name), ErrorCode::MissingField, "is missing");
 }
 
 JsonPlace entry(const JsonPlace& place, std::size_t index) {
@@ -57,7 +57,7 @@ std::string pointer(const JsonPlace& place) {
     tokens.push_back(at->parent->value.is_object() ? std::string(at->name)
                                                    : std::to_string(at->index));
   }
-  nlohmann::json::json_pointer path;
+  Json::json_pointer path;
   for (auto token = tokens.rbegin(); token != tokens.rend(); ++token) path.push_back(*token);
   return path.to_string();
 }

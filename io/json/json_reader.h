@@ -8,7 +8,6 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,11 +16,12 @@
 #include <vector>
 
 #include "core/valve/problem_list.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
 struct JsonPlace {
-  const nlohmann::json& value;
+  const Json& value;
   ProblemList& problems;
   const JsonPlace* parent = nullptr;
   std::string_view name = {};  ///< in the parent, if that is an object
@@ -54,8 +54,7 @@ std::function<void(const JsonPlace&)> into(T& target, Read read) {
 
 /// For JsonField::read: a document read by `from_json` (plan_from_json, ...); `target` is set if it has no problem.
 template <class T>
-std::function<void(const JsonPlace&)> document(T& target,
-                                               Expected<T> (*from_json)(const nlohmann::json&)) {
+std::function<void(const JsonPlace&)> document(T& target, Expected<T> (*from_json)(const Json&)) {
   return [&target, from_json](const JsonPlace& place) {
     Expected<T> value = from_json(place.value);
     if (value) {

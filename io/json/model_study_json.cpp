@@ -7,8 +7,8 @@
 namespace coapt {
 namespace {
 
-nlohmann::ordered_json area_json(const ModelUncertainty& area) {
-  nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+Json area_json(const ModelUncertainty& area) {
+  Json parameters = Json::array();
   for (std::size_t i = 0; i < area.decided_by.total.size(); ++i) {
     const ModelParameter& parameter = model_parameters()[i];
     parameters.push_back({{"name", parameter.name},
@@ -30,7 +30,7 @@ nlohmann::ordered_json area_json(const ModelUncertainty& area) {
 
 }  // namespace
 
-nlohmann::ordered_json to_json(const ModelStudy& study, const std::string& valve_name) {
+Json to_json(const ModelStudy& study, const std::string& valve_name) {
   return result_document("coapt.model_study/1",
                          {{"valve", valve_name},
                           {"status", to_string(study.as_it_is.status)},

@@ -5,8 +5,8 @@
 
 namespace coapt {
 
-nlohmann::ordered_json opening_figures_json(const OpenedValve& opened,
-                                            const OpeningOptions& options, double seconds) {
+Json opening_figures_json(const OpenedValve& opened, const OpeningOptions& options,
+                          double seconds) {
   const OpeningMeasure& measure = opened.measure;
   return {{"status", to_string(opened.closure.status)},
           {"crossing", opened.closure.crossing},
@@ -28,9 +28,8 @@ nlohmann::ordered_json opening_figures_json(const OpenedValve& opened,
           {"seconds", seconds}};
 }
 
-nlohmann::ordered_json opening_to_json(const OpenedValve& opened, const OpeningOptions& options,
-                                       double seconds) {
-  nlohmann::ordered_json json = result_document("coapt.opening/1", {{"name", opened.valve.name}});
+Json opening_to_json(const OpenedValve& opened, const OpeningOptions& options, double seconds) {
+  Json json = result_document("coapt.opening/1", {{"name", opened.valve.name}});
   json.update(opening_figures_json(opened, options, seconds));
   return json;
 }

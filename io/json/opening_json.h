@@ -1,19 +1,16 @@
 // What an opening answers, as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "core/opened/opened_valve.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
 /// coapt.opening/1. Keys that scripts rely on: status, crossing, opening_area_mm2, projected_area_mm2, gradient_mmhg; null where the
 /// valve did not come to rest.
-nlohmann::ordered_json opening_to_json(const OpenedValve& opened, const OpeningOptions& options,
-                                       double seconds);
+Json opening_to_json(const OpenedValve& opened, const OpeningOptions& options, double seconds);
 
 /// The same without schema, version, notice and name: below "opening" of a closure.
-nlohmann::ordered_json opening_figures_json(const OpenedValve& opened,
-                                            const OpeningOptions& options, double seconds);
+Json opening_figures_json(const OpenedValve& opened, const OpeningOptions& options, double seconds);
 
 }  // namespace coapt

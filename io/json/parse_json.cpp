@@ -3,8 +3,7 @@
 
 #include "io/json/parse_json.h"
 
-#include <nlohmann/json.hpp>
-
+#include "io/json/json.h"
 #include "io/json/json_reader.h"
 
 namespace coapt {
@@ -31,18 +30,18 @@ class Builder {
 
   ~Builder() { take_apart(root_); }
 
-  nlohmann::json take() { return std::move(root_); }
+  Json take() { return std::move(root_); }
 
-  // The events of nlohmann::json::sax_parse; false stops it.
+  // The events of Json::sax_parse; false stops it.
   bool null() { return put(nullptr); }
   bool boolean(bool value) { return put(value); }
   bool number_integer(std::int64_t value) { return put(value); }
   bool number_unsigned(std::uint64_t value) { return put(value); }
   bool number_float(double value, const std::string&) { return put(value); }
   bool string(std::string& value) { return put(std::move(value)); }
-  bool binary(nlohmann::json::binary_t&) { return false; }
-  bool start_object(std::size_t) { return open(nlohmann::json::object()); }
-  bool start_array(std::size_t) { return open(nlohmann::json::array()); }
+  bool binary(Json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(Json::object()); }
+  bool start_array(std::size_t) { return open(Json::array()); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
 
@@ -67,13 +66,13 @@ class Builder {
 
  private:
   struct Level {
-    nlohmann::json* value;
+    Json* value;
     std::string name;  // the latest, in an object
   };
 
   // To the value begun last, or in an array to the `ahead`-th after it.
   std::string path(std::size_t ahead = 0) const {
-    nlohmann::json::json_pointer pointer;
+    Json::json_pointer pointer;
     for (const Level& level : levels_) {
       const bool last = &level == &levels_.back();
       if (level.value->is_array()) {
@@ -95,7 +94,7 @@ class Builder {
            stop("is more than the " + std::to_string(max_values_) + " values accepted");
   }
 
-  nlohmann::json* insert(nlohmann::json&& value) {
+  Json* insert(Json&& value) {
     if (levels_.empty()) return &(root_ = std::move(value));
     Level& level = levels_.back();
     if (level.value->is_object()) return &((*level.value)[level.name] = std::move(value));
@@ -103,13 +102,13 @@ class Builder {
     return &level.value->back();
   }
 
-  bool put(nlohmann::json&& value) {
+  bool put(Json&& value) {
     insert(std::move(value));
     return count();
   }
 
-  bool open(nlohmann::json&& value) {
-    nlohmann::json* const inserted = insert(std::move(value));
+  bool open(Json&& value) {
+    Json* const inserted = insert(std::move(value));
     if (levels_.size() == kMaxDepth) return stop("is nested deeper than the 32 levels accepted");
     if (!count()) return false;
     levels_.push_back({inserted, {}});
@@ -123,22 +122,22 @@ class Builder {
 
   ProblemList& problems_;
   const std::size_t max_values_;
-  nlohmann::json root_;
+  Json root_;
   std::vector<Level> levels_;
   std::size_t values_ = 0;
 };
 
 }  // namespace
 
-void take_apart(nlohmann::json& value) {
-  if (auto* const array = value.get_ptr<nlohmann::json::array_t*>()) {
+void take_apart(Json& value) {
+  if (auto* const array = value.get_ptr<Json::array_t*>()) {
     for (; !array->empty(); array->pop_back()) take_apart(array->back());
-  } else if (auto* const object = value.get_ptr<nlohmann::json::object_t*>()) {
+  } else if (auto* const object = value.get_ptr<Json::object_t*>()) {
     for (; !object->empty(); object->erase(object->begin())) take_apart(object->begin()->second);
   }
 }
 
-Expected<nlohmann::json> parse_json(std::string_view text, std::size_t max_values) {
+Expected<Json> parse_json(std::string_view text, std::size_t max_values) {
   if (text.size() > kMaxBytes) {
     return Error{
         ErrorCode::InvalidJson, "",
@@ -146,7 +145,7 @@ Expected<nlohmann::json> parse_json(std::string_view text, std::size_t max_value
   }
   ProblemList problems;
   Builder builder(problems, max_values);
-  nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+  Json::sax_parse(text.begin(), text.end(), &builder);
   // To the library it is the end of the text.
   if (const std::size_t nul = text.find('\0'); problems.empty() && nul != text.npos)
     problems.add(ErrorCode::InvalidJson, "",

@@ -1,10 +1,10 @@
 // The repair plan, schema coapt.plan/1 (io/schema/plan.schema.json).
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "core/repair/plan.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -14,11 +14,11 @@ struct JsonPlace;
 Expected<RepairPlan> read_plan(std::string_view text);
 
 /// The same for a document already parsed (by parse_json); pointers start at `json`.
-Expected<RepairPlan> plan_from_json(const nlohmann::json& json);
+Expected<RepairPlan> plan_from_json(const Json& json);
 
 /// The same of a plan inside another document, which need not say its schema; lists what is wrong there.
 RepairPlan read_plan_within(const JsonPlace& place);
 
-nlohmann::ordered_json to_json(const RepairPlan& plan);
+Json to_json(const RepairPlan& plan);
 
 }  // namespace coapt

@@ -201,7 +201,7 @@ RepairPlan read_plan_at(const JsonPlace& place, bool schema_required) {
 
 }  // namespace
 
-Expected<RepairPlan> plan_from_json(const nlohmann::json& json) {
+Expected<RepairPlan> plan_from_json(const Json& json) {
   ProblemList problems;
   RepairPlan plan = read_plan_at({json, problems}, true);
   if (!problems.empty()) return std::move(problems).take();

@@ -4,19 +4,17 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json point_json(const LeafletPoint& point) {
+Json point_json(const LeafletPoint& point) {
   return {{"leaflet", to_string(point.leaflet)}, {"along", point.along}, {"height", point.height}};
 }
 
-ordered_json step_json(const Annuloplasty& step) {
+Json step_json(const Annuloplasty& step) {
   if (const auto* designed = std::get_if<DesignedRing>(&step.ring))
     return {{"step", "annuloplasty"},
             {"shape", kDesignedShape},
             {"ring", to_json(designed->shape)},
             {"size_mm", designed->size_mm}};
-  ordered_json json = {{"step", "annuloplasty"}, {"shape", shape_of(step)}};
+  Json json = {{"step", "annuloplasty"}, {"shape", shape_of(step)}};
   if (const auto* own = std::get_if<OwnRing>(&step.ring)) {
     json["sizes_below"] = own->sizes_below;
   } else {
@@ -25,46 +23,46 @@ ordered_json step_json(const Annuloplasty& step) {
   return json;
 }
 
-ordered_json step_json(const Neochorda& step) {
+Json step_json(const Neochorda& step) {
   return {{"step", "neochorda"},
           {"head", step.head},
           {"insertion", point_json(step.insertion)},
           {"length_mm", step.length_mm}};
 }
 
-ordered_json step_json(const ChordalLengthChange& step) {
+Json step_json(const ChordalLengthChange& step) {
   return {
       {"step", "chordal_length_change"}, {"chorda", step.chorda}, {"change_mm", step.change_mm}};
 }
 
-ordered_json step_json(const ChordalExcision& step) {
+Json step_json(const ChordalExcision& step) {
   return {{"step", "chordal_excision"}, {"chorda", step.chorda}};
 }
 
-ordered_json step_json(const ChordalTransfer& step) {
+Json step_json(const ChordalTransfer& step) {
   return {{"step", "chordal_transfer"},
           {"chorda", step.chorda},
           {"insertion", point_json(step.insertion)}};
 }
 
-ordered_json step_json(const PapillaryApproximation& step) {
-  ordered_json json = {{"step", "papillary_approximation"},
-                       {"side", to_string(step.side)},
-                       {"anchor", to_string(step.anchor)}};
+Json step_json(const PapillaryApproximation& step) {
+  Json json = {{"step", "papillary_approximation"},
+               {"side", to_string(step.side)},
+               {"anchor", to_string(step.anchor)}};
   if (step.anchor == Anchor::AnnulusPoint) json["annulus_around"] = step.annulus_around;
   json["suture_length_mm"] = step.suture_length_mm;
   return json;
 }
 
-ordered_json step_json(const EdgeToEdge& step) {
+Json step_json(const EdgeToEdge& step) {
   return {{"step", "edge_to_edge"},
           {"device", to_string(step.device)},
           {"along", step.along},
           {"width_mm", step.width_mm}};
 }
 
-ordered_json step_json(const LeafletResection& step) {
-  ordered_json json = {{"step", "leaflet_resection"}, {"shape", to_string(step.shape)}};
+Json step_json(const LeafletResection& step) {
+  Json json = {{"step", "leaflet_resection"}, {"shape", to_string(step.shape)}};
   const bool quadrangular = step.shape == ResectionShape::Quadrangular;
   if (!quadrangular) json["leaflet"] = to_string(step.leaflet);
   json["along"] = step.along;
@@ -78,8 +76,8 @@ ordered_json step_json(const LeafletResection& step) {
 
 }  // namespace
 
-ordered_json to_json(const RepairPlan& plan) {
-  ordered_json steps = ordered_json::array();
+Json to_json(const RepairPlan& plan) {
+  Json steps = Json::array();
   for (const RepairStep& step : plan.steps) {
     steps.push_back(std::visit([](const auto& kind) { return step_json(kind); }, step));
   }

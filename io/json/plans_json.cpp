@@ -9,8 +9,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr double kRegionLengthStep_mm = 0.25, kRegionAngleStep_deg = 1.0;  // region_of_interest()
 
 const char* name_of(SearchStop stop) {
@@ -32,25 +30,25 @@ const char* name_of(SearchStop stop) {
 }
 
 template <class T, class Write>
-ordered_json list_of(const std::vector<T>& entries, Write write) {
-  ordered_json list = ordered_json::array();
+Json list_of(const std::vector<T>& entries, Write write) {
+  Json list = Json::array();
   for (const T& entry : entries) list.push_back(write(entry));
   return list;
 }
 
-ordered_json statistics_json(const OrificeStatistics& s) {
+Json statistics_json(const OrificeStatistics& s) {
   return {{"nominal", s.nominal},   {"mean", s.mean},        {"sd", s.sd},
           {"worst", s.worst},       {"p95", s.p95},          {"below_5", s.below_5},
           {"below_10", s.below_10}, {"below_20", s.below_20}};
 }
 
-ordered_json margin_json(const LeakMargin& margin) {
+Json margin_json(const LeakMargin& margin) {
   return {{"suture_length_mm", margin.suture_length_mm},
           {"angle_deg", margin.angle_deg},
           {"share", margin.share}};
 }
 
-ordered_json gate_json(const Gate& gate) {
+Json gate_json(const Gate& gate) {
   return {{"rule", gate.rule},
           {"severity", to_string(gate.severity)},
           {"finding", gate.finding},
@@ -64,27 +62,26 @@ std::vector<double> axis(int count, double step) {
   return values;
 }
 
-ordered_json map_json(const LeakMap& map) {
+Json map_json(const LeakMap& map) {
   return {{"muscle", map.muscle},
           {"suture_length_mm", axis(kRegionLengths, kRegionLengthStep_mm)},
           {"outwards_deg", axis(kRegionAngles, kRegionAngleStep_deg)},
           {"leak_mm2", map.leak_mm2}};
 }
 
-ordered_json remodelling_json(const RemodellingCurve& curve) {
+Json remodelling_json(const RemodellingCurve& curve) {
   return {{"direction", curve.direction}, {"leak_mm2", curve.leak_mm2}};
 }
 
-ordered_json indices_json(const RegionIndices& indices) {
+Json indices_json(const RegionIndices& indices) {
   const auto by_axis = [](const std::array<double, 3>& shares) {
-    return ordered_json{
-        {"suture_length", shares[0]}, {"outwards", shares[1]}, {"posterior", shares[2]}};
+    return Json{{"suture_length", shares[0]}, {"outwards", shares[1]}, {"posterior", shares[2]}};
   };
   return {{"first", by_axis(indices.first)}, {"total", by_axis(indices.total)}};
 }
 
 /// Null if it was not closed on a refined mesh.
-ordered_json fine_json(const RankedPlan& ranked, const FineMesh& mesh) {
+Json fine_json(const RankedPlan& ranked, const FineMesh& mesh) {
   if (!ranked.fine) return nullptr;
   return {{"triangles", mesh.triangles},
           {"status", to_string(ranked.fine->status)},
@@ -94,26 +91,25 @@ ordered_json fine_json(const RankedPlan& ranked, const FineMesh& mesh) {
           {"leak_mm2", leak_mm2(*ranked.fine)},
           {"leak_mm2_error", ranked.fine_leak_error_mm2},
           {"cost", ranked.cost + ranked.fine_cost_change},
-          {"own_mesh_rank",
-           ranked.own_mesh_rank > 0 ? ordered_json(ranked.own_mesh_rank) : ordered_json()}};
+          {"own_mesh_rank", ranked.own_mesh_rank > 0 ? Json(ranked.own_mesh_rank) : Json()}};
 }
 
-ordered_json fine_mesh_json(const FineMesh& mesh) {
+Json fine_mesh_json(const FineMesh& mesh) {
   return {{"levels", mesh.levels},
-          {"triangles", mesh.triangles > 0 ? ordered_json(mesh.triangles) : ordered_json()},
-          {"leak_before_mm2", mesh.before ? ordered_json(leak_mm2(*mesh.before)) : ordered_json()},
+          {"triangles", mesh.triangles > 0 ? Json(mesh.triangles) : Json()},
+          {"leak_before_mm2", mesh.before ? Json(leak_mm2(*mesh.before)) : Json()},
           {"closures", mesh.closures}};
 }
 
 /// Null without draws.
-ordered_json spread_json(const std::optional<ModelSpread>& spread) {
+Json spread_json(const std::optional<ModelSpread>& spread) {
   if (!spread) return nullptr;
   return {{"failures", spread->failures},
           {"leak_mm2",
            {{"mean", spread->mean_mm2}, {"sd", spread->sd_mm2}, {"worst", spread->worst_mm2}}}};
 }
 
-ordered_json model_json(const SearchResult& result) {
+Json model_json(const SearchResult& result) {
   return {{"draws", result.model_draws},
           {"before", spread_json(result.before_under_draws)},
           {"closures", result.model_closures},
@@ -122,10 +118,10 @@ ordered_json model_json(const SearchResult& result) {
 }
 
 /// Nulls where it was not opened, or did not come to rest.
-ordered_json opening_json(const std::optional<PlanOpening>& opening) {
+Json opening_json(const std::optional<PlanOpening>& opening) {
   const bool known = opening && trusted(*opening);
   const auto number = [&](double OpeningMeasure::*value) {
-    return known ? ordered_json(opening->measure.*value) : ordered_json();
+    return known ? Json(opening->measure.*value) : Json();
   };
   return {{"opening_area_mm2", number(&OpeningMeasure::opening_area_mm2)},
           {"projected_area_mm2", number(&OpeningMeasure::projected_area_mm2)},
@@ -133,25 +129,25 @@ ordered_json opening_json(const std::optional<PlanOpening>& opening) {
           {"gradient_exercise_mmhg", number(&OpeningMeasure::gradient_exercise_mmhg)}};
 }
 
-ordered_json terms_json(const CostTerms& terms) {
-  ordered_json json;
+Json terms_json(const CostTerms& terms) {
+  Json json;
   for (int term = 0; term < kTerms; ++term) json[cost_term_rows()[term].name] = terms.amounts[term];
   return json;
 }
 
 /// Nulls without the evidence.
-ordered_json durability_json(const RankedPlan& ranked) {
+Json durability_json(const RankedPlan& ranked) {
   const auto number = [&](double Durability::*value) {
-    return ranked.durability ? ordered_json(*ranked.durability.*value) : ordered_json();
+    return ranked.durability ? Json(*ranked.durability.*value) : Json();
   };
   return {{"durability_mm", number(&Durability::expected_mm)},
           {"outlasting", number(&Durability::outlasting)},
           {"durability_price", ranked.durability_price}};
 }
 
-ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
+Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   const RegionReport& region = ranked.region;
-  ordered_json json = {{"rank", ranked.rank}};
+  Json json = {{"rank", ranked.rank}};
   if (!ranked.name.empty()) json["name"] = ranked.name;
   json.update({{"plan", to_json(ranked.plan)},
                {"description", ranked.description},
@@ -177,7 +173,7 @@ ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"closes_robustly", closes_robustly(ranked)},
                {"fine", fine_json(ranked, mesh)},
                {"under_draws", spread_json(ranked.model)},
-               {"cold_starts", ranked.starts ? to_json(*ranked.starts) : ordered_json()},
+               {"cold_starts", ranked.starts ? to_json(*ranked.starts) : Json()},
                {"leak_map", list_of(region.maps, map_json)},
                {"sobol", indices_json(region.indices)},
                {"independent_leak_mm2", statistics_json(region.independent_leak_mm2)},
@@ -189,11 +185,11 @@ ordered_json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   return json;
 }
 
-ordered_json progress_json(const Progress& progress) {
+Json progress_json(const Progress& progress) {
   return {{"closures", progress.closures}, {"cost", progress.cost}};
 }
 
-ordered_json pareto_json(const ParetoPlan& plan) {
+Json pareto_json(const ParetoPlan& plan) {
   return {{"plan", to_json(plan.plan)},
           {"description", plan.description},
           {"mean_mm2", plan.mean_mm2},
@@ -206,7 +202,7 @@ ordered_json pareto_json(const ParetoPlan& plan) {
           {"nodes", plan.nodes}};
 }
 
-ordered_json ladder_json(const LadderStep& step) {
+Json ladder_json(const LadderStep& step) {
   return {{"from", step.from},
           {"to", step.to},
           {"plans", step.plans},
@@ -214,9 +210,9 @@ ordered_json ladder_json(const LadderStep& step) {
           {"skipped", step.skipped}};
 }
 
-ordered_json before_json(const SearchResult& result) {
+Json before_json(const SearchResult& result) {
   const Evaluation& before = result.before;
-  ordered_json json = {{"status", to_string(before.status)}, {"crossing", before.crossing}};
+  Json json = {{"status", to_string(before.status)}, {"crossing", before.crossing}};
   json.update(to_json(before.measure));
   json.update(opening_json(result.opening_before));
   return json;
@@ -224,13 +220,13 @@ ordered_json before_json(const SearchResult& result) {
 
 }  // namespace
 
-ordered_json to_json(const StartCheck& starts) {
+Json to_json(const StartCheck& starts) {
   return {{"closures", starts.closures},
           {"elsewhere", starts.elsewhere},
           {"leak_difference_max_mm2", starts.leak_difference_max_mm2}};
 }
 
-ordered_json to_json(const SearchResult& result) {
+Json to_json(const SearchResult& result) {
   return result_document(
       "coapt.plans/1",
       {{"before", before_json(result)},
@@ -248,7 +244,7 @@ ordered_json to_json(const SearchResult& result) {
        {"branches", result.branches},
        {"cut", list_of(result.cut,
                        [](const CutBranches& cut) {
-                         return ordered_json{{"what", cut.what}, {"why", cut.why}};
+                         return Json{{"what", cut.what}, {"why", cut.why}};
                        })},
        {"plans_possible", result.plans_possible},
        {"plans_tried", result.plans_tried},
@@ -262,8 +258,8 @@ ordered_json to_json(const SearchResult& result) {
        {"not_modelled", not_modelled()}});
 }
 
-ordered_json to_json(const SearchResult& result, const SearchRequest& request) {
-  ordered_json json = to_json(result);
+Json to_json(const SearchResult& result, const SearchRequest& request) {
+  Json json = to_json(result);
   json["weights"] = to_json(request.options.weights);
   json["reproduce"] = {{"valve_hash", request.valve_hash}, {"version", version()},
                        {"revision", revision_json()},      {"seed", request.options.seed},

@@ -1,10 +1,10 @@
 // What a search answers, as JSON, and what its report says in the same words.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "io/json/json.h"
 #include "search/plans/plan_search.h"
 
 namespace coapt {
@@ -18,12 +18,12 @@ struct SearchRequest {
 
 /// coapt.plans/1: before, plans[], how the search went. What is not known (mean and sd of a plan that was
 /// closed only once, a margin without neighbours, measures of a valve that flew apart) is null.
-nlohmann::ordered_json to_json(const SearchResult& result);
+Json to_json(const SearchResult& result);
 
 /// The same with "weights" and "reproduce": {"valve_hash", "version", "seed", "command", "search"}, the last
 /// as search_options_from_json() reads it.
-nlohmann::ordered_json to_json(const SearchResult& result, const SearchRequest& request);
+Json to_json(const SearchResult& result, const SearchRequest& request);
 
-nlohmann::ordered_json to_json(const StartCheck& starts);
+Json to_json(const StartCheck& starts);
 
 }  // namespace coapt

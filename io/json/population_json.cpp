@@ -13,8 +13,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr int kMostMembers = 100'000;
 
 struct CountName {
@@ -33,8 +31,8 @@ constexpr std::array<CountName, 9> kCountNames = {
      {"lesions_competent", &DrawCounts::lesions_competent}}};
 
 template <std::size_t N>
-ordered_json names_of(const std::array<PopulationFactor, N>& factors) {
-  ordered_json names = ordered_json::array();
+Json names_of(const std::array<PopulationFactor, N>& factors) {
+  Json names = Json::array();
   for (const PopulationFactor& factor : factors) names.push_back(factor.name);
   return names;
 }
@@ -42,7 +40,7 @@ ordered_json names_of(const std::array<PopulationFactor, N>& factors) {
 /// The order of another version's factors could not be told from its numbers.
 template <std::size_t N>
 void check_names(const JsonPlace& place, const std::array<PopulationFactor, N>& factors) {
-  if (place.value != nlohmann::json(names_of(factors)))
+  if (place.value != Json(names_of(factors)))
     add_problem(place, ErrorCode::Unsupported, "names other factors than this version of coapt");
 }
 
@@ -98,8 +96,8 @@ void read_members(const JsonPlace& place, Population& population) {
 
 }  // namespace
 
-ordered_json to_json(const PopulationMember& member) {
-  ordered_json draws;
+Json to_json(const PopulationMember& member) {
+  Json draws;
   for (const CountName& count : kCountNames) draws[count.name] = member.draws.*count.count;
   return {{"index", member.index},
           {"aetiology", to_string(member.aetiology)},
@@ -110,15 +108,15 @@ ordered_json to_json(const PopulationMember& member) {
           {"draws", std::move(draws)}};
 }
 
-Expected<PopulationMember> member_from_json(const nlohmann::json& json) {
+Expected<PopulationMember> member_from_json(const Json& json) {
   ProblemList problems;
   PopulationMember member = read_member({json, problems});
   if (!problems.empty()) return std::move(problems).take();
   return member;
 }
 
-ordered_json to_json(const Population& population) {
-  ordered_json members = ordered_json::array();
+Json to_json(const Population& population) {
+  Json members = Json::array();
   for (const PopulationMember& member : population.members) members.push_back(to_json(member));
   return result_document("coapt.population/1", {{"seed", population.seed},
                                                 {"prior", to_json(population.prior)},
@@ -127,7 +125,7 @@ ordered_json to_json(const Population& population) {
                                                 {"members", std::move(members)}});
 }
 
-Expected<Population> population_from_json(const nlohmann::json& json) {
+Expected<Population> population_from_json(const Json& json) {
   ProblemList problems;
   const JsonPlace top{json, problems};
   Population population;
@@ -147,7 +145,7 @@ Expected<Population> population_from_json(const nlohmann::json& json) {
 }
 
 Expected<Population> read_population(std::string_view text) {
-  const Expected<nlohmann::json> json = parse_json(text);
+  const Expected<Json> json = parse_json(text);
   if (!json) return json.errors();
   return population_from_json(*json);
 }

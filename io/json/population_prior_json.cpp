@@ -12,8 +12,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 PriorFactor read_factor(const JsonPlace& place) {
   PriorFactor factor;
   PriorDistribution& d = factor.distribution;
@@ -75,9 +73,9 @@ AetiologyPrior read_aetiology(const JsonPlace& place) {
   return prior;
 }
 
-ordered_json factors_to_json(const std::vector<PriorFactor>& factors,
-                             std::span<const PopulationFactor> known) {
-  ordered_json json = ordered_json::object();
+Json factors_to_json(const std::vector<PriorFactor>& factors,
+                     std::span<const PopulationFactor> known) {
+  Json json = Json::object();
   for (const PriorFactor& factor : factors) {
     const PriorDistribution& d = factor.distribution;
     json[known[static_cast<std::size_t>(factor.factor)].name] = {{"mean", d.mean},
@@ -92,7 +90,7 @@ ordered_json factors_to_json(const std::vector<PriorFactor>& factors,
 
 }  // namespace
 
-Expected<PopulationPrior> prior_from_json(const nlohmann::json& json) {
+Expected<PopulationPrior> prior_from_json(const Json& json) {
   ProblemList problems;
   const JsonPlace top{json, problems};
   PopulationPrior prior;
@@ -112,13 +110,13 @@ Expected<PopulationPrior> prior_from_json(const nlohmann::json& json) {
 }
 
 Expected<PopulationPrior> read_prior(std::string_view text) {
-  const Expected<nlohmann::json> json = parse_json(text);
+  const Expected<Json> json = parse_json(text);
   if (!json) return json.errors();
   return prior_from_json(*json);
 }
 
-ordered_json to_json(const PopulationPrior& prior) {
-  ordered_json correlations = ordered_json::array(), aetiologies = ordered_json::array();
+Json to_json(const PopulationPrior& prior) {
+  Json correlations = Json::array(), aetiologies = Json::array();
   for (const PriorCorrelation& pair : prior.correlations)
     correlations.push_back(
         {{"first", anatomy_factors()[static_cast<std::size_t>(pair.first)].name},

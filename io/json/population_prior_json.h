@@ -1,9 +1,9 @@
 // Priors of populations as JSON: coapt.population_prior/1.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "io/json/json.h"
 #include "search/population/population.h"
 
 namespace coapt {
@@ -12,8 +12,8 @@ namespace coapt {
 /// "second", "r", "source", "assumed"}, ...], "aetiologies": [{"name", "share", "source", "assumed", "lesions": {...}}, ...]}.
 /// Errors: those of check_prior(), too.
 Expected<PopulationPrior> read_prior(std::string_view text);
-Expected<PopulationPrior> prior_from_json(const nlohmann::json& json);
-nlohmann::ordered_json to_json(const PopulationPrior& prior);
+Expected<PopulationPrior> prior_from_json(const Json& json);
+Json to_json(const PopulationPrior& prior);
 
 /// examples/populations/adult.json, as it was compiled in.
 std::string_view adult_prior_text();

@@ -10,15 +10,13 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json interval_json(const MeanInterval& interval) {
+Json interval_json(const MeanInterval& interval) {
   return {{"mean", interval.mean},
           {"interval95", {interval.low, interval.high}},
           {"members", interval.count}};
 }
 
-ordered_json share_json(int count, int of) {
+Json share_json(int count, int of) {
   if (of == 0) return {{"count", count}, {"of", of}, {"share", nullptr}, {"interval95", nullptr}};
   const std::array<double, 2> interval = share_interval(count, of);
   return {{"count", count},
@@ -31,14 +29,14 @@ const char* name_of(int candidate) {
   return candidate_repairs()[static_cast<std::size_t>(candidate)].name.c_str();
 }
 
-ordered_json family_json(const FamilyWins& family, int members) {
+Json family_json(const FamilyWins& family, int members) {
   return {{"family", to_string(family.family)},
           {"offered", family.offered},
           {"wins", share_json(family.wins, members)},
           {"as_good", share_json(family.as_good, members)}};
 }
 
-ordered_json candidate_json(const CandidateMeans& means) {
+Json candidate_json(const CandidateMeans& means) {
   return {{"repair", name_of(means.candidate)},
           {"closed", means.closed},
           {"refused", means.refused},
@@ -48,7 +46,7 @@ ordered_json candidate_json(const CandidateMeans& means) {
           {"leak_mm2", interval_json(means.leak_mm2)}};
 }
 
-ordered_json anchor_json(const AnchorComparison& anchor) {
+Json anchor_json(const AnchorComparison& anchor) {
   return {{"muscles", anchor.both_muscles ? "both" : "posteromedial"},
           {"ring", anchor.ring},
           {"movement_mm", anchor.movement_mm},
@@ -57,8 +55,8 @@ ordered_json anchor_json(const AnchorComparison& anchor) {
           {"trigone_less_saddle_peak_mm2", interval_json(anchor.difference_mm2)}};
 }
 
-ordered_json decided_json(const DecidedBy& decided) {
-  ordered_json factors = ordered_json::array();
+Json decided_json(const DecidedBy& decided) {
+  Json factors = Json::array();
   for (std::size_t i = 0; i < decided.indices.total.size(); ++i)
     factors.push_back({{"factor", decided.factors[i]},
                        {"first", decided.indices.first[i]},
@@ -71,13 +69,13 @@ ordered_json decided_json(const DecidedBy& decided) {
 }
 
 template <class T, class ToJson>
-ordered_json list_json(const std::vector<T>& list, const ToJson& json) {
-  ordered_json all = ordered_json::array();
+Json list_json(const std::vector<T>& list, const ToJson& json) {
+  Json all = Json::array();
   for (const T& entry : list) all.push_back(json(entry));
   return all;
 }
 
-ordered_json group_json(const GroupFindings& group) {
+Json group_json(const GroupFindings& group) {
   return {{"aetiology", group.aetiology ? to_string(*group.aetiology) : "all"},
           {"members", group.members},
           {"families",
@@ -86,7 +84,7 @@ ordered_json group_json(const GroupFindings& group) {
           {"candidates", list_json(group.candidates, candidate_json)},
           {"anchors", list_json(group.anchors, anchor_json)},
           {"undersizing", list_json(group.undersizing,
-                                    [](const Undersizing& sizes) -> ordered_json {
+                                    [](const Undersizing& sizes) -> Json {
                                       return {
                                           {"sizes_below", sizes.sizes_below},
                                           {"competent", share_json(sizes.competent, sizes.closed)},
@@ -95,23 +93,23 @@ ordered_json group_json(const GroupFindings& group) {
           {"decided_by", list_json(group.decided_by, decided_json)}};
 }
 
-ordered_json record_json(const CandidateRecord& record) {
+Json record_json(const CandidateRecord& record) {
   return {{"cost", record.cost},
           {"planned_mm2", record.planned_mm2},
           {"mean_mm2", record.mean_mm2},
           {"sd_mm2", record.sd_mm2}};
 }
 
-ordered_json regret_json(const Regret& regret) {
+Json regret_json(const Regret& regret) {
   return {{"cost", interval_json(regret.cost)}, {"leak_mm2", interval_json(regret.leak_mm2)}};
 }
 
 }  // namespace
 
-ordered_json to_json(const PopulationTree& tree) {
-  ordered_json nodes = ordered_json::array();
+Json to_json(const PopulationTree& tree) {
+  Json nodes = Json::array();
   for (const TreeNode& node : tree.tree.nodes) {
-    ordered_json json = {{"choice", name_of(node.choice)}, {"members", node.members}};
+    Json json = {{"choice", name_of(node.choice)}, {"members", node.members}};
     if (node.feature >= 0) {
       json["feature"] = echo_features()[static_cast<std::size_t>(node.feature)].name;
       json["threshold"] = node.threshold;
@@ -130,7 +128,7 @@ ordered_json to_json(const PopulationTree& tree) {
           {"single", name_of(tree.single)},
           {"single_regret", regret_json(tree.of_single)},
           {"aetiology_regret", regret_json(tree.of_aetiology)},
-          {"judged_leaves", list_json(tree.leaves, [](const TreeLeaf& leaf) -> ordered_json {
+          {"judged_leaves", list_json(tree.leaves, [](const TreeLeaf& leaf) -> Json {
              return {{"node", leaf.node},
                      {"members", leaf.members},
                      {"cost", interval_json(leaf.cost)},
@@ -139,7 +137,7 @@ ordered_json to_json(const PopulationTree& tree) {
            })}};
 }
 
-ordered_json to_json(const PopulationStudy& study) {
+Json to_json(const PopulationStudy& study) {
   const SearchRegret regret = search_regret(study.searched);
   return result_document(
       "coapt.population_study/1",
@@ -149,10 +147,10 @@ ordered_json to_json(const PopulationStudy& study) {
        {"closures", study.closures},
        {"failures", study.failures},
        {"groups", list_json(study.groups, group_json)},
-       {"tree", study.tree ? to_json(*study.tree) : ordered_json(nullptr)},
+       {"tree", study.tree ? to_json(*study.tree) : Json(nullptr)},
        {"searched",
         {{"members", list_json(study.searched,
-                               [](const SearchedMember& member) -> ordered_json {
+                               [](const SearchedMember& member) -> Json {
                                  return {{"index", member.index},
                                          {"plan", member.plan},
                                          {"closures", member.closures},

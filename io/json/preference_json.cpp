@@ -7,16 +7,13 @@
 
 namespace coapt {
 
-using nlohmann::ordered_json;
-
 PreferencePosterior posterior_of(const std::vector<PlanCase>& cases,
                                  const std::vector<GivenAnswer>& answers) {
   return learn_preferences(comparisons(answers, cases));
 }
 
-ordered_json learned_to_json(const std::vector<PlanCase>& cases,
-                             const std::vector<GivenAnswer>& answers,
-                             const PreferencePosterior& posterior) {
+Json learned_to_json(const std::vector<PlanCase>& cases, const std::vector<GivenAnswer>& answers,
+                     const PreferencePosterior& posterior) {
   CostWeights others;
   others.sd_share = cases.front().sd_share;
   AnswerCounts counts;
@@ -29,8 +26,8 @@ ordered_json learned_to_json(const std::vector<PlanCase>& cases,
   return to_json(LearnedWeights{posterior, learned_weights(posterior, others)}, counts);
 }
 
-ordered_json first_places_to_json(const std::vector<PlanCase>& cases, const PosteriorDraws& draws) {
-  ordered_json json = ordered_json::array();
+Json first_places_to_json(const std::vector<PlanCase>& cases, const PosteriorDraws& draws) {
+  Json json = Json::array();
   for (const PlanCase& of : cases) {
     const std::vector<double> shares = best_shares(of, draws);
     const auto most = std::max_element(shares.begin(), shares.end());

@@ -1,9 +1,9 @@
 // What a rater's answers so far say, as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/json/json.h"
 #include "search/preference/posterior_draws.h"
 
 namespace coapt {
@@ -13,12 +13,10 @@ PreferencePosterior posterior_of(const std::vector<PlanCase>& cases,
                                  const std::vector<GivenAnswer>& answers);
 
 /// coapt.weights/1 (weights_json.h). @pre all cases have the sd_share of the first.
-nlohmann::ordered_json learned_to_json(const std::vector<PlanCase>& cases,
-                                       const std::vector<GivenAnswer>& answers,
-                                       const PreferencePosterior& posterior);
+Json learned_to_json(const std::vector<PlanCase>& cases, const std::vector<GivenAnswer>& answers,
+                     const PreferencePosterior& posterior);
 
 /// [{"case", "rank", "probability"}]: of each case the plan that is most likely the best one; none of a case without plans.
-nlohmann::ordered_json first_places_to_json(const std::vector<PlanCase>& cases,
-                                            const PosteriorDraws& draws);
+Json first_places_to_json(const std::vector<PlanCase>& cases, const PosteriorDraws& draws);
 
 }  // namespace coapt

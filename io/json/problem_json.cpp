@@ -53,8 +53,8 @@ const char* status_title(int status) {
   }
 }
 
-nlohmann::ordered_json problem_json(int status, const Errors& errors) {
-  nlohmann::ordered_json problems = to_json(errors);
+Json problem_json(int status, const Errors& errors) {
+  Json problems = to_json(errors);
   const std::string kind = errors.empty() ? "unsupported" : problems[0]["code"].get<std::string>();
   return {{"type", kProblemTypes + kind},
           {"title", status_title(status)},

@@ -13,8 +13,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 std::vector<std::string> warnings(const RepairRequest& asked) {
   return warnings_of(operation_gates({asked.plan, asked.valve, asked.repaired}));
 }
@@ -52,35 +50,34 @@ JsonField frames_field(int& frames) {
       false};
 }
 
-ordered_json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
-                            double seconds) {
+Json closure_answer(const RepairRequest& asked, const ClosureResult& closure, double seconds) {
   return closure_answer(asked, closure, measure(asked.repaired, closure), seconds);
 }
 
-ordered_json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
-                            const ValveMeasure& measured, double seconds) {
-  ordered_json json = closure_to_json(asked.repaired, closure, measured, seconds);
+Json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
+                    const ValveMeasure& measured, double seconds) {
+  Json json = closure_to_json(asked.repaired, closure, measured, seconds);
   json["warnings"] = warnings(asked);
   return json;
 }
 
-ordered_json scene_answer(const RepairRequest& asked, const ClosureResult& closure, int frames,
-                          double seconds) {
-  ordered_json scene = scene_to_json({asked.repaired, closure, asked.plan, frames});
+Json scene_answer(const RepairRequest& asked, const ClosureResult& closure, int frames,
+                  double seconds) {
+  Json scene = scene_to_json({asked.repaired, closure, asked.plan, frames});
   scene["closure"] = closure_answer(asked, closure, seconds);
   return scene;
 }
 
-ordered_json opening_answer(const RepairRequest& asked, const OpenedValve& opened,
-                            const OpeningOptions& options, int frames, double seconds) {
-  ordered_json json = opening_to_json(opened, options, seconds);
+Json opening_answer(const RepairRequest& asked, const OpenedValve& opened,
+                    const OpeningOptions& options, int frames, double seconds) {
+  Json json = opening_to_json(opened, options, seconds);
   json["warnings"] = warnings(asked);
   json["scene"] = opening_scene_to_json(opened, frames);
   return json;
 }
 
-ordered_json rings_answer() {
-  ordered_json shapes = ordered_json::array();
+Json rings_answer() {
+  Json shapes = Json::array();
   for (const RingShape& ring : kRingShapes)
     shapes.push_back({{"name", ring.name},
                       {"ap_over_transverse", ring.ap_over_transverse},

@@ -24,20 +24,19 @@ std::vector<JsonField> opening_fields(OpeningOptions& options);
 JsonField frames_field(int& frames);
 
 /// coapt.closure/1, with the warnings of the operation. `measured`: measure(asked.repaired, closure)
-nlohmann::ordered_json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
-                                      double seconds);
-nlohmann::ordered_json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
-                                      const ValveMeasure& measured, double seconds);
+Json closure_answer(const RepairRequest& asked, const ClosureResult& closure, double seconds);
+Json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
+                    const ValveMeasure& measured, double seconds);
 
 /// coapt.scene/1, with that as "closure".
-nlohmann::ordered_json scene_answer(const RepairRequest& asked, const ClosureResult& closure,
-                                    int frames, double seconds);
+Json scene_answer(const RepairRequest& asked, const ClosureResult& closure, int frames,
+                  double seconds);
 
 /// coapt.opening/1, with the warnings of the operation and "scene".
-nlohmann::ordered_json opening_answer(const RepairRequest& asked, const OpenedValve& opened,
-                                      const OpeningOptions& options, int frames, double seconds);
+Json opening_answer(const RepairRequest& asked, const OpenedValve& opened,
+                    const OpeningOptions& options, int frames, double seconds);
 
 /// Ring shapes and sizes.
-nlohmann::ordered_json rings_answer();
+Json rings_answer();
 
 }  // namespace coapt

@@ -8,8 +8,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr std::array kErrorCodes = {
     ErrorCode::InvalidJson, ErrorCode::MissingField, ErrorCode::UnknownField,
     ErrorCode::WrongType,   ErrorCode::OutOfRange,   ErrorCode::BadReference,
@@ -49,8 +47,8 @@ const char* name_of(ErrorCode code) {
   return "";
 }
 
-ordered_json orifices_json(const std::vector<Orifice>& orifices) {
-  ordered_json list = ordered_json::array();
+Json orifices_json(const std::vector<Orifice>& orifices) {
+  Json list = Json::array();
   for (const Orifice& orifice : orifices) {
     const Vec3& centroid = orifice.centroid_mm;
     list.push_back({{"area_mm2", orifice.area_mm2},
@@ -60,9 +58,9 @@ ordered_json orifices_json(const std::vector<Orifice>& orifices) {
   return list;
 }
 
-ordered_json coaptation_json(const ValveMeasure& measure) {
+Json coaptation_json(const ValveMeasure& measure) {
   const Coaptation& coaptation = measure.coaptation;
-  ordered_json sections = ordered_json::array();
+  Json sections = Json::array();
   for (const CoaptationSection& section : coaptation.sections) {
     sections.push_back({{"along", section.along},
                         {"height_mm", section.height_mm},
@@ -78,7 +76,7 @@ ordered_json coaptation_json(const ValveMeasure& measure) {
           {"sections", std::move(sections)}};
 }
 
-ordered_json annulus_json(const AnnulusMeasure& annulus) {
+Json annulus_json(const AnnulusMeasure& annulus) {
   return {{"ap_mm", annulus.ap_mm},
           {"al_pm_mm", annulus.al_pm_mm},
           {"circumference_mm", annulus.circumference_mm},
@@ -86,8 +84,8 @@ ordered_json annulus_json(const AnnulusMeasure& annulus) {
           {"saddle_height_mm", annulus.saddle_height_mm}};
 }
 
-ordered_json leaflets_json(const std::vector<LeafletMeasure>& leaflets) {
-  ordered_json list = ordered_json::array();
+Json leaflets_json(const std::vector<LeafletMeasure>& leaflets) {
+  Json list = Json::array();
   for (const LeafletMeasure& leaflet : leaflets)
     list.push_back({{"name", leaflet.name},
                     {"rest_area_mm2", leaflet.rest_area_mm2},
@@ -98,7 +96,7 @@ ordered_json leaflets_json(const std::vector<LeafletMeasure>& leaflets) {
 }
 
 // `json` with the members of `more` after its own.
-ordered_json joined(ordered_json json, const ordered_json& more) {
+Json joined(Json json, const Json& more) {
   for (const auto& [name, value] : more.items()) json[name] = value;
   return json;
 }
@@ -118,8 +116,8 @@ const std::vector<std::string>& not_modelled() {
   return kSentences;
 }
 
-ordered_json to_json(const Errors& errors) {
-  ordered_json list = ordered_json::array();
+Json to_json(const Errors& errors) {
+  Json list = Json::array();
   for (const Error& error : errors) {
     list.push_back(
         {{"code", name_of(error.code)}, {"path", error.path}, {"message", error.message}});
@@ -127,9 +125,9 @@ ordered_json to_json(const Errors& errors) {
   return list;
 }
 
-Errors errors_from_json(const ordered_json& list) {
+Errors errors_from_json(const Json& list) {
   Errors errors;
-  for (const ordered_json& one : list) {
+  for (const Json& one : list) {
     if (!one.is_object()) continue;
     const std::string name = one.value("code", "");
     const auto code = std::find_if(kErrorCodes.begin(), kErrorCodes.end(),
@@ -140,41 +138,41 @@ Errors errors_from_json(const ordered_json& list) {
   return errors;
 }
 
-ordered_json to_json(const ValveMeasure& measure) {
+Json to_json(const ValveMeasure& measure) {
   const OrificeMeasure& orifice = measure.orifice;
-  ordered_json json = {{"orifice_area_mm2", orifice.area_mm2},
-                       {"orifice_area_mm2_error", measure.error.orifice_mm2},
-                       {"orifice_area_raw_mm2", orifice.area_raw_mm2},
-                       {"orifice_area_mean_mm2", orifice.area_mean_mm2},
-                       {"leak_mm2", leak_mm2(measure)},
-                       {"leak_mm2_error", measure.error.leak_mm2},
-                       {"orifices", orifices_json(orifice.orifices)},
-                       {"coaptation", coaptation_json(measure)},
-                       {"annulus", annulus_json(measure.annulus)},
-                       {"tenting_height_mm", measure.tenting_height_mm},
-                       {"tenting_area_mm2", measure.tenting_area_mm2},
-                       {"tension_max_n", measure.tension_max_n},
-                       {"tension_sum_n", measure.tension_sum_n},
-                       {"strain_circumferential_max", measure.strain_circumferential_max},
-                       {"strain_radial_max", measure.strain_radial_max}};
+  Json json = {{"orifice_area_mm2", orifice.area_mm2},
+               {"orifice_area_mm2_error", measure.error.orifice_mm2},
+               {"orifice_area_raw_mm2", orifice.area_raw_mm2},
+               {"orifice_area_mean_mm2", orifice.area_mean_mm2},
+               {"leak_mm2", leak_mm2(measure)},
+               {"leak_mm2_error", measure.error.leak_mm2},
+               {"orifices", orifices_json(orifice.orifices)},
+               {"coaptation", coaptation_json(measure)},
+               {"annulus", annulus_json(measure.annulus)},
+               {"tenting_height_mm", measure.tenting_height_mm},
+               {"tenting_area_mm2", measure.tenting_area_mm2},
+               {"tension_max_n", measure.tension_max_n},
+               {"tension_sum_n", measure.tension_sum_n},
+               {"strain_circumferential_max", measure.strain_circumferential_max},
+               {"strain_radial_max", measure.strain_radial_max}};
   if (!measure.leaflets.empty()) json["leaflets"] = leaflets_json(measure.leaflets);
   return json;
 }
 
-ordered_json to_json(const ObliqueOrifice& widest) {
+Json to_json(const ObliqueOrifice& widest) {
   return {
       {"max", widest.area_mm2}, {"tilt_deg", widest.tilt_deg}, {"azimuth_deg", widest.azimuth_deg}};
 }
 
-ordered_json to_json(const AccurateClosure& closure, double error_mm2) {
+Json to_json(const AccurateClosure& closure, double error_mm2) {
   return {{"error_mm2", error_mm2},
           {"refinements", closure.refinements},
           {"residual_tolerance", closure.tier.residual_tolerance},
           {"way_tolerance_mm", closure.tier.way_tolerance_mm}};
 }
 
-ordered_json to_json(const MeshConvergence& convergence, const MeshConvergenceOptions& options) {
-  ordered_json levels = ordered_json::array();
+Json to_json(const MeshConvergence& convergence, const MeshConvergenceOptions& options) {
+  Json levels = Json::array();
   for (const MeshLevel& level : convergence.levels)
     levels.push_back({{"triangles", level.triangles},
                       {"vertices", level.vertices},
@@ -194,28 +192,27 @@ ordered_json to_json(const MeshConvergence& convergence, const MeshConvergenceOp
           {"levels", std::move(levels)}};
 }
 
-ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
-                             const ValveMeasure& measure, double seconds) {
-  ordered_json attempts = ordered_json::array();
+Json closure_to_json(const Valve& valve, const ClosureResult& closure, const ValveMeasure& measure,
+                     double seconds) {
+  Json attempts = Json::array();
   for (const ClosureAttempt& attempt : closure.attempts)
     attempts.push_back({{"how", attempt.how},
                         {"status", to_string(attempt.status)},
                         {"crossing_pairs", attempt.crossing_pairs},
                         {"residual", attempt.residual},
                         {"steps", attempt.steps}});
-  ordered_json json =
-      joined(result_document("coapt.closure/1", {{"valve", valve.name},
-                                                 {"triangles", valve.faces.rows()},
-                                                 {"method", to_string(closure.method)},
-                                                 {"membrane", to_string(closure.membrane)},
-                                                 {"status", to_string(closure.status)},
-                                                 {"residual", closure.residual},
-                                                 {"steps", closure.steps},
-                                                 {"seconds", seconds},
-                                                 {"crossing", closure.crossing},
-                                                 {"crossing_pairs", closure.crossing_pairs},
-                                                 {"attempts", std::move(attempts)}}),
-             to_json(measure));
+  Json json = joined(result_document("coapt.closure/1", {{"valve", valve.name},
+                                                         {"triangles", valve.faces.rows()},
+                                                         {"method", to_string(closure.method)},
+                                                         {"membrane", to_string(closure.membrane)},
+                                                         {"status", to_string(closure.status)},
+                                                         {"residual", closure.residual},
+                                                         {"steps", closure.steps},
+                                                         {"seconds", seconds},
+                                                         {"crossing", closure.crossing},
+                                                         {"crossing_pairs", closure.crossing_pairs},
+                                                         {"attempts", std::move(attempts)}}),
+                     to_json(measure));
   if (is_mitral(valve))
     json["coaptation_area_index"] = coaptation_area_index(valve, closure.closed_mm);
   return json;

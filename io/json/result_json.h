@@ -1,7 +1,6 @@
 // What closures answer, as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,32 +10,31 @@
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
 #include "core/metrics/oblique.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
 /// What coapt leaves out, a sentence each.
 const std::vector<std::string>& not_modelled();
 
-nlohmann::ordered_json to_json(const Errors& errors);  ///< [{"code","path","message"}, ...]
+Json to_json(const Errors& errors);  ///< [{"code","path","message"}, ...]
 /// Of such a list; a code that is not known becomes Unsupported.
-Errors errors_from_json(const nlohmann::ordered_json& list);
-nlohmann::ordered_json to_json(const ValveMeasure& measure);
+Errors errors_from_json(const Json& list);
+Json to_json(const ValveMeasure& measure);
 
-nlohmann::ordered_json to_json(
-    const ObliqueOrifice& widest);  ///< {"max", "tilt_deg", "azimuth_deg"}
+Json to_json(const ObliqueOrifice& widest);  ///< {"max", "tilt_deg", "azimuth_deg"}
 
 /// {"error_mm2", "refinements", "residual_tolerance", "way_tolerance_mm"}: what was asked for, and
 /// how it was kept.
-nlohmann::ordered_json to_json(const AccurateClosure& closure, double error_mm2);
+Json to_json(const AccurateClosure& closure, double error_mm2);
 
 /// {"stop", "within_mm2", "within_share", "order", "monotonous", "leak_limit_mm2", "leak_error_mm2", "levels": [...]}:
 /// what finer and finer meshes say of a leak. What is not known is null.
-nlohmann::ordered_json to_json(const MeshConvergence& convergence,
-                               const MeshConvergenceOptions& options);
+Json to_json(const MeshConvergence& convergence, const MeshConvergenceOptions& options);
 
 /// Keys that scripts rely on: method, membrane, status, crossing, orifice_area_mm2, orifice_area_raw_mm2, residual,
 /// steps, seconds, triangles; then every measure.
-nlohmann::ordered_json closure_to_json(const Valve& valve, const ClosureResult& closure,
-                                       const ValveMeasure& measure, double seconds);
+Json closure_to_json(const Valve& valve, const ClosureResult& closure, const ValveMeasure& measure,
+                     double seconds);
 
 }  // namespace coapt

@@ -7,9 +7,7 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json figures_json(const RingFigures& figures) {
+Json figures_json(const RingFigures& figures) {
   return {{"below_5_percent", figures.below_percent},
           {"leak_mm2", figures.leak_mm2},
           {"gradient_mmhg", figures.gradient_mmhg},
@@ -22,12 +20,12 @@ ordered_json figures_json(const RingFigures& figures) {
           {"size_mm", figures.size_mm}};
 }
 
-ordered_json gain_json(const MeanInterval& gain) {
+Json gain_json(const MeanInterval& gain) {
   return {{"mean", gain.mean}, {"low", gain.low}, {"high", gain.high}};
 }
 
-ordered_json ring_candidate_json(const RingCandidate& candidate) {
-  ordered_json json;
+Json ring_candidate_json(const RingCandidate& candidate) {
+  Json json;
   if (const auto* shape = std::get_if<DesignedShape>(&candidate.shape))
     json["ring"] = to_json(*shape);
   else
@@ -36,7 +34,7 @@ ordered_json ring_candidate_json(const RingCandidate& candidate) {
   return json;
 }
 
-ordered_json contrast_json(const RingContrast& contrast) {
+Json contrast_json(const RingContrast& contrast) {
   return {{"first", contrast.first},
           {"second", contrast.second},
           {"aetiology", contrast.aetiology},
@@ -49,8 +47,8 @@ ordered_json contrast_json(const RingContrast& contrast) {
           {"suture_normal_n", gain_json(contrast.suture_normal_n)}};
 }
 
-ordered_json claims_json(const RingClaims& claims) {
-  ordered_json contrasts = ordered_json::array(), sizes = ordered_json::array();
+Json claims_json(const RingClaims& claims) {
+  Json contrasts = Json::array(), sizes = Json::array();
   for (const RingContrast& contrast : claims.contrasts)
     contrasts.push_back(contrast_json(contrast));
   for (const RingSizeFigures& size : claims.sizes) sizes.push_back(figures_json(size.figures));
@@ -61,9 +59,9 @@ ordered_json claims_json(const RingClaims& claims) {
           {"tenting_before_mm", claims.tenting_before_mm}};
 }
 
-ordered_json provenance_json(const RingDesignResult& result, const RingDesignSource& source) {
+Json provenance_json(const RingDesignResult& result, const RingDesignSource& source) {
   const RingVerdict& all = result.verdicts.front();
-  ordered_json json = {{"population", source.population}};
+  Json json = {{"population", source.population}};
   if (!source.aetiology.empty()) json["aetiology"] = source.aetiology;
   json.update({{"objective",
                 "share of closures that leak 5 mm2 or more over members and disturbances, with "
@@ -82,13 +80,13 @@ ordered_json provenance_json(const RingDesignResult& result, const RingDesignSou
 
 }  // namespace
 
-ordered_json ring_document(const RingDesignResult& result, const RingDesignSource& source) {
+Json ring_document(const RingDesignResult& result, const RingDesignSource& source) {
   return to_json(result.search.design, provenance_json(result, source));
 }
 
-ordered_json to_json(const RingDesignResult& result, const RingDesignSource& source) {
+Json to_json(const RingDesignResult& result, const RingDesignSource& source) {
   const RingVerdict& all = result.verdicts.front();
-  ordered_json verdicts = ordered_json::array(), rivals = ordered_json::array();
+  Json verdicts = Json::array(), rivals = Json::array();
   for (const RingVerdict& verdict : result.verdicts)
     verdicts.push_back({{"aetiology", verdict.aetiology},
                         {"members", verdict.members},
@@ -97,7 +95,7 @@ ordered_json to_json(const RingDesignResult& result, const RingDesignSource& sou
                         {"below_5_gain", gain_json(verdict.below_percent)},
                         {"leak_gain_mm2", gain_json(verdict.leak_mm2)}});
   for (const RatedRing& rival : result.search.rivals) {
-    ordered_json json = ring_candidate_json(rival.candidate);
+    Json json = ring_candidate_json(rival.candidate);
     json["cost"] = rival.cost;
     rivals.push_back(std::move(json));
   }

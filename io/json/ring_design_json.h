@@ -1,9 +1,9 @@
 // The result of designing a ring as JSON: coapt.ring_design/1.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/json/json.h"
 #include "search/rings/design_ring.h"
 
 namespace coapt {
@@ -19,10 +19,9 @@ struct RingDesignSource {
 /// {"schema", "version", "notice", "design": coapt.ring/1, "generic": its name and rule, "gain_held_out", "gain_low", "gain_high" (points of
 /// the share of closures below 5 mm2, held-out members), "leak_gain_mm2" and its interval, counts, "verdicts" by aetiology, "claims",
 /// "rivals"}.
-nlohmann::ordered_json to_json(const RingDesignResult& result, const RingDesignSource& source);
+Json to_json(const RingDesignResult& result, const RingDesignSource& source);
 
 /// The design alone, with its provenance: what -o writes.
-nlohmann::ordered_json ring_document(const RingDesignResult& result,
-                                     const RingDesignSource& source);
+Json ring_document(const RingDesignResult& result, const RingDesignSource& source);
 
 }  // namespace coapt

@@ -5,16 +5,14 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 void read_provenance(const JsonPlace& place) {
   if (!place.value.is_object()) add_problem(place, ErrorCode::WrongType, "must be an object");
 }
 
 }  // namespace
 
-ordered_json to_json(const DesignedShape& shape) {
-  ordered_json json = {{"name", shape.name}};
+Json to_json(const DesignedShape& shape) {
+  Json json = {{"name", shape.name}};
   for (const RingTermRow& row : kRingTerms) json[row.name] = shape.terms.*row.member;
   return json;
 }
@@ -30,15 +28,15 @@ DesignedShape read_designed_shape(const JsonPlace& place) {
   return shape;
 }
 
-ordered_json to_json(const RingDesign& design, const ordered_json& provenance) {
-  ordered_json json = {{"schema", "coapt.ring/1"},
-                       {"ring", to_json(design.shape)},
-                       {"sizing", {{"width_over_transverse", design.width_over_transverse}}}};
+Json to_json(const RingDesign& design, const Json& provenance) {
+  Json json = {{"schema", "coapt.ring/1"},
+               {"ring", to_json(design.shape)},
+               {"sizing", {{"width_over_transverse", design.width_over_transverse}}}};
   if (!provenance.empty()) json["provenance"] = provenance;
   return json;
 }
 
-Expected<RingDesign> ring_from_json(const nlohmann::json& json) {
+Expected<RingDesign> ring_from_json(const Json& json) {
   ProblemList problems;
   RingDesign design;
   const auto read_sizing = [&](const JsonPlace& sizing) {

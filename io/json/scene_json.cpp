@@ -13,50 +13,48 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json rounded(double value, double digits) {
-  return std::isfinite(value) ? ordered_json(std::round(value * digits) / digits) : nullptr;
+Json rounded(double value, double digits) {
+  return std::isfinite(value) ? Json(std::round(value * digits) / digits) : nullptr;
 }
 
-ordered_json mm(double value) { return rounded(value, 1e3); }
-ordered_json fine(double value) { return rounded(value, 1e4); }
+Json mm(double value) { return rounded(value, 1e3); }
+Json fine(double value) { return rounded(value, 1e4); }
 
-ordered_json point(const Vec3& p) { return {mm(p.x()), mm(p.y()), mm(p.z())}; }
+Json point(const Vec3& p) { return {mm(p.x()), mm(p.y()), mm(p.z())}; }
 
-ordered_json direction(const Vec3& d) {
+Json direction(const Vec3& d) {
   return {rounded(d.x(), 1e6), rounded(d.y(), 1e6), rounded(d.z(), 1e6)};
 }
 
-ordered_json flat(const Points& points) {
-  ordered_json list = ordered_json::array();
+Json flat(const Points& points) {
+  Json list = Json::array();
   for (Eigen::Index i = 0; i < points.rows(); ++i)
     for (Eigen::Index k = 0; k < 3; ++k) list.push_back(mm(points(i, k)));
   return list;
 }
 
 template <class T, class Write>
-ordered_json list_of(const T& entries, Write write) {
-  ordered_json list = ordered_json::array();
+Json list_of(const T& entries, Write write) {
+  Json list = Json::array();
   for (const auto& entry : entries) list.push_back(write(entry));
   return list;
 }
 
-ordered_json faces_json(const Faces& faces) {
-  ordered_json list = ordered_json::array();
+Json faces_json(const Faces& faces) {
+  Json list = Json::array();
   for (Eigen::Index f = 0; f < faces.rows(); ++f)
     for (Eigen::Index k = 0; k < 3; ++k) list.push_back(faces(f, k));
   return list;
 }
 
-ordered_json plane_json(const AnnulusFrame& plane) {
+Json plane_json(const AnnulusFrame& plane) {
   return {{"origin_mm", point(plane.origin_mm)},
           {"x", direction(plane.x)},
           {"y", direction(plane.y)},
           {"normal", direction(plane.normal)}};
 }
 
-ordered_json landmarks_json(const Landmarks& marks) {
+Json landmarks_json(const Landmarks& marks) {
   return {{"saddle_peak", marks.saddle_peak},
           {"mid_posterior", marks.mid_posterior},
           {"anterolateral_trigone", marks.anterolateral_trigone},
@@ -65,8 +63,8 @@ ordered_json landmarks_json(const Landmarks& marks) {
           {"posteromedial_commissure", marks.posteromedial_commissure}};
 }
 
-ordered_json segment_json(const ChordaSegment& segment, const Vec3& end_mm, double tension_n) {
-  ordered_json json = {
+Json segment_json(const ChordaSegment& segment, const Vec3& end_mm, double tension_n) {
+  Json json = {
       {"parent", segment.parent}, {"end_mm", point(end_mm)}, {"tension_n", fine(tension_n)}};
   if (!segment.inserts) return json;
   json["face"] = segment.insertion.face;
@@ -74,11 +72,11 @@ ordered_json segment_json(const ChordaSegment& segment, const Vec3& end_mm, doub
   return json;
 }
 
-ordered_json chordae_json(const Valve& valve, const ClosureResult& closure) {
-  ordered_json list = ordered_json::array();
+Json chordae_json(const Valve& valve, const ClosureResult& closure) {
+  Json list = Json::array();
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
     const Chorda& chorda = valve.chordae[c];
-    ordered_json segments = ordered_json::array();
+    Json segments = Json::array();
     for (std::size_t s = 0; s < chorda.segments.size(); ++s)
       segments.push_back(segment_json(chorda.segments[s],
                                       closure.branch_points_mm[c].row(static_cast<Eigen::Index>(s)),
@@ -92,8 +90,8 @@ ordered_json chordae_json(const Valve& valve, const ClosureResult& closure) {
   return list;
 }
 
-ordered_json heads_json(const std::vector<PapillaryHead>& heads) {
-  return list_of(heads, [](const PapillaryHead& head) -> ordered_json {
+Json heads_json(const std::vector<PapillaryHead>& heads) {
+  return list_of(heads, [](const PapillaryHead& head) -> Json {
     return {{"id", head.id},
             {"side", to_string(head.side)},
             {"rest_mm", point(head.rest_mm)},
@@ -101,53 +99,53 @@ ordered_json heads_json(const std::vector<PapillaryHead>& heads) {
   });
 }
 
-ordered_json coordinates_json(const Valve& valve) {
+Json coordinates_json(const Valve& valve) {
   const LeafletCoordinates coordinates = leaflet_coordinates(valve);
   return {{"around", list_of(coordinates.around, fine)},
           {"height", list_of(coordinates.height, fine)}};
 }
 
-ordered_json strains_json(const Valve& valve, const Points& closed_mm) {
+Json strains_json(const Valve& valve, const Points& closed_mm) {
   const std::vector<FaceStrain> strains = face_strains(valve, closed_mm);
   return {{"circumferential",
            list_of(strains, [](const FaceStrain& s) { return fine(s.circumferential); })},
           {"radial", list_of(strains, [](const FaceStrain& s) { return fine(s.radial); })}};
 }
 
-ordered_json orifices_json(const Valve& valve, const Points& closed_mm) {
+Json orifices_json(const Valve& valve, const Points& closed_mm) {
   return list_of(orifice_outlines(valve, closed_mm, 0.5 * valve.tissue.thickness_mm),
-                 [](const OrificeOutline& outline) -> ordered_json {
+                 [](const OrificeOutline& outline) -> Json {
                    return {{"area_mm2", mm(outline.area_mm2)},
                            {"contours_mm", list_of(outline.contours_mm, flat)}};
                  });
 }
 
-ordered_json sections_json(const Valve& valve, const Points& closed_mm) {
-  return list_of(fine_coaptation_sections(valve, closed_mm),
-                 [&](const CoaptationSection& section) -> ordered_json {
-                   const SectionPlane plane = coaptation_plane(valve, section.along);
-                   return {{"along", fine(section.along)},
-                           {"point_mm", point(plane.point_mm)},
-                           {"normal", direction(plane.normal)},
-                           {"height_mm", mm(section.height_mm)},
-                           {"distance_mm", mm(section.distance_mm)},
-                           {"contact", section.contact},
-                           {"nearest_mm", std::isfinite(section.distance_mm)
-                                              ? list_of(section.nearest_mm, point)
-                                              : ordered_json(nullptr)}};
-                 });
+Json sections_json(const Valve& valve, const Points& closed_mm) {
+  return list_of(
+      fine_coaptation_sections(valve, closed_mm), [&](const CoaptationSection& section) -> Json {
+        const SectionPlane plane = coaptation_plane(valve, section.along);
+        return {
+            {"along", fine(section.along)},
+            {"point_mm", point(plane.point_mm)},
+            {"normal", direction(plane.normal)},
+            {"height_mm", mm(section.height_mm)},
+            {"distance_mm", mm(section.distance_mm)},
+            {"contact", section.contact},
+            {"nearest_mm", std::isfinite(section.distance_mm) ? list_of(section.nearest_mm, point)
+                                                              : Json(nullptr)}};
+      });
 }
 
-ordered_json gap_json(const Valve& valve, const Points& closed_mm) {
-  return list_of(measure_gap(valve, closed_mm).places, [](const GapPlace& place) -> ordered_json {
+Json gap_json(const Valve& valve, const Points& closed_mm) {
+  return list_of(measure_gap(valve, closed_mm).places, [](const GapPlace& place) -> Json {
     return {{"anterior_mm", point(place.anterior_mm)},
             {"posterior_mm", point(place.posterior_mm)},
             {"width_mm", mm(place.width_mm)}};
   });
 }
 
-ordered_json sutures_json(const Valve& valve, const RepairPlan& plan) {
-  ordered_json list = ordered_json::array();
+Json sutures_json(const Valve& valve, const RepairPlan& plan) {
+  Json list = Json::array();
   for (const RepairStep& step : plan.steps)
     if (const auto* suture = std::get_if<PapillaryApproximation>(&step))
       list.push_back({{"side", to_string(suture->side)},
@@ -156,12 +154,12 @@ ordered_json sutures_json(const Valve& valve, const RepairPlan& plan) {
   return list;
 }
 
-ordered_json insertion_json(const Insertion& point) {
+Json insertion_json(const Insertion& point) {
   return {{"face", point.face}, {"weights", list_of(point.weights, fine)}};
 }
 
-ordered_json ties_json(const Valve& valve, const ClosureResult& closure) {
-  ordered_json list = ordered_json::array();
+Json ties_json(const Valve& valve, const ClosureResult& closure) {
+  Json list = Json::array();
   for (std::size_t i = 0; i < valve.ties.size(); ++i)
     list.push_back({{"id", valve.ties[i].id},
                     {"anterior", insertion_json(valve.ties[i].anterior)},
@@ -170,8 +168,8 @@ ordered_json ties_json(const Valve& valve, const ClosureResult& closure) {
   return list;
 }
 
-ordered_json seams_json(const Valve& valve, const RepairPlan& plan) {
-  ordered_json list = ordered_json::array();
+Json seams_json(const Valve& valve, const RepairPlan& plan) {
+  Json list = Json::array();
   for (const RepairStep& step : plan.steps)
     if (const auto* cut = std::get_if<LeafletResection>(&step))
       list.push_back(list_of(seam_of(*cut, leaflet_coordinates(valve), valve), insertion_json));
@@ -179,9 +177,9 @@ ordered_json seams_json(const Valve& valve, const RepairPlan& plan) {
 }
 
 /// `frames` of the states at most, evenly, the first and the last among them.
-ordered_json motion_json(const std::vector<Points>& states, int frames) {
+Json motion_json(const std::vector<Points>& states, int frames) {
   const int count = std::min(frames, static_cast<int>(std::ssize(states)));
-  ordered_json list = ordered_json::array();
+  Json list = Json::array();
   for (int i = 0; i < count; ++i) {
     const double place = count == 1 ? 1.0 : static_cast<double>(i) / (count - 1);
     list.push_back(flat(states[static_cast<std::size_t>(
@@ -211,8 +209,8 @@ ClosureResult unloaded(const Valve& valve) {
 }
 
 /// All but what is measured of a closed state.
-ordered_json without_closed_state(const Valve& valve, const RepairPlan& plan,
-                                  const ClosureResult& closure) {
+Json without_closed_state(const Valve& valve, const RepairPlan& plan,
+                          const ClosureResult& closure) {
   return {{"schema", "coapt.scene/1"},
           {"plane", plane_json(annulus_frame(valve, AnnulusAxis::Commissures))},
           {"thickness_mm", valve.tissue.thickness_mm},
@@ -230,21 +228,21 @@ ordered_json without_closed_state(const Valve& valve, const RepairPlan& plan,
           {"ties", ties_json(valve, closure)},
           {"seams", seams_json(valve, plan)},
           {"strain", nullptr},
-          {"orifices", ordered_json::array()},
-          {"gap", ordered_json::array()},
-          {"sections", ordered_json::array()},
-          {"motion_mm", ordered_json::array()}};
+          {"orifices", Json::array()},
+          {"gap", Json::array()},
+          {"sections", Json::array()},
+          {"motion_mm", Json::array()}};
 }
 
 }  // namespace
 
-ordered_json unloaded_scene_to_json(const Valve& valve, const RepairPlan& plan) {
+Json unloaded_scene_to_json(const Valve& valve, const RepairPlan& plan) {
   return without_closed_state(valve, plan, unloaded(valve));
 }
 
-ordered_json scene_to_json(const Scene& scene) {
+Json scene_to_json(const Scene& scene) {
   const auto& [valve, closure, plan, frames] = scene;
-  ordered_json json = without_closed_state(valve, plan, closure);
+  Json json = without_closed_state(valve, plan, closure);
   json["motion_mm"] = motion_json(closure.motion_mm, frames);
   if (!closure.closed_mm.allFinite()) return json;
   json["closed_mm"] = flat(closure.closed_mm);
@@ -255,9 +253,9 @@ ordered_json scene_to_json(const Scene& scene) {
   return json;
 }
 
-ordered_json opening_scene_to_json(const OpenedValve& opened, int frames) {
+Json opening_scene_to_json(const OpenedValve& opened, int frames) {
   const auto& [valve, closure, measure, passage_mm] = opened;
-  ordered_json passage = ordered_json::array();
+  Json passage = Json::array();
   for (const Vec3& at_mm : passage_mm)
     for (const double coordinate : at_mm) passage.push_back(mm(coordinate));
   return {{"faces", faces_json(valve.faces)},

@@ -10,8 +10,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr int kMostCases = 100, kMostSeconds = 3600;
 constexpr std::size_t kMostBlocks = 50, kLongestBlockName = 64;
 
@@ -59,7 +57,7 @@ ScheduleBlock read_block(const JsonPlace& place) {
 
 }  // namespace
 
-Expected<Schedule> schedule_from_json(const nlohmann::json& json) {
+Expected<Schedule> schedule_from_json(const Json& json) {
   ProblemList problems;
   const JsonPlace top{json, problems};
   Schedule schedule;
@@ -82,22 +80,21 @@ Expected<Schedule> schedule_from_json(const nlohmann::json& json) {
 }
 
 Expected<Schedule> read_schedule(std::string_view text) {
-  const Expected<nlohmann::json> json = parse_json(text);
+  const Expected<Json> json = parse_json(text);
   if (!json) return json.errors();
   return schedule_from_json(*json);
 }
 
-ordered_json exam_to_json(const Schedule& schedule, std::uint64_t learner_seed,
-                          std::uint64_t first_seed) {
-  ordered_json blocks = ordered_json::array();
+Json exam_to_json(const Schedule& schedule, std::uint64_t learner_seed, std::uint64_t first_seed) {
+  Json blocks = Json::array();
   for (const ScheduledBlock& laid : lay_out(schedule, learner_seed, first_seed)) {
-    ordered_json block = {{"name", laid.block.name}};
+    Json block = {{"name", laid.block.name}};
     if (!laid.block.instruction.empty()) {
       block["instruction"] = laid.block.instruction;
     } else {
       block["exam"] = laid.block.segments ? "B" : "A";
       block["seconds"] = laid.block.seconds;
-      ordered_json& trials = block["trials"] = ordered_json::array();
+      Json& trials = block["trials"] = Json::array();
       for (const ScheduledTrial& trial : laid.trials)
         trials.push_back({{"seed", trial.seed}, {"repeated", trial.repeated}});
     }

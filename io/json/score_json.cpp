@@ -11,14 +11,12 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr double kNextSuccess = 0.6;  // in the middle of 1/4 or 1/3 by chance and 1
 
-ordered_json one_score(const Score& score) {
+Json one_score(const Score& score) {
   return {{"learner", score.learner},
           {"exam", score.segments ? "B" : "A"},
-          {"block", score.block ? ordered_json(*score.block) : nullptr},
+          {"block", score.block ? Json(*score.block) : nullptr},
           {"trials", score.trials},
           {"answers", score.answers},
           {"right", score.right},
@@ -39,8 +37,8 @@ ordered_json one_score(const Score& score) {
 }
 
 /// @param own the trials of the score's learner and exam.
-ordered_json next_of(const Score& score, const std::vector<TrainingTrial>& own) {
-  ordered_json repeat = ordered_json::array();
+Json next_of(const Score& score, const std::vector<TrainingTrial>& own) {
+  Json repeat = Json::array();
   for (const RepeatedCase& repeated : cases_to_repeat(own))
     repeat.push_back(
         {{"valve", repeated.valve}, {"seed", repeated.seed}, {"due_in", repeated.due_in}});
@@ -52,7 +50,7 @@ ordered_json next_of(const Score& score, const std::vector<TrainingTrial>& own) 
 }
 
 /// Of exam A; a learner's first answer to a case counts, before anything was learned of it.
-ordered_json calibrated(const std::vector<TrainingTrial>& trials) {
+Json calibrated(const std::vector<TrainingTrial>& trials) {
   std::map<int, int> raters;
   std::map<std::pair<std::string, std::uint64_t>, int> items;
   std::map<std::pair<int, int>, bool> first;
@@ -66,7 +64,7 @@ ordered_json calibrated(const std::vector<TrainingTrial>& trials) {
     if (is_new) of_item.push_back(&trial);
     first.emplace(std::pair(rater, item->second), chosen->choice == chosen->answer);
   }
-  ordered_json list = ordered_json::array();
+  Json list = Json::array();
   if (raters.size() < kCalibrationLearners) return list;
   std::vector<RatedItem> rated;
   for (const auto& [key, right] : first) rated.push_back({key.first, key.second, right});
@@ -85,11 +83,11 @@ ordered_json calibrated(const std::vector<TrainingTrial>& trials) {
 
 }  // namespace
 
-ordered_json score_to_json(const std::vector<TrainingTrial>& trials) {
+Json score_to_json(const std::vector<TrainingTrial>& trials) {
   std::map<std::pair<int, bool>, std::vector<TrainingTrial>> own;  // of a learner and exam
   for (const TrainingTrial& trial : trials)
     own[{trial.learner, std::holds_alternative<JudgedSegments>(trial.judged)}].push_back(trial);
-  ordered_json scores = ordered_json::array(), next = ordered_json::array();
+  Json scores = Json::array(), next = Json::array();
   for (const Score& score : scores_of(trials)) {
     scores.push_back(one_score(score));
     if (!score.block) next.push_back(next_of(score, own.at({score.learner, score.segments})));

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/json/json.h"
 #include "search/training/training_trial.h"
 
 namespace coapt {
@@ -19,6 +19,6 @@ inline constexpr std::size_t kMostCalibrationAnswers = 10'000;
 /// "scores": of each learner and exam over all blocks (block null) and by block; "next" of each learner and exam: the difficulty that
 /// they get right with probability 0.6, and the cases to repeat; "cases": calibrated difficulties where at least
 /// kCalibrationLearners did exam A. @pre each learner's trials are in their order.
-nlohmann::ordered_json score_to_json(const std::vector<TrainingTrial>& trials);
+Json score_to_json(const std::vector<TrainingTrial>& trials);
 
 }  // namespace coapt

@@ -12,8 +12,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr std::size_t kMostForbidden = 100;  // there are fewer to forbid
 
 template <class Options>
@@ -44,8 +42,7 @@ void add_option_fields(std::vector<JsonField>& fields, std::span<const OptionRow
 }
 
 template <class Options>
-void write_options(ordered_json& json, std::span<const OptionRow<Options>> rows,
-                   const Options& options) {
+void write_options(Json& json, std::span<const OptionRow<Options>> rows, const Options& options) {
   for (const OptionRow<Options>& row : rows)
     std::visit([&](auto member) { json[row.name] = options.*member; }, row.member);
 }
@@ -80,8 +77,8 @@ SearchRules read_rules(const JsonPlace& place) {
   return rules;
 }
 
-ordered_json rules_json(const SearchRules& rules) {
-  ordered_json json = {{"fixed", to_json(rules.fixed)}, {"forbidden", rules.forbidden}};
+Json rules_json(const SearchRules& rules) {
+  Json json = {{"fixed", to_json(rules.fixed)}, {"forbidden", rules.forbidden}};
   for (const DesignedShape& shape : rules.shapes) json["shapes"].push_back(to_json(shape));
   write_options(json, search_rule_rows(), rules);
   return json;
@@ -97,7 +94,7 @@ CostWeights read_cost_weights(const JsonPlace& place) {
   return weights;
 }
 
-Expected<SearchOptions> search_options_from_json(const nlohmann::json& json) {
+Expected<SearchOptions> search_options_from_json(const Json& json) {
   ProblemList problems;
   SearchOptions options;
   std::vector<JsonField> fields;
@@ -109,16 +106,16 @@ Expected<SearchOptions> search_options_from_json(const nlohmann::json& json) {
   return options;
 }
 
-ordered_json to_json(const SearchOptions& options) {
-  ordered_json json;
+Json to_json(const SearchOptions& options) {
+  Json json;
   write_options(json, search_option_rows(), options);
   json["rules"] = rules_json(options.rules);
   json["weights"] = to_json(options.weights);
   return json;
 }
 
-ordered_json to_json(const CostWeights& weights) {
-  ordered_json json;
+Json to_json(const CostWeights& weights) {
+  Json json;
   write_options(json, cost_weight_rows(), weights);
   return json;
 }

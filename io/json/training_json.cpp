@@ -10,20 +10,18 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json to_thousandths(const Points& points_mm) {
-  ordered_json list = ordered_json::array();
+Json to_thousandths(const Points& points_mm) {
+  Json list = Json::array();
   for (Index i = 0; i < points_mm.rows(); ++i)
     for (Index k = 0; k < 3; ++k) list.push_back(std::round(points_mm(i, k) * 1e3) / 1e3);
   return list;
 }
 
-ordered_json lesions_json(const CaseLesions& lesions) {
-  ordered_json chordae = ordered_json::array(), tips = ordered_json::array();
+Json lesions_json(const CaseLesions& lesions) {
+  Json chordae = Json::array(), tips = Json::array();
   for (const ChordaeLesion& lesion : lesions.chordae)
     chordae.push_back({{"segment", to_string(lesion.segment)},
-                       {"side", lesion.side ? ordered_json(to_string(*lesion.side)) : nullptr},
+                       {"side", lesion.side ? Json(to_string(*lesion.side)) : nullptr},
                        {"factor", lesion.factor}});
   for (const TipLesion& lesion : lesions.tips)
     tips.push_back({{"side", to_string(lesion.side)},
@@ -31,13 +29,13 @@ ordered_json lesions_json(const CaseLesions& lesions) {
   return {{"chordae", std::move(chordae)}, {"tips", std::move(tips)}};
 }
 
-ordered_json difference_json(const ClosedDifference& difference) {
+Json difference_json(const ClosedDifference& difference) {
   return {{"edge_mm", difference.edge_mm}, {"leak_mm2", difference.leak_mm2}};
 }
 
 /// What cases of both exams begin with.
 template <class Case>
-ordered_json heading(std::string_view exam, const Case& made, const Valve& from) {
+Json heading(std::string_view exam, const Case& made, const Valve& from) {
   return result_document("coapt.training_case/1",
                          {{"exam", exam},
                           {"seed", made.seed},
@@ -47,14 +45,12 @@ ordered_json heading(std::string_view exam, const Case& made, const Valve& from)
                           {"draws", made.draws}});
 }
 
-ordered_json valve_document(const Valve& valve) {
-  return ordered_json::parse(write_valve(valve), nullptr, false);
-}
+Json valve_document(const Valve& valve) { return Json::parse(write_valve(valve), nullptr, false); }
 
 }  // namespace
 
-ordered_json to_json(const ExamACase& made, const Valve& from, const ExamARules& rules) {
-  ordered_json json = heading("A", made, from);
+Json to_json(const ExamACase& made, const Valve& from, const ExamARules& rules) {
+  Json json = heading("A", made, from);
   json["limits"] = {{"flaccid_mm", rules.flaccid_mm},
                     {"edge_mm", rules.edge_mm},
                     {"leak_mm2", rules.leak_mm2},
@@ -62,8 +58,8 @@ ordered_json to_json(const ExamACase& made, const Valve& from, const ExamARules&
   json["chance"] = kChanceA;
   json["answer"] = made.answer + 1;
   json["largest_flaccid_mm"] = made.largest_flaccid_mm;
-  ordered_json& choices = json["choices"] = ordered_json::array();
-  ordered_json& differences = json["differences"] = ordered_json::array();
+  Json& choices = json["choices"] = Json::array();
+  Json& differences = json["differences"] = Json::array();
   for (std::size_t i = 0; i < kChoices; ++i) {
     const CaseChoice& choice = made.choices[i];
     choices.push_back({{"choice", i + 1},
@@ -71,7 +67,7 @@ ordered_json to_json(const ExamACase& made, const Valve& from, const ExamARules&
                        {"lesions", lesions_json(choice.lesions)},
                        {"half_speed", difference_json(choice.half_speed)}});
     for (std::size_t j = i + 1; j < kChoices; ++j) {
-      ordered_json pair = {{"choices", {i + 1, j + 1}}};
+      Json pair = {{"choices", {i + 1, j + 1}}};
       pair.update(difference_json(made.differences[i][j]));
       pair["scaled"] = scaled(made.differences[i][j], rules);
       differences.push_back(std::move(pair));
@@ -80,8 +76,8 @@ ordered_json to_json(const ExamACase& made, const Valve& from, const ExamARules&
   return json;
 }
 
-ordered_json to_json(const ExamBCase& made, const Valve& from, const ExamBRules& rules) {
-  ordered_json json = heading("B", made, from);
+Json to_json(const ExamBCase& made, const Valve& from, const ExamBRules& rules) {
+  Json json = heading("B", made, from);
   json["limits"] = {{"pull_n", rules.pull_n},
                     {"limit_mm", rules.limit_mm},
                     {"margin_mm", rules.margin_mm},
@@ -90,7 +86,7 @@ ordered_json to_json(const ExamBCase& made, const Valve& from, const ExamBRules&
   json["flaccid_difference_mm"] = made.flaccid_difference_mm;
   json["leak_mm2"] = leak_mm2(made.closed.measure);
   json["lesions"] = lesions_json(made.lesions);
-  ordered_json& segments = json["segments"] = ordered_json::array();
+  Json& segments = json["segments"] = Json::array();
   for (const Segment segment : kAllSegments) {
     const SegmentTruth& truth = made.truths[static_cast<std::size_t>(segment)];
     segments.push_back({{"segment", to_string(segment)},
@@ -102,7 +98,7 @@ ordered_json to_json(const ExamBCase& made, const Valve& from, const ExamBRules&
   return json;
 }
 
-void add_shapes(ordered_json& json, const ExamACase& made) {
+void add_shapes(Json& json, const ExamACase& made) {
   const CaseChoice& shown = made.choices[made.answer];
   json["valve"] = valve_document(shown.closed.valve);
   json["flaccid_mm"] = to_thousandths(shown.flaccid_mm);
@@ -110,7 +106,7 @@ void add_shapes(ordered_json& json, const ExamACase& made) {
     json["choices"][i]["closed_mm"] = to_thousandths(made.choices[i].closed.closure.closed_mm);
 }
 
-void add_shapes(ordered_json& json, const ExamBCase& made) {
+void add_shapes(Json& json, const ExamBCase& made) {
   json["valve"] = valve_document(made.closed.valve);
   json["flaccid_mm"] = to_thousandths(made.flaccid_mm);
   json["closed_mm"] = to_thousandths(made.closed.closure.closed_mm);

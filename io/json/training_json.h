@@ -1,22 +1,19 @@
 // Cases of the trainer as JSON: coapt.training_case/1, of the command line and the browser's engine alike.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "io/json/json.h"
 #include "search/training/exam_a.h"
 #include "search/training/exam_b.h"
 
 namespace coapt {
 
 /// Choices are counted from 1. `rules`, by which it was made, are its limits.
-nlohmann::ordered_json to_json(const ExamACase& made, const Valve& from,
-                               const ExamARules& rules = {});
-nlohmann::ordered_json to_json(const ExamBCase& made, const Valve& from,
-                               const ExamBRules& rules = {});
+Json to_json(const ExamACase& made, const Valve& from, const ExamARules& rules = {});
+Json to_json(const ExamBCase& made, const Valve& from, const ExamBRules& rules = {});
 
 /// Adds what a page needs to show the case: "valve" (coapt.valve/1) of the valve that is pulled, its "flaccid_mm", and of
 /// each choice "closed_mm", flat lists [x, y, z, x, ...] of its vertices, rounded to 0.001 mm.
-void add_shapes(nlohmann::ordered_json& json, const ExamACase& made);
-void add_shapes(nlohmann::ordered_json& json, const ExamBCase& made);
+void add_shapes(Json& json, const ExamACase& made);
+void add_shapes(Json& json, const ExamBCase& made);
 
 }  // namespace coapt

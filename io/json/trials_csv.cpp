@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/valve/problem_list.h"
+#include "io/json/json.h"
 #include "search/training/exam_a.h"
 #include "search/training/seeds.h"
 
@@ -51,9 +51,8 @@ std::string shown_text(std::string_view text) {
 
 /// The library leaves broken sequences out.
 bool is_utf8(const std::string& text) {
-  const std::string quoted =
-      nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::ignore);
-  return nlohmann::json::parse(quoted, nullptr, false) == text;
+  const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore);
+  return Json::parse(quoted, nullptr, false) == text;
 }
 
 bool is_control(unsigned char byte) { return byte < ' ' || byte == 127; }
@@ -78,7 +77,7 @@ std::string accepted(Range range) {
 
 double number_at(const RowPlace& row, std::string_view column, Range range) {
   const std::string& text = row.cell(column);
-  const nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
+  const Json value = Json::parse(text, nullptr, false);
   if (value.is_number() && value >= range.min && value <= range.max) return value.get<double>();
   row.refuse(column, "is " + shown_text(text) + ", " + accepted(range));
   return range.min;
@@ -87,7 +86,7 @@ double number_at(const RowPlace& row, std::string_view column, Range range) {
 std::uint64_t whole_at(const RowPlace& row, std::string_view column, std::uint64_t min,
                        std::uint64_t max) {
   const std::string& text = row.cell(column);
-  const nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
+  const Json value = Json::parse(text, nullptr, false);
   if (value.is_number_unsigned() && value >= min && value <= max) return value.get<std::uint64_t>();
   row.refuse(column, "is " + shown_text(text) + ", must be a whole number from " +
                          std::to_string(min) + " to " + std::to_string(max));

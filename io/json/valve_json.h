@@ -19,7 +19,7 @@ Expected<Valve> read_valve(std::string_view text);
 Expected<Valve> read_any_valve(std::string_view text);
 
 /// The same as read_valve() for a document already parsed (by parse_json); pointers start at `json`.
-Expected<Valve> valve_from_json(const nlohmann::json& json);
+Expected<Valve> valve_from_json(const Json& json);
 
 /// Round trip: read_any_valve(write_valve(v)) gives the same bits.
 /// @pre validate(valve) is empty.

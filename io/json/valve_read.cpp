@@ -299,13 +299,13 @@ Side read_side(const JsonPlace& place) {
 
 namespace {
 
-bool has_leaflets(const nlohmann::json& json) {
+bool has_leaflets(const Json& json) {
   if (!json.is_object()) return false;
   const auto schema = json.find("schema");
   return schema != json.end() && *schema == "coapt.valve/2";
 }
 
-Expected<Valve> checked(const nlohmann::json& json, Valve (*read_form_of)(const JsonPlace&)) {
+Expected<Valve> checked(const Json& json, Valve (*read_form_of)(const JsonPlace&)) {
   ProblemList problems;
   const Valve valve = read_form_of({json, problems});
   const Errors form = problems.listed();
@@ -325,7 +325,7 @@ Expected<Valve> checked(const nlohmann::json& json, Valve (*read_form_of)(const 
 
 }  // namespace
 
-Expected<Valve> valve_from_json(const nlohmann::json& json) {
+Expected<Valve> valve_from_json(const Json& json) {
   if (has_leaflets(json))
     return Error{ErrorCode::Unsupported, "/schema",
                  "is \"coapt.valve/2\", which can be closed and checked; here it must be "

@@ -1,26 +1,24 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "io/json/json.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 template <class Row>
-ordered_json triple(const Row& row) {
+Json triple(const Row& row) {
   return {row[0], row[1], row[2]};
 }
 
 template <class Matrix>
-ordered_json rows(const Matrix& matrix) {
-  ordered_json list = ordered_json::array();
+Json rows(const Matrix& matrix) {
+  Json list = Json::array();
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) list.push_back(triple(matrix.row(i)));
   return list;
 }
 
-ordered_json tissue_json(const Tissue& tissue) {
+Json tissue_json(const Tissue& tissue) {
   return {{"density_g_per_mm3", tissue.density_g_per_mm3},
           {"thickness_mm", tissue.thickness_mm},
           {"circumferential_pre_kpa", tissue.circumferential_pre_kpa},
@@ -36,7 +34,7 @@ ordered_json tissue_json(const Tissue& tissue) {
           {"bending_n_mm", tissue.bending_n_mm}};
 }
 
-ordered_json landmarks_json(const Landmarks& marks) {
+Json landmarks_json(const Landmarks& marks) {
   return {{"anterolateral_trigone", marks.anterolateral_trigone},
           {"posteromedial_trigone", marks.posteromedial_trigone},
           {"saddle_peak", marks.saddle_peak},
@@ -45,11 +43,11 @@ ordered_json landmarks_json(const Landmarks& marks) {
           {"posteromedial_commissure", marks.posteromedial_commissure}};
 }
 
-ordered_json insertion_json(const Insertion& insertion) {
+Json insertion_json(const Insertion& insertion) {
   return {{"face", insertion.face}, {"weights", triple(insertion.weights)}};
 }
 
-ordered_json tie_json(const Tie& tie) {
+Json tie_json(const Tie& tie) {
   return {{"id", tie.id},
           {"anterior", insertion_json(tie.anterior)},
           {"posterior", insertion_json(tie.posterior)},
@@ -58,10 +56,10 @@ ordered_json tie_json(const Tie& tie) {
           {"stiffness_n_per_mm", tie.stiffness_n_per_mm}};
 }
 
-ordered_json segment_json(const ChordaSegment& segment) {
-  ordered_json json = {{"parent", segment.parent},
-                       {"rest_length_mm", segment.rest_length_mm},
-                       {"diameter_mm", segment.diameter_mm}};
+Json segment_json(const ChordaSegment& segment) {
+  Json json = {{"parent", segment.parent},
+               {"rest_length_mm", segment.rest_length_mm},
+               {"diameter_mm", segment.diameter_mm}};
   if (segment.modulus_kpa > 0.0) json["modulus_kpa"] = segment.modulus_kpa;
   if (segment.inserts) {
     json["insertion"] = insertion_json(segment.insertion);
@@ -72,8 +70,8 @@ ordered_json segment_json(const ChordaSegment& segment) {
   return json;
 }
 
-ordered_json chorda_json(const Chorda& chorda) {
-  ordered_json segments = ordered_json::array();
+Json chorda_json(const Chorda& chorda) {
+  Json segments = Json::array();
   for (const ChordaSegment& segment : chorda.segments) segments.push_back(segment_json(segment));
   return {{"id", chorda.id},
           {"kind", to_string(chorda.kind)},
@@ -82,18 +80,18 @@ ordered_json chorda_json(const Chorda& chorda) {
           {"segments", std::move(segments)}};
 }
 
-ordered_json head_json(const PapillaryHead& head) {
+Json head_json(const PapillaryHead& head) {
   return {{"id", head.id},
           {"side", to_string(head.side)},
           {"rest_mm", triple(head.rest_mm)},
           {"tip_mm", triple(head.tip_mm)}};
 }
 
-ordered_json plain_head_json(const PapillaryHead& head) {
+Json plain_head_json(const PapillaryHead& head) {
   return {{"id", head.id}, {"rest_mm", triple(head.rest_mm)}, {"tip_mm", triple(head.tip_mm)}};
 }
 
-ordered_json leaflet_json(const NamedLeaflet& leaflet) {
+Json leaflet_json(const NamedLeaflet& leaflet) {
   return {{"name", leaflet.name},
           {"thickness_mm", leaflet.thickness_mm},
           {"c0_kpa", leaflet.tissue.c0_kpa},
@@ -102,47 +100,47 @@ ordered_json leaflet_json(const NamedLeaflet& leaflet) {
 }
 
 template <class T, class ToJson>
-ordered_json list(const std::vector<T>& values, ToJson to_json_of) {
-  ordered_json json = ordered_json::array();
+Json list(const std::vector<T>& values, ToJson to_json_of) {
+  Json json = Json::array();
   for (const T& value : values) json.push_back(to_json_of(value));
   return json;
 }
 
 // Bytes that are not UTF-8 are replaced; numbers are the shortest that give the same bits.
-std::string one_line(const ordered_json& json) {
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+std::string one_line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string line_per_entry(const ordered_json& json) {
+std::string line_per_entry(const Json& json) {
   if (json.empty()) return "[]";
   std::string text = "[";
   const char* separator = "\n    ";
-  for (const ordered_json& entry : json) {
+  for (const Json& entry : json) {
     text += separator + one_line(entry);
     separator = ",\n    ";
   }
   return text + "\n  ]";
 }
 
-ordered_json patient_frame_json(const PatientFrame& frame) {
-  ordered_json rows = ordered_json::array();
+Json patient_frame_json(const PatientFrame& frame) {
+  Json rows = Json::array();
   for (int i = 0; i < 3; ++i)
     rows.push_back({frame.axes(i, 0), frame.axes(i, 1), frame.axes(i, 2), frame.origin_mm[i]});
   rows.push_back({0, 0, 0, 1});
   return rows;
 }
 
-ordered_json fitted_json(const FittedValues& fitted) {
-  ordered_json covariance = ordered_json::array();
+Json fitted_json(const FittedValues& fitted) {
+  Json covariance = Json::array();
   for (Eigen::Index i = 0; i < fitted.covariance.rows(); ++i) {
-    covariance.push_back(ordered_json::array());
+    covariance.push_back(Json::array());
     for (Eigen::Index j = 0; j < fitted.covariance.cols(); ++j)
       covariance.back().push_back(fitted.covariance(i, j));
   }
   return {{"parameters", fitted.parameters}, {"covariance", std::move(covariance)}};
 }
 
-ordered_json mitral_json(const Valve& valve) {
+Json mitral_json(const Valve& valve) {
   return {{"schema", "coapt.valve/1"},
           {"name", valve.name},
           {"provenance", valve.provenance},
@@ -158,7 +156,7 @@ ordered_json mitral_json(const Valve& valve) {
           {"chordae", list(valve.chordae, chorda_json)}};
 }
 
-ordered_json leaflet_valve_json(const Valve& valve) {
+Json leaflet_valve_json(const Valve& valve) {
   return {{"schema", "coapt.valve/2"},
           {"name", valve.name},
           {"provenance", valve.provenance},
@@ -181,7 +179,7 @@ ordered_json leaflet_valve_json(const Valve& valve) {
 }  // namespace
 
 std::string write_valve(const Valve& valve) {
-  ordered_json json = is_mitral(valve) ? mitral_json(valve) : leaflet_valve_json(valve);
+  Json json = is_mitral(valve) ? mitral_json(valve) : leaflet_valve_json(valve);
   if (valve.systole != SystolicMotion{})
     json["systole"] = {{"annular_contraction", valve.systole.annular_contraction},
                        {"tip_approach", valve.systole.tip_approach}};
@@ -202,9 +200,9 @@ std::string write_valve(const Valve& valve) {
 }
 
 std::string write_tissue_file(const TissueFile& file) {
-  const ordered_json json = {{"schema", "coapt.tissue/1"},
-                             {"pressure_kpa", file.pressure_kpa},
-                             {"tissue", tissue_json(file.tissue)}};
+  const Json json = {{"schema", "coapt.tissue/1"},
+                     {"pressure_kpa", file.pressure_kpa},
+                     {"tissue", tissue_json(file.tissue)}};
   return json.dump(2) + '\n';
 }
 

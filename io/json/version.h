@@ -1,9 +1,10 @@
 // What stands in every result: which build said it, so that a figure can be traced to the code that made it, and for whom it is not.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -23,8 +24,8 @@ std::string_view git_revision();
 /// "coapt 0.2.0", and who may rely on it: what --version prints of a program.
 std::string about(std::string_view program);
 /// {"git", "closures", "plans"}: beside "version" in results.
-nlohmann::ordered_json revision_json();
+Json revision_json();
 /// A result as users get it: "schema", "version", "revision", "notice", then the members of `rest`.
-nlohmann::ordered_json result_document(std::string_view schema, nlohmann::ordered_json rest);
+Json result_document(std::string_view schema, Json rest);
 
 }  // namespace coapt

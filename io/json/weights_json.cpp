@@ -16,44 +16,42 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr Range kPositive = {1e-6, 1e6};
 constexpr Range kCovariances = {-1e3, 1e3};
 constexpr double kSymmetric = 1e-9;
 
-ordered_json unknown_names() {
-  ordered_json names = ordered_json::array();
+Json unknown_names() {
+  Json names = Json::array();
   for (int i = 0; i < kUnknowns; ++i) names.push_back(unknown_name(i));
   return names;
 }
 
-ordered_json log_sd_json(const Unknowns& sd) {
-  ordered_json json;
+Json log_sd_json(const Unknowns& sd) {
+  Json json;
   for (int i = 0; i < kUnknowns; ++i) json[unknown_name(i)] = sd[i];
   return json;
 }
 
-ordered_json covariance_json(const UnknownsMatrix& matrix) {
-  ordered_json rows = ordered_json::array();
+Json covariance_json(const UnknownsMatrix& matrix) {
+  Json rows = Json::array();
   for (int i = 0; i < kUnknowns; ++i) {
-    ordered_json row = ordered_json::array();
+    Json row = Json::array();
     for (int j = 0; j < kUnknowns; ++j) row.push_back(matrix(i, j));
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
-ordered_json informed_json(const PreferencePosterior& posterior) {
+Json informed_json(const PreferencePosterior& posterior) {
   const std::vector<bool> said = informed(posterior);
-  ordered_json names = ordered_json::array();
+  Json names = Json::array();
   for (int term = 0; term < kLearnedTerms; ++term)
     if (said[static_cast<std::size_t>(term)]) names.push_back(unknown_name(term));
   return names;
 }
 
 void read_unknown_names(const JsonPlace& place) {
-  if (place.value != nlohmann::json(unknown_names()))
+  if (place.value != Json(unknown_names()))
     add_problem(place, ErrorCode::BadReference, "must be " + unknown_names().dump());
 }
 
@@ -96,7 +94,7 @@ Unknowns read_log_weights(const JsonPlace& place) {
   return logarithms;
 }
 
-CostTerms terms_from_json(const ordered_json& plan) {
+CostTerms terms_from_json(const Json& plan) {
   CostTerms terms;
   for (int term = 0; term < kTerms; ++term)
     terms.amounts[term] =
@@ -106,7 +104,7 @@ CostTerms terms_from_json(const ordered_json& plan) {
 
 }  // namespace
 
-ordered_json to_json(const LearnedWeights& learned, const AnswerCounts& counts) {
+Json to_json(const LearnedWeights& learned, const AnswerCounts& counts) {
   const PreferencePosterior& posterior = learned.posterior;
   return result_document(
       "coapt.weights/1",
@@ -119,11 +117,11 @@ ordered_json to_json(const LearnedWeights& learned, const AnswerCounts& counts) 
        {"informed", informed_json(posterior)},
        {"answers", counts.answers},
        {"unable", counts.unable},
-       {"consistency", counts.consistency ? ordered_json(*counts.consistency) : ordered_json()}});
+       {"consistency", counts.consistency ? Json(*counts.consistency) : Json()}});
 }
 
 Expected<LearnedWeights> read_learned_weights(std::string_view text) {
-  const Expected<nlohmann::json> json = parse_json(text);
+  const Expected<Json> json = parse_json(text);
   if (!json) return json.errors();
   ProblemList problems;
   LearnedWeights learned;
@@ -154,9 +152,9 @@ Expected<LearnedWeights> read_learned_weights(std::string_view text) {
   return learned;
 }
 
-void add_preferred_over_next(ordered_json& result, const PreferencePosterior& posterior) {
+void add_preferred_over_next(Json& result, const PreferencePosterior& posterior) {
   const PosteriorDraws draws = draw(posterior);
-  ordered_json& plans = result["plans"];
+  Json& plans = result["plans"];
   for (std::size_t i = 0; i < plans.size(); ++i) {
     plans[i]["preferred_over_next"] = nullptr;
     if (i + 1 == plans.size()) break;

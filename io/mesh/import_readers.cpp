@@ -150,7 +150,7 @@ ImportedChorda read_chorda(const JsonPlace& place) {
 }
 
 Expected<std::vector<ImportedChorda>> read_chordae_json(std::string_view text) {
-  const Expected<nlohmann::json> document = parse_json(text);
+  const Expected<Json> document = parse_json(text);
   if (!document) return document.errors();
   ProblemList problems;
   std::vector<ImportedChorda> chordae;

@@ -172,7 +172,7 @@ StudyReport study_all(OrificeTable& table, const ThesisStudyOptions& options) {
 }
 
 /// Empty if none was closed again.
-std::string start_words(const nlohmann::ordered_json& starts) {
+std::string start_words(const Json& starts) {
   if (starts["closures"] == 0) return "";
   return " Closed again from the open state, " + std::to_string(starts["elsewhere"].get<int>()) +
          " of " + std::to_string(starts["closures"].get<int>()) +
@@ -180,7 +180,7 @@ std::string start_words(const nlohmann::ordered_json& starts) {
          fixed(starts["leak_difference_max_mm2"].get<double>(), 2) + " mm2 at most.";
 }
 
-std::string trust_words(const nlohmann::ordered_json& study) {
+std::string trust_words(const Json& study) {
   return std::to_string(study["untrusted"].get<int>()) +
          " not trusted (not converged, or crossed)." + start_words(study["cold_starts"]);
 }
@@ -225,7 +225,7 @@ StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOpti
   return {};
 }
 
-std::string study_timing(const nlohmann::ordered_json& study) {
+std::string study_timing(const Json& study) {
   return std::to_string(study["configurations"].get<int>()) + " configurations; " +
          std::to_string(study["closures"].get<int>() - study["closures_known"].get<int>()) +
          " closed now, in " + fixed(study["seconds"].get<double>(), 1) + " s; " +
@@ -233,25 +233,24 @@ std::string study_timing(const nlohmann::ordered_json& study) {
          " in about " + fixed(thesis::kHours, 0) + " hours.";
 }
 
-nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, OrificeTable& table,
-                                double seconds) {
+Json complete(StudyReport& report, StudyKind kind, OrificeTable& table, double seconds) {
   const auto agree = std::count_if(report.findings.begin(), report.findings.end(),
                                    [](const Finding& finding) { return finding.agrees; });
-  nlohmann::ordered_json answer = {{"study", to_string(kind)},
-                                   {"valve", table.valve().name},
-                                   {"version", version()},
-                                   {"revision", revision_json()},
-                                   {"configurations", table.configurations()},
-                                   {"closures", table.configurations()},
-                                   {"closures_known", table.known()},
-                                   {"untrusted", table.untrusted()},
-                                   {"cold_starts", to_json(table.check_starts())},
-                                   {"seconds", seconds},
-                                   {"findings", report.findings.size()},
-                                   {"agree", agree},
-                                   {"notice", kResearchNotice}};
+  Json answer = {{"study", to_string(kind)},
+                 {"valve", table.valve().name},
+                 {"version", version()},
+                 {"revision", revision_json()},
+                 {"configurations", table.configurations()},
+                 {"closures", table.configurations()},
+                 {"closures_known", table.known()},
+                 {"untrusted", table.untrusted()},
+                 {"cold_starts", to_json(table.check_starts())},
+                 {"seconds", seconds},
+                 {"findings", report.findings.size()},
+                 {"agree", agree},
+                 {"notice", kResearchNotice}};
   // Files are the same whoever closed, when, and how often the study was begun.
-  nlohmann::ordered_json lasting = answer;
+  Json lasting = answer;
   lasting.erase("closures_known");
   lasting.erase("seconds");
   report.files.emplace_back("study.json", lasting.dump(2) + "\n");

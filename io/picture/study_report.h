@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "io/json/json.h"
 #include "io/picture/study_page.h"
 #include "search/studies/thesis_study.h"
 
@@ -32,11 +32,10 @@ StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOpti
 
 /// How many configurations were closed in what time, a sentence or two.
 /// @param study what complete() returns
-std::string study_timing(const nlohmann::ordered_json& study);
+std::string study_timing(const Json& study);
 
 /// Adds study.json, findings.json and index.html. Returns what study.json holds, and besides "closures_known" and "seconds",
 /// which are of this run alone: no file depends on them.
-nlohmann::ordered_json complete(StudyReport& report, StudyKind kind, OrificeTable& table,
-                                double seconds);
+Json complete(StudyReport& report, StudyKind kind, OrificeTable& table, double seconds);
 
 }  // namespace coapt

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
+#include "io/json/json.h"
 #include "io/json/valve_json.h"
 #include "io/json/version.h"
 
@@ -14,15 +14,14 @@ namespace {
 constexpr std::uint64_t kPrime = 0x13b;  // of FNV: the prime is 2^88 + 0x13b
 constexpr std::uint64_t kHalf = 0xffffffff;
 
-nlohmann::ordered_json values_of(const ClosureOptions& options) {
+Json values_of(const ClosureOptions& options) {
   // Names all fields, so that this does not compile when there is one more.
   const auto& [method, membrane, residual_tolerance, way_tolerance_mm, max_steps,
                contact_pressure_mpa, speed, damping_per_ms, samples, edge_contact, self_contact,
                motion, budget] = options;  // motion moves nothing; what is unfinished is not kept
-  return nlohmann::ordered_json::array({to_string(method), to_string(membrane), residual_tolerance,
-                                        way_tolerance_mm, max_steps, contact_pressure_mpa, speed,
-                                        damping_per_ms, samples, edge_contact,
-                                        static_cast<int>(self_contact)});
+  return Json::array({to_string(method), to_string(membrane), residual_tolerance, way_tolerance_mm,
+                      max_steps, contact_pressure_mpa, speed, damping_per_ms, samples, edge_contact,
+                      static_cast<int>(self_contact)});
 }
 
 std::string text_of(const Valve& valve, const ClosureOptions& options) {

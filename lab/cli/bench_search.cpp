@@ -111,12 +111,10 @@ std::vector<rivals::MeasuredRun> measure(const BenchSearchArguments& arguments,
   return runs;
 }
 
-nlohmann::ordered_json json_of(const BenchSearchArguments& arguments,
-                               const std::vector<SolvedLattice>& solved,
-                               const std::vector<Hits>& hits,
-                               const std::vector<rivals::MeasuredRun>& runs) {
-  auto by_lattice = nlohmann::ordered_json::object();
-  auto lattices = nlohmann::ordered_json::array();
+Json json_of(const BenchSearchArguments& arguments, const std::vector<SolvedLattice>& solved,
+             const std::vector<Hits>& hits, const std::vector<rivals::MeasuredRun>& runs) {
+  auto by_lattice = Json::object();
+  auto lattices = Json::array();
   for (std::size_t i = 0; i < hits.size(); ++i) {
     lattices.push_back(to_json(hits[i]));
     lattices.back().update(to_json(findings_of(solved[i])));
@@ -149,7 +147,7 @@ int compare(const BenchSearchArguments& arguments, const std::vector<SolvedLatti
   if (interrupted) return exit_code::kInterrupted;
 
   const std::vector<rivals::Ert> rows = rivals::expected_running_times(runs);
-  const nlohmann::ordered_json json = json_of(arguments, solved, hits, runs);
+  const Json json = json_of(arguments, solved, hits, runs);
   for (const auto& [name, content] :
        {std::pair<std::string, std::string>{"ert.csv", rivals::ert_csv(rows)},
         {"ecdf.csv", ecdf_csv(runs, rows)},

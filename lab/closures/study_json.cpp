@@ -8,15 +8,13 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json spread(const std::vector<double>& values) {
+Json spread(const std::vector<double>& values) {
   return {{"median", quantile(values, 0.5)},
           {"p90", quantile(values, 0.9)},
           {"max", quantile(values, 1.0)}};
 }
 
-ordered_json errors(const std::vector<ClosureError>& all) {
+Json errors(const std::vector<ClosureError>& all) {
   std::vector<double> rms, max, orifice, height;
   for (const ClosureError& error : all) {
     rms.push_back(error.rms_mm);
@@ -33,30 +31,30 @@ ordered_json errors(const std::vector<ClosureError>& all) {
 
 }  // namespace
 
-ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& study) {
+Json to_json(const ClosureStudyOptions& options, const ClosureStudy& study) {
   std::vector<ClosureError> from_end, of_other;
   for (const SceneOutcome& scene : study.scenes) {
     if (scene.compared) from_end.push_back(scene.from_end);
     if (scene.other_equilibrium) of_other.push_back(scene.from_other);
   }
-  ordered_json json = {{"method", to_string(options.closure.method)},
-                       {"membrane", to_string(options.closure.membrane)},
-                       {"count", options.count},
-                       {"seed", options.seed},
-                       {"warm", options.warm},
-                       {"predicted", options.predicted},
-                       {"closures_per_second_per_core", study.closures_per_second_per_core},
-                       {"median_ms", study.median_ms},
-                       {"p90_ms", study.p90_ms},
-                       {"median_steps", study.median_steps},
-                       {"second_attempts", study.retried},
-                       {"unconverged", study.unconverged},
-                       {"crossed", study.crossed}};
+  Json json = {{"method", to_string(options.closure.method)},
+               {"membrane", to_string(options.closure.membrane)},
+               {"count", options.count},
+               {"seed", options.seed},
+               {"warm", options.warm},
+               {"predicted", options.predicted},
+               {"closures_per_second_per_core", study.closures_per_second_per_core},
+               {"median_ms", study.median_ms},
+               {"p90_ms", study.p90_ms},
+               {"median_steps", study.median_steps},
+               {"second_attempts", study.retried},
+               {"unconverged", study.unconverged},
+               {"crossed", study.crossed}};
   if (options.predicted) {
     json["not_predicted"] = study.not_predicted;
     json["frames_per_second_per_core"] = study.frames_per_second_per_core;
   }
-  ordered_json accuracy = nullptr, others = nullptr, equilibria = nullptr;
+  Json accuracy = nullptr, others = nullptr, equilibria = nullptr;
   if (options.accuracy) {
     equilibria = study.other_equilibria;
     json["elsewhere_share"] =
@@ -72,7 +70,7 @@ ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& stu
   return json;
 }
 
-nlohmann::ordered_json to_json(const AccuracyTier& tier, Membrane membrane) {
+Json to_json(const AccuracyTier& tier, Membrane membrane) {
   const TierError& error = error_of(tier, membrane);
   return {{"residual_tolerance", tier.residual_tolerance},
           {"way_tolerance_mm", tier.way_tolerance_mm},

@@ -1,19 +1,18 @@
 // Studies of closures, as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "core/closure/accuracy.h"
+#include "io/json/json.h"
 #include "lab/closures/closure_study.h"
 
 namespace coapt {
 
 /// Keys that scripts rely on: closures_per_second_per_core, median_ms, unconverged, crossed,
 /// other_equilibria.
-nlohmann::ordered_json to_json(const ClosureStudyOptions& options, const ClosureStudy& study);
+Json to_json(const ClosureStudyOptions& options, const ClosureStudy& study);
 
 /// {"residual_tolerance", "way_tolerance_mm", "orifice_error_p99_mm2", "orifice_error_max_mm2",
 /// "scenes", "of"}: the tolerances of a tier and the errors that were measured for them.
-nlohmann::ordered_json to_json(const AccuracyTier& tier, Membrane membrane);
+Json to_json(const AccuracyTier& tier, Membrane membrane);
 
 }  // namespace coapt

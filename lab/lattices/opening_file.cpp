@@ -8,21 +8,21 @@
 namespace coapt {
 
 std::string write_openings(const std::string& subject, const KnownOpenings& openings) {
-  std::map<std::string, nlohmann::json> rows;
+  std::map<std::string, Json> rows;
   for (const auto& [key, opening] : openings)
     rows[key] = {static_cast<int>(opening.status), opening.crossing,
                  opening.measure.opening_area_mm2, opening.measure.projected_area_mm2,
                  opening.measure.gradient_mmhg};
-  return nlohmann::json{{"openings", rows}, {"subject", subject}}.dump();
+  return Json{{"openings", rows}, {"subject", subject}}.dump();
 }
 
 KnownOpenings read_openings(const std::string& subject, const std::string& text) {
-  const auto number = [](const nlohmann::json& value) {  // null: NaN
+  const auto number = [](const Json& value) {  // null: NaN
     return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
   };
   KnownOpenings openings;
-  const Expected<nlohmann::json> json = parse_json(text);
-  if (!json || !json->is_object() || json->value("subject", nlohmann::json()) != subject ||
+  const Expected<Json> json = parse_json(text);
+  if (!json || !json->is_object() || json->value("subject", Json()) != subject ||
       !json->contains("openings") || !(*json)["openings"].is_object())
     return {};
   for (const auto& [key, row] : (*json)["openings"].items()) {

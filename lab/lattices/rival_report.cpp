@@ -33,7 +33,7 @@ std::string ecdf_csv(const std::vector<rivals::MeasuredRun>& runs,
   return csv.str();
 }
 
-nlohmann::ordered_json to_json(const Hits& hits) {
+Json to_json(const Hits& hits) {
   return {{"lattice", hits.lattice},
           {"plans", hits.plans},
           {"seeds", hits.runs},
@@ -43,8 +43,8 @@ nlohmann::ordered_json to_json(const Hits& hits) {
           {"regret_worst_mm2", hits.regret_worst}};
 }
 
-nlohmann::ordered_json to_json(const LatticeFindings& findings) {
-  auto rings = nlohmann::ordered_json::array();
+Json to_json(const LatticeFindings& findings) {
+  auto rings = Json::array();
   for (const RingTightness& ring : findings.rings)
     rings.push_back({{"sizes_below", {ring.from, ring.to}},
                      {"closing", ring.closing},
@@ -61,8 +61,8 @@ nlohmann::ordered_json to_json(const LatticeFindings& findings) {
             {"sd_difference_mm2", pairs.sd_difference_mm2}}}};
 }
 
-nlohmann::ordered_json to_json(const std::vector<rivals::Ert>& rows) {
-  auto json = nlohmann::ordered_json::array();
+Json to_json(const std::vector<rivals::Ert>& rows) {
+  auto json = Json::array();
   for (const rivals::Ert& row : rows)
     json.push_back({{"method", row.method},
                     {"target_mm2", row.target_mm2 < 1e-6 ? 0.0 : row.target_mm2},

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <iosfwd>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "io/json/json.h"
 #include "lab/lattices/lattice_findings.h"
 #include "lab/rivals/ert.h"
 
@@ -19,9 +19,9 @@ struct Hits {
   double regret_mean = 0.0, regret_worst = 0.0;
 };
 
-nlohmann::ordered_json to_json(const Hits& hits);
-nlohmann::ordered_json to_json(const LatticeFindings& findings);
-nlohmann::ordered_json to_json(const std::vector<rivals::Ert>& rows);
+Json to_json(const Hits& hits);
+Json to_json(const LatticeFindings& findings);
+Json to_json(const std::vector<rivals::Ert>& rows);
 
 void print_hits(std::ostream& out, const std::vector<Hits>& hits);
 void print_times(std::ostream& out, const std::vector<rivals::Ert>& rows);

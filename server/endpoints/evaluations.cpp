@@ -35,19 +35,19 @@ double size_of(const Valve& valve) {
 }
 
 /// Ranked plans in the order asked; a plan that was asked for twice twice.
-nlohmann::ordered_json in_order(const SearchResult& result, const std::vector<RepairPlan>& asked) {
-  const nlohmann::ordered_json json = to_json(result);
-  nlohmann::ordered_json plans = nlohmann::ordered_json::array();
+Json in_order(const SearchResult& result, const std::vector<RepairPlan>& asked) {
+  const Json json = to_json(result);
+  Json plans = Json::array();
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const std::string key = plan_key(asked[i]);
     const auto found = std::find_if(result.plans.begin(), result.plans.end(),
                                     [&](const RankedPlan& r) { return plan_key(r.plan) == key; });
-    nlohmann::ordered_json plan = {{"index", i}};
+    Json plan = {{"index", i}};
     plan.update(json["plans"][static_cast<std::size_t>(found - result.plans.begin())]);
     plan.erase("name");
     plans.push_back(std::move(plan));
   }
-  nlohmann::ordered_json answer = {
+  Json answer = {
       {"version", json["version"]}, {"revision", json["revision"]}, {"before", json["before"]}};
   answer["plans"] = std::move(plans);
   for (const char* name : {"any_competent", "ladder", "plans_tried", "closures",

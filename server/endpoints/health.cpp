@@ -58,7 +58,7 @@ Answer GetMetrics::operator()(const Request& /*request*/) const {
 Answer GetFarm::operator()(const Request& /*request*/) const {
   if (!farm.has_farm())
     return problem(404, ErrorCode::BadReference, "this service has no farm: see --farm");
-  const Expected<nlohmann::ordered_json> status = farm.status();
+  const Expected<Json> status = farm.status();
   if (!status) return retry_later(503, status.errors().front().message);
   return json_answer(200, *status);
 }

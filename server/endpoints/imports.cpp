@@ -10,8 +10,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 /// What has come of the files, or why nothing.
 struct Made {
   std::optional<ImportedValve> imported = {};
@@ -28,8 +26,8 @@ Made make_checked(const ImportRequest& asked, const ValveSource& valves) {
 
 /// Numbers one after the other, to a millionth: what is looked at needs no more.
 template <class Rows>
-ordered_json flat(const Rows& rows) {
-  ordered_json list = ordered_json::array();
+Json flat(const Rows& rows) {
+  Json list = Json::array();
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
     for (Eigen::Index k = 0; k < rows.cols(); ++k)
       if constexpr (std::is_floating_point_v<typename Rows::Scalar>)
@@ -39,7 +37,7 @@ ordered_json flat(const Rows& rows) {
   return list;
 }
 
-ordered_json preview_json(const NamedFile& file) {
+Json preview_json(const NamedFile& file) {
   const FilePreview preview = preview_file(file);
   return {{"name", file.name},
           {"content", to_string(preview.content)},
@@ -94,7 +92,7 @@ Answer PreviewImport::operator()(const Request& request) const {
     return *std::move(refused);
   const Compute::Turn turn(compute);
   if (!turn) return too_busy();
-  ordered_json list = ordered_json::array();
+  Json list = Json::array();
   for (const NamedFile& file : files) list.push_back(preview_json(file));
   return json_answer(200, {{"files", std::move(list)}});
 }

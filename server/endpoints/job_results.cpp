@@ -16,8 +16,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 /// A job with what it has come to, or why there is nothing.
 struct Ended {
   Job job;
@@ -43,14 +41,14 @@ Ended ended_job(const JobStore& store, const Request& request, bool with_result)
   return {**job, result->value_or("")};
 }
 
-ordered_json plans_of(const Ended& ended) {
-  if (ended.result.empty() || ended.job.kind != "plans") return ordered_json::array();
-  return ordered_json::parse(ended.result)["plans"];
+Json plans_of(const Ended& ended) {
+  if (ended.result.empty() || ended.job.kind != "plans") return Json::array();
+  return Json::parse(ended.result)["plans"];
 }
 
 /// The plan of the rank that the path says; null if there is none.
-ordered_json ranked(const Ended& ended, const Request& request) {
-  for (ordered_json& plan : plans_of(ended))
+Json ranked(const Ended& ended, const Request& request) {
+  for (Json& plan : plans_of(ended))
     if (request.parameters.at(1) == std::to_string(plan["rank"].get<int>())) return plan;
   return nullptr;
 }
@@ -79,11 +77,11 @@ struct Repair {
 Repair repair_of(const JobStore& store, const Request& request) {
   const Ended ended = ended_job(store, request, true);
   if (ended.refusal) return {{}, {}, {}, ended.refusal};
-  const ordered_json ranked_plan = ranked(ended, request);
+  const Json ranked_plan = ranked(ended, request);
   if (ranked_plan.is_null()) return {{}, {}, {}, not_found("plan")};
   const Expected<Valve> valve = valve_of(store, ended.job);
   if (!valve) return {{}, {}, {}, store_problem(valve.errors())};
-  const Expected<RepairPlan> plan = plan_from_json(nlohmann::json(ranked_plan["plan"]));
+  const Expected<RepairPlan> plan = plan_from_json(Json(ranked_plan["plan"]));
   if (!plan) return {{}, {}, {}, problem(500, plan.errors())};
   const Expected<Valve> repaired = apply_plan(*valve, *plan);
   if (!repaired) return {{}, {}, {}, problem(500, repaired.errors())};
@@ -107,9 +105,9 @@ Answer GetPlans::operator()(const Request& request) const {
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Ended ended = ended_job(store, request, true);
   if (ended.refusal) return *ended.refusal;
-  ordered_json page = ordered_json::array();
+  Json page = Json::array();
   std::int64_t next = 0;
-  for (ordered_json& plan : plans_of(ended)) {
+  for (Json& plan : plans_of(ended)) {
     const std::int64_t rank = plan["rank"].get<std::int64_t>();
     if (rank >= first + size) next = first + size;
     if (rank >= first && rank < first + size) page.push_back(std::move(plan));
@@ -121,7 +119,7 @@ Answer GetPlans::operator()(const Request& request) const {
 Answer GetPlan::operator()(const Request& request) const {
   const Ended ended = ended_job(store, request, true);
   if (ended.refusal) return *ended.refusal;
-  ordered_json plan = ranked(ended, request);
+  Json plan = ranked(ended, request);
   return plan.is_null() ? not_found("plan") : json_answer(200, std::move(plan));
 }
 
@@ -182,7 +180,7 @@ Answer GetFiles::operator()(const Request& request) const {
   if (const Answer* const refusal = std::get_if<Answer>(&made)) return *refusal;
   std::vector<JobFileName> files = std::get<std::vector<JobFileName>>(made);
   files.insert(files.end(), left->begin(), left->end());
-  ordered_json list = ordered_json::array();
+  Json list = Json::array();
   for (const JobFileName& file : files)
     list.push_back({{"name", file.name},
                     {"type", file.type},

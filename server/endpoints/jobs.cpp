@@ -43,7 +43,7 @@ Answer GetJobs::operator()(const Request& request) const {
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Expected<JobPage> page = store.page(static_cast<int>(size), before, state);
   if (!page) return store_problem(page.errors());
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Json list = Json::array();
   for (const Job& job : page->jobs) list.push_back(to_json(jobs.view(job), false));
   return json_answer(200,
                      {{"jobs", std::move(list)},

@@ -12,8 +12,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr std::size_t kLongestName = 200;  // bytes
 constexpr const char* kKind = "kept plan";
 
@@ -27,11 +25,11 @@ std::string read_name_of_plan(const JsonPlace& place) {
   return name;
 }
 
-ordered_json to_json(const KeptPlan& kept) {
+Json to_json(const KeptPlan& kept) {
   return {{"kept_plan", kept.id},
           {"name", kept.name},
           {"valve", kept.valve},
-          {"plan", ordered_json::parse(kept.plan)}};
+          {"plan", Json::parse(kept.plan)}};
 }
 
 Answer kept_answer(const Expected<std::optional<KeptPlan>>& kept) {
@@ -86,7 +84,7 @@ Answer GetKeptPlans::operator()(const Request& request) const {
   const Expected<KeptPlanPage> page = kept_plans(store, static_cast<int>(size), before,
                                                  valve == request.query.end() ? "" : valve->second);
   if (!page) return store_problem(page.errors());
-  ordered_json list = ordered_json::array();
+  Json list = Json::array();
   for (const KeptPlan& kept : page->plans) list.push_back(to_json(kept));
   return json_answer(200,
                      {{"kept_plans", std::move(list)},

@@ -64,10 +64,10 @@ Answer PostPreferences::operator()(const Request& request) const {
   return answer_in_turn(compute, valves.limits, request, [&](RequestClosures&) {
     const PreferencePosterior posterior = posterior_of(cases, answers);
     const PosteriorDraws draws = draw(posterior);
-    nlohmann::ordered_json json = {{"schema", "coapt.preference/1"},
-                                   {"question", nullptr},
-                                   {"first_places", first_places_to_json(cases, draws)},
-                                   {"learned", learned_to_json(cases, answers, posterior)}};
+    Json json = {{"schema", "coapt.preference/1"},
+                 {"question", nullptr},
+                 {"first_places", first_places_to_json(cases, draws)},
+                 {"learned", learned_to_json(cases, answers, posterior)}};
     if (const auto question = next_question(cases, answers, draws))
       json["question"] = to_json(*question, cases, hide_figures);
     return json_answer(200, json);

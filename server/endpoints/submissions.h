@@ -16,8 +16,8 @@ struct Submitting {
 struct SubmittedWork {
   std::string kind;  ///< of job
   const Valve& valve;
-  nlohmann::ordered_json asked;  ///< by which an idempotency key knows its request
-  std::string input = {};        ///< see NewJob
+  Json asked;              ///< by which an idempotency key knows its request
+  std::string input = {};  ///< see NewJob
 };
 
 /// 202 and the job, or 200 if it ends within Prefer: wait; or why it is not taken.

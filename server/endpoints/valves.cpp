@@ -22,7 +22,7 @@ struct Read {
 Read read_valve_body(const ValveSource& source, const Request& request) {
   const Compute::Turn turn(source.parsing);
   if (!turn) return {Valve{}, retry_later(503, "too many requests are read at once")};
-  const Expected<nlohmann::json> json = parse_json(request.body, most_values(source.limits));
+  const Expected<Json> json = parse_json(request.body, most_values(source.limits));
   if (!json) return {Valve{}, problem(400, json.errors())};
   Expected<Valve> valve = valve_from_json(*json);
   if (valve)
@@ -34,16 +34,16 @@ Read read_valve_body(const ValveSource& source, const Request& request) {
 }  // namespace
 
 Answer store_valve(JobStore& store, const ServiceLimits& limits, const Valve& valve,
-                   const nlohmann::ordered_json& more) {
+                   const Json& more) {
   const std::string document = write_valve(valve);
   const std::string id = content_id(document);
   const Expected<bool> is_new = add_valve(store, id, document);
   if (!is_new) return store_problem(is_new.errors());
   static_cast<void>(store.retain(limits.retention, wall_clock_ms()));  // else with the next
-  nlohmann::ordered_json stored = {{"id", id},
-                                   {"vertices", valve.rest_mm.rows()},
-                                   {"triangles", valve.faces.rows()},
-                                   {"chordae", valve.chordae.size()}};
+  Json stored = {{"id", id},
+                 {"vertices", valve.rest_mm.rows()},
+                 {"triangles", valve.faces.rows()},
+                 {"chordae", valve.chordae.size()}};
   stored.update(more);
   Answer answer = json_answer(*is_new ? 201 : 200, std::move(stored));
   answer.headers.emplace_back("Location", "/v1/valves/" + id);
@@ -65,7 +65,7 @@ Answer GetValves::operator()(const Request& request) const {
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Expected<ValvePage> page = stored_valves(store, static_cast<int>(size), before);
   if (!page) return store_problem(page.errors());
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Json list = Json::array();
   for (const ValveSummary& valve : page->valves)
     list.push_back({{"valve", valve.id},
                     {"name", valve.name},
@@ -99,7 +99,7 @@ Answer DeleteValve::operator()(const Request& request) const {
 }
 
 Answer GetPresets::operator()(const Request& /*request*/) const {
-  nlohmann::ordered_json presets = nlohmann::ordered_json::array();
+  Json presets = Json::array();
   for (const std::string& name : preset_names())
     presets.push_back({{"name", name}, {"valve", "/v1/presets/" + name}});
   return json_answer(200, {{"presets", std::move(presets)}});

@@ -17,7 +17,7 @@ struct PostValve {
 /// 201 with the id of a valve that is new, else 200.
 /// @param more members of the answer
 Answer store_valve(JobStore& store, const ServiceLimits& limits, const Valve& valve,
-                   const nlohmann::ordered_json& more = nlohmann::ordered_json::object());
+                   const Json& more = Json::object());
 
 /// GET /v1/valves?page_size=&page_token=: newest first.
 struct GetValves {

@@ -20,7 +20,7 @@ Expected<std::string> subject_of_job(const JobStore& store, const Job& job) {
   const Expected<Valve> valve = valve_of(store, job);
   if (!valve) return valve.errors();
   if (job.kind == "study") return subject_of(*valve, ClosureOptions{});
-  const Expected<nlohmann::json> request = parse_json(job.request);
+  const Expected<Json> request = parse_json(job.request);
   if (!request) return request.errors();
   const Expected<SearchOptions> options = search_options_from_json(*request);
   if (!options) return options.errors();

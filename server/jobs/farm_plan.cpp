@@ -38,7 +38,7 @@ std::optional<JobEnd> FarmPlan::operator()(RunningJob& job, const Valve& valve,
   if (!answers || answers->size() != 1)
     return failed(job, {Error{ErrorCode::Unsupported, "", "the farm's answer is none"}});
   PlanAnswer& answer = answers->front();
-  nlohmann::ordered_json plans = nlohmann::ordered_json::parse(answer.plans);
+  Json plans = Json::parse(answer.plans);
   plans["seconds"] = job.seconds();
   plans["reproduce"]["search"] = to_json(asked);
   JobEnd end = ended(job, JobState::Succeeded);

@@ -17,12 +17,10 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr const char* kSurfaceName = "the closed surface";  // files have patients' names
 
 Expected<ImportRequest> read_request(const std::string& body) {
-  const Expected<nlohmann::json> json = parse_json(body);
+  const Expected<Json> json = parse_json(body);
   if (!json) return json.errors();
   ImportRequest request;
   ProblemList problems;
@@ -45,7 +43,7 @@ Errors as_fit_calls(Errors errors) {
 
 std::optional<FitState> kept_state(const std::optional<std::string>& text) {
   if (!text) return std::nullopt;
-  const Expected<nlohmann::json> json = parse_json(*text);
+  const Expected<Json> json = parse_json(*text);
   return json ? fit_state_from_json(*json) : std::nullopt;
 }
 
@@ -64,7 +62,7 @@ ImportDecision fit_decision(const ValveFit& fit) {
 struct Fitted {
   Valve valve;
   ImportDecision decision;
-  ordered_json json;
+  Json json;
   std::optional<JobFile> map;  ///< of a surface with faces
 };
 
@@ -123,7 +121,7 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
   std::vector<JobFile> files = {
       {kImportPicture, "image/png", import_picture_png(*imported, imported->valve.name)}};
   Valve made = imported->valve;
-  ordered_json fit = nullptr;
+  Json fit = nullptr;
   if (request->fit) {
     Expected<Fitted> fitted = fit_import(*this, job, *request, *imported, std::move(from));
     if (!fitted) return failed(job, fitted.errors());
@@ -137,13 +135,13 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
   retried<bool>(board, job, [&] { return add_valve(store, id, document); });
   files.push_back({"valve.json", "application/json", document});
 
-  ordered_json result = import_to_json(*imported);
+  Json result = import_to_json(*imported);
   result["valve"] = id;
   result["imported"] = job.job.valve;
   result["fit"] = std::move(fit);
   const bool cancelled = job.cancel_asked || job.job.cancel_requested;
   JobEnd end = ended(job, cancelled ? JobState::Cancelled : JobState::Succeeded);
-  end.summary = ordered_json{{"made", id}}.dump();
+  end.summary = Json{{"made", id}}.dump();
   end.result = result.dump();
   end.files = std::move(files);
   return end;

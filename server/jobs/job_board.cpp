@@ -77,7 +77,7 @@ JobView JobBoard::view(Job job) const {
           JobState::Queued;  // a killed one is RUNNING in the store until it runs again
     }
   if (view.progress.is_null() && !view.job.progress.empty())
-    view.progress = nlohmann::ordered_json::parse(view.job.progress);
+    view.progress = Json::parse(view.job.progress);
   return view;
 }
 

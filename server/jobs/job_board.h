@@ -23,7 +23,7 @@ namespace coapt {
 /// A job as clients see it.
 struct JobView {
   Job job;
-  nlohmann::ordered_json progress;    ///< of a running job the newest
+  Json progress;                      ///< of a running job the newest
   std::string waiting_for;            ///< why a running job stands still; empty: it does not
   std::optional<int> queue_position;  ///< jobs before it, of a waiting one
 };

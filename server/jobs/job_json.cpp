@@ -8,11 +8,9 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json links_json(const Job& job) {
+Json links_json(const Job& job) {
   const std::string self = "/v1/jobs/" + job.id;
-  ordered_json links = {{"self", self}, {"events", self + "/events"}, {"cancel", self + ":cancel"}};
+  Json links = {{"self", self}, {"events", self + "/events"}, {"cancel", self + ":cancel"}};
   if (job.state == JobState::Failed || job.summary.empty()) return links;  // no results
   links["result"] = self + "/result";
   if (job.kind == "import") {
@@ -31,7 +29,7 @@ ordered_json links_json(const Job& job) {
 
 }  // namespace
 
-ordered_json time_json(std::int64_t ms) {
+Json time_json(std::int64_t ms) {
   if (ms == 0) return nullptr;
   const std::time_t seconds = static_cast<std::time_t>(ms / 1000);
   std::tm utc{};
@@ -42,9 +40,9 @@ ordered_json time_json(std::int64_t ms) {
   return text;
 }
 
-ordered_json to_json(const JobView& view, bool results) {
+Json to_json(const JobView& view, bool results) {
   const Job& job = view.job;
-  ordered_json json = {
+  Json json = {
       {"id", job.id},
       {"kind", job.kind},
       {"state", to_string(job.state)},
@@ -56,12 +54,12 @@ ordered_json to_json(const JobView& view, bool results) {
       {"waiting_for", nullptr},
       {"queue_position", nullptr},
       {"progress", view.progress.is_null() ? to_json(JobProgress{}, job.seconds) : view.progress},
-      {"problems", ordered_json::array()}};
+      {"problems", Json::array()}};
   if (!view.waiting_for.empty()) json["waiting_for"] = view.waiting_for;
   if (view.queue_position) json["queue_position"] = *view.queue_position;
   if (results && job.kind == "plans") json["plans"] = nullptr;
   if (!job.summary.empty() && (results || job.state == JobState::Failed))
-    json.update(ordered_json::parse(job.summary));
+    json.update(Json::parse(job.summary));
   json["links"] = links_json(job);
   return json;
 }

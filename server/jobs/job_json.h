@@ -6,9 +6,9 @@
 namespace coapt {
 
 /// The job resource (server/openapi.json, schema Job). @param results with what an ended job has come to.
-nlohmann::ordered_json to_json(const JobView& view, bool results);
+Json to_json(const JobView& view, bool results);
 
 /// RFC 3339 in UTC with milliseconds; null for 0.
-nlohmann::ordered_json time_json(std::int64_t ms);
+Json time_json(std::int64_t ms);
 
 }  // namespace coapt

@@ -63,7 +63,7 @@ JobEnd ended(const RunningJob& job, JobState state) {
 
 JobEnd failed(const RunningJob& job, const Errors& errors) {
   JobEnd end = ended(job, JobState::Failed);
-  end.summary = nlohmann::ordered_json{{"problems", to_json(errors)}}.dump();
+  end.summary = Json{{"problems", to_json(errors)}}.dump();
   return end;
 }
 

@@ -19,8 +19,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr double kLeastSeconds = 5.0;  // of a job that goes on: to take its closures in and to rank
 
 /// As asked, within what the service gives; less what earlier attempts took.
@@ -36,8 +34,8 @@ SearchOptions granted(SearchOptions options, const ServiceLimits& limits, double
 }
 
 /// What is told of a plan in the job itself.
-ordered_json summary_of(const ordered_json& plan) {
-  ordered_json summary;
+Json summary_of(const Json& plan) {
+  Json summary;
   for (const char* key : {"rank", "description", "plan", "orifice_area_mm2", "leak_mm2", "cost",
                           "status", "crossing", "margin_to_leak", "tie_with_next", "warnings"})
     summary[key] = plan[key];
@@ -54,18 +52,18 @@ void note_best(RunningJob& job, const RankedPlan& best) {
 
 }  // namespace
 
-std::string search_summary(const ordered_json& plans) {
-  ordered_json list = ordered_json::array();
-  for (const ordered_json& plan : plans["plans"]) list.push_back(summary_of(plan));
-  return ordered_json{{"stop", plans["stop"]},
-                      {"any_competent", plans["any_competent"]},
-                      {"plans", std::move(list)}}
+std::string search_summary(const Json& plans) {
+  Json list = Json::array();
+  for (const Json& plan : plans["plans"]) list.push_back(summary_of(plan));
+  return Json{{"stop", plans["stop"]},
+              {"any_competent", plans["any_competent"]},
+              {"plans", std::move(list)}}
       .dump();
 }
 
 std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
   const Valve valve = retried<Valve>(board, job, [&] { return valve_of(store, job.job); });
-  const Expected<nlohmann::json> request = parse_json(job.job.request);
+  const Expected<Json> request = parse_json(job.job.request);
   if (!request) return failed(job, request.errors());
   const Expected<SearchOptions> asked = search_options_from_json(*request);
   if (!asked) return failed(job, asked.errors());
@@ -99,7 +97,7 @@ std::optional<JobEnd> PlanJob::operator()(RunningJob& job) const {
   if (result->stop == SearchStop::TimeLimit && job.waited_s() > waited) return (*this)(job);
 
   const SearchRequest reproduce{*asked, subject_of(valve, asked->closure), ""};
-  const ordered_json json = to_json(*result, reproduce);
+  const Json json = to_json(*result, reproduce);
   if (!result->plans.empty()) note_best(job, result->plans.front());
   JobEnd end =
       ended(job, result->stop == SearchStop::Cancelled ? JobState::Cancelled : JobState::Succeeded);

@@ -27,6 +27,6 @@ struct PlanJob {
 
 /// What is told in the job itself of a search that has ended: {"stop", "any_competent", "plans"}.
 /// @param plans coapt.plans/1
-std::string search_summary(const nlohmann::ordered_json& plans);
+std::string search_summary(const Json& plans);
 
 }  // namespace coapt

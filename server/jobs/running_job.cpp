@@ -39,14 +39,14 @@ double RunningJob::seconds() const {
   return job.seconds + now.count() - waited_s();
 }
 
-nlohmann::ordered_json to_json(const JobProgress& progress, double seconds) {
-  nlohmann::ordered_json json = {{"stage", progress.stage},
-                                 {"closures", progress.closures},
-                                 {"closures_planned", progress.closures_planned},
-                                 {"best_leak_mm2", progress.best_leak_mm2},  // null if infinite
-                                 {"best_cost", progress.best_cost},
-                                 {"random_cost", progress.random_cost},
-                                 {"seconds", seconds}};
+Json to_json(const JobProgress& progress, double seconds) {
+  Json json = {{"stage", progress.stage},
+               {"closures", progress.closures},
+               {"closures_planned", progress.closures_planned},
+               {"best_leak_mm2", progress.best_leak_mm2},  // null if infinite
+               {"best_cost", progress.best_cost},
+               {"random_cost", progress.random_cost},
+               {"seconds", seconds}};
   if (progress.rms_mm) json["rms_mm"] = *progress.rms_mm;
   if (const auto& best = progress.leading)
     json["best"] = {{"cost", best->cost},

@@ -6,10 +6,10 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "io/json/json.h"
 #include "io/store/job_store.h"
 #include "search/plans/search_progress.h"
 
@@ -55,6 +55,6 @@ class RunningJob {
 
 /// {"stage", "closures", "closures_planned", "best_leak_mm2", "best_cost", "random_cost",
 /// "seconds", "rms_mm" (of a fit), "best" (if there is one): {"cost", "nodes", "leak_mm2", "description", "plan"}}
-nlohmann::ordered_json to_json(const JobProgress& progress, double seconds);
+Json to_json(const JobProgress& progress, double seconds);
 
 }  // namespace coapt

@@ -28,11 +28,9 @@ std::string type_of(const std::string& name) {
 }
 
 JobEnd end_of(const RunningJob& job, StudyKind kind, StudyReport report, OrificeTable& table) {
-  nlohmann::ordered_json result = complete(report, kind, table, job.seconds());
+  Json result = complete(report, kind, table, job.seconds());
   JobEnd end = ended(job, JobState::Succeeded);
-  end.summary =
-      nlohmann::ordered_json{{"findings", report.findings.size()}, {"agree", result["agree"]}}
-          .dump();
+  end.summary = Json{{"findings", report.findings.size()}, {"agree", result["agree"]}}.dump();
   result["findings"] = to_json(report.findings);
   end.result = result.dump();
   for (auto& [name, content] : report.files)
@@ -44,7 +42,7 @@ JobEnd end_of(const RunningJob& job, StudyKind kind, StudyReport report, Orifice
 
 std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
   const Valve valve = retried<Valve>(board, job, [&] { return valve_of(store, job.job); });
-  const Expected<nlohmann::json> json = parse_json(job.job.request);
+  const Expected<Json> json = parse_json(job.job.request);
   if (!json) return failed(job, json.errors());
   ProblemList problems;
   StudyRequest request = read_study({*json, problems});

@@ -59,9 +59,9 @@ StudyRequest read_study(const JsonPlace& place) {
   return request;
 }
 
-nlohmann::ordered_json to_json(const StudyRequest& request) {
+Json to_json(const StudyRequest& request) {
   const ThesisStudyOptions& options = request.options;
-  nlohmann::ordered_json json = {{"name", to_string(request.kind)}};
+  Json json = {{"name", to_string(request.kind)}};
   if (request.kind != StudyKind::Approximation && request.kind != StudyKind::Thesis) return json;
   for (const Protocol protocol : options.protocols)
     json["protocols"].push_back(to_string(protocol));

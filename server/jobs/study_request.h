@@ -15,6 +15,6 @@ struct StudyRequest {
 /// those after it are for the studies "approximation" and "thesis" alone.
 StudyRequest read_study(const JsonPlace& place);
 
-nlohmann::ordered_json to_json(const StudyRequest& request);
+Json to_json(const StudyRequest& request);
 
 }  // namespace coapt

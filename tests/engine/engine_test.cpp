@@ -3,28 +3,25 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/closure/closure.h"
 #include "core/presets/presets.h"
+#include "io/json/json.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {
 namespace {
 
-using nlohmann::json;
-
 class EngineTest : public testing::Test {
  protected:
   /// A request on the valve with these members besides.
-  std::string on_valve(json more = json::object()) const {
-    more["valve"] = json::parse(write_valve(valve_));
+  std::string on_valve(Json more = Json::object()) const {
+    more["valve"] = Json::parse(write_valve(valve_));
     return more.dump();
   }
   static std::vector<std::string> paths(const EngineAnswer& answer) {
     std::vector<std::string> found;
-    const json refusal = json::parse(answer.body);
-    for (const json& problem : refusal["problems"]) found.push_back(problem["path"]);
+    const Json refusal = Json::parse(answer.body);
+    for (const Json& problem : refusal["problems"]) found.push_back(problem["path"]);
     return found;
   }
   const Valve valve_ = *make_preset("human-functional-mr", 150);
@@ -35,26 +32,26 @@ TEST_F(EngineTest, AClosureIsCloseValves) {
   ASSERT_EQ(answered.status, 200) << answered.body;
   const ClosureResult closure = close_valve(valve_, {});
   EXPECT_EQ(answered.closed_mm, closure.closed_mm);
-  const json closed = json::parse(answered.body);
+  const Json closed = Json::parse(answered.body);
   EXPECT_EQ(closed["schema"], "coapt.closure/1");
   EXPECT_EQ(closed["steps"], closure.steps);
   EXPECT_TRUE(closed["warnings"].empty());
 }
 
 TEST_F(EngineTest, ASceneIsOfTheRepairedValveWithTheWarningsOfItsPlan) {
-  const json ring = {{"schema", "coapt.plan/1"},
+  const Json ring = {{"schema", "coapt.plan/1"},
                      {"steps", {{{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 4}}}}};
-  const json scene =
-      json::parse(answer("/v1/scenes", on_valve({{"plan", ring}, {"frames", 2}})).body);
+  const Json scene =
+      Json::parse(answer("/v1/scenes", on_valve({{"plan", ring}, {"frames", 2}})).body);
   EXPECT_EQ(scene["schema"], "coapt.scene/1");
   EXPECT_LE(scene["motion_mm"].size(), 2u);
   EXPECT_FALSE(scene["motion_mm"].empty());
-  const json bare = json::parse(answer("/v1/closures", on_valve()).body);
+  const Json bare = Json::parse(answer("/v1/closures", on_valve()).body);
   EXPECT_LT(scene["closure"]["leak_mm2"], bare["leak_mm2"]);
 }
 
 TEST_F(EngineTest, AnOpeningHasAreaAndGradient) {
-  const json opening = json::parse(answer("/v1/openings", on_valve({{"frames", 1}})).body);
+  const Json opening = Json::parse(answer("/v1/openings", on_valve({{"frames", 1}})).body);
   EXPECT_EQ(opening["schema"], "coapt.opening/1");
   EXPECT_GT(opening["opening_area_mm2"], 100.0);
   EXPECT_TRUE(opening.contains("scene"));
@@ -65,7 +62,7 @@ TEST_F(EngineTest, EveryProblemIsToldWithItsPlace) {
       answer("/v1/openings", on_valve({{"frames", 61}, {"flow_ml_s", -1}, {"fly", 1}}));
   EXPECT_EQ(refused.status, 422);
   EXPECT_EQ(paths(refused), (std::vector<std::string>{"/flow_ml_s", "/frames", "/fly"}));
-  const json twice = {{"schema", "coapt.plan/1"},
+  const Json twice = {{"schema", "coapt.plan/1"},
                       {"steps",
                        {{{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 1}},
                         {{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 1}}}}};
@@ -78,20 +75,20 @@ TEST_F(EngineTest, EveryProblemIsToldWithItsPlace) {
 TEST_F(EngineTest, WhatIsNoJsonIsRefused) {
   const EngineAnswer empty = answer("/v1/closures", "");
   EXPECT_EQ(empty.status, 400);
-  EXPECT_EQ(json::parse(empty.body)["title"], "Bad request");
+  EXPECT_EQ(Json::parse(empty.body)["title"], "Bad request");
   EXPECT_EQ(answer("/v1/closures", "{").status, 400);
   EXPECT_EQ(answer("/v1/closures", "[]").status, 422);
 }
 
 TEST_F(EngineTest, AValveIsJudgedWithoutClosingIt) {
-  EXPECT_EQ(json::parse(answer("/v1/valves:validate", write_valve(valve_)).body)["valid"], true);
-  const json judged = json::parse(answer("/v1/valves:validate", "{}").body);
+  EXPECT_EQ(Json::parse(answer("/v1/valves:validate", write_valve(valve_)).body)["valid"], true);
+  const Json judged = Json::parse(answer("/v1/valves:validate", "{}").body);
   EXPECT_EQ(judged["valid"], false);
   EXPECT_FALSE(judged["problems"].empty());
 }
 
 TEST_F(EngineTest, RingsAreThoseOfThePlans) {
-  EXPECT_GE(json::parse(answer("/v1/rings", "").body)["rings"].size(), 3u);
+  EXPECT_GE(Json::parse(answer("/v1/rings", "").body)["rings"].size(), 3u);
 }
 
 TEST_F(EngineTest, WhatNeedsAServiceSaysSo) {
@@ -100,10 +97,10 @@ TEST_F(EngineTest, WhatNeedsAServiceSaysSo) {
 
 TEST(TrainingEngine, MakesTheCaseOfASeedWithItsShapes) {
   const Valve valve = *make_preset("human-normal");
-  json asked = {{"valve", json::parse(write_valve(valve))}, {"exam", "A"}, {"seed", 5}};
+  Json asked = {{"valve", Json::parse(write_valve(valve))}, {"exam", "A"}, {"seed", 5}};
   const EngineAnswer made = answer("/v1/training/cases", asked.dump());
   ASSERT_EQ(made.status, 200) << made.body;
-  const json of_five = json::parse(made.body);
+  const Json of_five = Json::parse(made.body);
   EXPECT_EQ(of_five["schema"], "coapt.training_case/1");
   ASSERT_EQ(of_five["choices"].size(), 4u);
   const auto numbers = static_cast<std::size_t>(3 * valve.rest_mm.rows());
@@ -115,26 +112,26 @@ TEST(TrainingEngine, MakesTheCaseOfASeedWithItsShapes) {
 }
 
 TEST(TrainingEngine, RefusesWhatIsWrong) {
-  const json asked = {{"valve", json::object()}, {"exam", "C"}, {"seed", -1}};
+  const Json asked = {{"valve", Json::object()}, {"exam", "C"}, {"seed", -1}};
   const EngineAnswer refused = answer("/v1/training/cases", asked.dump());
   EXPECT_EQ(refused.status, 422);
   EXPECT_NE(refused.body.find("/exam"), std::string::npos);
   EXPECT_NE(refused.body.find("/seed"), std::string::npos);
   const EngineAnswer table =
-      answer("/v1/training/scores", json({{"trials_csv", "learner\n1\n"}}).dump());
+      answer("/v1/training/scores", Json({{"trials_csv", "learner\n1\n"}}).dump());
   EXPECT_EQ(table.status, 422);
   EXPECT_NE(table.body.find("/trials_csv/1"), std::string::npos);
 }
 
 TEST(TrainingEngine, LaysOutAScheduleForALearner) {
-  const json schedule = {{"schema", "coapt.training_schedule/1"},
+  const Json schedule = {{"schema", "coapt.training_schedule/1"},
                          {"name", "short"},
                          {"title", "Three cases"},
                          {"blocks", {{{"name", "exam"}, {"exam", "B"}, {"cases", 3}}}}};
   const EngineAnswer laid =
-      answer("/v1/training/exams", json({{"schedule", schedule}, {"seed", 2}}).dump());
+      answer("/v1/training/exams", Json({{"schedule", schedule}, {"seed", 2}}).dump());
   ASSERT_EQ(laid.status, 200) << laid.body;
-  EXPECT_EQ(json::parse(laid.body)["blocks"][0]["trials"].size(), 3u);
+  EXPECT_EQ(Json::parse(laid.body)["blocks"][0]["trials"].size(), 3u);
 }
 
 }  // namespace

@@ -3,26 +3,23 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/presets/presets.h"
+#include "io/json/json.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {
 namespace {
 
-using nlohmann::json;
-
 constexpr int kState = 5, kHook = 10;  // numbers of a picture
 
 class LiveEngineTest : public testing::Test {
  protected:
-  std::string on_valve(json more = json::object()) const {
-    more["valve"] = json::parse(write_valve(valve_));
+  std::string on_valve(Json more = Json::object()) const {
+    more["valve"] = Json::parse(write_valve(valve_));
     return more.dump();
   }
   const Valve valve_ = *make_preset("human-functional-mr", 150);
-  const json ring_ = {
+  const Json ring_ = {
       {"schema", "coapt.plan/1"},
       {"steps", {{{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 4}}}}};
   LiveEngine live_;
@@ -31,13 +28,13 @@ class LiveEngineTest : public testing::Test {
 TEST_F(LiveEngineTest, StartsUnderThePressureOfSystoleWithWhatIsDrawn) {
   const EngineAnswer started = live_.start(on_valve());
   ASSERT_EQ(started.status, 200) << started.body;
-  const json said = json::parse(started.body);
+  const Json said = Json::parse(started.body);
   EXPECT_NEAR(said["systole_mmhg"], valve_.pressure_kpa / 0.133322, 0.01);
   EXPECT_NEAR(live_.valve()->pressure_mmhg(), said["systole_mmhg"], 1e-9);
   EXPECT_EQ(said["scene"]["faces"].size(), static_cast<std::size_t>(valve_.faces.size()));
   EXPECT_TRUE(said["scene"]["closed_mm"].is_null());
   EXPECT_EQ(said["cables"].size(), live_.valve()->cables().size());
-  EXPECT_EQ(said["cables"][0], json({0, 0}));
+  EXPECT_EQ(said["cables"][0], Json({0, 0}));
 }
 
 TEST_F(LiveEngineTest, StartsUnderAnyPressureThatIsSaid) {
@@ -51,7 +48,7 @@ TEST_F(LiveEngineTest, WhatCannotBeReadLeavesTheValveBefore) {
   ASSERT_EQ(live_.start(on_valve()).status, 200);
   const EngineAnswer refused = live_.start(on_valve({{"pressure_mmhg", 300}, {"fly", 1}}));
   EXPECT_EQ(refused.status, 422);
-  EXPECT_EQ(json::parse(refused.body)["problems"].size(), 2u);
+  EXPECT_EQ(Json::parse(refused.body)["problems"].size(), 2u);
   EXPECT_EQ(live_.change(on_valve({{"plan", {{"steps", 3}}}})).status, 422);
   EXPECT_NE(live_.valve(), nullptr);
 }

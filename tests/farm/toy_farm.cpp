@@ -8,13 +8,13 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
 #include "farm/program/commands.h"
 #include "io/command_line/program.h"
+#include "io/json/json.h"
 
 namespace {
 
@@ -40,7 +40,7 @@ std::uint64_t mixed(std::uint64_t x) {  // splitmix64
 
 Expected<Work> open_toy(const WorkRequest& request) {
   if (request.kind != "toy") return Error{ErrorCode::Unsupported, "", "kind is not toy"};
-  const auto told = nlohmann::json::parse(request.parts[0]);
+  const auto told = Json::parse(request.parts[0]);
   std::uint64_t seed = 0;
   for (const std::string& part : request.parts)
     for (const char letter : part) seed = mixed(seed ^ static_cast<unsigned char>(letter));

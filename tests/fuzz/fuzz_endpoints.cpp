@@ -116,7 +116,7 @@ void check(const Answer& answer) {
   (void)content_type(answer);
   (void)content_bytes(answer);
   if (answer.status < 400) return;
-  const auto* body = std::get_if<nlohmann::ordered_json>(&answer.body);
+  const auto* body = std::get_if<Json>(&answer.body);
   if (body == nullptr || body->at("status") != answer.status || body->at("problems").empty())
     std::abort();
 }

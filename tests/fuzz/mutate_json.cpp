@@ -13,23 +13,23 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 namespace {
 
-using nlohmann::json;
+using coapt::Json;
 
 std::size_t below(std::minstd_rand& random, std::size_t end) {
   return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
 }
 
 // A value somewhere in the document; deep ones are as likely as shallow ones.
-json& choose(json& document, std::minstd_rand& random) {
-  json* value = &document;
+Json& choose(Json& document, std::minstd_rand& random) {
+  Json* value = &document;
   while (value->is_structured() && !value->empty() && below(random, 8) > 0) {
     value = &*std::next(value->begin(), static_cast<std::ptrdiff_t>(below(random, value->size())));
   }
   return *value;
 }
 
-void change(json& document, std::minstd_rand& random) {
-  static const json values = {0,
+void change(Json& document, std::minstd_rand& random) {
+  static const Json values = {0,
                               -1,
                               1,
                               7,
@@ -47,17 +47,17 @@ void change(json& document, std::minstd_rand& random) {
                               "coapt",
                               "own",
                               nullptr,
-                              json::array(),
-                              json::object(),
+                              Json::array(),
+                              Json::object(),
                               4294967295u,
                               18446744073709551615u};
-  json& value = choose(document, random);
+  Json& value = choose(document, random);
   switch (below(random, 4)) {
     case 0:
       value = values[below(random, values.size())];
       break;
     case 1:
-      value = json(choose(document, random));
+      value = Json(choose(document, random));
       break;
     case 2:
       if (value.is_structured() && !value.empty()) {
@@ -70,7 +70,7 @@ void change(json& document, std::minstd_rand& random) {
         value = value.get<std::int64_t>() % 1000 + (below(random, 2) ? 1 : -1);
       if (value.is_number_float()) value = value.get<double>() * (below(random, 2) ? 1.001 : -1.0);
       if (value.is_array() && !value.empty())
-        value.push_back(json(value[below(random, value.size())]));
+        value.push_back(Json(value[below(random, value.size())]));
       break;
   }
 }

@@ -56,9 +56,9 @@ constexpr std::string_view kReads[] = {"/v1/jobs?page_size=2&page_token=9&state=
 
 /// Requests to each endpoint: small valves inside, jobs and valves that fuzz_endpoints has in its store.
 void write_requests(const std::filesystem::path& folder) {
-  const nlohmann::json valve = nlohmann::json::parse(write_valve(small_valve()));
-  const nlohmann::json plan = to_json(RepairPlan{{Annuloplasty{OwnRing{1}}}});
-  const nlohmann::json search = {
+  const Json valve = Json::parse(write_valve(small_valve()));
+  const Json plan = to_json(RepairPlan{{Annuloplasty{OwnRing{1}}}});
+  const Json search = {
       {"evaluations", 10},
       {"seed", 1},
       {"plans", 2},
@@ -66,12 +66,12 @@ void write_requests(const std::filesystem::path& folder) {
       {"evidence", false},
       {"rules", {{"fixed", plan}, {"forbidden", {"neochorda", "annuloplasty:own"}}}},
       {"weights", {{"movement", 0.5}}}};
-  const nlohmann::json study = {{"name", "approximation"},
-                                {"protocols", {"closed"}},
-                                {"displacement_step_mm", 6},
-                                {"region_points", 17},
-                                {"scan_sites", 0}};
-  const std::array<nlohmann::json, kBodyPaths.size()> bodies = {
+  const Json study = {{"name", "approximation"},
+                      {"protocols", {"closed"}},
+                      {"displacement_step_mm", 6},
+                      {"region_points", 17},
+                      {"scan_sites", 0}};
+  const std::array<Json, kBodyPaths.size()> bodies = {
       valve,
       valve,
       {{"valve", valve}, {"plan", plan}},
@@ -82,11 +82,11 @@ void write_requests(const std::filesystem::path& folder) {
       {{"valve", kStoredValve}, {"plans", {plan}}, {"region_points", 2}},
       {{"valve", valve}, {"search", search}},
       {{"valve", kStoredValve}, {"study", study}},
-      nlohmann::json::object(),
+      Json::object(),
       {{"name", "A plan"}, {"valve", kStoredValve}, {"plan", plan}},
       {{"name", "Another name"}}};
   char choice = 'a';
-  for (const nlohmann::json& body : bodies) {
+  for (const Json& body : bodies) {
     write(folder / std::string(1, choice), choice + body.dump());
     ++choice;
   }

@@ -18,13 +18,12 @@ TEST(Answer, AProblemIsOfRfc9457) {
   const Answer answer = problem(
       422, {{ErrorCode::OutOfRange, "/valve/x", "x must be 1"}, {ErrorCode::WrongType, "/y", "z"}});
   EXPECT_EQ(content_type(answer), "application/problem+json");
-  const auto json = nlohmann::ordered_json::parse(content_bytes(answer));
+  const auto json = Json::parse(content_bytes(answer));
   EXPECT_EQ(json["type"], "https://coapt.example/problems/out_of_range");
   EXPECT_EQ(json["title"], "Unprocessable content");
   EXPECT_EQ(json["status"], 422);
   EXPECT_EQ(json["detail"], "x must be 1");
-  EXPECT_EQ(json["problems"][1],
-            (nlohmann::ordered_json{{"code", "wrong_type"}, {"path", "/y"}, {"message", "z"}}));
+  EXPECT_EQ(json["problems"][1], (Json{{"code", "wrong_type"}, {"path", "/y"}, {"message", "z"}}));
   EXPECT_EQ(json["notice"], kResearchNotice);
 }
 
@@ -56,9 +55,8 @@ TEST(Answer, ItsOwnHeadersGoFirst) {
 }
 
 TEST(Answer, WhatIsNoUtf8IsReplaced) {
-  EXPECT_EQ(
-      nlohmann::json::parse(content_bytes(json_answer(200, {{"name", "a\xff\xc0z"}})))["name"],
-      "a\uFFFD\uFFFDz");
+  EXPECT_EQ(Json::parse(content_bytes(json_answer(200, {{"name", "a\xff\xc0z"}})))["name"],
+            "a\uFFFD\uFFFDz");
 }
 
 }  // namespace

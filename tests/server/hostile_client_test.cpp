@@ -58,7 +58,7 @@ TEST(HostileClient, TheOneThatHasWaitedLongestIsPushedOut) {
   const std::string pushed_out = waiting.front().receive_all();
   EXPECT_EQ(status_of(pushed_out), 503);
   EXPECT_NE(pushed_out.find("\r\nRetry-After: "), pushed_out.npos);
-  EXPECT_EQ(nlohmann::json::parse(body_of(pushed_out))["status"], 503);
+  EXPECT_EQ(Json::parse(body_of(pushed_out))["status"], 503);
   waiting.back().send(" /demo/a HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_EQ(status_of(waiting.back().receive_all()), 200);
 }

@@ -11,7 +11,7 @@
 namespace coapt {
 namespace {
 
-nlohmann::json json_of(const std::string& answer) { return nlohmann::json::parse(body_of(answer)); }
+Json json_of(const std::string& answer) { return Json::parse(body_of(answer)); }
 
 bool has(const std::string& answer, const std::string& text) {
   return answer.find(text) != answer.npos;
@@ -21,7 +21,7 @@ TEST(Http, ARequestReachesItsEndpoint) {
   DemoServer server;
   const auto answer = json_of(get(server.port(), "/demo/a%20b?x=1&y=%2B&x=2"));
   EXPECT_EQ(answer["name"], "a b");
-  EXPECT_EQ(answer["query"], (nlohmann::json{{"x", "1"}, {"y", "+"}}));
+  EXPECT_EQ(answer["query"], (Json{{"x", "1"}, {"y", "+"}}));
   EXPECT_EQ(answer["notice"], kResearchNotice);
   EXPECT_EQ(json_of(post(server.port(), "/demo/a", std::string(100000, 'x')))["bytes"], 100000);
   EXPECT_EQ(json_of(post(server.port(), "/demo/a", ""))["bytes"], 0);

@@ -64,7 +64,7 @@ TEST(Metrics, CountRequestsByRouteAndStatusAndTheirTimes) {
 }
 
 StudyRequest study_of(const char* text, ProblemList& problems) {
-  const nlohmann::json json = nlohmann::json::parse(text);
+  const Json json = Json::parse(text);
   return read_study({json, problems});
 }
 
@@ -75,7 +75,7 @@ TEST(StudyRequest, ComesBackAsItWasWritten) {
         R"({"name": "approximation", "protocols": ["closed"], "displacement_step_mm": 6.0,)"
         R"( "region_points": 17, "scan_sites": 3})"}) {
     const StudyRequest request = study_of(text, problems);
-    EXPECT_EQ(nlohmann::json(to_json(request)), nlohmann::json::parse(text));
+    EXPECT_EQ(Json(to_json(request)), Json::parse(text));
   }
   EXPECT_TRUE(problems.empty());
 }

@@ -43,9 +43,9 @@ LocalClosure close_locally(const LocalValve& valve, std::string_view plan) {
 }
 
 std::string document_of(const LocalClosure& closed) {
-  nlohmann::ordered_json json = closure_answer({*closed.valve, closed.plan, *closed.repaired},
-                                               closed.closure, closed.measure, closed.seconds);
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  Json json = closure_answer({*closed.valve, closed.plan, *closed.repaired}, closed.closure,
+                             closed.measure, closed.seconds);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace coapt

@@ -172,7 +172,7 @@ TEST(OrificeWork, OptionsOfTheClosureComeBackBitForBit) {
   options.samples = 5;
   options.edge_contact = true;
   options.self_contact = SelfContact::NotAnterior;
-  const nlohmann::json json = *closure_options_json(options);
+  const Json json = *closure_options_json(options);
   ProblemList problems;
   const ClosureOptions back = read_closure_options({json, problems});
   EXPECT_TRUE(problems.empty());

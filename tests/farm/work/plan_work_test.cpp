@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/presets/presets.h"
+#include "io/json/json.h"
 #include "io/json/plan_document.h"
 #include "io/json/plans_json.h"
 #include "io/picture/report_material.h"
@@ -46,7 +45,7 @@ TEST(PlanWork, IsTheSearchThatAnybodyElseWouldMake) {
   SearchContext context;
   options.threads = 0;
   const auto result = search_plans(valve, options, context);
-  nlohmann::ordered_json here = to_json(*result, {options, subject_of(valve, {}), ""});
+  Json here = to_json(*result, {options, subject_of(valve, {}), ""});
   here["seconds"] = nullptr;
   EXPECT_EQ(answer.plans, here.dump());
   EXPECT_TRUE(read_plans(answer.plans));

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <nlohmann/json.hpp>
 
 #include "io/exchange/valve_glb.h"
+#include "io/json/json.h"
 #include "still_valve.h"
 
 namespace coapt {
@@ -16,13 +16,13 @@ T number_at(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-nlohmann::json json_of(const std::string& glb) {
-  return nlohmann::json::parse(glb.substr(20, number_at<std::uint32_t>(glb, 12)));
+Json json_of(const std::string& glb) {
+  return Json::parse(glb.substr(20, number_at<std::uint32_t>(glb, 12)));
 }
 
 /// Three floats of an accessor's row.
 Vec3 vector_of(const std::string& glb, int accessor, int row) {
-  const nlohmann::json json = json_of(glb);
+  const Json json = json_of(glb);
   const std::size_t view = json["accessors"][static_cast<std::size_t>(accessor)]["bufferView"];
   const std::size_t binary = 20 + number_at<std::uint32_t>(glb, 12) + 8;
   const std::size_t at = binary + json["bufferViews"][view]["byteOffset"].get<std::size_t>() +
@@ -41,7 +41,7 @@ TEST(Glb, TheHeaderSaysHowLongTheFileIs) {
 TEST(Glb, PointsAreMetresWithTheAtriumUp) {
   const ClosedValve exported = still_valve();
   const std::string glb = write_glb(exported);
-  const nlohmann::json json = json_of(glb);
+  const Json json = json_of(glb);
   const int position = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
   const int sheet = json["accessors"][static_cast<std::size_t>(position)]["count"].get<int>() / 2;
   const auto middle = [&](int vertex) -> Vec3 {
@@ -60,8 +60,8 @@ TEST(Glb, PointsAreMetresWithTheAtriumUp) {
 
 TEST(Glb, TheMotionIsATargetAndEndsInTheClosedValve) {
   const std::string glb = write_glb(still_valve());
-  const nlohmann::json json = json_of(glb);
-  const nlohmann::json& primitive = json["meshes"][0]["primitives"][0];
+  const Json json = json_of(glb);
+  const Json& primitive = json["meshes"][0]["primitives"][0];
   ASSERT_EQ(primitive["targets"].size(), 1U);
   const int target = primitive["targets"][0]["POSITION"];
   EXPECT_LT((vector_of(glb, target, 5) - Vec3(0.0, 0.002, 0.0)).norm(), 1e-8);
@@ -71,14 +71,14 @@ TEST(Glb, TheMotionIsATargetAndEndsInTheClosedValve) {
 }
 
 TEST(Glb, ColoursEndWhereSegmentsDo) {
-  const nlohmann::json json = json_of(write_glb(still_valve()));
+  const Json json = json_of(write_glb(still_valve()));
   const std::size_t colours = json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"];
   // Above and below: six blocks of segments round the valve, each with one column of three vertices more than columns: 8 + 6 columns.
   EXPECT_EQ(json["accessors"][colours]["count"], 2 * 3 * (8 + 6));
 }
 
 TEST(Glb, TheOpenValveIsStillAndTheNoticeIsInIt) {
-  const nlohmann::json json = json_of(write_open_glb(still_valve()));
+  const Json json = json_of(write_open_glb(still_valve()));
   EXPECT_FALSE(json.contains("animations"));
   EXPECT_FALSE(json["meshes"][0].contains("weights"));
   EXPECT_NE(json["asset"]["copyright"].get<std::string>().find("research software"),
@@ -91,7 +91,7 @@ TEST(Glb, ARingAndASutureAreAMeshOfTheirOwn) {
   exported.plan.steps = {
       Annuloplasty{OwnRing{1}},
       PapillaryApproximation{Side::Anterolateral, Anchor::SaddlePeak, 0.25, 20.0}};
-  const nlohmann::json json = json_of(write_glb(exported));
+  const Json json = json_of(write_glb(exported));
   ASSERT_EQ(json["meshes"].size(), 3U);
   EXPECT_EQ(json["meshes"][2]["name"], "repair");
   const std::size_t position = json["meshes"][2]["primitives"][0]["attributes"]["POSITION"];

@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "io/exchange/valve_markups.h"
+#include "io/json/json.h"
 #include "still_valve.h"
 
 namespace coapt {

@@ -10,14 +10,14 @@ namespace {
 using enum ErrorCode;
 
 /// With its leak, all other amounts 0.
-nlohmann::json plan_of(double leak_mm2) {
-  nlohmann::json terms;
+Json plan_of(double leak_mm2) {
+  Json terms;
   for (const CostTermRow& row : cost_term_rows()) terms[row.name] = 0.0;
   terms["leak"] = leak_mm2;
   return {{"description", {"a ring"}}, {"cost_terms", terms}, {"leak_mm2", {{"mean", leak_mm2}}}};
 }
 
-nlohmann::json two_plans() {
+Json two_plans() {
   return {{"schema", "coapt.plans/1"}, {"plans", {plan_of(1.0), plan_of(2.5)}}, {"closures", 7}};
 }
 
@@ -41,7 +41,7 @@ TEST(AnswersJson, PlansAreReadFromWhatASearchPrints) {
 }
 
 TEST(AnswersJson, ProblemsOfPlansAreListedWithTheirPlace) {
-  nlohmann::json plans = two_plans();
+  Json plans = two_plans();
   plans["plans"][0]["cost_terms"].erase("gap");
   plans["plans"][1]["cost_terms"]["step"] = "two";
   plans["plans"][1].erase("description");
@@ -58,7 +58,7 @@ TEST(AnswersJson, AnswersComeBackAsTheyWereWritten) {
   EXPECT_EQ(sheet->rater, "A");
   EXPECT_EQ(sheet->answers.at(0).pair, (PlanPair{0, 1, 0}));
   EXPECT_EQ(sheet->answers.at(0).answer, Preference::Unable);
-  EXPECT_EQ(to_json(*sheet, cases()), nlohmann::ordered_json::parse(kSheet));
+  EXPECT_EQ(to_json(*sheet, cases()), Json::parse(kSheet));
 }
 
 TEST(AnswersJson, ProblemsOfAnswersAreListedWithTheirPlace) {

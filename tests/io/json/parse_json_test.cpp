@@ -96,11 +96,10 @@ TEST(ParseJson, NamesAreLimitedTo256Bytes) {
 }
 
 TEST(TakeApart, LeavesNothingInside) {
-  nlohmann::json document =
-      *parse_json(R"({"a": [[1, "long enough for a string of its own"], {}], "b": 2})");
+  Json document = *parse_json(R"({"a": [[1, "long enough for a string of its own"], {}], "b": 2})");
   take_apart(document);
-  EXPECT_EQ(document, nlohmann::json::object());
-  nlohmann::json number = 3;
+  EXPECT_EQ(document, Json::object());
+  Json number = 3;
   take_apart(number);
   EXPECT_EQ(number, 3);
 }

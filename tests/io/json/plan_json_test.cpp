@@ -5,7 +5,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
 using enum ErrorCode;
 
 constexpr LeafletPoint kPoint = {Leaflet::Anterior, 0.25, 1.0};
@@ -45,7 +44,7 @@ TEST(PlanJson, RoundTripKeepsEveryStep) {
 }
 
 TEST(PlanJson, OnlyTheFieldsThatMatterAreWritten) {
-  const ordered_json plan = to_json(full_plan());
+  const Json plan = to_json(full_plan());
   EXPECT_FALSE(plan["steps"][0].contains("size_mm"));
   EXPECT_FALSE(plan["steps"][1].contains("sizes_below"));
   EXPECT_FALSE(plan["steps"][6].contains("annulus_around"));
@@ -106,7 +105,7 @@ TEST(PlanJson, OnlyAnAnnulusPointHasAPlace) {
 }
 
 TEST(PlanJson, AtMostAHundredSteps) {
-  nlohmann::json steps = nlohmann::json::array();
+  Json steps = Json::array();
   for (int i = 0; i < 100; ++i) steps.push_back({{"step", "chordal_excision"}, {"chorda", "a"}});
   EXPECT_EQ(found_in_steps(steps.dump()), Found{});
   steps.push_back(steps[0]);

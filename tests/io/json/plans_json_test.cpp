@@ -9,19 +9,17 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-std::vector<std::string> keys(const ordered_json& object) {
+std::vector<std::string> keys(const Json& object) {
   std::vector<std::string> names;
   for (const auto& [name, value] : object.items()) names.push_back(name);
   return names;
 }
 
 /// As a script reads it: numbers that are not finite have become null.
-ordered_json written(const ordered_json& document) { return ordered_json::parse(document.dump()); }
+Json written(const Json& document) { return Json::parse(document.dump()); }
 
-const ordered_json& scene() {
-  static const ordered_json document = written(to_json(search_result(), search_request()));
+const Json& scene() {
+  static const Json document = written(to_json(search_result(), search_request()));
   return document;
 }
 
@@ -115,7 +113,7 @@ TEST(PlansJson, APlanStatesItsOpeningAndHowLongItLasts) {
       PlanOpening{ClosureStatus::Converged, false, {320.0, 4.0, 3.0, 300.0, 700.0, 1.9, 3.7}};
   result.plans[0].durability = Durability{4.25, 0.375};
   result.plans[1].opening = PlanOpening{ClosureStatus::StepLimit, false, {}};
-  const ordered_json plans = written(to_json(result))["plans"];
+  const Json plans = written(to_json(result))["plans"];
   EXPECT_EQ(plans[0]["opening_area_mm2"], 320.0);
   EXPECT_EQ(plans[0]["projected_area_mm2"], 300.0);
   EXPECT_EQ(plans[0]["gradient_mmhg"], 1.9);
@@ -128,7 +126,7 @@ TEST(PlansJson, APlanStatesItsOpeningAndHowLongItLasts) {
 TEST(PlansJson, APlanStatesItsClosureOnTheFinerMesh) {
   EXPECT_EQ(scene()["fine_mesh"].dump(),
             R"({"levels":1,"triangles":2592,"leak_before_mm2":47.25,"closures":4})");
-  const ordered_json& plans = scene()["plans"];
+  const Json& plans = scene()["plans"];
   EXPECT_EQ(plans[0]["closes_robustly"], true);
   EXPECT_EQ(plans[1]["closes_robustly"], false);
   EXPECT_EQ(
@@ -145,7 +143,7 @@ TEST(PlansJson, APlanStatesItsClosureOnTheFinerMesh) {
 TEST(PlansJson, APlanStatesHowManyOfASampleEndElsewhereFromAColdStart) {
   SearchResult result = search_result();
   result.plans[0].starts = StartCheck{8, 1, 0.25};
-  const ordered_json plans = written(to_json(result))["plans"];
+  const Json plans = written(to_json(result))["plans"];
   EXPECT_EQ(plans[0]["cold_starts"].dump(),
             R"({"closures":8,"elsewhere":1,"leak_difference_max_mm2":0.25})");
   EXPECT_TRUE(plans[1]["cold_starts"].is_null());
@@ -155,7 +153,7 @@ TEST(PlansJson, APlanStatesItsLeakUnderDrawsOfTheModel) {
   EXPECT_EQ(scene()["model_draws"].dump(),
             R"({"draws":8,"before":{"failures":0,"leak_mm2":{"mean":50.0,"sd":12.5,"worst":71.0}},)"
             R"("closures":32,"chordae_drawn":false,"fit_drawn":false})");
-  const ordered_json& plans = scene()["plans"];
+  const Json& plans = scene()["plans"];
   EXPECT_EQ(plans[0]["under_draws"].dump(),
             R"({"failures":1,"leak_mm2":{"mean":0.9,"sd":1.2,"worst":3.5}})");
   EXPECT_EQ(plans[0]["share_of_draws_ahead"], 1.0);
@@ -183,7 +181,7 @@ TEST(PlansJson, ARankThatDrawsOfTheModelDoNotLeaveIsATie) {
 }
 
 TEST(PlansJson, APlanStatesItsEffortItsRegionAndItsGates) {
-  const ordered_json& plan = scene()["plans"][0];
+  const Json& plan = scene()["plans"][0];
   EXPECT_EQ(plan["rank"], 1);
   EXPECT_EQ(plan["plan"]["schema"], "coapt.plan/1");
   EXPECT_EQ(plan["steps"], 3);
@@ -211,7 +209,7 @@ TEST(PlansJson, APlanStatesItsEffortItsRegionAndItsGates) {
 }
 
 TEST(PlansJson, ALeakMapHasItsAxes) {
-  const ordered_json& maps = scene()["plans"][0]["leak_map"];
+  const Json& maps = scene()["plans"][0]["leak_map"];
   ASSERT_EQ(maps.size(), 3u);
   EXPECT_EQ(maps[2]["muscle"], "posteromedial");
   EXPECT_EQ(maps[0]["suture_length_mm"].dump(), "[-1.0,-0.75,-0.5,-0.25,0.0,0.25,0.5,0.75,1.0]");
@@ -222,7 +220,7 @@ TEST(PlansJson, ALeakMapHasItsAxes) {
 }
 
 TEST(PlansJson, RemodellingIsByDirectionAndMillimetre) {
-  const ordered_json& curves = scene()["plans"][0]["remodelling"];
+  const Json& curves = scene()["plans"][0]["remodelling"];
   ASSERT_EQ(curves.size(), 4u);
   EXPECT_EQ(curves[0]["direction"], "apical");
   EXPECT_EQ(curves[0]["leak_mm2"].dump(), "[0.2,0.2,0.2,0.2,0.2,2.2,4.2]");
@@ -230,7 +228,7 @@ TEST(PlansJson, RemodellingIsByDirectionAndMillimetre) {
 }
 
 TEST(PlansJson, ATieIsSaidAndTheLastPlanHasNoneToOutrank) {
-  const ordered_json& plans = scene()["plans"];
+  const Json& plans = scene()["plans"];
   EXPECT_EQ(plans[0]["probability_outranks_next"], 0.62);
   EXPECT_EQ(plans[0]["tie_with_next"], true);
   EXPECT_EQ(plans[1]["tie_with_next"], false);
@@ -248,7 +246,7 @@ TEST(PlansJson, ATieIsFrom5To95Percent) {
 }
 
 TEST(PlansJson, WhatIsNotKnownIsNull) {
-  const ordered_json& plan = scene()["plans"][2];
+  const Json& plan = scene()["plans"][2];
   EXPECT_EQ(plan["status"], "step_limit");
   EXPECT_EQ(plan["orifice_area_mm2"].dump(),
             R"({"nominal":31.0,"mean":null,"sd":null,"worst":null,"p95":null,"below_5":null,)"
@@ -282,14 +280,14 @@ TEST(PlansJson, SaysHowTheSearchWent) {
 }
 
 TEST(PlansJson, WhatReproducesItIsAskedForInTheSameWords) {
-  const ordered_json& reproduce = scene()["reproduce"];
+  const Json& reproduce = scene()["reproduce"];
   EXPECT_EQ(keys(reproduce), (std::vector<std::string>{"valve_hash", "version", "revision", "seed",
                                                        "command", "search"}));
   EXPECT_EQ(reproduce["valve_hash"], search_request().valve_hash);
   EXPECT_EQ(reproduce["version"], version());
   EXPECT_EQ(reproduce["seed"], 18446744073709551615u);
   EXPECT_EQ(reproduce["command"], search_request().command);
-  const auto again = search_options_from_json(nlohmann::json::parse(reproduce["search"].dump()));
+  const auto again = search_options_from_json(Json::parse(reproduce["search"].dump()));
   ASSERT_TRUE(again);
   EXPECT_EQ(to_json(*again), reproduce["search"]);
   EXPECT_EQ(scene()["weights"], reproduce["search"]["weights"]);

@@ -9,7 +9,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
 using enum ErrorCode;
 
 TEST(ResultJson, ErrorsHaveCodePathAndMessage) {
@@ -41,7 +40,7 @@ TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
   closure.crossing = true;
   ValveMeasure measure;
   measure.orifice = {12.5, 30.0, 12.0, {{12.5, Vec3(1.0, 2.0, 3.0), Segment::P2}}};
-  const ordered_json result = closure_to_json(small_valve(), closure, measure, 1.5);
+  const Json result = closure_to_json(small_valve(), closure, measure, 1.5);
   EXPECT_EQ(result["method"], "thesis");
   EXPECT_EQ(result["membrane"], "continuum");
   EXPECT_EQ(result["status"], "step_limit");

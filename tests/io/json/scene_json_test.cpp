@@ -12,20 +12,18 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
-Vec3 row(const ordered_json& flat, std::size_t i) {
+Vec3 row(const Json& flat, std::size_t i) {
   return {flat.at(3 * i).get<double>(), flat.at(3 * i + 1).get<double>(),
           flat.at(3 * i + 2).get<double>()};
 }
 
-Vec3 vector(const ordered_json& json) { return row(json, 0); }
+Vec3 vector(const Json& json) { return row(json, 0); }
 
 struct Closed {
   Valve valve;
   RepairPlan plan;
   ClosureResult closure;
-  ordered_json scene;
+  Json scene;
 };
 
 Closed closed(const std::string& preset, const RepairPlan& plan, int frames) {
@@ -60,7 +58,7 @@ TEST(SceneJson, ChordaeEndWhereTheyInsertAndBranchWhereTheyBranch) {
   for (std::size_t c = 0; c < valve.chordae.size(); ++c)
     for (std::size_t s = 0; s < valve.chordae[c].segments.size(); ++s) {
       const ChordaSegment& segment = valve.chordae[c].segments[s];
-      const ordered_json& json = scene["chordae"][c]["segments"][s];
+      const Json& json = scene["chordae"][c]["segments"][s];
       EXPECT_EQ(json.contains("face"), segment.inserts);
       if (!segment.inserts) continue;
       const Vec3 end = position(segment.insertion, valve.faces, closure.closed_mm);
@@ -72,12 +70,12 @@ TEST(SceneJson, ItsOrificesAndSectionsAreThoseOfTheMeasures) {
   const auto [valve, plan, closure, scene] = closed("human-functional-mr", {}, 0);
   const ValveMeasure measured = measure(valve, closure);
   double area = 0.0;
-  for (const ordered_json& orifice : scene["orifices"]) area += orifice["area_mm2"].get<double>();
+  for (const Json& orifice : scene["orifices"]) area += orifice["area_mm2"].get<double>();
   EXPECT_NEAR(area, measured.orifice.area_mm2, 0.01);
   ASSERT_EQ(scene["sections"].size(), 37u);
   int same = 0;
   for (const CoaptationSection& section : measured.coaptation.sections)
-    for (const ordered_json& json : scene["sections"])
+    for (const Json& json : scene["sections"])
       if (std::abs(json["along"].get<double>() - section.along) < 1e-9) {
         EXPECT_NEAR(json["height_mm"].get<double>(), section.height_mm, 0.11);
         EXPECT_NEAR(json["distance_mm"].get<double>(), section.distance_mm, 0.0006);
@@ -90,7 +88,7 @@ TEST(SceneJson, ItsGapIsThatOfTheMeasures) {
   const auto [valve, plan, closure, scene] = closed("human-p2-prolapse", {}, 0);
   double area = 0.0;
   for (std::size_t i = 1; i < scene["gap"].size(); ++i) {
-    const ordered_json &a = scene["gap"][i - 1], &b = scene["gap"][i];
+    const Json &a = scene["gap"][i - 1], &b = scene["gap"][i];
     area += 0.5 * (a["width_mm"].get<double>() + b["width_mm"].get<double>()) *
             (vector(a["anterior_mm"]) - vector(b["anterior_mm"])).norm();
   }
@@ -118,7 +116,7 @@ TEST(SceneJson, ASutureRunsFromTheMeanTipToItsAnchor) {
   suture.suture_length_mm = 30.0;
   const auto [valve, plan, closure, scene] = closed("human-functional-mr", {{suture}}, 0);
   ASSERT_EQ(scene["sutures"].size(), 1u);
-  const ordered_json& json = scene["sutures"][0];
+  const Json& json = scene["sutures"][0];
   EXPECT_EQ(json["side"], "posteromedial");
   EXPECT_NEAR((vector(json["tip_mm"]) - vector(json["anchor_mm"])).norm(), 30.0, 0.01);
 }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/repair/apply_plan.h"
 #include "core/repair/limits.h"
 #include "core/repair/rings.h"
+#include "io/json/json.h"
 #include "io/json/plan_json.h"
 #include "io/json/ring_json.h"
 #include "io/json/search_options_json.h"
@@ -20,12 +20,12 @@
 namespace coapt {
 namespace {
 
-nlohmann::json schema_of(const std::string& name) {
+Json schema_of(const std::string& name) {
   std::ifstream file(COAPT_SOURCE_DIR "/io/schema/" + name + ".schema.json");
-  return nlohmann::json::parse(file);
+  return Json::parse(file);
 }
 
-bool has_type(const nlohmann::json& value, const std::string& type) {
+bool has_type(const Json& value, const std::string& type) {
   if (type == "object") return value.is_object();
   if (type == "array") return value.is_array();
   if (type == "string") return value.is_string();
@@ -38,19 +38,19 @@ class Schema {
  public:
   explicit Schema(const std::string& name) : root_(schema_of(name)) {}
 
-  bool accepts(const nlohmann::json& value) const { return accepts(root_, value); }
-  const nlohmann::json& root() const { return root_; }
+  bool accepts(const Json& value) const { return accepts(root_, value); }
+  const Json& root() const { return root_; }
 
  private:
-  bool accepts(const nlohmann::json& schema, const nlohmann::json& value) const {
+  bool accepts(const Json& schema, const Json& value) const {
     return std::all_of(schema.items().begin(), schema.items().end(), [&](const auto& keyword) {
       return obeys(schema, keyword.key(), keyword.value(), value);
     });
   }
 
-  bool obeys(const nlohmann::json& schema, const std::string& word, const nlohmann::json& argument,
-             const nlohmann::json& value) const {
-    const auto fits = [&](const nlohmann::json& branch) { return accepts(branch, value); };
+  bool obeys(const Json& schema, const std::string& word, const Json& argument,
+             const Json& value) const {
+    const auto fits = [&](const Json& branch) { return accepts(branch, value); };
     if (word == "$ref") return fits_reference(argument, value);
     if (word == "type") return has_type(value, argument);
     if (word == "const") return value == argument;
@@ -65,7 +65,7 @@ class Schema {
     if (word == "maxLength") return value.get<std::string>().size() <= argument;
     if (word == "items") {
       return std::all_of(value.begin(), value.end(),
-                         [&](const nlohmann::json& entry) { return accepts(argument, entry); });
+                         [&](const Json& entry) { return accepts(argument, entry); });
     }
     if (word == "required") {
       return std::all_of(argument.begin(), argument.end(), [&](const std::string& name) {
@@ -73,7 +73,7 @@ class Schema {
       });
     }
     if (word == "properties" || word == "additionalProperties") {
-      const nlohmann::json& properties = schema["properties"];
+      const Json& properties = schema["properties"];
       return value.is_object() &&
              std::all_of(value.items().begin(), value.items().end(), [&](const auto& member) {
                if (!properties.contains(member.key())) return false;
@@ -87,21 +87,21 @@ class Schema {
   }
 
   // "#/$defs/rules", or "../plan/1#/..." into plan.schema.json.
-  bool fits_reference(const std::string& reference, const nlohmann::json& value) const {
+  bool fits_reference(const std::string& reference, const Json& value) const {
     const std::size_t hash = reference.find('#');
-    const nlohmann::json::json_pointer at(reference.substr(hash + 1));
+    const Json::json_pointer at(reference.substr(hash + 1));
     if (hash == 0) return accepts(root_[at], value);
     const std::size_t name = reference.find("../") + 3;
     const Schema other(reference.substr(name, reference.find("/1#") - name));
     return other.accepts(other.root_[at], value);
   }
 
-  nlohmann::json root_;
+  Json root_;
 };
 
-nlohmann::json small_json() { return nlohmann::json::parse(write_valve(small_valve())); }
+Json small_json() { return Json::parse(write_valve(small_valve())); }
 
-nlohmann::json full_plan() {
+Json full_plan() {
   const LeafletPoint point = {Leaflet::Posterior, 0.5, 1.0};
   const RepairPlan plan = {
       {Annuloplasty{OwnRing{2}}, Annuloplasty{CatalogueRing{"generic-classic", 30.0}},
@@ -117,10 +117,9 @@ nlohmann::json full_plan() {
 }
 
 // Pointers to all objects inside `value`, itself included.
-std::vector<nlohmann::json::json_pointer> objects_in(
-    const nlohmann::json& value,
-    const nlohmann::json::json_pointer& at = nlohmann::json::json_pointer()) {
-  std::vector<nlohmann::json::json_pointer> list;
+std::vector<Json::json_pointer> objects_in(const Json& value,
+                                           const Json::json_pointer& at = Json::json_pointer()) {
+  std::vector<Json::json_pointer> list;
   if (value.is_object()) list.push_back(at);
   if (!value.is_structured()) return list;
   for (const auto& [name, member] : value.items()) {
@@ -137,16 +136,16 @@ const std::set<std::string> kLaterFields = {"reference", "circumferential_prestr
 
 // Takes each member away in turn, and adds one that nobody knows.
 template <class Reads>
-void expect_agreement_on_fields(const Schema& schema, const nlohmann::json& good, Reads reads) {
+void expect_agreement_on_fields(const Schema& schema, const Json& good, Reads reads) {
   for (const auto& object : objects_in(good)) {
-    const nlohmann::json members = good[object];
+    const Json members = good[object];
     for (const auto& [name, member] : members.items()) {
-      nlohmann::json poorer = good;
+      Json poorer = good;
       poorer[object].erase(name);
       EXPECT_EQ(schema.accepts(poorer), kLaterFields.contains(name)) << object / name;
       EXPECT_EQ(reads(poorer), kLaterFields.contains(name)) << object / name;
     }
-    nlohmann::json richer = good;
+    Json richer = good;
     richer[object]["unknown"] = 1;
     EXPECT_FALSE(schema.accepts(richer)) << object;
     EXPECT_FALSE(reads(richer)) << object;
@@ -155,11 +154,11 @@ void expect_agreement_on_fields(const Schema& schema, const nlohmann::json& good
 
 // The ends of the schema's range are accepted, what lies beyond is not.
 template <class Reads>
-void expect_agreement_on_range(const nlohmann::json& range, const nlohmann::json& good,
-                               const std::string& at, Reads reads) {
+void expect_agreement_on_range(const Json& range, const Json& good, const std::string& at,
+                               Reads reads) {
   for (const char* end : {"minimum", "maximum"}) {
-    nlohmann::json document = good;
-    nlohmann::json& number = document[nlohmann::json::json_pointer(at)];
+    Json document = good;
+    Json& number = document[Json::json_pointer(at)];
     number = range[end];
     EXPECT_TRUE(reads(document)) << at << ' ' << end;
     const double outwards = end == std::string("minimum") ? -1.0 : 1.0;
@@ -169,8 +168,8 @@ void expect_agreement_on_range(const nlohmann::json& range, const nlohmann::json
   }
 }
 
-bool reads_valve(const nlohmann::json& document) { return bool(read_valve(document.dump())); }
-bool reads_plan(const nlohmann::json& document) { return bool(read_plan(document.dump())); }
+bool reads_valve(const Json& document) { return bool(read_valve(document.dump())); }
+bool reads_plan(const Json& document) { return bool(read_plan(document.dump())); }
 
 TEST(ValveSchema, AcceptsWhatIsWritten) { EXPECT_TRUE(Schema("valve").accepts(small_json())); }
 
@@ -180,7 +179,7 @@ TEST(ValveSchema, AgreesWithTheReaderOnEveryField) {
 
 TEST(ValveSchema, AgreesWithTheReaderOnRanges) {
   const Schema schema("valve");
-  const nlohmann::json& fields = schema.root()["properties"];
+  const Json& fields = schema.root()["properties"];
   expect_agreement_on_range(fields["pressure_kpa"], small_json(), "/pressure_kpa", reads_valve);
   for (const auto& [name, range] : fields["tissue"]["properties"].items()) {
     if (range["type"] == "string") continue;
@@ -194,13 +193,13 @@ TEST(ValveSchema, AgreesWithTheReaderOnRanges) {
 
 // Where one number alone cannot be at the end of its range: the reader may find other faults, but
 // does not call it out of range.
-void expect_range_is_known(const nlohmann::json& range, const std::string& at) {
+void expect_range_is_known(const Json& range, const std::string& at) {
   for (const char* end : {"minimum", "maximum"}) {
     const double limit = range[end];
     const double outwards = end == std::string("minimum") ? -1.0 : 1.0;
     for (const double number : {limit, std::nextafter(limit, outwards * INFINITY)}) {
-      nlohmann::json document = small_json();
-      document[nlohmann::json::json_pointer(at)] = number;
+      Json document = small_json();
+      document[Json::json_pointer(at)] = number;
       const Found found = problems_of(read_valve(document.dump()));
       const auto here =
           std::count(found.begin(), found.end(), std::pair(ErrorCode::OutOfRange, at));
@@ -211,13 +210,13 @@ void expect_range_is_known(const nlohmann::json& range, const std::string& at) {
 
 TEST(ValveSchema, AgreesWithTheReaderOnPlacesAndWeights) {
   const Schema schema("valve");
-  const nlohmann::json& kinds = schema.root()["$defs"];
+  const Json& kinds = schema.root()["$defs"];
   for (const std::string at :
        {"/vertices_mm/9/0", "/annulus/positions_mm/2/1", "/papillary_heads/0/rest_mm/2",
         "/papillary_heads/1/tip_mm/0", "/chordae/0/segments/0/branch_point_mm/1"}) {
     expect_range_is_known(kinds["point"]["items"], at);
   }
-  const nlohmann::json& insertion = kinds["insertion"]["properties"];
+  const Json& insertion = kinds["insertion"]["properties"];
   expect_range_is_known(insertion["weights"]["items"], "/chordae/0/segments/1/insertion/weights/0");
 }
 
@@ -228,9 +227,9 @@ TEST(PlanSchema, AgreesWithTheReaderOnEveryField) {
 }
 
 TEST(PlanSchema, HasTheLimitsOfTheRepairSteps) {
-  const nlohmann::json steps = schema_of("plan")["$defs"];
+  const Json steps = schema_of("plan")["$defs"];
   const auto range = [&](const char* step, const char* field) {
-    const nlohmann::json& limits = steps[step]["properties"][field];
+    const Json& limits = steps[step]["properties"][field];
     return std::pair(limits["minimum"].get<double>(), limits["maximum"].get<double>());
   };
   const auto pair = [](Range limits) { return std::pair(limits.min, limits.max); };
@@ -254,7 +253,7 @@ TEST(PlanSchema, HasTheLimitsOfTheRepairSteps) {
 }
 
 TEST(PlanSchema, HasTheRingShapesOfTheCatalogue) {
-  const nlohmann::json ring = schema_of("plan")["$defs"]["catalogue_ring"];
+  const Json ring = schema_of("plan")["$defs"]["catalogue_ring"];
   std::vector<std::string> shapes;
   for (const RingShape& shape : kRingShapes) shapes.emplace_back(shape.name);
   EXPECT_EQ(ring["properties"]["shape"]["enum"].get<std::vector<std::string>>(), shapes);
@@ -262,7 +261,7 @@ TEST(PlanSchema, HasTheRingShapesOfTheCatalogue) {
 
 TEST(PlanSchema, AgreesWithTheReaderOnRanges) {
   const Schema schema("plan");
-  const nlohmann::json& kinds = schema.root()["$defs"];
+  const Json& kinds = schema.root()["$defs"];
   const auto check = [&](const char* kind, const char* field, const std::string& at) {
     expect_agreement_on_range(kinds[kind]["properties"][field], full_plan(), at, reads_plan);
   };
@@ -281,7 +280,7 @@ TEST(PlanSchema, AgreesWithTheReaderOnRanges) {
 
 TEST(PlanSchema, AgreesWithTheReaderOnRingSizesBelow) {
   const Schema schema("plan");
-  nlohmann::json plan = full_plan();
+  Json plan = full_plan();
   for (const int sizes : {-1, 0, 6, 7}) {
     plan["steps"][0]["sizes_below"] = sizes;
     EXPECT_EQ(schema.accepts(plan), sizes >= 0 && sizes <= 6);
@@ -291,13 +290,13 @@ TEST(PlanSchema, AgreesWithTheReaderOnRingSizesBelow) {
 
 // What is read may be impossible on a valve, but is in range for the step.
 TEST(PlanSchema, AgreesWithTheStepsOnRanges) {
-  const nlohmann::json kinds = Schema("plan").root()["$defs"];
+  const Json kinds = Schema("plan").root()["$defs"];
   const LeafletPoint point = {Leaflet::Posterior, 0.5, 1.0};
   const auto refusals = [](const RepairStep& step) {
     return problems_of(apply_plan(small_valve(), {{step}}));
   };
   const auto check = [&](const char* kind, const char* field, const auto& step_with) {
-    const nlohmann::json& range = kinds[kind]["properties"][field];
+    const Json& range = kinds[kind]["properties"][field];
     for (const double number : {range["minimum"].get<double>(), range["maximum"].get<double>()}) {
       for (const auto& [code, path] : refusals(step_with(number)))
         EXPECT_NE(code, ErrorCode::OutOfRange) << path << ' ' << number;
@@ -324,9 +323,8 @@ TEST(PlanSchema, AgreesWithTheStepsOnRanges) {
 
 TEST(RingSchema, AgreesWithTheReaderOnEveryFieldAndRange) {
   const Schema schema("ring");
-  const nlohmann::json ring =
-      nlohmann::json::parse(to_json(RingDesign{{"mine", {}}, 0.9}, {}).dump());
-  const auto reads = [](const nlohmann::json& document) { return bool(ring_from_json(document)); };
+  const Json ring = Json::parse(to_json(RingDesign{{"mine", {}}, 0.9}, {}).dump());
+  const auto reads = [](const Json& document) { return bool(ring_from_json(document)); };
   EXPECT_TRUE(schema.accepts(ring));
   expect_agreement_on_fields(schema, ring, reads);
   expect_agreement_on_range(
@@ -334,32 +332,28 @@ TEST(RingSchema, AgreesWithTheReaderOnEveryFieldAndRange) {
       "/sizing/width_over_transverse", reads);
 }
 
-nlohmann::json full_search() {
-  return nlohmann::json::parse(to_json(search_request().options).dump());
-}
-bool reads_search(const nlohmann::json& document) {
-  return bool(search_options_from_json(document));
-}
+Json full_search() { return Json::parse(to_json(search_request().options).dump()); }
+bool reads_search(const Json& document) { return bool(search_options_from_json(document)); }
 
 TEST(SearchSchema, AcceptsWhatIsWritten) {
   EXPECT_TRUE(Schema("search").accepts(full_search()));
-  EXPECT_TRUE(Schema("search").accepts(nlohmann::json::parse(to_json(SearchOptions{}).dump())));
+  EXPECT_TRUE(Schema("search").accepts(Json::parse(to_json(SearchOptions{}).dump())));
 }
 
 TEST(SearchSchema, AgreesWithTheReaderThatNothingIsRequiredAndNothingElseAccepted) {
   const Schema schema("search");
-  const nlohmann::json good = full_search();
+  const Json good = full_search();
   for (const auto& object : objects_in(good)) {
     const bool step = object.to_string().find("/steps/") != std::string::npos;
-    const nlohmann::json members = good[object];
+    const Json members = good[object];
     for (const auto& [name, member] : members.items()) {
-      nlohmann::json poorer = good;
+      Json poorer = good;
       poorer[object].erase(name);
       const bool optional = !step && name != "steps";
       EXPECT_EQ(schema.accepts(poorer), optional) << object / name;
       EXPECT_EQ(reads_search(poorer), optional) << object / name;
     }
-    nlohmann::json richer = good;
+    Json richer = good;
     richer[object]["unknown"] = 1;
     EXPECT_FALSE(schema.accepts(richer)) << object;
     EXPECT_FALSE(reads_search(richer)) << object;
@@ -367,22 +361,21 @@ TEST(SearchSchema, AgreesWithTheReaderThatNothingIsRequiredAndNothingElseAccepte
 }
 
 TEST(SearchSchema, AgreesWithTheReaderOnRangesAndDefaults) {
-  const nlohmann::json root = schema_of("search"),
-                       usual = nlohmann::json::parse(to_json(SearchOptions{}).dump());
-  const auto check = [&](const nlohmann::json& fields, const std::string& object) {
+  const Json root = schema_of("search"), usual = Json::parse(to_json(SearchOptions{}).dump());
+  const auto check = [&](const Json& fields, const std::string& object) {
     for (const auto& [name, field] : fields.items()) {
       const std::string at = object + "/" + name;
       if (field.contains("default")) {
-        EXPECT_EQ(field["default"], usual[nlohmann::json::json_pointer(at)]) << at;
+        EXPECT_EQ(field["default"], usual[Json::json_pointer(at)]) << at;
       }
       if (field.value("type", "") == "number")
         expect_agreement_on_range(field, full_search(), at, reads_search);
       if (field.value("type", "") != "integer" || name == "seed") continue;
       for (const auto& [end, outwards] : {std::pair("minimum", -1), std::pair("maximum", 1)}) {
-        nlohmann::json document = full_search();
-        document[nlohmann::json::json_pointer(at)] = field[end];
+        Json document = full_search();
+        document[Json::json_pointer(at)] = field[end];
         EXPECT_TRUE(reads_search(document)) << at << ' ' << end;
-        document[nlohmann::json::json_pointer(at)] = field[end].get<int>() + outwards;
+        document[Json::json_pointer(at)] = field[end].get<int>() + outwards;
         EXPECT_FALSE(reads_search(document)) << at << ' ' << end;
       }
     }
@@ -393,9 +386,9 @@ TEST(SearchSchema, AgreesWithTheReaderOnRangesAndDefaults) {
 }
 
 template <class Options>
-void expect_rows(std::span<const OptionRow<Options>> rows, const nlohmann::json& fields) {
+void expect_rows(std::span<const OptionRow<Options>> rows, const Json& fields) {
   for (const OptionRow<Options>& row : rows) {
-    const nlohmann::json field = fields.value(row.name, nlohmann::json::object());
+    const Json field = fields.value(row.name, Json::object());
     EXPECT_EQ(field.value("description", ""), row.help) << row.name;
     const bool has_range = row.range.min < row.range.max;
     if (!has_range) continue;
@@ -405,8 +398,8 @@ void expect_rows(std::span<const OptionRow<Options>> rows, const nlohmann::json&
 }
 
 TEST(SearchSchema, SaysOfEachOptionWhatTheTableSays) {
-  const nlohmann::json root = schema_of("search"), rules = root["$defs"]["rules"]["properties"],
-                       weights = root["$defs"]["weights"]["properties"];
+  const Json root = schema_of("search"), rules = root["$defs"]["rules"]["properties"],
+             weights = root["$defs"]["weights"]["properties"];
   expect_rows(search_option_rows(), root["properties"]);
   expect_rows(search_rule_rows(), rules);
   expect_rows(cost_weight_rows(), weights);

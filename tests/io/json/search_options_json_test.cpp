@@ -6,11 +6,10 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
 using enum ErrorCode;
 
 Expected<SearchOptions> read(const char* text) {
-  return search_options_from_json(nlohmann::json::parse(text));
+  return search_options_from_json(Json::parse(text));
 }
 
 std::string message_at(const char* text, const std::string& path) {
@@ -31,12 +30,12 @@ TEST(SearchOptionsJson, NoFieldIsRequired) {
 
 TEST(SearchOptionsJson, EveryFieldIsRead) {
   const SearchOptions wanted = search_request().options;
-  const ordered_json asked = to_json(wanted), usual = to_json(SearchOptions{});
+  const Json asked = to_json(wanted), usual = to_json(SearchOptions{});
   for (const auto& [name, value] : asked.items()) EXPECT_NE(value, usual[name]) << name;
   for (const char* part : {"rules", "weights"})
     for (const auto& [name, value] : asked[part].items())
       EXPECT_NE(value, usual[part][name]) << name;
-  const auto options = search_options_from_json(nlohmann::json::parse(asked.dump()));
+  const auto options = search_options_from_json(Json::parse(asked.dump()));
   ASSERT_TRUE(options);
   EXPECT_EQ(to_json(*options), asked);
   EXPECT_EQ(options->seed, 18446744073709551615u);
@@ -76,8 +75,7 @@ TEST(SearchOptionsJson, ProblemsAreListed) {
                    {OutOfRange, "/target_mm2"},
                    {UnknownField, "/closure"},
                    {UnknownField, "/speed"}}));
-  EXPECT_EQ(problems_of(search_options_from_json(nlohmann::json::array())),
-            (Found{{WrongType, ""}}));
+  EXPECT_EQ(problems_of(search_options_from_json(Json::array())), (Found{{WrongType, ""}}));
 }
 
 TEST(SearchOptionsJson, ProblemsOfRulesAndWeightsAreListedWhereTheyAre) {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "io/json/json.h"
 #include "io/json/schedule_json.h"
 #include "io/json/score_json.h"
 #include "io/json/trials_csv.h"
@@ -149,7 +149,7 @@ TEST(Schedules, OfTheThesisAreReadAndLaidOut) {
     text << file.rdbuf();
     return read_schedule(text.str());
   };
-  const auto trials = [](const nlohmann::ordered_json& exam) {
+  const auto trials = [](const Json& exam) {
     std::size_t count = 0;
     for (const auto& block : exam["blocks"])
       if (block.contains("trials")) count += block["trials"].size();

@@ -3,8 +3,8 @@
 #include <bit>
 #include <cmath>
 #include <functional>
-#include <nlohmann/json.hpp>
 
+#include "io/json/json.h"
 #include "tests/io/json/found.h"
 #include "tests/scenes/small_valve.h"
 
@@ -13,18 +13,17 @@ namespace {
 
 using enum ErrorCode;
 
-nlohmann::json small_json() { return nlohmann::json::parse(write_valve(small_valve())); }
+Json small_json() { return Json::parse(write_valve(small_valve())); }
 
 // What the reader finds in the small valve's file after `spoil`.
-Found found(const std::function<void(nlohmann::json&)>& spoil) {
-  nlohmann::json document = small_json();
+Found found(const std::function<void(Json&)>& spoil) {
+  Json document = small_json();
   spoil(document);
   return problems_of(read_valve(document.dump()));
 }
 
-Found found_with(const std::string& at, const nlohmann::json& value) {
-  return found(
-      [&](nlohmann::json& document) { document[nlohmann::json::json_pointer(at)] = value; });
+Found found_with(const std::string& at, const Json& value) {
+  return found([&](Json& document) { document[Json::json_pointer(at)] = value; });
 }
 
 bool same_bits(const Points& a, const Points& b) {
@@ -85,7 +84,7 @@ TEST(ValveJson, WhatAFitLeftUncertainIsReadAsItIsWritten) {
 TEST(ValveJson, AFrameThatIsNoneIsNamed) {
   using enum ErrorCode;
   const auto found_as = [](const char* rows) {
-    return found_with("/patient_frame", nlohmann::json::parse(rows));
+    return found_with("/patient_frame", Json::parse(rows));
   };
   const Found shape{{BadGeometry, "/patient_frame"}};
   EXPECT_EQ(found_as("[]"), shape);
@@ -120,13 +119,11 @@ TEST(ValveJson, EveryFieldOfRelease01IsRequired) {
                                             "/chordae/1",
                                             "/chordae/1/segments/0/insertion"};
   for (const std::string& object : objects) {
-    const nlohmann::json members = small_json()[nlohmann::json::json_pointer(object)];
+    const Json members = small_json()[Json::json_pointer(object)];
     for (const auto& [name, value] : members.items()) {
       if (later.contains(name)) continue;
       const std::string missing = name;
-      const auto erase = [&](nlohmann::json& d) {
-        d[nlohmann::json::json_pointer(object)].erase(missing);
-      };
+      const auto erase = [&](Json& d) { d[Json::json_pointer(object)].erase(missing); };
       EXPECT_EQ(found(erase), (Found{{MissingField, object + "/" + missing}}));
     }
   }
@@ -142,9 +139,8 @@ TEST(ValveJson, UnknownFieldsAreNamed) {
 TEST(ValveJson, ASegmentHasEitherAnInsertionOrABranchPoint) {
   EXPECT_EQ(found_with("/chordae/0/segments/1/branch_point_mm", {0, 0, -9}),
             (Found{{UnknownField, "/chordae/0/segments/1"}}));
-  EXPECT_EQ(
-      found([](nlohmann::json& d) { d["chordae"][0]["segments"][0].erase("branch_point_mm"); }),
-      (Found{{MissingField, "/chordae/0/segments/0"}}));
+  EXPECT_EQ(found([](Json& d) { d["chordae"][0]["segments"][0].erase("branch_point_mm"); }),
+            (Found{{MissingField, "/chordae/0/segments/0"}}));
 }
 
 TEST(ValveJson, WrongTypesAreNamedAsDeepAsTheyLie) {
@@ -179,7 +175,7 @@ TEST(ValveJson, IndicesBeyondAnyMeshAreRefused) {
 }
 
 TEST(ValveJson, WhatValidateFindsIsListedBesideWhatTheFormGetsWrong) {
-  const auto spoil = [](nlohmann::json& d) {
+  const auto spoil = [](Json& d) {
     d["pressure_kpa"] = 1e6;
     d["tissue"]["thickness_mm"] = "thin";
     d["faces"][7][2] = 99;
@@ -194,26 +190,25 @@ TEST(ValveJson, WhatValidateFindsIsListedBesideWhatTheFormGetsWrong) {
 }
 
 TEST(ValveJson, TopologyAndGeometryComeFromValidate) {
-  const auto flip = [](nlohmann::json& d) { std::swap(d["faces"][5][0], d["faces"][5][1]); };
+  const auto flip = [](Json& d) { std::swap(d["faces"][5][0], d["faces"][5][1]); };
   EXPECT_EQ(found(flip), (Found{{BadGeometry, "/faces/5"}}));
 }
 
 TEST(ValveJson, EmptyArraysAreProblemsNotCrashes) {
-  EXPECT_EQ(found_with("/vertices_mm", nlohmann::json::array()),
-            (Found{{OutOfRange, "/vertices_mm"}}));
-  EXPECT_EQ(found_with("/faces", nlohmann::json::array()), (Found{{OutOfRange, "/faces"}}));
-  EXPECT_EQ(found_with("/annulus/vertices", nlohmann::json::array()),
+  EXPECT_EQ(found_with("/vertices_mm", Json::array()), (Found{{OutOfRange, "/vertices_mm"}}));
+  EXPECT_EQ(found_with("/faces", Json::array()), (Found{{OutOfRange, "/faces"}}));
+  EXPECT_EQ(found_with("/annulus/vertices", Json::array()),
             (Found{{OutOfRange, "/annulus/vertices"}}));
-  EXPECT_EQ(found_with("/papillary_heads", nlohmann::json::array()),
+  EXPECT_EQ(found_with("/papillary_heads", Json::array()),
             (Found{{OutOfRange, "/papillary_heads"}}));
-  EXPECT_EQ(found_with("/chordae/0/segments", nlohmann::json::array()),
+  EXPECT_EQ(found_with("/chordae/0/segments", Json::array()),
             (Found{{OutOfRange, "/chordae/0/segments"}}));
-  EXPECT_EQ(found_with("/chordae", nlohmann::json::array()), Found{});
-  EXPECT_EQ(found_with("/provenance", nlohmann::json::array()), Found{});
+  EXPECT_EQ(found_with("/chordae", Json::array()), Found{});
+  EXPECT_EQ(found_with("/provenance", Json::array()), Found{});
 }
 
 TEST(ValveJson, MillionsOfProblemsAreNotAllCounted) {
-  nlohmann::json document = small_json();
+  Json document = small_json();
   document["segments"] = std::vector<int>(1'000'000, 0);
   const auto read = read_valve(document.dump());
   ASSERT_FALSE(read);
@@ -223,17 +218,17 @@ TEST(ValveJson, MillionsOfProblemsAreNotAllCounted) {
 
 TEST(ValveJson, ProblemsThatAreNotListedAreCountedBesideProblemsOfForm) {
   // One wrong type, and 251 chordae without a head: 200 are listed.
-  const auto spoil = [](nlohmann::json& d) {
+  const auto spoil = [](Json& d) {
     d["name"] = 7;
-    nlohmann::json chorda = d["chordae"][1];
+    Json chorda = d["chordae"][1];
     chorda["head"] = 9;
-    d["chordae"] = nlohmann::json::array();
+    d["chordae"] = Json::array();
     for (int i = 0; i < 251; ++i) {
       chorda["id"] = std::to_string(i);
       d["chordae"].push_back(chorda);
     }
   };
-  nlohmann::json document = small_json();
+  Json document = small_json();
   spoil(document);
   const auto read = read_valve(document.dump());
   ASSERT_FALSE(read);

@@ -6,7 +6,6 @@ namespace coapt {
 namespace {
 
 using enum ErrorCode;
-using nlohmann::ordered_json;
 
 LearnedWeights learned() {
   CostTerms difference;
@@ -21,7 +20,7 @@ LearnedWeights learned() {
 
 TEST(WeightsJson, WhatWasLearnedComesBackAsItWasWritten) {
   const LearnedWeights before = learned();
-  const ordered_json json = to_json(before, {20, 3, 0.5});
+  const Json json = to_json(before, {20, 3, 0.5});
   const auto after = read_learned_weights(json.dump());
   ASSERT_TRUE(after);
   EXPECT_LT((after->posterior.mean - before.posterior.mean).cwiseAbs().maxCoeff(), 1e-14);
@@ -30,12 +29,12 @@ TEST(WeightsJson, WhatWasLearnedComesBackAsItWasWritten) {
   EXPECT_EQ(after->weights.untrusted, 1e4);
   EXPECT_EQ(json["consistency"], 0.5);
   EXPECT_EQ(json["unable"], 3);
-  EXPECT_EQ(json["informed"], ordered_json::array({"leak"}));
+  EXPECT_EQ(json["informed"], Json::array({"leak"}));
   EXPECT_TRUE(to_json(before, {20, 3, {}})["consistency"].is_null());
 }
 
 TEST(WeightsJson, ProblemsAreListedWithTheirPlace) {
-  ordered_json json = to_json(learned(), {});
+  Json json = to_json(learned(), {});
   json["weights"]["leak"] = 0.0;
   json["noise_mm2"] = "low";
   json["covariance"]["matrix"][0][0] = -1.0;
@@ -51,9 +50,9 @@ TEST(WeightsJson, ProblemsAreListedWithTheirPlace) {
 }
 
 TEST(WeightsJson, EachPlanSaysHowLikelyItIsPreferredToTheNext) {
-  ordered_json terms;
+  Json terms;
   for (const CostTermRow& row : cost_term_rows()) terms[row.name] = 0.0;
-  ordered_json result = {{"plans", ordered_json::array()}};
+  Json result = {{"plans", Json::array()}};
   for (const double leak_mm2 : {0.0, 100.0, 100.0}) {
     terms["leak"] = leak_mm2;
     result["plans"].push_back({{"cost_terms", terms}});

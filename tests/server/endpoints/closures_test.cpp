@@ -9,44 +9,39 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 class ClosuresTest : public ServiceTest {};
 
 const std::vector<std::string> kPaths = {"/v1/closures", "/v1/scenes", "/v1/exports",
                                          "/v1/pictures"};
 
 /// A request to any of them.
-ordered_json request_to(const std::string& path) {
-  ordered_json request = {{"valve", small_document()}};
+Json request_to(const std::string& path) {
+  Json request = {{"valve", small_document()}};
   if (path == "/v1/exports") request["format"] = "ply";
   return request;
 }
 
-ordered_json plan_of(const ordered_json& step) {
-  return {{"schema", "coapt.plan/1"}, {"steps", {step}}};
-}
+Json plan_of(const Json& step) { return {{"schema", "coapt.plan/1"}, {"steps", {step}}}; }
 
 TEST_F(ClosuresTest, AClosureIsThatOfTheValve) {
   const Answer answer = post("/v1/closures", {{"valve", small_document()}});
   EXPECT_EQ(answer.status, 200);
-  ordered_json json = json_of(answer);
+  Json json = json_of(answer);
   const ClosureResult closure = close_valve(small_valve(), {.samples = kThesisSamples});
-  const ordered_json same =
-      closure_to_json(small_valve(), closure, measure(small_valve(), closure), 0.0);
+  const Json same = closure_to_json(small_valve(), closure, measure(small_valve(), closure), 0.0);
   for (const char* key : {"schema", "status", "leak_mm2", "coaptation", "annulus"})
     EXPECT_EQ(json[key], same[key]) << key;
   EXPECT_TRUE(json["warnings"].empty());
 }
 
 TEST_F(ClosuresTest, AsManyEndStatesAreMeasuredAsAsked) {
-  ordered_json request = request_to("/v1/closures");
+  Json request = request_to("/v1/closures");
   request["end_states"] = 1;
-  const ordered_json one = json_of(post("/v1/closures", request));
+  const Json one = json_of(post("/v1/closures", request));
   const ClosureResult closure = close_valve(small_valve());
   EXPECT_EQ(one["leak_mm2"], closure_to_json(small_valve(), closure,
                                              measure(small_valve(), closure), 0.0)["leak_mm2"]);
-  for (const ordered_json& wrong : {ordered_json(0), ordered_json(6), ordered_json("one")}) {
+  for (const Json& wrong : {Json(0), Json(6), Json("one")}) {
     request["end_states"] = wrong;
     EXPECT_EQ(refusal(post("/v1/closures", request)), (Refused{422, {"/end_states"}})) << wrong;
   }
@@ -71,19 +66,19 @@ TEST_F(ClosuresTest, ARequestOutOfTimeIsRefused) {
 }
 
 TEST_F(ClosuresTest, AValveMayBeWrittenThereOrNamed) {
-  const auto leak_of = [&](const ordered_json& valve) {
+  const auto leak_of = [&](const Json& valve) {
     return json_of(post("/v1/closures", {{"valve", valve}}))["leak_mm2"];
   };
-  const ordered_json written = leak_of(small_document());
+  const Json written = leak_of(small_document());
   EXPECT_TRUE(written.is_number());
   EXPECT_EQ(leak_of(stored_valve()), written);
   EXPECT_EQ(refusal(post("/v1/closures", {{"valve", "nobody"}})), (Refused{422, {"/valve"}}));
 }
 
 TEST_F(ClosuresTest, APlanIsAppliedAndWarnedOf) {
-  const ordered_json ring = {{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 6}};
-  const ordered_json before = json_of(post("/v1/closures", request_to("/v1/closures")));
-  ordered_json request = request_to("/v1/closures");
+  const Json ring = {{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 6}};
+  const Json before = json_of(post("/v1/closures", request_to("/v1/closures")));
+  Json request = request_to("/v1/closures");
   request["plan"] = plan_of(ring);
   const Answer answer = post("/v1/closures", request);
   ASSERT_EQ(answer.status, 200) << json_of(answer);
@@ -93,13 +88,13 @@ TEST_F(ClosuresTest, APlanIsAppliedAndWarnedOf) {
 
 TEST_F(ClosuresTest, ProblemsPointIntoTheRequest) {
   for (const std::string& path : kPaths) {
-    ordered_json wrong_valve = request_to(path);
+    Json wrong_valve = request_to(path);
     wrong_valve["valve"]["pressure_kpa"] = -1;
     EXPECT_EQ(refusal(post(path, wrong_valve)), (Refused{422, {"/valve/pressure_kpa"}})) << path;
-    ordered_json impossible = request_to(path);
+    Json impossible = request_to(path);
     impossible["plan"] = plan_of({{"step", "chordal_excision"}, {"chorda", "none"}});
     EXPECT_EQ(refusal(post(path, impossible)), (Refused{422, {"/plan/steps/0/chorda"}})) << path;
-    ordered_json wrong_plan = request_to(path);
+    Json wrong_plan = request_to(path);
     wrong_plan["plan"] = plan_of({{"step", "fly"}});
     wrong_plan["surprise"] = 1;
     EXPECT_EQ(refusal(post(path, wrong_plan)), (Refused{422, {"/plan/steps/0/step", "/surprise"}}))
@@ -109,7 +104,7 @@ TEST_F(ClosuresTest, ProblemsPointIntoTheRequest) {
 
 TEST_F(ClosuresTest, AMissingValveIsSaidAndWhatIsNoJsonIs400) {
   for (const std::string& path : kPaths) {
-    ordered_json request = request_to(path);
+    Json request = request_to(path);
     request.erase("valve");
     EXPECT_EQ(refusal(post(path, request)), (Refused{422, {"/valve"}})) << path;
     for (const char* text : {"{", "", R"({"valve": NaN})"})
@@ -131,9 +126,9 @@ TEST_F(ClosuresTest, WithoutATurnTheyAre503) {
 }
 
 TEST_F(ClosuresTest, ASceneHasItsClosureAndTheFramesAskedFor) {
-  ordered_json request = request_to("/v1/scenes");
+  Json request = request_to("/v1/scenes");
   request["frames"] = 3;
-  const ordered_json scene = json_of(post("/v1/scenes", request));
+  const Json scene = json_of(post("/v1/scenes", request));
   EXPECT_EQ(scene["schema"], "coapt.scene/1");
   EXPECT_EQ(scene["closure"]["schema"], "coapt.closure/1");
   EXPECT_EQ(scene["motion_mm"].size(), 3u);
@@ -144,7 +139,7 @@ TEST_F(ClosuresTest, ASceneHasItsClosureAndTheFramesAskedFor) {
 
 TEST_F(ClosuresTest, FilesSayHowTheClosureWentAndUnderWhichNameToBeSaved) {
   for (const FileFormat& format : file_formats()) {
-    ordered_json request = request_to("/v1/exports");
+    Json request = request_to("/v1/exports");
     request["format"] = format.name;
     const Answer answer = post("/v1/exports", request);
     ASSERT_EQ(answer.status, 200) << format.name;
@@ -153,7 +148,7 @@ TEST_F(ClosuresTest, FilesSayHowTheClosureWentAndUnderWhichNameToBeSaved) {
     EXPECT_EQ(header_of(answer, "Content-Disposition"),
               std::string("attachment; filename=\"valve.") + format.name + '"');
   }
-  ordered_json request = request_to("/v1/exports");
+  Json request = request_to("/v1/exports");
   request["format"] = "exe";
   EXPECT_EQ(refusal(post("/v1/exports", request)), (Refused{422, {"/format"}}));
 }

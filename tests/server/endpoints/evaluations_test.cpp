@@ -5,23 +5,20 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 class EvaluationsTest : public ServiceTest {};
 
-const ordered_json kNothing = {{"schema", "coapt.plan/1"}, {"steps", ordered_json::array()}};
-const ordered_json kRing = {
-    {"schema", "coapt.plan/1"},
-    {"steps", {{{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 1}}}}};
+const Json kNothing = {{"schema", "coapt.plan/1"}, {"steps", Json::array()}};
+const Json kRing = {{"schema", "coapt.plan/1"},
+                    {"steps", {{{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 1}}}}};
 
-ordered_json request_of(const std::vector<ordered_json>& plans) {
+Json request_of(const std::vector<Json>& plans) {
   return {{"valve", small_document()}, {"plans", plans}};
 }
 
 TEST_F(EvaluationsTest, PlansAreAnsweredInTheOrderAskedEachWithItsRank) {
   const Answer answer = post("/v1/evaluations", request_of({kNothing, kRing, kNothing}));
   ASSERT_EQ(answer.status, 200) << json_of(answer);
-  const ordered_json json = json_of(answer);
+  const Json json = json_of(answer);
   ASSERT_EQ(json["plans"].size(), 3u);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(json["plans"][static_cast<std::size_t>(i)]["index"], i);
   EXPECT_EQ(json["plans"][0]["rank"], json["plans"][2]["rank"]);
@@ -34,7 +31,7 @@ TEST_F(EvaluationsTest, PlansAreAnsweredInTheOrderAskedEachWithItsRank) {
 }
 
 TEST_F(EvaluationsTest, RegionPointsAndEvidenceAreClosedToo) {
-  ordered_json request = request_of({kNothing});
+  Json request = request_of({kNothing});
   request["region_points"] = 2;
   request["evidence"] = true;
   const Answer answer = post("/v1/evaluations", request);
@@ -46,10 +43,10 @@ TEST_F(EvaluationsTest, RegionPointsAndEvidenceAreClosedToo) {
 
 TEST_F(EvaluationsTest, TooManyClosuresAtOnceAreRefused) {
   limits_.evaluation_closures = 10;  // of the usual size: some 43 of this one
-  ordered_json many = request_of({kNothing, kRing});
+  Json many = request_of({kNothing, kRing});
   many["region_points"] = 25;
   EXPECT_EQ(refusal(post("/v1/evaluations", many)), (Refused{422, {"/plans"}}));
-  ordered_json evidence = request_of({kNothing, kRing});
+  Json evidence = request_of({kNothing, kRing});
   evidence["evidence"] = true;
   EXPECT_EQ(refusal(post("/v1/evaluations", evidence)), (Refused{422, {"/plans"}}));
 }
@@ -57,7 +54,7 @@ TEST_F(EvaluationsTest, TooManyClosuresAtOnceAreRefused) {
 TEST_F(EvaluationsTest, ProblemsPointIntoTheRequest) {
   for (const char* path : {"/v1/evaluations", "/v1/reports"}) {
     EXPECT_EQ(refusal(post(path, request_of({}))), (Refused{422, {"/plans"}}));
-    ordered_json request = request_of({kNothing, kRing});
+    Json request = request_of({kNothing, kRing});
     request["plans"][1]["steps"][0]["step"] = "fly";
     request["region_points"] = 1090;
     request["evidence"] = "yes";
@@ -65,7 +62,7 @@ TEST_F(EvaluationsTest, ProblemsPointIntoTheRequest) {
     EXPECT_EQ(
         refusal(post(path, request)),
         (Refused{422, {"/plans/1/steps/0/step", "/region_points", "/evidence", "/surprise"}}));
-    ordered_json impossible = request_of({kNothing, kRing});
+    Json impossible = request_of({kNothing, kRing});
     impossible["plans"][1]["steps"] = {{{"step", "chordal_excision"}, {"chorda", "none"}}};
     EXPECT_EQ(refusal(post(path, impossible)), (Refused{422, {"/plans/1/steps/0/chorda"}}));
     EXPECT_EQ(refusal(post(path, {{"plans", {kNothing}}})), (Refused{422, {"/valve"}}));
@@ -84,7 +81,7 @@ TEST_F(EvaluationsTest, AReportIsAPageOnTenPlansAtMost) {
   ASSERT_EQ(answer.status, 200);
   EXPECT_EQ(std::get<Content>(answer.body).type, kHtmlType);
   EXPECT_TRUE(bytes_of(answer).starts_with("<!DOCTYPE html>"));
-  EXPECT_EQ(refusal(post("/v1/reports", request_of(std::vector<ordered_json>(11, kNothing)))),
+  EXPECT_EQ(refusal(post("/v1/reports", request_of(std::vector<Json>(11, kNothing)))),
             (Refused{422, {"/plans"}}));
 }
 

@@ -15,8 +15,6 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 class ImportsTest : public ServiceTest {};
 
 std::string base64(const std::string& bytes) {
@@ -32,7 +30,7 @@ std::string row(const Vec3& p) {
 }
 
 /// The cone as three files; its leaflet as STL, in base64, if asked.
-ordered_json cone_request(bool as_stl = false) {
+Json cone_request(bool as_stl = false) {
   const ImportSource source = cone_source();
   std::string annulus, chordae = "id,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z\n";
   for (Index i = 0; i < source.annulus_mm.rows(); ++i)
@@ -41,7 +39,7 @@ ordered_json cone_request(bool as_stl = false) {
     chordae += chorda.id + (chorda.side == Side::Anterolateral ? ",AL," : ",PM,") +
                row(chorda.insertion_mm) + ',' + row(chorda.tip_mm) + '\n';
   const std::string mesh = *write_mesh(source.leaflets.front(), as_stl ? "stl" : "obj");
-  ordered_json leaflet = {{"name", as_stl ? "Skirt.STL" : "skirt.obj"}};
+  Json leaflet = {{"name", as_stl ? "Skirt.STL" : "skirt.obj"}};
   leaflet[as_stl ? "base64" : "text"] = as_stl ? base64(mesh) : mesh;
   return {{"leaflets", {leaflet}},
           {"annulus", {{"name", "annulus.csv"}, {"text", annulus}}},
@@ -50,26 +48,26 @@ ordered_json cone_request(bool as_stl = false) {
 }
 
 /// The first one; null if there is none.
-ordered_json decision_about(const ordered_json& decisions, const std::string& what) {
+Json decision_about(const Json& decisions, const std::string& what) {
   const auto found = std::find_if(decisions.begin(), decisions.end(),
-                                  [&](const ordered_json& of) { return of["about"] == what; });
-  return found == decisions.end() ? ordered_json() : *found;
+                                  [&](const Json& of) { return of["about"] == what; });
+  return found == decisions.end() ? Json() : *found;
 }
 
 TEST_F(ImportsTest, FilesBecomeAValveThatIsStored) {
-  ordered_json request = cone_request();
+  Json request = cone_request();
   request["name"] = "a cone";
   request["provenance"] = {"made up"};
   const Answer answer = post("/v1/valves:import", request);
   ASSERT_EQ(answer.status, 201) << json_of(answer);
-  const ordered_json valve = json_of(get("/v1/valves/" + json_of(answer)["id"].get<std::string>()));
+  const Json valve = json_of(get("/v1/valves/" + json_of(answer)["id"].get<std::string>()));
   EXPECT_EQ(valve["name"], "a cone");
   EXPECT_EQ(valve["provenance"][0], "made up");
   EXPECT_EQ(decision_about(json_of(answer)["decisions"], "units"),
-            (ordered_json{{"about", "units"},
-                          {"decision", "mm"},
-                          {"reason", "by the annulus's circumference"},
-                          {"look", false}}));
+            (Json{{"about", "units"},
+                  {"decision", "mm"},
+                  {"reason", "by the annulus's circumference"},
+                  {"look", false}}));
   EXPECT_EQ(valve["faces"].size(), json_of(answer)["triangles"]);
   EXPECT_EQ(post("/v1/valves:import", request).status, 200);
 }
@@ -83,7 +81,7 @@ TEST_F(ImportsTest, AFolderOfSlicerHeartIsAListOfFiles) {
   const Expected<std::vector<NamedFile>> folder =
       write_slicerheart(close_and_measure(small_valve(), {.motion = true}), {.open = true});
   ASSERT_TRUE(folder);
-  ordered_json files = ordered_json::array();
+  Json files = Json::array();
   for (const NamedFile& file : *folder)
     files.push_back({{"name", file.name}, {"text", file.bytes}});
   const Answer answer = post("/v1/valves:import", {{"slicerheart", files}, {"triangles", 150}});
@@ -95,10 +93,10 @@ TEST_F(ImportsTest, AFolderOfSlicerHeartIsAListOfFiles) {
 }
 
 /// Two sheets whose chordae nobody has seen.
-ordered_json unseen_request() {
+Json unseen_request() {
   const ImportSource source = cone_source_with_gaps();
-  ordered_json request = cone_request();
-  request["leaflets"] = ordered_json::array();
+  Json request = cone_request();
+  request["leaflets"] = Json::array();
   for (const TriangleMesh& sheet : source.leaflets)
     request["leaflets"].push_back({{"name", "sheet.obj"}, {"text", *write_mesh(sheet, "obj")}});
   request.erase("chordae");
@@ -109,10 +107,10 @@ ordered_json unseen_request() {
 TEST_F(ImportsTest, ChordaeThatWereNotSeenAreDrawn) {
   const Answer answer = post("/v1/valves:import", unseen_request());
   ASSERT_EQ(answer.status, 201) << json_of(answer);
-  const ordered_json valve = json_of(get("/v1/valves/" + json_of(answer)["id"].get<std::string>()));
-  EXPECT_EQ(valve["drawn_chordae"], (ordered_json{{"seed", 1}, {"tips_given", false}}));
+  const Json valve = json_of(get("/v1/valves/" + json_of(answer)["id"].get<std::string>()));
+  EXPECT_EQ(valve["drawn_chordae"], (Json{{"seed", 1}, {"tips_given", false}}));
   EXPECT_EQ(json_of(answer)["decisions"].back()["about"], "chordae");
-  ordered_json seen = unseen_request();
+  Json seen = unseen_request();
   seen["tips"] = {{"name", "tips.csv"}, {"text", "AL,-13,-4,-24\nPM,13,-4,-24\n"}};
   const Answer with_tips = post("/v1/valves:import", seen);
   ASSERT_EQ(with_tips.status, 201) << json_of(with_tips);
@@ -120,11 +118,11 @@ TEST_F(ImportsTest, ChordaeThatWereNotSeenAreDrawn) {
 }
 
 TEST_F(ImportsTest, WhatGoesWithDrawnChordaeOnlyIsRefusedWithout) {
-  const auto refused = [&](const ordered_json& request) {
+  const auto refused = [&](const Json& request) {
     return refusal(post("/v1/valves:import", request));
   };
-  ordered_json both = cone_request(), tips = cone_request(), closed = cone_request(),
-               far = unseen_request();
+  Json both = cone_request(), tips = cone_request(), closed = cone_request(),
+       far = unseen_request();
   both["chordae_seed"] = 1;
   EXPECT_EQ(refused(both), (Refused{422, {"/chordae_seed"}}));
   tips["tips"] = {{"name", "tips.csv"}, {"text", "AL,-13,-4,-24\n"}};
@@ -139,11 +137,11 @@ TEST_F(ImportsTest, WhatGoesWithDrawnChordaeOnlyIsRefusedWithout) {
 }
 
 TEST_F(ImportsTest, EveryProblemIsTold) {
-  const auto refused = [&](const ordered_json& request) {
+  const auto refused = [&](const Json& request) {
     return refusal(post("/v1/valves:import", request));
   };
-  EXPECT_EQ(refused(ordered_json::object()), (Refused{422, {"/leaflets", "/chordae"}}));
-  ordered_json wrong = cone_request();
+  EXPECT_EQ(refused(Json::object()), (Refused{422, {"/leaflets", "/chordae"}}));
+  Json wrong = cone_request();
   wrong["leaflets"][0]["text"] = "f 1 2 3";
   wrong["annulus"]["text"] = "x;y;z";
   wrong["chordae"]["text"] = "id,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z\n1,AL,a,0,0,0,0,0\n";
@@ -155,7 +153,7 @@ TEST_F(ImportsTest, EveryProblemIsTold) {
     })) << part;
 
   wrong = cone_request();
-  wrong["slicerheart"] = ordered_json::array();
+  wrong["slicerheart"] = Json::array();
   EXPECT_EQ(refused(wrong), (Refused{422, {"/leaflets", "/annulus", "/chordae"}}));
   wrong = cone_request();
   wrong["leaflets"][0] = {{"name", "a.stl"}};
@@ -171,13 +169,13 @@ TEST_F(ImportsTest, AValveThatIsTooLargeIsRefused) {
 }
 
 TEST_F(ImportsTest, LandmarksThatWereSeenAreTaken) {
-  ordered_json request = cone_request();
+  Json request = cone_request();
   request["landmarks"] = {{"saddle_peak", {0.0, kTop_mm, 0.0}},
                           {"mid_posterior", {3.0, -17.7, 0.0}}};
   const Answer answer = post("/v1/valves:import", request);
   ASSERT_EQ(answer.status, 201) << json_of(answer);
-  const ordered_json decisions = json_of(answer)["decisions"];
-  EXPECT_TRUE(std::any_of(decisions.begin(), decisions.end(), [](const ordered_json& of) {
+  const Json decisions = json_of(answer)["decisions"];
+  EXPECT_TRUE(std::any_of(decisions.begin(), decisions.end(), [](const Json& of) {
     return of["decision"] == "saddle peak, mid-posterior as given";
   }));
   request["landmarks"] = {{"saddle_peak", {0.0, 40.0, 0.0}}};
@@ -188,7 +186,7 @@ TEST_F(ImportsTest, LandmarksThatWereSeenAreTaken) {
 }
 
 TEST_F(ImportsTest, FilesAreLookedAtOneByOne) {
-  ordered_json request = cone_request(), files = ordered_json::array();
+  Json request = cone_request(), files = Json::array();
   files.push_back(request["leaflets"][0]);
   files.push_back(request["annulus"]);
   files.push_back(request["chordae"]);
@@ -196,7 +194,7 @@ TEST_F(ImportsTest, FilesAreLookedAtOneByOne) {
   files.push_back({{"name", "a.obj"}, {"text", "f 1 2 3"}});
   const Answer answer = post("/v1/imports:preview", {{"files", files}});
   ASSERT_EQ(answer.status, 200);
-  const ordered_json seen = json_of(answer)["files"];
+  const Json seen = json_of(answer)["files"];
   const std::vector<std::string> contents = {"surface", "curve", "chordae", "tips", "unknown"};
   ASSERT_EQ(seen.size(), contents.size());
   for (std::size_t i = 0; i < contents.size(); ++i) EXPECT_EQ(seen[i]["content"], contents[i]);
@@ -204,7 +202,7 @@ TEST_F(ImportsTest, FilesAreLookedAtOneByOne) {
   EXPECT_EQ(seen[0]["faces"].size(), 3 * static_cast<std::size_t>(source.leaflets[0].faces.rows()));
   EXPECT_EQ(seen[1]["points"].size(), 3 * static_cast<std::size_t>(source.annulus_mm.rows()));
   EXPECT_EQ(seen[2]["points"].size(), 6 * source.chordae.size());
-  EXPECT_EQ(seen[3]["labels"], (ordered_json{"AL", "PM"}));
+  EXPECT_EQ(seen[3]["labels"], (Json{"AL", "PM"}));
   EXPECT_TRUE(seen[0]["problems"].empty());
   EXPECT_FALSE(seen[4]["problems"].empty());
 }
@@ -219,41 +217,41 @@ JobEnd run_import(const ServiceLimits& limits, JobStore& store, JobBoard& board)
 }
 
 TEST_F(ImportsTest, AsAJobAPictureStandsBesideTheValve) {
-  const ordered_json request = cone_request();
+  const Json request = cone_request();
   const Answer answer = post("/v1/imports", request, {{"idempotency-key", "one"}});
   ASSERT_EQ(answer.status, 202) << json_of(answer);
   const std::string job = json_of(answer)["id"];
   EXPECT_EQ(json_of(answer)["kind"], "import");
   EXPECT_EQ(json_of(post("/v1/imports", request, {{"idempotency-key", "one"}}))["id"], job);
-  ordered_json other = request;
+  Json other = request;
   other["name"] = "another";
   EXPECT_EQ(post("/v1/imports", other, {{"idempotency-key", "one"}}).status, 422);
   ASSERT_TRUE(*store().input(job));
   run_import(limits_, store(), board());
   EXPECT_FALSE(*store().input(job)) << "files are kept no longer than they are needed";
 
-  const ordered_json ended = json_of(get("/v1/jobs/" + job));
+  const Json ended = json_of(get("/v1/jobs/" + job));
   EXPECT_EQ(ended["state"], "SUCCEEDED");
   EXPECT_EQ(ended["made"], ended["valve"]);
-  const ordered_json result = json_of(get(ended["links"]["result"]));
+  const Json result = json_of(get(ended["links"]["result"]));
   EXPECT_EQ(result["schema"], "coapt.import/1");
   EXPECT_EQ(result["valve"], ended["made"]);
   EXPECT_EQ(decision_about(result["decisions"], "units")["decision"], "mm");
   EXPECT_TRUE(result["fit"].is_null());
   EXPECT_TRUE(bytes_of(get(ended["links"]["picture"])).starts_with("\x89PNG"));
   const std::string document = bytes_of(get("/v1/jobs/" + job + "/files/valve.json"));
-  EXPECT_EQ(ordered_json::parse(document),
+  EXPECT_EQ(Json::parse(document),
             json_of(get("/v1/valves/" + result["valve"].get<std::string>())));
   EXPECT_EQ(get("/v1/jobs/" + job + "/report").status, 404);
   EXPECT_EQ(remove("/v1/jobs/" + job).status, 204);
 }
 
 /// Leaflets of a small valve as they hang, and its closed surface with a tip elsewhere.
-ordered_json fit_request() {
+Json fit_request() {
   const auto files_of = [](const Valve& valve, bool open) {
     return *write_slicerheart(close_and_measure(valve, {.motion = open}), {.open = open});
   };
-  ordered_json request = {{"slicerheart", ordered_json::array()}, {"triangles", 150}};
+  Json request = {{"slicerheart", Json::array()}, {"triangles", 150}};
   for (const NamedFile& file : files_of(small_valve(), true))
     request["slicerheart"].push_back({{"name", file.name}, {"text", file.bytes}});
   Valve displaced = small_valve();
@@ -276,13 +274,13 @@ TEST_F(ImportsTest, AFitChangesTheValveThatWasImported) {
   const std::string job = json_of(answer)["id"];
   const JobEnd end = run_import(limits_, store(), board());
   EXPECT_EQ(end.state, JobState::Succeeded) << end.summary;
-  const ordered_json result = json_of(get("/v1/jobs/" + job + "/result"));
+  const Json result = json_of(get("/v1/jobs/" + job + "/result"));
   EXPECT_EQ(result["imported"], json_of(answer)["valve"]);
   EXPECT_NE(result["valve"], result["imported"]);
   EXPECT_EQ(result["fit"]["schema"], "coapt.fit/1");
   EXPECT_LT(result["fit"]["rms_mm"], result["fit"]["rms_before_mm"]);
   EXPECT_EQ(result["decisions"].back()["about"], "fit");
-  const ordered_json valve = json_of(get("/v1/valves/" + result["valve"].get<std::string>()));
+  const Json valve = json_of(get("/v1/valves/" + result["valve"].get<std::string>()));
   EXPECT_TRUE(valve["provenance"].back().get<std::string>().starts_with("fitted to the closed"));
   EXPECT_EQ(valve.dump().find("Smith"), std::string::npos);
   EXPECT_EQ(result.dump().find("Smith"), std::string::npos);
@@ -316,20 +314,20 @@ TEST_F(ImportsTest, AFitGoesOnWhereItWasKept) {
     board().finish(job, end);
   }
   const auto result_of = [&](const std::string& id) {
-    ordered_json result = json_of(get("/v1/jobs/" + id + "/result"));
+    Json result = json_of(get("/v1/jobs/" + id + "/result"));
     return result;
   };
   EXPECT_EQ(result_of(again), result_of(whole));
 }
 
 TEST_F(ImportsTest, WhatIsWrongWithAFitIsSaidAtOnce) {
-  const auto refused = [&](const ordered_json& fit) {
-    ordered_json request = cone_request();
+  const auto refused = [&](const Json& fit) {
+    Json request = cone_request();
     request["fit"] = fit;
     return refusal(post("/v1/imports", request));
   };
-  EXPECT_EQ(refused(ordered_json::object()), (Refused{422, {"/fit/surface"}}));
-  const ordered_json mesh = {{"name", "a.obj"}, {"text", "v 1 2"}};
+  EXPECT_EQ(refused(Json::object()), (Refused{422, {"/fit/surface"}}));
+  const Json mesh = {{"name", "a.obj"}, {"text", "v 1 2"}};
   const Refused broken = refused({{"surface", mesh}});
   EXPECT_EQ(broken.status, 422);
   EXPECT_TRUE(broken.paths.front().starts_with("/fit/surface"));
@@ -339,11 +337,11 @@ TEST_F(ImportsTest, WhatIsWrongWithAFitIsSaidAtOnce) {
 }
 
 TEST_F(ImportsTest, AFitThatCannotBeMadeFailsWithItsPlace) {
-  ordered_json request = fit_request();
+  Json request = fit_request();
   request["fit"]["surface"]["text"] = "0,0,0\n1,0,0\n";
   const std::string job = json_of(post("/v1/imports", request))["id"];
   run_import(limits_, store(), board());
-  const ordered_json ended = json_of(get("/v1/jobs/" + job));
+  const Json ended = json_of(get("/v1/jobs/" + job));
   EXPECT_EQ(ended["state"], "FAILED");
   EXPECT_EQ(ended["problems"][0]["path"], "/fit/surface");
 }

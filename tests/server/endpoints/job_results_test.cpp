@@ -7,15 +7,13 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 /// Ranks 1 to `count`, each of one plan that does nothing.
 std::string result_of(int count) {
-  ordered_json plans = ordered_json::array();
+  Json plans = Json::array();
   for (int rank = 1; rank <= count; ++rank)
     plans.push_back(
-        {{"rank", rank}, {"plan", {{"schema", "coapt.plan/1"}, {"steps", ordered_json::array()}}}});
-  return ordered_json{{"schema", "coapt.plans/1"}, {"plans", plans}}.dump();
+        {{"rank", rank}, {"plan", {{"schema", "coapt.plan/1"}, {"steps", Json::array()}}}});
+  return Json{{"schema", "coapt.plans/1"}, {"plans", plans}}.dump();
 }
 
 class JobResultsTest : public ServiceTest {
@@ -28,7 +26,7 @@ class JobResultsTest : public ServiceTest {
   }
   std::vector<int> ranks(const std::string& query) {
     std::vector<int> found;
-    const ordered_json page = json_of(get("/v1/jobs/j/plans" + query));
+    const Json page = json_of(get("/v1/jobs/j/plans" + query));
     for (const auto& plan : page["plans"]) found.push_back(plan["rank"]);
     return found;
   }
@@ -71,7 +69,7 @@ TEST_F(JobResultsTest, PlansArePagedByRank) {
   EXPECT_EQ(ranks("?page_size=2"), (std::vector<int>{1, 2}));
   const std::string next = json_of(get("/v1/jobs/j/plans?page_size=2"))["next_page_token"];
   EXPECT_EQ(ranks("?page_size=2&page_token=" + next), (std::vector<int>{3, 4}));
-  const ordered_json middle = json_of(get("/v1/jobs/j/plans?page_size=2&page_token=" + next));
+  const Json middle = json_of(get("/v1/jobs/j/plans?page_size=2&page_token=" + next));
   const std::string last = middle["next_page_token"];
   EXPECT_EQ(ranks("?page_size=2&page_token=" + last), std::vector<int>{5});
   EXPECT_EQ(json_of(get("/v1/jobs/j/plans?page_token=" + last))["next_page_token"], nullptr);
@@ -110,12 +108,12 @@ TEST_F(JobResultsTest, APlanComesAsMeshPictureAndReport) {
 TEST_F(JobResultsTest, FilesAreListedAndGot) {
   ended_search(1);
   EXPECT_EQ(bytes_of(get("/v1/jobs/j/report")), "all");
-  const ordered_json files = json_of(get("/v1/jobs/j/files"))["files"];
+  const Json files = json_of(get("/v1/jobs/j/files"))["files"];
   ASSERT_EQ(files.size(), 2u);
-  EXPECT_EQ(files[0], (ordered_json{{"name", "report.html"},
-                                    {"type", kHtmlType},
-                                    {"bytes", 3},
-                                    {"path", "/v1/jobs/j/files/report.html"}}));
+  EXPECT_EQ(files[0], (Json{{"name", "report.html"},
+                            {"type", kHtmlType},
+                            {"bytes", 3},
+                            {"path", "/v1/jobs/j/files/report.html"}}));
   EXPECT_EQ(bytes_of(get("/v1/jobs/j/files/plan-1.html")), "one");
   EXPECT_EQ(get("/v1/jobs/j/files/other").status, 404);
 }
@@ -149,7 +147,7 @@ TEST_F(JobResultsTest, ReportsOfASearchAreDrawnWhenTheyAreAskedForToTheSameBytes
        {"plan-4.html", "plan-0.html", "plan-01.html", "plan-.html", "plan-1.htm"})
     EXPECT_EQ(get("/v1/jobs/j/files/" + std::string(none)).status, 404) << none;
 
-  const ordered_json files = json_of(get("/v1/jobs/j/files"))["files"];
+  const Json files = json_of(get("/v1/jobs/j/files"))["files"];
   ASSERT_EQ(files.size(), 5u);
   const std::vector<std::string> names = {"report.html", "plan-1.html", "plan-2.html",
                                           "plan-3.html", "evaluations.csv"};

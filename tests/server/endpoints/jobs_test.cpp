@@ -5,16 +5,14 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 class JobsTest : public ServiceTest {
  protected:
-  ordered_json state_of(const std::string& id) { return json_of(get("/v1/jobs/" + id))["state"]; }
+  Json state_of(const std::string& id) { return json_of(get("/v1/jobs/" + id))["state"]; }
 };
 
 std::vector<std::string> ids_of(const Answer& answer) {
   std::vector<std::string> ids;
-  const ordered_json page = json_of(answer);
+  const Json page = json_of(answer);
   for (const auto& job : page["jobs"]) ids.push_back(job["id"]);
   return ids;
 }
@@ -33,7 +31,7 @@ std::string text_of(const Answer& answer) {
 
 TEST_F(JobsTest, AJobIsSeenByItsId) {
   queued_job("j");
-  const ordered_json job = json_of(get("/v1/jobs/j"));
+  const Json job = json_of(get("/v1/jobs/j"));
   EXPECT_EQ(job["state"], "QUEUED");
   EXPECT_EQ(job["valve"], "valve");
   EXPECT_EQ(job["plans"], nullptr);

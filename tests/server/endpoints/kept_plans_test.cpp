@@ -5,11 +5,9 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 class KeptPlansTest : public ServiceTest {
  protected:
-  static ordered_json body(const std::string& name, const std::string& valve = "human-normal") {
+  static Json body(const std::string& name, const std::string& valve = "human-normal") {
     return {{"name", name},
             {"valve", valve},
             {"plan",
@@ -23,11 +21,11 @@ class KeptPlansTest : public ServiceTest {
   }
   std::vector<std::string> names(const std::string& query = "") {
     std::vector<std::string> found;
-    const ordered_json page = json_of(get("/v1/kept-plans" + query));
+    const Json page = json_of(get("/v1/kept-plans" + query));
     for (const auto& plan : page["kept_plans"]) found.push_back(plan["name"]);
     return found;
   }
-  Answer rename(const std::string& id, const ordered_json& with) {
+  Answer rename(const std::string& id, const Json& with) {
     return ask("PATCH", "/v1/kept-plans/" + id, with.dump());
   }
 };
@@ -37,7 +35,7 @@ TEST_F(KeptPlansTest, APlanIsKeptWithItsNameAndValveAndGot) {
   EXPECT_EQ(answer.status, 201);
   const std::string id = json_of(answer)["kept_plan"];
   EXPECT_EQ(header_of(answer, "Location"), "/v1/kept-plans/" + id);
-  const ordered_json got = json_of(get("/v1/kept-plans/" + id));
+  const Json got = json_of(get("/v1/kept-plans/" + id));
   EXPECT_EQ(got, json_of(answer));
   EXPECT_EQ(got["name"], "Small ring");
   EXPECT_EQ(got["valve"], "human-normal");
@@ -46,13 +44,13 @@ TEST_F(KeptPlansTest, APlanIsKeptWithItsNameAndValveAndGot) {
 }
 
 TEST_F(KeptPlansTest, WhatIsWrongIsListedAndNotKept) {
-  ordered_json wrong = body("");
+  Json wrong = body("");
   wrong["valve"] = 7;
   wrong["plan"]["steps"][0]["sizes_below"] = -1;
   EXPECT_EQ(refusal(post("/v1/kept-plans", wrong)),
             (Refused{422, {"/name", "/valve", "/plan/steps/0/sizes_below"}}));
   EXPECT_EQ(refusal(post("/v1/kept-plans", body("a", "nobody"))), (Refused{422, {"/valve"}}));
-  ordered_json impossible = body("a");
+  Json impossible = body("a");
   impossible["plan"]["steps"] = {{{"step", "chordal_excision"}, {"chorda", "none"}}};
   EXPECT_EQ(refusal(post("/v1/kept-plans", impossible)), (Refused{422, {"/plan/steps/0/chorda"}}));
   for (const std::string& name : {std::string(201, 'x'), std::string("two\nlines")})
@@ -65,7 +63,7 @@ TEST_F(KeptPlansTest, WhatIsWrongIsListedAndNotKept) {
 TEST_F(KeptPlansTest, TheyAreListedNewestFirstByPageAndByValve) {
   for (const char* name : {"a", "b", "c"}) kept(name);
   kept("d", stored_valve());
-  const ordered_json page = json_of(get("/v1/kept-plans?page_size=3"));
+  const Json page = json_of(get("/v1/kept-plans?page_size=3"));
   EXPECT_EQ(names("?page_size=3"), (std::vector<std::string>{"d", "c", "b"}));
   const std::string token = page["next_page_token"];
   EXPECT_EQ(names("?page_token=" + token), std::vector<std::string>{"a"});

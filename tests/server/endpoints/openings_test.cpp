@@ -6,27 +6,25 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 class OpeningsTest : public ServiceTest {
  protected:
-  Answer open(const ordered_json& more = ordered_json::object()) {
-    ordered_json request = {{"valve", small_document()}};
+  Answer open(const Json& more = Json::object()) {
+    Json request = {{"valve", small_document()}};
     request.update(more);
     return post("/v1/openings", request);
   }
 };
 
-ordered_json plan_of(const ordered_json& step) {
+Json plan_of(const Json& step) {
   return {{"plan", {{"schema", "coapt.plan/1"}, {"steps", {step}}}}};
 }
 
 TEST_F(OpeningsTest, AnOpeningIsThatOfTheValve) {
   const Answer answer = open({{"pressure_mmhg", 8.0}, {"flow_ml_s", 200.0}, {"exercise", 2.0}});
   ASSERT_EQ(answer.status, 200) << json_of(answer);
-  ordered_json json = json_of(answer);
+  Json json = json_of(answer);
   const OpeningOptions options{8.0, 200.0, 2.0};
-  ordered_json same = opening_to_json(*open_valve(small_valve(), options), options, 0.0);
+  Json same = opening_to_json(*open_valve(small_valve(), options), options, 0.0);
   EXPECT_TRUE(json["warnings"].empty());
   EXPECT_TRUE(json["opening_area_mm2"].is_number());
   for (const char* of_this_answer : {"warnings", "scene", "seconds"}) json.erase(of_this_answer);
@@ -36,23 +34,23 @@ TEST_F(OpeningsTest, AnOpeningIsThatOfTheValve) {
 
 TEST_F(OpeningsTest, WhatIsDrawnOfItHasTheFramesAskedFor) {
   const Points::Index vertices = small_valve().rest_mm.rows();
-  const ordered_json still = json_of(open())["scene"];
+  const Json still = json_of(open())["scene"];
   EXPECT_EQ(still["open_mm"].size(), static_cast<std::size_t>(3 * vertices));
   EXPECT_EQ(still["faces"].size(), static_cast<std::size_t>(small_valve().faces.size()));
   EXPECT_GE(still["passage_mm"].size(), 9u);
   EXPECT_TRUE(still["motion_mm"].empty());
-  const ordered_json moving = json_of(open({{"frames", 3}}))["scene"];
+  const Json moving = json_of(open({{"frames", 3}}))["scene"];
   ASSERT_EQ(moving["motion_mm"].size(), 3u);
-  const ordered_json& end = moving["motion_mm"].back();
+  const Json& end = moving["motion_mm"].back();
   EXPECT_TRUE(std::equal(still["open_mm"].begin(), still["open_mm"].end(), end.begin()));
 }
 
 TEST_F(OpeningsTest, APlanIsAppliedAndWarnedOf) {
-  const ordered_json before = json_of(open());
+  const Json before = json_of(open());
   const Answer answer =
       open(plan_of({{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 6}}));
   ASSERT_EQ(answer.status, 200) << json_of(answer);
-  const ordered_json repaired = json_of(answer);
+  const Json repaired = json_of(answer);
   EXPECT_LT(repaired["opening_area_mm2"], before["opening_area_mm2"]);
   EXPECT_GT(repaired["gradient_mmhg"], before["gradient_mmhg"]);
   EXPECT_EQ(repaired["systole"]["annular_contraction"], 0.0);
@@ -69,12 +67,12 @@ TEST_F(OpeningsTest, EveryProblemPointsIntoTheRequest) {
   EXPECT_EQ(refusal(open(plan_of({{"step", "chordal_excision"}, {"chorda", "none"}}))),
             (Refused{422, {"/plan/steps/0/chorda"}}));
   EXPECT_EQ(refusal(open({{"valve", "nobody"}})), (Refused{422, {"/valve"}}));
-  EXPECT_EQ(refusal(post("/v1/openings", ordered_json::object())), (Refused{422, {"/valve"}}));
+  EXPECT_EQ(refusal(post("/v1/openings", Json::object())), (Refused{422, {"/valve"}}));
   EXPECT_EQ(ask("POST", "/v1/openings", "{").status, 400);
 }
 
 TEST_F(OpeningsTest, AValveMayBeNamed) {
-  const ordered_json named = json_of(post("/v1/openings", {{"valve", stored_valve()}}));
+  const Json named = json_of(post("/v1/openings", {{"valve", stored_valve()}}));
   EXPECT_EQ(named["opening_area_mm2"], json_of(open())["opening_area_mm2"]);
 }
 

@@ -6,11 +6,9 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 /// A plan of one step that leaks so much, its ring so many sizes below.
-ordered_json plan_of(double leak_mm2, double sizes_below) {
-  ordered_json terms;
+Json plan_of(double leak_mm2, double sizes_below) {
+  Json terms;
   for (const CostTermRow& row : cost_term_rows()) terms[row.name] = 0.0;
   terms["step"] = 1.0;
   terms["leak"] = leak_mm2;
@@ -20,20 +18,20 @@ ordered_json plan_of(double leak_mm2, double sizes_below) {
 
 class PreferencesTest : public ServiceTest {
  protected:
-  static ordered_json request_of(const ordered_json& answers) {
-    const ordered_json plans = {plan_of(0.0, 4.0), plan_of(2.0, 0.0), plan_of(0.5, 2.0)};
+  static Json request_of(const Json& answers) {
+    const Json plans = {plan_of(0.0, 4.0), plan_of(2.0, 0.0), plan_of(0.5, 2.0)};
     return {{"cases", {{{"schema", "coapt.plans/1"}, {"name", "a case"}, {"plans", plans}}}},
             {"answers", answers}};
   }
-  static ordered_json answer(int first, int second, const char* which) {
+  static Json answer(int first, int second, const char* which) {
     return {{"case", "a case"}, {"first", first}, {"second", second}, {"answer", which}};
   }
 };
 
 TEST_F(PreferencesTest, WithoutAnswersItAsksAndKnowsNothing) {
-  const Answer reply = post("/v1/preferences", request_of(ordered_json::array()));
+  const Answer reply = post("/v1/preferences", request_of(Json::array()));
   ASSERT_EQ(reply.status, 200) << json_of(reply);
-  const ordered_json json = json_of(reply);
+  const Json json = json_of(reply);
   EXPECT_EQ(json["learned"]["answers"], 0);
   EXPECT_TRUE(json["learned"]["informed"].empty());
   EXPECT_NEAR(json["learned"]["weights"]["undersizing"].get<double>(), 0.5, 1e-9);
@@ -44,10 +42,9 @@ TEST_F(PreferencesTest, WithoutAnswersItAsksAndKnowsNothing) {
 }
 
 TEST_F(PreferencesTest, WhoTakesTheLeakFindsUndersizingDear) {
-  ordered_json request =
-      request_of({answer(1, 2, "second"), answer(3, 1, "first"), answer(2, 3, "first")});
+  Json request = request_of({answer(1, 2, "second"), answer(3, 1, "first"), answer(2, 3, "first")});
   request["hide_figures"] = true;
-  const ordered_json json = json_of(post("/v1/preferences", request));
+  const Json json = json_of(post("/v1/preferences", request));
   EXPECT_GT(json["learned"]["weights"]["undersizing"], 0.5);
   EXPECT_LT(json["learned"]["weights"]["leak"], 1.0);
   EXPECT_EQ(json["first_places"][0]["rank"], 2);
@@ -55,26 +52,26 @@ TEST_F(PreferencesTest, WhoTakesTheLeakFindsUndersizingDear) {
 }
 
 TEST_F(PreferencesTest, ACaseWithoutPlansHasNoFirstPlace) {
-  ordered_json request = request_of(ordered_json::array());
-  request["cases"][0]["plans"] = ordered_json::array();
-  const ordered_json json = json_of(post("/v1/preferences", request));
+  Json request = request_of(Json::array());
+  request["cases"][0]["plans"] = Json::array();
+  const Json json = json_of(post("/v1/preferences", request));
   EXPECT_TRUE(json["question"].is_null());
   EXPECT_TRUE(json["first_places"].empty());
 }
 
 TEST_F(PreferencesTest, EachProblemIsNamed) {
-  const auto refused = [this](const ordered_json& request) {
+  const auto refused = [this](const Json& request) {
     return refusal(post("/v1/preferences", request));
   };
   EXPECT_EQ(refused(request_of({answer(1, 4, "first"), answer(2, 2, "unable")})),
             (Refused{422, {"/answers/0/second", "/answers/1"}}));
-  ordered_json twice = request_of(ordered_json::array());
+  Json twice = request_of(Json::array());
   twice["cases"].push_back(twice["cases"][0]);
   EXPECT_EQ(refused(twice), (Refused{422, {"/cases"}}));
-  ordered_json none = request_of(ordered_json::array());
-  none["cases"] = ordered_json::array();
+  Json none = request_of(Json::array());
+  none["cases"] = Json::array();
   EXPECT_EQ(refused(none), (Refused{422, {"/cases"}}));
-  ordered_json nameless = request_of(ordered_json::array());
+  Json nameless = request_of(Json::array());
   nameless["cases"][0].erase("name");
   nameless["cases"][0]["plans"][1].erase("cost_terms");
   EXPECT_EQ(refused(nameless), (Refused{422, {"/cases/0/plans/1/cost_terms", "/cases/0/name"}}));

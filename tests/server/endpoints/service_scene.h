@@ -36,9 +36,7 @@ inline const Valve& small_valve() {
   }();
   return kValve;
 }
-inline nlohmann::ordered_json small_document() {
-  return nlohmann::ordered_json::parse(write_valve(small_valve()));
-}
+inline Json small_document() { return Json::parse(write_valve(small_valve())); }
 
 using Fields = std::map<std::string, std::string>;
 
@@ -68,8 +66,7 @@ class ServiceTest : public testing::Test {
   Answer get(const std::string& target, const Fields& headers = {}) {
     return ask("GET", target, "", headers);
   }
-  Answer post(const std::string& path, const nlohmann::ordered_json& body,
-              const Fields& headers = {}) {
+  Answer post(const std::string& path, const Json& body, const Fields& headers = {}) {
     return ask("POST", path, body.dump(), headers);
   }
   Answer remove(const std::string& path) { return ask("DELETE", path); }
@@ -129,10 +126,9 @@ class ServiceTest : public testing::Test {
                    }};
 };
 
-inline nlohmann::ordered_json json_of(const Answer& answer) {
-  if (const auto* content = std::get_if<Content>(&answer.body))
-    return nlohmann::ordered_json::parse(content->bytes);
-  return std::get<nlohmann::ordered_json>(answer.body);
+inline Json json_of(const Answer& answer) {
+  if (const auto* content = std::get_if<Content>(&answer.body)) return Json::parse(content->bytes);
+  return std::get<Json>(answer.body);
 }
 
 inline std::string bytes_of(const Answer& answer) {
@@ -159,7 +155,7 @@ inline void PrintTo(const Refused& refused, std::ostream* to) {
 }
 inline Refused refusal(const Answer& answer) {
   Refused refused{answer.status, {}};
-  for (const auto& problem : json_of(answer).value("problems", nlohmann::ordered_json::array()))
+  for (const auto& problem : json_of(answer).value("problems", Json::array()))
     refused.paths.push_back(problem["path"]);
   return refused;
 }

@@ -8,25 +8,23 @@
 namespace coapt {
 namespace {
 
-using nlohmann::ordered_json;
-
 class SubmissionsTest : public ServiceTest {
  protected:
-  Answer search(const ordered_json& search, const Fields& headers = {}) {
+  Answer search(const Json& search, const Fields& headers = {}) {
     return post("/v1/plans", {{"valve", small_document()}, {"search", search}}, headers);
   }
-  Answer study(const ordered_json& study) {
+  Answer study(const Json& study) {
     return post("/v1/studies", {{"valve", small_document()}, {"study", study}});
   }
   std::size_t jobs() { return json_of(get("/v1/jobs"))["jobs"].size(); }
 };
 
-ordered_json parsed(const char* text) { return ordered_json::parse(text); }
+Json parsed(const char* text) { return Json::parse(text); }
 
 TEST_F(SubmissionsTest, ASearchBecomesAJobThatWaits) {
   const Answer answer = post("/v1/plans", {{"valve", small_document()}});
   EXPECT_EQ(answer.status, 202);
-  const ordered_json job = json_of(answer);
+  const Json job = json_of(answer);
   EXPECT_EQ(job["kind"], "plans");
   EXPECT_EQ(job["state"], "QUEUED");
   EXPECT_EQ(job["queue_position"], 0);
@@ -71,8 +69,7 @@ TEST_F(SubmissionsTest, ProblemsOfASearchPointIntoTheRequest) {
 }
 
 TEST_F(SubmissionsTest, ProblemsOfARequestAreListed) {
-  EXPECT_EQ(refusal(post("/v1/plans", {{"search", ordered_json::object()}})),
-            (Refused{422, {"/valve"}}));
+  EXPECT_EQ(refusal(post("/v1/plans", {{"search", Json::object()}})), (Refused{422, {"/valve"}}));
   EXPECT_EQ(refusal(post("/v1/plans", {{"valve", small_document()}, {"x", 1}})),
             (Refused{422, {"/x"}}));
   EXPECT_EQ(refusal(study({{"name", "x"}})), (Refused{422, {"/study/name"}}));

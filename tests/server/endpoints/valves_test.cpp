@@ -23,7 +23,7 @@ TEST_F(ValvesTest, AValveIsStoredOnceUnderTheHashOfItsContent) {
 }
 
 TEST_F(ValvesTest, AWrongValveIsRefusedWithItsProblemsAndNotStored) {
-  nlohmann::ordered_json wrong = small_document();
+  Json wrong = small_document();
   wrong["pressure_kpa"] = -1;
   wrong["surprise"] = 1;
   EXPECT_EQ(refusal(post("/v1/valves", wrong)), (Refused{422, {"/surprise", "/pressure_kpa"}}));
@@ -39,7 +39,7 @@ TEST_F(ValvesTest, ValidationListsProblemsAndStoresNothing) {
   EXPECT_EQ(good.status, 200);
   EXPECT_EQ(json_of(good)["valid"], true);
   EXPECT_TRUE(json_of(good)["problems"].empty());
-  nlohmann::ordered_json wrong = small_document();
+  Json wrong = small_document();
   wrong["pressure_kpa"] = -1;
   const Answer bad = post("/v1/valves:validate", wrong);
   EXPECT_EQ(bad.status, 200);
@@ -58,7 +58,7 @@ TEST_F(ValvesTest, ABodyWaitsForItsTurnToBeRead) {
 TEST_F(ValvesTest, StoredValvesAreListedNewestFirst) {
   EXPECT_TRUE(json_of(get("/v1/valves"))["valves"].empty());
   const std::string id = json_of(post("/v1/valves", small_document()))["id"];
-  nlohmann::ordered_json other = small_document();
+  Json other = small_document();
   other["name"] = "other";
   post("/v1/valves", other);
   const auto first = json_of(get("/v1/valves?page_size=1"));
@@ -66,11 +66,10 @@ TEST_F(ValvesTest, StoredValvesAreListedNewestFirst) {
   EXPECT_EQ(first["valves"][0]["name"], "other");
   const std::string token = first["next_page_token"];
   const auto rest = json_of(get("/v1/valves?page_token=" + token));
-  EXPECT_EQ(rest["valves"],
-            nlohmann::ordered_json::array({{{"valve", id},
-                                            {"name", small_document()["name"]},
-                                            {"vertices", small_valve().rest_mm.rows()},
-                                            {"triangles", small_valve().faces.rows()}}}));
+  EXPECT_EQ(rest["valves"], Json::array({{{"valve", id},
+                                          {"name", small_document()["name"]},
+                                          {"vertices", small_valve().rest_mm.rows()},
+                                          {"triangles", small_valve().faces.rows()}}}));
   EXPECT_EQ(rest["next_page_token"], nullptr);
   EXPECT_EQ(refusal(get("/v1/valves?page_size=101&page_token=1&x=1")),
             (Refused{422, {"?x", "?page_size", "?page_token"}}));
