@@ -1,5 +1,6 @@
 // nlohmann's tokenizer drives a builder that keeps its own stack: the usual one neither limits
-// depth nor notices a name that comes twice.
+// depth nor notices a name that comes twice. Members are gathered in a tree, in which the thousandth
+// name is found as soon as the first, and put into their object in the order of their names.
 
 #include "io/json/parse_json.h"
 
@@ -28,7 +29,11 @@ class Builder {
   Builder(ProblemList& problems, std::size_t max_values)
       : problems_(problems), max_values_(max_values) {}
 
-  ~Builder() { take_apart(root_); }
+  ~Builder() {
+    take_apart(root_);
+    for (Level& level : levels_)
+      for (auto& [name, value] : level.members) take_apart(value);
+  }
 
   Json take() { return std::move(root_); }
 
@@ -42,14 +47,23 @@ class Builder {
   bool binary(Json::binary_t&) { return false; }
   bool start_object(std::size_t) { return open(Json::object()); }
   bool start_array(std::size_t) { return open(Json::array()); }
-  bool end_object() { return close(); }
+  bool end_object() {
+    Level& level = levels_.back();
+    auto& object = level.value->get_ref<Json::object_t&>();
+    object.reserve(level.members.size());  // all that can run out of memory here
+    while (!level.members.empty()) {
+      auto member = level.members.extract(level.members.begin());
+      object.emplace_back(std::move(member.key()), std::move(member.mapped()));
+    }
+    return close();
+  }
   bool end_array() { return close(); }
 
   bool key(std::string& name) {
     if (name.size() > kMaxNameBytes) return stop("holds a name longer than 256 bytes");
     Level& level = levels_.back();
     level.name = std::move(name);
-    if (level.value->contains(level.name)) {
+    if (level.members.contains(level.name)) {
       problems_.add(ErrorCode::InvalidJson, path(), "is given more than once");
     }
     return true;
@@ -67,7 +81,8 @@ class Builder {
  private:
   struct Level {
     Json* value;
-    std::string name;  // the latest, in an object
+    std::string name;                     // the latest, in an object
+    std::map<std::string, Json> members;  // of an object, until it is closed
   };
 
   // To the value begun last, or in an array to the `ahead`-th after it.
@@ -77,7 +92,7 @@ class Builder {
       const bool last = &level == &levels_.back();
       if (level.value->is_array()) {
         pointer.push_back(std::to_string(level.value->size() - 1 + (last ? ahead : 0)));
-      } else if (!last || !level.value->empty() || !level.name.empty()) {
+      } else if (!last || !level.members.empty() || !level.name.empty()) {
         pointer.push_back(level.name);
       }
     }
@@ -97,7 +112,7 @@ class Builder {
   Json* insert(Json&& value) {
     if (levels_.empty()) return &(root_ = std::move(value));
     Level& level = levels_.back();
-    if (level.value->is_object()) return &((*level.value)[level.name] = std::move(value));
+    if (level.value->is_object()) return &(level.members[level.name] = std::move(value));
     level.value->push_back(std::move(value));
     return &level.value->back();
   }
@@ -111,7 +126,7 @@ class Builder {
     Json* const inserted = insert(std::move(value));
     if (levels_.size() == kMaxDepth) return stop("is nested deeper than the 32 levels accepted");
     if (!count()) return false;
-    levels_.push_back({inserted, {}});
+    levels_.push_back({inserted, {}, {}});
     return true;
   }
 
@@ -133,7 +148,7 @@ void take_apart(Json& value) {
   if (auto* const array = value.get_ptr<Json::array_t*>()) {
     for (; !array->empty(); array->pop_back()) take_apart(array->back());
   } else if (auto* const object = value.get_ptr<Json::object_t*>()) {
-    for (; !object->empty(); object->erase(object->begin())) take_apart(object->begin()->second);
+    for (; !object->empty(); object->pop_back()) take_apart(object->back().second);
   }
 }
 

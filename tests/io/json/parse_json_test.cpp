@@ -18,6 +18,12 @@ TEST(ParseJson, GivesTheDocument) {
   EXPECT_EQ(json->dump(), R"({"a":[1,-2,0.5,-0.0,true,null,"x"],"b":{}})");
 }
 
+TEST(ParseJson, MembersComeInTheOrderOfTheirNames) {
+  const auto json = parse_json(R"({"b": {"d": [1], "c": 2}, "a": {}})");
+  ASSERT_TRUE(json);
+  EXPECT_EQ(json->dump(), R"({"a":{},"b":{"c":2,"d":[1]}})");
+}
+
 TEST(ParseJson, NumbersThatJsonDoesNotKnowAreRefusedWhereTheyStand) {
   EXPECT_EQ(found(R"({"a": [1, NaN]})"), (Found{{InvalidJson, "/a/1"}}));
   EXPECT_EQ(found(R"({"a": {"b": Infinity}})"), (Found{{InvalidJson, "/a/b"}}));
