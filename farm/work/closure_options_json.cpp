@@ -58,7 +58,7 @@ Expected<Json> closure_options_json(const ClosureOptions& options) {
                      {"samples", samples},
                      {"edge_contact", edge_contact},
                      {"self_contact", name_of(self_contact)}};
-  read_closure_options({Json(json), problems});
+  read_closure_options({json, problems});
   if (!problems.empty()) return std::move(problems).take();
   return json;
 }

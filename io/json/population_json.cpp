@@ -40,7 +40,7 @@ Json names_of(const std::array<PopulationFactor, N>& factors) {
 /// The order of another version's factors could not be told from its numbers.
 template <std::size_t N>
 void check_names(const JsonPlace& place, const std::array<PopulationFactor, N>& factors) {
-  if (place.value != Json(names_of(factors)))
+  if (place.value != names_of(factors))
     add_problem(place, ErrorCode::Unsupported, "names other factors than this version of coapt");
 }
 

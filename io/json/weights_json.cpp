@@ -51,7 +51,7 @@ Json informed_json(const PreferencePosterior& posterior) {
 }
 
 void read_unknown_names(const JsonPlace& place) {
-  if (place.value != Json(unknown_names()))
+  if (place.value != unknown_names())
     add_problem(place, ErrorCode::BadReference, "must be " + unknown_names().dump());
 }
 

@@ -81,7 +81,7 @@ Repair repair_of(const JobStore& store, const Request& request) {
   if (ranked_plan.is_null()) return {{}, {}, {}, not_found("plan")};
   const Expected<Valve> valve = valve_of(store, ended.job);
   if (!valve) return {{}, {}, {}, store_problem(valve.errors())};
-  const Expected<RepairPlan> plan = plan_from_json(Json(ranked_plan["plan"]));
+  const Expected<RepairPlan> plan = plan_from_json(ranked_plan["plan"]);
   if (!plan) return {{}, {}, {}, problem(500, plan.errors())};
   const Expected<Valve> repaired = apply_plan(*valve, *plan);
   if (!repaired) return {{}, {}, {}, problem(500, repaired.errors())};
