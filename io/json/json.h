@@ -5,3 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json/json_fwd.h"
+
+// What most sources would instantiate again is instantiated once, in json.cpp.
+extern template class nlohmann::basic_json<nlohmann::ordered_map>;
+extern template class nlohmann::detail::serializer<coapt::Json>;
+extern template class std::vector<coapt::Json>;
