@@ -9,7 +9,7 @@ namespace {
 using enum ErrorCode;
 
 Expected<SearchOptions> read(const char* text) {
-  return search_options_from_json(Json::parse(text));
+  return search_options_from_json(*parse_json(text));
 }
 
 std::string message_at(const char* text, const std::string& path) {
