@@ -10,7 +10,7 @@ class Fit(ProgramTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.mesh = ["--triangles", "300"]
+        cls.mesh = ["--triangles", "150"]
 
     def displaced(self):
         """The valve as given, and the closed leaflets of the same with its tips elsewhere."""
