@@ -14,6 +14,8 @@ namespace {
 constexpr int kAngles = 72;
 constexpr int kWidestGap = 6;  // angles without a voxel: 30 degrees
 constexpr Index kLeastVoxels = 36;
+// A band of 28 mm2 about 130 mm, in voxels of 0.15 mm: 1.1 million. Each takes 100 bytes.
+constexpr Index kMostRingVoxels = 2'000'000;
 constexpr double kLeastHole = 0.25;  // of the mean radius: what is nearer to the middle is no ring
 constexpr double kWidestBand = 0.5;  // of the radius at its angle
 constexpr int kLineSmoothings = 2;
@@ -97,8 +99,9 @@ Error no_ring(const LabelAt& label, const std::string& why) {
 Expected<Points> label_curve(const LabelMap& map, const LabelAt& label) {
   const LabelVoxels voxels(map, label);
   const LabelBox box = voxels.box();
-  if (box.count < kLeastVoxels)
-    return no_ring(label, "it has " + std::to_string(box.count) + " voxels");
+  if (box.count < kLeastVoxels || box.count > kMostRingVoxels)
+    return no_ring(label,
+                   "it has " + std::to_string(box.count) + " voxels, must have 36 to 2000000");
   const Points points = centres(map, voxels, box);
   Eigen::RowVector3d middle = points.colwise().mean();
   const Points centred = points.rowwise() - middle;

@@ -9,7 +9,7 @@
 namespace coapt {
 namespace {
 
-constexpr std::size_t kMostTriangles = 1'000'000;  // as an import takes (io/mesh/import_frame.cpp)
+constexpr Index kMostTriangles = 1'000'000;  // as an import takes (io/mesh/import_frame.cpp)
 // Taubin's pass-band filter: one pass shrinks, the next one grows; 0.1 is passed, of a mesh's highest frequency 2.
 constexpr double kShrink = 0.5, kGrow = -0.526;
 constexpr int kSmoothings = 12;
@@ -275,13 +275,13 @@ Expected<TriangleMesh> label_surface(const LabelMap& map, const LabelAt& label) 
   if (box.count == 0)
     return Error{ErrorCode::BadReference, "",
                  "has no voxel of label " + std::to_string(label.value)};
-  TriangleMesh mesh = SurfaceNet(voxels, box).mesh();
-  if (static_cast<std::size_t>(mesh.faces.rows()) > kMostTriangles)
+  if (const Index triangles = 2 * voxels.crossings(box); triangles > kMostTriangles)
     return Error{
         ErrorCode::OutOfRange, "",
-        "has " + std::to_string(mesh.faces.rows()) + " triangles about label " +
+        "has " + std::to_string(triangles) + " triangles about label " +
             std::to_string(label.value) +
             ", must be at most 1000000: is it a leaflet, and are its voxels not too small?"};
+  TriangleMesh mesh = SurfaceNet(voxels, box).mesh();
   smooth(mesh);
   const Eigen::Matrix3d axes = map.to_lps_mm.topLeftCorner<3, 3>();
   mesh.vertices_mm =

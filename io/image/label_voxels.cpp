@@ -26,4 +26,21 @@ LabelBox LabelVoxels::box() const {
   return box;
 }
 
+Index LabelVoxels::crossings(const LabelBox& box) const {
+  Index count = 0;
+  for (Index k = box.min[2]; k <= box.max[2]; ++k)
+    for (Index j = box.min[1]; j <= box.max[1]; ++j)
+      for (Index i = box.min[0]; i <= box.max[0]; ++i) {
+        if (!(*this)(i, j, k)) continue;
+        for (const auto& [x, y, z] : {Voxel{i - 1, j, k},
+                                      {i + 1, j, k},
+                                      {i, j - 1, k},
+                                      {i, j + 1, k},
+                                      {i, j, k - 1},
+                                      {i, j, k + 1}})
+          count += (*this)(x, y, z) ? 0 : 1;
+      }
+  return count;
+}
+
 }  // namespace coapt

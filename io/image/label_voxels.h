@@ -26,6 +26,9 @@ class LabelVoxels {
 
   LabelBox box() const;
 
+  /// Pairs of neighbours of which one is of the label: two triangles each of its surface (label_surface.h).
+  Index crossings(const LabelBox& box) const;
+
  private:
   Voxel size_;
   const std::uint16_t* at_;

@@ -68,5 +68,15 @@ TEST(LabelCurve, WhatIsNoRingIsRefusedWithTheReason) {
             std::string::npos);
 }
 
+TEST(LabelCurve, AsManyVoxelsAsNoAnnulusHasAreRefusedUnread) {
+  LabelMap map;
+  map.size = {128, 128, 128};
+  map.voxels.assign(128 * 128 * 128, 1);
+  const Expected<Points> line = label_curve(map, {0, 1});
+  ASSERT_FALSE(line);
+  EXPECT_NE(line.errors()[0].message.find("it has 2097152 voxels, must have 36 to 2000000"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace coapt

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "io/image/label_voxels.h"
 #include "tests/io/image/drawn_labels.h"
 
 namespace coapt {
@@ -198,7 +199,22 @@ TEST(LabelSurface, NoiseIsAClosedManifoldToo) {
     ASSERT_TRUE(mesh);
     expect_closed_manifold(*mesh);
     EXPECT_TRUE(mesh->vertices_mm.allFinite());
+    const LabelVoxels voxels(map, {0, 1});
+    EXPECT_EQ(mesh->faces.rows(), 2 * voxels.crossings(voxels.box())) << "counted before";
   }
+}
+
+TEST(LabelSurface, ACheckerboardIsRefusedWithItsTriangles) {
+  constexpr Index kEdge = 56;  // half of its voxels, six faces each, two triangles a face
+  LabelMap map;
+  map.size = {kEdge, kEdge, kEdge};
+  for (Index v = 0; v < kEdge * kEdge * kEdge; ++v)
+    map.voxels.push_back((v + v / kEdge + v / (kEdge * kEdge)) % 2 == 0 ? 1 : 0);
+  const Expected<TriangleMesh> mesh = label_surface(map, {0, 1});
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.errors()[0].code, ErrorCode::OutOfRange);
+  EXPECT_TRUE(mesh.errors()[0].message.starts_with(
+      "has 1053696 triangles about label 1, must be at most 1000000"));
 }
 
 TEST(LabelSurface, ALabelThatIsNotThereIsSaid) {
