@@ -24,6 +24,10 @@ class RequestClosures {
   /// Errors: open_valve()'s.
   Expected<OpenedValve> open(const Valve& valve, OpeningOptions options);
 
+  /// For what closes valves itself and ends without a result when it is spent: then, if cancelled(), with Unfinished. Not to
+  /// outlive this.
+  ClosureBudget budget();
+
   /// Whether a closure that has begun is to end: its request is out of time, or nobody waits for it. From then on.
   bool cancelled();
 
@@ -31,8 +35,6 @@ class RequestClosures {
   Answer refusal() const;
 
  private:
-  ClosureBudget budget();
-
   const Request& request_;
   const ServiceLimits& limits_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();

@@ -13,7 +13,7 @@ class Allowance {
   /// False once the budget is spent or the closure cancelled, and from then on.
   bool spend(int steps) {
     left_ -= static_cast<double>(steps) * vertices_;
-    spent_ = spent_ || left_ < 0.0 || (budget_.cancelled && budget_.cancelled());
+    spent_ = spent_ || left_ < 0.0 || budget_.is_cancelled();
     return !spent_;
   }
   bool spent() const { return spent_; }

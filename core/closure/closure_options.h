@@ -23,6 +23,8 @@ struct ClosureBudget {
   double vertex_steps = std::numeric_limits<double>::infinity();
   /// Asked every 15 or 20 steps, on the thread that closes; true ends the closure. Empty: nobody asks.
   std::function<bool()> cancelled{};
+
+  bool is_cancelled() const { return cancelled && cancelled(); }
 };
 
 struct ClosureOptions {

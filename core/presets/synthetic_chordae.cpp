@@ -136,8 +136,8 @@ void name_chordae(Valve& valve) {
 }
 
 /// Lengths of the closed state, times a slack drawn for the valve and one for each chorda.
-Expected<Valve> with_drawn_lengths(const Valve& valve, Draw& draw) {
-  Expected<Valve> made = taut_when_closed(valve);
+Expected<Valve> with_drawn_lengths(const Valve& valve, Draw& draw, const ClosureBudget& budget) {
+  Expected<Valve> made = taut_when_closed(valve, budget);
   if (!made) return made;
   const double slack = kPresetSlack * (1.0 + kValveSlackSd * draw.normal());
   for (Chorda& chorda : made->chordae) {
@@ -149,7 +149,8 @@ Expected<Valve> with_drawn_lengths(const Valve& valve, Draw& draw) {
 
 }  // namespace
 
-Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips_mm) {
+Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips_mm,
+                                       const ClosureBudget& budget) {
   const Points pressed_mm = valve.annulus_mm;
   const std::vector<PapillaryHead> old_heads = valve.heads;
   valve.annulus_mm = valve.rest_mm(valve.annulus, Eigen::all);
@@ -169,7 +170,7 @@ Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips
   add_muscle(at_mm, Side::Posteromedial, groups_of(draw), located, valve);
   name_chordae(valve);
   if (Errors errors = validate(valve); !errors.empty()) return errors;
-  Expected<Valve> made = with_drawn_lengths(valve, draw);
+  Expected<Valve> made = with_drawn_lengths(valve, draw, budget);
   if (!made) return made;
   made->annulus_mm = pressed_mm;
   for (PapillaryHead& head : made->heads) head.tip_mm += displacement_mm(old_heads, head.side);

@@ -9,6 +9,7 @@
 // slack (5 % between valves, 3 % between chordae).
 #pragma once
 
+#include "core/closure/closure_options.h"
 #include "core/valve/valve.h"
 
 namespace coapt {
@@ -17,8 +18,9 @@ namespace coapt {
 /// muscle's (parametric_chordae.h), where they are unpressurised; none: they are drawn. Lengths are taken with annulus and
 /// tips at rest; by how much the old heads and the annulus move under pressure, the new ones do. The same arguments give the same bits. Errors:
 /// "/tips_mm", tips of one side alone, or not 5 to 60 mm below the annulus's centre; a valve that does not close uncrossed, from
-/// which no lengths can be taken; what validate() refuses. @pre mesh, annulus, landmarks and tissue are valid and mitral.
-Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips_mm);
+/// which no lengths can be taken, or not within the budget; what validate() refuses. @pre mesh, annulus, landmarks and tissue are valid and mitral.
+Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips_mm,
+                                       const ClosureBudget& budget = {});
 
 /// Another draw of a valve that has one (Valve::drawn_chordae), its tips kept if they were seen.
 Expected<Valve> redrawn_chordae(const Valve& valve, int seed);

@@ -4,6 +4,7 @@
 
 #include "core/closure/closure.h"
 #include "core/closure/tauten.h"
+#include "core/valve/number_text.h"
 #include "core/valve/validate.h"
 
 namespace coapt {
@@ -38,11 +39,17 @@ std::string lengths_in_words(const ParametricValve& d) {
 
 }  // namespace
 
-Expected<Valve> taut_when_closed(const Valve& valve) {
+Expected<Valve> taut_when_closed(const Valve& valve, const ClosureBudget& budget) {
   ClosureOptions to_rest;
+  to_rest.budget = budget;
   to_rest.residual_tolerance = 1e-4;
   to_rest.way_tolerance_mm = 1e-3;
   const ClosureResult closed = close_valve(valve, to_rest);
+  if (closed.unfinished)
+    return Error{ErrorCode::OutOfRange, "",
+                 "the closure takes more than " + shown(budget.vertex_steps) +
+                     " steps times vertices, and chordae have their lengths from it; a coarser "
+                     "mesh takes fewer"};
   if (!trusted(closed))
     return Error{ErrorCode::BadGeometry, "",
                  "does not close without leaflets passing through each other: lengths of chordae "

@@ -2,6 +2,7 @@
 // in core/valve.
 #pragma once
 
+#include "core/closure/closure_options.h"
 #include "core/valve/parametric.h"
 
 namespace coapt {
@@ -11,8 +12,8 @@ namespace coapt {
 inline constexpr double kPresetSlack = 1.15;
 
 /// The valve with chordae as long as they are in its closed state, closed more tightly than usual. Error: it does not close
-/// uncrossed. @pre the valve is valid.
-Expected<Valve> taut_when_closed(const Valve& valve);
+/// uncrossed, or not within the budget. @pre the valve is valid.
+Expected<Valve> taut_when_closed(const Valve& valve, const ClosureBudget& budget = {});
 
 /// A parametric valve whose chordae are taut in its closed state (times dimensions.slack). The
 /// lengths come from the mesh of about 650 triangles and are the same at every resolution. What

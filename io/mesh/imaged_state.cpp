@@ -9,13 +9,14 @@
 namespace coapt {
 namespace {
 
-constexpr int kLattice = 160;  // pixels across the annulus
+constexpr int kLattice = 160;          // pixels across the annulus
+constexpr std::size_t kAtOnce = 4096;  // triangles between two looks at the budget
 constexpr double kMostClosed = 0.12, kLeastOpen = 0.25;
 
 }  // namespace
 
 StateSigns imaged_state(const std::vector<TriangleMesh>& leaflets, const Points& annulus_mm,
-                        double thickness_mm) {
+                        double thickness_mm, const ClosureBudget& budget) {
   const Eigen::RowVector3d centre = annulus_mm.colwise().mean();
   const Points centred = annulus_mm.rowwise() - centre;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
@@ -33,9 +34,17 @@ StateSigns imaged_state(const std::vector<TriangleMesh>& leaflets, const Points&
     const Eigen::MatrixX2d flat =
         (((sheet.vertices_mm.rowwise() - centre) * plane).rowwise() - low_mm) / pixel_mm;
     std::vector<Triangle> triangles;
-    for (const auto& face : sheet.faces.rowwise())
+    const auto cover = [&] {
+      cover_triangles(bare, triangles, 0.5 * thickness_mm / pixel_mm);
+      triangles.clear();
+    };
+    for (const auto& face : sheet.faces.rowwise()) {
       triangles.push_back({flat.row(face[0]), flat.row(face[1]), flat.row(face[2])});
-    cover_triangles(bare, triangles, 0.5 * thickness_mm / pixel_mm);
+      if (triangles.size() < kAtOnce) continue;
+      cover();
+      if (budget.is_cancelled()) return signs;
+    }
+    cover();
   }
   const auto left = std::count(bare.pixels.begin(), bare.pixels.end(), 1);
   signs.uncovered_share = inside > 0 ? static_cast<double>(left) / inside : 0.0;

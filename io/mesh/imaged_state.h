@@ -5,6 +5,7 @@
 // touch are a thickness apart.
 #pragma once
 
+#include "core/closure/closure_options.h"
 #include "io/mesh/mesh_file.h"
 
 namespace coapt {
@@ -16,8 +17,9 @@ struct StateSigns {
   double uncovered_share = 0.0;  ///< of the annulus's projected area
 };
 
-/// @param annulus_mm closed loop; in any frame. @param thickness_mm of thick leaflets, or of tissue
+/// @param annulus_mm closed loop; in any frame. @param thickness_mm of thick leaflets, or of tissue. @param budget cancelled:
+/// not all triangles are looked at
 StateSigns imaged_state(const std::vector<TriangleMesh>& leaflets, const Points& annulus_mm,
-                        double thickness_mm);
+                        double thickness_mm, const ClosureBudget& budget = {});
 
 }  // namespace coapt

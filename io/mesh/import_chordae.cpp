@@ -213,6 +213,7 @@ Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
   Attached attached;
   for (std::size_t i = 0; i < source.chordae.size(); ++i) {
     const ImportedChorda& imported = source.chordae[i];
+    if (options.budget.is_cancelled()) return {{ErrorCode::Busy, "", "was cancelled"}};
     Chorda chorda;
     chorda.kind = imported.kind;
     chorda.head = head_of(imported, valve);

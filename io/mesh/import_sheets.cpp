@@ -85,11 +85,11 @@ MeasuredThickness measured(const std::vector<double>& values, std::size_t leafle
 
 /// A shell becomes its mid-surface; a sheet stays.
 Errors flatten(TriangleMesh& mesh, std::size_t i, std::size_t outlines, const std::string& name,
-               SheetPreparation& prepared) {
+               const ClosureBudget& budget, SheetPreparation& prepared) {
   const std::vector<std::vector<int>> edges = boundary_loops(mesh);
   const bool closed = edges.empty();
-  if (!closed && opposed_share(mesh) < kThickOfArea) return {};
-  Expected<MidSurface> middle = mid_surface(mesh);
+  if (!closed && opposed_share(mesh, budget) < kThickOfArea) return {};
+  Expected<MidSurface> middle = mid_surface(mesh, budget);
   if (!middle) return closed ? middle.errors() : Errors{};
   MeasuredThickness thickness = measured(middle->thickness_mm, i);
   if (!closed && thickness.mean_mm > kThickestSheet_mm) return {};
@@ -146,7 +146,7 @@ bool is_sound(const std::vector<TriangleMesh>& leaflets) {
   return problems.empty();
 }
 
-Expected<SheetPreparation> prepare_sheets(ImportSource& source) {
+Expected<SheetPreparation> prepare_sheets(ImportSource& source, const ClosureBudget& budget) {
   SheetPreparation prepared;
   if (!is_sound(source.leaflets)) return prepared;
   ProblemList problems;
@@ -159,7 +159,7 @@ Expected<SheetPreparation> prepare_sheets(ImportSource& source) {
         problems.add(error.code, "/leaflets/" + std::to_string(i) + error.path, error.message);
     };
     const auto is_mended = [&] {
-      Expected<RepairedSheet> repaired = repaired_sheet(mesh, outlines);
+      Expected<RepairedSheet> repaired = repaired_sheet(mesh, outlines, budget);
       if (!repaired) {
         add(repaired.errors());
         return false;
@@ -170,7 +170,7 @@ Expected<SheetPreparation> prepare_sheets(ImportSource& source) {
     };
     if (!is_mended()) continue;
     const std::size_t shells = prepared.thickness.size();
-    if (Errors errors = flatten(mesh, i, outlines, name, prepared); !errors.empty())
+    if (Errors errors = flatten(mesh, i, outlines, name, budget, prepared); !errors.empty())
       add(errors);
     else if (prepared.thickness.size() > shells)
       is_mended();  // holes that trimming left

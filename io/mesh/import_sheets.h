@@ -20,6 +20,6 @@ bool is_sound(const std::vector<TriangleMesh>& leaflets);
 
 /// Changes leaflets and, if it is empty, the annulus; lengths must be millimetres. A source whose leaflets are
 /// not sound is left as it is: into_import_frame() names that.
-Expected<SheetPreparation> prepare_sheets(ImportSource& source);
+Expected<SheetPreparation> prepare_sheets(ImportSource& source, const ClosureBudget& budget);
 
 }  // namespace coapt

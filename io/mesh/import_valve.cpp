@@ -54,13 +54,14 @@ Vec3 pressed(const FramedSource& source, const Vec3& rest_mm) {
   return goes;
 }
 
-/// With chordae that nobody has seen.
-Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips, int seed,
-                      std::vector<ImportDecision>& decisions) {
+/// With chordae that nobody has seen. @pre options.chordae_seed
+Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips,
+                      const ImportOptions& options, std::vector<ImportDecision>& decisions) {
+  const int seed = *options.chordae_seed;
   Points tips_mm(std::ssize(tips), 3);
   for (Eigen::Index i = 0; i < tips_mm.rows(); ++i)
     tips_mm.row(i) = tips[static_cast<std::size_t>(i)].position_mm.transpose();
-  Expected<Valve> made = with_synthetic_chordae(std::move(valve), seed, tips_mm);
+  Expected<Valve> made = with_synthetic_chordae(std::move(valve), seed, tips_mm, options.budget);
   if (!made) {
     Errors errors = made.errors();
     for (Error& error : errors)
@@ -88,21 +89,23 @@ const char* to_string(LengthUnit unit) {
   return unit == LengthUnit::Centimetre ? "cm" : "mm";
 }
 
-Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportOptions& options) {
+namespace {
+
+Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& options) {
   ProblemList problems;
   check_options(source, options, problems);
   if (!problems.empty()) return std::move(problems).take();
   const LengthUnit unit = options.units.value_or(unit_of(source));
   scale(source, in_mm(unit));
   const bool ring_given = source.annulus_mm.rows() > 0;
-  Expected<SheetPreparation> prepared = prepare_sheets(source);
+  Expected<SheetPreparation> prepared = prepare_sheets(source, options.budget);
   if (!prepared) return prepared.errors();
   const JudgedState state = judged_state(source, options, prepared->thickness);
   const Expected<FramedSource> framed =
       into_import_frame(source, options.chordae_seed.has_value(), state.closed);
   if (!framed) return framed.errors();
-  const Expected<Skirt> skirt =
-      resample_skirt(*framed, options.triangles, {state.closed, options.hidden_mm});
+  const Expected<Skirt> skirt = resample_skirt(*framed, skirt_size(options.triangles),
+                                               {state.closed, options.hidden_mm}, options.budget);
   if (!skirt) return skirt.errors();
   Valve valve;
   valve.name = source.name.empty() ? "imported" : source.name;
@@ -116,8 +119,9 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
     for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();
   valve.landmarks = find_landmarks(*skirt, framed->landmarks);
   std::vector<ImportDecision> decisions =
-      state.closed ? closed_decisions(*skirt, options.hidden_mm, valve)
-                   : mesh_decisions(*framed, *skirt, valve, source.tissue.has_value());
+      state.closed
+          ? closed_decisions(*skirt, options.hidden_mm, valve)
+          : mesh_decisions(*framed, *skirt, valve, source.tissue.has_value(), options.budget);
   std::vector<ImportDecision> first = {{"units", to_string(unit),
                                         options.units ? "as given"
                                         : ring_given  ? "by the annulus's circumference"
@@ -133,7 +137,7 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
   if (!thickness_mm) return thickness_mm.errors();
   valve.tissue.thickness_mm = *thickness_mm;
   if (options.chordae_seed) {
-    Expected<Valve> made = drawn(std::move(valve), framed->tips, *options.chordae_seed, decisions);
+    Expected<Valve> made = drawn(std::move(valve), framed->tips, options, decisions);
     if (!made) return made.errors();
     valve = *std::move(made);
   } else if (Errors errors = add_imported_chordae(*framed, *skirt, options, valve, decisions);
@@ -151,6 +155,15 @@ Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportO
       {framed->leaflets, framed->annulus_mm, framed->chordae, framed->tips, state.closed},
       unit,
       std::move(prepared->thickness)};
+}
+
+}  // namespace
+
+Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportOptions& options) {
+  Expected<ImportedValve> imported = make_valve(std::move(source), options);
+  if (options.budget.is_cancelled())
+    return Error{ErrorCode::Busy, "", "the import was cancelled before it was done"};
+  return imported;
 }
 
 Expected<Valve> import_valve(ImportSource source, const ImportOptions& options) {

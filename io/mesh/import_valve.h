@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/closure/closure_options.h"
 #include "core/valve/valve.h"
 #include "io/mesh/mesh_file.h"
 
@@ -103,6 +104,8 @@ struct ImportOptions {
   /// Of the valve's tissue; none: that of Tissue, whatever thick leaflets measure, because segmentation thickens.
   std::optional<double> thickness_mm = {};
   bool thickness_measured = false;  ///< the mean of thick leaflets, instead of thickness_mm
+  /// Of the closure that chordae are drawn by; `cancelled` is asked in all long loops and, once true, must stay so.
+  ClosureBudget budget{};
 };
 
 /// Of a leaflet that came as a shell.
@@ -130,7 +133,7 @@ struct ImportedValve {
 };
 
 /// A valve that passes validate(). Every change made is appended to its provenance. Errors point
-/// into ImportSource ("/leaflets/0/faces") or ImportOptions ("/triangles"). Its members are named after
+/// into ImportSource ("/leaflets/0/faces") or ImportOptions ("/triangles"); Busy if it was cancelled. Its members are named after
 /// millimetres, which they become once the units are known.
 Expected<ImportedValve> import_with_decisions(ImportSource source, const ImportOptions& options);
 

@@ -24,7 +24,8 @@ JudgedState judged_state(const ImportSource& source, const ImportOptions& option
   if (!can_be_judged(source)) return {};
   double thickness_mm = Tissue{}.thickness_mm;
   for (const MeasuredThickness& of : thickness) thickness_mm = std::max(thickness_mm, of.mean_mm);
-  const StateSigns signs = imaged_state(source.leaflets, source.annulus_mm, thickness_mm);
+  const StateSigns signs =
+      imaged_state(source.leaflets, source.annulus_mm, thickness_mm, options.budget);
   const std::string seen = "they leave " + significant(100.0 * signs.uncovered_share, 2) +
                            " % of the annulus's area uncovered";
   const char* looks = signs.state == ImagedState::Closed       ? "closed"

@@ -18,12 +18,13 @@ struct Deviation {
 };
 
 /// Of the resampled vertices below the annulus from the sheets, where there is a sheet.
-Deviation deviation(const std::vector<TriangleMesh>& sheets, const Skirt& skirt) {
+Deviation deviation(const std::vector<TriangleMesh>& sheets, const Skirt& skirt,
+                    const ClosureBudget& budget) {
   const int first = skirt.stations, last = static_cast<int>(skirt.vertices_mm.rows());
   const int stride = 1 + (last - first) / kMaxSamples;
   Deviation found;
   int count = 0;
-  for (int v = first; v < last; v += stride) {
+  for (int v = first; v < last && !budget.is_cancelled(); v += stride) {
     if (skirt.interpolated[static_cast<std::size_t>(v % skirt.stations)]) continue;
     const double distance = distance_mm(sheets, skirt.vertices_mm.row(v));
     found.rms_mm += distance * distance;
@@ -68,9 +69,10 @@ std::vector<ImportDecision> closed_decisions(const Skirt& skirt, double hidden_m
 }
 
 std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Skirt& skirt,
-                                           const Valve& valve, bool own_tissue) {
+                                           const Valve& valve, bool own_tissue,
+                                           const ClosureBudget& budget) {
   const auto bare = std::count(skirt.interpolated.begin(), skirt.interpolated.end(), true);
-  const Deviation off = deviation(source.leaflets, skirt);
+  const Deviation off = deviation(source.leaflets, skirt, budget);
   double input_area = 0.0;
   for (const TriangleMesh& sheet : source.leaflets) input_area += area_mm2(sheet);
   const auto counted = [](auto number) { return std::to_string(number); };

@@ -9,8 +9,9 @@ namespace coapt {
 std::vector<ImportDecision> closed_decisions(const Skirt& skirt, double hidden_mm,
                                              const Valve& valve);
 
-/// Of the others. @param own_tissue it came with the source
+/// Of the others. @param own_tissue it came with the source. @param budget cancelled: the distance is that of some vertices
 std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Skirt& skirt,
-                                           const Valve& valve, bool own_tissue);
+                                           const Valve& valve, bool own_tissue,
+                                           const ClosureBudget& budget);
 
 }  // namespace coapt

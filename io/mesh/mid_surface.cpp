@@ -22,6 +22,7 @@ constexpr double kThickerThanMedian = 2.5;
 constexpr double kLeastOpposed = 0.5;  // share of the area
 constexpr int kVotes = 10;
 constexpr int kThicknessSmoothings = 3;
+constexpr Eigen::Index kRays = 64;  // between two looks at the budget
 
 using Neighbours = std::vector<std::vector<int>>;
 
@@ -99,7 +100,8 @@ struct Shell {
   double opposed_share = 0.0;  ///< of the area
 };
 
-Shell facing_itself(const TriangleMesh& input) {
+/// None of it opposed if the budget is cancelled.
+Shell facing_itself(const TriangleMesh& input, const ClosureBudget& budget) {
   Shell shell;
   shell.mesh = {smoothed(input, kSmoothings), input.faces};
   shell.gentle_mm = smoothed(input, gentle_pairs(input));
@@ -115,6 +117,7 @@ Shell facing_itself(const TriangleMesh& input) {
   const TriangleMesh gentle{shell.gentle_mm, shell.mesh.faces};
   std::vector<double> away(static_cast<std::size_t>(n)), lengths;
   for (Eigen::Index f = 0; f < n; ++f) {
+    if (f % kRays == 0 && budget.is_cancelled()) return shell;
     const Vec3 centre =
         shell.mesh.vertices_mm(shell.mesh.faces.row(f), Eigen::all).colwise().mean();
     const TreePoint hit = tree.first_hit(centre, -Vec3(shell.normals.row(f)), kThickest_mm,
@@ -243,13 +246,15 @@ double kept_area(const TriangleMesh& mesh, const std::vector<bool>& kept) {
 
 }  // namespace
 
-double opposed_share(const TriangleMesh& shell) { return facing_itself(shell).opposed_share; }
+double opposed_share(const TriangleMesh& shell, const ClosureBudget& budget) {
+  return facing_itself(shell, budget).opposed_share;
+}
 
-Expected<MidSurface> mid_surface(const TriangleMesh& input) {
+Expected<MidSurface> mid_surface(const TriangleMesh& input, const ClosureBudget& budget) {
   const Error unclear{ErrorCode::BadTopology, "/faces",
                       "is a closed surface whose two sides cannot be told; must be one sheet, or a "
                       "shell at most 8 mm thick"};
-  const Shell shell = facing_itself(input);
+  const Shell shell = facing_itself(input, budget);
   if (shell.opposed_share < kLeastOpposed) return unclear;
   const std::vector<int> colour = two_coloured(shell);
   const std::vector<bool> one = largest_piece(shell.mesh, colour, 1),
@@ -266,6 +271,7 @@ Expected<MidSurface> mid_surface(const TriangleMesh& input) {
   const double limit_mm = kThickerThanMedian * shell.thickness_mm;
   std::vector<double> thickness(static_cast<std::size_t>(side.vertices_mm.rows()));
   for (Eigen::Index v = 0; v < side.vertices_mm.rows(); ++v) {
+    if (v % kRays == 0 && budget.is_cancelled()) return unclear;
     const Vec3 from = side.vertices_mm.row(v);
     TreePoint hit = other.first_hit(from, -Vec3(normals.row(v)), limit_mm, counts);
     if (hit.face < 0) hit = other.nearest_within(from, limit_mm, counts);

@@ -14,6 +14,7 @@
 
 #include <vector>
 
+#include "core/closure/closure_options.h"
 #include "io/mesh/mesh_file.h"
 
 namespace coapt {
@@ -25,10 +26,11 @@ struct MidSurface {
   std::vector<double> thickness_mm;  ///< of each vertex of the sheet
 };
 
-/// Share of the area that has an opposite side: more than half of a thick leaflet's.
-double opposed_share(const TriangleMesh& shell);
+/// Share of the area that has an opposite side: more than half of a thick leaflet's. @param budget cancelled: 0
+double opposed_share(const TriangleMesh& shell, const ClosureBudget& budget = {});
 
-/// @param shell one piece, its faces turned alike (sheet_repair.h). Errors: a surface whose sides cannot be told.
-Expected<MidSurface> mid_surface(const TriangleMesh& shell);
+/// @param shell one piece, its faces turned alike (sheet_repair.h). Errors: a surface whose sides cannot be told, or were not in
+/// the budget.
+Expected<MidSurface> mid_surface(const TriangleMesh& shell, const ClosureBudget& budget = {});
 
 }  // namespace coapt

@@ -155,7 +155,7 @@ void fill(const std::vector<int>& loop, const Vec3& centre_mm, TriangleMesh& mes
     mesh.faces.row(f) << loop[(i + 1) % loop.size()], loop[i], centre;
 }
 
-Errors mend_holes(RepairedSheet& sheet, std::size_t outlines) {
+Errors mend_holes(RepairedSheet& sheet, std::size_t outlines, const ClosureBudget& budget) {
   const std::vector<std::vector<int>> loops = boundary_loops(sheet.mesh);
   Errors errors;
   for (std::size_t i = std::min(outlines, loops.size()); i < loops.size(); ++i) {
@@ -172,6 +172,7 @@ Errors mend_holes(RepairedSheet& sheet, std::size_t outlines) {
                             ") mm; holes of up to 6 mm are mended, a larger one must be filled "
                             "first, and a perforation cannot be represented"});
     } else if (hole.width_mm > kBridged_mm) {
+      if (budget.is_cancelled()) break;
       fill(loops[i], hole.centre_mm, sheet.mesh);
       hole.filled = true;
     }
@@ -286,7 +287,8 @@ std::vector<int> face_pieces(const Faces& faces) {
   return piece;
 }
 
-Expected<RepairedSheet> repaired_sheet(const TriangleMesh& mesh, std::size_t outlines) {
+Expected<RepairedSheet> repaired_sheet(const TriangleMesh& mesh, std::size_t outlines,
+                                       const ClosureBudget& budget) {
   RepairedSheet sheet;
   sheet.mesh = {mesh.vertices_mm, mesh.faces};
   sheet.welded = weld(sheet.mesh);
@@ -299,7 +301,7 @@ Expected<RepairedSheet> repaired_sheet(const TriangleMesh& mesh, std::size_t out
   if (sheet.collapsed > 0) sheet.mesh = part_of(sheet.mesh, whole);
   if (Errors errors = drop_islands(sheet); !errors.empty()) return errors;
   turn_alike(sheet);
-  if (Errors errors = mend_holes(sheet, outlines); !errors.empty()) return errors;
+  if (Errors errors = mend_holes(sheet, outlines, budget); !errors.empty()) return errors;
   return sheet;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/closure/closure_options.h"
 #include "io/mesh/mesh_file.h"
 
 namespace coapt {
@@ -52,7 +53,8 @@ std::vector<std::vector<int>> face_neighbours(const Faces& faces);
 std::vector<int> face_pieces(const Faces& faces);
 
 /// Indices must be in range, vertices finite. Pointers of errors are relative to the mesh: /faces.
-/// @param outlines loops that are no holes: 1 of a leaflet, 2 of a skirt.
-Expected<RepairedSheet> repaired_sheet(const TriangleMesh& mesh, std::size_t outlines);
+/// @param outlines loops that are no holes: 1 of a leaflet, 2 of a skirt. @param budget cancelled: holes stay as they are
+Expected<RepairedSheet> repaired_sheet(const TriangleMesh& mesh, std::size_t outlines,
+                                       const ClosureBudget& budget = {});
 
 }  // namespace coapt

@@ -114,10 +114,10 @@ struct Commissures {
 /// answer lies midway between that and the last cut that begins with the anterior one. Negative
 /// steps walk clockwise.
 std::optional<double> find_commissure(const FramedSource& source, const ArcLength& arc,
-                                      double step_mm) {
+                                      double step_mm, const ClosureBudget& budget) {
   const double front = arc.crossing_mm(true);
   int last = -1;
-  for (int i = 0; i < kScan; ++i) {
+  for (int i = 0; i < kScan && !budget.is_cancelled(); ++i) {
     const int sheet = cut_leaflets(source.leaflets, arc.at(front + i * step_mm)).sheet;
     if (sheet == 0) last = i;
     if (sheet != 1) continue;
@@ -134,7 +134,8 @@ Commissures given_commissures(const FramedSource& source, const ArcLength& arc) 
   return {medial, lateral + (lateral < medial ? arc.total_mm() : 0.0), false, true};
 }
 
-Expected<Commissures> find_commissures(const FramedSource& source, const ArcLength& arc) {
+Expected<Commissures> find_commissures(const FramedSource& source, const ArcLength& arc,
+                                       const ClosureBudget& budget) {
   const double total = arc.total_mm(), front = arc.crossing_mm(true);
   const GivenLandmarks& seen = source.landmarks;
   if (seen.posteromedial_commissure_mm && seen.anterolateral_commissure_mm) {
@@ -150,8 +151,8 @@ Expected<Commissures> find_commissures(const FramedSource& source, const ArcLeng
     const double half = 0.5 * kAnteriorArc * total;
     return Commissures{front - half, front + half};
   }
-  const std::optional<double> medial = find_commissure(source, arc, -total / kScan);
-  const std::optional<double> lateral = find_commissure(source, arc, total / kScan);
+  const std::optional<double> medial = find_commissure(source, arc, -total / kScan, budget);
+  const std::optional<double> lateral = find_commissure(source, arc, total / kScan, budget);
   if (medial && lateral) {
     const Commissures found{*medial + total, *lateral + total, true, false};
     const double anterior = found.lateral_mm - found.medial_mm;
@@ -223,15 +224,22 @@ void place_station(const std::vector<Profile>& profiles, const Vec3& annulus, in
 
 }  // namespace
 
-Expected<Skirt> resample_skirt(const FramedSource& source, int triangles,
-                               const ImagedLeaflets& imaged) {
+SkirtSize skirt_size(int triangles) {
+  SkirtSize size;
+  size.rows =
+      std::max(2, static_cast<int>(std::lround(std::sqrt(triangles / (2.0 * kStationsPerRow)))));
+  size.stations = 2 * std::max(6, static_cast<int>(std::lround(triangles / (4.0 * size.rows))));
+  return size;
+}
+
+Expected<Skirt> resample_skirt(const FramedSource& source, const SkirtSize& size,
+                               const ImagedLeaflets& imaged, const ClosureBudget& budget) {
   const ArcLength arc(source.annulus_mm);
-  const Expected<Commissures> commissures = find_commissures(source, arc);
+  const Expected<Commissures> commissures = find_commissures(source, arc, budget);
   if (!commissures) return commissures.errors();
   Skirt skirt;
-  skirt.rows =
-      std::max(2, static_cast<int>(std::lround(std::sqrt(triangles / (2.0 * kStationsPerRow)))));
-  skirt.stations = 2 * std::max(6, static_cast<int>(std::lround(triangles / (4.0 * skirt.rows))));
+  skirt.rows = size.rows;
+  skirt.stations = size.stations;
   skirt.spacing_mm = arc.total_mm() / skirt.stations;
   skirt.commissures_measured = commissures->measured;
   skirt.commissures_given = commissures->given;
@@ -245,6 +253,7 @@ Expected<Skirt> resample_skirt(const FramedSource& source, int triangles,
   skirt.hat_mm = hat_cuts(cuts) * skirt.spacing_mm / kCutsPerStation;
   std::vector<Profile> profiles;
   for (int i = 0; i < cuts; ++i) {
+    if (budget.is_cancelled()) return Error{ErrorCode::Busy, "", "was cancelled"};
     const double station = static_cast<double>(i) / kCutsPerStation;
     const Vec3 annulus = arc.at(arc_at(station));
     const std::size_t sheet = station * skirt.spacing_mm < anterior ? 0 : 1;

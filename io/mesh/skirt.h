@@ -30,9 +30,16 @@ struct ImagedLeaflets {
   double hidden_mm = 0.0;
 };
 
-/// About `triangles` triangles, 2 * stations * rows, with ten times as many stations as rows.
-/// Errors: sheets that leave more than a third of the annulus bare, or that do not meet twice.
-Expected<Skirt> resample_skirt(const FramedSource& source, int triangles,
-                               const ImagedLeaflets& imaged = {});
+struct SkirtSize {
+  int stations = 0, rows = 0;
+  int vertices() const { return (rows + 1) * stations; }
+};
+
+/// For about `triangles` triangles, 2 * stations * rows, with ten times as many stations as rows.
+SkirtSize skirt_size(int triangles);
+
+/// Errors: sheets that leave more than a third of the annulus bare, or that do not meet twice; any if the budget is cancelled.
+Expected<Skirt> resample_skirt(const FramedSource& source, const SkirtSize& size,
+                               const ImagedLeaflets& imaged = {}, const ClosureBudget& budget = {});
 
 }  // namespace coapt

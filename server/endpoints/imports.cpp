@@ -6,22 +6,19 @@
 #include "server/content_id.h"
 #include "server/endpoints/valves.h"
 #include "server/jobs/import_request.h"
+#include "server/request_closures.h"
 
 namespace coapt {
 namespace {
 
-/// What has come of the files, or why nothing.
-struct Made {
-  std::optional<ImportedValve> imported = {};
-  std::optional<Answer> refusal = {};
-};
-
-Made make_checked(const ImportRequest& asked, const ValveSource& valves) {
-  Expected<ImportedValve> done = make_import(asked);
-  if (!done) return {{}, problem(422, done.errors())};
-  if (const Errors errors = check_size(done->valve, valves.limits); !errors.empty())
-    return {{}, problem(422, errors)};
-  return {*std::move(done)};
+/// As a closure, it ends when its client has gone or its time is over. Errors: make_import()'s, and a valve that is too large.
+Expected<ImportedValve> make_checked(const ImportRequest& asked, const ServiceLimits& limits,
+                                     RequestClosures& closures) {
+  Expected<ImportedValve> done = make_import(asked, closures.budget());
+  if (!done && closures.cancelled()) throw RequestClosures::Unfinished{};
+  if (!done) return done;
+  if (Errors errors = check_size(done->valve, limits); !errors.empty()) return errors;
+  return done;
 }
 
 /// Numbers one after the other, to a millionth: what is looked at needs no more.
@@ -53,13 +50,14 @@ Answer ImportValve::operator()(const Request& request) const {
   ImportRequest asked;
   if (auto refused = read_body(valves, request.body, import_fields(asked)))
     return *std::move(refused);
-  if (const Errors errors = check_import(asked); !errors.empty()) return problem(422, errors);
-  const Compute::Turn turn(compute);
-  if (!turn) return too_busy();
-  const Made made = make_checked(asked, valves);
-  if (made.refusal) return *made.refusal;
-  return store_valve(store, valves.limits, made.imported->valve,
-                     {{"decisions", to_json(made.imported->decisions)}});
+  if (const Errors errors = check_import(asked, valves.limits); !errors.empty())
+    return problem(422, errors);
+  return answer_in_turn(compute, valves.limits, request, [&](RequestClosures& closures) {
+    const Expected<ImportedValve> made = make_checked(asked, valves.limits, closures);
+    if (!made) return problem(422, made.errors());
+    return store_valve(store, valves.limits, made->valve,
+                       {{"decisions", to_json(made->decisions)}});
+  });
 }
 
 Answer PostImports::operator()(const Request& request) const {
@@ -67,20 +65,24 @@ Answer PostImports::operator()(const Request& request) const {
   std::vector<JsonField> fields = import_fields(asked);
   fields.push_back(fit_field(asked));
   if (auto refused = read_body(submitting.valves, request.body, fields)) return *std::move(refused);
-  if (const Errors errors = check_import(asked); !errors.empty()) return problem(422, errors);
-  Made made;
-  {
-    const Compute::Turn turn(compute);
-    if (!turn) return too_busy();
-    made = make_checked(asked, submitting.valves);
-    if (made.refusal) return *made.refusal;
-    if (asked.fit)
-      if (const auto surface = fit_surface(asked, *made.imported); !surface)
-        return problem(422, surface.errors());
-  }
+  const ServiceLimits& limits = submitting.valves.limits;
+  if (const Errors errors = check_import(asked, limits); !errors.empty())
+    return problem(422, errors);
+  std::optional<Valve> valve;
+  const Answer refusal =
+      answer_in_turn(compute, limits, request, [&](RequestClosures& closures) -> Answer {
+        Expected<ImportedValve> made = make_checked(asked, limits, closures);
+        if (!made) return problem(422, made.errors());
+        if (asked.fit)
+          if (const auto surface = fit_surface(asked, *made); !surface)
+            return problem(422, surface.errors());
+        valve = std::move(made->valve);
+        return {};
+      });
+  if (!valve) return refusal;
   return submit(submitting, request,
                 {"import",
-                 made.imported->valve,
+                 *valve,
                  {{"files", content_id(request.body)}, {"fit", asked.fit.has_value()}},
                  request.body});
 }
@@ -90,11 +92,14 @@ Answer PreviewImport::operator()(const Request& request) const {
   const auto read = [](const JsonPlace& place) { return read_list(place, read_file); };
   if (auto refused = read_body(valves, request.body, {{"files", into(files, read)}}))
     return *std::move(refused);
-  const Compute::Turn turn(compute);
-  if (!turn) return too_busy();
-  Json list = Json::array();
-  for (const NamedFile& file : files) list.push_back(preview_json(file));
-  return json_answer(200, {{"files", std::move(list)}});
+  return answer_in_turn(compute, valves.limits, request, [&](RequestClosures& closures) {
+    Json list = Json::array();
+    for (const NamedFile& file : files) {
+      if (closures.cancelled()) throw RequestClosures::Unfinished{};
+      list.push_back(preview_json(file));
+    }
+    return json_answer(200, {{"files", std::move(list)}});
+  });
 }
 
 }  // namespace coapt

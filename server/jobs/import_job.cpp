@@ -116,7 +116,9 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
   if (const std::optional<JobEnd> end = begin(board, job, from ? from->closures : 0)) return end;
 
   job.note({.stage = "importing"});
-  Expected<ImportedValve> imported = make_import(*request);
+  const ClosureBudget budget{.cancelled = [&] { return board.stopping() || job.cancelled; }};
+  Expected<ImportedValve> imported = make_import(*request, budget);
+  if (!imported && budget.is_cancelled()) throw std::runtime_error(kJobStops);
   if (!imported) return failed(job, imported.errors());
   std::vector<JobFile> files = {
       {kImportPicture, "image/png", import_picture_png(*imported, imported->valve.name)}};

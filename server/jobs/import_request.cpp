@@ -3,6 +3,7 @@
 #include "core/valve/patient_frame.h"
 #include "io/exchange/slicerheart.h"
 #include "io/mesh/import_readers.h"
+#include "io/mesh/skirt.h"
 #include "io/mesh/source_units.h"
 #include "server/base64.h"
 
@@ -165,8 +166,14 @@ std::vector<JsonField> import_fields(ImportRequest& asked) {
 JsonField fit_field(ImportRequest& request) { return {"fit", into(request.fit, read_fit), false}; }
 
 /// Either all of one kind of files or all of the other; chordae that were seen, or a seed of those to be drawn.
-Errors check_import(const ImportRequest& asked) {
+Errors check_import(const ImportRequest& asked, const ServiceLimits& limits) {
   ProblemList problems;
+  if (const int vertices = skirt_size(asked.options.triangles).vertices();
+      vertices > limits.vertices)
+    problems.add(ErrorCode::OutOfRange, "/triangles",
+                 "is " + std::to_string(asked.options.triangles) + ", which takes " +
+                     std::to_string(vertices) + " vertices; this service takes at most " +
+                     std::to_string(limits.vertices));
   for (const auto& [given, path] : {std::pair(asked.leaflets.has_value(), "/leaflets"),
                                     {asked.labels.has_value(), "/labels"},
                                     {asked.annulus.has_value(), "/annulus"}})
@@ -201,7 +208,7 @@ Errors check_import(const ImportRequest& asked) {
   return std::move(problems).take();
 }
 
-Expected<ImportedValve> make_import(const ImportRequest& asked) {
+Expected<ImportedValve> make_import(const ImportRequest& asked, const ClosureBudget& budget) {
   Expected<ImportSource> source =
       asked.slicerheart
           ? read_slicerheart(*asked.slicerheart)
@@ -213,7 +220,9 @@ Expected<ImportedValve> make_import(const ImportRequest& asked) {
   source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),
                             asked.provenance.end());
   source->landmarks = asked.landmarks;
-  Expected<ImportedValve> done = import_with_decisions(*source, asked.options);
+  ImportOptions options = asked.options;
+  options.budget = budget;
+  Expected<ImportedValve> done = import_with_decisions(*std::move(source), options);
   if (done) return done;
   Errors errors = as_import_calls(done.errors());
   return asked.slicerheart ? below_folder(std::move(errors)) : errors;

@@ -9,6 +9,7 @@
 #include "io/exchange/import_files.h"
 #include "io/json/json_reader.h"
 #include "search/fit/fit.h"
+#include "server/limits.h"
 
 namespace coapt {
 
@@ -38,11 +39,11 @@ NamedFile read_file(const JsonPlace& place);
 std::vector<JsonField> import_fields(ImportRequest& request);
 JsonField fit_field(ImportRequest& request);
 
-/// What goes together and what does not.
-Errors check_import(const ImportRequest& request);
+/// What goes together and what does not, and whether the service takes a valve of so many triangles.
+Errors check_import(const ImportRequest& request, const ServiceLimits& limits);
 
-/// Pointers of errors are those of the request. @pre check_import() is empty.
-Expected<ImportedValve> make_import(const ImportRequest& request);
+/// Pointers of errors are those of the request; Busy if the budget was cancelled. @pre check_import() is empty.
+Expected<ImportedValve> make_import(const ImportRequest& request, const ClosureBudget& budget);
 
 /// The measured surface of request.fit in the valve's frame. Errors: "/fit/surface". @pre request.fit
 Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedValve& imported);

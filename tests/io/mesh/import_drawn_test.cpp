@@ -100,5 +100,22 @@ TEST(ImportDrawn, TipsAreReadFromATableThatNamesTheMuscle) {
   EXPECT_EQ(read_tips_csv("QQ,1,2,3\n").errors().front().path, "/tips/0/papillary");
 }
 
+TEST(ImportDrawn, ACancelledImportHasNoValveWhereverItWas) {
+  ImportOptions options = draws(1);
+  int asked = 0, last = 1 << 30;
+  options.budget.cancelled = [&] { return ++asked >= last; };
+  ASSERT_TRUE(import_with_decisions(unseen(), options));
+  const int asks = asked;
+  EXPECT_GT(asks, 1000) << "cuts, rays, steps of the closure";
+  for (const int stop : {1, asks / 2, asks - 200, asks - 10, asks}) {
+    asked = 0;
+    last = stop;
+    const Expected<ImportedValve> imported = import_with_decisions(unseen(), options);
+    ASSERT_FALSE(imported) << last;
+    EXPECT_EQ(imported.errors().front().code, ErrorCode::Busy) << last;
+    EXPECT_LT(asked, last + 10) << "goes on after " << last;
+  }
+}
+
 }  // namespace
 }  // namespace coapt

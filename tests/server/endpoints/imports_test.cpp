@@ -163,9 +163,62 @@ TEST_F(ImportsTest, EveryProblemIsTold) {
   EXPECT_EQ(refused(wrong), (Refused{422, {"/leaflets/0", "/annulus", "/triangles", "/slack"}}));
 }
 
-TEST_F(ImportsTest, AValveThatIsTooLargeIsRefused) {
-  limits_.vertices = 100;
-  EXPECT_EQ(refusal(post("/v1/valves:import", cone_request())), (Refused{422, {"/vertices_mm"}}));
+const std::vector<std::string> kMakers = {"/v1/valves:import", "/v1/imports"};
+
+TEST_F(ImportsTest, AValveThatIsTooLargeIsRefusedBeforeItIsMade) {
+  ordered_json request = cone_request();
+  limits_.vertices = 190;  // of 300 triangles: 38 stations, five to each
+  for (const std::string& path : kMakers) EXPECT_LT(post(path, request).status, 300) << path;
+  limits_.vertices = 189;
+  request["leaflets"][0]["text"] = "f 1 2 3";
+  for (const std::string& path : kMakers)
+    EXPECT_EQ(refusal(post(path, request)), (Refused{422, {"/triangles"}})) << "files are not read";
+  limits_.vertices = 5000;
+  limits_.chordae = 1;
+  for (const std::string& path : kMakers)
+    EXPECT_EQ(refusal(post(path, cone_request())), (Refused{422, {"/chordae"}})) << path;
+}
+
+TEST_F(ImportsTest, ChordaeThatTakeTooManyStepsToDrawAreRefused) {
+  limits_.vertex_steps = 1000.0;
+  for (const std::string& path : kMakers) {
+    const Answer answer = post(path, unseen_request());
+    EXPECT_EQ(answer.status, 422) << path;
+    EXPECT_NE(content_bytes(answer).find("more than 1000 steps times vertices"), std::string::npos);
+  }
+}
+
+TEST_F(ImportsTest, AnImportOutOfTimeIsRefused) {
+  limits_.request_seconds = 1e-9;
+  for (const std::string& path : kMakers)
+    for (const ordered_json& request : {cone_request(), unseen_request()}) {
+      const Answer answer = post(path, request);
+      EXPECT_EQ(answer.status, 503) << path;
+      EXPECT_NE(content_bytes(answer).find("coapt valve import"), std::string::npos) << path;
+    }
+  ordered_json files = ordered_json::array();
+  files.push_back(cone_request()["annulus"]);
+  EXPECT_EQ(post("/v1/imports:preview", {{"files", files}}).status, 503);
+  EXPECT_TRUE(json_of(get("/v1/valves"))["valves"].empty());
+  EXPECT_TRUE(json_of(get("/v1/jobs"))["jobs"].empty());
+}
+
+TEST_F(ImportsTest, AnImportEndsWithItsClient) {
+  limits_.vertex_steps = 1e12;
+  ordered_json body = unseen_request();
+  body["triangles"] = 9000;  // takes half a minute
+  Request request;
+  request.body = body.dump();
+  request.abandoned = [] { return true; };
+  ValveCache known;
+  const ValveSource valves{store(), limits_, known, parsing()};
+  EXPECT_EQ(ImportValve({store(), valves, compute()})(request).status, 503);
+}
+
+TEST_F(ImportsTest, WithoutATurnTheyAre503) {
+  const Compute::Turn other(compute());
+  for (const std::string& path : kMakers) EXPECT_EQ(post(path, cone_request()).status, 503) << path;
+  EXPECT_EQ(post("/v1/imports:preview", {{"files", ordered_json::array()}}).status, 503);
 }
 
 TEST_F(ImportsTest, LandmarksThatWereSeenAreTaken) {
@@ -318,6 +371,13 @@ TEST_F(ImportsTest, AFitGoesOnWhereItWasKept) {
     return result;
   };
   EXPECT_EQ(result_of(again), result_of(whole));
+}
+
+TEST_F(ImportsTest, AJobEndsWhileItsValveIsMade) {
+  post("/v1/imports", unseen_request());
+  const std::shared_ptr<RunningJob> job = board().take();
+  job->cancelled = job->cancel_asked = true;
+  EXPECT_THROW((ImportJob{board(), store(), limits_})(*job), std::runtime_error);
 }
 
 TEST_F(ImportsTest, WhatIsWrongWithAFitIsSaidAtOnce) {
