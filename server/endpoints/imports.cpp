@@ -11,6 +11,9 @@
 namespace coapt {
 namespace {
 
+constexpr std::size_t kMostFiles = 100;           // that are looked at in one request
+constexpr Eigen::Index kMostNumbers = 3'000'000;  // of their points and faces: 25 MB of answer
+
 /// As a closure, it ends when its client has gone or its time is over. Errors: make_import()'s, and a valve that is too large.
 Expected<ImportedValve> make_checked(const ImportRequest& asked, const ServiceLimits& limits,
                                      RequestClosures& closures) {
@@ -34,8 +37,19 @@ Json flat(const Rows& rows) {
   return list;
 }
 
-Json preview_json(const NamedFile& file) {
-  const FilePreview preview = preview_file(file);
+/// Takes what it shows off the numbers that are `left`; without them it is named alone.
+Json preview_json(const NamedFile& file, Eigen::Index& left) {
+  FilePreview preview = preview_file(file);
+  if (const Eigen::Index numbers = preview.points.size() + preview.faces.size(); numbers > left)
+    preview = {preview.content,
+               {},
+               {},
+               {},
+               {Error{ErrorCode::OutOfRange, "",
+                      "is not shown: it has " + std::to_string(preview.points.rows()) +
+                          " points and " + std::to_string(preview.faces.rows()) +
+                          " triangles, and the files of one request may have 1000000 together"}}};
+  left -= preview.points.size() + preview.faces.size();
   return {{"name", file.name},
           {"content", to_string(preview.content)},
           {"points", flat(preview.points)},
@@ -89,14 +103,22 @@ Answer PostImports::operator()(const Request& request) const {
 
 Answer PreviewImport::operator()(const Request& request) const {
   std::vector<NamedFile> files;
-  const auto read = [](const JsonPlace& place) { return read_list(place, read_file); };
+  const auto read = [](const JsonPlace& place) {
+    std::vector<NamedFile> list = read_list(place, read_file);
+    if (list.size() > kMostFiles)
+      add_problem(place, ErrorCode::OutOfRange,
+                  "has " + std::to_string(list.size()) + " files, must have at most " +
+                      std::to_string(kMostFiles));
+    return list;
+  };
   if (auto refused = read_body(valves, request.body, {{"files", into(files, read)}}))
     return *std::move(refused);
   return answer_in_turn(compute, valves.limits, request, [&](RequestClosures& closures) {
     Json list = Json::array();
+    Eigen::Index left = kMostNumbers;
     for (const NamedFile& file : files) {
       if (closures.cancelled()) throw RequestClosures::Unfinished{};
-      list.push_back(preview_json(file));
+      list.push_back(preview_json(file, left));
     }
     return json_answer(200, {{"files", std::move(list)}});
   });

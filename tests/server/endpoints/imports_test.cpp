@@ -260,6 +260,28 @@ TEST_F(ImportsTest, FilesAreLookedAtOneByOne) {
   EXPECT_FALSE(seen[4]["problems"].empty());
 }
 
+TEST_F(ImportsTest, WhatIsShownOfFilesIsBounded) {
+  std::string fan = "f 1", fans = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 499; ++i) fan += " 2 3";  // 997 triangles
+  for (int i = 0; i < 1004; ++i) fans += fan + '\n';
+  ordered_json files = ordered_json::array();
+  files.push_back(cone_request()["annulus"]);
+  files.push_back({{"name", "fans.obj"}, {"text", std::move(fans)}});
+  files.push_back(files[0]);
+  const ordered_json seen = json_of(post("/v1/imports:preview", {{"files", files}}))["files"];
+  ASSERT_EQ(seen.size(), 3u);
+  EXPECT_EQ(seen[1]["content"], "surface");
+  EXPECT_TRUE(seen[1]["points"].empty());
+  EXPECT_TRUE(seen[1]["faces"].empty());
+  EXPECT_NE(seen[1]["problems"][0]["message"].get<std::string>().find("1000988 triangles"),
+            std::string::npos);
+  EXPECT_FALSE(seen[0]["points"].empty());
+  EXPECT_EQ(seen[2], seen[0]) << "there is room for it";
+  ordered_json many = ordered_json::array();
+  for (int i = 0; i < 101; ++i) many.push_back({{"name", "a.obj"}, {"text", ""}});
+  EXPECT_EQ(refusal(post("/v1/imports:preview", {{"files", many}})), (Refused{422, {"/files"}}));
+}
+
 /// A job that waits, run as the server does.
 JobEnd run_import(const ServiceLimits& limits, JobStore& store, JobBoard& board) {
   const std::shared_ptr<RunningJob> job = board.take();

@@ -271,6 +271,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
 /// What is in a file, in a few words.
 function holds(file: FileLookedAt | null): string {
   if (!file) return ''
+  if (file.problems.length > 0) return 'cannot be shown'
   const points = file.points.length / 3
   switch (file.content) {
     case 'surface':
