@@ -46,7 +46,7 @@ test('an SVG has its size in millimetres, and words, scale bar, leak and notice 
   assert.match(drawing, /<svg[^>]* width="180mm" height="\d+\.\d\dmm"/)
   for (const words of [
     'human-functional-mr',
-    /Leak 46 ± \d+ mm²(, largest)? at [AP][1-3C]/,
+    /Leak 46 ± \d+ mm² at A2/,
     />10 mm</,
     />A2</,
     />41 mm²</,
