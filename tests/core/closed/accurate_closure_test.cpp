@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "core/presets/presets.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
 
 TEST(AccurateClosure, RefinesUntilTheLeakIsKnownSoWell) {
-  const Valve valve = *make_preset("human-functional-mr", 300);
+  const Valve& valve = small_preset("human-functional-mr");
   const ClosedValve coarse = close_and_measure(valve);
   const double wanted_mm2 = 0.6 * coarse.measure.error.leak_mm2;
   const Expected<AccurateClosure> accurate = close_within(valve, wanted_mm2, {});
@@ -23,7 +23,7 @@ TEST(AccurateClosure, RefinesUntilTheLeakIsKnownSoWell) {
 }
 
 TEST(AccurateClosure, WhatNoMeshKeepsIsAnErrorBeforeAnyFineClosure) {
-  const Valve valve = *make_preset("human-functional-mr", 300);
+  const Valve& valve = small_preset("human-functional-mr");
   for (const double wanted : {0.3, 1e-4, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     const Expected<AccurateClosure> accurate = close_within(valve, wanted, {}, 1000);
     ASSERT_FALSE(accurate) << wanted;

@@ -8,12 +8,13 @@
 #include "core/presets/presets.h"
 #include "core/valve/refine.h"
 #include "core/valve/remodel.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
 
 // A leaking valve on a mesh that closes in milliseconds.
-Valve leaking() { return *make_preset("human-functional-mr", 150); }
+Valve leaking() { return shared_preset("human-functional-mr", 150); }
 
 double rms_mm(const Points& a, const Points& b) {
   return std::sqrt((a - b).squaredNorm() / static_cast<double>(a.rows()));
@@ -96,7 +97,7 @@ TEST(MeshConvergence, StopsWhereAClosureDoesNotConverge) {
 }
 
 TEST(RefinedStart, IsTheSamePolyhedronAndLeadsToTheSameEndSooner) {
-  const Valve valve = *make_preset("human-functional-mr", 400), fine = *refine(valve);
+  const Valve &valve = shared_preset("human-functional-mr", 400), fine = *refine(valve);
   const ClosureResult coarse = close_valve(valve);
   const ClosureResult start = refined_start(valve, coarse);
   EXPECT_EQ(start.closed_mm.rows(), fine.rest_mm.rows());
@@ -117,7 +118,7 @@ TEST(RefinedStart, GuardsThePartsOfTheGuardedFaces) {
 
 TEST(Refine, PresetsCloseOnTheFinerMesh) {
   for (const std::string& name : preset_names()) {
-    const Valve fine = *refine(*make_preset(name));
+    const Valve fine = *refine(small_preset(name));
     const ClosureResult closed = close_valve(fine);
     EXPECT_EQ(closed.status, ClosureStatus::Converged) << name;
     EXPECT_FALSE(closed.crossing) << name;

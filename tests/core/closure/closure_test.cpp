@@ -9,12 +9,13 @@
 #include "core/closure/tauten.h"
 #include "core/presets/presets.h"
 #include "core/valve/validate.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
 namespace {
 
-Valve human(int triangles = 0) { return *make_preset("human-normal", triangles); }
+Valve human(int triangles = 200) { return shared_preset("human-normal", triangles); }
 
 /// Applies x -> R x to everything that has a place; `mirror` also restores the winding.
 Valve moved(Valve valve, const Eigen::Matrix3d& r, bool mirror) {
@@ -36,7 +37,7 @@ Valve moved(Valve valve, const Eigen::Matrix3d& r, bool mirror) {
 }
 
 TEST(Closure, OneThatStaysWithinItsBudgetHasTheSameBits) {
-  const Valve valve = human(150);
+  const Valve valve = human();
   for (const Method method : {Method::Fast, Method::Thesis}) {
     const ClosureResult plain = close_valve(valve, {.method = method});
     int asked = 0;
@@ -51,7 +52,7 @@ TEST(Closure, OneThatStaysWithinItsBudgetHasTheSameBits) {
 }
 
 TEST(Closure, OneThatSpendsItsBudgetEndsUnfinished) {
-  const Valve valve = human(150);
+  const Valve valve = human();
   for (const Method method : {Method::Fast, Method::Thesis}) {
     ClosureOptions options{.method = method};
     options.budget.vertex_steps = 100.0 * static_cast<double>(valve.rest_mm.rows());
@@ -67,7 +68,7 @@ TEST(Closure, OneThatSpendsItsBudgetEndsUnfinished) {
 TEST(Closure, OneThatIsCancelledEndsAtOnce) {
   ClosureOptions options;
   options.budget.cancelled = [] { return true; };
-  const ClosureResult closed = close_valve(human(150), options);
+  const ClosureResult closed = close_valve(human(), options);
   EXPECT_TRUE(closed.unfinished);
   EXPECT_LE(closed.steps, 20);
 }
@@ -138,7 +139,7 @@ TEST(Closure, OfTheTurnedOrMirroredValveMayDifferInSlackTissueOnlyWhenFast) {
 TEST(Closure, ClimbsTheWholeLadderBeforeItSaysThatItDidNotConverge) {
   ClosureOptions options;
   options.max_steps = 40;
-  const ClosureResult closed = close_valve(human(300), options);
+  const ClosureResult closed = close_valve(human(), options);
   EXPECT_EQ(closed.status, ClosureStatus::StepLimit);
   std::vector<std::string> tried;
   for (const ClosureAttempt& attempt : closed.attempts) {
@@ -163,7 +164,7 @@ TEST(Closure, FromItsOwnClosureStaysThere) {
 }
 
 TEST(Closure, TellsWhereThePointsOfARupturedChordaAre) {
-  Valve valve = human(300);
+  Valve valve = human();
   std::size_t c = 0;
   while (valve.chordae[c].segments.size() < 2) ++c;
   valve.chordae[c].ruptured = true;
@@ -186,7 +187,7 @@ TEST(Closure, TellsWhereThePointsOfARupturedChordaAre) {
 }
 
 TEST(Closure, StartsFromTheOpenStateIfTheNeighbourIsUnfit) {
-  const Valve valve = human(300);
+  const Valve valve = human();
   const ClosureResult cold = close_valve(valve);
   ClosureResult neighbour = cold;
   neighbour.status = ClosureStatus::StepLimit;
@@ -199,7 +200,7 @@ TEST(Closure, StartsFromTheOpenStateIfTheNeighbourIsUnfit) {
 }
 
 TEST(Closure, OfTheSameValveGivesTheSameBits) {
-  const Valve valve = human(300);
+  const Valve valve = human();
   const ClosureResult a = close_valve(valve), b = close_valve(valve);
   EXPECT_EQ(a.closed_mm, b.closed_mm);
   EXPECT_EQ(a.steps, b.steps);
@@ -207,7 +208,7 @@ TEST(Closure, OfTheSameValveGivesTheSameBits) {
 }
 
 TEST(Closure, KeepsAnnulusAndTipsWhereTheySitUnderPressure) {
-  Valve valve = human(300);
+  Valve valve = human();
   valve.annulus_mm.col(1) *= 0.9;
   const ClosureResult closed = close_valve(valve);
   for (std::size_t i = 0; i < valve.annulus.size(); ++i)
@@ -226,7 +227,7 @@ TEST(Closure, SamplesStayCloseOnceTheValveIsAtRest) {
 
 TEST(Closure, KeepsItsWayFromTheOpenToTheClosedStateWithoutAJumpAndWithoutChangingIt) {
   for (const char* name : {"human-normal", "porcine-1", "human-p2-prolapse"}) {
-    const Valve valve = *make_preset(name);
+    const Valve& valve = small_preset(name);
     const ClosureResult plain = close_valve(valve);
     const ClosureResult kept = close_valve(valve, {.motion = true});
     EXPECT_TRUE(plain.motion_mm.empty());
@@ -247,7 +248,7 @@ TEST(Closure, KeepsItsWayFromTheOpenToTheClosedStateWithoutAJumpAndWithoutChangi
 TEST(Closure, ThatRunsOutOfStepsSaysSo) {
   ClosureOptions options;
   options.max_steps = 100;
-  const ClosureResult closed = close_valve(human(300), options);
+  const ClosureResult closed = close_valve(human(), options);
   EXPECT_EQ(closed.status, ClosureStatus::StepLimit);
   EXPECT_GT(closed.residual, 0.01);
 }
@@ -256,7 +257,7 @@ TEST(Closure, ThatOverflowsIsDivergedAndNotAnAnswer) {
   ClosureOptions options;
   options.method = Method::Thesis;
   options.contact_pressure_mpa = std::numeric_limits<double>::max();
-  EXPECT_EQ(close_valve(human(300), options).status, ClosureStatus::Diverged);
+  EXPECT_EQ(close_valve(human(), options).status, ClosureStatus::Diverged);
 }
 
 TEST(Closure, WithContactTooSoftIsCaughtCrossing) {
@@ -267,7 +268,7 @@ TEST(Closure, WithContactTooSoftIsCaughtCrossing) {
 
 TEST(Closure, WithEdgeContactLeavesOutTheAttemptWithout) {
   for (const Method method : {Method::Fast, Method::Thesis}) {
-    const ClosureResult closed = close_valve(human(300), {.method = method, .edge_contact = true});
+    const ClosureResult closed = close_valve(human(), {.method = method, .edge_contact = true});
     EXPECT_EQ(closed.status, ClosureStatus::Converged);
     EXPECT_NE(closed.attempts.front().how.find("edge contact"), std::string::npos);
     EXPECT_EQ(closed.method, method);
@@ -276,7 +277,7 @@ TEST(Closure, WithEdgeContactLeavesOutTheAttemptWithout) {
 }
 
 TEST(Closure, HardlyChangesIfTheAnteriorLeafletCannotTouchItself) {
-  const Valve valve = human();
+  const Valve valve = human(650);
   const Points apart = close_valve(valve).closed_mm -
                        close_valve(valve, {.self_contact = SelfContact::NotAnterior}).closed_mm;
   EXPECT_GT(apart.norm(), 0.0);

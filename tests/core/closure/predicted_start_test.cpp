@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/closure/closure.h"
-#include "core/presets/presets.h"
 #include "core/valve/remodel.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -116,7 +116,7 @@ Valve displaced(const Valve& valve, double apical_mm) {
 }
 
 TEST(PredictedStart, LeadsToTheSameEndInFewerStepsThanOneNeighbour) {
-  const Valve valve = *make_preset("human-normal", 300);
+  const Valve& valve = small_preset("human-normal");
   const Valve wanted = displaced(valve, 0.5);
   const ClosureResult near = close_valve(valve),
                       far = close_valve(displaced(valve, 1.0), {}, &near);

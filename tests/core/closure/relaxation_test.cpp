@@ -7,8 +7,8 @@
 #include "core/closure/closure.h"
 #include "core/closure/contact_pairs.h"
 #include "core/closure/relaxation_model.h"
-#include "core/presets/presets.h"
 #include "tests/core/closure/kernel_pulls.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -41,7 +41,7 @@ Points half_closed(const ClosureModel& model) {
 
 /// A preset's model with either membrane.
 std::vector<ClosureModel> models(const std::string& preset) {
-  const Valve valve = *make_preset(preset, 300);
+  const Valve& valve = small_preset(preset);
   return {make_closure_model(valve, Membrane::Springs),
           make_closure_model(valve, Membrane::Continuum)};
 }
@@ -65,7 +65,7 @@ TEST(Relaxation, GivesTheSameBitsOnEveryInstructionSet) {
 }
 
 void expect_to_stay_where_thesis_came_to_rest(Membrane membrane) {
-  const Valve valve = *make_preset("human-normal", 300);
+  const Valve& valve = small_preset("human-normal");
   ClosureOptions options;
   options.method = Method::Thesis;
   options.membrane = membrane;
@@ -142,7 +142,7 @@ std::vector<double> added_rows(const std::vector<Element>& elements, const Point
 
 /// Half closed, without chordae and pressure.
 ClosureModel leaflets_alone(Points& x) {
-  ClosureModel model = make_closure_model(*make_preset("human-normal", 300), Membrane::Continuum);
+  ClosureModel model = make_closure_model(small_preset("human-normal"), Membrane::Continuum);
   x = half_closed(model);
   model.cables.clear();
   model.pressure_mpa = 0.0;
@@ -180,7 +180,7 @@ TEST(PullFaces, PressLikeThePlainPressure) {
 }
 
 TEST(ContactPairs, PushLikeThePlainContact) {
-  const ClosureModel model = make_closure_model(*make_preset("porcine-5"));
+  const ClosureModel model = make_closure_model(small_preset("porcine-5"));
   const Points x = half_closed(model);
   const RelaxationModel<double> laid = make_relaxation_model<double>(model);
   const std::vector<Quad<double>> at = kernel_points(laid, x);

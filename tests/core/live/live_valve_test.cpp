@@ -11,9 +11,9 @@
 #include "core/closure/prepared_valve.h"
 #include "core/closure/residual.h"
 #include "core/closure/self_contact.h"
-#include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
 #include "search/random_share.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -80,12 +80,12 @@ void random_pull(LiveValve& live, int kind, std::mt19937_64& engine, const Shown
 TEST(LiveValve, LetGoEndsInTheColdClosureAndNeverShowsACrossing) {
   std::mt19937_64 engine(1);
   for (const char* name : {"human-p2-prolapse", "marfan", "porcine-2", "secondary-mr"}) {
-    const Valve valve = *make_preset(name);
+    const Valve& valve = small_preset(name);
     const Points cold = cold_mm(valve);
     LiveValve live(valve, kSystole_mmhg);
     ASSERT_TRUE(settle(live)) << name;
     const Points fresh = leaflets_mm(live);
-    for (int pull = 0; pull < 5; ++pull) {
+    for (int pull = 0; pull < 3; ++pull) {
       const auto uncrossed = [&] {
         ASSERT_TRUE(crossing_pairs(valve.faces, leaflets_mm(live)).empty()) << name << pull;
       };
@@ -100,7 +100,7 @@ TEST(LiveValve, LetGoEndsInTheColdClosureAndNeverShowsACrossing) {
 }
 
 TEST(LiveValve, TheSameCallsGiveTheSameBits) {
-  const Valve valve = *make_preset("human-p2-prolapse");
+  const Valve& valve = small_preset("human-p2-prolapse");
   const auto end = [&] {
     std::mt19937_64 engine(7);
     LiveValve live(valve, kSystole_mmhg);
@@ -114,7 +114,7 @@ TEST(LiveValve, TheSameCallsGiveTheSameBits) {
 }
 
 TEST(LiveValve, PressureToZeroAndBackClosesItAgain) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   LiveValve live(valve, kSystole_mmhg);
   ASSERT_TRUE(settle(live));
   const Points closed = leaflets_mm(live);
@@ -129,7 +129,7 @@ TEST(LiveValve, PressureToZeroAndBackClosesItAgain) {
 }
 
 TEST(LiveValve, AChangeKeepsLeafletsWhereTheyAreAndEndsInTheChangedValvesColdClosure) {
-  const Valve valve = *make_preset("human-functional-mr");
+  const Valve& valve = small_preset("human-functional-mr");
   const RepairStep ring = Annuloplasty{CatalogueRing{"generic-classic", 32.0}};
   const RepairStep shorter = ChordalLengthChange{valve.chordae.front().id, -2.0};
   for (const RepairStep& step : {ring, shorter}) {
@@ -148,7 +148,7 @@ TEST(LiveValve, AChangeKeepsLeafletsWhereTheyAreAndEndsInTheChangedValvesColdClo
 TEST(LiveValve, AnotherMeshLetsGoAndBeginsAnew) {
   LiveValve live(small_valve());
   live.grab(0, 20);
-  const Valve other = *make_preset("human-normal");
+  const Valve& other = small_preset("human-normal");
   live.change(other);
   EXPECT_FALSE(live.hook(0).has_value());
   EXPECT_EQ(live.vertices(), other.rest_mm.rows());
@@ -156,7 +156,7 @@ TEST(LiveValve, AnotherMeshLetsGoAndBeginsAnew) {
 
 TEST(LiveValve, AConstantPullBalancesTheTissue) {
   for (const double pressure_mmhg : {0.0, kSystole_mmhg}) {
-    const Valve valve = *make_preset("human-normal");
+    const Valve& valve = small_preset("human-normal");
     LiveValve live(valve, pressure_mmhg);
     settle(live);
     const int vertex = lowest_vertex(live);
@@ -183,7 +183,7 @@ TEST(LiveValve, AConstantPullBalancesTheTissue) {
 }
 
 TEST(LiveValve, AHookPullsNoHarderThanItsLimit) {
-  LiveValve live(*make_preset("human-normal"), kSystole_mmhg);
+  LiveValve live(small_preset("human-normal"), kSystole_mmhg);
   ASSERT_TRUE(settle(live));
   live.grab(0, 5);
   EXPECT_EQ(live.force_n(0).norm(), 0.0);

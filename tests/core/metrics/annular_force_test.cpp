@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/closure/closure.h"
-#include "core/presets/presets.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -16,7 +16,7 @@ Vec3 sum(const std::vector<Vec3>& forces) {
 }
 
 TEST(AnnularForce, AnnulusAndMusclesTakeThePressure) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   ClosureOptions options;
   options.residual_tolerance = 0.001;
   const ClosureResult closure = close_valve(valve, options);

@@ -7,7 +7,7 @@
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
-#include "core/presets/presets.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -40,7 +40,7 @@ TEST(AreaError, OfWhatIsNotKnownIsNotKnown) {
 }
 
 TEST(AreaError, OfAClosureIsThatOfItsMeshAndTolerances) {
-  const Valve valve = *make_preset("human-functional-mr");
+  const Valve& valve = small_preset("human-functional-mr");
   ClosureOptions options;
   options.residual_tolerance = 0.1;
   options.way_tolerance_mm = 0.4;

@@ -12,6 +12,7 @@
 #include "core/metrics/silhouette.h"
 #include "core/presets/presets.h"
 #include "core/valve/remodel.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -46,16 +47,14 @@ TEST(OpeningsAgreement, OfClippingAndSweepingOnEveryPresetAndDisplacedVariants) 
   std::uniform_real_distribution<double> share(0.0, 1.0);
   int sealed = 0, leaking = 0;
   for (const std::string& name : preset_names()) {
-    const Expected<Valve> preset = make_preset(name);
-    ASSERT_TRUE(preset);
-    for (int variant = 0; variant < 3; ++variant) {
+    for (int variant = 0; variant < 2; ++variant) {
       Remodelling change;
       if (variant > 0) {
         change.ap_dilation_percent = 30.0 * share(random);
         for (Vec3* tip_mm : {&change.anterolateral_mm, &change.posteromedial_mm})
           for (double& coordinate : *tip_mm) coordinate = 6.0 / std::numbers::sqrt3 * share(random);
       }
-      const Expected<Valve> valve = remodel(*preset, change);
+      const Expected<Valve> valve = remodel(small_preset(name), change);
       ASSERT_TRUE(valve);
       SCOPED_TRACE(name + " " + std::to_string(variant));
       const Points closed_mm = close_valve(*valve).closed_mm;

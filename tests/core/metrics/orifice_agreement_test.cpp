@@ -10,6 +10,7 @@
 #include "core/presets/presets.h"
 #include "core/valve/remodel.h"
 #include "tests/core/metrics/orifice_scene.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -48,20 +49,18 @@ TEST(OrificeAgreement, OfImageAndExactAreaOnEveryPresetAndDisplacedVariants) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   for (const std::string& name : preset_names()) {
-    const Expected<Valve> preset = make_preset(name);
-    ASSERT_TRUE(preset);
-    for (int variant = 0; variant < 4; ++variant) {
+    for (int variant = 0; variant < 2; ++variant) {
       Remodelling change;
       if (variant > 0) {
         change.ap_dilation_percent = 30.0 * share(random);
         for (Vec3* tip_mm : {&change.anterolateral_mm, &change.posteromedial_mm})
           for (double& coordinate : *tip_mm) coordinate = 6.0 / std::numbers::sqrt3 * share(random);
       }
-      const Expected<Valve> valve = remodel(*preset, change);
+      const Expected<Valve> valve = remodel(small_preset(name), change);
       ASSERT_TRUE(valve);
       SCOPED_TRACE(name + " " + std::to_string(variant));
       const ClosureResult closed = close_valve(*valve);
-      expect_agreement(*valve, closed.closed_mm, {800, 600});
+      expect_agreement(*valve, closed.closed_mm, {400, 300});
       expect_agreement(*valve, closed.closed_mm, {200, 150});
     }
   }

@@ -55,7 +55,7 @@ TEST(RigidFit, IsNotPulledByWhatLiesBeyondTheEdgeOfTheSurface) {
 }
 
 TEST(RigidFit, FindsAMeshThatComesFromAnotherFrame) {
-  const LeafletMesh mesh = bowl();
+  const LeafletMesh mesh = bowl({-15.0, 15.0, -10.0, 10.0, 15, 10});
   for (const double angle_deg : {90.0, 120.0, 180.0}) {
     const RigidMotion away = motion_of(angle_deg, {0.5, -0.2, 1.0}, {100.0, 250.0, -80.0});
     const LeafletMesh there = moved(mesh, away);

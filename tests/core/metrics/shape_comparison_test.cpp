@@ -66,7 +66,7 @@ TEST(ShapeComparison, CountsNodesBeyondTheEdgeOfTheReferenceAndSaysHowMany) {
 }
 
 TEST(ShapeComparison, OfOneShapeOnTwoMeshesInTwoFramesIsTheMeshesOwnError) {
-  const LeafletMesh fine = bowl({-15.0, 15.0, -10.0, 10.0, 120, 80});
+  const LeafletMesh fine = bowl({-15.0, 15.0, -10.0, 10.0, 60, 40});
   const LeafletMesh coarse = moved(bowl(), motion_of(100.0, {0.2, 0.4, 1.0}, {60.0, -20.0, 15.0}));
   const ShapeComparison comparison = compare_shapes(coarse, fine);
   EXPECT_FALSE(comparison.node_to_node);

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/metrics/annulus.h"
-#include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -16,7 +16,7 @@ double tip_distance_mm(const Valve& valve) {
 }
 
 TEST(Diastole, AnnulusHasTheAreaThatContractionTookAwayAndKeepsItsHeight) {
-  Valve valve = *make_preset("human-normal");
+  Valve valve = small_preset("human-normal");
   valve.systole = {0.36, 0.0};
   const Valve open = *in_diastole(valve);
   const AnnulusMeasure systole = measure_annulus(valve), diastole = measure_annulus(open);
@@ -27,7 +27,7 @@ TEST(Diastole, AnnulusHasTheAreaThatContractionTookAwayAndKeepsItsHeight) {
 }
 
 TEST(Diastole, TipsAreFurtherApartAboutTheSameMiddle) {
-  Valve valve = *make_preset("human-normal");
+  Valve valve = small_preset("human-normal");
   valve.systole = {0.0, 0.25};
   const Valve open = *in_diastole(valve);
   EXPECT_NEAR(tip_distance_mm(open), tip_distance_mm(valve) / 0.75, 1e-9);
@@ -40,7 +40,7 @@ TEST(Diastole, TipsAreFurtherApartAboutTheSameMiddle) {
 }
 
 TEST(Diastole, ARingHoldsTheAnnulus) {
-  const Valve valve = *make_preset("human-functional-mr");
+  const Valve& valve = small_preset("human-functional-mr");
   EXPECT_GT(valve.systole.annular_contraction, 0.0);
   const Valve ringed = *apply_plan(valve, {{Annuloplasty{CatalogueRing{"generic-classic", 28.0}}}});
   const Valve open = *in_diastole(ringed);

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -28,7 +28,7 @@ TEST(Gorlin, GradientOfTwoSquareCentimetresIsWorkedOutByHand) {
 }
 
 TEST(OpenValve, AHealthyValveOpensAsWideAsMeasured) {
-  const OpeningMeasure measure = opened(*make_preset("human-normal")).measure;
+  const OpeningMeasure measure = opened(small_preset("human-normal")).measure;
   EXPECT_NEAR(measure.projected_area_mm2, 470.0, 60.0);  // 4.7 +- 0.6 cm2, Kubota 2010
   EXPECT_GT(measure.opening_area_mm2, measure.projected_area_mm2);
   EXPECT_LT(measure.opening_area_mm2, measure.annulus_area_mm2);
@@ -37,7 +37,7 @@ TEST(OpenValve, AHealthyValveOpensAsWideAsMeasured) {
 }
 
 TEST(OpenValve, ASmallerRingOpensLessAndATetheredValveLessBehindTheSameRing) {
-  const Valve normal = *make_preset("human-normal"), tethered = *make_preset("secondary-mr");
+  const Valve &normal = small_preset("human-normal"), &tethered = small_preset("secondary-mr");
   double before = 0.0;
   for (const double size_mm : {24.0, 28.0, 32.0}) {
     const OpeningMeasure measure = opened(ringed(tethered, size_mm)).measure;
@@ -50,14 +50,14 @@ TEST(OpenValve, ASmallerRingOpensLessAndATetheredValveLessBehindTheSameRing) {
 }
 
 TEST(OpenValve, AClipLeavesTwoOpeningsThatAreSmallerTogether) {
-  const Valve valve = *make_preset("human-p2-prolapse");
+  const Valve& valve = small_preset("human-p2-prolapse");
   const Valve clipped = *apply_plan(valve, {{EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}}});
   EXPECT_LT(opened(clipped).measure.projected_area_mm2,
             0.8 * opened(valve).measure.projected_area_mm2);
 }
 
 TEST(OpenValve, WhatIsOutOfRangeIsNamed) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   OpeningOptions options;
   options.pressure_mmhg = 0.5;
   options.flow_ml_s = std::nan("");

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "core/closure/closure.h"
 #include "core/closure/tauten.h"
 #include "core/metrics/measure.h"
 #include "core/valve/leaflet_point.h"
 #include "core/valve/remodel.h"
 #include "core/valve/validate.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -15,7 +18,7 @@ namespace {
 class HealthyPreset : public testing::TestWithParam<const char*> {};
 
 TEST_P(HealthyPreset, IsCompetentTouchesAtNineSectionsAndDoesNotCross) {
-  const Valve valve = *make_preset(GetParam());
+  const Valve& valve = shared_preset(GetParam());
   EXPECT_TRUE(validate(valve).empty());
   const ClosureResult closed = close_valve(valve);
   EXPECT_EQ(closed.status, ClosureStatus::Converged);
@@ -37,7 +40,7 @@ TEST(Preset, OfEveryNameIsAValidValveWithTheDiametersOfItsTable) {
     EXPECT_TRUE(validate(*valve).empty()) << name;
     EXPECT_EQ(valve->name, name);
   }
-  const Valve porcine = *make_preset("porcine-3");
+  const Valve& porcine = shared_preset("porcine-3");
   const AnnulusMeasure annulus = measure(porcine, close_valve(porcine)).annulus;
   EXPECT_NEAR(annulus.ap_mm, 25.9, 0.2);
   EXPECT_NEAR(annulus.al_pm_mm, 41.3, 0.3);
@@ -51,7 +54,7 @@ TEST(Preset, OfAnUnknownNameNamesTheKnownOnes) {
 }
 
 TEST(Preset, HasTheSameChordaeLengthsAtEveryResolution) {
-  const Valve coarse = *make_preset("porcine-1", 650), fine = *make_preset("porcine-1", 2600);
+  const Valve &coarse = shared_preset("porcine-1", 650), &fine = shared_preset("porcine-1", 2600);
   EXPECT_NEAR(static_cast<double>(fine.faces.rows()), 2600.0, 130.0);
   ASSERT_EQ(coarse.chordae.size(), fine.chordae.size());
   for (std::size_t c = 0; c < coarse.chordae.size(); ++c)
@@ -63,19 +66,22 @@ TEST(Preset, HasTheSameChordaeLengthsAtEveryResolution) {
 TEST(Preset, OfAProlapseHasTwoRupturedChordae) {
   for (const int triangles : {0, 1000, 2000}) {
     std::vector<std::string> ruptured;
-    const Valve valve = *make_preset("human-p2-prolapse", triangles);
+    const Valve& valve = shared_preset("human-p2-prolapse", triangles);
     for (const Chorda& chorda : valve.chordae)
       if (chorda.ruptured) ruptured.push_back(chorda.id);
     EXPECT_EQ(ruptured, (std::vector<std::string>{"AL3-P2-marginal-5", "PM3-P2-marginal-5"}));
   }
 }
 
-ValveMeasure closed_preset(const std::string& name) {
-  const Valve valve = *make_preset(name);
+const ValveMeasure& closed_preset(const std::string& name) {
+  static std::map<std::string, ValveMeasure> known;
+  const auto found = known.find(name);
+  if (found != known.end()) return found->second;
+  const Valve& valve = shared_preset(name);
   const ClosureResult closed = close_valve(valve);
   EXPECT_EQ(closed.status, ClosureStatus::Converged) << name;
   EXPECT_FALSE(closed.crossing) << name;
-  return measure(valve, closed);
+  return known.emplace(name, measure(valve, closed)).first->second;
 }
 
 TEST(Preset, OfADiseaseHasTheAnnulusOfItsSourceAndItsLeak) {
@@ -90,7 +96,7 @@ TEST(Preset, OfADiseaseHasTheAnnulusOfItsSourceAndItsLeak) {
         Disease{"marfan", 1.05 * 1.05 * 1.15, 10.0, 60.0},
         Disease{"secondary-mr", 802.0 / 608.0, 15.0, 60.0},
         Disease{"hypertrophic", 1.0, 0.0, 1.0}}) {
-    const ValveMeasure measured = closed_preset(name);
+    const ValveMeasure& measured = closed_preset(name);
     EXPECT_NEAR(measured.annulus.area_mm2 / normal, area, 0.02) << name;
     EXPECT_GE(leak_mm2(measured), least_mm2) << name;
     EXPECT_LE(leak_mm2(measured), most_mm2) << name;
@@ -107,7 +113,7 @@ TEST(Preset, OfDegenerativeDiseaseBillowsAndOneOfSecondaryRegurgitationTents) {
 TEST(Preset, OfHypertrophicDiseaseHasTheLeafletsOfItsSource) {
   const auto height = [](const char* name, Leaflet leaflet) {
     // Of the middle of the leaflet: from annulus to free edge along a column of the skirt.
-    const Valve valve = *make_preset(name);
+    const Valve& valve = shared_preset(name);
     const LeafletCoordinates coordinates = leaflet_coordinates(valve);
     double sum = 0.0;
     Vec3 last = Vec3::Zero();
@@ -127,7 +133,7 @@ TEST(Preset, OfHypertrophicDiseaseHasTheLeafletsOfItsSource) {
 }
 
 TEST(Preset, LeaksMoreTheFurtherTheAnnulusDilatesOrTheTipsDescend) {
-  const Valve valve = *make_preset("porcine-1");
+  const Valve& valve = shared_preset("porcine-1");
   const auto orifice = [&](const Remodelling& change) {
     const Valve changed = *remodel(valve, change);
     return measure(changed, close_valve(changed)).orifice.area_mm2;

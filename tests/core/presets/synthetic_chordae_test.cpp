@@ -4,13 +4,13 @@
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
-#include "core/presets/presets.h"
 #include "core/valve/validate.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
 
-Valve human() { return *make_preset("human-normal", 400); }
+Valve human() { return shared_preset("human-normal", 400); }
 const Points kUnseen = Points(0, 3);
 
 TEST(SyntheticChordae, TheSameSeedGivesTheSameValveAndAnotherAnother) {

@@ -6,10 +6,10 @@
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
-#include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
 #include "core/valve/refine.h"
 #include "core/valve/validate.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -26,7 +26,7 @@ double distance_mm(const Valve& valve, const Tie& tie, const Points& points) {
 }
 
 TEST(EdgeToEdge, AStitchOfFourMillimetresIsThreeTiesTwoMillimetresApart) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const Valve stitched = repaired(valve, {EdgeDevice::Stitch, 0.5, 4.0});
   ASSERT_EQ(stitched.ties.size(), 3u);
   EXPECT_EQ(stitched.ties[0].id, "edge-to-edge-1-1");
@@ -46,7 +46,7 @@ TEST(EdgeToEdge, AStitchOfFourMillimetresIsThreeTiesTwoMillimetresApart) {
 
 TEST(EdgeToEdge, HoldsTheEdgesTogetherInTheClosedValve) {
   for (const char* name : {"human-p2-prolapse", "fibroelastic-flail", "secondary-mr"}) {
-    const Valve valve = *make_preset(name);
+    const Valve& valve = small_preset(name);
     const ClosureResult before = close_valve(valve);
     for (const EdgeDevice device : {EdgeDevice::Stitch, EdgeDevice::Clip}) {
       const Valve held = repaired(valve, {device, 0.5, 6.0});
@@ -67,7 +67,7 @@ TEST(EdgeToEdge, HoldsTheEdgesTogetherInTheClosedValve) {
 }
 
 TEST(EdgeToEdge, BothMethodsGiveTheSameClosedValve) {
-  const Valve held = repaired(*make_preset("human-p2-prolapse"), {EdgeDevice::Stitch, 0.5, 4.0});
+  const Valve held = repaired(small_preset("human-p2-prolapse"), {EdgeDevice::Stitch, 0.5, 4.0});
   ClosureOptions thesis;
   thesis.method = Method::Thesis;
   const double fast = leak_mm2(measure(held, close_valve(held)));
@@ -75,7 +75,7 @@ TEST(EdgeToEdge, BothMethodsGiveTheSameClosedValve) {
 }
 
 TEST(EdgeToEdge, IsTheSameInAnyOrderOfStepsAndOnAFinerMesh) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const EdgeToEdge lateral{EdgeDevice::Stitch, 0.3, 3.0}, medial{EdgeDevice::Clip, 0.7, 5.0};
   const Valve one = *apply_plan(valve, {{lateral, medial}}),
               other = *apply_plan(valve, {{medial, lateral}});
@@ -89,7 +89,7 @@ TEST(EdgeToEdge, IsTheSameInAnyOrderOfStepsAndOnAFinerMesh) {
 }
 
 TEST(EdgeToEdge, WhatIsOutOfRangeIsRefused) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const auto paths = [&](const EdgeToEdge& step) {
     const Expected<Valve> made = apply_plan(valve, {{step}});
     std::vector<std::string> all;
@@ -103,7 +103,7 @@ TEST(EdgeToEdge, WhatIsOutOfRangeIsRefused) {
 }
 
 TEST(Ties, ThatAreNoneAreNamed) {
-  Valve valve = repaired(*make_preset("human-normal"), {EdgeDevice::Stitch, 0.5, 4.0});
+  Valve valve = repaired(small_preset("human-normal"), {EdgeDevice::Stitch, 0.5, 4.0});
   valve.ties[0].anterior.face = -1;
   valve.ties[1].rest_length_mm = 0.0;
   valve.ties[2].id = valve.ties[1].id;

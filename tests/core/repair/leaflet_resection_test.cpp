@@ -7,11 +7,11 @@
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
-#include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
 #include "core/repair/leaflet_cut.h"
 #include "core/repair/sewn_shape.h"
 #include "core/valve/refine.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -75,7 +75,7 @@ TEST(SewnShape, AStripTwoLongWhoseMiddleEdgeHalvesIsOneAndAHalfLong) {
 }
 
 TEST(LeafletCut, ATriangleIsAsWideAsItsHeightLeaves) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const LeafletCut cut(triangle(10.0, 0.8), leaflet_coordinates(valve), valve);
   EXPECT_DOUBLE_EQ(cut.width_mm(1.0), 10.0);
   EXPECT_DOUBLE_EQ(cut.width_mm(0.6), 5.0);
@@ -84,7 +84,7 @@ TEST(LeafletCut, ATriangleIsAsWideAsItsHeightLeaves) {
 }
 
 TEST(LeafletCut, TissueAndPlaceAreInversesOutsideTheCut) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const LeafletCut cut(strip(12.0), leaflet_coordinates(valve), valve);
   for (const double along : {0.1, 0.3, 0.49, 0.5})
     EXPECT_NEAR(cut.place_of(cut.tissue_at(along, 0.5, -1), 0.5), along, 1e-12);
@@ -97,9 +97,8 @@ TEST(LeafletCut, TissueAndPlaceAreInversesOutsideTheCut) {
 }
 
 /// Of the faces of a much finer mesh whose middles are cut out.
-double counted_mm2(const Valve& valve, const LeafletResection& step) {
-  const Valve fine = *refine(*refine(valve));
-  const LeafletCoordinates coordinates = leaflet_coordinates(fine);
+double counted_mm2(const Valve& fine, const LeafletCoordinates& coordinates,
+                   const LeafletResection& step) {
   const LeafletCut cut(step, coordinates, fine);
   Valve taken = fine;
   Index count = 0;
@@ -114,9 +113,10 @@ double counted_mm2(const Valve& valve, const LeafletResection& step) {
 
 TEST(LeafletResection, TakesTheAreaThatIsCounted) {
   for (const char* name : {"human-normal", "fibroelastic-flail", "barlow"}) {
-    const Valve valve = *make_preset(name);
+    const Valve &valve = shared_preset(name), fine = *refine(*refine(valve));
+    const LeafletCoordinates coordinates = leaflet_coordinates(fine);
     for (const LeafletResection& step : {triangle(10.0), triangle(15.0, 0.9), strip(12.0)}) {
-      const double counted = counted_mm2(valve, step);
+      const double counted = counted_mm2(fine, coordinates, step);
       EXPECT_NEAR(area_mm2(valve) - area_mm2(repaired(valve, {{step}})), counted, 0.07 * counted)
           << name << ' ' << to_string(step.shape) << ' ' << step.width_mm;
     }
@@ -126,7 +126,7 @@ TEST(LeafletResection, TakesTheAreaThatIsCounted) {
 TEST(LeafletResection, OfAStripTakesItsWidthTimesTheHeight) {
   // A strip of 3 mm, so narrow that the leaflet is as high everywhere in it.
   for (const char* name : {"human-normal", "barlow"}) {
-    const Valve valve = *make_preset(name);
+    const Valve& valve = small_preset(name);
     const LeafletCut cut(strip(3.0), leaflet_coordinates(valve), valve);
     EXPECT_NEAR(area_mm2(valve) - area_mm2(repaired(valve, {{strip(3.0)}})), 3.0 * cut.height_mm(),
                 0.05 * 3.0 * cut.height_mm())
@@ -135,7 +135,7 @@ TEST(LeafletResection, OfAStripTakesItsWidthTimesTheHeight) {
 }
 
 TEST(LeafletResection, LeavesTheOtherLeafletAndTheMeshAsTheyWere) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const LeafletCoordinates coordinates = leaflet_coordinates(valve);
   const Valve cut = repaired(valve, {{strip(12.0)}});
   EXPECT_EQ(cut.faces, valve.faces);
@@ -149,13 +149,13 @@ TEST(LeafletResection, LeavesTheOtherLeafletAndTheMeshAsTheyWere) {
 }
 
 TEST(LeafletResection, PlicationShortensTheAnnulusByTheWidth) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const Valve plicated = repaired(valve, {{strip(10.0, false)}});
   EXPECT_NEAR(length_mm(valve.annulus_mm) - length_mm(plicated.annulus_mm), 10.0, 0.5);
 }
 
 TEST(LeafletResection, CutsTheChordaeOfWhatIsTakenAndKeepsTheOthers) {
-  const Valve valve = *make_preset("human-p2-prolapse");
+  const Valve& valve = small_preset("human-p2-prolapse");
   const LeafletCoordinates coordinates = leaflet_coordinates(valve);
   const LeafletCut cut(triangle(12.0), coordinates, valve);
   const Valve after = repaired(valve, {{triangle(12.0)}});
@@ -183,7 +183,7 @@ TEST(LeafletResection, CutsTheChordaeOfWhatIsTakenAndKeepsTheOthers) {
 
 TEST(LeafletResection, APlaceIsOneOnWhatIsLeft) {
   // A chorda half a strip's width beside the cut's edge ends where the mesh has that tissue.
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const LeafletCoordinates coordinates = leaflet_coordinates(valve);
   const LeafletCut cut(strip(12.0), coordinates, valve);
   const Valve after = repaired(valve, {{strip(12.0)}});
@@ -201,7 +201,7 @@ TEST(LeafletResection, APlaceIsOneOnWhatIsLeft) {
 }
 
 TEST(LeafletResection, ItsOrderAmongTheStepsDoesNotMatter) {
-  const Valve valve = *make_preset("human-p2-prolapse");
+  const Valve& valve = small_preset("human-p2-prolapse");
   const Annuloplasty ring{OwnRing{2}};
   const Neochorda chorda{valve.heads[0].id, {Leaflet::Posterior, 0.4, 1.0}, 20.0};
   const LeafletResection small{.leaflet = Leaflet::Anterior, .width_mm = 5.0};
@@ -214,7 +214,7 @@ TEST(LeafletResection, ItsOrderAmongTheStepsDoesNotMatter) {
 
 TEST(LeafletResection, WithARingTheFlailScallopCloses) {
   for (const char* name : {"human-p2-prolapse", "fibroelastic-flail"}) {
-    const Valve valve = *make_preset(name);
+    const Valve& valve = small_preset(name);
     const double before = leak(valve);
     for (const LeafletResection& step : {triangle(12.0), strip(12.0), strip(12.0, false)}) {
       const double after = leak(repaired(valve, {{step, Annuloplasty{OwnRing{2}}}}));
@@ -224,7 +224,7 @@ TEST(LeafletResection, WithARingTheFlailScallopCloses) {
 }
 
 TEST(LeafletResection, WhatCannotBeDoneIsRefused) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const auto paths = [&](const RepairPlan& plan) {
     const Expected<Valve> made = apply_plan(valve, plan);
     std::vector<std::string> all;
@@ -249,7 +249,7 @@ TEST(LeafletResection, WhatCannotBeDoneIsRefused) {
 }
 
 TEST(LeafletResection, AFinerMeshLosesAsMuch) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const Valve fine = *refine(valve);
   const double coarse_loss = area_mm2(valve) - area_mm2(repaired(valve, {{triangle(12.0)}}));
   const double fine_loss = area_mm2(fine) - area_mm2(repaired(fine, {{triangle(12.0)}}));
