@@ -7,6 +7,7 @@
 #include "core/closure/closure.h"
 #include "core/presets/presets.h"
 #include "core/valve/validate.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -30,7 +31,7 @@ int index_of(const std::string& name) {
 
 TEST(ModelDraw, AHalfIsTheValveItselfToTheBit) {
   for (const char* name : {"human-normal", "porcine-thesis"}) {
-    const Valve valve = *make_preset(name, 150);
+    const Valve& valve = shared_preset(name, 150);
     const Valve same = *with_model(valve, at_half());
     EXPECT_EQ(same.tissue.bending_n_mm, valve.tissue.bending_n_mm);
     EXPECT_EQ(same.tissue.thickness_mm, valve.tissue.thickness_mm);
@@ -54,7 +55,7 @@ TEST(ModelDraw, FactorsRunFromTheLowerEndOverOneToTheUpper) {
 }
 
 TEST(ModelDraw, EachParameterMovesWhatItSays) {
-  const Valve valve = *make_preset("human-normal", 150);
+  const Valve& valve = shared_preset("human-normal", 150);
   const Tissue& was = valve.tissue;
   const auto upper = [](int i) { return model_parameters()[i].upper; };
   int i = index_of("bending rigidity");
@@ -77,7 +78,7 @@ TEST(ModelDraw, EachParameterMovesWhatItSays) {
 }
 
 TEST(ModelDraw, WhatIsLeftUntilTheTransitionMovesInVivoAndExcised) {
-  Valve valve = *make_preset("human-normal", 150);  // in vivo: 5 and 12 % are left
+  Valve valve = shared_preset("human-normal", 150);  // in vivo: 5 and 12 % are left
   const int along = index_of("circumferential transition"), across = index_of("radial transition");
   const auto left = [](const Valve& v) {
     const auto [stretch1, stretch2] = prestretch(v.tissue);
@@ -91,7 +92,7 @@ TEST(ModelDraw, WhatIsLeftUntilTheTransitionMovesInVivoAndExcised) {
 }
 
 TEST(ModelDraw, NeochordaeKeepTheirLengthAndModulus) {
-  Valve valve = *make_preset("human-normal", 150);
+  Valve valve = shared_preset("human-normal", 150);
   valve.chordae[0].kind = ChordaKind::Neochorda;
   std::vector<double> shares = at_half();
   shares[index_of("chordal length")] = 0.0;
@@ -104,7 +105,7 @@ TEST(ModelDraw, NeochordaeKeepTheirLengthAndModulus) {
 
 TEST(ModelDraw, AllEndsOfThePresetsAreValidValves) {
   for (const std::string& name : preset_names()) {
-    const Valve valve = *make_preset(name, 150);
+    const Valve& valve = shared_preset(name, 150);
     for (const double share : {0.0, 1.0})
       EXPECT_TRUE(with_model(valve, std::vector<double>(kModelParameters, share))) << name;
   }

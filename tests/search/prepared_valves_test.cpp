@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "core/presets/presets.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
 
 TEST(PreparedValves, KeepTheLastFew) {
   PreparedValves valves;
-  const Valve valve = *make_preset("human-functional-mr", 300);
+  const Valve& valve = small_preset("human-functional-mr");
   const auto first = valves.of(valve, {});
   Valve moved = valve;
   for (PapillaryHead& head : moved.heads) head.tip_mm.z() -= 1.0;

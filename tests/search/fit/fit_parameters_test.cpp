@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "core/presets/presets.h"
 #include "core/valve/leaflet_coordinates.h"
 #include "tests/scenes/leaflet_valves.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -35,7 +35,7 @@ struct Example {
 };
 
 Example human() {
-  Valve valve = *make_preset("human-normal", 300);
+  Valve valve = small_preset("human-normal");
   std::vector<FitParameter> parameters = fit_parameters(valve, {});
   return {std::move(valve), std::move(parameters)};
 }
@@ -100,14 +100,14 @@ TEST(FitParameters, HiddenHeightLengthensTheLeafletBelowItsMiddle) {
 }
 
 TEST(FitParameters, AnExcisedValveHasNoPrestretch) {
-  Valve valve = *make_preset("human-normal", 300);
+  Valve valve = small_preset("human-normal");
   valve.tissue.reference = TissueReference::Excised;
   for (const FitParameter& parameter : fit_parameters(valve, {}))
     EXPECT_FALSE(std::holds_alternative<Prestretch>(parameter.changes));
 }
 
 TEST(FitParameters, ChordaeThatNobodyHasSeenAreGroupedByScallop) {
-  Valve valve = *make_preset("human-normal", 300);
+  Valve valve = small_preset("human-normal");
   valve.drawn_chordae = DrawnChordae{};
   const std::vector<FitParameter> parameters = fit_parameters(valve, {});
   const auto found = std::find_if(parameters.begin(), parameters.end(),

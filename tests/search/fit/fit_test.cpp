@@ -5,8 +5,8 @@
 #include <atomic>
 #include <cmath>
 
-#include "core/presets/presets.h"
 #include "core/valve/remodel.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -26,7 +26,7 @@ MeasuredClosure displaced(const Valve& valve) {
 }
 
 TEST(Fit, FindsTheTipsOfAClosedStateThatItsModelCanReach) {
-  const Valve valve = *make_preset("human-functional-mr", 300);
+  const Valve& valve = small_preset("human-functional-mr");
   const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), tips_alone());
   ASSERT_TRUE(fit);
   EXPECT_EQ(fit->stop, FitStop::AtRest);
@@ -41,9 +41,9 @@ TEST(Fit, FindsTheTipsOfAClosedStateThatItsModelCanReach) {
 }
 
 TEST(Fit, IsTheSameForAnyNumberOfThreads) {
-  const Valve valve = *make_preset("human-functional-mr", 200);
+  const Valve& valve = small_preset("human-functional-mr");
   FitOptions options = tips_alone();
-  options.most_rounds = 3;
+  options.most_rounds = 2;
   options.threads = 1;
   const Expected<ValveFit> one = fit_valve(valve, displaced(valve), options);
   options.threads = 3;
@@ -56,9 +56,9 @@ TEST(Fit, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Fit, BrokenOffAfterAnyRoundItGoesOnToTheSameBits) {
-  const Valve valve = *make_preset("human-functional-mr", 200);
+  const Valve& valve = small_preset("human-functional-mr");
   FitOptions options = tips_alone();
-  options.most_rounds = 3;
+  options.most_rounds = 2;
   std::vector<FitState> states;
   options.keep = [&](const FitState& state) { states.push_back(state); };
   const Expected<ValveFit> whole = fit_valve(valve, displaced(valve), options);
@@ -79,17 +79,17 @@ TEST(Fit, BrokenOffAfterAnyRoundItGoesOnToTheSameBits) {
 }
 
 TEST(Fit, SaysWhatTheDataCannotTell) {
-  const Valve valve = *make_preset("human-normal", 200);
+  const Valve& valve = small_preset("human-normal");
   FitOptions options = tips_alone();
   options.unknowns.tip_sd_mm = 0.01;  // known better than any surface tells
-  options.most_rounds = 3;
+  options.most_rounds = 1;
   const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), options);
   ASSERT_TRUE(fit);
   for (const FittedParameter& fitted : fit->parameters) EXPECT_FALSE(fitted.identifiable);
 }
 
 TEST(Fit, StopsWhereItIsToldTo) {
-  const Valve valve = *make_preset("human-functional-mr", 200);
+  const Valve& valve = small_preset("human-functional-mr");
   FitOptions options = tips_alone();
   options.progress = [](int, double) { return false; };
   const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), options);
@@ -98,7 +98,7 @@ TEST(Fit, StopsWhereItIsToldTo) {
 }
 
 TEST(Fit, EndsWhenItsTimeIsOverWithTheBestSoFarAndItsUncertainty) {
-  const Valve valve = *make_preset("human-functional-mr", 200);
+  const Valve& valve = small_preset("human-functional-mr");
   FitOptions options = tips_alone();
   options.most_seconds = 1e-6;
   const Expected<ValveFit> fit = fit_valve(valve, displaced(valve), options);
@@ -113,7 +113,7 @@ TEST(Fit, EndsWhenItsTimeIsOverWithTheBestSoFarAndItsUncertainty) {
 }
 
 TEST(Fit, EndsInTheMiddleOfARoundIfItIsCancelled) {
-  const Valve valve = *make_preset("human-functional-mr", 200);
+  const Valve& valve = small_preset("human-functional-mr");
   FitOptions options = tips_alone();
   std::atomic<int> asked = 0;
   options.cancelled = [&] { return ++asked > 100; };
@@ -124,7 +124,7 @@ TEST(Fit, EndsInTheMiddleOfARoundIfItIsCancelled) {
 }
 
 TEST(Fit, RefusesWhatCannotBeFitted) {
-  const Valve valve = *make_preset("human-normal", 200);
+  const Valve& valve = small_preset("human-normal");
   const auto path_of = [&](const MeasuredClosure& measured, const FitOptions& options) {
     const Expected<ValveFit> fit = fit_valve(valve, measured, options);
     return fit ? std::string("fitted") : fit.errors().front().path;

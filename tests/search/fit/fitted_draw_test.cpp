@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
-#include "core/presets/presets.h"
 #include "core/valve/validate.h"
 #include "search/latin_hypercube.h"
 #include "search/model_draw.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -18,7 +18,7 @@ constexpr const char* kTip = "tip_AL_z";
 
 /// Slack known to 2 %, the tip to 0.5 mm, correlated by 0.6.
 Valve fitted_valve() {
-  Valve valve = *make_preset("human-normal");
+  Valve valve = small_preset("human-normal");
   Eigen::Matrix2d covariance;
   covariance << 0.02 * 0.02, 0.6 * 0.02 * 0.5, 0.6 * 0.02 * 0.5, 0.5 * 0.5;
   valve.fitted = FittedValues{{kAnterior, kTip}, covariance};

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <atomic>
 
-#include "core/presets/presets.h"
 #include "search/fit/fit.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -16,7 +16,7 @@ FitOptions slack_and_ruptures() {
   FitOptions options;
   options.unknowns.tips = options.unknowns.prestretch = options.unknowns.hidden = false;
   options.ruptures = true;
-  options.most_rounds = 4;
+  options.most_rounds = 2;
   return options;
 }
 
@@ -27,7 +27,7 @@ MeasuredClosure closed_state(const Valve& valve) {
 
 /// Normal, with an annulus that lets a flail scallop leak.
 Valve dilated() {
-  Valve valve = *make_preset("human-p2-prolapse", 300);
+  Valve valve = small_preset("human-p2-prolapse");
   for (Chorda& chorda : valve.chordae) chorda.ruptured = false;
   return valve;
 }
@@ -38,7 +38,7 @@ const FitHypothesis& named(const ValveFit& fit, const std::string& name) {
 }
 
 TEST(Ruptures, AreOfMarginalChordaeThatInsertInOneScallopNotOfCommissuralOnes) {
-  const Valve valve = *make_preset("human-normal", 300);
+  const Valve& valve = small_preset("human-normal");
   EXPECT_EQ(held_segments(valve), (std::vector<Segment>{Segment::A1, Segment::A2, Segment::A3,
                                                         Segment::P1, Segment::P2, Segment::P3}));
   const Valve without = with_ruptured(valve, Segment::P2);
@@ -51,11 +51,21 @@ TEST(Ruptures, AreOfMarginalChordaeThatInsertInOneScallopNotOfCommissuralOnes) {
   EXPECT_EQ(held.size(), 5u);
 }
 
+MeasuredClosure flail_state() { return closed_state(with_ruptured(dilated(), Segment::P2)); }
+
+/// Of the flail state, on two threads.
+const Expected<ValveFit>& flail_fit() {
+  static const Expected<ValveFit> kFit = [] {
+    FitOptions options = slack_and_ruptures();
+    options.threads = 2;
+    return fit_valve(dilated(), flail_state(), options);
+  }();
+  return kFit;
+}
+
 TEST(Ruptures, ThatClosedTheScallopAreFound) {
-  const Valve whole = dilated();
-  const MeasuredClosure measured = closed_state(with_ruptured(whole, Segment::P2));
-  FitOptions options = slack_and_ruptures();
-  const Expected<ValveFit> fit = fit_valve(whole, measured, options);
+  const MeasuredClosure measured = flail_state();
+  const Expected<ValveFit>& fit = flail_fit();
   ASSERT_TRUE(fit);
   EXPECT_EQ(fit->taken, "ruptured_P2");
   const FitHypothesis& found = named(*fit, "ruptured_P2");
@@ -89,14 +99,10 @@ TEST(Ruptures, AreNotFoundInAnIntactValve) {
 }
 
 TEST(Ruptures, AreTheSameForAnyNumberOfThreads) {
-  const Valve whole = dilated();
-  const MeasuredClosure measured = closed_state(with_ruptured(whole, Segment::P2));
   FitOptions options = slack_and_ruptures();
-  options.most_rounds = 2;
   options.threads = 1;
-  const Expected<ValveFit> one = fit_valve(whole, measured, options);
-  options.threads = 2;
-  const Expected<ValveFit> two = fit_valve(whole, measured, options);
+  const Expected<ValveFit> one = fit_valve(dilated(), flail_state(), options);
+  const Expected<ValveFit>& two = flail_fit();
   ASSERT_TRUE(one);
   ASSERT_TRUE(two);
   EXPECT_EQ(one->taken, two->taken);

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "core/closure/refined_start.h"
-#include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
 #include "core/valve/refine.h"
 #include "search/plans/ranking.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/search/plans/search_scene.h"
 
 namespace coapt::scene {
@@ -104,7 +104,7 @@ TEST(FineClosures, OrderThePlansAndSayWhereTheyStoodBefore) {
 }
 
 TEST(FineClosures, AreTheSameForAnyNumberOfThreads) {
-  const Valve valve = *make_preset("human-functional-mr", 150);
+  const Valve& valve = shared_preset("human-functional-mr", 150);
   const Evaluator evaluate = closing_evaluator({});
   std::vector<double> leaks;
   for (const int threads : {1, 3}) {
@@ -120,7 +120,7 @@ TEST(FineClosures, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(FineClosures, APlanMeansTheSameAppliedBeforeOrAfterRefinement) {
-  const Valve valve = *make_preset("human-functional-mr");
+  const Valve& valve = shared_preset("human-functional-mr");
   const RepairPlan plan = {
       {Annuloplasty{CatalogueRing{"generic-classic", 32.0}},
        PapillaryApproximation{.side = Side::Posteromedial, .suture_length_mm = 24.0},

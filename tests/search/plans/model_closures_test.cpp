@@ -5,6 +5,7 @@
 #include "core/presets/synthetic_chordae.h"
 #include "search/plans/ranking.h"
 #include "search/plans/search_result.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/search/plans/search_scene.h"
 
 namespace coapt::scene {
@@ -60,7 +61,7 @@ TEST(ModelClosures, ClosePlansAndTheValveAsItIsUnderTheSameDraws) {
 
 TEST(ModelClosures, ChordaeThatWereNeverSeenAreDrawnAnewAlikeForAllPlans) {
   const Valve valve =
-      *with_synthetic_chordae(*make_preset("human-functional-mr", 150), 1, Points(0, 3));
+      *with_synthetic_chordae(shared_preset("human-functional-mr", 150), 1, Points(0, 3));
   const auto chordae = [](const Valve& of) { return static_cast<double>(of.chordae.size()); };
   const Evaluator evaluate = leak_of(chordae);
   SearchMonitor monitor(0.0, nullptr);

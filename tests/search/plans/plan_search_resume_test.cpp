@@ -9,9 +9,10 @@ namespace {
 
 SearchOptions long_search() {
   SearchOptions options = small_search();
-  options.evaluations = 500;
+  options.evaluations = 100;
   options.threads = 2;
-  options.region_points = 70;
+  options.plans = 1;
+  options.region_points = 20;
   options.evidence = true;
   return options;
 }
@@ -55,7 +56,7 @@ TEST(ResumedSearch, WithMoreEvaluationsClosesOnlyTheNewOnes) {
   SearchContext context = context_of(needs_suture);
   context.keep = keeper.function();
   SearchOptions options = long_search();
-  options.evaluations = 200;
+  options.evaluations = 50;
   searched(options, context);
   const int kept = keeper.count;
   options = long_search();
@@ -69,7 +70,7 @@ TEST(ResumedSearch, WithMoreEvaluationsClosesOnlyTheNewOnes) {
 
 TEST(ResumedSearch, InterruptedAnywhereItEndsAsIfItHadNotBeen) {
   const SearchResult whole = searched(needs_suture, long_search());
-  for (const int most : {0, 1, 33, 250, whole.evaluations + 5, whole.closures - 10}) {
+  for (const int most : {0, 1, 33, 80, whole.evaluations + 5, whole.closures - 10}) {
     Keeper keeper;
     keeper.most = most;
     SearchContext context = context_of(needs_suture);

@@ -6,6 +6,7 @@
 
 #include "core/repair/apply_plan.h"
 #include "core/repair/rings.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/search/plans/search_scene.h"
 
 namespace coapt {
@@ -132,9 +133,11 @@ TEST(PlanSpace, ChordalStepsAreOfferedOnRequest) {
 }
 
 TEST(PlanSpace, ResectionAndAClipAreOfferedOnRequestWhereChordaeAreRuptured) {
-  const Valve flail = *make_preset("human-p2-prolapse", 150);
+  const Valve& flail = shared_preset("human-p2-prolapse", 150);
   SearchRules rules;
   rules.most_neochordae = 0;
+  rules.forbidden = {"papillary_approximation", "annuloplasty:generic-etlogix-like",
+                     "annuloplasty:generic-geoform-like"};
   const auto leaflet_branches = [&](const Valve& valve) {
     std::multiset<LeafletChoice> choices;
     const PlanSpace space = space_of(valve, rules);
@@ -147,16 +150,18 @@ TEST(PlanSpace, ResectionAndAClipAreOfferedOnRequestWhereChordaeAreRuptured) {
     return choices;
   };
   const std::size_t plain = leaflet_branches(flail).size();
+  EXPECT_EQ(plain, 2u) << "two rings";
   rules.leaflet_resection = rules.edge_to_edge = true;
-  EXPECT_EQ(leaflet_branches(*make_preset("human-normal", 150)).count(LeafletChoice::None),
-            leaflet_branches(*make_preset("human-normal", 150)).size());
+  const auto of_normal = leaflet_branches(shared_preset("human-normal", 150));
+  EXPECT_EQ(of_normal.count(LeafletChoice::None), of_normal.size());
   auto choices = leaflet_branches(flail);
   EXPECT_EQ(choices.count(LeafletChoice::None), plain);
   // And without a ring.
   EXPECT_EQ(choices.count(LeafletChoice::Triangular), plain + 1);
   EXPECT_EQ(choices.count(LeafletChoice::Quadrangular), plain + 1);
   EXPECT_EQ(choices.count(LeafletChoice::Clip), plain + 1);
-  rules.forbidden = {"leaflet_resection:quadrangular", "edge_to_edge:clip"};
+  rules.forbidden.insert(rules.forbidden.end(),
+                         {"leaflet_resection:quadrangular", "edge_to_edge:clip"});
   choices = leaflet_branches(flail);
   EXPECT_EQ(choices.count(LeafletChoice::Triangular), plain + 1);
   EXPECT_EQ(choices.size(), 2 * plain + 1);

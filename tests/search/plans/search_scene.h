@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/presets/presets.h"
 #include "search/plans/plan_evaluations.h"
 #include "search/plans/plan_key.h"
 #include "search/plans/plan_search.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt::scene {
@@ -167,7 +167,7 @@ inline std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(va
 /// Of real closures: leaks_of(evaluations) gives the same bits with one thread and with two.
 template <class LeaksOf>
 void expect_same_on_any_threads(const LeaksOf& leaks_of) {
-  const Valve valve = *make_preset("human-functional-mr", 150);
+  const Valve& valve = shared_preset("human-functional-mr", 150);
   const Evaluator evaluate = closing_evaluator({});
   std::vector<std::uint64_t> leaks[2];
   for (const int threads : {1, 2}) {

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <set>
 
-#include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
 #include "io/json/population_prior_json.h"
 #include "search/population/population_findings.h"
 #include "search/population/population_tree.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -33,7 +33,7 @@ TEST(Candidates, HaveNamesOfTheirOwnAndOwnRingsComeFirst) {
 }
 
 TEST(Candidates, SuturesMoveTheirMusclesSoFarAlsoBesideARing) {
-  const Valve valve = *make_preset("human-functional-mr");
+  const Valve& valve = small_preset("human-functional-mr");
   const CandidateSite site = candidate_site(valve);
   for (const CandidateRepair& candidate : candidate_repairs()) {
     if (candidate.movement_mm == 0.0) continue;
@@ -48,7 +48,7 @@ TEST(Candidates, SuturesMoveTheirMusclesSoFarAlsoBesideARing) {
 }
 
 TEST(Candidates, RepairAFlailLeaflet) {
-  const Valve valve = *make_preset("fibroelastic-flail");
+  const Valve& valve = small_preset("fibroelastic-flail");
   const CandidateSite site = candidate_site(valve);
   EXPECT_NEAR(site.lesion_along, 0.5, 0.05);
   const RepairPlan plan = *candidate_plan(
@@ -58,7 +58,7 @@ TEST(Candidates, RepairAFlailLeaflet) {
 }
 
 TEST(Candidates, ARingThatPracticeRejectsGivesWayToTheNextLargerOne) {
-  Valve valve = *make_preset("human-functional-mr");
+  Valve valve = small_preset("human-functional-mr");
   const auto ring_of = [&valve](std::size_t candidate) {
     const RepairPlan plan = *candidate_plan(candidate_repairs()[candidate], candidate_site(valve));
     return std::get<Annuloplasty>(plan.steps.front()).ring;
@@ -70,8 +70,11 @@ TEST(Candidates, ARingThatPracticeRejectsGivesWayToTheNextLargerOne) {
   EXPECT_EQ(std::get<OwnRing>(ring_of(3)).sizes_below, 3);
 }
 
+/// Flail valves of the usual anatomy: hardly a draw is rejected.
 Population few() {
   Population population{adult_prior(), 7, {}};
+  population.prior.anatomy.clear();
+  population.prior.correlations.clear();
   for (AetiologyPrior& aetiology : population.prior.aetiologies)
     if (aetiology.aetiology != Aetiology::P2Flail) aetiology.share = 1e-6;
   for (int i = 0; i < 2; ++i) population.members.push_back(*member(population.prior, 7, i));
@@ -85,9 +88,7 @@ TEST(PopulationRecords, AreTheSameBytesForEveryNumberOfThreadsAndRange) {
   options.threads = 2;
   const std::string both = population_records(population, options, 0, 2);
   options.threads = 1;
-  EXPECT_EQ(
-      population_records(population, options, 0, 1) + population_records(population, options, 1, 1),
-      both);
+  EXPECT_EQ(population_records(population, options, 1, 1), both.substr(both.size() / 2));
   const std::vector<PopulationRecord> records = *unpack_records(both);
   EXPECT_FALSE(unpack_records(both.substr(1)));
   for (const PopulationRecord& record : records) {

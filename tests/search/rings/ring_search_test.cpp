@@ -43,7 +43,7 @@ RingOutcome formula(const RingMember&, const Annuloplasty& step, const RingQuest
 }
 
 RingSearchOptions options() {
-  return {.evaluations = 12000, .seed = 3, .threads = 1, .disturbances = {0, 1, 2}};
+  return {.evaluations = 6000, .seed = 3, .threads = 1, .disturbances = {0, 1, 2}};
 }
 
 TEST(RingSearch, FindsAKnownBest) {
@@ -91,7 +91,7 @@ TEST(DesignRing, GainsOnMembersThatItsSearchNeverSaw) {
     if (is_searching && index % 2 == 1) ++held_out_early;
     return formula(member, step, question);
   };
-  RingDesignOptions few{.evaluations = 6000, .seed = 1, .threads = 1};
+  RingDesignOptions few{.evaluations = 3000, .seed = 1, .threads = 1};
   const auto designed = design_ring_by(trial, members(9), "mine", few);
   ASSERT_TRUE(designed && *designed);
   const RingDesignResult& result = **designed;

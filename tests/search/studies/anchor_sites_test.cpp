@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/presets/presets.h"
 #include "core/repair/plan.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -25,7 +25,7 @@ TEST(AnchorSites, OfTheSmallValveAreWhereItsVerticesAre) {
 }
 
 TEST(AnchorSites, OfAMirrorSymmetricValveAreTheSameForBothMuscles) {
-  const Valve valve = *make_preset("porcine-1", 300);
+  const Valve& valve = small_preset("porcine-1");
   for (const AnchorSite& site : thesis_anchors(valve)) {
     EXPECT_NEAR((site.at_mm[0] - site.at_mm[1]).norm(), 0.0, 1e-6) << site.name;
     EXPECT_NEAR((site.at_mm[0] - site.at_mm[2]).norm(), 0.0, 1e-6) << site.name;
@@ -48,7 +48,7 @@ TEST(AnchorSites, BothMusclesTakeTheMeanOfTheTwo) {
 }
 
 TEST(AnchorSites, ATipDisplacedTowardsItsSiteGoesTowardsItsAnchor) {
-  const Valve valve = *make_preset("porcine-thesis-tables", 300);
+  const Valve& valve = small_preset("porcine-thesis-tables");
   const std::vector<AnchorSite> sites = thesis_anchors(valve);
   for (std::size_t s = 0; s < sites.size(); ++s)
     for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
@@ -65,7 +65,7 @@ TEST(AnchorSites, ATipDisplacedTowardsItsSiteGoesTowardsItsAnchor) {
 }
 
 TEST(AnnulusScan, GoesEvenlyAroundAndMeetsSaddlePeakAndTrigone) {
-  const Valve valve = *make_preset("human-normal", 300);
+  const Valve& valve = small_preset("human-normal");
   const std::vector<AnchorSite> scan = annulus_scan(valve, 8), thesis = thesis_anchors(valve);
   ASSERT_EQ(scan.size(), 8u);
   for (std::size_t i = 0; i < 8; ++i)

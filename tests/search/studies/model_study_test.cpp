@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/presets/presets.h"
 #include "search/model_draw.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/search/plans/search_scene.h"
 
 namespace coapt::scene {
@@ -77,7 +77,7 @@ TEST(ModelStudy, CancelledItReportsWhatIsClosed) {
 }
 
 TEST(ModelStudy, IsTheSameForAnyNumberOfThreadsAndDependsOnItsSeed) {
-  const Valve valve = *make_preset("human-functional-mr", 150);
+  const Valve& valve = shared_preset("human-functional-mr", 150);
   const ModelStudy one = study_model(valve, with({}, 12, 1));
   ModelStudyOptions options = with({}, 12, 2);
   const ModelStudy two = study_model(valve, options);

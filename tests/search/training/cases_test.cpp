@@ -4,10 +4,10 @@
 #include <cmath>
 #include <set>
 
-#include "core/presets/presets.h"
 #include "search/training/exam_a.h"
 #include "search/training/exam_b.h"
 #include "search/training/scripted_raters.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -17,7 +17,7 @@ constexpr int kCases = 2;
 class TrainingCases : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    valve = new Valve(*make_preset("human-normal"));
+    valve = new Valve(small_preset("human-normal"));
     for (std::uint64_t seed = 1; seed <= kCases; ++seed) {
       cases_a.push_back(*make_exam_a(*valve, seed));
       cases_b.push_back(*make_exam_b(*valve, seed + 1));
@@ -122,7 +122,7 @@ TEST_F(TrainingCases, WhoPullsKnowsMoreThanWhoLooks) {
 }
 
 TEST(TrainingCase, SaysWhyThereIsNone) {
-  const Valve valve = *make_preset("human-normal", 150);
+  const Valve& valve = shared_preset("human-normal", 150);
   const auto none = make_exam_a(valve, 1, {.edge_mm = 100.0, .leak_mm2 = 1e6, .most_draws = 3});
   ASSERT_FALSE(none);
   EXPECT_NE(none.errors()[0].message.find("of 3 valves"), std::string::npos);
@@ -132,7 +132,7 @@ TEST(TrainingCase, SaysWhyThereIsNone) {
 }
 
 TEST(Chordae, BelongToTheSegmentOfTheirMiddle) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   for (const Chorda& chorda : valve.chordae) {
     if (chorda.kind != ChordaKind::Marginal) continue;
     const std::string place = '-' + std::string(to_string(segment_of(valve, chorda))) + '-';
