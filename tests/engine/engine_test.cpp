@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "core/closure/closure.h"
-#include "core/presets/presets.h"
 #include "io/json/json.h"
 #include "io/json/valve_json.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -24,7 +24,7 @@ class EngineTest : public testing::Test {
     for (const Json& problem : refusal["problems"]) found.push_back(problem["path"]);
     return found;
   }
-  const Valve valve_ = *make_preset("human-functional-mr", 150);
+  const Valve& valve_ = shared_preset("human-functional-mr", 150);
 };
 
 TEST_F(EngineTest, AClosureIsCloseValves) {
@@ -96,7 +96,7 @@ TEST_F(EngineTest, WhatNeedsAServiceSaysSo) {
 }
 
 TEST(TrainingEngine, MakesTheCaseOfASeedWithItsShapes) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   Json asked = {{"valve", Json::parse(write_valve(valve))}, {"exam", "A"}, {"seed", 5}};
   const EngineAnswer made = answer("/v1/training/cases", asked.dump());
   ASSERT_EQ(made.status, 200) << made.body;

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/presets/presets.h"
 #include "io/json/json.h"
 #include "io/json/valve_json.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -18,7 +18,7 @@ class LiveEngineTest : public testing::Test {
     more["valve"] = Json::parse(write_valve(valve_));
     return more.dump();
   }
-  const Valve valve_ = *make_preset("human-functional-mr", 150);
+  const Valve& valve_ = shared_preset("human-functional-mr", 150);
   const Json ring_ = {
       {"schema", "coapt.plan/1"},
       {"steps", {{{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 4}}}}};

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/presets/presets.h"
 #include "farm/work/closure_options_json.h"
 #include "io/json/valve_json.h"
 #include "io/store/subject.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -148,7 +148,7 @@ TEST(OrificeWork, AStoppedComputationHasNoAnswerAndTheNextOneHasTheRightOne) {
 
 TEST(OrificeWork, AValveComesBackBitForBit) {
   for (const std::string name : {"human-functional-mr", "porcine-thesis"}) {
-    Valve valve = *make_preset(name);
+    Valve valve = small_preset(name);
     valve.rest_mm(1, 1) += 1e-9 / 3.0;
     valve.pressure_kpa = std::nextafter(valve.pressure_kpa, 0.0);
     for (double& coordinate : valve.annulus_mm.reshaped())

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "core/presets/presets.h"
 #include "io/json/json.h"
 #include "io/json/plan_document.h"
 #include "io/json/plans_json.h"
 #include "io/picture/report_material.h"
 #include "io/store/subject.h"
 #include "search/plans/plan_search.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -26,7 +26,7 @@ SearchOptions quick_search() {
 }
 
 TEST(PlanWork, IsTheSearchThatAnybodyElseWouldMake) {
-  const Valve valve = *make_preset("human-functional-mr");
+  const Valve& valve = small_preset("human-functional-mr");
   SearchOptions options = quick_search();
   options.threads = 2;
   const auto request = plan_request({valve, valve}, options);
@@ -57,14 +57,14 @@ TEST(PlanWork, IsTheSearchThatAnybodyElseWouldMake) {
 }
 
 TEST(PlanWork, AStoppedSearchHasNoAnswer) {
-  const auto request = plan_request({*make_preset("human-functional-mr")}, quick_search());
+  const auto request = plan_request({small_preset("human-functional-mr")}, quick_search());
   const Expected<Work> work = open_work(*request);
   *work->stop = true;
   EXPECT_THROW(work->compute(0, 1, 1), WorkStopped);
 }
 
 TEST(PlanWork, RefusesWhatWouldDependOnTheMachineOrLeavesNothingToTry) {
-  const Valve valve = *make_preset("human-functional-mr");
+  const Valve& valve = small_preset("human-functional-mr");
   SearchOptions timed = quick_search(), other = quick_search(), forbidden = quick_search();
   timed.seconds = 60.0;
   EXPECT_EQ(plan_request({valve}, timed).errors().front().path, "/seconds");

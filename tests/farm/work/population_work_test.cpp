@@ -10,15 +10,18 @@ namespace {
 
 constexpr int kMembers = 2;
 
-Population drawn() {
-  Population population{adult_prior(), 3, {}};
-  for (int i = 0; i < kMembers; ++i)
-    population.members.push_back(*member(population.prior, population.seed, i));
-  return population;
+const Population& drawn() {
+  static const Population kPopulation = [] {
+    Population population{adult_prior(), 3, {}};
+    for (int i = 0; i < kMembers; ++i)
+      population.members.push_back(*member(population.prior, population.seed, i));
+    return population;
+  }();
+  return kPopulation;
 }
 
 TEST(PopulationWork, MembersAreThoseThatAreDrawnHereToTheBit) {
-  const Population population = drawn();
+  const Population& population = drawn();
   const Expected<Work> work =
       open_work(members_request(population.prior, population.seed, kMembers));
   ASSERT_TRUE(work);
@@ -32,7 +35,7 @@ TEST(PopulationWork, MembersAreThoseThatAreDrawnHereToTheBit) {
 }
 
 TEST(PopulationWork, RecordsAreThoseThatAreWorkedOutHereToTheBit) {
-  const Population population = drawn();
+  const Population& population = drawn();
   PopulationRecordOptions options;
   options.nodes = 1;
   const Expected<WorkRequest> request = records_request(population, kMembers, options);

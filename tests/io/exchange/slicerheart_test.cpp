@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "core/presets/presets.h"
 #include "core/valve/validate.h"
 #include "io/exchange/markups.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -39,7 +39,7 @@ NamedFile& named(std::vector<NamedFile>& files, const std::string& name) {
 
 /// What both show of a closed valve, compared as two meshes of one valve may be.
 void expect_closes_alike(const std::string& preset, int triangles) {
-  const Valve valve = *make_preset(preset, triangles);
+  const Valve& valve = shared_preset(preset, triangles);
   const Expected<Valve> again = imported(folder_of(valve), static_cast<int>(valve.faces.rows()));
   ASSERT_TRUE(again) << again.errors()[0].path << ": " << again.errors()[0].message;
   EXPECT_TRUE(validate(*again).empty());
@@ -64,7 +64,7 @@ TEST(SlicerHeart, ALeakingValveThatGoesOutAndInClosesAlike) {
 }
 
 TEST(SlicerHeart, TreesRestLengthsAndHeadsComeBack) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const Expected<Valve> again = imported(folder_of(valve), static_cast<int>(valve.faces.rows()));
   ASSERT_TRUE(again);
   ASSERT_EQ(again->chordae.size(), valve.chordae.size());
@@ -79,7 +79,7 @@ TEST(SlicerHeart, TreesRestLengthsAndHeadsComeBack) {
 }
 
 TEST(SlicerHeart, TissuePressureAndInsertionsComeBack) {
-  Valve valve = *make_preset("barlow");
+  Valve valve = small_preset("barlow");
   valve.pressure_kpa = 14.0;
   const Expected<ImportSource> source = read_slicerheart(folder_of(valve));
   ASSERT_TRUE(source);
@@ -94,7 +94,7 @@ TEST(SlicerHeart, TissuePressureAndInsertionsComeBack) {
 }
 
 TEST(SlicerHeart, ATissueThatIsNoneNamesItsFile) {
-  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  std::vector<NamedFile> files = folder_of(small_preset("human-normal"));
   named(files, "tissue.json").bytes = R"({"schema": "coapt.tissue/1", "pressure_kpa": "16"})";
   std::vector<std::string> paths;
   for (const Error& error : problems(files)) paths.push_back(error.path);
@@ -102,13 +102,13 @@ TEST(SlicerHeart, ATissueThatIsNoneNamesItsFile) {
 }
 
 TEST(SlicerHeart, SidesAreToldByTheLeafletsWhereTipsHaveNoLabels) {
-  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  std::vector<NamedFile> files = folder_of(small_preset("human-normal"));
   std::erase_if(files, [](const NamedFile& file) { return file.name.starts_with("papillary"); });
   EXPECT_TRUE(imported(files, 648));
 }
 
 TEST(SlicerHeart, ASkirtAloneAndATableOfChordsAreTaken) {
-  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  std::vector<NamedFile> files = folder_of(small_preset("human-normal"));
   std::erase_if(files, [](const NamedFile& file) {
     return file.name.ends_with("_leaflet.vtk") || file.name == "Chords_mesh.vtk";
   });
@@ -130,7 +130,7 @@ TEST(SlicerHeart, ASkirtAloneAndATableOfChordsAreTaken) {
 }
 
 TEST(SlicerHeart, AFolderInRasIsTurned) {
-  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  std::vector<NamedFile> files = folder_of(small_preset("human-normal"));
   NamedFile& sheet = named(files, "anterior_leaflet.vtk");
   const Expected<ImportSource> lps = read_slicerheart(files);
   const std::size_t at = sheet.bytes.find("SPACE=LPS");
@@ -150,7 +150,7 @@ TEST(SlicerHeart, WhatIsMissingIsAllListed) {
 }
 
 TEST(SlicerHeart, AFolderWithoutChordaeGivesTheTipsForDrawnOnes) {
-  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  std::vector<NamedFile> files = folder_of(small_preset("human-normal"));
   std::erase_if(files, [](const NamedFile& file) { return file.name.starts_with("Chords"); });
   const Expected<ImportSource> source = read_slicerheart(files);
   ASSERT_TRUE(source);
@@ -163,7 +163,7 @@ TEST(SlicerHeart, AFolderWithoutChordaeGivesTheTipsForDrawnOnes) {
 }
 
 TEST(SlicerHeart, ProblemsOfAllFilesNameFileAndPlace) {
-  std::vector<NamedFile> files = folder_of(*make_preset("human-normal"));
+  std::vector<NamedFile> files = folder_of(small_preset("human-normal"));
   named(files, "anterior_leaflet.vtk").bytes.insert(200, " x ");
   named(files, "annulus.mrk.json").bytes = "{}";
   files.push_back({"chords.csv", "1,0,0,0,1,1,1,a\n2,0,0,zero,1,1,1,b\n"});

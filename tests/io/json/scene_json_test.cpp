@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "core/metrics/measure.h"
-#include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
 #include "io/json/plan_json.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -27,7 +27,7 @@ struct Closed {
 };
 
 Closed closed(const std::string& preset, const RepairPlan& plan, int frames) {
-  Closed result{*apply_plan(*make_preset(preset, 300), plan), plan, {}, {}};
+  Closed result{*apply_plan(small_preset(preset), plan), plan, {}, {}};
   result.closure = close_valve(result.valve, {.motion = frames > 0});
   result.scene = scene_to_json({result.valve, result.closure, result.plan, frames});
   return result;

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
 #include "tests/io/picture/decoded_png.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -24,7 +24,7 @@ TEST(OpeningPicture, SaysWhatWasMeasured) {
 }
 
 TEST(OpeningPicture, OutlinesThePassageInBothViewsWhereItIsKnown) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   OpenedValve opened = *open_valve(valve);
   const auto drawn = [&] { return decode_png(opening_picture_png(opened, {}, valve, {})); };
   const DecodedPng known = drawn();
@@ -39,7 +39,7 @@ TEST(OpeningPicture, OutlinesThePassageInBothViewsWhereItIsKnown) {
 }
 
 TEST(OpeningPicture, ARepairedValveHasItsRing) {
-  const Valve valve = *make_preset("human-normal");
+  const Valve& valve = small_preset("human-normal");
   const RepairPlan plan{{Annuloplasty{CatalogueRing{"generic-classic", 28.0}}}};
   const OpenedValve opened = *open_valve(*apply_plan(valve, plan));
   const std::string png = opening_picture_png(opened, {}, valve, plan);

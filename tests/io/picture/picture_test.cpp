@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "core/metrics/coaptation.h"
-#include "core/presets/presets.h"
 #include "io/picture/section_map.h"
 #include "tests/io/picture/decoded_png.h"
 #include "tests/scenes/sheets.h"
+#include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -33,7 +33,7 @@ TEST(ClosurePicture, ShowsAHoleInTheBlueOfOrificesAndASoundDiscWithout) {
 }
 
 TEST(ClosurePicture, ShowsTheGapThatTheViewHides) {
-  const ClosedValve flail = close_and_measure(*make_preset("human-p2-prolapse"));
+  const ClosedValve flail = close_and_measure(small_preset("human-p2-prolapse"));
   ASSERT_LT(flail.measure.orifice.area_mm2, 0.1 * flail.measure.coaptation.gap_area_mm2);
   ASSERT_GT(flail.measure.coaptation.gap_area_mm2, 20.0);
   EXPECT_GT(blue_pixels(decode_png(closure_picture_png(flail)), 0, 960), 2000);

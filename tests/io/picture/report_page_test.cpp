@@ -6,6 +6,7 @@
 #include "io/picture/report.h"
 #include "io/picture/report_page_style.h"
 #include "tests/io/picture/markup.h"
+#include "tests/io/picture/undrawn_report.h"
 #include "tests/io/plans_scene.h"
 #include "tests/scenes/sheets.h"
 
@@ -23,7 +24,7 @@ ClosedValve leaking(const std::string& name, double hole_mm = 5.0) {
 
 std::string page_of(const SearchResult& result, int about = 0,
                     const ClosedValve& before = leaking("leaky")) {
-  return plan_report_html({before, {}, result, search_request(), about});
+  return undrawn_report({before, {}, result, search_request(), about});
 }
 
 /// Up to the evidence.

@@ -5,6 +5,7 @@
 #include "io/json/result_json.h"
 #include "io/json/version.h"
 #include "tests/io/picture/markup.h"
+#include "tests/io/picture/undrawn_report.h"
 #include "tests/io/plans_scene.h"
 #include "tests/scenes/sheets.h"
 
@@ -20,7 +21,7 @@ ClosedValve closed(const std::string& name, double hole_mm) {
 
 std::string html_of(const SearchResult& result, const std::vector<ClosedValve>& after = {},
                     const ClosedValve& before = closed("leaky", 5.0)) {
-  return plan_report_html({before, after, result, search_request()});
+  return undrawn_report({before, after, result, search_request()});
 }
 
 RankedPlan ranked_plan(int rank, const std::string& words) {
@@ -153,7 +154,7 @@ TEST(Report, EscapesEveryFreeText) {
   for (CutBranches& cut : result.cut) cut.what = cut.why = hostile;
   SearchRequest request = search_request();
   request.command = request.valve_hash = hostile;
-  const std::string html = plan_report_html({before, {before, before}, result, request});
+  const std::string html = undrawn_report({before, {before, before}, result, request});
   EXPECT_FALSE(contains(html, "<img src=x"));
   EXPECT_TRUE(contains(html, "&lt;img src=x onerror=&quot;alert(&#39;1&#39;)&quot;&gt;"));
 }

@@ -339,7 +339,7 @@ Json fit_request() {
   request["fit"] = {{"surface", {{"name", "Smith_John_systole.csv"}, {"text", points}}},
                     {"side", "middle"},
                     {"known", {"slack", "prestretch", "hidden"}},
-                    {"rounds", 2}};
+                    {"rounds", 1}};
   return request;
 }
 
