@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/metrics/exact_orifice.h"
-#include "core/presets/presets.h"
 #include "core/valve/leaflet_coordinates.h"
+#include "tests/scenes/small_preset.h"
 
 namespace coapt {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 /// A preset's leaflets laid on a surface of revolution; `place` gives (distance from the axis, z) by angle and height.
 template <class Place>
 std::pair<Valve, Points> laid(const Place& place) {
-  Valve valve = *make_preset("human-normal", 1300);
+  Valve valve = shared_preset("human-normal", 1300);
   const LeafletCoordinates coordinates = leaflet_coordinates(valve);
   Points points = valve.rest_mm;
   for (Eigen::Index v = 0; v < points.rows(); ++v) {
