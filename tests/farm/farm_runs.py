@@ -98,7 +98,7 @@ class FarmTest(unittest.TestCase):
         process.stdin = None
         return process
 
-    def collect(self, coordinator, request, timeout=60):
+    def collect(self, coordinator, request, timeout=300):
         out, err = coordinator.communicate(timeout=timeout)
         self.assertEqual(coordinator.returncode, OK, err.decode())
         self.assertEqual(out, request.answers())

@@ -1,5 +1,6 @@
 #include "io/json/search_options_json.h"
 
+#include "io/json/parse_json.h"
 #include "tests/io/json/found.h"
 #include "tests/io/plans_scene.h"
 

@@ -166,7 +166,7 @@ TEST_F(ImportsTest, EveryProblemIsTold) {
 const std::vector<std::string> kMakers = {"/v1/valves:import", "/v1/imports"};
 
 TEST_F(ImportsTest, AValveThatIsTooLargeIsRefusedBeforeItIsMade) {
-  ordered_json request = cone_request();
+  Json request = cone_request();
   limits_.vertices = 190;  // of 300 triangles: 38 stations, five to each
   for (const std::string& path : kMakers) EXPECT_LT(post(path, request).status, 300) << path;
   limits_.vertices = 189;
@@ -191,12 +191,12 @@ TEST_F(ImportsTest, ChordaeThatTakeTooManyStepsToDrawAreRefused) {
 TEST_F(ImportsTest, AnImportOutOfTimeIsRefused) {
   limits_.request_seconds = 1e-9;
   for (const std::string& path : kMakers)
-    for (const ordered_json& request : {cone_request(), unseen_request()}) {
+    for (const Json& request : {cone_request(), unseen_request()}) {
       const Answer answer = post(path, request);
       EXPECT_EQ(answer.status, 503) << path;
       EXPECT_NE(content_bytes(answer).find("coapt valve import"), std::string::npos) << path;
     }
-  ordered_json files = ordered_json::array();
+  Json files = Json::array();
   files.push_back(cone_request()["annulus"]);
   EXPECT_EQ(post("/v1/imports:preview", {{"files", files}}).status, 503);
   EXPECT_TRUE(json_of(get("/v1/valves"))["valves"].empty());
@@ -205,7 +205,7 @@ TEST_F(ImportsTest, AnImportOutOfTimeIsRefused) {
 
 TEST_F(ImportsTest, AnImportEndsWithItsClient) {
   limits_.vertex_steps = 1e12;
-  ordered_json body = unseen_request();
+  Json body = unseen_request();
   body["triangles"] = 9000;  // takes half a minute
   Request request;
   request.body = body.dump();
@@ -218,7 +218,7 @@ TEST_F(ImportsTest, AnImportEndsWithItsClient) {
 TEST_F(ImportsTest, WithoutATurnTheyAre503) {
   const Compute::Turn other(compute());
   for (const std::string& path : kMakers) EXPECT_EQ(post(path, cone_request()).status, 503) << path;
-  EXPECT_EQ(post("/v1/imports:preview", {{"files", ordered_json::array()}}).status, 503);
+  EXPECT_EQ(post("/v1/imports:preview", {{"files", Json::array()}}).status, 503);
 }
 
 TEST_F(ImportsTest, LandmarksThatWereSeenAreTaken) {
@@ -264,11 +264,11 @@ TEST_F(ImportsTest, WhatIsShownOfFilesIsBounded) {
   std::string fan = "f 1", fans = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (int i = 0; i < 499; ++i) fan += " 2 3";  // 997 triangles
   for (int i = 0; i < 1004; ++i) fans += fan + '\n';
-  ordered_json files = ordered_json::array();
+  Json files = Json::array();
   files.push_back(cone_request()["annulus"]);
   files.push_back({{"name", "fans.obj"}, {"text", std::move(fans)}});
   files.push_back(files[0]);
-  const ordered_json seen = json_of(post("/v1/imports:preview", {{"files", files}}))["files"];
+  const Json seen = json_of(post("/v1/imports:preview", {{"files", files}}))["files"];
   ASSERT_EQ(seen.size(), 3u);
   EXPECT_EQ(seen[1]["content"], "surface");
   EXPECT_TRUE(seen[1]["points"].empty());
@@ -277,7 +277,7 @@ TEST_F(ImportsTest, WhatIsShownOfFilesIsBounded) {
             std::string::npos);
   EXPECT_FALSE(seen[0]["points"].empty());
   EXPECT_EQ(seen[2], seen[0]) << "there is room for it";
-  ordered_json many = ordered_json::array();
+  Json many = Json::array();
   for (int i = 0; i < 101; ++i) many.push_back({{"name", "a.obj"}, {"text", ""}});
   EXPECT_EQ(refusal(post("/v1/imports:preview", {{"files", many}})), (Refused{422, {"/files"}}));
 }

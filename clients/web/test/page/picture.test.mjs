@@ -46,7 +46,7 @@ test('an SVG has its size in millimetres, and words, scale bar, leak and notice 
   assert.match(drawing, /<svg[^>]* width="180mm" height="\d+\.\d\dmm"/)
   for (const words of [
     'human-functional-mr',
-    /Leak 46 ± \d+ mm² at A2/,
+    /Leak 53 ± \d+ mm² at A2/,
     />10 mm</,
     />A2</,
     />41 mm²</,
@@ -85,7 +85,7 @@ test('a repair is drawn beside the valve before it, with its steps', async () =>
   await page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
   const drawing = (await saved('svg')).bytes.toString('utf8')
   assert.equal(drawing.match(/<image /g).length, 2)
-  for (const words of [/>Before</, />Repaired</, /1\. Ring in the annulus/, /Leak 46 → [\d.]+ ± [\d.]+ mm²/])
+  for (const words of [/>Before</, />Repaired</, /1\. Ring in the annulus/, /Leak 53 → [\d.]+ ± [\d.]+ mm²/])
     assert.match(drawing, words)
   assert.equal(
     chunks((await saved('png')).bytes)
