@@ -89,8 +89,10 @@ TEST(SceneJson, ItsGapIsThatOfTheMeasures) {
   double area = 0.0;
   for (std::size_t i = 1; i < scene["gap"].size(); ++i) {
     const Json &a = scene["gap"][i - 1], &b = scene["gap"][i];
-    area += 0.5 * (a["width_mm"].get<double>() + b["width_mm"].get<double>()) *
-            (vector(a["anterior_mm"]) - vector(b["anterior_mm"])).norm();
+    double borders = 0.0;
+    for (const char* side : {"anterior_mm", "posterior_mm"})
+      borders += (vector(a[side]) - vector(b[side])).norm();
+    area += 0.25 * (a["width_mm"].get<double>() + b["width_mm"].get<double>()) * borders;
   }
   const double measured = measure(valve, closure).coaptation.gap_area_mm2;
   EXPECT_NEAR(area, measured, 0.02 * measured);
