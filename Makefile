@@ -17,7 +17,7 @@ STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -t
 ENGINE := build/wasm/bin/coapt-engine.wasm
 ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test units-O3-test live-test web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden asan asan-build asan-test fuzz clean
+.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test optimised-test live-test web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden asan asan-build asan-test fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -53,7 +53,7 @@ scripts-test: build  ## the product's tests of whole programs, of the bits, and 
 	ctest --preset release $(CTEST) --label-exclude "^(lab|live)$$"
 
 # Unit tests at -O3, which the landing check runs under the sanitizers alone.
-units-O3-test:
+optimised-test:
 	@cmake/install_packages.sh build test
 	cmake --preset release -DCOAPT_UNIT_TESTS=ON
 	cmake --build --preset release

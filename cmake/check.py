@@ -74,7 +74,7 @@ def stages(units):
 
 
 NIGHTLY = (
-    Phase("units-O3", "units-O3-test"),
+    Phase("optimised", "optimised-test"),
     Phase("sources-all", "sources-check SINCE=all"),
     Phase("golden", "golden"),
     Phase("clang", "clang"),
@@ -190,7 +190,10 @@ def main():
     plan = [[list(lane) for lane in stage] for stage in stages(units_of(files, rooms))]
     if arguments.nightly:
         plan.append([list(NIGHTLY)])
-    chosen = lambda phase: phase.name in arguments.only if arguments.only else needed(phase, files, rooms)
+
+    def chosen(phase):
+        return phase.name in arguments.only if arguments.only else needed(phase, files, rooms)
+
     if left_out := [p.name for stage in plan for lane in stage for p in lane if not chosen(p)]:
         print(f"left out, because nothing that they are made of has changed: {' '.join(left_out)}")
 
