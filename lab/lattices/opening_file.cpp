@@ -4,6 +4,7 @@
 #include <map>
 
 #include "io/json/json_reader.h"
+#include "io/json/parse_json.h"
 
 namespace coapt {
 
