@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 
-#include "clients/cli/progress_bar.h"
+#include "io/command_line/progress_bar.h"
 #include "lab/cli/chart_parts.h"
 #include "lab/twins/rupture_table.h"
 #include "lab/twins/twin_table.h"
