@@ -13,6 +13,7 @@
 #include "io/json/valve_json.h"
 #include "io/store/kept_plans.h"
 #include "io/store/stored_valves.h"
+#include "server/farm_watch.h"
 #include "server/routes.h"
 #include "server/service.h"
 #include "tests/fuzz/endpoint_choice.h"
@@ -66,12 +67,22 @@ struct Bench {
   ValveCache known;
   Compute parsing, compute;
   SearchReports reports;
+  FarmWatch farm{std::nullopt};
   Metrics metrics;
   Page page;
   PageTokens tokens;
-  Service service{limits, store, jobs, known, parsing, compute, reports, metrics, page, tokens, [] {
-                    return HttpLoad{};
-                  }};
+  Service service{.limits = limits,
+                  .store = store,
+                  .jobs = jobs,
+                  .known = known,
+                  .parsing = parsing,
+                  .compute = compute,
+                  .reports = reports,
+                  .farm = farm,
+                  .metrics = metrics,
+                  .page = page,
+                  .tokens = tokens,
+                  .load = [] { return HttpLoad{}; }};
   Routes routes = routes_of(service);
 
   Bench() {
