@@ -1,5 +1,7 @@
 #include "io/picture/view_frame.h"
 
+#include "core/valve/types.h"
+
 namespace coapt {
 
 void draw_scale_bar(const Canvas& canvas, const ViewFrame& frame) {
