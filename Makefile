@@ -8,6 +8,8 @@ SOURCES := $(shell find core search io farm server clients/cli clients/engine cl
 PYTHON := $(shell find clients/python cmake docs examples lab tests -name "*.py")
 BLACK := black --line-length 120
 
+NEED_PYTHON := command -v python3 >/dev/null || cmake/install_packages.sh test
+
 # Most tests wait for processes and sockets: more at once than there are cores.
 CTEST := --parallel 6
 
@@ -37,9 +39,11 @@ farm: programs  ## a farm on this machine: PostgreSQL on a socket, two workers, 
 	PATH="$(CURDIR)/$(BIN):$$PATH" examples/farm/quick_start.sh out/farm
 
 check:  ## what a change must pass, as .ci/run does: all that it may break (SINCE=commit: since when); a table of the phases at its end
+	@$(NEED_PYTHON)
 	@cmake/check.py $(addprefix --since ,$(SINCE))
 
 nightly:  ## everything: make check as if all had changed, unit tests at -O3, clang++, all bits, fuzzing, arm64, archives (hours)
+	@$(NEED_PYTHON)
 	@cmake/check.py --nightly
 
 # At once, because steps that run side by side cannot each call apt-get.

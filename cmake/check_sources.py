@@ -15,20 +15,9 @@ import re
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+from affected import ROOT, git, usual_base
+
 MOST = 24
-
-
-def git(*arguments):
-    """Lines of its output; none if it fails."""
-    run = subprocess.run(["git", "-C", ROOT, *arguments], capture_output=True, text=True)
-    return run.stdout.splitlines() if run.returncode == 0 else []
-
-
-def usual_base():
-    head = git("rev-parse", "HEAD")
-    left = git("merge-base", "HEAD", "origin/main")
-    return (left if left and left != head else git("rev-parse", "--verify", "HEAD~1")) or ["unknown"]
 
 
 def includers(changed):
@@ -60,7 +49,7 @@ def main():
         if pathlib.Path(entry["file"]).is_relative_to(ROOT) and "/build/" not in entry["file"]
     }
     asked = len(sys.argv) > 2
-    since = sys.argv[2] if asked else usual_base()[0]
+    since = sys.argv[2] if asked else usual_base() or "HEAD~1"
     if git("cat-file", "-t", since) == ["commit"]:
         changed = git("diff", "--name-only", "--diff-filter=d", since)
         reached = includers(changed)
