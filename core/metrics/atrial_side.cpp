@@ -123,6 +123,8 @@ class Flow {
         voxels_.push_back(static_cast<int>(v));
       }
     nodes_.resize(voxels_.size());
+    levels_.resize(voxels_.size(), -1);
+    tried_.resize(voxels_.size(), 0);
     for (std::size_t i = 0; i < voxels_.size(); ++i) {
       Node& node = nodes_[i];
       for (int direction = 0; direction < kDirections; ++direction) {
@@ -144,7 +146,7 @@ class Flow {
 
   void run() {
     while (reach_ventricle()) {
-      for (Node& node : nodes_) node.tried = 0;
+      std::fill(tried_.begin(), tried_.end(), 0);
       for (const int entry : entries_)
         while (at(entry).from_atrium > 0) {
           const int passed = pass(entry, at(entry).from_atrium);
@@ -159,22 +161,22 @@ class Flow {
     queue_.clear();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (nodes_[i].to_ventricle > 0) {
-        nodes_[i].tried = kTowardsVentricle;
+        tried_[i] = kTowardsVentricle;
         queue_.push_back(static_cast<int>(i));
       }
     for (std::size_t i = 0; i < queue_.size(); ++i)
       for (int direction = 0; direction < kDirections; ++direction) {
         const int from = at(queue_[i]).next[static_cast<std::size_t>(direction)];
-        if (from < 0 || at(from).tried == kTowardsVentricle ||
+        if (from < 0 || tried_[static_cast<std::size_t>(from)] == kTowardsVentricle ||
             at(from).left[static_cast<std::size_t>(opposite(direction))] == 0)
           continue;
-        at(from).tried = kTowardsVentricle;
+        tried_[static_cast<std::size_t>(from)] = kTowardsVentricle;
         queue_.push_back(from);
       }
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       Kind& kind = kinds[static_cast<std::size_t>(voxels_[i])];
-      if (nodes_[i].level >= 0) kind = Kind::Atrium;
-      if (nodes_[i].tried == kTowardsVentricle) kind = Kind::Ventricle;
+      if (levels_[i] >= 0) kind = Kind::Atrium;
+      if (tried_[i] == kTowardsVentricle) kind = Kind::Ventricle;
     }
   }
 
@@ -183,28 +185,29 @@ class Flow {
     std::array<int, kDirections> next{-1, -1, -1, -1, -1, -1};
     std::array<int, kDirections> left{};  // what may still flow there
     int from_atrium = 0, to_ventricle = 0;
-    int level = -1, tried = 0;
   };
 
+  int& level(int node) { return levels_[static_cast<std::size_t>(node)]; }
   Node& at(int node) { return nodes_[static_cast<std::size_t>(node)]; }
 
   /// Levels from the atrium on, as far as the nearest nodes beside the ventricle. @return whether there are any
   bool reach_ventricle() {
-    for (Node& node : nodes_) node.level = -1;
+    std::fill(levels_.begin(), levels_.end(), -1);
     queue_.clear();
     for (const int entry : entries_)
       if (at(entry).from_atrium > 0) {
-        at(entry).level = 0;
+        level(entry) = 0;
         queue_.push_back(entry);
       }
     int last = kUnbounded;
     for (std::size_t i = 0; i < queue_.size(); ++i) {
       const Node& node = at(queue_[i]);
-      if (node.level > last) break;
-      if (node.to_ventricle > 0) last = node.level;
+      const int own = level(queue_[i]);
+      if (own > last) break;
+      if (node.to_ventricle > 0) last = own;
       for (std::size_t d = 0; d < kDirections; ++d)
-        if (node.left[d] > 0 && at(node.next[d]).level < 0) {
-          at(node.next[d]).level = node.level + 1;
+        if (node.left[d] > 0 && level(node.next[d]) < 0) {
+          level(node.next[d]) = own + 1;
           queue_.push_back(node.next[d]);
         }
     }
@@ -218,13 +221,13 @@ class Flow {
       node.to_ventricle -= passed;
       return passed;
     }
-    for (; node.tried < kDirections; ++node.tried) {
-      const auto d = static_cast<std::size_t>(node.tried);
-      if (node.left[d] == 0 || at(node.next[d]).level != node.level + 1) continue;
+    for (int& tried = tried_[static_cast<std::size_t>(from)]; tried < kDirections; ++tried) {
+      const auto d = static_cast<std::size_t>(tried);
+      if (node.left[d] == 0 || level(node.next[d]) != level(from) + 1) continue;
       const int passed = pass(node.next[d], std::min(most, node.left[d]));
       if (passed == 0) continue;
       node.left[d] -= passed;
-      at(node.next[d]).left[static_cast<std::size_t>(opposite(node.tried))] += passed;
+      at(node.next[d]).left[static_cast<std::size_t>(opposite(tried))] += passed;
       return passed;
     }
     return 0;
@@ -233,6 +236,7 @@ class Flow {
   std::vector<int> node_of_;  // -1: none
   std::vector<int> voxels_;   // of nodes
   std::vector<Node> nodes_;
+  std::vector<int> levels_, tried_;  // of nodes
   std::vector<int> entries_, queue_;
 };
 

@@ -351,6 +351,7 @@ std::vector<std::array<std::uint8_t, 3>> free_points(const Partition& partition,
       const int slot = slots[static_cast<std::size_t>(grid.number(voxel))];
       if (slot < 0) return;
       auto& squares = covered[static_cast<std::size_t>(slot)];
+      if ((squares[0] & squares[1] & squares[2]) == kAll) return;
       cover.of(voxel, [&](int axis, std::uint64_t points) {
         squares[static_cast<std::size_t>(axis)] |= points;
       });
