@@ -19,7 +19,7 @@ STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -t
 ENGINE := build/wasm/bin/coapt-engine.wasm
 ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test optimised-test live-test web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden asan asan-build asan-test fuzz clean
+.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden asan asan-build asan-test fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -50,11 +50,15 @@ nightly:  ## everything: make check as if all had changed, unit tests at -O3, cl
 check-packages: $(WEB)/node_modules
 	@cmake/install_packages.sh build docs test cluster proxy lab readers browser wasm format lint clang sanitizers
 
-test: scripts-test asan  ## build and run the product's tests: programs end to end, units under the sanitizers
+test: scripts-test examples-test asan  ## build and run the product's tests: programs end to end, units under the sanitizers
 
 scripts-test: build  ## the product's tests of whole programs, of the bits, and those that take long
 	@cmake/install_packages.sh docs test proxy
-	ctest --preset release $(CTEST) --label-exclude "^(lab|live)$$"
+	ctest --preset release $(CTEST) --label-exclude "^(lab|live|examples)$$"
+
+examples-test: build  ## the Python that guides, docstrings and notebooks show
+	@cmake/install_packages.sh docs test
+	ctest --preset release $(CTEST) --label-regex "^examples$$"
 
 # Unit tests at -O3, which the landing check runs under the sanitizers alone.
 optimised-test:

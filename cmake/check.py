@@ -49,7 +49,8 @@ def stages(units):
             [Phase("layout", "format-check lint", always=True)],
             [Phase("rules", "includes-check docs-check openapi-check workflow-check commits-check", always=True)],
         ),
-        ([Phase("release", "build", rooms=PRODUCT, paths=BUILD + scripts + page + ("tests/",))],),
+        # The page alone needs the programs, which its phase builds.
+        ([Phase("release", "build", rooms=PRODUCT, paths=BUILD + scripts + ("tests/",))],),
         (
             [
                 Phase("sources", "sources-check", PRODUCT + ("lab",), BUILD + ("tests/",), compiles=True),
@@ -63,6 +64,8 @@ def stages(units):
                 Phase("static", "static-test", rooms=("clients/engine",), paths=BUILD + page),
                 Phase("live", "live-test", rooms=("clients/live",), paths=BUILD),
                 Phase("scripts", "scripts-test", rooms=PRODUCT, paths=BUILD + scripts),
+                # They hold what documents show, and nothing of the engine that no other test holds.
+                Phase("examples", "examples-test", paths=("clients/python", "tests/python", "examples/python")),
                 Phase("laboratory", "lab-test", rooms=("lab",), paths=BUILD + ("tests/lab", "lab/")),
             ],
             [
