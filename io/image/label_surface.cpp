@@ -4,6 +4,7 @@
 #include <bit>
 #include <unordered_map>
 
+#include "core/valve/vertex_normals.h"
 #include "io/image/label_voxels.h"
 
 namespace coapt {
@@ -248,22 +249,17 @@ void smooth(TriangleMesh& mesh) {
 /// Moves the surface along its normals, by at most `longest_mm` a step, until it holds `volume_mm3`.
 void keep_volume(double volume_mm3, double longest_mm, TriangleMesh& mesh) {
   for (int step = 0; step < kVolumeSteps; ++step) {
-    Points normals = Points::Zero(mesh.vertices_mm.rows(), 3);
     double volume = 0.0, area = 0.0;
     const Vec3 origin = mesh.vertices_mm.row(0);
     for (Index f = 0; f < mesh.faces.rows(); ++f) {
       std::array<Vec3, 3> x;
       for (int k = 0; k < 3; ++k)
         x[static_cast<std::size_t>(k)] = Vec3(mesh.vertices_mm.row(mesh.faces(f, k))) - origin;
-      const Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]);
-      for (int k = 0; k < 3; ++k) normals.row(mesh.faces(f, k)) += normal;
       volume += x[0].dot(x[1].cross(x[2])) / 6.0;
-      area += 0.5 * normal.norm();
+      area += 0.5 * (x[1] - x[0]).cross(x[2] - x[0]).norm();
     }
     const double offset = std::clamp((volume_mm3 - volume) / area, -longest_mm, longest_mm);
-    for (Index v = 0; v < normals.rows(); ++v)
-      if (const double length = normals.row(v).norm(); length > 0.0)
-        mesh.vertices_mm.row(v) += offset / length * normals.row(v);
+    mesh.vertices_mm += offset * vertex_normals(mesh.vertices_mm, mesh.faces);
   }
 }
 
