@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/valve/contour.h"
 #include "core/valve/validate.h"
@@ -78,6 +79,17 @@ TEST(ParametricValve, HasTheLeafletHeightsAndResolutionAskedFor) {
     EXPECT_NEAR(height(valve.landmarks.mid_posterior), 15.25, 1e-9);
     EXPECT_NEAR(height(valve.landmarks.posteromedial_commissure), 9.0, 1e-9);
   }
+}
+
+TEST(ParametricValve, OfTwoLikeHalvesHasAsManyFacesInEachSegmentOfEither) {
+  const Expected<Valve> valve = make_parametric_valve(ParametricValve{});
+  ASSERT_TRUE(valve);
+  std::map<Segment, int> faces;
+  for (const Segment segment : valve->segments) ++faces[segment];
+  EXPECT_EQ(faces.size(), 8u);
+  EXPECT_EQ(faces[Segment::A1], faces[Segment::A3]);
+  EXPECT_EQ(faces[Segment::P1], faces[Segment::P3]);
+  EXPECT_EQ(faces[Segment::AC], faces[Segment::PC]);
 }
 
 TEST(ParametricValve, NamesItsChordaeAlikeAtEveryResolution) {

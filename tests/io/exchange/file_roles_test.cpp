@@ -47,6 +47,8 @@ TEST(FileRoles, MeshesByNameElseInTheOrderGiven) {
 
 TEST(FileRoles, TablesAndMarkupsByWhatTheyHold) {
   EXPECT_EQ(roles_of({{"a.csv", "1,2,3\n"}}), (std::vector{FileRole::Annulus}));
+  for (const char* empty : {"", "# x,y,z\n", "1,2,3\n1,2\n"})
+    EXPECT_EQ(roles_of({{"a.csv", empty}}), (std::vector{FileRole::None})) << empty;
   EXPECT_EQ(roles_of({{"a.csv", "AL,1,2,3\n"}}), (std::vector{FileRole::Tips}));
   EXPECT_EQ(roles_of({{"a.csv",
                        "# id,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z\n1,AL,1,2,3,4,5,6\n"}}),

@@ -49,6 +49,18 @@ TEST(WeightsJson, ProblemsAreListedWithTheirPlace) {
                                       {OutOfRange, "/covariance/matrix"}}));
 }
 
+TEST(WeightsJson, ACovarianceOfAnotherSizeIsRefused) {
+  const Json json = to_json(learned(), {});
+  for (const char* missing : {"/covariance/matrix/0", "/covariance/matrix/0/0"}) {
+    Json smaller = json;
+    const Json::json_pointer at(missing);
+    smaller[at.parent_pointer()].erase(0);
+    EXPECT_EQ(problems_of(read_learned_weights(smaller.dump())),
+              (Found{{OutOfRange, "/covariance/matrix"}}))
+        << missing;
+  }
+}
+
 TEST(WeightsJson, EachPlanSaysHowLikelyItIsPreferredToTheNext) {
   Json terms;
   for (const CostTermRow& row : cost_term_rows()) terms[row.name] = 0.0;

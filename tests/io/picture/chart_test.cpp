@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "io/picture/line_chart.h"
 #include "tests/io/picture/markup.h"
 
 namespace coapt {
@@ -27,6 +28,17 @@ TEST(Chart, DecadesAreEvenlySpacedAndMarkersCanStandAlone) {
     EXPECT_GE(count(svg, decade), 1u) << decade;
   EXPECT_EQ(count(svg, "<path"), 0u);
   EXPECT_NE(svg.find("cx=\"397.0\" cy=\"222.4\""), std::string::npos);
+}
+
+TEST(LineChart, AShiftedSeriesStandsThatFarToTheRight) {
+  PanelSeries series{.label = "s", .x = {0.0, 1.0}, .y = {0.0, 1.0}};
+  const auto starts_px = [&] {
+    const std::string svg = draw_line_panel({.series = {series}}, {0.0, 0.0, 400.0, 300.0});
+    return std::stod(svg.substr(svg.find(" d=\"M") + 5));
+  };
+  const double before_px = starts_px();
+  series.shift_px = 5.0;
+  EXPECT_NEAR(starts_px(), before_px + 5.0, 0.11) << "to a tenth";
 }
 
 TEST(Chart, LegendGoesOnInAnotherLineWhereItWouldLeaveThePicture) {

@@ -115,6 +115,13 @@ TEST(Report, SaysHowTheSearchWent) {
     EXPECT_TRUE(contains(search, part)) << part;
 }
 
+TEST(Report, CostsFarAboveTheBestAreNotDrawn) {
+  SearchResult result = search_result();
+  const std::string usual = html_of(result);
+  result.progress.insert(result.progress.begin(), {0, 1e6});
+  EXPECT_TRUE(html_of(result) == usual);
+}
+
 TEST(Report, ListsWhatIsNotModelledAndWhatReproducesIt) {
   const std::string html = html_of(search_result());
   for (const std::string& sentence : not_modelled())

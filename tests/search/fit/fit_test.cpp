@@ -37,6 +37,7 @@ TEST(Fit, FindsTheTipsOfAClosedStateThatItsModelCanReach) {
   for (std::size_t i = 0; i < truth.size(); ++i) {
     EXPECT_NEAR(fit->parameters[i].value, truth[i], 0.15) << fit->parameters[i].parameter.name;
     EXPECT_GT(fit->parameters[i].sd, 0.0);
+    EXPECT_TRUE(fit->parameters[i].identifiable) << "by so many points";
   }
 }
 

@@ -65,6 +65,15 @@ TEST(Prior, ProblemsNameTheirPlace) {
   EXPECT_EQ(errors[2].path, "/aetiologies/1/share");
 }
 
+TEST(Prior, AMeanAtEitherEndIsAccepted) {
+  PopulationPrior prior = adult_prior();
+  PriorDistribution& first = prior.anatomy[0].distribution;
+  for (const double end : {first.min, first.max}) {
+    first.mean = end;
+    EXPECT_TRUE(check_prior(prior).empty()) << end;
+  }
+}
+
 TEST(Factors, OfTheUsualAnatomyGiveTheHumanPreset) {
   const HumanValve ours = healthy_valve(usual_anatomy()), preset = human_normal();
   EXPECT_EQ(ours.dimensions.ap_mm, preset.dimensions.ap_mm);

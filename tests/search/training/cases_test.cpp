@@ -121,6 +121,15 @@ TEST_F(TrainingCases, WhoPullsKnowsMoreThanWhoLooks) {
   }
 }
 
+TEST(TrainingCase, OfExamBHasNoSegmentWithinTheMarginOfTheLimit) {
+  const ExamBRules rules{.margin_mm = 0.3};  // so wide that draws are rejected for it
+  const Expected<ExamBCase> made = make_exam_b(small_preset("human-normal"), 1, rules);
+  ASSERT_TRUE(made);
+  for (const SegmentTruth& truth : made->truths)
+    EXPECT_GE(std::abs(std::abs(truth.height_mm - truth.normal_mm) - rules.limit_mm),
+              rules.margin_mm);
+}
+
 TEST(TrainingCase, SaysWhyThereIsNone) {
   const Valve& valve = shared_preset("human-normal", 150);
   const auto none = make_exam_a(valve, 1, {.edge_mm = 100.0, .leak_mm2 = 1e6, .most_draws = 3});
