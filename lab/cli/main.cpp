@@ -14,6 +14,7 @@ void add_commands(Command app, int& status) {
   add_bench_search(bench, status);
   add_bench_front(bench, status);
   add_chart(app, status);
+  add_leak(app, status);
 }
 
 constexpr Program kLab = {

@@ -1,0 +1,227 @@
+#include "lab/leak/reference_leak.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coapt {
+namespace {
+
+constexpr double kCoarsest_mm = 1.0;
+constexpr double kLeastCut = 0.02;          // of a voxel's face: less is no part of the cut
+constexpr double kLeastOpening_mm2 = 0.05;  // less is a speck
+constexpr double kJoined_mm = 0.5;          // cells no farther apart belong to one opening
+/// A level this much below the one before, where both see leaflets, has lost a part of the cut or (of shapes a voxel wide) has not.
+constexpr double kSuspiciousShare = 0.94, kSuspicious_mm2 = 0.3;
+/// What is left of an error over what the last halving of the voxels took off it: 1 where errors fall with the voxel, as
+/// where openings lie askew to the lattice, 1/3 where they fall with its square, as where they lie along it. Measured on valves at 0.5,
+/// 0.25 and 0.125 mm: 2/3 leads 0.25 and 0.125 mm to the same area within 0.5 %.
+constexpr double kLeftOver = 2.0 / 3.0;
+constexpr CutStop kOnTheWay{.iterations = 1500}, kAtLast{.iterations = 4000};
+
+struct Level {
+  VoxelBand band;
+  AxisFields shares;
+  MinimalCut cut;
+  ReferenceLevel summary;
+
+  double area_mm2() const { return 0.5 * (cut.primal_mm2 + cut.dual_mm2); }
+};
+
+/// Around the surface with room for a cut that bulges out of it; bottom and top layers are fixed.
+VoxelLattice lattice_around(const LeakSurface& surface) {
+  constexpr double kBeside_mm = 3.0, kBelow_mm = 3.0, kAbove_mm = 4.0;
+  VoxelLattice lattice;
+  const Vec3 low_mm = surface.points_mm.colwise().minCoeff();
+  const Vec3 high_mm = surface.points_mm.colwise().maxCoeff();
+  lattice.voxel_mm = kCoarsest_mm;
+  lattice.low_mm = low_mm - Vec3(kBeside_mm, kBeside_mm, kBelow_mm);
+  const Vec3 size_mm = high_mm + Vec3(kBeside_mm, kBeside_mm, kAbove_mm) - lattice.low_mm;
+  for (int axis = 0; axis < 3; ++axis)
+    lattice.size[static_cast<std::size_t>(axis)] =
+        static_cast<int>(std::ceil(size_mm[axis] / kCoarsest_mm));
+  return lattice;
+}
+
+Level solved(VoxelBand band, const LeakSurface& surface, CutState start, bool is_last) {
+  Level level;
+  level.band = std::move(band);
+  level.shares = free_shares(level.band, surface);
+  level.cut =
+      minimal_cut(level.band, level.shares, std::move(start), is_last ? kAtLast : kOnTheWay);
+  level.summary = {level.band.lattice.voxel_mm, level.band.cells, level.cut.iterations,
+                   level.cut.primal_mm2, level.cut.dual_mm2};
+  return level;
+}
+
+Level first_level(const VoxelLattice& lattice, const LeakSurface& surface, bool is_last) {
+  LatticeValues<CellState> states(lattice.size, CellState::Free);
+  for (const int k : {0, lattice.size[2] - 1})
+    for (int j = 0; j < lattice.size[1]; ++j)
+      for (int i = 0; i < lattice.size[0]; ++i) states.at({i, j, k}) = CellState::Fixed;
+  VoxelBand band = make_band(lattice, states, 1);
+  CutState start;
+  start.side.assign(static_cast<std::size_t>(band.cells) + 1, 0.5F);
+  for_each_cell(band, [&](const Cell& cell, int index) {
+    if (band.is_fixed[static_cast<std::size_t>(index)])
+      start.side[static_cast<std::size_t>(index)] = cell[2] == 0 ? 0.0F : 1.0F;
+  });
+  return solved(std::move(band), surface, std::move(start), is_last);
+}
+
+/// Cells that the cut passes, or that lie in the blood and of which it is not decided on which side they are.
+LatticeValues<char> cut_cells(const Level& level) {
+  constexpr float kDecided = 0.05F;
+  LatticeValues<char> cells(level.band.lattice.size, 0);
+  const std::vector<Eigen::Vector3f> density =
+      cut_density(level.band, level.shares, level.cut.state.side);
+  for_each_cell(level.band, [&](const Cell& cell, int index) {
+    const auto at = static_cast<std::size_t>(index);
+    const float side = level.cut.state.side[at];
+    const bool in_blood = std::any_of(level.shares.begin(), level.shares.end(),
+                                      [&](const auto& shares) { return shares[at] == 1.0F; });
+    cells.at(cell) =
+        density[at].norm() > kLeastCut || (in_blood && side > kDecided && side < 1.0F - kDecided);
+  });
+  return cells;
+}
+
+/// Cells of which a face, or a face of a neighbour, is not wholly free.
+LatticeValues<char> cells_at_tissue(const Level& level) {
+  LatticeValues<char> cells(level.band.lattice.size, 0);
+  for_each_cell(level.band, [&](const Cell& cell, int index) {
+    const auto at = static_cast<std::size_t>(index);
+    if (level.band.is_fixed[at]) return;
+    for (const std::vector<float>& shares : level.shares)
+      if (shares[at] < 1.0F) cells.at(cell) = 1;
+  });
+  return dilated(std::move(cells), 1);
+}
+
+/// Free within band_mm of the cut, fixed in a layer around that. Cells of that layer that lie at tissue are left out: fixed, they would
+/// conduct from one side of a sealed crevice to the other.
+LatticeValues<CellState> states_around_cut(const Level& level, double band_mm) {
+  const int radius = static_cast<int>(std::ceil(band_mm / level.band.lattice.voxel_mm));
+  const LatticeValues<char> free = dilated(cut_cells(level), radius);
+  const LatticeValues<char> edge = dilated(free, 1), tissue = cells_at_tissue(level);
+  LatticeValues<CellState> states(level.band.lattice.size, CellState::Outside);
+  for_each_cell(level.band, [&](const Cell& cell, int index) {
+    const bool was_fixed = level.band.is_fixed[static_cast<std::size_t>(index)];
+    if (free.at(cell) && !was_fixed)
+      states.at(cell) = CellState::Free;
+    else if (edge.at(cell) && (was_fixed || !tissue.at(cell)))
+      states.at(cell) = CellState::Fixed;
+  });
+  return states;
+}
+
+Level finer_level(const Level& coarse, const LeakSurface& surface, double band_mm, bool is_last) {
+  VoxelBand band = make_band(coarse.band.lattice, states_around_cut(coarse, band_mm), 2);
+  CutState start;
+  const std::size_t size = static_cast<std::size_t>(band.cells) + 1;
+  start.side.assign(size, 0.0F);
+  start.flow.fill(start.side);
+  for_each_cell(band, [&](const Cell& cell, int index) {
+    const auto at = static_cast<std::size_t>(index);
+    const auto from =
+        static_cast<std::size_t>(coarse.band.find({cell[0] / 2, cell[1] / 2, cell[2] / 2}));
+    const float side = coarse.cut.state.side[from];
+    start.side[at] = band.is_fixed[at] ? std::round(side) : side;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      start.flow[axis][at] = coarse.cut.state.flow[axis][from];
+  });
+  return solved(std::move(band), surface, std::move(start), is_last);
+}
+
+/// At the coarsest level every leaflet leaks.
+bool sees_leaflets(const Level& level) { return level.band.lattice.voxel_mm < kCoarsest_mm; }
+
+bool is_suspicious(const Level& level, const Level& coarse) {
+  return sees_leaflets(coarse) &&
+         level.area_mm2() < kSuspiciousShare * coarse.area_mm2() - kSuspicious_mm2;
+}
+
+/// All cells that the cut passes and that can be reached from `start`, which are taken off `left`.
+std::vector<int> take_connected(const VoxelBand& band, const Cell& start, std::vector<char>& left) {
+  const int reach = static_cast<int>(std::lround(kJoined_mm / band.lattice.voxel_mm));
+  std::vector<Cell> open = {start};
+  std::vector<int> taken;
+  const auto take = [&](const Cell& cell) {
+    const int index = band.find(cell);
+    if (!left[static_cast<std::size_t>(index)]) return;
+    left[static_cast<std::size_t>(index)] = 0;
+    taken.push_back(index);
+    open.push_back(cell);
+  };
+  while (!open.empty()) {
+    const Cell at = open.back();
+    open.pop_back();
+    for (int k = at[2] - reach; k <= at[2] + reach; ++k)
+      for (int j = at[1] - reach; j <= at[1] + reach; ++j)
+        for (int i = at[0] - reach; i <= at[0] + reach; ++i) take({i, j, k});
+  }
+  return taken;
+}
+
+/// @param area_mm2 to which they are scaled, if they have any
+std::vector<ReferenceOpening> openings_of(const Level& level, double area_mm2) {
+  const std::vector<Eigen::Vector3f> density =
+      cut_density(level.band, level.shares, level.cut.state.side);
+  std::vector<char> left(density.size(), 0);
+  std::vector<Vec3> centres_mm(density.size());
+  double cut = 0.0;
+  for_each_cell(level.band, [&](const Cell& cell, int index) {
+    const auto at = static_cast<std::size_t>(index);
+    centres_mm[at] = level.band.lattice.centre_mm(cell);
+    if (density[at].norm() <= kLeastCut) return;
+    left[at] = 1;
+    cut += static_cast<double>(density[at].norm());
+  });
+  std::vector<ReferenceOpening> openings;
+  for_each_cell(level.band, [&](const Cell& cell, int index) {
+    if (!left[static_cast<std::size_t>(index)]) return;
+    double sum = 0.0;
+    Vec3 moment = Vec3::Zero(), direction = Vec3::Zero();
+    for (const int one : take_connected(level.band, cell, left)) {
+      const Vec3 part = density[static_cast<std::size_t>(one)].cast<double>();
+      sum += part.norm();
+      moment += part.norm() * centres_mm[static_cast<std::size_t>(one)];
+      direction += part;
+    }
+    const ReferenceOpening opening{area_mm2 * sum / cut, moment / sum, direction.normalized()};
+    if (opening.area_mm2 >= kLeastOpening_mm2) openings.push_back(opening);
+  });
+  std::stable_sort(openings.begin(), openings.end(),
+                   [](const auto& a, const auto& b) { return a.area_mm2 > b.area_mm2; });
+  return openings;
+}
+
+}  // namespace
+
+ReferenceLeak reference_leak(const LeakSurface& surface, const ReferenceOptions& options) {
+  const double reach_mm =
+      (surface.points_mm.colwise().maxCoeff() - surface.points_mm.colwise().minCoeff()).norm();
+  const LeakSurface closed_off = with_skirt(surface, reach_mm);
+  const auto is_last = [&](double voxel_mm) { return voxel_mm < 1.5 * options.finest_mm; };
+  ReferenceLeak leak;
+  Level level = first_level(lattice_around(surface), closed_off, is_last(kCoarsest_mm));
+  leak.levels.push_back(level.summary);
+  double coarser_mm2 = 0.0;
+  while (!is_last(level.band.lattice.voxel_mm)) {
+    const bool last = is_last(0.5 * level.band.lattice.voxel_mm);
+    Level finer = finer_level(level, closed_off, options.band_mm, last);
+    if (is_suspicious(finer, level)) {
+      finer = finer_level(level, closed_off, 2.0 * options.band_mm, last);
+      finer.summary.widened = true;
+    }
+    coarser_mm2 = sees_leaflets(level) ? level.area_mm2() : finer.area_mm2();
+    level = std::move(finer);
+    leak.levels.push_back(level.summary);
+  }
+  leak.primal_mm2 = level.cut.primal_mm2;
+  leak.dual_mm2 = level.cut.dual_mm2;
+  leak.area_mm2 = std::max(0.0, level.area_mm2() + kLeftOver * (level.area_mm2() - coarser_mm2));
+  leak.openings = openings_of(level, leak.area_mm2);
+  return leak;
+}
+
+}  // namespace coapt
