@@ -25,7 +25,8 @@ Json rows_json(const Rows& rows) {
 
 std::string leaks_csv(const std::vector<LeakCase>& cases) {
   std::ostringstream csv;
-  csv << "number,valve,repair,held_out,triangles,trusted,reference_mm2,primal_mm2,dual_mm2,"
+  csv << "number,valve,repair,held_out,triangles,trusted,reference_mm2,surface_mm2,primal_mm2,dual_"
+         "mm2,"
          "coarser_mm2,openings,cells,widened,seconds";
   for (const LeakCase& one : cases) {
     if (one.areas.empty()) continue;
@@ -40,11 +41,11 @@ std::string leaks_csv(const std::vector<LeakCase>& cases) {
         << (one.is_trusted ? "true" : "false");
     if (one.is_trusted) {
       const std::vector<ReferenceLevel>& levels = one.reference.levels;
-      csv << cell(one.reference.area_mm2, 3) << cell(one.reference.primal_mm2, 3)
-          << cell(one.reference.dual_mm2, 3)
+      csv << cell(one.reference.area_mm2, 3) << cell(one.reference.surface_mm2, 3)
+          << cell(one.reference.primal_mm2, 3) << cell(one.reference.dual_mm2, 3)
           << (levels.size() > 1 ? cell(levels[levels.size() - 2].primal_mm2, 3) : ",") << ','
           << one.reference.openings.size() << ',' << levels.back().cells << ','
-          << (levels.back().widened ? "true" : "false") << cell(one.reference_seconds, 1);
+          << levels.back().widened << cell(one.reference_seconds, 1);
       for (const MeasuredArea& area : one.areas)
         csv << cell(area.area_mm2, 3) << cell(area.error_mm2, 3);
     }

@@ -8,7 +8,7 @@
 
 namespace coapt {
 
-/// Columns: number, valve, repair, held_out, triangles, trusted, reference_mm2, primal_mm2, dual_mm2, coarser_mm2 (the level before the
+/// Columns: number, valve, repair, held_out, triangles, trusted, reference_mm2, surface_mm2, primal_mm2, dual_mm2, coarser_mm2 (the level before the
 /// finest), openings, cells, widened, seconds; then of each measure M: M_mm2, M_error_mm2. Empty where there is no number.
 std::string leaks_csv(const std::vector<LeakCase>& cases);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/leak/cut_surface.h"
+
 namespace coapt {
 namespace {
 
@@ -10,12 +12,9 @@ constexpr double kCoarsest_mm = 1.0;
 constexpr double kLeastCut = 0.02;          // of a voxel's face: less is no part of the cut
 constexpr double kLeastOpening_mm2 = 0.05;  // less is a speck
 constexpr double kJoined_mm = 0.5;          // cells no farther apart belong to one opening
-/// A level this much below the one before, where both see leaflets, has lost a part of the cut or (of shapes a voxel wide) has not.
-constexpr double kSuspiciousShare = 0.94, kSuspicious_mm2 = 0.3;
-/// What is left of an error over what the last halving of the voxels took off it: 1 where errors fall with the voxel, as
-/// where openings lie askew to the lattice, 1/3 where they fall with its square, as where they lie along it. Measured on valves at 0.5,
-/// 0.25 and 0.125 mm: 2/3 leads 0.25 and 0.125 mm to the same area within 0.5 %.
-constexpr double kLeftOver = 2.0 / 3.0;
+/// Of a cut where the band ends at tissue: more, and the band is widened, at most so often to twice as much.
+constexpr double kTouching_mm2 = 0.05, kTouchingShare = 0.005;
+constexpr int kMostWidened = 2;
 constexpr CutStop kOnTheWay{.iterations = 1500}, kAtLast{.iterations = 4000};
 
 struct Level {
@@ -23,8 +22,6 @@ struct Level {
   AxisFields shares;
   MinimalCut cut;
   ReferenceLevel summary;
-
-  double area_mm2() const { return 0.5 * (cut.primal_mm2 + cut.dual_mm2); }
 };
 
 /// Around the surface with room for a cut that bulges out of it; bottom and top layers are fixed.
@@ -97,47 +94,73 @@ LatticeValues<char> cells_at_tissue(const Level& level) {
   return dilated(std::move(cells), 1);
 }
 
+/// What a finer band is made from, on the coarser lattice.
+struct BandAround {
+  LatticeValues<CellState> states;
+  LatticeValues<char> at_open_end;  ///< beside cells that are left out
+};
+
 /// Free within band_mm of the cut, fixed in a layer around that. Cells of that layer that lie at tissue are left out: fixed, they would
-/// conduct from one side of a sealed crevice to the other.
-LatticeValues<CellState> states_around_cut(const Level& level, double band_mm) {
+/// conduct from one side of a sealed crevice to the other; but a cut that ends there may have lost a part.
+BandAround band_around_cut(const Level& level, double band_mm) {
   const int radius = static_cast<int>(std::ceil(band_mm / level.band.lattice.voxel_mm));
   const LatticeValues<char> free = dilated(cut_cells(level), radius);
   const LatticeValues<char> edge = dilated(free, 1), tissue = cells_at_tissue(level);
   LatticeValues<CellState> states(level.band.lattice.size, CellState::Outside);
+  LatticeValues<char> left_out(level.band.lattice.size, 0);
   for_each_cell(level.band, [&](const Cell& cell, int index) {
     const bool was_fixed = level.band.is_fixed[static_cast<std::size_t>(index)];
     if (free.at(cell) && !was_fixed)
       states.at(cell) = CellState::Free;
     else if (edge.at(cell) && (was_fixed || !tissue.at(cell)))
       states.at(cell) = CellState::Fixed;
+    else if (edge.at(cell))
+      left_out.at(cell) = 1;
   });
-  return states;
+  return {std::move(states), dilated(std::move(left_out), 1)};
 }
 
-Level finer_level(const Level& coarse, const LeakSurface& surface, double band_mm, bool is_last) {
-  VoxelBand band = make_band(coarse.band.lattice, states_around_cut(coarse, band_mm), 2);
+/// A finer level, and how much of its cut lies at open ends of its band.
+struct FinerLevel {
+  Level level;
+  double touching_mm2 = 0.0;
+};
+
+FinerLevel in_band(const Level& coarse, const LeakSurface& surface, double band_mm, bool is_last) {
+  const BandAround around = band_around_cut(coarse, band_mm);
+  VoxelBand band = make_band(coarse.band.lattice, around.states, 2);
   CutState start;
   const std::size_t size = static_cast<std::size_t>(band.cells) + 1;
   start.side.assign(size, 0.0F);
   start.flow.fill(start.side);
+  const auto parent = [](const Cell& cell) { return Cell{cell[0] / 2, cell[1] / 2, cell[2] / 2}; };
   for_each_cell(band, [&](const Cell& cell, int index) {
     const auto at = static_cast<std::size_t>(index);
-    const auto from =
-        static_cast<std::size_t>(coarse.band.find({cell[0] / 2, cell[1] / 2, cell[2] / 2}));
+    const auto from = static_cast<std::size_t>(coarse.band.find(parent(cell)));
     const float side = coarse.cut.state.side[from];
     start.side[at] = band.is_fixed[at] ? std::round(side) : side;
     for (std::size_t axis = 0; axis < 3; ++axis)
       start.flow[axis][at] = coarse.cut.state.flow[axis][from];
   });
-  return solved(std::move(band), surface, std::move(start), is_last);
+  FinerLevel finer{solved(std::move(band), surface, std::move(start), is_last)};
+  const std::vector<Eigen::Vector3f> density =
+      cut_density(finer.level.band, finer.level.shares, finer.level.cut.state.side);
+  const double voxel_mm2 = std::pow(finer.level.band.lattice.voxel_mm, 2.0);
+  for_each_cell(finer.level.band, [&](const Cell& cell, int index) {
+    if (around.at_open_end.at(parent(cell)))
+      finer.touching_mm2 +=
+          voxel_mm2 * static_cast<double>(density[static_cast<std::size_t>(index)].norm());
+  });
+  return finer;
 }
 
-/// At the coarsest level every leaflet leaks.
-bool sees_leaflets(const Level& level) { return level.band.lattice.voxel_mm < kCoarsest_mm; }
-
-bool is_suspicious(const Level& level, const Level& coarse) {
-  return sees_leaflets(coarse) &&
-         level.area_mm2() < kSuspiciousShare * coarse.area_mm2() - kSuspicious_mm2;
+Level finer_level(const Level& coarse, const LeakSurface& surface, double band_mm, bool is_last) {
+  for (int widened = 0;; ++widened, band_mm *= 2.0) {
+    FinerLevel finer = in_band(coarse, surface, band_mm, is_last);
+    finer.level.summary.widened = widened;
+    const double most_mm2 = std::max(kTouching_mm2, kTouchingShare * finer.level.cut.primal_mm2);
+    if (finer.touching_mm2 <= most_mm2 || widened == kMostWidened) return std::move(finer.level);
+  }
 }
 
 /// All cells that the cut passes and that can be reached from `start`, which are taken off `left`.
@@ -205,21 +228,16 @@ ReferenceLeak reference_leak(const LeakSurface& surface, const ReferenceOptions&
   ReferenceLeak leak;
   Level level = first_level(lattice_around(surface), closed_off, is_last(kCoarsest_mm));
   leak.levels.push_back(level.summary);
-  double coarser_mm2 = 0.0;
   while (!is_last(level.band.lattice.voxel_mm)) {
-    const bool last = is_last(0.5 * level.band.lattice.voxel_mm);
-    Level finer = finer_level(level, closed_off, options.band_mm, last);
-    if (is_suspicious(finer, level)) {
-      finer = finer_level(level, closed_off, 2.0 * options.band_mm, last);
-      finer.summary.widened = true;
-    }
-    coarser_mm2 = sees_leaflets(level) ? level.area_mm2() : finer.area_mm2();
-    level = std::move(finer);
+    level =
+        finer_level(level, closed_off, options.band_mm, is_last(0.5 * level.band.lattice.voxel_mm));
     leak.levels.push_back(level.summary);
   }
   leak.primal_mm2 = level.cut.primal_mm2;
   leak.dual_mm2 = level.cut.dual_mm2;
-  leak.area_mm2 = std::max(0.0, level.area_mm2() + kLeftOver * (level.area_mm2() - coarser_mm2));
+  leak.surface_mm2 = cut_surface_mm2(level.band, level.shares, level.cut.state.side, closed_off);
+  leak.area_mm2 =
+      std::min(leak.surface_mm2, std::max(0.0, 0.5 * (leak.primal_mm2 + leak.dual_mm2)));
   leak.openings = openings_of(level, leak.area_mm2);
   return leak;
 }
