@@ -7,6 +7,7 @@
 #include <limits>
 #include <mutex>
 
+#include "core/metrics/leak.h"
 #include "core/metrics/quantile.h"
 #include "lab/leak/drawn_valves.h"
 #include "search/parallel.h"
@@ -95,14 +96,16 @@ std::vector<MeasuredArea> measured_areas(const ClosedValve& closed) {
   const ValveMeasure& m = closed.measure;
   return {{"orifice", m.orifice.area_mm2, m.error.orifice_mm2},
           {"gap", m.coaptation.gap_area_mm2, m.error.gap_mm2},
-          {"larger", leak_mm2(m), m.error.leak_mm2}};
+          {"larger", leak_mm2(m), m.error.leak_mm2},
+          {"leak", measure_leak(closed.valve, closed.closure.closed_mm).area_mm2, kNoError}};
 }
 
 std::vector<MeasuredArea> measured_areas(const OpenedValve& opened) {
   const OpeningMeasure& m = opened.measure;
   return {{"passage", m.opening_area_mm2, kNoError},
           {"projected", m.projected_area_mm2, kNoError},
-          {"smaller", opening_mm2(m), kNoError}};
+          {"smaller", opening_mm2(m), kNoError},
+          {"leak", measure_leak(opened.valve, opened.closure.closed_mm).area_mm2, kNoError}};
 }
 
 std::vector<LeakCase> study_leaks(const LeakStudyOptions& options,
