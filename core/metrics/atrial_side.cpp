@@ -21,7 +21,8 @@ class Blood {
  public:
   Blood(const Partition& partition, const VoxelGrid& grid)
       : parted_(partings(partition, grid)),
-        clearances_mm_(clearances_mm(partition, grid, partition.half_thickness_mm + grid.side_mm)),
+        clearances_mm_(
+            clearances_mm(partition, grid, partition.half_thickness_mm + 0.5 * grid.side_mm)),
         half_mm_(static_cast<float>(partition.half_thickness_mm)),
         per_mm_(static_cast<float>(kFree / grid.side_mm)) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -9,7 +9,7 @@ namespace {
 constexpr double kStrip_mm = 2.0;
 constexpr double kBeyond_mm = 200.0;  // farther out than any grid
 
-/// Which leaflets' triangles lie beside each other, and which touch a rim or the annulus.
+/// Which leaflets' triangles lie beside each other, and which touch a rim. The annulus is none: the strip goes on there.
 void join(const Valve& valve, Partition& partition) {
   const Faces& faces = valve.faces;
   struct Edge {
@@ -36,6 +36,7 @@ void join(const Valve& valve, Partition& partition) {
   for (const Edge& edge : edges)
     if (beyond[static_cast<std::size_t>(edge.face)][static_cast<std::size_t>(edge.k)] < 0)
       is_rim[static_cast<std::size_t>(edge.low)] = is_rim[static_cast<std::size_t>(edge.high)] = 1;
+  for (const int vertex : valve.annulus) is_rim[static_cast<std::size_t>(vertex)] = 0;
   for (Index f = 0; f < faces.rows(); ++f)
     partition.touches_rim.push_back(is_rim[static_cast<std::size_t>(faces(f, 0))] |
                                     is_rim[static_cast<std::size_t>(faces(f, 1))] |
@@ -65,7 +66,7 @@ Partition partition_of(const Valve& valve, const Points& points_mm, const Annulu
     partition.walls.push_back({from_strip, outwards(to, kBeyond_mm), outwards(from, kBeyond_mm)});
   }
   partition.beyond.resize(partition.leaflets.size(), {-1, -1, -1});
-  partition.touches_rim.resize(partition.leaflets.size(), 1);
+  partition.touches_rim.resize(partition.leaflets.size(), 0);
   return partition;
 }
 

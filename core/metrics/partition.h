@@ -14,7 +14,7 @@ struct Partition {
   std::vector<Corners> leaflets;  ///< mid-surfaces, and the strip about the annulus
   /// Of each of them, the one beyond its edge from corner k to the next; -1: none.
   std::vector<std::array<int, 3>> beyond;
-  std::vector<char> touches_rim;  ///< of each of them: has a corner where the leaflets end or begin
+  std::vector<char> touches_rim;  ///< of each of them: has a corner where the leaflets end
   std::vector<Corners> walls;     ///< without thickness
   double half_thickness_mm = 0.0;
 };
