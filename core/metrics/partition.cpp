@@ -12,28 +12,28 @@ constexpr double kBeyond_mm = 200.0;  // farther out than any grid
 /// Which leaflets' triangles lie beside each other, and which touch a rim. The annulus is none: the strip goes on there.
 void join(const Valve& valve, Partition& partition) {
   const Faces& faces = valve.faces;
-  struct Edge {
+  struct FaceEdge {
     int low, high, face, k;
   };
-  std::vector<Edge> edges;
+  std::vector<FaceEdge> edges;
   for (int f = 0; f < faces.rows(); ++f)
     for (int k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax({faces(f, k), faces(f, (k + 1) % 3)});
       edges.push_back({low, high, f, k});
     }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+  std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
     return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
   });
   auto& beyond = partition.beyond;
   beyond.assign(static_cast<std::size_t>(faces.rows()), {-1, -1, -1});
   for (std::size_t i = 1; i < edges.size(); ++i) {
-    const Edge &a = edges[i - 1], &b = edges[i];
+    const FaceEdge &a = edges[i - 1], &b = edges[i];
     if (a.low != b.low || a.high != b.high) continue;
     beyond[static_cast<std::size_t>(a.face)][static_cast<std::size_t>(a.k)] = b.face;
     beyond[static_cast<std::size_t>(b.face)][static_cast<std::size_t>(b.k)] = a.face;
   }
   std::vector<char> is_rim(static_cast<std::size_t>(valve.rest_mm.rows()), 0);
-  for (const Edge& edge : edges)
+  for (const FaceEdge& edge : edges)
     if (beyond[static_cast<std::size_t>(edge.face)][static_cast<std::size_t>(edge.k)] < 0)
       is_rim[static_cast<std::size_t>(edge.low)] = is_rim[static_cast<std::size_t>(edge.high)] = 1;
   for (const int vertex : valve.annulus) is_rim[static_cast<std::size_t>(vertex)] = 0;
