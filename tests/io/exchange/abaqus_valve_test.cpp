@@ -98,6 +98,15 @@ TEST(AbaqusValve, TouchesAtTheRatioOfTheShortestDiagonal) {
   EXPECT_NEAR(valve->tissue.thickness_mm, 0.05 * (a - b).norm(), 1e-7);  // decimals of the file
 }
 
+TEST(AbaqusValve, WithoutARatioTouchesAtTheThicknessOfItsThinnestLeaflet) {
+  std::string text = cone();
+  const std::string ratio = ", MAXRATIO=0.05";
+  text.erase(text.find(ratio), ratio.size());
+  const Expected<Valve> valve = read_abaqus_valve(text, {"cone", {"by hand"}});
+  ASSERT_TRUE(valve);
+  EXPECT_DOUBLE_EQ(valve->tissue.thickness_mm, 0.5);
+}
+
 TEST(AbaqusValve, ReadsBackFromItsFileBitForBit) {
   const Expected<Valve> valve = read_abaqus_valve(cone(), {});
   ASSERT_TRUE(valve);
