@@ -15,9 +15,11 @@ constexpr double kBarlowArea = 15.0 / 10.6;
 constexpr double kFibroelasticArea = 13.3 / 10.6;
 constexpr double kFunctionalArea = 802.0 / 608.0;
 
-// Functional regurgitation: 17.1 % of the annulus's area (Aquila 2016). Assumed: a fractional shortening of 15 %, of a
-// ventricle that ejects 30 %.
-constexpr SystolicMotion kWeakSystole = {0.17, 0.15};
+// How far systole moves annulus and tips. Change of the annulus's area in controls, fibroelastic deficiency and Barlow's disease:
+// 9.7, 6.8 and 4.4 % (the first source above); functional regurgitation: 17.1 / 29.9 of controls' (Aquila 2016). Muscles that
+// approach each other less make the valve leak (Kalra 2014, JACC 64:1867); by how much less is assumed.
+constexpr SystolicMotion kDegenerativeSystole = {0.07, 0.30}, kBarlowSystole = {0.04, 0.30},
+                         kWeakSystole = {0.06, 0.25};
 
 ParametricValve human() {
   ParametricValve d;
@@ -88,10 +90,13 @@ HumanValve human_p2_prolapse() {
   // leak; degenerative annuli are dilated.
   Remodelling change;
   change.ap_dilation_percent = 12.0;
-  return {human(), change,
+  return {human(),
+          change,
           "degenerative prolapse: marginal chordae of P2 ruptured, annulus dilated 12 % in its "
           "anteroposterior diameter",
-          1.0, true};
+          1.0,
+          true,
+          kDegenerativeSystole};
 }
 
 HumanValve human_functional_mr() {
@@ -131,23 +136,29 @@ HumanValve barlow() {
   d.posterior_slack = 1.15;
   d.tissue.thickness_mm = 2.0;
   change_tissue(2.0, 0.5, d.tissue);
-  return {d, change,
+  return {d,
+          change,
           "Barlow's disease: annulus of 15.0 / 10.6 times the area (Cardiovasc Ultrasound 2016, "
           "s12947-016-0073-4); assumed: leaflets a fifth taller, 2 mm thick, twice as extensible "
           "until their transition and half as stiff beyond it, chordae a tenth longer, posterior "
           "ones 15 % and P2's 40 % more, a flat saddle of 12 % of the width before it dilates",
-          1.4};
+          1.4,
+          false,
+          kBarlowSystole};
 }
 
 HumanValve fibroelastic_flail() {
   ParametricValve d = human();
   const Remodelling change = dilate(kFibroelasticArea, d);
   d.tissue.thickness_mm = 0.7;
-  return {d, change,
+  return {d,
+          change,
           "fibroelastic deficiency: annulus of 13.3 / 10.6 times the area (Cardiovasc Ultrasound "
           "2016, s12947-016-0073-4), marginal chordae of P2 ruptured; assumed: leaflets 0.7 mm "
           "thick, as tall as the annulus before it dilated asks for",
-          1.0, true};
+          1.0,
+          true,
+          kDegenerativeSystole};
 }
 
 HumanValve marfan() {
@@ -161,13 +172,16 @@ HumanValve marfan() {
   change_tissue(1.5, 0.7, d.tissue);
   Remodelling change;
   change.ap_dilation_percent = 15.0;
-  return {d, change,
+  return {d,
+          change,
           "Marfan syndrome with prolapse: large leaflets that billow in an annulus that expands in "
           "systole, posterior chordae that hold them late (Pini 1989, Circulation 80:915; no sizes "
           "there); assumed: annulus 5 % wider, 15 % dilated in its anteroposterior diameter under "
           "pressure, leaflets a quarter taller and 0.8 mm thick, 1.5 times as extensible and 0.7 "
           "times as stiff, chordae a tenth longer, posterior ones 15 % and P2's 30 % more",
-          1.3};
+          1.3,
+          false,
+          kBarlowSystole};
 }
 
 HumanValve secondary_mr() {
