@@ -1,4 +1,4 @@
-// Resections first, because a place on a leaflet is one on what is left of it; then rings, which move
+// Resections first, because a place on a leaflet is one on what is left of it; then rings and what clips draw in, which move
 // the anchors; then sutures, which move the tips; then chordae and edges. Within one kind no two steps
 // touch the same thing (that is refused), and neochordae and edge-to-edge steps are sorted: so the
 // order of the steps in the plan cannot matter.
@@ -152,7 +152,7 @@ bool changes(const PapillaryApproximation& step, const std::string& path, const 
 }
 bool changes(const Neochorda&, const std::string& path, const Valve&) { return path == "/chordae"; }
 bool changes(const EdgeToEdge&, const std::string& path, const Valve&) {
-  return path.starts_with("/ties");
+  return path.starts_with("/ties") || path.starts_with("/annulus");
 }
 bool changes(const LeafletResection&, const std::string& path, const Valve&) {
   return path.starts_with("/vertices_mm") || path.starts_with("/faces") ||
@@ -204,6 +204,7 @@ Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan) {
       needs_coordinates(plan) ? leaflet_coordinates(valve) : LeafletCoordinates{};
   resect(plan, coordinates, repaired, problems);
   place_ring(plan, repaired, problems);
+  if (problems.empty()) draw_annulus_in(plan, repaired);
   tie_sutures(plan, repaired, problems);
   ChordalPass chordae(coordinates, repaired, problems);
   for (std::size_t i = 0; i < plan.steps.size(); ++i)

@@ -98,9 +98,13 @@ std::string words(const Valve& valve, const LeafletResection& step) {
 }
 
 std::string words(const Valve& valve, const EdgeToEdge& step) {
-  return std::string("edge-to-edge ") + to_string(step.device) + ", " + shown(step.width_mm) +
-         " mm wide, " + place(valve, {Leaflet::Anterior, step.along, 1.0}) + " to " +
-         place(valve, {Leaflet::Posterior, step.along, 1.0});
+  const std::string tied = std::string("edge-to-edge ") + to_string(step.device) + ", " +
+                           shown(step.width_mm) + " mm wide, " +
+                           place(valve, {Leaflet::Anterior, step.along, 1.0}) + " to " +
+                           place(valve, {Leaflet::Posterior, step.along, 1.0});
+  if (step.device == EdgeDevice::Stitch) return tied;
+  return tied + ", " + shown(step.grasp_mm) + " mm of each leaflet grasped, annulus drawn in by " +
+         shown(step.annulus_drawn_in_percent) + " %";
 }
 
 }  // namespace

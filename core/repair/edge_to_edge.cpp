@@ -5,7 +5,9 @@
 #include <cstdio>
 
 #include "core/repair/limits.h"
+#include "core/valve/annulus_frame.h"
 #include "core/valve/leaflet_point.h"
+#include "core/valve/remodel.h"
 
 namespace coapt {
 namespace {
@@ -19,14 +21,14 @@ double along_per_mm(const Valve& valve, const LeafletCoordinates& coordinates, L
   return 2.0 * kStep / (after - before).norm();
 }
 
-/// Share of the leaflet's height that a clip's arms reach up from the edge.
+/// Share of the leaflet's height that the clip's arms reach up from the edge.
 double grasp_share(const Valve& valve, const LeafletCoordinates& coordinates, Leaflet leaflet,
-                   double along) {
+                   const EdgeToEdge& clip) {
   constexpr double kMostGrasp = 0.8;
-  const double height_mm = (rest_position_mm(valve, coordinates, {leaflet, along, 1.0}) -
-                            rest_position_mm(valve, coordinates, {leaflet, along, 0.0}))
+  const double height_mm = (rest_position_mm(valve, coordinates, {leaflet, clip.along, 1.0}) -
+                            rest_position_mm(valve, coordinates, {leaflet, clip.along, 0.0}))
                                .norm();
-  return std::min(kMostGrasp, kClipGrasp_mm / height_mm);
+  return std::min(kMostGrasp, clip.grasp_mm / height_mm);
 }
 
 int next_number(const Valve& valve) {
@@ -41,25 +43,46 @@ int next_number(const Valve& valve) {
 }  // namespace
 
 bool check_edge_to_edge(const EdgeToEdge& step, const std::string& path, ProblemList& problems) {
-  const bool along = check_range(problems, path + "/along", step.along, kEdgeAlong);
-  return check_range(problems, path + "/width_mm", step.width_mm, kEdgeWidthMm, " mm") && along;
+  bool possible = check_range(problems, path + "/along", step.along, kEdgeAlong);
+  const auto check = [&](const char* name, double number, Range range, const char* unit) {
+    possible = check_range(problems, path + name, number, range, unit) && possible;
+  };
+  check("/width_mm", step.width_mm, kEdgeWidthMm, " mm");
+  if (step.device != EdgeDevice::Clip) return possible;
+  check("/grasp_mm", step.grasp_mm, kGraspMm, " mm");
+  check("/rows", step.rows, kClipRows, "");
+  check("/annulus_drawn_in_percent", step.annulus_drawn_in_percent, kDrawnInPercent, " %");
+  return possible;
 }
 
 std::string text_key(const EdgeToEdge& step) {
-  char numbers[64];
-  std::snprintf(numbers, sizeof numbers, " %.17g %.17g", step.along, step.width_mm);
+  char numbers[160];
+  std::snprintf(numbers, sizeof numbers, " %.17g %.17g %.17g %d %.17g", step.along, step.width_mm,
+                step.grasp_mm, step.rows, step.annulus_drawn_in_percent);
   return to_string(step.device) + std::string(numbers);
+}
+
+void draw_annulus_in(const RepairPlan& plan, Valve& valve) {
+  double percent = 0.0;
+  for (const RepairStep& step : plan.steps) {
+    if (std::holds_alternative<Annuloplasty>(step)) return;
+    const auto* edges = std::get_if<EdgeToEdge>(&step);
+    if (edges != nullptr && edges->device == EdgeDevice::Clip)
+      percent = std::max(percent, edges->annulus_drawn_in_percent);
+  }
+  if (percent > 0.0) grow_annulus(-0.01 * percent * ap_diameter_mm(valve), valve);
 }
 
 void apply_edge_to_edge(const EdgeToEdge& step, const LeafletCoordinates& coordinates,
                         Valve& valve) {
   const std::string id = "edge-to-edge-" + std::to_string(next_number(valve)) + '-';
   const int count = 1 + static_cast<int>(std::lround(step.width_mm / kTieSpacing_mm));
-  const int rows = step.device == EdgeDevice::Clip ? 2 : 1;
+  const int rows = step.device == EdgeDevice::Clip ? step.rows : 1;
   const auto insertion = [&](Leaflet leaflet, double off_mm, int row) {
     const double along =
         step.along + off_mm * along_per_mm(valve, coordinates, leaflet, step.along);
-    const double up = row * grasp_share(valve, coordinates, leaflet, step.along);
+    const double up =
+        row == 0 ? 0.0 : row * grasp_share(valve, coordinates, leaflet, step) / (rows - 1);
     return locate(valve, coordinates, {leaflet, std::clamp(along, 0.0, 1.0), 1.0 - up});
   };
   for (int row = 0; row < rows; ++row)

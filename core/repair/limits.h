@@ -18,6 +18,9 @@ inline constexpr Range kSutureMm = {12.0, 100.0};  ///< papillary approximation
 inline constexpr double kLeastSutureShare = 0.5;   ///< of the present distance, at least
 inline constexpr Range kEdgeAlong = {0.05, 0.95};  ///< edge-to-edge: not in a commissure
 inline constexpr Range kEdgeWidthMm = {2.0, 15.0};
+inline constexpr Range kGraspMm = {2.0, 12.0};  ///< the longest arms
+inline constexpr Range kClipRows = {1.0, 5.0};
+inline constexpr Range kDrawnInPercent = {0.0, 25.0};
 // Leaflet resection. A wedge's base at the posterior free edge is 10 to 15 mm as a rule; of the
 // anterior leaflet little may go (its range and the least widths are assumed).
 inline constexpr Range kTriangularMm = {3.0, 20.0};

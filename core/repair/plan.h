@@ -83,12 +83,17 @@ struct PapillaryApproximation {
 
 enum class EdgeDevice { Stitch, Clip };
 
-/// Opposite points of the leaflets' free edges are held together: a stitch along the edges
-/// (Alfieri), or a clip, whose arms also hold the leaflets kClipGrasp_mm above them.
+/// Opposite points of the leaflets' free edges are held together: a stitch along the edges (Alfieri), or a clip, whose arms hold
+/// the leaflets above them, too, and which draws the annulus in.
 struct EdgeToEdge {
   EdgeDevice device = EdgeDevice::Stitch;
   double along = 0.5;     ///< of both edges, LeafletPoint::along; 0.5: A2 to P2
   double width_mm = 4.0;  ///< along the edges: 2 to 15
+  // Of a clip alone (edge_to_edge.h has sizes and sources).
+  double grasp_mm = 5.0;  ///< of each leaflet between the arms, from the free edge: 2 to 12
+  int rows = 2;           ///< of ties over that: 1 to 5
+  /// By which the anteroposterior diameter gets smaller, 0 to 25; nothing behind a ring.
+  double annulus_drawn_in_percent = 11.0;
 };
 
 enum class ResectionShape { Triangular, Quadrangular };

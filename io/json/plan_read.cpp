@@ -136,10 +136,17 @@ RepairStep read_edge_to_edge(const JsonPlace& place) {
   const auto read_device = [](const JsonPlace& device) {
     return read_name<EdgeDevice>(device, {EdgeDevice::Stitch, EdgeDevice::Clip});
   };
+  const auto read_rows = [](const JsonPlace& rows) {
+    return read_integer_in(rows, static_cast<int>(kClipRows.min), static_cast<int>(kClipRows.max));
+  };
   read_fields(place, {tag("step"),
                       {"device", into(step.device, read_device)},
                       {"along", number_into(step.along, kEdgeAlong)},
-                      {"width_mm", number_into(step.width_mm, kEdgeWidthMm, " mm")}});
+                      {"width_mm", number_into(step.width_mm, kEdgeWidthMm, " mm")},
+                      {"grasp_mm", number_into(step.grasp_mm, kGraspMm, " mm"), false},
+                      {"rows", into(step.rows, read_rows), false},
+                      {"annulus_drawn_in_percent",
+                       number_into(step.annulus_drawn_in_percent, kDrawnInPercent, " %"), false}});
   return step;
 }
 

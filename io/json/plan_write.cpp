@@ -55,10 +55,16 @@ Json step_json(const PapillaryApproximation& step) {
 }
 
 Json step_json(const EdgeToEdge& step) {
-  return {{"step", "edge_to_edge"},
-          {"device", to_string(step.device)},
-          {"along", step.along},
-          {"width_mm", step.width_mm}};
+  Json json = {{"step", "edge_to_edge"},
+               {"device", to_string(step.device)},
+               {"along", step.along},
+               {"width_mm", step.width_mm}};
+  if (step.device == EdgeDevice::Clip) {
+    json["grasp_mm"] = step.grasp_mm;
+    json["rows"] = step.rows;
+    json["annulus_drawn_in_percent"] = step.annulus_drawn_in_percent;
+  }
+  return json;
 }
 
 Json step_json(const LeafletResection& step) {

@@ -61,8 +61,10 @@ std::string words(const PapillaryApproximation& suture) {
 }
 
 std::string words(const EdgeToEdge& step) {
-  return std::string("edges ") + to_string(step.device) + number(step.along) +
-         number(step.width_mm);
+  const std::string text =
+      std::string("edges ") + to_string(step.device) + number(step.along) + number(step.width_mm);
+  if (step.device == EdgeDevice::Stitch) return text;
+  return text + number(step.grasp_mm) + number(step.rows) + number(step.annulus_drawn_in_percent);
 }
 
 std::string words(const LeafletResection& step) {

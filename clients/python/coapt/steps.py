@@ -138,15 +138,34 @@ class PapillaryApproximation:
 
 @dataclass(frozen=True)
 class EdgeToEdge:
-    """Opposite points of both free edges held together, width_mm (2 to 15) along them: by a stitch (Alfieri) or a clip."""
+    """Opposite points of both free edges held together, width_mm (2 to 15) along them: by a stitch (Alfieri) or a clip.
+
+    Of a clip alone: grasp_mm (2 to 12) of each leaflet between the arms, rows (1 to 5) of ties over that, and by how many per
+    cent (0 to 25) it draws the annulus in from front to back.
+    """
 
     device: Literal["stitch", "clip"] = "clip"
     along: float = 0.5
     width_mm: float = 4.0
+    grasp_mm: float = 5.0
+    rows: int = 2
+    annulus_drawn_in_percent: float = 11.0
     step: ClassVar[str] = "edge_to_edge"
 
     def to_json(self) -> dict[str, Any]:
-        return {"step": self.step, "device": self.device, "along": self.along, "width_mm": self.width_mm}
+        json: dict[str, Any] = {
+            "step": self.step,
+            "device": self.device,
+            "along": self.along,
+            "width_mm": self.width_mm,
+        }
+        if self.device == "clip":
+            json |= {
+                "grasp_mm": self.grasp_mm,
+                "rows": self.rows,
+                "annulus_drawn_in_percent": self.annulus_drawn_in_percent,
+            }
+        return json
 
 
 @dataclass(frozen=True)

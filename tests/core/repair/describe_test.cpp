@@ -42,8 +42,10 @@ TEST(Describe, SpeaksOfResectionsAndEdges) {
             "triangular resection at the free edge of P2, 10 mm wide, over 70 % of the height");
   EXPECT_EQ(line(LeafletResection{.shape = ResectionShape::Quadrangular, .width_mm = 12.0}),
             "quadrangular resection at the free edge of P2, 12 mm wide, with sliding plasty");
-  EXPECT_EQ(line(EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}),
-            "edge-to-edge clip, 6 mm wide, the free edge of A2 to the free edge of P2");
+  EXPECT_EQ(
+      line(EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}),
+      "edge-to-edge clip, 6 mm wide, the free edge of A2 to the free edge of P2, 5 mm of each "
+      "leaflet grasped, annulus drawn in by 11 %");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
 #include "core/repair/apply_plan.h"
+#include "core/valve/annulus_frame.h"
 #include "core/valve/refine.h"
 #include "core/valve/validate.h"
 #include "tests/scenes/small_preset.h"
@@ -37,11 +38,34 @@ TEST(EdgeToEdge, AStitchOfFourMillimetresIsThreeTiesTwoMillimetresApart) {
       EXPECT_NEAR((a - b).norm(), 2.0, 0.2);
     }
   EXPECT_EQ(stitched.ties[1].rest_length_mm, valve.tissue.thickness_mm);
-  const Valve clipped = repaired(valve, {EdgeDevice::Clip, 0.5, 4.0});
-  ASSERT_EQ(clipped.ties.size(), 6u);
-  const Vec3 edge = position(clipped.ties[1].anterior, clipped.faces, clipped.rest_mm),
-             above = position(clipped.ties[4].anterior, clipped.faces, clipped.rest_mm);
-  EXPECT_NEAR((edge - above).norm(), kClipGrasp_mm, 0.3);
+  EXPECT_EQ(stitched.annulus_mm, valve.annulus_mm);
+}
+
+TEST(EdgeToEdge, AClipHasRowsOfTiesOverItsGraspAndDrawsTheAnnulusIn) {
+  const Valve& valve = small_preset("human-normal");
+  const Valve clipped =
+      repaired(valve, {.device = EdgeDevice::Clip, .width_mm = 4.0, .grasp_mm = 6.0, .rows = 3});
+  ASSERT_EQ(clipped.ties.size(), 9u);
+  for (const std::size_t row : {1u, 2u}) {
+    const Vec3 edge = position(clipped.ties[1].anterior, clipped.faces, clipped.rest_mm),
+               above = position(clipped.ties[1 + 3 * row].anterior, clipped.faces, clipped.rest_mm);
+    EXPECT_NEAR((edge - above).norm(), 3.0 * static_cast<double>(row), 0.3);
+  }
+  EXPECT_NEAR(ap_diameter_mm(clipped), 0.89 * ap_diameter_mm(valve), 0.01);
+  EXPECT_NEAR(transverse_diameter_mm(clipped), transverse_diameter_mm(valve), 1e-9);
+}
+
+TEST(EdgeToEdge, TheLargestOfSeveralClipsDrawsTheAnnulusInUnlessARingHoldsIt) {
+  const Valve& valve = small_preset("human-functional-mr");
+  EdgeToEdge weak{.device = EdgeDevice::Clip, .along = 0.4, .annulus_drawn_in_percent = 5.0};
+  EdgeToEdge strong{.device = EdgeDevice::Clip, .along = 0.6, .annulus_drawn_in_percent = 13.0};
+  const Valve both = *apply_plan(valve, {{weak, strong}});
+  EXPECT_NEAR(ap_diameter_mm(both), 0.87 * ap_diameter_mm(valve), 0.01);
+  const Annuloplasty ring{CatalogueRing{"generic-classic", 30.0}};
+  EXPECT_EQ(apply_plan(valve, {{strong, ring}})->annulus_mm,
+            apply_plan(valve, {{ring}})->annulus_mm);
+  weak.annulus_drawn_in_percent = 0.0;
+  EXPECT_EQ(apply_plan(valve, {{weak}})->annulus_mm, valve.annulus_mm);
 }
 
 TEST(EdgeToEdge, HoldsTheEdgesTogetherInTheClosedValve) {
@@ -100,6 +124,11 @@ TEST(EdgeToEdge, WhatIsOutOfRangeIsRefused) {
   using Paths = std::vector<std::string>;
   EXPECT_EQ(paths({EdgeDevice::Stitch, 0.0, 1.0}), (Paths{"/steps/0/along", "/steps/0/width_mm"}));
   EXPECT_EQ(paths({EdgeDevice::Clip, std::nan(""), 4.0}), (Paths{"/steps/0/along"}));
+  EXPECT_EQ(paths({.device = EdgeDevice::Clip,
+                   .grasp_mm = 13.0,
+                   .rows = 0,
+                   .annulus_drawn_in_percent = std::nan("")}),
+            (Paths{"/steps/0/grasp_mm", "/steps/0/rows", "/steps/0/annulus_drawn_in_percent"}));
 }
 
 TEST(Ties, ThatAreNoneAreNamed) {

@@ -239,6 +239,9 @@ TEST(PlanSchema, HasTheLimitsOfTheRepairSteps) {
   EXPECT_EQ(range("neochorda", "length_mm"), pair(kNeochordaMm));
   EXPECT_EQ(range("edge_to_edge", "along"), pair(kEdgeAlong));
   EXPECT_EQ(range("edge_to_edge", "width_mm"), pair(kEdgeWidthMm));
+  EXPECT_EQ(range("edge_to_edge", "grasp_mm"), pair(kGraspMm));
+  EXPECT_EQ(range("edge_to_edge", "rows"), pair(kClipRows));
+  EXPECT_EQ(range("edge_to_edge", "annulus_drawn_in_percent"), pair(kDrawnInPercent));
   for (const char* shape : {"triangular_resection", "quadrangular_resection"})
     EXPECT_EQ(range(shape, "along"), pair(kResectionAlong));
   EXPECT_EQ(range("triangular_resection", "width_mm"), pair(kTriangularMm));
