@@ -85,7 +85,7 @@ void note_attachment(const ExportArguments& arguments, const ClosedValve& export
 void note_ties(const ExportArguments& arguments, const Valve& valve) {
   if (valve.ties.empty()) return;
   for (const std::string& path : arguments.outputs)
-    if (is_folder(path) || format_of_path(path)->loses_ties)
+    if (!is_folder(path) && format_of_path(path)->loses_ties)
       std::cerr << "coapt: " << path
                 << ": the ties of the edge-to-edge repair are not kept; a valve that is imported "
                    "from this has none\n";

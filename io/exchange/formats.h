@@ -50,7 +50,7 @@ inline constexpr std::array<const char*, 4> kOptionalFiles = {
     "repair.mrk.json", "under_pressure.mrk.json", "measurements.csv", "tissue.json"};
 
 /// What SlicerHeart's ValveFemExport leaves in a folder, and its markups and measurements: both leaflets together and
-/// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Valve::ties are only drawn. Measurements only of the closed shape; of the open one where annulus and tips go, tissue and pressure.
+/// one by one, chordae, annulus, tips, landmarks, the repair (if there is one). Measurements only of the closed shape; of the open one where annulus and tips go, tissue and pressure.
 Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& closed,
                                                    const ExportOptions& options = {});
 

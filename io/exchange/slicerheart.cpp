@@ -9,6 +9,7 @@
 #include "core/valve/problem_list.h"
 #include "io/exchange/chorda_trees.h"
 #include "io/exchange/markups.h"
+#include "io/exchange/valve_markups.h"
 #include "io/exchange/valve_vtk.h"
 #include "io/json/json_reader.h"
 #include "io/json/valve_json.h"
@@ -181,6 +182,20 @@ std::vector<LabelledTip> tips_of(const Found& found) {
   return tips;
 }
 
+void take_ties(const Found& found, ImportSource& source, ProblemList& problems) {
+  for (const Markup& markup : found.markups) {
+    if (markup.type != MarkupType::Line || !markup.name.starts_with(kTieMarkup)) continue;
+    if (markup.points_mm.rows() == 2)
+      source.ties.push_back({markup.name.substr(kTieMarkup.size()), markup.points_mm.row(0),
+                             markup.points_mm.row(1)});
+    else
+      problems.add(ErrorCode::BadGeometry, "",
+                   "has '" + markup.name.substr(0, 60) + "' with " +
+                       std::to_string(markup.points_mm.rows()) +
+                       " points; must have two, on the anterior and on the posterior leaflet");
+  }
+}
+
 }  // namespace
 
 Expected<ImportSource> read_slicerheart(const std::vector<NamedFile>& files) {
@@ -197,6 +212,7 @@ Expected<ImportSource> read_slicerheart(const std::vector<NamedFile>& files) {
   ImportSource source;
   choose_leaflets(found, source, problems);
   choose_annulus(found, source, problems);
+  take_ties(found, source, problems);
   if (found.tissue) {
     source.tissue = found.tissue->tissue;
     source.pressure_kpa = found.tissue->pressure_kpa;

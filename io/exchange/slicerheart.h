@@ -11,6 +11,7 @@
 //   tips, labelled with their side (AL..., PM..., or words). Those named "under pressure" say point by point where the
 //   others go when the valve closes. ValveFemExport writes no markups: save
 //   them there from Slicer.
+// - of these, lines named "tie: ..." are the ties of an edge-to-edge repair, from the anterior to the posterior leaflet.
 // A tip without label gets its side from where it lies, which needs an anterior and a posterior sheet.
 #pragma once
 

@@ -152,8 +152,9 @@ MorphedMesh repair(const ClosedValve& exported, const std::vector<ValveShape>& s
     colours.clear();
     for (const Markup& markup : repair_markups(exported, state)) {
       const bool is_ring = markup.type == MarkupType::ClosedCurve;
-      const auto is_called = [&](const char* start) { return markup.name.starts_with(start); };
-      if (!is_ring && !is_called("suture:") && !is_called("tie:") && !is_called("seam:")) continue;
+      const auto is_called = [&](std::string_view start) { return markup.name.starts_with(start); };
+      if (!is_ring && !is_called("suture:") && !is_called(kTieMarkup) && !is_called("seam:"))
+        continue;
       const Eigen::Index points = markup.points_mm.rows();
       for (Eigen::Index i = is_ring ? 0 : 1; i < points; ++i) {
         const Vec3 from = markup.points_mm.row((i + points - 1) % points),

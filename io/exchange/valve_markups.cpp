@@ -121,7 +121,8 @@ std::vector<Markup> repair_markups(const ClosedValve& exported, const ValveShape
                              shape.chorda_ends_mm[c].row(static_cast<Eigen::Index>(s))));
   }
   for (const Tie& tie : valve.ties) {
-    markups.push_back(line("tie: " + tie.id, position(tie.anterior, valve.faces, shape.vertices_mm),
+    markups.push_back(line(std::string(kTieMarkup) + tie.id,
+                           position(tie.anterior, valve.faces, shape.vertices_mm),
                            position(tie.posterior, valve.faces, shape.vertices_mm)));
     markups.back().labels = {"anterior", "posterior"};
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/closure/contact.h"
 #include "core/valve/leaflet_of.h"
@@ -53,9 +54,12 @@ struct SurfacePoint {
   double distance_mm = 1e300;
 };
 
-SurfacePoint nearest_on_surface(const Valve& valve, const Vec3& point) {
+SurfacePoint nearest_on_surface(const Valve& valve, const Vec3& point,
+                                std::optional<Leaflet> leaflet = {}) {
   SurfacePoint best;
   for (int f = 0; f < valve.faces.rows(); ++f) {
+    const Segment segment = valve.segments[static_cast<std::size_t>(f)];
+    if (leaflet && leaflet_of(segment).value_or(*leaflet) != *leaflet) continue;
     const Vec3 a = valve.rest_mm.row(valve.faces(f, 0)), b = valve.rest_mm.row(valve.faces(f, 1)),
                c = valve.rest_mm.row(valve.faces(f, 2));
     const Vec3 weights = closest_point_weights(point, a, b, c);
@@ -260,6 +264,39 @@ Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
     valve.chordae.push_back(std::move(chorda));
   }
   decisions.push_back(described(attached, valve, options));
+  return std::move(problems).take();
+}
+
+Errors add_imported_ties(const FramedSource& source, bool closed, Valve& valve,
+                         std::vector<ImportDecision>& decisions) {
+  if (source.ties.empty()) return {};
+  if (closed)
+    return {{ErrorCode::Unsupported, "/ties",
+             "cannot be placed on leaflets that were imaged closed, whose edges are not seen: "
+             "export the open shape, or leave the ties out"}};
+  ProblemList problems;
+  double moved_mm = 0.0;
+  for (std::size_t i = 0; i < source.ties.size(); ++i) {
+    const ImportedTie& imported = source.ties[i];
+    const auto landed = [&](const Vec3& end_mm, Leaflet leaflet, const char* name) {
+      const SurfacePoint nearest = nearest_on_surface(valve, end_mm, leaflet);
+      moved_mm = std::max(moved_mm, nearest.distance_mm);
+      if (!(nearest.distance_mm <= kSurfaceReach_mm))
+        problems.add(ErrorCode::BadGeometry, "/ties/" + std::to_string(i) + name,
+                     "lies " + with_decimals(nearest.distance_mm, 1) + " mm from the " +
+                         to_string(leaflet) + " leaflet; must lie within " +
+                         shown(kSurfaceReach_mm) + " mm of it");
+      return nearest.insertion;
+    };
+    Tie& tie = valve.ties.emplace_back();
+    tie.id = imported.id;
+    tie.anterior = landed(imported.anterior_mm, Leaflet::Anterior, "/anterior_mm");
+    tie.posterior = landed(imported.posterior_mm, Leaflet::Posterior, "/posterior_mm");
+    tie.rest_length_mm = valve.tissue.thickness_mm;
+  }
+  decisions.push_back({"ties",
+                       std::to_string(source.ties.size()) + " of an edge-to-edge repair kept",
+                       "moved to the leaflets, at most " + with_decimals(moved_mm, 2) + " mm"});
   return std::move(problems).take();
 }
 

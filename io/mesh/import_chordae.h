@@ -1,4 +1,4 @@
-// Imported chordae attached to a resampled skirt.
+// Imported chordae and ties attached to a resampled skirt.
 #pragma once
 
 #include "io/mesh/skirt.h"
@@ -13,5 +13,10 @@ namespace coapt {
 Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
                             const ImportOptions& options, Valve& valve,
                             std::vector<ImportDecision>& decisions);
+
+/// Adds ties, each end at the nearest point of its leaflet. Errors: an end further than 8 mm from it; ties of leaflets that were
+/// imaged closed, whose edges nobody saw.
+Errors add_imported_ties(const FramedSource& source, bool closed, Valve& valve,
+                         std::vector<ImportDecision>& decisions);
 
 }  // namespace coapt

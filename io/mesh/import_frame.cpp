@@ -292,6 +292,8 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_
   }
   for (const ImportedTip& tip : source.tips)
     framed.tips.push_back({tip.side, frame->into(tip.position_mm)});
+  for (const ImportedTie& tie : source.ties)
+    framed.ties.push_back({tie.id, frame->into(tie.anterior_mm), frame->into(tie.posterior_mm)});
   framed.landmarks = source.landmarks;
   for_each_given(framed.landmarks, [&](const Vec3& place) { return frame->into(place); });
   check_framed(framed, problems);

@@ -17,6 +17,7 @@ struct FramedSource {
   Points pressed_annulus_mm;  ///< point by point as annulus_mm, or empty
   std::vector<ImportedChorda> chordae;
   std::vector<ImportedTip> tips;
+  std::vector<ImportedTie> ties;
   GivenLandmarks landmarks;
   PatientFrame patient;  ///< from here back to the source's coordinates
   ImportDecision change;

@@ -144,6 +144,8 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
              !errors.empty()) {
     return errors;
   }
+  if (Errors errors = add_imported_ties(*framed, state.closed, valve, decisions); !errors.empty())
+    return errors;
   decisions.insert(decisions.begin(), source.decisions.begin(), source.decisions.end());
   for (const ImportDecision& decision : decisions) valve.provenance.push_back(sentence(decision));
   Errors invalid = validate(valve);

@@ -48,6 +48,12 @@ struct ImportedTip {
   Vec3 position_mm = Vec3::Zero();
 };
 
+/// A tie of an edge-to-edge repair, as long as the leaflets are thick.
+struct ImportedTie {
+  std::string id;  ///< unique
+  Vec3 anterior_mm = Vec3::Zero(), posterior_mm = Vec3::Zero();
+};
+
 /// Places that a person saw, which otherwise are found: each moves to the annulus.
 struct GivenLandmarks {
   std::optional<Vec3> anterolateral_commissure_mm = {}, posteromedial_commissure_mm = {};
@@ -79,7 +85,8 @@ struct ImportSource {
   Points annulus_mm;          ///< closed loop, n x 3, either direction; empty: found
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
-  std::vector<ImportedTip> tips;  ///< taken only where chordae are drawn
+  std::vector<ImportedTip> tips;       ///< taken only where chordae are drawn
+  std::vector<ImportedTie> ties = {};  ///< of leaflets that hang open
   GivenLandmarks landmarks = {};
   std::vector<ImportDecision> decisions;  ///< that reading it took, before those of the import
   std::optional<Tissue> tissue;           ///< else thesis table 2.1, by ImportOptions::reference

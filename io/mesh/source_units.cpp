@@ -68,6 +68,10 @@ void scale(ImportSource& source, double factor) {
   source.annulus_mm *= factor;
   source.pressed_annulus_mm *= factor;
   for (ImportedTip& tip : source.tips) tip.position_mm *= factor;
+  for (ImportedTie& tie : source.ties) {
+    tie.anterior_mm *= factor;
+    tie.posterior_mm *= factor;
+  }
   for_each_given(source.landmarks, [&](const Vec3& place) { return Vec3(factor * place); });
   for (ImportedChorda& chorda : source.chordae) {
     chorda.insertion_mm *= factor;

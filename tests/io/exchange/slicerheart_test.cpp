@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/repair/apply_plan.h"
 #include "core/valve/validate.h"
 #include "io/exchange/markups.h"
 #include "tests/scenes/small_preset.h"
@@ -61,6 +62,45 @@ TEST(SlicerHeart, ACompetentValveThatGoesOutAndInClosesAlike) {
 
 TEST(SlicerHeart, ALeakingValveThatGoesOutAndInClosesAlike) {
   expect_closes_alike("human-functional-mr", 650);
+}
+
+TEST(SlicerHeart, TiesOfAClipComeBackAndHoldAsBefore) {
+  const Valve clipped =
+      *apply_plan(shared_preset("secondary-mr", 650), {{EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}}});
+  const std::vector<NamedFile> files = folder_of(clipped);
+  const Expected<Valve> again = imported(files, static_cast<int>(clipped.faces.rows()));
+  ASSERT_TRUE(again) << again.errors()[0].message;
+  ASSERT_EQ(again->ties.size(), clipped.ties.size());
+  for (std::size_t i = 0; i < clipped.ties.size(); ++i) {
+    const Tie &before = clipped.ties[i], &after = again->ties[i];
+    EXPECT_EQ(after.id, before.id);
+    EXPECT_EQ(after.rest_length_mm, before.rest_length_mm);
+    const auto length_mm = [](const Valve& valve, const Tie& tie) {
+      return (position(tie.anterior, valve.faces, valve.rest_mm) -
+              position(tie.posterior, valve.faces, valve.rest_mm))
+          .norm();
+    };
+    EXPECT_NEAR(length_mm(*again, after), length_mm(clipped, before), 0.5);
+  }
+  const ValveMeasure before = close_and_measure(clipped).measure,
+                     after = close_and_measure(*again).measure;
+  EXPECT_NEAR(leak_mm2(after), leak_mm2(before), before.error.leak_mm2 + after.error.leak_mm2);
+}
+
+TEST(SlicerHeart, ATieThatIsNoneOrFarFromItsLeafletIsRefused) {
+  const Valve clipped =
+      *apply_plan(small_preset("human-normal"), {{EdgeToEdge{EdgeDevice::Stitch, 0.5, 4.0}}});
+  std::vector<NamedFile> files = folder_of(clipped);
+  Expected<std::vector<Markup>> repair = read_markups(named(files, "repair.mrk.json").bytes);
+  ASSERT_TRUE(repair);
+  (*repair)[1].points_mm(0, 2) += 40.0;
+  named(files, "repair.mrk.json").bytes = write_markups(*repair);
+  const Expected<Valve> far = imported(files, 648);
+  ASSERT_FALSE(far);
+  EXPECT_EQ(far.errors().front().path, "/ties/1/anterior_mm");
+  (*repair)[1].points_mm.conservativeResize(1, 3);
+  named(files, "repair.mrk.json").bytes = write_markups(*repair);
+  EXPECT_NE(problems(files).front().message.find("must have two"), std::string::npos);
 }
 
 TEST(SlicerHeart, TreesRestLengthsAndHeadsComeBack) {
