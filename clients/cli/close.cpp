@@ -142,21 +142,21 @@ int run(const CloseArguments& arguments) {
   const std::chrono::duration<double> opening_seconds =
       std::chrono::steady_clock::now() - opening_start;
 
-  const std::vector<std::string> warnings =
-      warnings_of(operation_gates({*plan, *valve, *repaired}));
+  std::vector<std::string> warnings = warnings_of(operation_gates({*plan, *valve, *repaired}));
+  if (opened)
+    for (std::string& warning : opening_warnings(*opened)) warnings.push_back(std::move(warning));
 
   auto json = closure_to_json(closed.valve, closure, closed.measure, seconds.count());
   if (finer) json["convergence"] = std::move(finer->json);
   if (arguments.oblique) json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : Json();
-  if (opened) json["opening"] = opening_figures_json(*opened, {}, opening_seconds.count());
+  if (opened) json["opening"] = opening_figures_json(*opened, opening_seconds.count());
   if (accurate) json["accuracy"] = to_json(*accurate, *arguments.accuracy_mm2);
   json["warnings"] = warnings;
   const int status = show(arguments, json);
   if (const int failed = write_closed(arguments, *repaired, closure)) return failed;
   if (!arguments.picture.empty()) {
-    if (const int failed =
-            write_output(arguments.picture,
-                         closure_picture_png(closed, opened ? opening_line(*opened, {}) : "")))
+    if (const int failed = write_output(
+            arguments.picture, closure_picture_png(closed, opened ? opening_line(*opened) : "")))
       return failed;
   }
   return status;

@@ -41,8 +41,8 @@ int run_by(const Service& service, const OpenArguments& arguments) {
   auto [unsent, request, sources] = repair_to_send(arguments.valve, arguments.plan);
   if (unsent) return unsent;
   const OpeningOptions& options = arguments.options;
-  request["pressure_mmhg"] = options.pressure_mmhg;
-  request["flow_ml_s"] = options.flow_ml_s;
+  if (options.pressure_mmhg) request["pressure_mmhg"] = *options.pressure_mmhg;
+  if (options.flow_ml_s) request["flow_ml_s"] = *options.flow_ml_s;
   request["exercise"] = options.exercise;
   Expected<Json> opening = post_json(service, "/v1/openings", request);
   if (!opening) return report_service_errors("open", opening.errors(), sources);
@@ -62,8 +62,9 @@ int run(const OpenArguments& arguments) {
     return report_option_errors(
         "open", opened.errors(),
         {{"/pressure_mmhg", "--pressure"}, {"/flow_ml_s", "--flow"}, {"/exercise", "--exercise"}});
-  auto json = opening_to_json(*opened, arguments.options, seconds.count());
+  auto json = opening_to_json(*opened, seconds.count());
   json["warnings"] = warnings_of(operation_gates({planned.plan, planned.valve, planned.repaired}));
+  for (const std::string& warning : opening_warnings(*opened)) json["warnings"].push_back(warning);
   const int status = show(arguments, json);
   if (!arguments.opened.empty()) {
     const Expected<std::string> mesh = write_mesh(
@@ -72,9 +73,8 @@ int run(const OpenArguments& arguments) {
     if (const int failed = write_output(arguments.opened, *mesh)) return failed;
   }
   if (!arguments.picture.empty())
-    if (const int failed = write_output(
-            arguments.picture,
-            opening_picture_png(*opened, arguments.options, planned.valve, planned.plan)))
+    if (const int failed = write_output(arguments.picture,
+                                        opening_picture_png(*opened, planned.valve, planned.plan)))
       return failed;
   return status;
 }
@@ -88,13 +88,15 @@ void add_open(Command parent, int& status) {
   add_plan_option(command, arguments->plan);
   OpeningOptions& options = arguments->options;
   command
-      .add_option("--pressure", options.pressure_mmhg,
-                  "Atrium over ventricle, mmHg; below 3 slack leaflets take long to settle")
-      .check(number_from(kFillingPressures_mmhg.min, kFillingPressures_mmhg.max))
-      .show_default();
-  command.add_option("--flow", options.flow_ml_s, "Mean flow of filling at rest, ml/s")
-      .check(number_from(kFillingFlows_ml_s.min, kFillingFlows_ml_s.max))
-      .show_default();
+      .add_option(
+          "--pressure", options.pressure_mmhg,
+          "Atrium over ventricle at the peak of filling, mmHg; by default what the flow needs")
+      .check(number_from(kFillingPressures_mmhg.min, kFillingPressures_mmhg.max));
+  command
+      .add_option(
+          "--flow", options.flow_ml_s,
+          "Mean flow of filling at rest, ml/s; by default 155, less through a small annulus")
+      .check(number_from(kFillingFlows_ml_s.min, kFillingFlows_ml_s.max));
   command.add_option("--exercise", options.exercise, "Flow at exercise over that at rest")
       .check(number_from(kExercises.min, kExercises.max))
       .show_default();

@@ -1,5 +1,6 @@
 #include "clients/cli/print_opening.h"
 
+#include <cmath>
 #include <ostream>
 
 #include "clients/cli/print.h"
@@ -18,6 +19,15 @@ std::string gradient(const Json& mmhg, const Json& flow) {
   return fixed(number_of(mmhg), 1) + " mmHg at " + significant(number_of(flow), 3) + " ml/s";
 }
 
+std::string passage_words(const Json& opening) {
+  const double depth_mm = number_of(opening["passage_depth_mm"]);
+  if (std::isnan(depth_mm)) return "as seen: behind ties no passage is measured";
+  return "the narrowest passage, " +
+         (depth_mm > 0.0 ? fixed(depth_mm, 0) + " mm below the annulus"
+                         : std::string("at the annulus")) +
+         "; funnel tilted by " + fixed(number_of(opening["funnel_tilt_deg"]), 0) + " degrees";
+}
+
 /// What speaks against its figures; empty: nothing.
 const char* distrust(const Json& opening) {
   if (opening["crossing"].get<bool>()) return "leaflets cross, no opening is measured";
@@ -31,12 +41,8 @@ void print_opening(std::ostream& out, const Json& opening) {
   out << printable(opening["name"].get<std::string>()) << ": "
       << (problem.empty() ? "open, at rest" : problem) << '\n';
   if (problem.empty()) {
-    const double depth_mm = number_of(opening["passage_depth_mm"]);
-    out << "  opening         " << cm2(opening["opening_area_mm2"]) << ", the narrowest passage, "
-        << (depth_mm > 0.0 ? fixed(depth_mm, 0) + " mm below the annulus"
-                           : std::string("at the annulus"))
-        << "; funnel tilted by " << fixed(number_of(opening["funnel_tilt_deg"]), 0)
-        << " degrees\n  seen            " << cm2(opening["projected_area_mm2"])
+    out << "  opening         " << cm2(opening["opening_area_mm2"]) << ", "
+        << passage_words(opening) << "\n  seen            " << cm2(opening["projected_area_mm2"])
         << " along the annulus's normal; annulus " << cm2(opening["annulus_area_mm2"])
         << " in diastole\n  mean gradient   "
         << gradient(opening["gradient_mmhg"], opening["flow_ml_s"]) << ", "

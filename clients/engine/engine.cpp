@@ -56,7 +56,7 @@ EngineAnswer opened(std::string_view body) {
   const Stopwatch watch;
   const Expected<OpenedValve> opened = open_valve(asked.repaired, options);
   if (!opened) return problem_below("/valve", opened.errors());
-  return json_answer(200, opening_answer(asked, *opened, options, frames, watch.seconds()));
+  return json_answer(200, opening_answer(asked, *opened, frames, watch.seconds()));
 }
 
 EngineAnswer validated(std::string_view body) {

@@ -292,7 +292,7 @@ void add_pressure_forces(const ClosureModel& model, const Points& x, Points& for
     const int i = model.faces(f, 0), j = model.faces(f, 1), k = model.faces(f, 2);
     const Vec3 a = vertex(x, i);
     // Half the cross product is area times normal; a third of the load goes to each vertex.
-    const Vec3 share = (model.pressure_mpa / 6.0) * (vertex(x, j) - a).cross(vertex(x, k) - a);
+    const Vec3 share = (load_mpa(model, f) / 6.0) * (vertex(x, j) - a).cross(vertex(x, k) - a);
     force.row(i) += share;
     force.row(j) += share;
     force.row(k) += share;

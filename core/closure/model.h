@@ -55,6 +55,8 @@ struct ClosureModel {
   std::vector<ExponentialSheet> exponential_sheets;  ///< one per face, or none
   std::vector<Cable> cables;  ///< of chordae that are not ruptured, then of ties
   double pressure_mpa = 0.0;
+  std::vector<double>
+      load_share;               ///< |F|, of the pressure, that acts on each face; none: all of it
   double stable_step_ms = 0.0;  ///< Gershgorin bound of the symplectic Euler step without contact
 };
 
@@ -78,6 +80,13 @@ double tension_n(const Cable& cable, const Points& x);
 
 /// Adds the forces of springs, sheets, hinges and cables, N.
 void add_elastic_forces(const ClosureModel& model, const Points& x, Points& force);
+
+/// On a face, along its normal.
+inline double load_mpa(const ClosureModel& model, Index face) {
+  return model.load_share.empty()
+             ? model.pressure_mpa
+             : model.load_share[static_cast<std::size_t>(face)] * model.pressure_mpa;
+}
 
 /// Adds the pressure on each face, a third to each of its vertices, along the present face normal,
 /// N.

@@ -1,6 +1,7 @@
 #include "core/closure/prepared_valve.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace coapt {
 namespace {
@@ -23,13 +24,19 @@ bool same_heads(const std::vector<PapillaryHead>& a, const std::vector<Papillary
                     });
 }
 
+ClosureModel loaded(ClosureModel model, std::vector<double> load_share) {
+  model.load_share = std::move(load_share);
+  return model;
+}
+
 }  // namespace
 
-PreparedValve::PreparedValve(const Valve& valve, const ClosureOptions& options)
+PreparedValve::PreparedValve(const Valve& valve, const ClosureOptions& options,
+                             std::vector<double> load_share)
     : valve_(valve),
       membrane_(options.membrane),
       contact_(contact_law(valve, options)),
-      model_(make_closure_model(valve, options.membrane)),
+      model_(loaded(make_closure_model(valve, options.membrane), std::move(load_share))),
       layout_(lay_out<float>(model_, contact_, kernels::best_instruction_set())) {}
 
 bool PreparedValve::serves(const Valve& valve, const ClosureOptions& options) const {

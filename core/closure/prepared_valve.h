@@ -3,6 +3,8 @@
 // a start near its end spends a quarter of its time on this otherwise.
 #pragma once
 
+#include <vector>
+
 #include "core/closure/closure_options.h"
 #include "core/closure/relaxation_layout.h"
 
@@ -10,8 +12,10 @@ namespace coapt {
 
 class PreparedValve {
  public:
+  /// @param load_share |F|, ClosureModel::load_share; its own, whatever valve it serves.
   /// @pre validate(valve) is empty.
-  PreparedValve(const Valve& valve, const ClosureOptions& options);
+  PreparedValve(const Valve& valve, const ClosureOptions& options,
+                std::vector<double> load_share = {});
 
   /// Whether that valve differs from the prepared one at most in where its annulus and its papillary
   /// tips are under pressure, and the options in nothing that its model depends on.

@@ -185,7 +185,7 @@ void lay_faces(const ClosureModel& model, const HingeOffsets& hinges, Relaxation
       block.hinge[k].at[lane] = hinge == hinges.end() ? no_hinge : hinge->second;
     }
     block.least_mm4.at[lane] = static_cast<R>(least_mm4(model.rest_mm, model.faces, f));
-    block.load_mpa.at[lane] = static_cast<R>(model.pressure_mpa / 6.0);
+    block.load_mpa.at[lane] = static_cast<R>(load_mpa(model, f) / 6.0);
     if (laid.face_law == kernels::FaceLaw::Continuum) lay_membrane(model.sheets[f], lane, block);
     if (laid.face_law != kernels::FaceLaw::Exponential) continue;
     const ExponentialSheet& tissue = model.exponential_sheets[f];

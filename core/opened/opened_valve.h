@@ -1,11 +1,19 @@
-// Opening a valve: the same model as for closing, under the pressure of filling instead of that of systole, with annulus and
-// tips in diastole.
+// Opening a valve: the same model as for closing, under the load of filling instead of that of systole, with annulus and tips in
+// diastole.
 //
-// Assumed: the whole difference of pressure acts on every leaflet, as if no blood flowed; opening areas at 2 and 5 mmHg differ by
-// less than 5 %. The mean gradient is Gorlin's (1951, Am Heart J 41:1; constant 37.7), of the smaller of two areas: that of the
+// Load: at the peak of filling blood passes at kPeakOverMean times the mean flow; what it needs drives the leaflets apart, and less
+// of it acts where the funnel narrows (flow_load.h). Load and shape are found in turns, each shape from the one before, until the
+// jet changes by less than kSettled. Opening areas at half the flow are 11 to 13 % smaller, at double the flow 3 to 15 % larger
+// in six presets; where marginal chordae are ruptured, 21 % smaller (human-p2-prolapse).
+// Flow: a human's 155 ml/s in the mean; less in proportion to the annulus where that is smaller (filling_flow_ml_s()).
+// The mean gradient is Gorlin's (1951, Am Heart J 41:1; constant 37.7), of the smaller of two areas: that of the
 // narrowest passage, and what is open along the annulus's normal, by which blood comes. Measured at rest behind rings of 24 to
 // 27 mm: 3.4 +- 1.6 mmHg (catheter, Circ J 2017;81:1832), 3.2 +- 1.2 (Grimaldi 2012).
 #pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/closure/closure.h"
 #include "core/opened/diastole.h"
@@ -15,11 +23,13 @@ namespace coapt {
 
 inline constexpr Range kFillingPressures_mmhg{1.0, 30.0}, kFillingFlows_ml_s{10.0, 1000.0},
     kExercises{1.0, 5.0};
+/// Of the flow of filling: 450 ml/s at its peak (assumed) over 155 in the mean (a stroke of 70 ml in 0.45 s).
+inline constexpr double kPeakOverMean = 450.0 / 155.0;
 
 struct OpeningOptions {
-  double pressure_mmhg =
-      5.0;  ///< atrium over ventricle; below 3 slack leaflets take ten times as long to settle
-  double flow_ml_s = 155.0;  ///< mean over filling
+  /// Atrium over ventricle at the peak of filling; none: what the flow needs.
+  std::optional<double> pressure_mmhg = {};
+  std::optional<double> flow_ml_s = {};  ///< mean over filling; none: filling_flow_ml_s()
   /// At exercise over rest: mean gradients 6.3 against 3.2 mmHg behind rings of 27 mm (Grimaldi 2012), which go as flow squared.
   double exercise = 1.4;
   bool motion = false;  ///< keep the states on the way (ClosureResult::motion_mm)
@@ -27,28 +37,46 @@ struct OpeningOptions {
 };
 
 struct OpeningMeasure {
-  double opening_area_mm2 = 0.0;  ///< of the narrowest passage (funnel.h)
+  double opening_area_mm2 = 0.0;  ///< of the narrowest passage (funnel.h); behind ties as projected
   double passage_depth_mm =
-      0.0;                ///< where that is, below the annulus's centroid along the funnel's axis
-  double tilt_deg = 0.0;  ///< of that axis from the annular plane's normal
+      0.0;  ///< where that is, below the annulus's centroid along the funnel's axis; NaN behind ties
+  double tilt_deg = 0.0;  ///< of that axis from the annular plane's normal; NaN behind ties
   double projected_area_mm2 = 0.0;  ///< open in the atrial view, leaflets with their half thickness
   double annulus_area_mm2 = 0.0;    ///< in diastole, projected on its plane
   double gradient_mmhg = 0.0, gradient_exercise_mmhg = 0.0;  ///< mean, of the smaller area
+  double flow_ml_s = 0.0, flow_exercise_ml_s = 0.0;          ///< mean over filling
+  double pressure_mmhg = 0.0;  ///< atrium over ventricle, at the peak of filling
+  double tied_n = 0.0;         ///< sum of what ties bear
 };
 
 /// The smaller of both areas, by which blood is held up; NaN if neither is known.
 double opening_mm2(const OpeningMeasure& measure);
 
-/// Areas are NaN, and there is no passage, where `closure` did not converge uncrossed.
+/// Areas are NaN where `closure` did not converge uncrossed; there, and behind ties, is no passage.
 struct OpenedValve {
-  Valve valve;            ///< in diastole; its pressure is negative: from the atrium
-  ClosureResult closure;  ///< its end is the open state
+  Valve valve;  ///< in diastole; its pressure is negative: from the atrium
+  ClosureResult
+      closure;  ///< its end is the open state; steps and motion are of all on the way to it
   OpeningMeasure measure;
   std::vector<Vec3> passage_mm;  ///< outline of the narrowest passage (FunnelPassage::outline_mm)
 };
 
 /// Errors: ranges of the options by pointer, or what in_diastole() says. @pre the valve is valid and mitral.
 Expected<OpenedValve> open_valve(const Valve& valve, const OpeningOptions& options = {});
+
+/// What its figures should be read with, in sentences: ties that bear more than kMostTied_n; an annulus in diastole that is not
+/// kHealthyAnnulus_mm2, times the size of the heart, where nothing but healthy systole was asked for.
+std::vector<std::string> opening_warnings(const OpenedValve& opened);
+
+/// Of all ties; all that filling does to the annulus's area is hardly more (8.6 cm2 at 10 mmHg: 1.1 N).
+inline constexpr double kMostTied_n = 1.0;
+/// Controls 8.7 cm2 (Aquila 2016, Medicine 95:e5387), a tenth about it.
+inline constexpr Range kHealthyAnnulus_mm2{800.0, 950.0};
+
+/// Mean flow of filling at rest through a heart of the valve's size. Valve areas and cardiac output grow with body surface, speeds
+/// do not (496 children; Sluysmans and Colan 2005, J Appl Physiol 99:445): 155 ml/s, or less in proportion to the area of the
+/// unstressed annulus, which no ring changes, where that is below kHumanAnnulus_mm2.
+double filling_flow_ml_s(const Valve& valve);
 
 /// Mean gradient across an opening. @return infinite for none.
 double gorlin_mmhg(double area_mm2, double flow_ml_s);

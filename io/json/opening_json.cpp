@@ -5,8 +5,7 @@
 
 namespace coapt {
 
-Json opening_figures_json(const OpenedValve& opened, const OpeningOptions& options,
-                          double seconds) {
+Json opening_figures_json(const OpenedValve& opened, double seconds) {
   const OpeningMeasure& measure = opened.measure;
   return {{"status", to_string(opened.closure.status)},
           {"crossing", opened.closure.crossing},
@@ -17,9 +16,9 @@ Json opening_figures_json(const OpenedValve& opened, const OpeningOptions& optio
           {"annulus_area_mm2", measure.annulus_area_mm2},
           {"gradient_mmhg", measure.gradient_mmhg},
           {"gradient_exercise_mmhg", measure.gradient_exercise_mmhg},
-          {"flow_ml_s", options.flow_ml_s},
-          {"flow_exercise_ml_s", options.exercise * options.flow_ml_s},
-          {"pressure_mmhg", options.pressure_mmhg},
+          {"flow_ml_s", measure.flow_ml_s},
+          {"flow_exercise_ml_s", measure.flow_exercise_ml_s},
+          {"pressure_mmhg", measure.pressure_mmhg},
           {"systole",
            {{"annular_contraction", opened.valve.systole.annular_contraction},
             {"tip_approach", opened.valve.systole.tip_approach}}},
@@ -28,9 +27,9 @@ Json opening_figures_json(const OpenedValve& opened, const OpeningOptions& optio
           {"seconds", seconds}};
 }
 
-Json opening_to_json(const OpenedValve& opened, const OpeningOptions& options, double seconds) {
+Json opening_to_json(const OpenedValve& opened, double seconds) {
   Json json = result_document("coapt.opening/1", {{"name", opened.valve.name}});
-  json.update(opening_figures_json(opened, options, seconds));
+  json.update(opening_figures_json(opened, seconds));
   return json;
 }
 

@@ -8,9 +8,9 @@ namespace coapt {
 
 /// coapt.opening/1. Keys that scripts rely on: status, crossing, opening_area_mm2, projected_area_mm2, gradient_mmhg; null where the
 /// valve did not come to rest.
-Json opening_to_json(const OpenedValve& opened, const OpeningOptions& options, double seconds);
+Json opening_to_json(const OpenedValve& opened, double seconds);
 
 /// The same without schema, version, notice and name: below "opening" of a closure.
-Json opening_figures_json(const OpenedValve& opened, const OpeningOptions& options, double seconds);
+Json opening_figures_json(const OpenedValve& opened, double seconds);
 
 }  // namespace coapt

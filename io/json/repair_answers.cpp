@@ -17,7 +17,9 @@ std::vector<std::string> warnings(const RepairRequest& asked) {
   return warnings_of(operation_gates({asked.plan, asked.valve, asked.repaired}));
 }
 
-JsonField number_field(const char* name, double& target, Range range, const char* unit) {
+/// @param target a number, or one that need not be there
+template <class Number>
+JsonField number_field(const char* name, Number& target, Range range, const char* unit) {
   return {name,
           into(target, [range, unit](
                            const JsonPlace& place) { return read_number_in(place, range, unit); }),
@@ -68,10 +70,11 @@ Json scene_answer(const RepairRequest& asked, const ClosureResult& closure, int 
   return scene;
 }
 
-Json opening_answer(const RepairRequest& asked, const OpenedValve& opened,
-                    const OpeningOptions& options, int frames, double seconds) {
-  Json json = opening_to_json(opened, options, seconds);
+Json opening_answer(const RepairRequest& asked, const OpenedValve& opened, int frames,
+                    double seconds) {
+  Json json = opening_to_json(opened, seconds);
   json["warnings"] = warnings(asked);
+  for (const std::string& warning : opening_warnings(opened)) json["warnings"].push_back(warning);
   json["scene"] = opening_scene_to_json(opened, frames);
   return json;
 }

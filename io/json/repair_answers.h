@@ -33,8 +33,8 @@ Json scene_answer(const RepairRequest& asked, const ClosureResult& closure, int 
                   double seconds);
 
 /// coapt.opening/1, with the warnings of the operation and "scene".
-Json opening_answer(const RepairRequest& asked, const OpenedValve& opened,
-                    const OpeningOptions& options, int frames, double seconds);
+Json opening_answer(const RepairRequest& asked, const OpenedValve& opened, int frames,
+                    double seconds);
 
 /// Ring shapes and sizes.
 Json rings_answer();

@@ -27,11 +27,10 @@ ClosedValve as_drawn(const OpenedValve& opened, const Valve& before, const Repai
   return open_before ? with_repair(std::move(drawn), *open_before, plan) : drawn;
 }
 
-void draw_words(const Canvas& canvas, const Vec2& at, const OpenedValve& opened,
-                const OpeningOptions& options, double width) {
+void draw_words(const Canvas& canvas, const Vec2& at, const OpenedValve& opened, double width) {
   double y = at.y();
   double size = 24.0;
-  for (const std::string& line : opening_words(opened.measure, options)) {
+  for (const std::string& line : opening_words(opened.measure)) {
     y += 1.5 * size;
     draw_text(canvas, {at.x(), y}, line, {size, palette::kInk, Align::Left, size > 20.0}, width);
     size = 15.0;
@@ -43,34 +42,38 @@ void draw_words(const Canvas& canvas, const Vec2& at, const OpenedValve& opened,
             {15.0, palette::kWarning, Align::Left, true}, width);
 }
 
+std::string passage_words(const OpeningMeasure& measure) {
+  if (std::isnan(measure.passage_depth_mm)) return "as seen: behind ties no passage is measured";
+  return "narrowest passage " +
+         (measure.passage_depth_mm > 0.0
+              ? fixed(measure.passage_depth_mm, 0) + " mm below the annulus"
+              : std::string("at the annulus")) +
+         "; funnel tilted by " + fixed(measure.tilt_deg, 0) + "°";
+}
+
 }  // namespace
 
-std::vector<std::string> opening_words(const OpeningMeasure& measure,
-                                       const OpeningOptions& options) {
+std::vector<std::string> opening_words(const OpeningMeasure& measure) {
   if (std::isnan(measure.opening_area_mm2)) return {};
   return {"Opening " + cm2(measure.opening_area_mm2),
           "mean gradient " + fixed(measure.gradient_mmhg, 1) + " mmHg at " +
-              significant(options.flow_ml_s, 3) + " ml/s, " +
+              significant(measure.flow_ml_s, 3) + " ml/s, " +
               fixed(measure.gradient_exercise_mmhg, 1) + " mmHg at " +
-              significant(options.exercise * options.flow_ml_s, 3) + " ml/s",
-          "narrowest passage " +
-              (measure.passage_depth_mm > 0.0
-                   ? fixed(measure.passage_depth_mm, 0) + " mm below the annulus"
-                   : std::string("at the annulus")) +
-              "; funnel tilted by " + fixed(measure.tilt_deg, 0) + "°",
+              significant(measure.flow_exercise_ml_s, 3) + " ml/s",
+          passage_words(measure),
           "seen from the atrium " + cm2(measure.projected_area_mm2) + "; annulus in diastole " +
               cm2(measure.annulus_area_mm2)};
 }
 
-std::string opening_line(const OpenedValve& opened, const OpeningOptions& options) {
+std::string opening_line(const OpenedValve& opened) {
   if (!trusted(opened.closure)) return "In diastole the leaflets cross or did not come to rest";
   return "Opening " + cm2(opened.measure.opening_area_mm2) + ", mean gradient " +
-         fixed(opened.measure.gradient_mmhg, 1) + " mmHg at " + significant(options.flow_ml_s, 3) +
-         " ml/s in diastole";
+         fixed(opened.measure.gradient_mmhg, 1) + " mmHg at " +
+         significant(opened.measure.flow_ml_s, 3) + " ml/s in diastole";
 }
 
-std::string opening_picture_png(const OpenedValve& opened, const OpeningOptions& options,
-                                const Valve& before, const RepairPlan& plan) {
+std::string opening_picture_png(const OpenedValve& opened, const Valve& before,
+                                const RepairPlan& plan) {
   const Canvas canvas = make_canvas(kWide, kHigh);
   fill_box(canvas, {0.0, 0.0, kWide, kHigh}, palette::kPaper);
   draw_text(canvas, {kEdge, 46.0}, opened.valve.name + ", open",
@@ -89,8 +92,7 @@ std::string opening_picture_png(const OpenedValve& opened, const OpeningOptions&
                          opened.passage_mm);
   draw_legend(canvas, {atrial.x + 4.0, atrial.y + atrial.height + 4.0}, kWide - 2.0 * kEdge,
               {&drawn});
-  draw_words(canvas, {section.x + 4.0, section.y + section.height + 20.0}, opened, options,
-             section.width);
+  draw_words(canvas, {section.x + 4.0, section.y + section.height + 20.0}, opened, section.width);
   draw_text(canvas, {0.5 * kWide, kHigh - 16.0}, std::string(kResearchNotice),
             {13.0, palette::kMuted, Align::Centre}, kWide - 2.0 * kEdge);
   return to_png(canvas);

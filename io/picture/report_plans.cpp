@@ -97,12 +97,12 @@ Traded traded(const RankedPlan& plan) {
           plan.durability ? kFurthestCourse_mm - plan.durability->expected_mm : kUnknown};
 }
 
-Traded traded(const ParetoPlan& plan) {
+Traded traded(const ParetoPlan& plan, double flow_ml_s) {
   return {"",
           true,
           static_cast<double>(plan.steps),
           plan.mean_mm2 + plan.sd_mm2,
-          gorlin_mmhg(plan.opening_mm2, OpeningOptions{}.flow_ml_s),
+          gorlin_mmhg(plan.opening_mm2, flow_ml_s),
           kFurthestCourse_mm - plan.durability_mm};
 }
 
@@ -110,12 +110,14 @@ Traded traded(const ParetoPlan& plan) {
 std::vector<Traded> traded_plans(const SearchResult& result) {
   std::vector<Traded> plans;
   std::set<std::string> ranked;
+  const double flow_ml_s = result.opening_before ? result.opening_before->measure.flow_ml_s
+                                                 : std::numeric_limits<double>::quiet_NaN();
   for (const RankedPlan& plan : result.plans) {
     ranked.insert(plan_key(plan.plan));
     plans.push_back(traded(plan));
   }
   for (const ParetoPlan& plan : result.pareto_front)
-    if (!ranked.contains(plan_key(plan.plan))) plans.push_back(traded(plan));
+    if (!ranked.contains(plan_key(plan.plan))) plans.push_back(traded(plan, flow_ml_s));
   std::erase_if(plans, [](const Traded& plan) { return !std::isfinite(plan.leak_mm2); });
   return plans;
 }

@@ -18,7 +18,7 @@ Answer opened_answer(const RepairRequest& asked, RequestClosures& closures,
     add_below(problems, "/valve", opened.errors());
     return problem(422, std::move(problems).take());
   }
-  return json_answer(200, opening_answer(asked, *opened, options, frames, seconds.count()));
+  return json_answer(200, opening_answer(asked, *opened, frames, seconds.count()));
 }
 
 }  // namespace

@@ -27,11 +27,11 @@ class Opening:
     crossing: bool
     """Whether leaflets pass through each other: then nothing is measured."""
     opening_area_mm2: float | None
-    """Of the narrowest passage of the open leaflets."""
+    """Of the narrowest passage of the open leaflets; behind ties as projected."""
     passage_depth_mm: float | None
-    """Of that passage, below the annulus."""
+    """Of that passage, below the annulus; None also behind ties."""
     funnel_tilt_deg: float | None
-    """Of the leaflets' axis from the annulus's normal."""
+    """Of the leaflets' axis from the annulus's normal; None also behind ties."""
     projected_area_mm2: float | None
     """Open along that normal."""
     annulus_area_mm2: float
@@ -45,7 +45,7 @@ class Opening:
     flow_exercise_ml_s: float
     """Mean flow of filling at exercise."""
     pressure_mmhg: float
-    """Of the atrium over the ventricle."""
+    """Of the atrium over the ventricle, at the peak of filling."""
     steps: int
     """Of the relaxation."""
     seconds: float

@@ -60,8 +60,8 @@ class ShortWork(Asking):
     ) -> Opening:
         """Opens a valve in diastole, repaired if there is a plan, and measures its opening. Look at Opening.trusted.
 
-        :param pressure_mmhg: atrium over ventricle, 1 to 30 (5)
-        :param flow_ml_s: mean flow of filling at rest, 10 to 1,000 (155)
+        :param pressure_mmhg: atrium over ventricle at the peak of filling, 1 to 30 (what the flow needs)
+        :param flow_ml_s: mean flow of filling at rest, 10 to 1,000 (155, less through a small annulus)
         :param exercise: flow at exercise over that at rest, 1 to 5 (1.4)
         :param frames: 0 to 60 states on the way from unstressed to open, in Opening.scene
         """

@@ -113,6 +113,20 @@ TEST(Pressure, OnAFlatSquareIsPressureTimesAreaAlongTheAtrialNormal) {
   EXPECT_NEAR(force(0, 2), 2.0 * 0.016 * 50.0 / 3.0, 1e-12);  // on both triangles
 }
 
+TEST(Pressure, ActsOnEachFaceWithItsShare) {
+  ClosureModel model;
+  model.pressure_mpa = 0.016;
+  model.load_share = {0.25, 0.0};
+  model.faces.resize(2, 3);
+  model.faces << 0, 1, 2, 0, 2, 3;
+  Points x(4, 3);
+  x << 0, 0, 0, 10, 0, 0, 10, 10, 0, 0, 10, 0;
+  Points force = Points::Zero(4, 3);
+  add_pressure_forces(model, x, force);
+  EXPECT_NEAR(force(1, 2), 0.25 * 0.016 * 50.0 / 3.0, 1e-12);
+  EXPECT_EQ(force(3, 2), 0.0);
+}
+
 TEST(ElasticForces, AddUpToNothingInForceAndMoment) {
   const Valve valve = small_valve();
   const ClosureModel model = make_closure_model(valve);

@@ -37,6 +37,14 @@ TEST(PreparedValve, ClosesOtherTipsAndAnnuliToTheSameBits) {
   }
 }
 
+TEST(PreparedValve, HalfOfTheLoadOnEachFaceIsHalfOfThePressure) {
+  Valve valve = small_valve();
+  const PreparedValve halved(valve, {}, std::vector<double>(valve.faces.rows(), 0.5));
+  const ClosureResult closed = close_valve(halved, valve, {});
+  valve.pressure_kpa *= 0.5;
+  EXPECT_EQ(closed.closed_mm, close_valve(valve).closed_mm);
+}
+
 TEST(PreparedValve, ServesNoOtherValve) {
   const Valve valve = small_valve();
   const PreparedValve prepared(valve, {});

@@ -49,11 +49,48 @@ TEST(OpenValve, ASmallerRingOpensLessAndATetheredValveLessBehindTheSameRing) {
   }
 }
 
+TEST(OpenValve, AreasAtHalfAndDoubleTheFlowAreWithin15Percent) {
+  for (const char* name : {"human-normal", "secondary-mr"}) {
+    const Valve& valve = small_preset(name);
+    const OpeningMeasure measure = opened(valve).measure;
+    EXPECT_GT(measure.pressure_mmhg, 1.0);
+    EXPECT_LT(measure.pressure_mmhg, 7.0);
+    for (const double times : {0.5, 2.0}) {
+      OpeningOptions options;
+      options.flow_ml_s = times * measure.flow_ml_s;
+      EXPECT_NEAR(open_valve(valve, options)->measure.projected_area_mm2,
+                  measure.projected_area_mm2, 0.15 * measure.projected_area_mm2)
+          << name << ' ' << times;
+    }
+  }
+}
+
+TEST(OpenValve, ASmallHeartHasASmallFlowWhateverItsRing) {
+  const Valve &normal = small_preset("human-normal"), &small = small_preset("porcine-5");
+  EXPECT_EQ(filling_flow_ml_s(normal), 155.0);
+  EXPECT_LT(filling_flow_ml_s(small), 80.0);
+  EXPECT_EQ(filling_flow_ml_s(ringed(small, 24.0)), filling_flow_ml_s(small));
+  EXPECT_LT(opened(small).measure.gradient_mmhg, 4.0);
+}
+
 TEST(OpenValve, AClipLeavesTwoOpeningsThatAreSmallerTogether) {
   const Valve& valve = small_preset("human-p2-prolapse");
   const Valve clipped = *apply_plan(valve, {{EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}}});
-  EXPECT_LT(opened(clipped).measure.projected_area_mm2,
-            0.8 * opened(valve).measure.projected_area_mm2);
+  const OpenedValve open = opened(clipped);
+  EXPECT_LT(open.measure.projected_area_mm2, 0.8 * opened(valve).measure.projected_area_mm2);
+  EXPECT_EQ(open.measure.opening_area_mm2, open.measure.projected_area_mm2);  // not the annulus
+  EXPECT_TRUE(open.passage_mm.empty());
+  EXPECT_NE(opening_warnings(open).front().find("ties bear"), std::string::npos);
+}
+
+TEST(OpenValve, AnAnnulusThatHealthyMotionDoesNotExplainIsSaid) {
+  OpenedValve open = opened(small_preset("human-normal"));
+  open.measure.annulus_area_mm2 = 860.0;
+  EXPECT_TRUE(opening_warnings(open).empty());
+  open.measure.annulus_area_mm2 = 1200.0;
+  EXPECT_EQ(opening_warnings(open).front().substr(0, 22), "annulus of 12.0 cm2 in");
+  open.valve.systole.annular_contraction = 0.06;
+  EXPECT_TRUE(opening_warnings(open).empty());
 }
 
 TEST(OpenValve, WhatIsOutOfRangeIsNamed) {

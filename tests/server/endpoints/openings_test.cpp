@@ -24,7 +24,7 @@ TEST_F(OpeningsTest, AnOpeningIsThatOfTheValve) {
   ASSERT_EQ(answer.status, 200) << json_of(answer);
   Json json = json_of(answer);
   const OpeningOptions options{8.0, 200.0, 2.0};
-  Json same = opening_to_json(*open_valve(small_valve(), options), options, 0.0);
+  Json same = opening_to_json(*open_valve(small_valve(), options), 0.0);
   EXPECT_TRUE(json["warnings"].empty());
   EXPECT_TRUE(json["opening_area_mm2"].is_number());
   for (const char* of_this_answer : {"warnings", "scene", "seconds"}) json.erase(of_this_answer);
