@@ -43,6 +43,18 @@ TEST(PlanJson, RoundTripKeepsEveryStep) {
   EXPECT_EQ(std::get<PapillaryApproximation>(plan->steps[7]).annulus_around, 0.9);
 }
 
+TEST(PlanJson, AClipOf02IsReadAndAStitchHasNothingOfAClip) {
+  const auto plan = read_plan(R"({"schema": "coapt.plan/1", "steps": [
+      {"step": "edge_to_edge", "device": "clip", "along": 0.5, "width_mm": 4},
+      {"step": "edge_to_edge", "device": "stitch", "along": 0.3, "width_mm": 4}]})");
+  ASSERT_TRUE(plan);
+  const auto& clip = std::get<EdgeToEdge>(plan->steps[0]);
+  EXPECT_EQ(clip.grasp_mm, 5.0);
+  EXPECT_EQ(clip.rows, 2);
+  EXPECT_EQ(clip.annulus_drawn_in_percent, 11.0);
+  EXPECT_FALSE(to_json(*plan)["steps"][1].contains("grasp_mm"));
+}
+
 TEST(PlanJson, OnlyTheFieldsThatMatterAreWritten) {
   const Json plan = to_json(full_plan());
   EXPECT_FALSE(plan["steps"][0].contains("size_mm"));

@@ -55,7 +55,12 @@ TEST(PlanKey, TellsEveryFieldApart) {
   suture = kSutureStep;
   suture.annulus_around = 0.3;
   EXPECT_NE(key(suture), key(kSutureStep));
-  EXPECT_NE(key(EdgeToEdge{EdgeDevice::Clip}), key(EdgeToEdge{EdgeDevice::Stitch}));
+  const EdgeToEdge clip{EdgeDevice::Clip};
+  EXPECT_NE(key(clip), key(EdgeToEdge{EdgeDevice::Stitch}));
+  EXPECT_NE(key(EdgeToEdge{.device = EdgeDevice::Clip, .grasp_mm = 6.0}), key(clip));
+  EXPECT_NE(key(EdgeToEdge{.device = EdgeDevice::Clip, .rows = 3}), key(clip));
+  EXPECT_NE(key(EdgeToEdge{.device = EdgeDevice::Clip, .annulus_drawn_in_percent = 9.0}),
+            key(clip));
   const LeafletResection wedge, strip{.shape = ResectionShape::Quadrangular};
   EXPECT_NE(key(LeafletResection{.height = 0.8}), key(wedge));
   EXPECT_NE(key(LeafletResection{.leaflet = Leaflet::Anterior}), key(wedge));
