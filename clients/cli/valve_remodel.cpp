@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -5,6 +6,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/read_argument.h"
 #include "core/valve/remodel.h"
+#include "core/valve/ruptures.h"
 #include "io/command_line/files.h"
 #include "io/json/valve_json.h"
 
@@ -16,6 +18,7 @@ struct ValveRemodelArguments {
   Remodelling change;
   std::vector<double> anterolateral_mm = {0.0, 0.0, 0.0};
   std::vector<double> posteromedial_mm = {0.0, 0.0, 0.0};
+  std::vector<std::string> ruptured;
 };
 
 int run(ValveRemodelArguments arguments) {
@@ -23,13 +26,19 @@ int run(ValveRemodelArguments arguments) {
   if (!valve) return report_errors(arguments.valve, valve.errors());
   arguments.change.anterolateral_mm = Vec3(arguments.anterolateral_mm.data());
   arguments.change.posteromedial_mm = Vec3(arguments.posteromedial_mm.data());
+  for (const Segment segment : kScallops)
+    if (std::find(arguments.ruptured.begin(), arguments.ruptured.end(), to_string(segment)) !=
+        arguments.ruptured.end())
+      arguments.change.ruptured.push_back(segment);
   const Expected<Valve> remodelled = remodel(*valve, arguments.change);
   if (!remodelled) {
     return report_option_errors("valve remodel", remodelled.errors(),
                                 {{"/ap_dilation_percent", "--ap-dilation"},
                                  {"/annular_height_percent", "--annular-height"},
                                  {"/anterolateral_mm", "--displace-al"},
-                                 {"/posteromedial_mm", "--displace-pm"}});
+                                 {"/posteromedial_mm", "--displace-pm"},
+                                 {"/leaflet_growth_percent", "--leaflet-growth"},
+                                 {"/ruptured", "--rupture"}});
   }
   Valve named = *remodelled;
   named.name = arguments.name.empty() ? valve->name + " remodelled" : arguments.name;
@@ -41,7 +50,9 @@ int run(ValveRemodelArguments arguments) {
 void add_valve_remodel(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveRemodelArguments>();
   Command command =
-      parent.add_command("remodel", "Dilate or flatten the annulus, displace papillary tips");
+      parent.add_command("remodel",
+                         "Disease of a given valve, whose chordae keep their lengths: dilate or "
+                         "flatten the annulus, displace papillary tips, grow leaflets");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   command
       .add_option("--ap-dilation", arguments->change.ap_dilation_percent,
@@ -58,13 +69,23 @@ void add_valve_remodel(Command parent, int& status) {
                "Anterolateral tip: outwards,posterior,apical in mm");
   displacement("--displace-pm", arguments->posteromedial_mm,
                "Posteromedial tip: outwards,posterior,apical in mm");
+  command
+      .add_option("--leaflet-growth", arguments->change.leaflet_growth_percent,
+                  "Of the leaflets' heights, per cent")
+      .show_default();
+  std::vector<std::string> scallops;
+  for (const Segment segment : kScallops) scallops.emplace_back(to_string(segment));
+  command.add_option("--rupture", arguments->ruptured, "Rupture the marginal chordae of a segment")
+      .one_of(scallops)
+      .one_at_a_time();
   command.add_option("--name", arguments->name, "Name of the new valve")
       .show_default("the old name and \"remodelled\"");
   command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
       .required();
   command.footer(
-      "Example:\n"
-      "  coapt valve remodel human-normal --ap-dilation 15 --displace-pm 4,2,3 -o leaking.json");
+      "Examples:\n"
+      "  coapt valve remodel human-normal --ap-dilation 15 --displace-pm 4,2,3 -o leaking.json\n"
+      "  coapt valve remodel normal.json --leaflet-growth 10 --rupture P2 -o flail.json");
   command.on_run([arguments, &status] { status = run(*arguments); });
 }
 

@@ -14,6 +14,7 @@
 
 #include "core/closure/closure_options.h"
 #include "core/live/hook.h"
+#include "core/valve/pressure_unit.h"
 #include "core/valve/problem_list.h"
 #include "core/valve/valve.h"
 
@@ -23,7 +24,6 @@ inline constexpr int kHooks = 2;
 
 /// Of the ventricle over the atrium; the valve's own (Valve::pressure_kpa) is that of systole, and may be larger.
 inline constexpr Range kLivePressures_mmhg{-10.0, 250.0};
-inline constexpr double kMmhgPerKpa = 1.0 / 0.133322;
 /// Valve::pressure_kpa of a valve that can be live under it.
 inline constexpr Range kLiveSystoles_kpa{0.0, kLivePressures_mmhg.max / kMmhgPerKpa};
 

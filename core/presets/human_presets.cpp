@@ -23,7 +23,7 @@ constexpr SystolicMotion kDegenerativeSystole = {0.07, 0.30}, kBarlowSystole = {
 
 ParametricValve human() {
   ParametricValve d;
-  d.slack = kPresetSlack;
+  d.slack = kPresetSlacks;
   d.asymmetry.tip_mm = Vec3(0.5, 0.5, 0.0);
   d.asymmetry.leaflet_height = 0.03;
   return d;
@@ -62,6 +62,12 @@ void change_tissue(double extension, double stiffness, Tissue& tissue) {
     *modulus *= stiffness;
 }
 
+/// A tenth longer, posterior marginal ones 15 % more.
+ChordalSlack long_chordae() {
+  const double slack = 1.1 * kPresetSlack;
+  return {slack, 1.15 * slack, slack, slack};
+}
+
 bool is_marginal_of_p2(const Chorda& chorda) {
   return chorda.kind == ChordaKind::Marginal && chorda.id.find("-P2-") != std::string::npos;
 }
@@ -71,32 +77,29 @@ bool is_marginal_of_p2(const Chorda& chorda) {
 Expected<Valve> make_human_valve(const HumanValve& human) {
   Expected<Valve> valve = make_taut_valve(human.dimensions);
   if (!valve) return valve;
-  valve->systole = human.systole;
-  if (human.disease.empty()) return valve;
   for (Chorda& chorda : valve->chordae) {
     if (!is_marginal_of_p2(chorda)) continue;
-    chorda.ruptured = human.p2_ruptured;
     for (ChordaSegment& segment : chorda.segments) segment.rest_length_mm *= human.p2_slack;
   }
-  Expected<Valve> remodelled = remodel(*valve, human.change);
-  if (remodelled) remodelled->provenance.push_back(human.disease);
+  if (!human.change) return valve;
+  Expected<Valve> remodelled = remodel(*valve, *human.change);
+  if (remodelled && !human.disease.empty()) remodelled->provenance.push_back(human.disease);
   return remodelled;
 }
 
-HumanValve human_normal() { return {human(), {}, {}}; }
+HumanValve human_normal() { return {human(), {}, ""}; }
 
 HumanValve human_p2_prolapse() {
   // A flail scallop in an annulus of normal size lies against the anterior leaflet and does not
   // leak; degenerative annuli are dilated.
   Remodelling change;
   change.ap_dilation_percent = 12.0;
-  return {human(),
-          change,
+  change.ruptured = {Segment::P2};
+  ParametricValve d = human();
+  d.systole = kDegenerativeSystole;
+  return {d, change,
           "degenerative prolapse: marginal chordae of P2 ruptured, annulus dilated 12 % in its "
-          "anteroposterior diameter",
-          1.0,
-          true,
-          kDegenerativeSystole};
+          "anteroposterior diameter"};
 }
 
 HumanValve human_functional_mr() {
@@ -112,19 +115,16 @@ HumanValve human_functional_mr() {
   d.commissure_height_mm = 9.2;
   d.saddle_height_mm = 6.8;
   d.tip_spread_mm = 28.0;
+  d.systole = kWeakSystole;
   Remodelling change;
   change.ap_dilation_percent = 20.0;
   change.annular_height_percent = 70.0;
   change.anterolateral_mm = Vec3(1.0, 2.0, 2.0);
   change.posteromedial_mm = Vec3(2.0, 3.0, 4.0);
-  return {d,
-          change,
+  return {d, change,
           "functional regurgitation: annulus dilated 20 % in its anteroposterior diameter and "
           "flattened to 70 %, anterolateral tip displaced by 1, 2, 2 mm and posteromedial tip by "
-          "2, 3, 4 mm (transverse, posterior, apical)",
-          1.0,
-          false,
-          kWeakSystole};
+          "2, 3, 4 mm (transverse, posterior, apical)"};
 }
 
 HumanValve barlow() {
@@ -132,33 +132,28 @@ HumanValve barlow() {
   const Remodelling change = dilate(kBarlowArea, d);
   set_heights(1.2, 1.2, d);
   d.saddle_height_mm = 0.12 * d.al_pm_mm;
-  d.slack = 1.1 * kPresetSlack;
-  d.posterior_slack = 1.15;
+  d.slack = long_chordae();
   d.tissue.thickness_mm = 2.0;
   change_tissue(2.0, 0.5, d.tissue);
-  return {d,
-          change,
+  d.systole = kBarlowSystole;
+  return {d, change,
           "Barlow's disease: annulus of 15.0 / 10.6 times the area (Cardiovasc Ultrasound 2016, "
           "s12947-016-0073-4); assumed: leaflets a fifth taller, 2 mm thick, twice as extensible "
           "until their transition and half as stiff beyond it, chordae a tenth longer, posterior "
           "ones 15 % and P2's 40 % more, a flat saddle of 12 % of the width before it dilates",
-          1.4,
-          false,
-          kBarlowSystole};
+          1.4};
 }
 
 HumanValve fibroelastic_flail() {
   ParametricValve d = human();
-  const Remodelling change = dilate(kFibroelasticArea, d);
+  Remodelling change = dilate(kFibroelasticArea, d);
+  change.ruptured = {Segment::P2};
   d.tissue.thickness_mm = 0.7;
-  return {d,
-          change,
+  d.systole = kDegenerativeSystole;
+  return {d, change,
           "fibroelastic deficiency: annulus of 13.3 / 10.6 times the area (Cardiovasc Ultrasound "
           "2016, s12947-016-0073-4), marginal chordae of P2 ruptured; assumed: leaflets 0.7 mm "
-          "thick, as tall as the annulus before it dilated asks for",
-          1.0,
-          true,
-          kDegenerativeSystole};
+          "thick, as tall as the annulus before it dilated asks for"};
 }
 
 HumanValve marfan() {
@@ -166,28 +161,26 @@ HumanValve marfan() {
   d.ap_mm *= 1.05;
   d.al_pm_mm *= 1.05;
   set_heights(1.25, 1.25, d);
-  d.slack = 1.1 * kPresetSlack;
-  d.posterior_slack = 1.15;
+  d.slack = long_chordae();
   d.tissue.thickness_mm = 0.8;
   change_tissue(1.5, 0.7, d.tissue);
+  d.systole = kBarlowSystole;
   Remodelling change;
   change.ap_dilation_percent = 15.0;
-  return {d,
-          change,
+  return {d, change,
           "Marfan syndrome with prolapse: large leaflets that billow in an annulus that expands in "
           "systole, posterior chordae that hold them late (Pini 1989, Circulation 80:915; no sizes "
           "there); assumed: annulus 5 % wider, 15 % dilated in its anteroposterior diameter under "
           "pressure, leaflets a quarter taller and 0.8 mm thick, 1.5 times as extensible and 0.7 "
           "times as stiff, chordae a tenth longer, posterior ones 15 % and P2's 30 % more",
-          1.3,
-          false,
-          kBarlowSystole};
+          1.3};
 }
 
 HumanValve secondary_mr() {
   ParametricValve d = human();
   Remodelling change = dilate(kFunctionalArea, d);
   set_heights(1.1, 1.1, d);
+  d.systole = kWeakSystole;
   d.tissue.thickness_mm = 1.1;
   d.tissue.circumferential_post_kpa *= 0.6;
   d.tissue.radial_post_kpa *= 2.0;
@@ -195,17 +188,13 @@ HumanValve secondary_mr() {
   change.annular_height_percent = 100.0 * 8.0 / 13.5;
   change.anterolateral_mm = Vec3(1.0, 2.0, 2.0);
   change.posteromedial_mm = Vec3(2.0, 4.0, 4.0);
-  return {d,
-          change,
+  return {d, change,
           "secondary regurgitation: annulus of 802 / 608 times the area (Aquila 2016, Medicine "
           "95:e5387), saddle of 8.0 / 13.5 of its height (Topilsky 2013, JAHA 2:e000039), leaflets "
           "thicker, softer along and stiffer across the fibres, which makes the radial direction "
           "the stiffer one (Vandemaele 2022, Front Cardiovasc Med 9:876006); assumed: by how much "
           "(1.1, 0.6, 2.0 times), leaflets a tenth taller, tips displaced by 1, 2, 2 and 2, 4, 4 "
-          "mm (anterolateral, posteromedial; transverse, posterior, apical)",
-          1.0,
-          false,
-          kWeakSystole};
+          "mm (anterolateral, posteromedial; transverse, posterior, apical)"};
 }
 
 HumanValve hypertrophic() {
@@ -214,8 +203,7 @@ HumanValve hypertrophic() {
   d.tip_spread_mm *= 13.0 / 18.0;
   d.tip_posterior_mm = 0.0;
   change_tissue(1.3, 0.5, d.tissue);
-  return {d,
-          {},
+  return {d, Remodelling{},
           "hypertrophic cardiomyopathy: leaflets of 26 / 19 and 14 / 10 times the length (Maron "
           "2011, Circulation 124:40), papillary tips 13 / 18 as far apart (Hwang 2011, Eur J "
           "Echocardiogr) and further forward (Kim 2010, Circulation 122:1298), tissue softer (Prot "

@@ -3,6 +3,7 @@
 // patient.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/valve/parametric.h"
@@ -13,11 +14,9 @@ namespace coapt {
 /// A valve by its dimensions in health, and what disease changed.
 struct HumanValve {
   ParametricValve dimensions;
-  Remodelling change;        ///< what disease did to it
-  std::string disease;       ///< in words, with sources; empty: none
-  double p2_slack = 1.0;     ///< of P2's marginal chordae, over what dimensions give them
-  bool p2_ruptured = false;  ///< these chordae
-  SystolicMotion systole{};
+  std::optional<Remodelling> change;  ///< what disease did to it, if any
+  std::string disease;                ///< in words, with sources
+  double p2_slack = 1.0;              ///< of P2's marginal chordae, over what dimensions give them
 };
 
 /// The valve itself, diseased. Errors are those of dimensions and change that make none.

@@ -28,7 +28,7 @@ ParametricValve porcine(std::string name, double ap_mm, double al_pm_mm, int tri
   d.tip_depth_mm = 0.81 * ap_mm;
   d.tip_spread_mm = 0.65 * al_pm_mm;
   d.tip_posterior_mm = 0.14 * ap_mm;
-  d.slack = kPresetSlack;
+  d.slack = kPresetSlacks;
   d.triangles = triangles;
   return d;
 }

@@ -15,26 +15,28 @@ constexpr int kLengthTriangles = 650;  // the mesh that chordae lengths are take
 /// Length of a chorda over its length in the closed, pressurised valve.
 double slack_of(const ParametricValve& d, const Valve& valve, const Chorda& chorda) {
   const bool medial = valve.heads[chorda.head].side == Side::Posteromedial;
-  const double side = d.slack * (1.0 + (medial ? 1.0 : -1.0) * d.asymmetry.slack);
-  if (chorda.kind == ChordaKind::Strut) return side * d.strut_slack;
-  if (chorda.kind == ChordaKind::Basal) return side * d.basal_slack;
+  const double side = 1.0 + (medial ? 1.0 : -1.0) * d.asymmetry.slack;
+  if (chorda.kind == ChordaKind::Strut) return d.slack.strut * side;
+  if (chorda.kind == ChordaKind::Basal) return d.slack.basal * side;
   const int face = chorda.segments.back().insertion.face;
   const Segment at = valve.segments[face];
   const bool posterior = at == Segment::P1 || at == Segment::P2 || at == Segment::P3;
-  return posterior ? side * d.posterior_slack : side;
+  return (posterior ? d.slack.posterior : d.slack.anterior) * side;
 }
 
 std::string lengths_in_words(const ParametricValve& d) {
-  const auto both_sides = [&](double factor) {
-    const double al = d.slack * (1.0 - d.asymmetry.slack), pm = d.slack * (1.0 + d.asymmetry.slack);
-    return std::to_string(al * factor) + (al == pm ? "" : " / " + std::to_string(pm * factor));
+  const auto both_sides = [&](double slack) {
+    const double al = slack * (1.0 - d.asymmetry.slack), pm = slack * (1.0 + d.asymmetry.slack);
+    return std::to_string(al) + (al == pm ? "" : " / " + std::to_string(pm));
   };
   std::string words = "chordae lengths: distances in the closed, pressurised valve times ";
-  if (d.posterior_slack == 1.0 && d.strut_slack == 1.0 && d.basal_slack == 1.0)
-    return words + both_sides(1.0);
-  return words + "(anterolateral / posteromedial) anterior and commissural " + both_sides(1.0) +
-         ", posterior " + both_sides(d.posterior_slack) + ", strut " + both_sides(d.strut_slack) +
-         ", basal " + both_sides(d.basal_slack);
+  const ChordalSlack& slack = d.slack;
+  if (slack.posterior == slack.anterior && slack.strut == slack.anterior &&
+      slack.basal == slack.anterior)
+    return words + both_sides(slack.anterior);
+  return words + "(anterolateral / posteromedial) anterior " + both_sides(slack.anterior) +
+         ", posterior " + both_sides(slack.posterior) + ", strut " + both_sides(slack.strut) +
+         ", basal " + both_sides(slack.basal);
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ Expected<Valve> taut_when_closed(const Valve& valve, const ClosureBudget& budget
   return tauten(valve, closed, 1.0);
 }
 
-Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
+Expected<Valve> make_taut_valve(const ParametricValve& dimensions, const ClosureBudget& budget) {
   Expected<Valve> made = make_parametric_valve(dimensions);
   if (!made) return made;
   ParametricValve coarse = dimensions;
@@ -65,7 +67,7 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions) {
   Expected<Valve> open = make_parametric_valve(coarse);
   if (!open) return open;
   if (Errors errors = validate(*open); !errors.empty()) return errors;
-  const Expected<Valve> taut = taut_when_closed(*open);
+  const Expected<Valve> taut = taut_when_closed(*open, budget);
   if (!taut) return taut;
   for (std::size_t c = 0; c < taut->chordae.size(); ++c)
     for (std::size_t s = 0; s < taut->chordae[c].segments.size(); ++s)

@@ -6,8 +6,10 @@
 #include <numbers>
 #include <utility>
 
+#include "core/valve/dimension_table.h"
 #include "core/valve/measured_skeleton.h"
 #include "core/valve/parametric_chordae.h"
+#include "core/valve/pressure_unit.h"
 #include "core/valve/problem_list.h"
 
 namespace coapt {
@@ -16,12 +18,6 @@ namespace {
 constexpr double kHumanAp_mm = 29.0, kHumanAlPm_mm = 39.0;  // controls, PMC7368231
 constexpr double kPlanar_mm = 0.5;         // a contour less high than this is a projection
 constexpr double kCommissureAlong = 0.07;  // share of a leaflet's arc that counts as commissure
-
-struct Accepted {
-  const char* path;
-  std::optional<double> value;
-  double low, high;
-};
 
 struct Grid {
   int stations = 0, anterior_stations = 0, rows = 0;
@@ -81,6 +77,15 @@ double leaflet_height_mm(const ParametricValve& d, const Proportions& heights, d
       std::cos(2.0 * std::numbers::pi * around);  // 1 at the posteromedial commissure
   return (1.0 + d.asymmetry.leaflet_height * medial) *
          symmetric_height_mm(heights, d.cleft_depth_mm, around);
+}
+
+/// Inwards from the vertical; over the quarter of the annulus about each commissure one leaflet's becomes the other's.
+double inclination_rad(const ParametricValve& d, double around) {
+  const double front = std::clamp(2.0 * std::sin(2.0 * std::numbers::pi * around), -1.0, 1.0);
+  const double deg =
+      d.posterior_inclination_deg +
+      (0.5 + 0.5 * front) * (d.anterior_inclination_deg - d.posterior_inclination_deg);
+  return deg * std::numbers::pi / 180.0;
 }
 
 Segment segment_at(double around) {
@@ -155,47 +160,20 @@ Proportions proportions(const ParametricValve& d, double ap_mm, double al_pm_mm)
 }
 
 Errors check_dimensions(const ParametricValve& d) {
-  const Vec3& tips = d.asymmetry.tip_mm;
-  const std::array<Accepted, 23> ranges = {
-      {{"/ap_mm", d.ap_mm, 8, 80},
-       {"/al_pm_mm", d.al_pm_mm, 8, 100},
-       {"/saddle_height_mm", d.saddle_height_mm, 0, 20},
-       {"/anterior_height_mm", d.anterior_height_mm, 4, 60},
-       {"/posterior_height_mm", d.posterior_height_mm, 3, 60},
-       {"/lateral_height_mm", d.lateral_height_mm, 3, 60},
-       {"/commissure_height_mm", d.commissure_height_mm, 2, 30},
-       {"/cleft_depth_mm", d.cleft_depth_mm, 0, 10},
-       {"/anterior_arc", d.anterior_arc, 0.25, 0.5},
-       {"/inclination_deg", d.inclination_deg, 0, 45},
-       {"/tip_depth_mm", d.tip_depth_mm, 8, 60},
-       {"/tip_spread_mm", d.tip_spread_mm, 4, 60},
-       {"/trigone_share", d.trigone_share, 0.3, 1.0},
-       {"/slack", d.slack, 0.8, 1.5},
-       {"/posterior_slack", d.posterior_slack, 0.8, 1.5},
-       {"/strut_slack", d.strut_slack, 0.8, 1.5},
-       {"/basal_slack", d.basal_slack, 0.8, 1.5},
-       {"/asymmetry/tip_mm/0", tips.x(), -10, 10},
-       {"/asymmetry/tip_mm/1", tips.y(), -10, 10},
-       {"/asymmetry/tip_mm/2", tips.z(), -10, 10},
-       {"/asymmetry/leaflet_height", d.asymmetry.leaflet_height, -0.4, 0.4},
-       {"/asymmetry/slack", d.asymmetry.slack, -0.2, 0.2},
-       {"/triangles", static_cast<double>(d.triangles), 100, 50000}}};
-  Errors errors;
-  for (const Accepted& r : ranges)
-    if (r.value && !(*r.value >= r.low && *r.value <= r.high))
-      errors.push_back({ErrorCode::OutOfRange, r.path,
-                        "is " + std::to_string(*r.value) + ", accepted: " + std::to_string(r.low) +
-                            " to " + std::to_string(r.high)});
-  if (!(std::abs(d.tip_posterior_mm) <= 20.0))
-    errors.push_back({ErrorCode::OutOfRange, "/tip_posterior_mm", "accepted: -20 to 20"});
+  ProblemList problems;
+  for (const Dimension& dimension : dimension_table())
+    if (const std::optional<double> value = dimension.get(d))
+      check_range(problems, '/' + std::string(dimension.name), *value, dimension.accepted,
+                  dimension.unit);
+  check_range(problems, "/triangles", d.triangles, {100, 50000});
   if (d.annulus_mm.has_value() != d.tips_mm.has_value())
-    errors.push_back({ErrorCode::MissingField, d.annulus_mm ? "/tips_mm" : "/annulus_mm",
-                      "a measured annulus and measured tips come together"});
+    problems.add(ErrorCode::MissingField, d.annulus_mm ? "/tips_mm" : "/annulus_mm",
+                 "a measured annulus and measured tips come together");
   if (d.annulus_mm && (d.annulus_mm->rows() < 12 || !d.annulus_mm->allFinite()))
-    errors.push_back({ErrorCode::OutOfRange, "/annulus_mm", "accepted: 12 or more finite points"});
+    problems.add(ErrorCode::OutOfRange, "/annulus_mm", "accepted: 12 or more finite points");
   if (d.tips_mm && (d.tips_mm->rows() < 2 || !d.tips_mm->allFinite()))
-    errors.push_back({ErrorCode::OutOfRange, "/tips_mm", "accepted: 2 or more finite points"});
-  return errors;
+    problems.add(ErrorCode::OutOfRange, "/tips_mm", "accepted: 2 or more finite points");
+  return std::move(problems).take();
 }
 
 Expected<Valve> make_parametric_valve(const ParametricValve& d) {
@@ -230,16 +208,18 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
   Valve valve;
   valve.name = d.name;
   valve.tissue = d.tissue;
+  valve.systole = d.systole;
+  if (d.pressure_mmhg) valve.pressure_kpa = *d.pressure_mmhg / kMmhgPerKpa;
   valve.provenance = provenance(d, heights, saddle_added);
   const int n = grid.stations;
   valve.rest_mm.resize(n * (grid.rows + 1), 3);
-  const double tilt = d.inclination_deg * std::numbers::pi / 180.0;
   for (int row = 0; row <= grid.rows; ++row)
     for (int i = 0; i < n; ++i) {
       const Station& s = stations[i];
       const Vec3 tangent = arc.tangent(s.arc_mm);
       const Vec3 inwards = Vec3(-tangent.y(), tangent.x(), 0.0).normalized();
       const double share = static_cast<double>(row) / grid.rows;
+      const double tilt = inclination_rad(d, s.around);
       const Vec3 down = std::sin(tilt) * inwards - std::cos(tilt) * Vec3::UnitZ();
       valve.rest_mm.row(row * n + i) =
           arc.at(s.arc_mm) + share * leaflet_height_mm(d, heights, s.around) * down;

@@ -23,6 +23,17 @@ struct Asymmetry {
   double slack = 0.0;           ///< of the chordae
 };
 
+/// Lengths of chordae over their lengths in the closed, pressurised valve. Commissural ones are marginal of the leaflet on which
+/// the last of their insertions lies at 650 triangles: the posterior one, on most annuli.
+struct ChordalSlack {
+  double anterior = 1.0, posterior = 1.0;  ///< marginal
+  double strut = 1.0;
+  double basal = 1.0;
+
+  bool operator==(const ChordalSlack&) const = default;
+};
+
+/// Ranges stand in dimension_table.h.
 struct ParametricValve {
   std::string name = "parametric";
   double ap_mm = 29.0;     ///< anteroposterior diameter of the annulus under pressure
@@ -34,18 +45,19 @@ struct ParametricValve {
   std::optional<double> posterior_height_mm;  ///< P2
   std::optional<double> lateral_height_mm;    ///< P1, P3
   std::optional<double> commissure_height_mm;
-  double cleft_depth_mm = 0.5;    ///< between the posterior scallops
-  double anterior_arc = 0.38;     ///< share of the annulus from commissure to commissure
-  double inclination_deg = 20.0;  ///< of the unpressurised leaflets, inwards from the vertical
+  double cleft_depth_mm = 0.5;  ///< between the posterior scallops
+  double anterior_arc = 0.38;   ///< share of the annulus from commissure to commissure
+  /// Of the unpressurised leaflets, inwards from the vertical; each of its own leaflet, blended at the commissures.
+  double anterior_inclination_deg = 20.0, posterior_inclination_deg = 20.0;
   double tip_depth_mm = 23.5;     ///< papillary tips below the annulus plane
   double tip_spread_mm = 26.0;    ///< between the tips, transverse
   double tip_posterior_mm = 4.0;  ///< tips behind the annulus centre
   double trigone_share = 0.66;    ///< trigones, share of the arc from saddle peak to commissure
-  double slack = 1.0;  ///< chordae lengths over their lengths in the closed, pressurised valve
-  double posterior_slack = 1.0;                 ///< times slack, of posterior marginal chordae
-  double strut_slack = 1.0, basal_slack = 1.0;  ///< likewise
+  ChordalSlack slack;
   Asymmetry asymmetry;
   Tissue tissue{.reference = TissueReference::InVivo};
+  std::optional<double> pressure_mmhg;  ///< left out: Valve::pressure_kpa's own
+  SystolicMotion systole;
   int triangles = 650;  ///< aimed at; the nearest structured mesh is made
   /// A measured contour instead of the diameters, any frame. A planar one (a projection: the
   /// annulus under pressure is a saddle) is given the saddle height; 0 leaves it planar.
@@ -67,7 +79,7 @@ struct Proportions {
 /// the transverse one.
 Proportions proportions(const ParametricValve& dimensions, double ap_mm, double al_pm_mm);
 
-/// Errors with pointers into the dimensions ("/ap_mm", ...) and accepted ranges.
+/// Errors that point to names of dimension_table() ("/ap_mm", ...), "/triangles", "/annulus_mm" and "/tips_mm".
 Errors check_dimensions(const ParametricValve& dimensions);
 
 /// Errors as of check_dimensions(), or of the measured contour.

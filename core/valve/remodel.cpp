@@ -1,11 +1,15 @@
 #include "core/valve/remodel.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "core/valve/annulus_frame.h"
+#include "core/valve/leaflet_coordinates.h"
 #include "core/valve/problem_list.h"
+#include "core/valve/ruptures.h"
+#include "core/valve/turns.h"
 #include "core/valve/validate.h"
 
 namespace coapt {
@@ -14,6 +18,7 @@ namespace {
 constexpr Range kDilationPercent = {-50.0, 100.0};
 constexpr Range kHeightPercent = {0.0, 200.0};
 constexpr Range kDisplacementMm = {-30.0, 30.0};
+constexpr Range kGrowthPercent = {-50.0, 100.0};
 
 void check_displacement(const Vec3& displacement_mm, const std::string& path,
                         ProblemList& problems) {
@@ -67,6 +72,60 @@ void displace(const Remodelling& change, Valve& valve) {
   }
 }
 
+/// Per vertex: the place of the unstressed annulus from which its column of the leaflet hangs.
+Points feet_mm(const Valve& valve) {
+  const std::vector<double> around = leaflet_coordinates(valve).around;
+  const std::vector<double> arc = annulus_around(valve);
+  Points feet(valve.rest_mm.rows(), 3);
+  for (Index v = 0; v < feet.rows(); ++v) {
+    std::size_t before = 0;
+    double past = 1.0;
+    for (std::size_t a = 0; a < arc.size(); ++a)
+      if (const double here = turn_fraction(around[static_cast<std::size_t>(v)] - arc[a]);
+          here < past) {
+        past = here;
+        before = a;
+      }
+    const std::size_t after = (before + 1) % arc.size();
+    const double t = std::min(1.0, past / turn_fraction(arc[after] - arc[before]));
+    feet.row(v) = (1.0 - t) * valve.rest_mm.row(valve.annulus[before]) +
+                  t * valve.rest_mm.row(valve.annulus[after]);
+  }
+  return feet;
+}
+
+void grow_leaflets(double percent, Valve& valve) {
+  const Points before = valve.rest_mm, feet = feet_mm(valve);
+  valve.rest_mm = feet + (1.0 + percent / 100.0) * (before - feet);
+  for (const int vertex : valve.annulus) valve.rest_mm.row(vertex) = before.row(vertex);
+  for (Index f = 0; f < valve.faces.rows(); ++f) {  // fibres go with their face
+    const auto edges = [&](const Points& at) {
+      const Vec3 corner = at.row(valve.faces(f, 0));
+      Eigen::Matrix<double, 3, 2> sides;
+      sides << Vec3(at.row(valve.faces(f, 1))) - corner, Vec3(at.row(valve.faces(f, 2))) - corner;
+      return sides;
+    };
+    const Eigen::Matrix<double, 3, 2> old = edges(before);
+    const Vec3 fibre = valve.fibre.row(f);
+    const Vec2 shares = (old.transpose() * old).inverse() * (old.transpose() * fibre);
+    valve.fibre.row(f) = (edges(valve.rest_mm) * shares).normalized();
+  }
+}
+
+void check_ruptures(const Valve& valve, const std::vector<Segment>& ruptured,
+                    ProblemList& problems) {
+  if (ruptured.empty()) return;
+  const std::vector<Segment> held = held_segments(valve);
+  std::string accepted;
+  for (const Segment segment : held)
+    accepted += (accepted.empty() ? "" : ", ") + std::string(to_string(segment));
+  for (std::size_t i = 0; i < ruptured.size(); ++i)
+    if (std::find(held.begin(), held.end(), ruptured[i]) == held.end())
+      problems.add(ErrorCode::BadReference, "/ruptured/" + std::to_string(i),
+                   std::string("no marginal chorda holds ") + to_string(ruptured[i]) +
+                       "; accepted: " + accepted);
+}
+
 /// The field of Remodelling that changes what lies at `path` in the valve, "" if none does.
 std::string field_behind(const std::string& path, const Remodelling& change, const Valve& valve) {
   for (std::size_t h = 0; h < valve.heads.size(); ++h) {
@@ -75,7 +134,9 @@ std::string field_behind(const std::string& path, const Remodelling& change, con
     const bool anterolateral = valve.heads[h].side == Side::Anterolateral;
     return (anterolateral ? "/anterolateral_mm" : "/posteromedial_mm") + path.substr(tip.size());
   }
-  if (!path.starts_with("/annulus") && !path.starts_with("/landmarks")) return "";
+  if (path.starts_with("/systole")) return path;
+  if (!path.starts_with("/annulus") && !path.starts_with("/landmarks"))
+    return change.leaflet_growth_percent != 0.0 ? "/leaflet_growth_percent" : "";
   return change.ap_dilation_percent != 0.0 ? "/ap_dilation_percent" : "/annular_height_percent";
 }
 
@@ -83,20 +144,33 @@ std::string in_words(const Remodelling& change) {
   const auto tips = [](const Vec3& d) {
     return shown(d.x()) + " outwards, " + shown(d.y()) + " posterior, " + shown(d.z()) + " apical";
   };
-  return "remodelled: anteroposterior dilation " + shown(change.ap_dilation_percent) +
-         " %, annular height " + shown(change.annular_height_percent) +
-         " %, tips in mm: anterolateral " + tips(change.anterolateral_mm) + "; posteromedial " +
-         tips(change.posteromedial_mm);
+  std::string words = "remodelled: anteroposterior dilation " + shown(change.ap_dilation_percent) +
+                      " %, annular height " + shown(change.annular_height_percent) +
+                      " %, tips in mm: anterolateral " + tips(change.anterolateral_mm) +
+                      "; posteromedial " + tips(change.posteromedial_mm);
+  if (change.leaflet_growth_percent != 0.0)
+    words += "; leaflets grown by " + shown(change.leaflet_growth_percent) + " % of their heights";
+  for (const Segment segment : change.ruptured)
+    words += std::string("; marginal chordae of ") + to_string(segment) + " ruptured";
+  return words;
 }
 
 }  // namespace
 
-Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
+Errors check_remodelling(const Remodelling& change) {
   ProblemList problems;
   check_range(problems, "/ap_dilation_percent", change.ap_dilation_percent, kDilationPercent);
   check_range(problems, "/annular_height_percent", change.annular_height_percent, kHeightPercent);
   check_displacement(change.anterolateral_mm, "/anterolateral_mm", problems);
   check_displacement(change.posteromedial_mm, "/posteromedial_mm", problems);
+  check_range(problems, "/leaflet_growth_percent", change.leaflet_growth_percent, kGrowthPercent);
+  return std::move(problems).take();
+}
+
+Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
+  if (Errors errors = check_remodelling(change); !errors.empty()) return errors;
+  ProblemList problems;
+  check_ruptures(valve, change.ruptured, problems);
   if (!problems.empty()) return std::move(problems).take();
 
   Valve remodelled = valve;
@@ -111,6 +185,11 @@ Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
   scale_height(frame, change.annular_height_percent / 100.0, remodelled);
   dilate(frame, line, share, remodelled);
   displace(change, remodelled);
+  if (change.leaflet_growth_percent != 0.0)
+    grow_leaflets(change.leaflet_growth_percent, remodelled);
+  for (const Segment segment : change.ruptured)
+    remodelled = with_ruptured(std::move(remodelled), segment);
+  if (change.systole) remodelled.systole = *change.systole;
   for (const Error& error : validate(remodelled))
     problems.add(error.code, field_behind(error.path, change, valve),
                  "leaves no valid valve: " + error.path + ' ' + error.message);

@@ -1,12 +1,17 @@
-// Disease as geometry: annular dilation and flattening, papillary displacement (thesis 4.2.2).
+// Disease as geometry: annular dilation and flattening, papillary displacement (thesis 4.2.2), leaflets that have grown,
+// chordae that have ruptured.
 //
 // Everything happens to the annulus and tips under pressure, in the annulus's own frame as it was
 // before (AnnulusFrame). The height over its plane is scaled. Then what lies behind the line
 // through the trigones moves backwards in proportion to its distance behind that line, just so much
 // that the anteroposterior diameter grows by the percentage; what lies on the line or in front of
 // it, the intertrigonal part, stays, and nothing moves transversely. The valve is not centred
-// again: the trigones' place is the reference.
+// again: the trigones' place is the reference. A leaflet grows away from the annulus: each point's
+// distance from the annulus at its `around` (leaflet_coordinates.h), by the percentage.
 #pragma once
+
+#include <optional>
+#include <vector>
 
 #include "core/valve/valve.h"
 
@@ -20,11 +25,17 @@ struct Remodelling {
   /// [-30, 30] mm along the valve's x, -y, -z.
   Vec3 anterolateral_mm = Vec3::Zero();
   Vec3 posteromedial_mm = Vec3::Zero();
+  double leaflet_growth_percent = 0.0;      ///< [-50, 100] of the heights
+  std::vector<Segment> ruptured{};          ///< whose marginal chordae are (ruptures.h)
+  std::optional<SystolicMotion> systole{};  ///< of the diseased heart; left out: as before
 };
 
-/// The valve under changed boundary conditions; rest shape, chordae and indices are kept. Errors
-/// point to the fields of Remodelling ("/anterolateral_mm/2"): out of range, or leaving a valve
-/// that validate() refuses. @pre the valve is valid.
+/// Values outside their ranges, by pointers into Remodelling.
+Errors check_remodelling(const Remodelling& change);
+
+/// The valve changed so; lengths of chordae and indices are kept, and without growth the rest shape. Errors
+/// point to the fields of Remodelling ("/anterolateral_mm/2"): out of range, a segment that no marginal chorda holds, or leaving
+/// a valve that validate() refuses. @pre the valve is valid and mitral.
 Expected<Valve> remodel(const Valve& valve, const Remodelling& change);
 
 /// The annulus alone, grown so, unchecked: the anteroposterior diameter by so many mm, not below zero.

@@ -6,9 +6,9 @@
 
 #include "core/closed/close_refined.h"
 #include "core/metrics/shape_comparison.h"
+#include "core/valve/ruptures.h"
 #include "lab/closures/varied_scenes.h"
 #include "search/evaluator.h"
-#include "search/fit/ruptures.h"
 #include "search/random_share.h"
 #include "search/studies/generality.h"
 

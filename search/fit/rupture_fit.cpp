@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/valve/ruptures.h"
 #include "search/fit/fit_problem.h"
-#include "search/fit/ruptures.h"
 
 namespace coapt {
 namespace {

@@ -121,8 +121,8 @@ HumanValve healthy_valve(const AnatomyValues& anatomy) {
   d.tip_depth_mm = anatomy[TipDepth];
   d.tip_spread_mm = anatomy[TipSpread];
   d.tip_posterior_mm = anatomy[TipPosterior];
-  d.slack = anatomy[Slack];
-  d.posterior_slack = anatomy[PosteriorSlack];
+  const double slack = anatomy[Slack];
+  d.slack = {slack, slack * anatomy[PosteriorSlack], slack, slack};
   d.asymmetry.tip_mm = Vec3(anatomy[TipAsymmetryTransverse], anatomy[TipAsymmetryPosterior],
                             anatomy[TipAsymmetryApical]);
   d.asymmetry.leaflet_height = anatomy[HeightAsymmetry];
@@ -144,23 +144,23 @@ HumanValve diseased_valve(Aetiology aetiology, const AnatomyValues& anatomy,
     d.tissue.radial_post_kpa *= anatomy[Stiffness];
   }
   if (aetiology == Aetiology::Ischaemic || aetiology == Aetiology::Dilated)
-    human.systole = human_functional_mr().systole;
+    d.systole = human_functional_mr().dimensions.systole;
   d.ap_mm *= lesions[ApGrowth];
   d.al_pm_mm *= lesions[TransverseGrowth];
   for (std::optional<double>* height : {&d.anterior_height_mm, &d.posterior_height_mm,
                                         &d.lateral_height_mm, &d.commissure_height_mm})
     **height *= lesions[LeafletGrowth];
-  d.slack *= lesions[ChordaeGrowth];
-  d.posterior_slack *= lesions[PosteriorChordaeGrowth];
+  const double slack = anatomy[Slack] * lesions[ChordaeGrowth];
+  d.slack = {slack, slack * (anatomy[PosteriorSlack] * lesions[PosteriorChordaeGrowth]), slack,
+             slack};
   d.tissue.thickness_mm *= lesions[ThicknessGrowth];
   human.p2_slack = lesions[P2Slack];
-  human.change.ap_dilation_percent = lesions[ApDilation];
-  human.change.annular_height_percent = lesions[AnnularHeight];
+  Remodelling& change = human.change.emplace();
+  change.ap_dilation_percent = lesions[ApDilation];
+  change.annular_height_percent = lesions[AnnularHeight];
   for (int axis = 0; axis < 3; ++axis) {
-    human.change.anterolateral_mm(axis) =
-        lesions[static_cast<std::size_t>(AnterolateralTip + axis)];
-    human.change.posteromedial_mm(axis) =
-        lesions[static_cast<std::size_t>(PosteromedialTip + axis)];
+    change.anterolateral_mm(axis) = lesions[static_cast<std::size_t>(AnterolateralTip + axis)];
+    change.posteromedial_mm(axis) = lesions[static_cast<std::size_t>(PosteromedialTip + axis)];
   }
   human.disease = std::string(to_string(aetiology)) +
                   " disease, drawn from a population: its lesions stand in population.json";

@@ -63,14 +63,13 @@ ParametricValve parametric_valve(const Anatomy& anatomy, const std::string& name
   d.cleft_depth_mm = *next++;
   d.anterior_arc = *next++;
   d.trigone_share = *next++;
-  d.inclination_deg = *next++;
+  d.anterior_inclination_deg = d.posterior_inclination_deg = *next++;
   d.tip_depth_mm = *next++;
   d.tip_spread_mm = *next++;
   d.tip_posterior_mm = *next++;
-  d.slack = *next++;
-  d.posterior_slack = *next++;
-  d.strut_slack = *next++;
-  d.basal_slack = *next++;
+  const double slack = *next++;
+  d.slack = {slack, slack * next[0], slack * next[1], slack * next[2]};
+  next += 3;
   for (int axis = 0; axis < 3; ++axis) d.asymmetry.tip_mm(axis) = *next++;
   d.asymmetry.leaflet_height = *next++;
   d.asymmetry.slack = *next++;

@@ -127,6 +127,30 @@ class Make(ProgramTest):
         self.assertAlmostEqual(info["saddle_to_mid_posterior_mm"], 31.0, delta=2.0)
 
     def test_an_impossible_dimension_is_named(self):
+    def test_a_slack_or_a_tissue_outside_its_range_is_named_with_what_is_accepted(self):
+        result = coapt("valve", "make", "--strut-slack", "3", "--radial-extension", "-1", "-o", "-")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn(" --strut-slack: is 3, must be from 0.6 to 2", result.stderr)
+        self.assertIn(" --radial-extension: is -1, must be from 0 to 0.4", result.stderr)
+
+    def test_a_file_of_dimensions_makes_a_diseased_valve_with_the_healthy_ones_chordae(self):
+        healthy = {"schema": "coapt.dimensions/1", "dimensions": {"strut_slack": 0.9, "triangles": 300}}
+        sick = healthy | {"name": "sick", "remodelling": {"ap_dilation_percent": 15, "ruptured": ["P2"]}}
+        valves = []
+        for given in (healthy, sick):
+            path = self.folder / "dimensions.json"
+            path.write_text(json.dumps(given))
+            valves.append(json.loads(self.run_ok("valve", "make", "--dimensions", path, "-o", "-").stdout))
+        lengths = [[s["rest_length_mm"] for c in v["chordae"] for s in c["segments"]] for v in valves]
+        self.assertEqual(lengths[0], lengths[1])
+        self.assertEqual(valves[1]["name"], "sick")
+        self.assertEqual(sum(c["ruptured"] for c in valves[1]["chordae"]), 2)
+        path.write_text(json.dumps(sick | {"dimensions": {"ap_mm": 1, "al_pm": 30}}))
+        result = coapt("valve", "make", "--dimensions", path, "-o", "-")
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("/dimensions/ap_mm: is 1, must be from 8 to 80 mm", result.stderr)
+        self.assertIn("/dimensions/al_pm", result.stderr)
+
         result = coapt("valve", "make", "--ap-mm", "-3", "-o", "-")
         self.assertEqual(result.returncode, BAD_INPUT)
         self.assertIn(" --ap-mm: ", result.stderr)
@@ -136,7 +160,8 @@ class Make(ProgramTest):
         kaiser = SOURCE / "examples/valves/source/kaiser"
         # The tips of the second lie 20 mm behind the centre: leaflets of human proportions leave 16 mm2 open, and
         # lateral ones of 20 mm have two closed states, 14 mm2 apart.
-        taller = ("--slack", "0.9", "--lateral-height-mm", "24", "--commissure-height-mm", "10")
+        slack = [word for group in ("anterior", "posterior", "strut", "basal") for word in (f"--{group}-slack", "0.9")]
+        taller = (*slack, "--lateral-height-mm", "24", "--commissure-height-mm", "10")
         for ring, tips, more in [
             ("normal_1_annulus", "normal_1_papillary", ()),
             ("hcm_d_annulus_early_systole", "hcm_d_papillary_early_systole", taller),

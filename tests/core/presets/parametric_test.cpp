@@ -92,6 +92,21 @@ TEST(ParametricValve, OfTwoLikeHalvesHasAsManyFacesInEachSegmentOfEither) {
   EXPECT_EQ(faces[Segment::AC], faces[Segment::PC]);
 }
 
+TEST(ParametricValve, InclinesEachLeafletByItsOwnAngleAndOutwardsIfNegative) {
+  ParametricValve d;
+  d.anterior_inclination_deg = 30.0;
+  d.posterior_inclination_deg = -15.0;
+  const Valve valve = *make_parametric_valve(d);
+  EXPECT_TRUE(validate(valve).empty());
+  const Index last_row = valve.rest_mm.rows() - std::ssize(valve.annulus);
+  const auto inwards_deg = [&](int vertex, double inwards) {
+    const Vec3 way = valve.rest_mm.row(last_row + vertex) - valve.rest_mm.row(vertex);
+    return std::atan2(inwards * way.y(), -way.z()) * 180.0 / 3.14159265358979;
+  };
+  EXPECT_NEAR(inwards_deg(valve.landmarks.saddle_peak, -1.0), 30.0, 1e-6);
+  EXPECT_NEAR(inwards_deg(valve.landmarks.mid_posterior, 1.0), -15.0, 1e-6);
+}
+
 TEST(ParametricValve, NamesItsChordaeAlikeAtEveryResolution) {
   const auto ids = [](int triangles) {
     ParametricValve d;

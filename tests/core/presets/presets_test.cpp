@@ -63,6 +63,29 @@ TEST(Preset, HasTheSameChordaeLengthsAtEveryResolution) {
                 fine.chordae[c].segments[s].rest_length_mm);
 }
 
+TEST(TautValve, HasEachGroupOfChordaeByItsOwnSlack) {
+  ParametricValve d;
+  d.triangles = 300;
+  const Valve taut = *make_taut_valve(d);
+  d.slack = {1.1, 1.2, 0.9, 1.05};
+  const Valve slack = *make_taut_valve(d);
+  for (std::size_t c = 0; c < taut.chordae.size(); ++c) {
+    const Chorda& chorda = taut.chordae[c];
+    if (chorda.id.find("C-marginal") != std::string::npos) continue;  // commissural
+    const bool posterior = chorda.id.find("-P1-") != std::string::npos ||
+                           chorda.id.find("-P2-") != std::string::npos ||
+                           chorda.id.find("-P3-") != std::string::npos;
+    const double expected = chorda.kind == ChordaKind::Strut   ? 0.9
+                            : chorda.kind == ChordaKind::Basal ? 1.05
+                            : posterior                        ? 1.2
+                                                               : 1.1;
+    for (std::size_t s = 0; s < chorda.segments.size(); ++s)
+      EXPECT_NEAR(slack.chordae[c].segments[s].rest_length_mm,
+                  expected * chorda.segments[s].rest_length_mm, 1e-9)
+          << chorda.id;
+  }
+}
+
 TEST(Preset, OfAProlapseHasTwoRupturedChordae) {
   for (const int triangles : {0, 1000, 2000}) {
     std::vector<std::string> ruptured;

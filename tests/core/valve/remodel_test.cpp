@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/valve/annulus_frame.h"
+#include "core/valve/ruptures.h"
 #include "tests/scenes/small_valve.h"
 
 namespace coapt {
@@ -63,6 +64,39 @@ TEST(Remodel, TipsMoveOutwardsBackwardsAndDown) {
   EXPECT_EQ(changed.heads[0].tip_mm, Vec3(-13.0, -4.0, -29.0));  // was (-12, -2, -26)
   EXPECT_EQ(changed.heads[1].tip_mm, Vec3(16.0, -7.0, -32.0));   // was (12, -2, -26)
   EXPECT_EQ(changed.heads[0].rest_mm, valve.heads[0].rest_mm);
+}
+
+TEST(Remodel, LeafletsGrowAwayFromTheAnnulus) {
+  const Valve valve = small_valve();
+  const Valve grown = *remodel(valve, {.leaflet_growth_percent = 20.0});
+  // The small valve's columns hang from the annulus vertex of their own angle, which the leaflets' coordinates find to within
+  // their own curvature.
+  for (int vertex = 0; vertex < 8; ++vertex) {
+    EXPECT_EQ(grown.rest_mm.row(vertex), valve.rest_mm.row(vertex));
+    const auto height = [&](const Valve& of) {
+      return (of.rest_mm.row(16 + vertex) - of.rest_mm.row(vertex)).norm();
+    };
+    EXPECT_NEAR(height(grown), 1.2 * height(valve), 0.02 * height(valve)) << vertex;
+  }
+  EXPECT_EQ(grown.annulus_mm, valve.annulus_mm);
+  EXPECT_EQ(grown.chordae[1].segments[0].rest_length_mm,
+            valve.chordae[1].segments[0].rest_length_mm);
+  for (Index f = 0; f < grown.faces.rows(); ++f)
+    EXPECT_NEAR(Vec3(grown.fibre.row(f)).norm(), 1.0, 1e-12);
+}
+
+TEST(Remodel, RupturesTheMarginalChordaeOfASegmentThatAnyHolds) {
+  const Valve valve = small_valve();
+  const std::vector<Segment> held = held_segments(valve);
+  ASSERT_FALSE(held.empty());
+  Remodelling change;
+  change.ruptured = {held.front()};
+  const Valve without = *remodel(valve, change);
+  EXPECT_EQ(held_segments(without).size() + 1, held.size());
+  const Expected<Valve> twice = remodel(without, change);
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.errors()[0].path, "/ruptured/0");
+  EXPECT_EQ(twice.errors()[0].code, ErrorCode::BadReference);
 }
 
 TEST(Remodel, NothingChangesWithoutARemodelling) {

@@ -1,4 +1,4 @@
-#include "search/fit/ruptures.h"
+#include "core/valve/ruptures.h"
 
 #include <gtest/gtest.h>
 

@@ -30,14 +30,14 @@ TEST(ParametricValve, TakesEachParameterToItsField) {
                                       d.cleft_depth_mm,
                                       d.anterior_arc,
                                       d.trigone_share,
-                                      d.inclination_deg,
+                                      d.anterior_inclination_deg,
                                       d.tip_depth_mm,
                                       d.tip_spread_mm,
                                       d.tip_posterior_mm,
-                                      d.slack,
-                                      d.posterior_slack,
-                                      d.strut_slack,
-                                      d.basal_slack,
+                                      d.slack.anterior,
+                                      d.slack.posterior / d.slack.anterior,
+                                      d.slack.strut / d.slack.anterior,
+                                      d.slack.basal / d.slack.anterior,
                                       d.asymmetry.tip_mm.x(),
                                       d.asymmetry.tip_mm.y(),
                                       d.asymmetry.tip_mm.z(),
@@ -48,6 +48,7 @@ TEST(ParametricValve, TakesEachParameterToItsField) {
   ASSERT_EQ(fields.size() + 1, static_cast<std::size_t>(kAnatomyParameters));
   for (std::size_t i = 0; i < fields.size(); ++i)
     EXPECT_EQ(fields[i], 1.0 + static_cast<double>(i)) << anatomy_parameters()[i].name;
+  EXPECT_EQ(d.posterior_inclination_deg, d.anterior_inclination_deg);
   EXPECT_EQ(d.tissue.circumferential_post_kpa, 26.0 * Tissue{}.circumferential_post_kpa);
   EXPECT_EQ(d.tissue.radial_post_kpa, 26.0 * Tissue{}.radial_post_kpa);
   EXPECT_EQ(d.tissue.radial_pre_kpa, Tissue{}.radial_pre_kpa);

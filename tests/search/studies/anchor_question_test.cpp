@@ -102,7 +102,7 @@ TEST(AnchorObjectives, TakeTheirValueOfASummaryAndHaveNames) {
 
 TEST(ScannedAnatomy, SetsTheFactorsAndLeavesTheRestOfItsCentre) {
   ParametricValve centre;
-  centre.slack = 1.05;
+  centre.slack.strut = 1.05;
   centre.anterior_height_mm = 24.0;
   centre.tissue.thickness_mm = 0.9;
   const std::vector<double> shares = {0.0, 1.0, 0.5, 0.2, 1.0, 1.0};
@@ -117,7 +117,7 @@ TEST(ScannedAnatomy, SetsTheFactorsAndLeavesTheRestOfItsCentre) {
   EXPECT_NEAR(*d.posterior_height_mm, 1.1 * heights.posterior_height_mm, 1e-12);
   EXPECT_NEAR(*d.lateral_height_mm, 1.1 * heights.lateral_height_mm, 1e-12);
   EXPECT_NEAR(*d.commissure_height_mm, 1.1 * heights.commissure_height_mm, 1e-12);
-  EXPECT_EQ(d.slack, 1.05);
+  EXPECT_EQ(d.slack, centre.slack);
   EXPECT_EQ(d.tissue.thickness_mm, 0.9);
   EXPECT_EQ(d.ap_mm, centre.ap_mm);
 }

@@ -1,18 +1,19 @@
-#include "search/fit/ruptures.h"
+#include "core/valve/ruptures.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 
 #include "core/valve/leaflet_of.h"
 
 namespace coapt {
 namespace {
 
-constexpr std::array kScallops = {Segment::A1, Segment::A2, Segment::A3,
-                                  Segment::P1, Segment::P2, Segment::P3};
+bool holds_still(const Valve& valve, const Chorda& chorda, Segment segment) {
+  return chorda.kind == ChordaKind::Marginal && !chorda.ruptured &&
+         held_by(valve, chorda) == segment;
+}
 
-/// That a chorda holds by its insertions; none of a commissural chorda.
+}  // namespace
+
 std::optional<Segment> held_by(const Valve& valve, const Chorda& chorda) {
   std::vector<Segment> ends;
   for (const ChordaSegment& segment : chorda.segments)
@@ -26,13 +27,6 @@ std::optional<Segment> held_by(const Valve& valve, const Chorda& chorda) {
   return *std::max_element(ends.begin(), ends.end(),
                            [&](Segment a, Segment b) { return count(a) < count(b); });
 }
-
-bool holds_still(const Valve& valve, const Chorda& chorda, Segment segment) {
-  return chorda.kind == ChordaKind::Marginal && !chorda.ruptured &&
-         held_by(valve, chorda) == segment;
-}
-
-}  // namespace
 
 std::vector<Segment> held_segments(const Valve& valve) {
   std::vector<Segment> held;
