@@ -11,8 +11,8 @@
 
 namespace coapt {
 
-/// A body of "valve", "plan" (optional) and the fields `more`; or its refusal: read_body()'s, or 422 if the valve does
-/// not allow the plan.
+/// A body of "valve", "plan" and "material" (optional) and the fields `more`; or its refusal: read_body()'s, or 422 if the valve does
+/// not allow the plan or the material.
 std::variant<RepairRequest, Answer> read_repair_request(const ValveSource& valves,
                                                         std::string_view body,
                                                         std::vector<JsonField> more);

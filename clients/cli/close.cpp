@@ -9,6 +9,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/converge_option.h"
+#include "clients/cli/material_option.h"
 #include "clients/cli/method_option.h"
 #include "clients/cli/plan_option.h"
 #include "clients/cli/print.h"
@@ -34,6 +35,7 @@ namespace {
 struct CloseArguments {
   std::string valve, picture, closed;
   PlanOption plan;
+  MaterialOption material;
   ServerOption server;
   ClosureOptions closure;
   std::optional<double> accuracy_mm2;
@@ -52,8 +54,9 @@ int show(const CloseArguments& arguments, const Json& closure) {
 }
 
 int run_by(const Service& service, const CloseArguments& arguments) {
-  const auto [unsent, request, sources] = repair_to_send(arguments.valve, arguments.plan);
+  auto [unsent, request, sources] = repair_to_send(arguments.valve, arguments.plan);
   if (unsent) return unsent;
+  if (is_given(arguments.material)) request["material"] = material_json(arguments.material);
   if (const int failed = check_output(arguments.picture)) return failed;
   const Expected<Json> closure = post_json(service, "/v1/closures", request);
   if (!closure) return report_service_errors("close", closure.errors(), sources);
@@ -77,13 +80,13 @@ int write_closed(const CloseArguments& arguments, const Valve& valve,
 
 /// A valve that is not mitral: closed and measured; no plans, no picture.
 int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOptions options) {
-  if (is_given(arguments.plan) || !arguments.picture.empty() || arguments.oblique ||
-      arguments.open || arguments.accuracy_mm2)
+  if (is_given(arguments.plan) || is_given(arguments.material) || !arguments.picture.empty() ||
+      arguments.oblique || arguments.open || arguments.accuracy_mm2)
     return report_errors(
         arguments.valve,
         {{ErrorCode::Unsupported, "/schema",
-          "is coapt.valve/2: plans, pictures, --open, --oblique and --accuracy need a "
-          "mitral valve (coapt.valve/1)"}});
+          "is coapt.valve/2: plans, pictures, pressure, tissue, --open, --oblique and --accuracy "
+          "need a mitral valve (coapt.valve/1)"}});
   if (const int failed = check_output(arguments.closed)) return failed;
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(valve, options);
@@ -98,9 +101,12 @@ int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOpt
 int run(const CloseArguments& arguments) {
   ClosureOptions options = arguments.closure;
   if (options.method == Method::Thesis) options.samples = kThesisSamples;
-  const Expected<Valve> valve = read_any_valve_argument(arguments.valve);
+  Expected<Valve> valve = read_any_valve_argument(arguments.valve);
   if (!valve) return report_errors(arguments.valve, valve.errors());
   if (!is_mitral(*valve)) return run_leaflets(arguments, *valve, arguments.closure);
+  valve = with_material(*valve, values_of(arguments.material));
+  if (!valve)
+    return report_option_errors("close", valve.errors(), {{"/pressure_mmhg", "--pressure"}});
   const Expected<RepairPlan> plan = read_plan_option(arguments.plan, &*valve);
   if (!plan) return report_errors(source_of(arguments.plan), plan.errors());
   const Expected<Valve> repaired = apply_plan(*valve, *plan);
@@ -172,6 +178,7 @@ void add_close(Command parent, int& status) {
   add_method_option(command, arguments->closure.method);
   add_membrane_option(command, arguments->closure.membrane);
   add_converge_option(command, arguments->converge);
+  add_material_option(command, arguments->material);
   command
       .add_option("--accuracy", arguments->accuracy_mm2,
                   "Largest error of the leak, mm2: refines the mesh and chooses the tolerances "
@@ -197,6 +204,7 @@ void add_close(Command parent, int& status) {
       "  coapt close human-functional-mr --render leaking.png\n"
       "  coapt close human-p2-prolapse --oblique\n"
       "  coapt close human-functional-mr --plan examples/plans/ring.json --open\n"
+      "  coapt close human-normal --pressure 60 --radial-extension 0.08\n"
       "  coapt close valve.json --accuracy 1\n"
       "  coapt close human-functional-mr --converge\n"
       "  coapt close trivalve.json --closed closed.ply\n"

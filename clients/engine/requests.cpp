@@ -38,7 +38,8 @@ std::optional<EngineAnswer> read_body(std::string_view body, const std::vector<J
 std::optional<EngineAnswer> read_request(std::string_view body, RepairRequest& asked,
                                          std::vector<JsonField> more) {
   more.insert(more.begin(), {{"valve", document(asked.valve, valve_from_json)},
-                             {"plan", document(asked.plan, plan_from_json), false}});
+                             {"plan", document(asked.plan, plan_from_json), false},
+                             material_field(asked.material)});
   if (auto refusal = read_body(body, more)) return refusal;
   if (const Errors errors = apply(asked); !errors.empty()) return problem(422, errors);
   return std::nullopt;

@@ -20,7 +20,7 @@ EngineAnswer problem_below(const std::string& path, const Errors& errors);
 /// A body of these fields; or its refusal.
 std::optional<EngineAnswer> read_body(std::string_view body, const std::vector<JsonField>& fields);
 
-/// A body of "valve", "plan" (optional) and the fields `more`; or its refusal.
+/// A body of "valve", "plan" and "material" (optional) and the fields `more`; or its refusal.
 std::optional<EngineAnswer> read_request(std::string_view body, RepairRequest& asked,
                                          std::vector<JsonField> more);
 

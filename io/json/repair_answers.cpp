@@ -28,10 +28,34 @@ JsonField number_field(const char* name, Number& target, Range range, const char
 
 }  // namespace
 
+std::vector<MaterialValue> read_material(const JsonPlace& place) {
+  std::vector<MaterialValue> material;
+  std::vector<JsonField> fields;
+  for (const Dimension* dimension : material_table())
+    fields.push_back({dimension->name,
+                      [&material, dimension](const JsonPlace& at) {
+                        material.push_back(
+                            {dimension, read_number_in(at, dimension->accepted, dimension->unit)});
+                      },
+                      false});
+  read_fields(place, fields);
+  return material;
+}
+
+JsonField material_field(std::vector<MaterialValue>& material) {
+  return {"material", into(material, read_material), false};
+}
+
 Errors apply(RepairRequest& asked) {
+  ProblemList problems;
+  Expected<Valve> valve = with_material(asked.valve, asked.material);
+  if (!valve) {
+    add_below(problems, "/material", valve.errors());
+    return std::move(problems).take();
+  }
+  asked.valve = *std::move(valve);
   Expected<Valve> repaired = apply_plan(asked.valve, asked.plan);
   if (!repaired) {
-    ProblemList problems;
     add_below(problems, "/plan", repaired.errors());
     return std::move(problems).take();
   }

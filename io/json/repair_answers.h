@@ -4,17 +4,23 @@
 #include "core/metrics/measure.h"
 #include "core/opened/opened_valve.h"
 #include "core/repair/plan.h"
+#include "core/valve/dimension_table.h"
 #include "io/json/json_reader.h"
 
 namespace coapt {
 
 struct RepairRequest {
-  Valve valve;
-  RepairPlan plan;  ///< no steps, if there is none
-  Valve repaired;   ///< the valve as the plan leaves it
+  Valve valve;                            ///< with the material asked for, once apply() is done
+  RepairPlan plan;                        ///< no steps, if there is none
+  Valve repaired;                         ///< the valve as the plan leaves it
+  std::vector<MaterialValue> material{};  ///< in place of the valve's own
 };
 
-/// Applies the plan; problems point below "/plan".
+/// Field "material": {"pressure_mmhg", "radial_extension", ...}, names of material_table().
+JsonField material_field(std::vector<MaterialValue>& material);
+std::vector<MaterialValue> read_material(const JsonPlace& place);
+
+/// Gives the valve its material and applies the plan; problems point below "/material" and "/plan".
 Errors apply(RepairRequest& asked);
 
 /// Fields of a request for an opening: "pressure_mmhg", "flow_ml_s", "exercise".

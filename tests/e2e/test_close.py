@@ -52,6 +52,15 @@ class Close(ProgramTest):
         words = f"opening         {0.01 * opening['opening_area_mm2']:.1f} cm2, mean gradient "
         self.assertIn(words, coapt("close", VALVE, "--open").stdout)
 
+    def test_pressure_and_tissue_take_the_place_of_the_valves_own(self):
+        own = self.close("human-functional-mr")["leak_mm2"]
+        self.assertGreater(self.close("human-functional-mr", "--pressure", "60")["leak_mm2"], 1.2 * own)
+        self.assertGreater(self.close("human-functional-mr", "--radial-extension", "0.05")["leak_mm2"], own)
+        result = coapt("close", "human-normal", "--pressure", "0", "--thickness-mm", "99")
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn(" --pressure: is 0, must be from 1 to 400 mmHg", result.stderr)
+        self.assertIn(" --thickness-mm: is 99, must be from 0.05 to 10 mm", result.stderr)
+
     def test_a_ring_makes_the_orifice_of_the_functional_valve_smaller(self):
         plan = self.write("plan.json", RING)
         before = self.close(VALVE)

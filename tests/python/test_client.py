@@ -58,6 +58,17 @@ class Closures(ClientTest):
         self.assertTrue(closure.trusted)
         self.assertEqual(self.client.close(VALVE, plan.to_json()).measure, closure.measure)
 
+    def test_pressure_and_tissue_take_the_place_of_the_valves_own(self):
+        options = ("--pressure", 60, "--radial-extension", 0.08, "--json")
+        printed = json.loads(coapt_command("close", VALVE, *options).stdout)
+        closure = self.client.close(VALVE, pressure_mmhg=60, tissue={"radial_extension": 0.08})
+        self.assertEqual(closure.json | {"seconds": 0}, printed | {"seconds": 0})
+        wrong = {"thickness_mm": 99, "stiffness": 1}
+        self.assertEqual(
+            self.problems(coapt.InvalidRequest, self.client.close, VALVE, tissue=wrong),
+            [("/material/thickness_mm", "out_of_range"), ("/material/stiffness", "unknown_field")],
+        )
+
     def test_a_closure_has_its_leaflets(self):
         leaflets, valve = self.client.close(VALVE).leaflets(), self.client.get_valve(VALVE)
         self.assertEqual([list(face) for face in leaflets.faces], valve["faces"])

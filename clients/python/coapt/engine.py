@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import pathlib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 from .closures import Closure
@@ -164,9 +164,9 @@ class Engine(Service):
     def _at_once(self, threads: int | None) -> int:
         return threads or self.threads or os.cpu_count() or 1
 
-    def _closure(self, source: LocalValve, plan: Any) -> Closure:
+    def _closure(self, source: LocalValve, plan: Any, material: Mapping[str, float] | None = None) -> Closure:
         with refusing():
-            native = source.native.close(b"" if plan is None else encoded(plan))
+            native = source.native.close(b"" if plan is None else encoded(plan), encoded(material) if material else b"")
         return local_closure(native)
 
 
@@ -250,9 +250,9 @@ class LocalValve(ValveHere):
 
     # The engine's functions, of this valve.
 
-    def close(self, plan: PlanSource | None = None) -> Closure:
+    def close(self, plan: PlanSource | None = None, **options: Any) -> Closure:
         """See Engine.close()."""
-        return self.engine.close(self, plan)
+        return self.engine.close(self, plan, **options)
 
     def open(self, plan: PlanSource | None = None, **options: Any) -> Opening:
         """See Engine.open()."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, Literal
 
 from .asking import Asking, given
@@ -34,9 +34,25 @@ def scoring_of(
 class ShortWork(Asking):
     """What is answered at once."""
 
-    def close(self, valve: Valve, plan: PlanSource | None = None) -> Closure:
-        """Closes a valve, repaired if there is a plan, and measures what leaks. Look at Closure.trusted."""
-        return self._closure(self._read(valve), None if plan is None else plan_document(plan))
+    def close(
+        self,
+        valve: Valve,
+        plan: PlanSource | None = None,
+        *,
+        pressure_mmhg: float | None = None,
+        tissue: Mapping[str, float] | None = None,
+    ) -> Closure:
+        """Closes a valve, repaired if there is a plan, and measures what leaks. Look at Closure.trusted.
+
+        >>> client.close("human-normal", pressure_mmhg=150, tissue={"radial_extension": 0.08}).trusted
+        True
+
+        :param pressure_mmhg: across the closed valve, in place of its own
+        :param tissue: in place of its own: "thickness_mm", "radial_extension", "circumferential_extension" (strains at which
+            leaflets become stiff), "radial_stiffness", "circumferential_stiffness" (moduli beyond, times 760 and 2,300 kPa)
+        """
+        material = given(pressure_mmhg=pressure_mmhg) | dict(tissue or {})
+        return self._closure(self._read(valve), None if plan is None else plan_document(plan), material)
 
     def close_many(
         self,
@@ -161,8 +177,10 @@ class ShortWork(Asking):
         """What _closure() takes of a valve."""
         return valve_document(valve)
 
-    def _closure(self, source: Any, plan: Any) -> Closure:
-        def leaflets() -> Mesh:
-            return Mesh.from_ply(self._ask("/v1/exports", source, given(plan=plan, format="ply")).body)
+    def _closure(self, source: Any, plan: Any, material: Mapping[str, float] | None = None) -> Closure:
+        repair = given(plan=plan, material=material or None)
 
-        return Closure.from_json(self._ask("/v1/closures", source, given(plan=plan)).json(), leaflets)
+        def leaflets() -> Mesh:
+            return Mesh.from_ply(self._ask("/v1/exports", source, repair | {"format": "ply"}).body)
+
+        return Closure.from_json(self._ask("/v1/closures", source, repair).json(), leaflets)

@@ -7,6 +7,7 @@
 #include "core/closure/closure.h"
 #include "core/repair/apply_plan.h"
 #include "core/valve/validate.h"
+#include "io/json/parse_json.h"
 #include "io/json/plan_json.h"
 #include "io/json/repair_answers.h"
 #include "io/json/valve_json.h"
@@ -27,8 +28,26 @@ LocalValve with_arrays(const LocalValve& valve, const NewArrays& arrays) {
   return {std::make_shared<const Valve>(std::move(changed))};
 }
 
-LocalClosure close_locally(const LocalValve& valve, std::string_view plan) {
+namespace {
+
+Expected<std::vector<MaterialValue>> parse_material(std::string_view text) {
+  const Expected<Json> json = parse_json(text);
+  if (!json) return json.errors();
+  ProblemList problems;
+  std::vector<MaterialValue> material = read_material({*json, problems});
+  if (!problems.empty()) return std::move(problems).take();
+  return material;
+}
+
+}  // namespace
+
+LocalClosure close_locally(const LocalValve& valve, std::string_view plan,
+                           std::string_view material) {
   LocalClosure closed{.valve = valve.valve, .repaired = valve.valve};
+  if (!material.empty())
+    closed.valve = std::make_shared<const Valve>(taken(
+        with_material(*valve.valve, taken(parse_material(material), "/material")), "/material"));
+  closed.repaired = closed.valve;
   if (!plan.empty()) {
     closed.plan = taken(read_plan(plan), "/plan");
     closed.repaired =

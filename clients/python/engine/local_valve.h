@@ -38,9 +38,11 @@ struct LocalClosure {
   std::vector<std::string> warnings{};  ///< as in coapt.closure/1
 };
 
-/// Closes the valve, repaired if `plan` (a coapt.plan/1) is not empty, and measures it: the service's closure, to the bit.
-/// Throws Problems, whose paths begin with "/plan". From many threads at once.
-LocalClosure close_locally(const LocalValve& valve, std::string_view plan);
+/// Closes the valve, repaired if `plan` (a coapt.plan/1) is not empty and with `material` (an object of material_table()'s names) if
+/// that is not, and measures it: the service's closure, to the bit. Throws Problems, whose paths begin with "/plan" or "/material".
+/// From many threads at once.
+LocalClosure close_locally(const LocalValve& valve, std::string_view plan,
+                           std::string_view material);
 
 /// What the service answers of it (POST /v1/closures).
 std::string document_of(const LocalClosure& closed);

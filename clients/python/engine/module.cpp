@@ -160,7 +160,7 @@ void add_valves(py::module_& module) {
                                 annulus ? &*annulus : nullptr});
           },
           py::arg("vertices_mm"), py::arg("faces"), py::arg("annulus_mm"))
-      .def("close", &close_locally, py::arg("plan"), Unlocked());
+      .def("close", &close_locally, py::arg("plan"), py::arg("material"), Unlocked());
   py::class_<LocalClosure>(module, "Closure")
       .def("document", &document_of, Unlocked())
       .def("told", &told)
