@@ -34,6 +34,7 @@ void add_calibrate(Command parent, int& status);
 void add_anchor_question(Command parent, int& status);
 void add_generality(Command parent, int& status);
 void add_study_model(Command parent, int& status);
+void add_study_physiology(Command parent, int& status);
 void add_study_population(Command parent, int& status);
 /// Commands that moved to coapt-lab: hidden from the help, they say where they went.
 void add_moved(Command parent, int& status);

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -7,6 +5,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
+#include "clients/cli/print_table.h"
 #include "clients/cli/read_argument.h"
 #include "core/valve/number_text.h"
 #include "io/command_line/command_line.h"
@@ -25,8 +24,6 @@
 namespace coapt {
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
-
 struct StudyModelArguments {
   std::string valve, directory = "study-model";
   PlanOption plan;
@@ -34,17 +31,17 @@ struct StudyModelArguments {
   bool json = false;
 };
 
-Rows areas_table(const ModelStudy& study) {
-  Rows rows = {{"mm2", "as it is", "mean", "model ±", "5 %", "95 %"}};
+TableRows areas_table(const ModelStudy& study) {
+  TableRows rows = {{"mm2", "as it is", "mean", "model ±", "5 %", "95 %"}};
   for (const ModelUncertainty* area : {&study.leak, &study.orifice})
     rows.push_back({area->name, fixed(area->as_it_is_mm2, 1), fixed(area->mean_mm2, 1),
                     fixed(area->sd_mm2, 1), fixed(area->p5_mm2, 1), fixed(area->p95_mm2, 1)});
   return rows;
 }
 
-Rows parameters_table(const ModelStudy& study) {
-  Rows rows = {{"parameter", "from", "to", "leak: first", "total", "effect", "orifice: first",
-                "total", "effect"}};
+TableRows parameters_table(const ModelStudy& study) {
+  TableRows rows = {{"parameter", "from", "to", "leak: first", "total", "effect", "orifice: first",
+                     "total", "effect"}};
   for (int i = 0; i < kModelParameters; ++i) {
     const ModelParameter& parameter = model_parameters()[i];
     rows.push_back({parameter.name, shown(parameter.lower), shown(parameter.upper)});
@@ -56,24 +53,6 @@ Rows parameters_table(const ModelStudy& study) {
     }
   }
   return rows;
-}
-
-/// Columns aligned: the first to the left, the others to the right. "±" is one column wide.
-void print_table(const Rows& rows) {
-  const auto width_of = [](const std::string& cell) {
-    return static_cast<int>(
-        std::count_if(cell.begin(), cell.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-  };
-  std::vector<int> widths(rows.front().size(), 0);
-  for (const std::vector<std::string>& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width_of(row[c]));
-  for (const std::vector<std::string>& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::string fill(static_cast<std::size_t>(widths[c] - width_of(row[c])), ' ');
-      std::cout << (c == 0 ? row[c] + fill : "  " + fill + row[c]);
-    }
-    std::cout << '\n';
-  }
 }
 
 std::string lead_of(const ModelStudy& study) {
@@ -145,9 +124,9 @@ int run(StudyModelArguments arguments) {
     return exit_code_of(study, interrupted);
   }
   std::cout << given.valve.name << ": " << lead_of(study) << "\n\n";
-  print_table(areas_table(study));
+  print_table(std::cout, areas_table(study));
   std::cout << "\n" << decides_words(study) << "\n\n";
-  print_table(parameters_table(study));
+  print_table(std::cout, parameters_table(study));
   std::cout << "\nWritten to " << arguments.directory << "/index.html\n";
   return exit_code_of(study, interrupted);
 }

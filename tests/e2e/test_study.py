@@ -197,6 +197,31 @@ class Model(ProgramTest):
         self.assertIn("--draws", result.stderr)
 
 
+class Physiology(ProgramTest):
+    def test_each_row_has_its_range_source_and_verdict(self):
+        told = json.loads(self.run_ok("study", "physiology", small_valve("human-normal"), "--json").stdout)
+        self.assertEqual(told["schema"], "coapt.physiology/1")
+        self.assertEqual((told["kind"], told["kind_judged"], told["species"]), ("healthy", True, "human"))
+        rows = {row["quantity"]: row for row in told["rows"]}
+        self.assertLessEqual(
+            {"leak", "tenting_area", "struts_cut_ratio", "leak_200", "ring_34", "opening", "clip_share"}, set(rows)
+        )
+        for row in rows.values():
+            with self.subTest(row["quantity"]):
+                keys = ["high", "low", "quantity", "source", "unit", "value", "verdict", "what"]
+                self.assertEqual(sorted(row), keys)
+                if row["low"] is None:
+                    self.assertIn(row["verdict"], ("no range", "unknown"))
+                elif row["value"] is not None:
+                    side = "below" if row["value"] < row["low"] else "above" if row["value"] > row["high"] else "met"
+                    self.assertEqual(row["verdict"], side)
+
+    def test_ranges_are_of_the_kind_that_is_said(self):
+        words = self.run_ok("study", "physiology", small_valve("human-normal"), "--kind", "functional").stdout
+        self.assertIn("functional, human (judged)", words)
+        self.assertRegex(words, r"Leak at the valve's own pressure +\S+ +20 +60 +mm2 +below")
+
+
 class Refused(ProgramTest):
     def refused(self, status, *arguments):
         result = coapt("study", *arguments)

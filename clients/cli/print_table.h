@@ -1,0 +1,17 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace coapt {
+
+using TableRows = std::vector<std::vector<std::string>>;  ///< the first is the head; all as long
+
+/// Three digits, "-" of what is not finite.
+std::string figure_cell(double value);
+
+/// Columns aligned: the first to the left, the others to the right. A character of UTF-8 is one column wide.
+void print_table(std::ostream& out, const TableRows& rows);
+
+}  // namespace coapt

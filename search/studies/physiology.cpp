@@ -1,0 +1,441 @@
+#include "search/studies/physiology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+#include "core/closed/closed_valve.h"
+#include "core/metrics/annular_force.h"
+#include "core/metrics/leaflet_sides.h"
+#include "core/metrics/loads.h"
+#include "core/opened/opened_valve.h"
+#include "core/repair/apply_plan.h"
+#include "core/repair/limits.h"
+#include "core/valve/leaflet_of.h"
+#include "core/valve/pressure_unit.h"
+#include "core/valve/ruptures.h"
+#include "search/parallel.h"
+#include "search/plans/objective.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kUnknown = PhysiologyValues::kUnknown;
+constexpr double kSqueezed = -0.1;  // strain along the fibres
+
+double face_area_mm2(const Valve& valve, Index face) {
+  const Vec3 a = valve.rest_mm.row(valve.faces(face, 0)),
+             b = valve.rest_mm.row(valve.faces(face, 1)),
+             c = valve.rest_mm.row(valve.faces(face, 2));
+  return 0.5 * (b - a).cross(c - a).norm();
+}
+
+double trunk_n(const Chorda& chorda, const std::vector<double>& tension_n) {
+  double sum = 0.0;
+  for (std::size_t s = 0; s < chorda.segments.size(); ++s)
+    if (chorda.segments[s].parent < 0) sum += tension_n[s];
+  return sum;
+}
+
+/// Mean and largest; NaN of none.
+struct Tensions {
+  double sum_n = 0.0, largest_n = kUnknown;
+  int count = 0;
+  void add(double tension_n) {
+    sum_n += tension_n;
+    largest_n = std::fmax(largest_n, tension_n);
+    ++count;
+  }
+  double mean_n() const { return count > 0 ? sum_n / count : kUnknown; }
+};
+
+/// Mean tension of the trunks of marginal chordae that hold A2.
+double a2_marginal_n(const Valve& valve, const ClosureResult& closure) {
+  Tensions a2;
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    const Chorda& chorda = valve.chordae[c];
+    if (chorda.kind == ChordaKind::Marginal && !chorda.ruptured &&
+        held_by(valve, chorda) == Segment::A2)
+      a2.add(trunk_n(chorda, closure.tension_n[c]));
+  }
+  return a2.mean_n();
+}
+
+void read_chordae(const Valve& valve, const ClosureResult& closure, PhysiologyValues& values) {
+  Tensions struts, anterior;
+  std::array<Vec3, 2> muscle_n = {Vec3::Zero(), Vec3::Zero()};
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    const Chorda& chorda = valve.chordae[c];
+    if (chorda.ruptured) continue;
+    const PapillaryHead& head = valve.heads[static_cast<std::size_t>(chorda.head)];
+    for (std::size_t s = 0; s < chorda.segments.size(); ++s) {
+      const ChordaSegment& segment = chorda.segments[s];
+      if (segment.parent >= 0) continue;
+      const Vec3 end = segment.inserts
+                           ? position(segment.insertion, valve.faces, closure.closed_mm)
+                           : Vec3(closure.branch_points_mm[c].row(static_cast<Index>(s)));
+      muscle_n[head.side == Side::Posteromedial ? 1 : 0] +=
+          closure.tension_n[c][s] * (end - head.tip_mm).normalized();
+    }
+    const double trunk = trunk_n(chorda, closure.tension_n[c]);
+    if (chorda.kind == ChordaKind::Strut) struts.add(trunk);
+    const std::optional<Segment> held = held_by(valve, chorda);
+    if (chorda.kind == ChordaKind::Marginal && held && leaflet_of(*held) == Leaflet::Anterior)
+      anterior.add(trunk);
+  }
+  values.strut_n = struts.mean_n();
+  values.anterior_marginal_n = anterior.largest_n;
+  values.strut_over_marginal = values.strut_n / values.anterior_marginal_n;
+  values.a2_marginal_n = a2_marginal_n(valve, closure);
+  values.muscle_anterolateral_n = muscle_n[0].norm();
+  values.muscle_posteromedial_n = muscle_n[1].norm();
+}
+
+void read_strains(const Valve& valve, const ClosureResult& closure, PhysiologyValues& values) {
+  const std::vector<FaceStrain> strains = face_strains(valve, closure.closed_mm);
+  const std::vector<Leaflet> sides = leaflet_sides(valve);
+  double a2 = 0.0, radial = 0.0, circumferential = 0.0, grown = 0.0, posterior = 0.0,
+         squeezed = 0.0;
+  for (Index f = 0; f < valve.faces.rows(); ++f) {
+    const FaceStrain& strain = strains[static_cast<std::size_t>(f)];
+    const double area = face_area_mm2(valve, f);
+    if (valve.segments[static_cast<std::size_t>(f)] == Segment::A2) {
+      a2 += area;
+      radial += area * strain.radial;
+      circumferential += area * strain.circumferential;
+      grown += area * std::sqrt(std::max(
+                          0.0, (1.0 + 2.0 * strain.radial) * (1.0 + 2.0 * strain.circumferential)));
+    }
+    if (sides[static_cast<std::size_t>(f)] != Leaflet::Posterior) continue;
+    posterior += area;
+    if (strain.circumferential < kSqueezed) squeezed += area;
+  }
+  values.a2_radial_percent = 100.0 * radial / a2;
+  values.a2_circumferential_percent = 100.0 * circumferential / a2;
+  values.a2_areal_percent = 100.0 * (grown / a2 - 1.0);
+  values.posterior_squeezed_share = squeezed / posterior;
+}
+
+double septal_lateral_n(const Valve& valve, const ClosureResult& closure) {
+  const AnnulusFrame frame = annulus_frame(valve, AnnulusAxis::SaddlePeak);
+  double sum = 0.0;
+  for (const Vec3& pull : support_forces(valve, closure).annulus_n)
+    sum += std::abs(pull.dot(frame.y));
+  return 0.5 * sum;
+}
+
+double papillary_distance_mm(const Valve& valve) {
+  return (papillary_tip_mm(valve, Side::Posteromedial) -
+          papillary_tip_mm(valve, Side::Anterolateral))
+      .norm();
+}
+
+/// The trials of one valve; each writes fields of its own, from any thread.
+class Trials {
+ public:
+  Trials(const Valve& valve, const PhysiologyOptions& options) : valve_(valve), options_(options) {}
+
+  void run(PhysiologyValues& values) {
+    for (const PhysiologyTrial trial : kPhysiologyTrials)
+      if (trial == PhysiologyTrial::Rest ||
+          std::find(options_.trials.begin(), options_.trials.end(), trial) != options_.trials.end())
+        add(trial, values);
+    std::mutex mutex;
+    int done = 0;
+    const int count = static_cast<int>(jobs_.size());
+    for_each_index(count, options_.threads, [&](int i) {
+      jobs_[static_cast<std::size_t>(i)]();
+      const std::lock_guard lock(mutex);
+      if (options_.progress) options_.progress(++done, count);
+    });
+  }
+
+ private:
+  using Value = double PhysiologyValues::*;
+
+  ClosureResult close(const Valve& valve) const {
+    ClosureOptions closing;
+    closing.budget = options_.budget;
+    return close_valve(valve, closing);
+  }
+
+  double leak_of(const Valve& valve) const {
+    const ClosureResult closure = close(valve);
+    return trusted(closure) ? leak_mm2(measure(valve, closure)) : kUnknown;
+  }
+
+  void look_at_rest(PhysiologyValues& values) const {
+    values.papillary_systole_mm = papillary_distance_mm(valve_);
+    if (const Expected<Valve> open = in_diastole(valve_))
+      values.papillary_diastole_mm = papillary_distance_mm(*open);
+    const ClosureResult closure = close(valve_);
+    if (!trusted(closure)) return;
+    const ValveMeasure measured = measure(valve_, closure);
+    const Tenting tenting = measure_tenting(valve_, closure.closed_mm);
+    const AnnulusFrame plane = annulus_frame(valve_, AnnulusAxis::SaddlePeak);
+    values.leak_mm2 = leak_mm2(measured);
+    values.coaptation_length_mm = measured.coaptation.sections[4].height_mm;
+    values.coaptation_height_mm = measured.coaptation.height_mean_mm;
+    values.depth_hinge_mm = tenting.height_mm;
+    values.depth_plane_mm = -into_frame(plane, tenting.coaptation_point_mm).z();
+    values.tenting_area_mm2 = tenting.area_mm2;
+    read_chordae(valve_, closure, values);
+    values.muscle_share = (values.muscle_anterolateral_n + values.muscle_posteromedial_n) /
+                          (1e-3 * valve_.pressure_kpa * measured.annulus.area_mm2);
+    values.annular_force_n = septal_lateral_n(valve_, closure);
+    read_strains(valve_, closure, values);
+  }
+
+  void cut_struts(PhysiologyValues& values) const {
+    Valve cut = valve_;
+    for (Chorda& chorda : cut.chordae)
+      if (chorda.kind == ChordaKind::Strut) chorda.ruptured = true;
+    const ClosureResult closure = close(cut);
+    if (trusted(closure)) values.a2_marginal_cut_n = a2_marginal_n(cut, closure);
+  }
+
+  void open(const Expected<Valve>& valve, double& area_mm2, double& gradient_mmhg) const {
+    if (!valve) return;
+    OpeningOptions opening;
+    opening.budget = options_.budget;
+    const Expected<OpenedValve> opened = open_valve(*valve, opening);
+    if (!opened || !trusted(opened->closure)) return;
+    area_mm2 = opening_mm2(opened->measure);
+    gradient_mmhg = opened->measure.gradient_mmhg;
+  }
+
+  Expected<Valve> with_own_ring(int below) const {
+    return apply_plan(valve_, {{Annuloplasty{OwnRing{below}}}});
+  }
+
+  void add_pressure(double mmhg, double& leak) {
+    jobs_.emplace_back([this, mmhg, &leak] {
+      Valve loaded = valve_;
+      loaded.pressure_kpa = mmhg / kMmhgPerKpa;
+      leak = leak_of(loaded);
+    });
+  }
+
+  void add_ring(double size_mm, double& leak) {
+    jobs_.emplace_back([this, size_mm, &leak] {
+      const Expected<Valve> ringed =
+          apply_plan(valve_, {{Annuloplasty{CatalogueRing{"generic-classic", size_mm}}}});
+      if (ringed) leak = leak_of(*ringed);
+    });
+  }
+
+  void add_ring_opening(int below, double& area_mm2, double& gradient_mmhg) {
+    jobs_.emplace_back([this, below, &area_mm2, &gradient_mmhg] {
+      open(with_own_ring(below), area_mm2, gradient_mmhg);
+    });
+  }
+
+  void add(PhysiologyTrial trial, PhysiologyValues& values) {
+    PhysiologyValues& v = values;
+    switch (trial) {
+      case PhysiologyTrial::Rest:
+        jobs_.emplace_back([this, &v] { look_at_rest(v); });
+        break;
+      case PhysiologyTrial::StrutsCut:
+        jobs_.emplace_back([this, &v] { cut_struts(v); });
+        break;
+      case PhysiologyTrial::Pressures:
+        add_pressure(60.0, v.leak_60_mm2);
+        add_pressure(90.0, v.leak_90_mm2);
+        add_pressure(200.0, v.leak_200_mm2);
+        break;
+      case PhysiologyTrial::Rings:
+        add_ring(40.0, v.ring_40_mm2);
+        add_ring(38.0, v.ring_38_mm2);
+        add_ring(36.0, v.ring_36_mm2);
+        add_ring(34.0, v.ring_34_mm2);
+        add_ring(32.0, v.ring_32_mm2);
+        add_ring(30.0, v.ring_30_mm2);
+        break;
+      case PhysiologyTrial::Opening:
+        jobs_.emplace_back([this, &v] { open(valve_, v.opening_mm2, v.gradient_mmhg); });
+        break;
+      case PhysiologyTrial::RingOpenings:
+        add_ring_opening(0, v.opening_own_0_mm2, v.gradient_own_0_mmhg);
+        add_ring_opening(2, v.opening_own_2_mm2, v.gradient_own_2_mmhg);
+        add_ring_opening(4, v.opening_own_4_mm2, v.gradient_own_4_mmhg);
+        break;
+      case PhysiologyTrial::Clips:
+        jobs_.emplace_back([this, &v] {
+          open(apply_plan(valve_, {{EdgeToEdge{EdgeDevice::Clip, 0.5}}}), v.opening_clip_mm2,
+               v.clip_gradient_mmhg);
+        });
+        jobs_.emplace_back([this, &v] {
+          double ignored = 0.0;
+          open(apply_plan(valve_, {{EdgeToEdge{EdgeDevice::Clip, 0.44},
+                                    EdgeToEdge{EdgeDevice::Clip, 0.56}}}),
+               v.opening_two_clips_mm2, ignored);
+        });
+        break;
+    }
+  }
+
+  const Valve& valve_;
+  const PhysiologyOptions& options_;
+  std::vector<std::function<void()>> jobs_;
+};
+
+}  // namespace
+
+const std::vector<PhysiologyQuantity>& physiology_quantities() {
+  using enum PhysiologyTrial;
+  using V = PhysiologyValues;
+  static const std::vector<PhysiologyQuantity> all = {
+      {"leak", "Leak at the valve's own pressure", "mm2", Rest, &V::leak_mm2},
+      {"coaptation_length", "Coaptation, A2 on P2", "mm", Rest, &V::coaptation_length_mm},
+      {"coaptation_height", "Coaptation, mean of nine sections", "mm", Rest,
+       &V::coaptation_height_mm},
+      {"depth_hinge", "Coaptation point below the hinge line", "mm", Rest, &V::depth_hinge_mm},
+      {"depth_plane", "Coaptation point below the annulus's best-fit plane", "mm", Rest,
+       &V::depth_plane_mm},
+      {"tenting_area", "Tenting area, mid-valve section", "mm2", Rest, &V::tenting_area_mm2},
+      {"strut", "Tension of a strut chorda, mean", "N", Rest, &V::strut_n},
+      {"anterior_marginal", "Tension of an anterior marginal trunk, largest", "N", Rest,
+       &V::anterior_marginal_n},
+      {"strut_over_marginal", "Strut over largest anterior marginal tension", "", Rest,
+       &V::strut_over_marginal},
+      {"struts_cut_ratio", "Both struts cut: A2's marginal tension, times", "", StrutsCut,
+       &V::struts_cut_ratio},
+      {"muscle_anterolateral", "Force of the anterolateral muscle", "N", Rest,
+       &V::muscle_anterolateral_n},
+      {"muscle_posteromedial", "Force of the posteromedial muscle", "N", Rest,
+       &V::muscle_posteromedial_n},
+      {"muscle_share", "Both muscles over the closing force", "", Rest, &V::muscle_share},
+      {"annular_force", "Force of the annulus, septal-lateral", "N", Rest, &V::annular_force_n},
+      {"a2_radial", "Strain of A2, radial", "%", Rest, &V::a2_radial_percent},
+      {"a2_circumferential", "Strain of A2, circumferential", "%", Rest,
+       &V::a2_circumferential_percent},
+      {"a2_areal", "Strain of A2, areal", "%", Rest, &V::a2_areal_percent},
+      {"posterior_squeezed", "Posterior leaflet squeezed by a tenth, share of its area", "", Rest,
+       &V::posterior_squeezed_share},
+      {"papillary_systole", "Between the papillary tips, systole", "mm", Rest,
+       &V::papillary_systole_mm},
+      {"papillary_diastole", "Between the papillary tips, diastole", "mm", Rest,
+       &V::papillary_diastole_mm},
+      {"leak_60", "Leak at 60 mmHg", "mm2", Pressures, &V::leak_60_mm2},
+      {"leak_90", "Leak at 90 mmHg", "mm2", Pressures, &V::leak_90_mm2},
+      {"leak_200", "Leak at 200 mmHg", "mm2", Pressures, &V::leak_200_mm2},
+      {"leak_200_over_60", "Leak at 200 over that at 60 mmHg", "", Pressures, &V::leak_200_over_60},
+      {"ring_40", "Leak behind a generic-classic ring of 40 mm", "mm2", Rings, &V::ring_40_mm2},
+      {"ring_38", "Leak behind a ring of 38 mm", "mm2", Rings, &V::ring_38_mm2},
+      {"ring_36", "Leak behind a ring of 36 mm", "mm2", Rings, &V::ring_36_mm2},
+      {"ring_34", "Leak behind a ring of 34 mm", "mm2", Rings, &V::ring_34_mm2},
+      {"ring_32", "Leak behind a ring of 32 mm", "mm2", Rings, &V::ring_32_mm2},
+      {"ring_30", "Leak behind a ring of 30 mm", "mm2", Rings, &V::ring_30_mm2},
+      {"opening", "Opening area", "mm2", Opening, &V::opening_mm2},
+      {"gradient", "Mean gradient", "mmHg", Opening, &V::gradient_mmhg},
+      {"opening_own_0", "Opening behind a ring of the valve's own size", "mm2", RingOpenings,
+       &V::opening_own_0_mm2},
+      {"opening_own_2", "Opening behind one two sizes below", "mm2", RingOpenings,
+       &V::opening_own_2_mm2},
+      {"opening_own_4", "Opening behind one four sizes below", "mm2", RingOpenings,
+       &V::opening_own_4_mm2},
+      {"gradient_own_0", "Mean gradient behind the ring of own size", "mmHg", RingOpenings,
+       &V::gradient_own_0_mmhg},
+      {"gradient_own_4", "Mean gradient four sizes below", "mmHg", RingOpenings,
+       &V::gradient_own_4_mmhg},
+      {"ring_opening_share", "Widest opening behind a ring over that without", "", RingOpenings,
+       &V::ring_opening_share},
+      {"gradient_slope", "Gradient gained a mm of ring size", "mmHg/mm", RingOpenings,
+       &V::gradient_slope_mmhg_mm},
+      {"opening_clip", "Opening behind one clip", "mm2", Clips, &V::opening_clip_mm2},
+      {"clip_share", "Opening behind one clip over that without", "", Clips, &V::clip_share},
+      {"two_clips_share", "Opening behind two clips over that behind one", "", Clips,
+       &V::two_clips_share},
+      {"clip_gradient", "Mean gradient behind one clip", "mmHg", Clips, &V::clip_gradient_mmhg}};
+  return all;
+}
+
+const PhysiologyQuantity* find_quantity(const std::string& name) {
+  for (const PhysiologyQuantity& quantity : physiology_quantities())
+    if (quantity.name == name) return &quantity;
+  return nullptr;
+}
+
+PhysiologyValues physiology_values(const Valve& valve, const PhysiologyOptions& options) {
+  PhysiologyOptions asked = options;
+  const auto wants = [&](PhysiologyTrial trial) {
+    return std::find(asked.trials.begin(), asked.trials.end(), trial) != asked.trials.end();
+  };
+  // Shares of the opening need the opening.
+  if (wants(PhysiologyTrial::RingOpenings) || wants(PhysiologyTrial::Clips))
+    asked.trials.push_back(PhysiologyTrial::Opening);
+  PhysiologyValues v;
+  Trials(valve, asked).run(v);
+  v.struts_cut_ratio = v.a2_marginal_cut_n / v.a2_marginal_n;
+  v.leak_200_over_60 = v.leak_60_mm2 > 1.0 ? v.leak_200_mm2 / v.leak_60_mm2 : kUnknown;
+  v.ring_opening_share =
+      std::max({v.opening_own_0_mm2, v.opening_own_2_mm2, v.opening_own_4_mm2}) / v.opening_mm2;
+  v.gradient_slope_mmhg_mm =
+      (v.gradient_own_4_mmhg - v.gradient_own_0_mmhg) / (4.0 * kRingSizeStep_mm);
+  v.clip_share = v.opening_clip_mm2 / v.opening_mm2;
+  v.two_clips_share = v.opening_two_clips_mm2 / v.opening_clip_mm2;
+  return v;
+}
+
+ValveKind kind_of(const Valve& valve, const PhysiologyValues& values) {
+  if (values.leak_mm2 < kGoodRepair_mm2) return ValveKind::Healthy;
+  const bool ruptured =
+      std::any_of(valve.chordae.begin(), valve.chordae.end(),
+                  [](const Chorda& c) { return c.ruptured && c.kind == ChordaKind::Marginal; });
+  return ruptured || values.tenting_area_mm2 < 0.0 ? ValveKind::Prolapse : ValveKind::Functional;
+}
+
+Species species_of(const Valve& valve) {
+  return valve.name.find("porcine") != std::string::npos ? Species::Porcine : Species::Human;
+}
+
+const char* to_string(PhysiologyVerdict verdict) {
+  switch (verdict) {
+    case PhysiologyVerdict::Met:
+      return "met";
+    case PhysiologyVerdict::Below:
+      return "below";
+    case PhysiologyVerdict::Above:
+      return "above";
+    case PhysiologyVerdict::Unknown:
+      return "unknown";
+    case PhysiologyVerdict::NoRange:
+      return "no range";
+  }
+  return "";
+}
+
+PhysiologyRow physiology_row(const PhysiologyQuantity& quantity, const PhysiologyValues& values,
+                             ValveKind kind, Species species) {
+  PhysiologyRow row{&quantity, values.*quantity.value, find_range(quantity.name, kind, species),
+                    PhysiologyVerdict::Met};
+  if (!std::isfinite(row.value))
+    row.verdict = PhysiologyVerdict::Unknown;
+  else if (row.range == nullptr)
+    row.verdict = PhysiologyVerdict::NoRange;
+  else if (row.value < row.range->low)
+    row.verdict = PhysiologyVerdict::Below;
+  else if (row.value > row.range->high)
+    row.verdict = PhysiologyVerdict::Above;
+  return row;
+}
+
+Physiology study_physiology(const Valve& valve, const PhysiologyOptions& options) {
+  const PhysiologyValues values = physiology_values(valve, options);
+  Physiology physiology{options.kind.value_or(kind_of(valve, values)),
+                        options.species.value_or(species_of(valve)),
+                        !options.kind,
+                        !options.species,
+                        {}};
+  for (const PhysiologyQuantity& quantity : physiology_quantities())
+    if (quantity.trial == PhysiologyTrial::Rest ||
+        std::find(options.trials.begin(), options.trials.end(), quantity.trial) !=
+            options.trials.end())
+      physiology.rows.push_back(
+          physiology_row(quantity, values, physiology.kind, physiology.species));
+  return physiology;
+}
+
+}  // namespace coapt
