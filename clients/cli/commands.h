@@ -9,6 +9,7 @@ namespace coapt {
 /// Each adds one command to `parent`. A command chosen on the command line runs while the line is parsed,
 /// and leaves its exit code in `status`.
 void add_valve_make(Command parent, int& status);
+void add_valve_calibrate(Command parent, int& status);
 void add_valve_import(Command parent, int& status);
 void add_valve_check(Command parent, int& status);
 void add_valve_info(Command parent, int& status);

@@ -7,13 +7,15 @@ namespace {
 using namespace coapt;
 
 void add_commands(Command app, int& status) {
-  Command valve = app.add_command("valve", "Make, import, check, describe and remodel valves");
+  Command valve =
+      app.add_command("valve", "Make, import, check, describe, remodel and calibrate valves");
   valve.require_command();
   add_valve_make(valve, status);
   add_valve_import(valve, status);
   add_valve_check(valve, status);
   add_valve_info(valve, status);
   add_valve_remodel(valve, status);
+  add_valve_calibrate(valve, status);
   add_close(app, status);
   add_compare(app, status);
   add_design(app, status);

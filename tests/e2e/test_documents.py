@@ -28,6 +28,7 @@ NOT_RUN = {
     "--farm": "needs a farm: e2e.farm_studies",
     "--server": "needs a service: e2e.through_service",
     "coapt study": "takes minutes: e2e.study and e2e.population run them shortened",
+    "coapt valve calibrate": "takes minutes: e2e.valve runs it shortened",
     "coapt fit": "takes a minute: e2e.fit",
     "coapt population": "takes a minute: e2e.population",
     "coapt design": "takes minutes: e2e.design",

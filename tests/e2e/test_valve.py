@@ -25,6 +25,7 @@ class CommandLine(ProgramTest):
             "valve check",
             "valve info",
             "valve remodel",
+            "valve calibrate",
             "close",
             "evaluate",
             "plan",
@@ -126,7 +127,6 @@ class Make(ProgramTest):
         self.assertEqual(info["name"], "mine")
         self.assertAlmostEqual(info["saddle_to_mid_posterior_mm"], 31.0, delta=2.0)
 
-    def test_an_impossible_dimension_is_named(self):
     def test_a_slack_or_a_tissue_outside_its_range_is_named_with_what_is_accepted(self):
         result = coapt("valve", "make", "--strut-slack", "3", "--radial-extension", "-1", "-o", "-")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
@@ -151,6 +151,7 @@ class Make(ProgramTest):
         self.assertIn("/dimensions/ap_mm: is 1, must be from 8 to 80 mm", result.stderr)
         self.assertIn("/dimensions/al_pm", result.stderr)
 
+    def test_an_impossible_dimension_is_named(self):
         result = coapt("valve", "make", "--ap-mm", "-3", "-o", "-")
         self.assertEqual(result.returncode, BAD_INPUT)
         self.assertIn(" --ap-mm: ", result.stderr)
@@ -197,6 +198,49 @@ class Make(ProgramTest):
         result = coapt("valve", "make", "human-normal", "-o", "/nowhere/valve.json")
         self.assertEqual(result.returncode, FAILURE)
         self.assertIn("/nowhere/valve.json", result.stderr)
+
+
+class Calibrate(ProgramTest):
+    FILE = {
+        "schema": "coapt.calibration/1",
+        "dimensions": {"strut_slack": 1.1, "anterior_slack": 1.15},
+        "valves": {
+            "well": {"kind": "healthy"},
+            "sick": {"kind": "functional", "remodelling": {"ap_dilation_percent": 18}},
+        },
+        "unknowns": [{"at": ["/dimensions/strut_slack"], "low": 0.85, "high": 1.2}],
+        "targets": [{"valve": "well", "quantity": "strut", "low": 1, "high": 3}],
+    }
+
+    def calibrate(self, file, *arguments):
+        path = self.folder / "given.json"
+        path.write_text(json.dumps(file))
+        return coapt("valve", "calibrate", path, "-o", self.folder / "found", *arguments)
+
+    def test_writes_the_valves_found_and_their_rows_before_and_after(self):
+        result = self.calibrate(self.FILE, "--evaluations", "1", "--json")
+        self.assertEqual(result.returncode, OK, result.stderr)
+        told = json.loads(result.stdout)
+        self.assertEqual((told["schema"], told["stop"]), ("coapt.calibration_result/1", "evaluation_limit"))
+        self.assertLess(told["cost"], told["cost_before"])
+        rows = {row["quantity"]: row for row in told["valves"]["well"]["rows"]}
+        before = {row["quantity"]: row for row in told["valves"]["well"]["rows_before"]}
+        self.assertGreater(rows["strut"]["value"], before["strut"]["value"])
+        found = json.loads((self.folder / "found/calibration.json").read_text())
+        well = json.loads((self.folder / "found/well.json").read_text())
+        self.assertEqual(found["dimensions"]["strut_slack"], well["dimensions"]["strut_slack"])
+        self.assertEqual(found["targets"], self.FILE["targets"])
+        self.run_ok("valve", "make", "--dimensions", self.folder / "found/sick.json", "-o", self.folder / "sick.json")
+
+    def test_a_bad_file_is_2_and_every_problem_has_its_place(self):
+        bad = self.FILE | {
+            "unknowns": [{"at": ["/dimensions/nothing"], "low": 0, "high": 1}],
+            "targets": [{"valve": "well", "quantity": "strut"}, {"valve": "nobody", "quantity": "leek"}],
+        }
+        result = self.calibrate(bad)
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        for place in ["/unknowns/0/at/0", "/targets/0", "/targets/1/valve", "/targets/1/quantity"]:
+            self.assertIn(f" {place}: ", result.stderr)
 
 
 class Check(ProgramTest):
