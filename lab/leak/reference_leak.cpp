@@ -12,7 +12,8 @@ constexpr double kCoarsest_mm = 1.0;
 constexpr double kLeastCut = 0.02;          // of a voxel's face: less is no part of the cut
 constexpr double kLeastOpening_mm2 = 0.05;  // less is a speck
 constexpr double kJoined_mm = 0.5;          // cells no farther apart belong to one opening
-/// Of a cut where the band ends at tissue: more, and the band is widened, at most so often to twice as much.
+constexpr float kDecided = 0.05F;           // sides nearer to 0 or 1 are taken for it
+/// Of a cut beside the band's end: more, and the band is widened, at most so often to twice as much.
 constexpr double kTouching_mm2 = 0.05, kTouchingShare = 0.005;
 constexpr int kMostWidened = 2;
 constexpr CutStop kOnTheWay{.iterations = 1500}, kAtLast{.iterations = 4000};
@@ -67,7 +68,6 @@ Level first_level(const VoxelLattice& lattice, const LeakSurface& surface, bool 
 
 /// Cells that the cut passes, or that lie in the blood and of which it is not decided on which side they are.
 LatticeValues<char> cut_cells(const Level& level) {
-  constexpr float kDecided = 0.05F;
   LatticeValues<char> cells(level.band.lattice.size, 0);
   const std::vector<Eigen::Vector3f> density =
       cut_density(level.band, level.shares, level.cut.state.side);
@@ -82,45 +82,62 @@ LatticeValues<char> cut_cells(const Level& level) {
   return cells;
 }
 
-/// Cells of which a face, or a face of a neighbour, is not wholly free.
-LatticeValues<char> cells_at_tissue(const Level& level) {
-  LatticeValues<char> cells(level.band.lattice.size, 0);
+/// By index: cells whose side is decided and that blood of the same side joins to fixed cells.
+std::vector<char> cells_joined_to_a_side(const Level& level) {
+  const std::vector<float>& side = level.cut.state.side;
+  std::vector<char> joined(static_cast<std::size_t>(level.band.cells) + 1, 0);
+  std::vector<Cell> open;
   for_each_cell(level.band, [&](const Cell& cell, int index) {
     const auto at = static_cast<std::size_t>(index);
-    if (level.band.is_fixed[at]) return;
-    for (const std::vector<float>& shares : level.shares)
-      if (shares[at] < 1.0F) cells.at(cell) = 1;
+    if (!level.band.is_fixed[at]) return;
+    joined[at] = 1;
+    open.push_back(cell);
   });
-  return dilated(std::move(cells), 1);
+  while (!open.empty()) {
+    const Cell cell = open.back();
+    open.pop_back();
+    const auto at = static_cast<std::size_t>(level.band.find(cell));
+    for (std::size_t n = 0; n < 6; ++n) {
+      Cell other = cell;
+      other[n / 2] += n % 2 ? 1 : -1;
+      const auto to = static_cast<std::size_t>(level.band.find(other));
+      const bool is_open = to > 0 && level.shares[n / 2][n % 2 ? at : to] > 0.0F;
+      if (!is_open || joined[to]) continue;
+      if (std::abs(side[to] - std::round(side[at])) >= kDecided) continue;
+      joined[to] = 1;
+      open.push_back(other);
+    }
+  }
+  return joined;
 }
 
 /// What a finer band is made from, on the coarser lattice.
 struct BandAround {
   LatticeValues<CellState> states;
-  LatticeValues<char> at_open_end;  ///< beside cells that are left out
+  LatticeValues<char> at_end;  ///< beside the layer around it
 };
 
-/// Free within band_mm of the cut, fixed in a layer around that. Cells of that layer that lie at tissue are left out: fixed, they would
-/// conduct from one side of a sealed crevice to the other; but a cut that ends there may have lost a part.
+/// Free within band_mm of the cut. In a layer around that cells are fixed that blood joins to atrium or ventricle. Those of sealed
+/// crevices are left out: their side means nothing, and fixed they would conduct.
 BandAround band_around_cut(const Level& level, double band_mm) {
   const int radius = static_cast<int>(std::ceil(band_mm / level.band.lattice.voxel_mm));
-  const LatticeValues<char> free = dilated(cut_cells(level), radius);
-  const LatticeValues<char> edge = dilated(free, 1), tissue = cells_at_tissue(level);
+  const LatticeValues<char> free = dilated(cut_cells(level), radius), edge = dilated(free, 1);
+  const std::vector<char> joined = cells_joined_to_a_side(level);
   LatticeValues<CellState> states(level.band.lattice.size, CellState::Outside);
-  LatticeValues<char> left_out(level.band.lattice.size, 0);
+  LatticeValues<char> end(level.band.lattice.size, 0);
   for_each_cell(level.band, [&](const Cell& cell, int index) {
-    const bool was_fixed = level.band.is_fixed[static_cast<std::size_t>(index)];
+    const auto at = static_cast<std::size_t>(index);
+    const bool was_fixed = level.band.is_fixed[at];
     if (free.at(cell) && !was_fixed)
       states.at(cell) = CellState::Free;
-    else if (edge.at(cell) && (was_fixed || !tissue.at(cell)))
+    else if (edge.at(cell) && joined[at])
       states.at(cell) = CellState::Fixed;
-    else if (edge.at(cell))
-      left_out.at(cell) = 1;
+    end.at(cell) = edge.at(cell) && !free.at(cell) && !was_fixed;
   });
-  return {std::move(states), dilated(std::move(left_out), 1)};
+  return {std::move(states), dilated(std::move(end), 1)};
 }
 
-/// A finer level, and how much of its cut lies at open ends of its band.
+/// A finer level, and how much of its cut lies beside the end of its band.
 struct FinerLevel {
   Level level;
   double touching_mm2 = 0.0;
@@ -147,7 +164,7 @@ FinerLevel in_band(const Level& coarse, const LeakSurface& surface, double band_
       cut_density(finer.level.band, finer.level.shares, finer.level.cut.state.side);
   const double voxel_mm2 = std::pow(finer.level.band.lattice.voxel_mm, 2.0);
   for_each_cell(finer.level.band, [&](const Cell& cell, int index) {
-    if (around.at_open_end.at(parent(cell)))
+    if (around.at_end.at(parent(cell)))
       finer.touching_mm2 +=
           voxel_mm2 * static_cast<double>(density[static_cast<std::size_t>(index)].norm());
   });

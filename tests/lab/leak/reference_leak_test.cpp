@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// To 1 %: the hole's area less what half the sheet's thickness takes all round.
+/// To half a per cent: the hole's area less what half the sheet's thickness takes all round.
 void expect_exactly(const LeakSurface& sheet, double area_mm2) {
   const ReferenceLeak leak = reference_leak(sheet);
-  EXPECT_NEAR(leak.area_mm2, area_mm2, 0.01 * area_mm2);
+  EXPECT_NEAR(leak.area_mm2, area_mm2, 0.005 * area_mm2);
   EXPECT_LE(leak.dual_mm2, leak.primal_mm2);
   EXPECT_NEAR(leak.dual_mm2, leak.primal_mm2, 0.003 * area_mm2);
   ASSERT_EQ(leak.openings.size(), 1U);
