@@ -17,22 +17,19 @@ namespace coapt {
 
 struct ReferenceOptions {
   double finest_mm = 0.25;  ///< the last level's voxel: 0.5, 0.25 or 0.125
-  /// Either side of the last level's cut. 1.5 mm cut off narrow ways beside tissue, and areas were a fifth too small.
-  double band_mm = 3.5;
+  double band_mm = 3.5;     ///< either side of the last level's cut
 };
 
 struct ReferenceLevel {
   double voxel_mm = 1.0;
   int cells = 0, iterations = 0;
   double primal_mm2 = 0.0, dual_mm2 = 0.0;  ///< the voxels' least area lies between
-  bool widened =
-      false;  ///< taken from a band twice as wide, the first one's area being suspiciously small
+  int widened = 0;  ///< how often the band was made twice as wide, because the cut touched its end
 };
 
-/// A connected part of the finest level's cut.
+/// A connected part of the finest level's cut. All of them together have the leak's area, but for specks of less than 0.05 mm2.
 struct ReferenceOpening {
-  double area_mm2 =
-      0.0;  ///< together they have the leak's area, but for specks of less than 0.05 mm2
+  double area_mm2 = 0.0;
   Vec3 centroid_mm = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();  ///< unit, to the atrium
 };
