@@ -94,7 +94,7 @@ void print_outlook(std::ostream& out, const Json& plan) {
     const auto found = plan.find(key);  // a result of release 0.1 has none
     return found == plan.end() ? std::numeric_limits<double>::quiet_NaN() : number_of(*found);
   };
-  const double area = std::min(number("opening_area_mm2"), number("projected_area_mm2"));
+  const double area = number("opening_area_mm2");
   std::string words;
   if (std::isfinite(area))
     words = "opens to " + fixed(0.01 * area, 1) + " cm2, mean gradient " +

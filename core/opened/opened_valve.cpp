@@ -9,6 +9,7 @@
 
 #include "core/closure/prepared_valve.h"
 #include "core/metrics/exact_orifice.h"
+#include "core/metrics/leak.h"
 #include "core/opened/flow_load.h"
 #include "core/opened/funnel.h"
 #include "core/valve/number_text.h"
@@ -36,17 +37,17 @@ OpeningMeasure measured(const Valve& valve, const ClosureResult& closure,
   measure.opening_area_mm2 = measure.passage_depth_mm = measure.tilt_deg = kUnknown;
   measure.projected_area_mm2 = measure.gradient_mmhg = measure.gradient_exercise_mmhg = kUnknown;
   if (!trusted(closure)) return measure;
-  measure.opening_area_mm2 = measure.projected_area_mm2 =
+  measure.opening_area_mm2 = measure_leak(valve, closure.closed_mm).area_mm2;
+  measure.projected_area_mm2 =
       exact_orifice(valve, closure.closed_mm, 0.5 * valve.tissue.thickness_mm).area_mm2;
   if (passage) {
-    measure.opening_area_mm2 = passage->area_mm2;
     measure.passage_depth_mm = passage->depth_mm;
     const double cosine = -passage->axis.dot(annulus_frame(valve, AnnulusAxis::Commissures).normal);
     measure.tilt_deg = std::acos(std::min(1.0, cosine)) * 180.0 / std::numbers::pi;
   }
-  const double least_mm2 = opening_mm2(measure);
-  measure.gradient_mmhg = gorlin_mmhg(least_mm2, measure.flow_ml_s);
-  measure.gradient_exercise_mmhg = gorlin_mmhg(least_mm2, measure.flow_exercise_ml_s);
+  measure.gradient_mmhg = gorlin_mmhg(measure.opening_area_mm2, measure.flow_ml_s);
+  measure.gradient_exercise_mmhg =
+      gorlin_mmhg(measure.opening_area_mm2, measure.flow_exercise_ml_s);
   return measure;
 }
 
@@ -95,9 +96,7 @@ ClosureResult rest_in_flow(double peak_ml_s, const OpeningOptions& options, Valv
 
 }  // namespace
 
-double opening_mm2(const OpeningMeasure& measure) {
-  return std::fmin(measure.opening_area_mm2, measure.projected_area_mm2);
-}
+double opening_mm2(const OpeningMeasure& measure) { return measure.opening_area_mm2; }
 
 double gorlin_mmhg(double area_mm2, double flow_ml_s) {
   return std::pow(flow_ml_s / (kGorlin * 0.01 * area_mm2), 2.0);

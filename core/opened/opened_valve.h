@@ -3,11 +3,11 @@
 //
 // Load: at the peak of filling blood passes at kPeakOverMean times the mean flow; what it needs drives the leaflets apart, and less
 // of it acts where the funnel narrows (flow_load.h). Load and shape are found in turns, each shape from the one before, until the
-// jet changes by less than kSettled. Opening areas at half the flow are 11 to 13 % smaller, at double the flow 3 to 15 % larger
-// in six presets; where marginal chordae are ruptured, 21 % smaller (human-p2-prolapse).
+// jet changes by less than kSettled. At half the flow seven presets open 8 to 13 % less, at double the flow 4 to 14 % more; where
+// marginal chordae are ruptured, 17 % less (human-p2-prolapse).
 // Flow: a human's 155 ml/s in the mean; less in proportion to the annulus where that is smaller (filling_flow_ml_s()).
-// The mean gradient is Gorlin's (1951, Am Heart J 41:1; constant 37.7), of the smaller of two areas: that of the
-// narrowest passage, and what is open along the annulus's normal, by which blood comes. Measured at rest behind rings of 24 to
+// Opening: the least surface between atrium and ventricle (core/metrics/leak.h). The mean gradient is Gorlin's (1951, Am Heart J 41:1;
+// constant 37.7). Measured at rest behind rings of 24 to
 // 27 mm: 3.4 +- 1.6 mmHg (catheter, Circ J 2017;81:1832), 3.2 +- 1.2 (Grimaldi 2012).
 #pragma once
 
@@ -37,19 +37,19 @@ struct OpeningOptions {
 };
 
 struct OpeningMeasure {
-  double opening_area_mm2 = 0.0;  ///< of the narrowest passage (funnel.h); behind ties as projected
+  double opening_area_mm2 = 0.0;  ///< the least surface (core/metrics/leak.h)
   double passage_depth_mm =
-      0.0;  ///< where that is, below the annulus's centroid along the funnel's axis; NaN behind ties
+      0.0;  ///< of the narrowest plane (funnel.h), below the annulus's centroid along the funnel's axis; NaN behind ties
   double tilt_deg = 0.0;  ///< of that axis from the annular plane's normal; NaN behind ties
   double projected_area_mm2 = 0.0;  ///< open in the atrial view, leaflets with their half thickness
   double annulus_area_mm2 = 0.0;    ///< in diastole, projected on its plane
-  double gradient_mmhg = 0.0, gradient_exercise_mmhg = 0.0;  ///< mean, of the smaller area
+  double gradient_mmhg = 0.0, gradient_exercise_mmhg = 0.0;  ///< mean
   double flow_ml_s = 0.0, flow_exercise_ml_s = 0.0;          ///< mean over filling
   double pressure_mmhg = 0.0;  ///< atrium over ventricle, at the peak of filling
   double tied_n = 0.0;         ///< sum of what ties bear
 };
 
-/// The smaller of both areas, by which blood is held up; NaN if neither is known.
+/// By which plans are judged: opening_area_mm2; NaN if it is not known.
 double opening_mm2(const OpeningMeasure& measure);
 
 /// Areas are NaN where `closure` did not converge uncrossed; there, and behind ties, is no passage.

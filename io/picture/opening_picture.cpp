@@ -43,8 +43,8 @@ void draw_words(const Canvas& canvas, const Vec2& at, const OpenedValve& opened,
 }
 
 std::string passage_words(const OpeningMeasure& measure) {
-  if (std::isnan(measure.passage_depth_mm)) return "as seen: behind ties no passage is measured";
-  return "narrowest passage " +
+  if (std::isnan(measure.passage_depth_mm)) return "beside ties no passage is drawn";
+  return "narrowest plane " +
          (measure.passage_depth_mm > 0.0
               ? fixed(measure.passage_depth_mm, 0) + " mm below the annulus"
               : std::string("at the annulus")) +

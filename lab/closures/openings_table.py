@@ -3,8 +3,8 @@
 
   openings_table.py [OUTPUT] [--coapt build/release/bin/coapt]
 
-Rings of shape generic-classic, and none. Areas in cm2: `passage_cm2` of the narrowest section, `projected_cm2` in the view from the atrium;
-gradients by Gorlin at rest and at exercise, of the smaller one.
+Rings of shape generic-classic, and none. Areas in cm2: `opening_cm2` the least surface, `projected_cm2` in the view from the atrium;
+gradients by Gorlin at rest and at exercise, of the opening.
 """
 
 import argparse
@@ -41,7 +41,7 @@ def main():
                 opened, closed = answer("open", valve), answer("close", valve)
                 known = opened["status"] == "converged"
                 row = {"valve": valve, "ring_mm": size or "none", "opened": opened["status"]}
-                for name, key in (("passage", "opening_area_mm2"), ("projected", "projected_area_mm2")):
+                for name, key in (("opening", "opening_area_mm2"), ("projected", "projected_area_mm2")):
                     row[f"{name}_cm2"] = round(0.01 * opened[key], 2) if known else ""
                 for key in ("gradient_mmhg", "gradient_exercise_mmhg"):
                     row[key] = round(opened[key], 1) if known else ""

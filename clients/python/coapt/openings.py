@@ -27,9 +27,9 @@ class Opening:
     crossing: bool
     """Whether leaflets pass through each other: then nothing is measured."""
     opening_area_mm2: float | None
-    """Of the narrowest passage of the open leaflets; behind ties as projected."""
+    """The least area of a surface between atrium and ventricle."""
     passage_depth_mm: float | None
-    """Of that passage, below the annulus; None also behind ties."""
+    """Of the narrowest plane across the leaflets' funnel, below the annulus; None also behind ties."""
     funnel_tilt_deg: float | None
     """Of the leaflets' axis from the annulus's normal; None also behind ties."""
     projected_area_mm2: float | None
@@ -37,7 +37,7 @@ class Opening:
     annulus_area_mm2: float
     """Of the annulus in diastole."""
     gradient_mmhg: float | None
-    """Mean, at flow_ml_s, by Gorlin's equation, of the smaller of passage and projected area."""
+    """Mean, at flow_ml_s, by Gorlin's equation."""
     gradient_exercise_mmhg: float | None
     """The same at flow_exercise_ml_s."""
     flow_ml_s: float
@@ -75,7 +75,7 @@ class Opening:
         warned = "" if self.trusted else "<p><b>These figures do not count.</b></p>"
         number = tables.number
         rows = [
-            ("narrowest passage", f"<b>{_cm2(self.opening_area_mm2)}</b>"),
+            ("opening", f"<b>{_cm2(self.opening_area_mm2)}</b>"),
             ("seen along the annulus's normal", _cm2(self.projected_area_mm2)),
             ("annulus in diastole", _cm2(self.annulus_area_mm2)),
             ("mean gradient", f"{number(self.gradient_mmhg)} mmHg at {number(self.flow_ml_s, 0)} ml/s"),

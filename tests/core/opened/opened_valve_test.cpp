@@ -78,7 +78,7 @@ TEST(OpenValve, AClipLeavesTwoOpeningsThatAreSmallerTogether) {
   const Valve clipped = *apply_plan(valve, {{EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}}});
   const OpenedValve open = opened(clipped);
   EXPECT_LT(open.measure.projected_area_mm2, 0.8 * opened(valve).measure.projected_area_mm2);
-  EXPECT_EQ(open.measure.opening_area_mm2, open.measure.projected_area_mm2);  // not the annulus
+  EXPECT_LT(open.measure.opening_area_mm2, 0.5 * opened(valve).measure.opening_area_mm2);
   EXPECT_TRUE(open.passage_mm.empty());
   EXPECT_NE(opening_warnings(open).front().find("ties bear"), std::string::npos);
 }

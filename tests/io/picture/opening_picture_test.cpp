@@ -16,11 +16,11 @@ TEST(OpeningPicture, SaysWhatWasMeasured) {
   EXPECT_EQ(opening_words(measure),
             (std::vector<std::string>{
                 "Opening 4.5 cm²", "mean gradient 1.0 mmHg at 155 ml/s, 1.9 mmHg at 217 ml/s",
-                "narrowest passage 12 mm below the annulus; funnel tilted by 4°",
+                "narrowest plane 12 mm below the annulus; funnel tilted by 4°",
                 "seen from the atrium 4.0 cm²; annulus in diastole 13.4 cm²"}));
   OpeningMeasure tied = measure;
   tied.passage_depth_mm = tied.tilt_deg = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(opening_words(tied)[2], "as seen: behind ties no passage is measured");
+  EXPECT_EQ(opening_words(tied)[2], "beside ties no passage is drawn");
   OpeningMeasure unknown = measure;
   unknown.opening_area_mm2 = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(opening_words(unknown).empty());

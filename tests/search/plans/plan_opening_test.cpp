@@ -16,8 +16,8 @@ namespace {
 
 PlanOpening opening(double mm2, double mmhg) {
   PlanOpening made;
-  made.measure.opening_area_mm2 = mm2 + 50.0;
-  made.measure.projected_area_mm2 = mm2;
+  made.measure.opening_area_mm2 = mm2;
+  made.measure.projected_area_mm2 = mm2 - 50.0;  // hides what a tilted funnel leaves open
   made.measure.gradient_mmhg = mmhg;
   return made;
 }

@@ -4,9 +4,9 @@ export const GLOSSARY = {
   orifice: 'The open area that one sees from the atrium, between leaflets with their thickness.',
   gap: 'The area of the slit between the leaflets along the line on which they are nearest, where they do not touch, also where one covers the other when seen from the atrium, as in a prolapse.',
   opening:
-    'The narrowest passage of the open leaflets in diastole, with annulus and papillary tips as far apart as diastole has them. The leaflets rest under the load that blood has at the peak of filling; its flow itself is not computed.',
+    'The least area of a surface that parts atrium from ventricle between the open leaflets in diastole, with annulus and papillary tips as far apart as diastole has them. The leaflets rest under the load that blood has at the peak of filling; its flow itself is not computed.',
   gradient:
-    'The mean pressure difference that the flow of filling would need through the opening, by Gorlin’s equation, of the smaller of the narrowest passage and what is seen open along the annulus’s normal.',
+    'The mean pressure difference that the flow of filling would need through the opening, by Gorlin’s equation.',
   coaptation:
     'How high the contact between the leaflets is, across the line of coaptation. About 8 mm is the aim of a repair.',
   tenting_height: 'From the plane of the annulus down to where the leaflets meet.',

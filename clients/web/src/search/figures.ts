@@ -186,11 +186,11 @@ export function lengthName(plan: RankedPlan, muscle: LeakMap['muscle'] = 'both')
 }
 const TIP_TO_TRIGONE = 'tip to trigone distance'
 
-export type Opened = Partial<Pick<RankedPlan, 'opening_area_mm2' | 'projected_area_mm2'>>
+export type Opened = Partial<Pick<RankedPlan, 'opening_area_mm2'>>
 
-/// The smaller of what is open in diastole; null: it was not opened, or did not come to rest.
-export function openingMm2({ opening_area_mm2: passage, projected_area_mm2: seen }: Opened): number | null {
-  return passage == null || seen == null ? null : Math.min(passage, seen)
+/// In diastole; null: it was not opened, or did not come to rest.
+export function openingMm2({ opening_area_mm2 }: Opened): number | null {
+  return opening_area_mm2 ?? null
 }
 
 /// Closes also with small errors of execution.

@@ -152,9 +152,9 @@ test('what plans trade is drawn, told plan by plan, and stands in a table', asyn
   const plot = trade.getByRole('img', { name: /^Leak against opening in diastole\. Up and to the left is better/ })
   await plot.focus()
   await page.keyboard.press('ArrowRight')
-  const [{ leak_mm2, opening_area_mm2, projected_area_mm2 }] = plans
+  const [{ leak_mm2, opening_area_mm2 }] = plans
   const leak = (leak_mm2.mean + leak_mm2.sd).toFixed(1)
-  const opening = (Math.min(opening_area_mm2, projected_area_mm2) / 100).toFixed(1)
+  const opening = (opening_area_mm2 / 100).toFixed(1)
   const here = trade.locator('[data-part=here]')
   assert.match(
     await here.textContent(),

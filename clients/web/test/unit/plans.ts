@@ -38,7 +38,6 @@ interface Given {
   crossing?: boolean
   failures?: number // of 100
   opening_mm2?: number | null
-  seen_mm2?: number | null
   durability_mm?: number | null
   pareto?: boolean
   mean?: number | null
@@ -69,7 +68,7 @@ export function frontPlanOf(plan: Plan, given: Partial<FrontPlan> = {}): FrontPl
 
 /// Robust, open to 3 cm2, unless something else is said.
 export function planOf(given: Given): RankedPlan {
-  const { rank = 1, robust = true, tie = false, mean = 0.25, opening_mm2 = 300, seen_mm2 = opening_mm2 } = given
+  const { rank = 1, robust = true, tie = false, mean = 0.25, opening_mm2 = 300 } = given
   const { status = 'converged', crossing = false } = given
   const amounts = termsOf(given.terms ?? {})
   const sum = Object.entries(amounts).reduce(
@@ -96,7 +95,7 @@ export function planOf(given: Given): RankedPlan {
     region_closures: 100,
     region_failures: given.failures ?? 0,
     opening_area_mm2: opening_mm2,
-    projected_area_mm2: seen_mm2,
+    projected_area_mm2: opening_mm2,
     durability_mm: given.durability_mm === undefined ? 9 : given.durability_mm,
     pareto: given.pareto ?? false,
     tie_with_next: tie,

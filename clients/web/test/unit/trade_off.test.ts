@@ -9,11 +9,11 @@ const resultOf = (plans: RankedPlan[], before: object = {}, pareto_front: FrontP
   ({
     plans,
     pareto_front,
-    before: { leak_mm2: 33.6, opening_area_mm2: 470, projected_area_mm2: 374, ...before },
+    before: { leak_mm2: 33.6, opening_area_mm2: 374, ...before },
   }) as unknown as SearchResult
 
 const PLANS = [
-  planOf({ rank: 1, mean: 0.25, opening_mm2: 310, seen_mm2: 290, durability_mm: 12, pareto: true }),
+  planOf({ rank: 1, mean: 0.25, opening_mm2: 290, durability_mm: 12, pareto: true }),
   planOf({ rank: 2, mean: 1.05, opening_mm2: 400, durability_mm: 5.9, pareto: true }),
   planOf({ rank: 3, mean: 0.75, opening_mm2: 300, durability_mm: null }),
 ]
