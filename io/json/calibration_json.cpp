@@ -1,5 +1,6 @@
 #include "io/json/calibration_json.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/json/dimensions_json.h"
@@ -8,9 +9,22 @@
 namespace coapt {
 namespace {
 
+/// It names a file beside calibration.json and result.json.
+bool is_file_name(std::string_view name) {
+  const auto usual = [](unsigned char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
+           c == '_';
+  };
+  return !name.empty() && std::all_of(name.begin(), name.end(), usual) && name != "calibration" &&
+         name != "result";
+}
+
 CalibratedValve read_calibrated_valve(const JsonPlace& place) {
   CalibratedValve valve;
   valve.name = std::string(place.name);
+  if (!is_file_name(place.name))
+    add_problem(place, ErrorCode::OutOfRange,
+                "a valve's name has letters, digits, - and _, and is not calibration or result");
   read_fields(place,
               {{"kind",
                 [&](const JsonPlace& at) {

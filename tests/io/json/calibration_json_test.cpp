@@ -69,6 +69,15 @@ TEST(Calibration, ListsEveryProblemWithItsPlace) {
                                              "/targets/2", "/targets/3/quantity"}));
 }
 
+TEST(Calibration, HasNamesOfValvesThatFilesCanHave) {
+  for (const char* name : {"../well", "result", "a b"}) {
+    std::string text = kFile;
+    for (std::size_t at; (at = text.find("\"normal\"")) != std::string::npos;)
+      text.replace(at, 8, '"' + std::string(name) + '"');
+    EXPECT_FALSE(read_calibration(text)) << name;
+  }
+}
+
 TEST(Calibration, NamesABoundThatNoValveCanTake) {
   std::string text = kFile;
   text.replace(text.find("\"low\": 0.8"), 10, "\"low\": 0.1");
