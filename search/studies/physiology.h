@@ -92,8 +92,8 @@ struct PhysiologyOptions {
   /// Left out: judged from the closed valve, see kind_of().
   std::optional<ValveKind> kind{};
   std::optional<Species> species{};  ///< left out: porcine if the valve's name says so, else human
-  ClosureBudget budget{};          ///< of each closure
-  int threads = 0;                 ///< 0: all cores; does not change the answer
+  ClosureBudget budget{};            ///< of each closure
+  int threads = 0;                   ///< 0: all cores; does not change the answer
   std::function<void(int, int)> progress{};  ///< trials made, planned; from one thread at a time
 };
 

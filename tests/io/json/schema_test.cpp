@@ -131,9 +131,14 @@ std::vector<Json::json_pointer> objects_in(const Json& value,
 }
 
 // Fields that came after release 0.1; files without them still open.
-const std::set<std::string> kLaterFields = {"reference", "circumferential_prestretch",
-                                            "radial_prestretch", "bending_n_mm", "zone_mm",
-                                            "grasp_mm", "rows", "annulus_drawn_in_percent"};
+const std::set<std::string> kLaterFields = {"reference",
+                                            "circumferential_prestretch",
+                                            "radial_prestretch",
+                                            "bending_n_mm",
+                                            "zone_mm",
+                                            "grasp_mm",
+                                            "rows",
+                                            "annulus_drawn_in_percent"};
 
 // Takes each member away in turn, and adds one that nobody knows.
 template <class Reads>
