@@ -118,7 +118,7 @@ std::vector<Scene> scenes() {
       {"normal", preset("human-normal"), springs, Method::Thesis, {0x5cbe98e012d659a2}},
       {"functional", preset("human-functional-mr"), springs, fast, {0xf9b74fb8ff6c2c2e}},
       {"prolapse", preset("human-p2-prolapse"), springs, fast, {0x8f67bf0261b6d8ae}},
-      {"porcine", preset("porcine-thesis"), continuum, fast, {0xddda21b3e025b42b}},
+      {"porcine", preset("porcine-thesis"), continuum, fast, {0xbfbc04e91c108f02}},
       {"displaced", displaced(), springs, fast, {0x566c98cae03c68cc}},
       {"displaced", displaced(), continuum, fast, {0x6f9f6f016dfdad01}},
       {"own ring",
