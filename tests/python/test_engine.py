@@ -152,10 +152,12 @@ class Threads(EngineTest):
         counter = threading.Thread(target=count)
         counter.start()
         start = time.perf_counter()
-        valve.native.close("")
-        end = time.perf_counter()
-        ended.set()
-        counter.join()
+        try:
+            valve.native.close("", "")
+        finally:
+            end = time.perf_counter()
+            ended.set()
+            counter.join()
         self.assertTrue([one for one in counted if start < one < end])
 
     def test_any_number_of_threads_gives_the_same_bits(self):
