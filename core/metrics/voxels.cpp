@@ -36,10 +36,10 @@ std::uint64_t below_zero(double constant, double u, double v) {
 }
 
 /// A mid-surface's triangle. Lengths are counted in voxels, the first voxel's centre is the origin.
-class Sheet {
+class TissueSheet {
  public:
-  Sheet(const Corners& corners, const std::array<int, 3>& beyond, bool touches_rim,
-        const VoxelGrid& grid)
+  TissueSheet(const Corners& corners, const std::array<int, 3>& beyond, bool touches_rim,
+              const VoxelGrid& grid)
       : beyond_(beyond), touches_rim_(touches_rim) {
     for (std::size_t k = 0; k < 3; ++k)
       corners_[k] = (corners[k] - grid.corner_mm) / grid.side_mm - Vec3::Constant(0.5);
@@ -117,7 +117,7 @@ class Sheet {
 
   /// Whether all that is near the triangle lies about over it or over those beside it: it touches no rim, and no edge is a sharp crease.
   bool is_smooth() const { return is_smooth_; }
-  void look_beside(const std::vector<Sheet>& sheets) {
+  void look_beside(const std::vector<TissueSheet>& sheets) {
     is_smooth_ = !touches_rim_ && std::all_of(beyond_.begin(), beyond_.end(), [&](int beside) {
       return beside < 0 || sheets[static_cast<std::size_t>(beside)].normal_.dot(normal_) > kSmooth;
     });
@@ -149,18 +149,19 @@ class Sheet {
   bool touches_rim_, is_smooth_ = false;
 };
 
-std::vector<Sheet> sheets_of(const Partition& partition, const VoxelGrid& grid) {
-  std::vector<Sheet> sheets;
+std::vector<TissueSheet> sheets_of(const Partition& partition, const VoxelGrid& grid) {
+  std::vector<TissueSheet> sheets;
   sheets.reserve(partition.leaflets.size());
   for (std::size_t i = 0; i < partition.leaflets.size(); ++i)
     sheets.emplace_back(partition.leaflets[i], partition.beyond[i], partition.touches_rim[i] != 0,
                         grid);
-  for (Sheet& sheet : sheets) sheet.look_beside(sheets);
+  for (TissueSheet& sheet : sheets) sheet.look_beside(sheets);
   return sheets;
 }
 
 /// Whether a sheet beside this one lies under the point, and is nearer to it.
-bool is_over_another(const Sheet& sheet, const std::vector<Sheet>& sheets, const Vec3& point) {
+bool is_over_another(const TissueSheet& sheet, const std::vector<TissueSheet>& sheets,
+                     const Vec3& point) {
   return std::any_of(sheet.beyond().begin(), sheet.beyond().end(), [&](int beside) {
     return beside >= 0 && sheets[static_cast<std::size_t>(beside)].is_over(point);
   });
@@ -179,9 +180,9 @@ std::uint64_t covered_by_plane(double distance, const Vec3& away, int axis, doub
 }
 
 /// Points of the squares beyond a voxel that the sheet covers, along x, y and z.
-class Cover {
+class SheetCover {
  public:
-  Cover(const Sheet& sheet, const std::vector<Sheet>& sheets, double half)
+  SheetCover(const TissueSheet& sheet, const std::vector<TissueSheet>& sheets, double half)
       : sheet_(sheet), sheets_(sheets), half_(half) {}
 
   /// A smooth sheet covers all three as a plane; of others each square is looked at for itself.
@@ -203,7 +204,7 @@ class Cover {
   }
 
  private:
-  std::uint64_t under(const Sheet& sheet, const Vec3& centre, int axis) const {
+  std::uint64_t under(const TissueSheet& sheet, const Vec3& centre, int axis) const {
     const double height = sheet.height(centre);
     return covered_by_plane(std::abs(height), height < 0.0 ? Vec3(-sheet.normal()) : sheet.normal(),
                             axis, half_);
@@ -216,7 +217,7 @@ class Cover {
     if (sheet_.is_over(centre)) return under(sheet_, centre, axis);
     for (const int beside : sheet_.beyond()) {
       if (beside < 0) continue;
-      const Sheet& other = sheets_[static_cast<std::size_t>(beside)];
+      const TissueSheet& other = sheets_[static_cast<std::size_t>(beside)];
       // A smooth one looks at voxels, not at squares.
       if (other.is_over(centre)) return other.is_smooth() ? under(other, centre, axis) : 0;
     }
@@ -228,8 +229,8 @@ class Cover {
                             axis, half_);
   }
 
-  const Sheet& sheet_;
-  const std::vector<Sheet>& sheets_;
+  const TissueSheet& sheet_;
+  const std::vector<TissueSheet>& sheets_;
   double half_;
 };
 
@@ -304,8 +305,8 @@ std::vector<float> clearances_mm(const Partition& partition, const VoxelGrid& gr
   std::vector<float> squares(static_cast<std::size_t>(grid.count()),
                              static_cast<float>(limit * limit));
   const auto whole_row = [&](int, int) { return std::array{0, grid.size[0] - 1}; };
-  const std::vector<Sheet> sheets = sheets_of(partition, grid);
-  for (const Sheet& sheet : sheets) {
+  const std::vector<TissueSheet> sheets = sheets_of(partition, grid);
+  for (const TissueSheet& sheet : sheets) {
     const bool is_smooth = sheet.is_smooth();
     sheet.for_each_near(grid, limit, whole_row, [&](const std::array<int, 3>& voxel) {
       const Vec3 centre(voxel[0], voxel[1], voxel[2]);
@@ -344,9 +345,9 @@ std::vector<std::array<std::uint8_t, 3>> free_points(const Partition& partition,
   const auto row = [&](int y, int z) {
     return rows[static_cast<std::size_t>(z * grid.size[1] + y)];
   };
-  const std::vector<Sheet> sheets = sheets_of(partition, grid);
-  for (const Sheet& sheet : sheets) {
-    const Cover cover(sheet, sheets, half);
+  const std::vector<TissueSheet> sheets = sheets_of(partition, grid);
+  for (const TissueSheet& sheet : sheets) {
+    const SheetCover cover(sheet, sheets, half);
     sheet.for_each_near(grid, reach, row, [&](const std::array<int, 3>& voxel) {
       const int slot = slots[static_cast<std::size_t>(grid.number(voxel))];
       if (slot < 0) return;

@@ -33,7 +33,8 @@ TEST(Chart, DecadesAreEvenlySpacedAndMarkersCanStandAlone) {
 TEST(LineChart, AShiftedSeriesStandsThatFarToTheRight) {
   PanelSeries series{.label = "s", .x = {0.0, 1.0}, .y = {0.0, 1.0}};
   const auto starts_px = [&] {
-    const std::string svg = draw_line_panel({.series = {series}}, {0.0, 0.0, 400.0, 300.0});
+    const std::string svg =
+        draw_line_panel({.words = {}, .series = {series}}, {0.0, 0.0, 400.0, 300.0});
     return std::stod(svg.substr(svg.find(" d=\"M") + 5));
   };
   const double before_px = starts_px();
