@@ -11,7 +11,11 @@ openBefore('valve', { width: 820, height: 1180 }, async () => {
 })
 
 const touch = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints })
-const boxOf = async (name) => page.locator('[data-part=labels] span', { hasText: name }).first().boundingBox()
+const boxOf = async (name) => {
+  const label = page.locator('[data-part=labels] span', { hasText: name }).first()
+  await label.waitFor()
+  return label.boundingBox()
+}
 const middle = ({ x, y, width, height }) => ({ x: x + width / 2, y: y + height / 2 })
 
 test('a finger that moves sideways turns the valve', async () => {
