@@ -67,15 +67,15 @@ class BandBuilder {
     give_slots(marked);
     free_ = free_points(partition_, grid_, slots_, static_cast<int>(fine_.size()));
     parted_ = partings(partition_, grid_);
+    for (std::size_t i = 0; i < fine_.size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (parted_[static_cast<std::size_t>(fine_[i])][axis]) free_[i][axis] = 0;
     const std::vector<float> sides = sides_of_slots();
 
     voxels_.clear();
     std::vector<char> is_border(fine_.size(), 0);
     const auto add = [&](int voxel, bool is_fixed) {
-      BandVoxel added{voxel, is_fixed, sides[slot(voxel)], free_[slot(voxel)]};
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (parted_[static_cast<std::size_t>(voxel)][axis]) added.free[axis] = 0;
-      voxels_.push_back(added);
+      voxels_.push_back({voxel, is_fixed, sides[slot(voxel)], free_[slot(voxel)]});
     };
     const std::array<int, 6> around = around_fine();
     for (std::size_t i = 0; i < kFine * marked.size(); ++i) {
@@ -83,8 +83,7 @@ class BandBuilder {
       for (std::size_t k = 0; k < around.size(); ++k) {
         const int neighbour = fine_[i] + around[k], lower = std::min(fine_[i], neighbour);
         const std::size_t axis = k < 3 ? 2 - k : k - 3;
-        if (parted_[static_cast<std::size_t>(lower)][axis] || free_[slot(lower)][axis] == 0)
-          continue;
+        if (free_[slot(lower)][axis] == 0) continue;
         is_free = true;
         const std::size_t beside = slot(neighbour);
         if (beside < kFine * marked.size() || is_border[beside] != 0 || sides[beside] == kUnknown)
@@ -224,7 +223,7 @@ class BandBuilder {
   VoxelGrid grid_;
   std::vector<int> slots_, places_;                // of the grid's voxels: in fine_, in voxels_
   std::vector<int> fine_, coarse_of_eight_;        // by slot, by slot / 8
-  std::vector<std::array<std::uint8_t, 3>> free_;  // by slot
+  std::vector<std::array<std::uint8_t, 3>> free_;  // by slot, 0 where voxels are parted
   std::vector<std::array<bool, 3>> parted_;        // of the grid's voxels
   std::vector<BandVoxel> voxels_;
   LeastSurface surface_;

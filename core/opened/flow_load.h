@@ -3,8 +3,8 @@
 // Blood that comes from the atrium speeds up where the funnel of the leaflets narrows, and its pressure falls (Bernoulli, steady,
 // the ventricle at rest): of the whole difference 1 - (jet / here)^2 acts where a loop of equal leaflet height spans an area
 // `here`, and nothing does behind the narrowest loop, the throat, where the jet has left the leaflets. The jet is smaller than the
-// throat: kContraction. A loop's area is that of its area
-// vector, half the sum of r x dr: of leaflets that are tied together, of all holes.
+// throat: kContraction. A loop's area is that of its area vector, half the sum of r x dr: of leaflets that are tied together, of all
+// holes.
 // The difference itself is rho / 2 (Q / A)^2, A the jet's area behind a throat without half a thickness along its loop.
 #pragma once
 
