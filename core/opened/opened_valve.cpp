@@ -96,8 +96,6 @@ ClosureResult rest_in_flow(double peak_ml_s, const OpeningOptions& options, Valv
 
 }  // namespace
 
-double opening_mm2(const OpeningMeasure& measure) { return measure.opening_area_mm2; }
-
 double gorlin_mmhg(double area_mm2, double flow_ml_s) {
   return std::pow(flow_ml_s / (kGorlin * 0.01 * area_mm2), 2.0);
 }

@@ -49,9 +49,6 @@ struct OpeningMeasure {
   double tied_n = 0.0;         ///< sum of what ties bear
 };
 
-/// By which plans are judged: opening_area_mm2; NaN if it is not known.
-double opening_mm2(const OpeningMeasure& measure);
-
 /// Areas are NaN where `closure` did not converge uncrossed; there, and behind ties, is no passage.
 struct OpenedValve {
   Valve valve;  ///< in diastole; its pressure is negative: from the atrium

@@ -138,7 +138,7 @@ std::string opening_figure(const RankedPlan& plan) {
     return key_figure("Opening in diastole", "not known",
                       plan.opening->behind_clip ? "behind a clip" : "it did not come to rest");
   return key_figure("Opening in diastole",
-                    with_unit(0.01 * opening_mm2(plan.opening->measure), 1, "cm²"),
+                    with_unit(0.01 * plan.opening->measure.opening_area_mm2, 1, "cm²"),
                     "mean gradient " + with_unit(plan.opening->measure.gradient_mmhg, 1, "mmHg") +
                         " at rest; below 2.0 cm² is narrow");
 }

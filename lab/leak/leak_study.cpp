@@ -102,10 +102,7 @@ std::vector<MeasuredArea> measured_areas(const ClosedValve& closed) {
 
 std::vector<MeasuredArea> measured_areas(const OpenedValve& opened) {
   const OpeningMeasure& m = opened.measure;
-  return {{"passage", m.opening_area_mm2, kNoError},
-          {"projected", m.projected_area_mm2, kNoError},
-          {"smaller", opening_mm2(m), kNoError},
-          {"leak", measure_leak(opened.valve, opened.closure.closed_mm).area_mm2, kNoError}};
+  return {{"projected", m.projected_area_mm2, kNoError}, {"leak", m.opening_area_mm2, kNoError}};
 }
 
 std::vector<LeakCase> study_leaks(const LeakStudyOptions& options,

@@ -38,7 +38,7 @@ Known known_of(const PlanRecord& plan) {
   Known known{
       &plan, std::asinh(std::isnan(mm2) ? kMostLeak_mm2 : std::min(mm2, kMostLeak_mm2)), {}, {}};
   if (plan.opening && trusted(*plan.opening))
-    known.opening_mm2 = opening_mm2(plan.opening->measure);
+    known.opening_mm2 = plan.opening->measure.opening_area_mm2;
   if (const auto lasts = durability(plan)) known.durability_mm = lasts->expected_mm;
   return known;
 }

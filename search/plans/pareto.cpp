@@ -51,7 +51,7 @@ std::vector<bool> unbeaten(const std::vector<Candidate>& all) {
 
 std::optional<double> opening_of(const std::optional<PlanOpening>& opening) {
   if (!opening || !trusted(*opening)) return std::nullopt;
-  return opening_mm2(opening->measure);
+  return opening->measure.opening_area_mm2;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr const char* kGradientSource =
 
 bool trusted(const PlanOpening& opening) {
   return opening.status == ClosureStatus::Converged && !opening.crossing && !opening.behind_clip &&
-         std::isfinite(opening_mm2(opening.measure)) &&
+         std::isfinite(opening.measure.opening_area_mm2) &&
          std::isfinite(opening.measure.gradient_mmhg);
 }
 
@@ -46,7 +46,7 @@ std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
                                           : "the open valve did not come to rest uncrossed";
     return {area, gradient};
   }
-  const double mm2 = opening_mm2(opening->measure), mmhg = opening->measure.gradient_mmhg;
+  const double mm2 = opening->measure.opening_area_mm2, mmhg = opening->measure.gradient_mmhg;
   const std::string figure = "opens to " + with_decimals(0.01 * mm2, 1) + " cm2";
   if (mm2 < kStenosis_mm2) {
     area.severity = GateSeverity::Reject;
@@ -66,7 +66,7 @@ std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
 }
 
 bool is_stenotic(const std::optional<PlanOpening>& opening) {
-  return opening && trusted(*opening) && opening_mm2(opening->measure) < kStenosis_mm2;
+  return opening && trusted(*opening) && opening->measure.opening_area_mm2 < kStenosis_mm2;
 }
 
 }  // namespace coapt

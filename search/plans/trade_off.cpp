@@ -16,7 +16,7 @@ bool is_accepted(const PlanRecord& plan, int nodes) {
 
 bool opens_enough(const PlanRecord& plan) {
   return plan.opening && trusted(*plan.opening) &&
-         opening_mm2(plan.opening->measure) > kWorstAccepted.opening_mm2;
+         plan.opening->measure.opening_area_mm2 > kWorstAccepted.opening_mm2;
 }
 
 /// Between the axes and steps down from plan to plan, of leak and opening alone.
@@ -48,7 +48,7 @@ std::optional<TradeOff> trade_off(const PlanRecord& plan, int nodes) {
   if (!is_accepted(plan, nodes) || !opens_enough(plan)) return std::nullopt;
   const std::optional<Durability> lasts = durability(plan);
   if (!lasts) return std::nullopt;
-  return TradeOff{region_leak_mm2(plan, nodes), opening_mm2(plan.opening->measure),
+  return TradeOff{region_leak_mm2(plan, nodes), plan.opening->measure.opening_area_mm2,
                   lasts->expected_mm};
 }
 

@@ -201,7 +201,7 @@ class Trials {
     opening.budget = options_.budget;
     const Expected<OpenedValve> opened = open_valve(*valve, opening);
     if (!opened || !trusted(opened->closure)) return;
-    area_mm2 = opening_mm2(opened->measure);
+    area_mm2 = opened->measure.opening_area_mm2;
     gradient_mmhg = opened->measure.gradient_mmhg;
   }
 
