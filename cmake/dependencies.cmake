@@ -1,6 +1,5 @@
 # What the programs link besides Eigen and JSON.
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(CLIPPER REQUIRED IMPORTED_TARGET polyclipping)
 find_package(OpenMP REQUIRED)
 find_package(CLI11 REQUIRED)
 if(NOT COAPT_FUZZ)

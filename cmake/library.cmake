@@ -25,7 +25,7 @@ target_compile_features(libcoapt PUBLIC cxx_std_20)
 target_include_directories(libcoapt INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/coapt>)
 # Eigen allocates what it aligns to more than 16 bytes in another way: a program compiled with -mavx must not.
 target_compile_definitions(libcoapt INTERFACE $<INSTALL_INTERFACE:EIGEN_MAX_ALIGN_BYTES=16>)
-target_link_libraries(libcoapt PUBLIC Eigen3::Eigen OpenMP::OpenMP_CXX PRIVATE PkgConfig::CLIPPER PkgConfig::NLOPT)
+target_link_libraries(libcoapt PUBLIC Eigen3::Eigen OpenMP::OpenMP_CXX PRIVATE PkgConfig::NLOPT)
 
 include(CMakePackageConfigHelpers)
 set(COAPT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/coapt)

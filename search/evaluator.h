@@ -24,10 +24,14 @@ struct ClosedPlan {
 /// Called from several threads at once.
 using Evaluator = std::function<ClosedPlan(const Valve&, const ClosureResult* neighbour)>;
 
+/// The same with its leak measured by the least surface, if its closure was kept: closing_evaluator() estimates it.
+ClosedPlan with_leak_surface(const Valve& valve, ClosedPlan closed);
+
 /// Of `valve`; null if the evaluator kept no closure.
 std::shared_ptr<const ClosedValve> closed_valve(const Valve& valve, const ClosedPlan& closed);
 
-Evaluator closing_evaluator(const ClosureOptions& options);
+/// What a search closes by: leaks are estimated.
+Evaluator closing_evaluator(const ClosureOptions& options, LeakBy leak_by = LeakBy::Estimate);
 
 /// Converged, without leaflets through each other, its leak a number: only then do the measures
 /// mean anything.

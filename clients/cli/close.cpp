@@ -17,7 +17,6 @@
 #include "clients/cli/result_exit_code.h"
 #include "clients/cli/server_option.h"
 #include "core/closed/accurate_closure.h"
-#include "core/metrics/oblique.h"
 #include "core/repair/apply_plan.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -40,10 +39,10 @@ struct CloseArguments {
   ClosureOptions closure;
   std::optional<double> accuracy_mm2;
   ConvergeOption converge;
-  bool json = false, oblique = false, open = false;
+  bool json = false, open = false;
 };
 
-/// Prints coapt.closure/1; returns an exit code.
+/// Prints coapt.closure/2; returns an exit code.
 int show(const CloseArguments& arguments, const Json& closure) {
   if (arguments.json) {
     std::cout << closure.dump(2) << '\n';
@@ -81,11 +80,11 @@ int write_closed(const CloseArguments& arguments, const Valve& valve,
 /// A valve that is not mitral: closed and measured; no plans, no picture.
 int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOptions options) {
   if (is_given(arguments.plan) || is_given(arguments.material) || !arguments.picture.empty() ||
-      arguments.oblique || arguments.open || arguments.accuracy_mm2)
+      arguments.open || arguments.accuracy_mm2)
     return report_errors(
         arguments.valve,
         {{ErrorCode::Unsupported, "/schema",
-          "is coapt.valve/2: plans, pictures, pressure, tissue, --open, --oblique and --accuracy "
+          "is coapt.valve/2: plans, pictures, pressure, tissue, --open and --accuracy "
           "need a mitral valve (coapt.valve/1)"}});
   if (const int failed = check_output(arguments.closed)) return failed;
   const auto start = std::chrono::steady_clock::now();
@@ -134,10 +133,6 @@ int run(const CloseArguments& arguments) {
   closed = with_repair(std::move(closed), *valve, *plan);
   const ClosureResult& closure = closed.closure;
 
-  std::optional<ObliqueOrifice> oblique;
-  if (arguments.oblique && closure.closed_mm.allFinite())
-    oblique = oblique_orifice(closed.valve, closure.closed_mm, 0.5 * repaired->tissue.thickness_mm);
-
   std::optional<OpenedValve> opened;
   const auto opening_start = std::chrono::steady_clock::now();
   if (arguments.open) {
@@ -154,7 +149,6 @@ int run(const CloseArguments& arguments) {
 
   auto json = closure_to_json(closed.valve, closure, closed.measure, seconds.count());
   if (finer) json["convergence"] = std::move(finer->json);
-  if (arguments.oblique) json["orifice_oblique_mm2"] = oblique ? to_json(*oblique) : Json();
   if (opened) json["opening"] = opening_figures_json(*opened, opening_seconds.count());
   if (accurate) json["accuracy"] = to_json(*accurate, *arguments.accuracy_mm2);
   json["warnings"] = warnings;
@@ -193,8 +187,6 @@ void add_close(Command parent, int& status) {
       .check({refuse_standard_output, "FILE"});
   command.add_flag("--open", arguments->open,
                    "Also open the valve as in diastole: opening and mean gradient (coapt open)");
-  command.add_flag("--oblique", arguments->oblique,
-                   "Also find the direction with the widest straight passage (eccentric jets)");
   command.add_flag("--json", arguments->json, "Print JSON");
   add_server_option(command, arguments->server);
   command.footer(

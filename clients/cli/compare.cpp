@@ -191,7 +191,7 @@ void add_compare(Command parent, int& status) {
   Command command =
       parent.add_command("compare", "Measure how far a closed shape lies from a reference");
   constexpr const char* kShapeHelp =
-      "A mesh (OBJ, PLY, STL, VTK, VTP, VTU; millimetres), a scene of the service (coapt.scene/1), "
+      "A mesh (OBJ, PLY, STL, VTK, VTP, VTU; millimetres), a scene of the service (coapt.scene/2), "
       "or a "
       "valve or preset, which is closed first";
   command.add_option("closed", arguments->closed, kShapeHelp).required();

@@ -74,7 +74,7 @@ int report_plan_errors(const std::vector<NamedPlan>& plans, const Errors& errors
   return exit_code::kBadInput;
 }
 
-/// Prints coapt.plans/1; returns an exit code.
+/// Prints coapt.plans/2; returns an exit code.
 int show(const EvaluateArguments& arguments, Json result) {
   for (Json& plan : result["plans"]) plan["file"] = plan["name"];
   if (arguments.json) {

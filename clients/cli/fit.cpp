@@ -113,7 +113,7 @@ void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& me
   out << "distance   " << fixed(fit.rms_before_mm, 3) << " mm rms before, " << fixed(fit.rms_mm, 3)
       << " mm after, of " << fit.points_mm.rows() << " points, which weigh as "
       << std::lround(fit.independent_points) << " independent ones\n"
-      << "leak       " << fixed(leak_mm2(fit.before.measure), 1) << " mm2 before, "
+      << "leak       " << fixed(fit.before.measure.leak.area_mm2, 1) << " mm2 before, "
       << fixed(fit.leak.mm2, 1) << " ± " << fixed(fit.leak.sd_mm2, 1) << " mm2 after";
   if (measured.leak_mm2)
     out << " (given: " << fixed(*measured.leak_mm2, 1) << " ± " << fixed(measured.leak_sd_mm2, 1)
@@ -217,7 +217,7 @@ void add_fit(Command parent, int& status) {
       .show_argument("FRAME");
   command
       .add_option("--leak", arguments->leak_mm2,
-                  "Regurgitant orifice as imaged, mm2; an anatomic area, not one by PISA")
+                  "The leak as imaged, mm2; an anatomic area, not one by PISA")
       .check(number_from(0.0, 2000.0));
   command.add_option("--leak-sd", arguments->leak_sd_mm2, "How well it is known, mm2")
       .check(number_from(0.01, 1000.0))

@@ -28,7 +28,7 @@ struct OpenArguments {
   bool json = false;
 };
 
-/// Prints coapt.opening/1; returns an exit code.
+/// Prints coapt.opening/2; returns an exit code.
 int show(const OpenArguments& arguments, const Json& opening) {
   if (arguments.json)
     std::cout << opening.dump(2) << '\n';
@@ -105,7 +105,7 @@ void add_open(Command parent, int& status) {
   command
       .add_option("--opened", arguments->opened, "Write the open leaflets (PLY, OBJ, STL or VTK)")
       .check({refuse_standard_output, "FILE"});
-  command.add_flag("--json", arguments->json, "Print JSON (coapt.opening/1)");
+  command.add_flag("--json", arguments->json, "Print JSON (coapt.opening/2)");
   add_server_option(command, arguments->server);
   command.footer(
       "Annulus and papillary tips are where diastole has them: the valve file's \"systole\" says\n"

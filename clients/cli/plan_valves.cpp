@@ -132,7 +132,7 @@ int write_plans(const std::string& directory, const GivenValve& given, const Pla
   return write_output(path + ".html", *report);
 }
 
-/// An answer as coapt.plans/1, as this command line would have made it.
+/// An answer as coapt.plans/2, as this command line would have made it.
 Json plans_of(const PlanAnswer& answer, PlanArguments arguments, const std::string& valve) {
   Json plans = Json::parse(answer.plans);
   arguments.valve = valve;

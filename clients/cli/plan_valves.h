@@ -6,10 +6,10 @@
 namespace coapt {
 
 /// What an answer holds is what a search here gives, but for "seconds", which is null. One valve is printed as ever. Several
-/// leave files in the directory of -o: of each NAME.json (coapt.plans/1) and NAME.html, and summary.csv. Returns an exit code.
+/// leave files in the directory of -o: of each NAME.json (coapt.plans/2) and NAME.html, and summary.csv. Returns an exit code.
 int plan_by_request(const Command& command, PlanArguments arguments);
 
-/// Prints coapt.plans/1; returns an exit code.
+/// Prints coapt.plans/2; returns an exit code.
 int show_plans(const PlanArguments& arguments, Json result);
 
 }  // namespace coapt

@@ -15,7 +15,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kSmallestListed_mm2 = 0.05;  // less is shown as 0.0
+constexpr double kSmallestListed_mm2 = 0.5;  // as in pictures
 
 std::ostream& row(std::ostream& out, const char* label) {
   return out << "  " << std::left << std::setw(16) << label << std::right;
@@ -37,9 +37,22 @@ void print_attempts(std::ostream& out, const Json& attempts) {
         << attempt["crossing_pairs"] << " crossings\n";
 }
 
+void print_leak(std::ostream& out, const Json& leak) {
+  const double error = number_of(leak["error_mm2"]);
+  row(out, "leak") << area(leak["area_mm2"], leak["error_mm2"]) << '\n';
+  for (const Json& opening : leak["openings"]) {
+    if (number_of(opening["area_mm2"]) < kSmallestListed_mm2) continue;
+    std::string segments;
+    for (const Json& segment : opening["segments"])
+      segments += (segments.empty() ? " at " : ", ") + segment.get<std::string>();
+    row(out, "") << known_digits(number_of(opening["area_mm2"]), error) << " mm2" << segments
+                 << ", " << rounded(opening["width_mm"], 1) << " mm wide\n";
+  }
+}
+
 /// Of a valve that is not mitral.
 void print_leaflets(std::ostream& out, const Json& measure) {
-  row(out, "orifice") << rounded(measure["orifice_area_mm2"], 1) << " mm2 seen from the atrium\n";
+  print_leak(out, measure["leak"]);
   for (const Json& leaflet : measure["leaflets"])
     row(out, "leaflet") << printable(leaflet["name"].get<std::string>()) << ": area "
                         << rounded(leaflet["rest_area_mm2"], 0) << " to "
@@ -56,35 +69,16 @@ void print_measure(std::ostream& out, const Json& measure) {
     return;
   }
   const Json& coaptation = measure["coaptation"];
-  const double hidden =
-      number_of(coaptation["gap_area_mm2"]) - number_of(measure["orifice_area_mm2"]);
-  row(out, "leak") << area(measure["leak_mm2"], measure["leak_mm2_error"])
-                   << ", the larger of orifice and gap";
-  if (hidden > kCompetentLeak_mm2) {
-    out << "; the view from the atrium hides " << fixed(hidden, 1) << " mm2 of it";
-  }
-  out << '\n';
-  row(out, "orifice") << area(measure["orifice_area_mm2"], measure["orifice_area_mm2_error"])
-                      << " (raw " << rounded(measure["orifice_area_raw_mm2"], 1);
-  if (measure["orifice_area_mean_mm2"] != measure["orifice_area_mm2"])
-    out << ", mean of end states " << rounded(measure["orifice_area_mean_mm2"], 1);
-  out << ")\n";
-  for (const Json& opening : measure["orifices"]) {
-    if (number_of(opening["area_mm2"]) < kSmallestListed_mm2) continue;
-    row(out, "") << known_digits(number_of(opening["area_mm2"]),
-                                 number_of(measure["orifice_area_mm2_error"]))
-                 << " mm2 at " << opening["segment"].get<std::string>() << '\n';
-  }
-  row(out, "gap") << area(coaptation["gap_area_mm2"], coaptation["gap_area_mm2_error"])
-                  << " between the leaflets, up to " << rounded(coaptation["distance_max_mm"], 2)
-                  << " mm from mid-surface to mid-surface\n";
+  print_leak(out, measure["leak"]);
   const Json& sections = coaptation["sections"];
   const auto touching = std::count_if(sections.begin(), sections.end(), [](const Json& section) {
     return section["contact"].get<bool>();
   });
   row(out, "coaptation") << "height min " << rounded(coaptation["height_min_mm"], 1) << ", mean "
                          << rounded(coaptation["height_mean_mm"], 1) << " mm; contact at "
-                         << touching << " of " << sections.size() << " sections";
+                         << touching << " of " << sections.size() << " sections, up to "
+                         << rounded(coaptation["distance_max_mm"], 2)
+                         << " mm from mid-surface to mid-surface";
   if (measure.contains("coaptation_area_index"))
     out << "; " << fixed(100.0 * number_of(measure["coaptation_area_index"]), 0)
         << " % of the leaflets' area";
@@ -103,14 +97,6 @@ void print_measure(std::ostream& out, const Json& measure) {
                              << fixed(100.0 * number_of(measure["strain_circumferential_max"]), 1)
                              << " %, radial "
                              << fixed(100.0 * number_of(measure["strain_radial_max"]), 1) << " %\n";
-}
-
-void print_oblique(std::ostream& out, const Json& widest) {
-  row(out, "widest passage") << rounded(widest["max"], 1) << " mm2, "
-                             << rounded(widest["tilt_deg"], 0)
-                             << " degrees from the annulus's normal, azimuth "
-                             << rounded(widest["azimuth_deg"], 0)
-                             << " (0 posteromedial, 90 anterior)\n";
 }
 
 /// What the meshes say of their limit.
@@ -148,12 +134,10 @@ void print_convergence(std::ostream& out, const Json& convergence) {
               : "the leak does not stand yet: the next mesh has too many vertices")
       << " (changes within " << rounded(convergence["within_mm2"], 2) << " mm2"
       << (share > 0.0 ? " or " + percent(share) : "") << ")\n"
-      << "    triangles   orifice       gap      leak    change   seconds\n";
+      << "    triangles      leak    change   seconds\n";
   for (const Json& level : convergence["levels"])
     out << std::setw(13) << grouped(level["triangles"]) << std::setw(10)
-        << rounded(level["orifice_area_mm2"], 1) << std::setw(10)
-        << rounded(level["gap_area_mm2"], 1) << std::setw(10) << rounded(level["leak_mm2"], 1)
-        << std::setw(10)
+        << rounded(level["leak_mm2"], 1) << std::setw(10)
         << (std::isfinite(number_of(level["change_mm2"])) ? rounded(level["change_mm2"], 1) : "")
         << std::setw(10) << rounded(level["seconds"], 2) << '\n';
   print_limit(out, convergence);
@@ -176,9 +160,6 @@ void print_closure(std::ostream& out, const Json& closure) {
       << '\n';
   print_attempts(out, closure["attempts"]);
   print_measure(out, closure);
-  if (const auto oblique = closure.find("orifice_oblique_mm2");
-      oblique != closure.end() && !oblique->is_null())
-    print_oblique(out, *oblique);
   if (const auto opening = closure.find("opening"); opening != closure.end())
     row(out, "opening") << opening_in_short(*opening) << '\n';
   if (const auto accuracy = closure.find("accuracy"); accuracy != closure.end())

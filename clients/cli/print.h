@@ -8,7 +8,7 @@
 
 namespace coapt {
 
-/// Of coapt.closure/1.
+/// Of coapt.closure/2.
 void print_closure(std::ostream& out, const Json& closure);
 
 /// NaN if it is null.

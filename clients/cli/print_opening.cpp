@@ -19,16 +19,6 @@ std::string gradient(const Json& mmhg, const Json& flow) {
   return fixed(number_of(mmhg), 1) + " mmHg at " + significant(number_of(flow), 3) + " ml/s";
 }
 
-/// Empty behind ties, which stand on the funnel's axis.
-std::string passage_words(const Json& opening) {
-  const double depth_mm = number_of(opening["passage_depth_mm"]);
-  if (std::isnan(depth_mm)) return "";
-  return "; narrowest plane " +
-         (depth_mm > 0.0 ? fixed(depth_mm, 0) + " mm below the annulus"
-                         : std::string("at the annulus")) +
-         "; funnel tilted by " + fixed(number_of(opening["funnel_tilt_deg"]), 0) + " degrees";
-}
-
 /// What speaks against its figures; empty: nothing.
 const char* distrust(const Json& opening) {
   if (opening["crossing"].get<bool>()) return "leaflets cross, no opening is measured";
@@ -42,8 +32,8 @@ void print_opening(std::ostream& out, const Json& opening) {
   out << printable(opening["name"].get<std::string>()) << ": "
       << (problem.empty() ? "open, at rest" : problem) << '\n';
   if (problem.empty()) {
-    out << "  opening         " << cm2(opening["opening_area_mm2"]) << ", the least surface"
-        << passage_words(opening) << "\n  seen            " << cm2(opening["projected_area_mm2"])
+    out << "  opening         " << cm2(opening["opening_area_mm2"])
+        << ", the least surface\n  seen            " << cm2(opening["projected_area_mm2"])
         << " along the annulus's normal; annulus " << cm2(opening["annulus_area_mm2"])
         << " in diastole\n  mean gradient   "
         << gradient(opening["gradient_mmhg"], opening["flow_ml_s"]) << ", "

@@ -7,7 +7,7 @@
 
 namespace coapt {
 
-/// Of coapt.opening/1.
+/// Of coapt.opening/2.
 void print_opening(std::ostream& out, const Json& opening);
 /// "4.5 cm2, mean gradient 1.0 mmHg at 155 ml/s", or what speaks against that.
 std::string opening_in_short(const Json& opening);

@@ -46,18 +46,17 @@ void print_words(std::ostream& out, const std::string& mark, const std::string& 
 }
 
 void print_header(std::ostream& out) {
-  out << "                          leak over the region, mm2         margin to leak\n"
-      << "rank  orifice    gap    mean    sd   p95  worst  <5 mm2      mm   deg"
+  out << "                   leak over the region, mm2         margin to leak\n"
+      << "rank     leak    mean    sd   p95  worst  <5 mm2      mm   deg"
       << "  coaptation  tension\n"
-      << "          mm2    mm2" << std::string(49, ' ') << "          mm        N\n";
+      << "          mm2" << std::string(49, ' ') << "          mm        N\n";
 }
 
 void print_row(std::ostream& out, const Json& plan) {
   const Json &leak = plan["leak_mm2"], &to_leak = plan["margin_to_leak"];
   const Json &measure = plan["measure"], &coaptation = measure["coaptation"];
   const double below = number_of(leak["below_5"]);
-  out << std::setw(4) << plan["rank"].get<int>() << std::setw(9)
-      << known(measure["orifice_area_mm2"]) << std::setw(7) << known(coaptation["gap_area_mm2"])
+  out << std::setw(4) << plan["rank"].get<int>() << std::setw(9) << known(measure["leak_mm2"])
       << std::setw(8) << known(leak["mean"]) << std::setw(6) << known(leak["sd"]) << std::setw(6)
       << known(leak["p95"]) << std::setw(7) << known(leak["worst"]) << std::setw(8)
       << (std::isfinite(below) ? percent(below) : "-") << std::setw(8)
@@ -79,8 +78,7 @@ void print_fine(std::ostream& out, const Json& plan) {
   if (fine.is_null()) return;
   std::string words =
       "on " + grouped(fine["triangles"]) + " triangles: leak " +
-      with_error(number_of(fine["leak_mm2"]), number_of(fine["leak_mm2_error"]), "mm2") +
-      " (orifice " + known(fine["orifice_area_mm2"]) + ", gap " + known(fine["gap_area_mm2"]) + ")";
+      with_error(number_of(fine["leak_mm2"]), number_of(fine["leak_mm2_error"]), "mm2");
   if (fine["status"] != "converged" || fine["crossing"].get<bool>())
     words += ", " + fine["status"].get<std::string>() + ", " + crossing_words(fine);
   if (changed_place(plan))
@@ -240,12 +238,9 @@ void print_ranked(std::ostream& out, const Json& result) {
   const Json &before = result["before"], &coaptation = before["coaptation"];
   const Json& plans = result["plans"];
   print_words(out, "Before: ",
-              "orifice " +
-                  with_error(number_of(before["orifice_area_mm2"]),
-                             number_of(before["orifice_area_mm2_error"]), "mm2") +
-                  ", gap between the leaflets " +
-                  with_error(number_of(coaptation["gap_area_mm2"]),
-                             number_of(coaptation["gap_area_mm2_error"]), "mm2") +
+              "leak " +
+                  with_error(number_of(before["leak"]["area_mm2"]),
+                             number_of(before["leak"]["error_mm2"]), "mm2") +
                   ", coaptation " + fixed(number_of(coaptation["height_mean_mm"]), 1) + " mm, " +
                   before["status"].get<std::string>() + ", " + crossing_words(before));
   out << '\n';

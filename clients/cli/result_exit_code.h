@@ -4,10 +4,10 @@
 
 namespace coapt {
 
-/// Of coapt.closure/1 or coapt.opening/1.
+/// Of coapt.closure/2 or coapt.opening/2.
 int exit_code_of_closure(const Json& closure);
 
-/// Of coapt.plans/1: kOk if the best-ranked plan closes robustly.
+/// Of coapt.plans/2: kOk if the best-ranked plan closes robustly.
 int exit_code_of_plans(const Json& result);
 
 }  // namespace coapt

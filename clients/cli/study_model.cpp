@@ -33,24 +33,21 @@ struct StudyModelArguments {
 
 TableRows areas_table(const ModelStudy& study) {
   TableRows rows = {{"mm2", "as it is", "mean", "model ±", "5 %", "95 %"}};
-  for (const ModelUncertainty* area : {&study.leak, &study.orifice})
-    rows.push_back({area->name, fixed(area->as_it_is_mm2, 1), fixed(area->mean_mm2, 1),
-                    fixed(area->sd_mm2, 1), fixed(area->p5_mm2, 1), fixed(area->p95_mm2, 1)});
+  const ModelUncertainty& leak = study.leak;
+  rows.push_back({"leak", fixed(leak.as_it_is_mm2, 1), fixed(leak.mean_mm2, 1),
+                  fixed(leak.sd_mm2, 1), fixed(leak.p5_mm2, 1), fixed(leak.p95_mm2, 1)});
   return rows;
 }
 
 TableRows parameters_table(const ModelStudy& study) {
-  TableRows rows = {{"parameter", "from", "to", "leak: first", "total", "effect", "orifice: first",
-                     "total", "effect"}};
+  TableRows rows = {{"parameter", "from", "to", "first", "total", "effect"}};
   for (int i = 0; i < kModelParameters; ++i) {
     const ModelParameter& parameter = model_parameters()[i];
     rows.push_back({parameter.name, shown(parameter.lower), shown(parameter.upper)});
-    for (const ModelUncertainty* area : {&study.leak, &study.orifice}) {
-      const SobolIndices& by = area->decided_by;
-      for (const auto& [values, decimals] :
-           {std::pair{by.first, 2}, std::pair{by.total, 2}, std::pair{by.effect, 1}})
-        rows.back().push_back(values.empty() ? "n/a" : fixed(values[i], decimals));
-    }
+    const SobolIndices& by = study.leak.decided_by;
+    for (const auto& [values, decimals] :
+         {std::pair{by.first, 2}, std::pair{by.total, 2}, std::pair{by.effect, 1}})
+      rows.back().push_back(values.empty() ? "n/a" : fixed(values[i], decimals));
   }
   return rows;
 }
@@ -62,26 +59,22 @@ std::string lead_of(const ModelStudy& study) {
 
 std::string decides_words(const ModelStudy& study) {
   return "What decides, of the parameters as factors of the valve's own values: Sobol's first and "
-         "total share of the variance, and how the area changes from a parameter's low end to its "
+         "total share of the variance, and how the leak changes from a parameter's low end to its "
          "high end, mm2. Share of the variance predicted for draws left out (Q2; below 0.5 the "
-         "shares say little): leak " +
-         fixed(study.leak.decided_by.predicted_share, 2) + ", orifice " +
-         fixed(study.orifice.decided_by.predicted_share, 2) + ".";
+         "shares say little): " +
+         fixed(study.leak.decided_by.predicted_share, 2) + ".";
 }
 
 std::string page_of(const ModelStudy& study, const std::string& valve) {
-  HistogramChart chart{"", "", {}, 2};
-  for (const auto& [name, area] : {std::pair{"leak", &ModelStudyDraw::leak_mm2},
-                                   std::pair{"orifice", &ModelStudyDraw::orifice_mm2}}) {
-    Sample sample{std::string(name) + " over the draws", {}};
-    for (const ModelStudyDraw& draw : study.draws)
-      if (draw.trusted) sample.values.push_back(draw.*area);
-    chart.panels.push_back(
-        {{name, std::string(name) + ", mm²", "draws"}, "mm²", {std::move(sample)}});
-  }
-  return study_page("How much of the answer is the model's: " + valve, lead_of(study),
-                    {{"Areas over the draws", "", histogram_chart_svg(chart), areas_table(study)},
-                     {"What decides", decides_words(study), "", parameters_table(study)}});
+  HistogramChart chart{"", "", {}, 1};
+  Sample sample{"leak over the draws", {}};
+  for (const ModelStudyDraw& draw : study.draws)
+    if (draw.trusted) sample.values.push_back(draw.leak_mm2);
+  chart.panels.push_back({{"leak", "leak, mm²", "draws"}, "mm²", {std::move(sample)}});
+  return study_page(
+      "How much of the answer is the model's: " + valve, lead_of(study),
+      {{"The leak over the draws", "", histogram_chart_svg(chart), areas_table(study)},
+       {"What decides", decides_words(study), "", parameters_table(study)}});
 }
 
 int write_all(const StudyModelArguments& arguments, const ModelStudy& study,
@@ -136,7 +129,7 @@ int run(StudyModelArguments arguments) {
 void add_study_model(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyModelArguments>();
   Command command = parent.add_command(
-      "model", "How leak and orifice move with what the model does not know: tissue, chordae");
+      "model", "How the leak moves with what the model does not know: tissue, chordae");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   add_plan_option(command, arguments->plan);
   command.add_option("--draws", arguments->study.draws, "Closures, each with values of its own")

@@ -15,7 +15,7 @@ struct RepairRequest;
 class LiveEngine {
  public:
   /// A body of "valve", "plan" (optional) and "pressure_mmhg" (optional, else that of systole): another valve, from its
-  /// unstressed shape. Answers "scene" (coapt.scene/1, not closed), "systole_mmhg" and "cables": [chorda, segment] each,
+  /// unstressed shape. Answers "scene" (coapt.scene/2, not closed), "systole_mmhg" and "cables": [chorda, segment] each,
   /// chorda -1 for ties; "hooks": whether each holds something. What cannot be read is refused as by answer(), and the valve before goes on.
   EngineAnswer start(std::string_view body);
   /// A body of "valve" and "plan": goes on with it from where the leaflets are, if the mesh is the same. Answers alike.

@@ -24,7 +24,7 @@ double finest_error_mm2(const ClosedValve& closed, int most_vertices) {
   AreaPrecision precision = precision_of(closed.valve, closed.closure);
   for (Index vertices = 4 * closed.valve.rest_mm.rows(); vertices <= most_vertices; vertices *= 4)
     precision.triangles *= 4;
-  return area_error_mm2(leak_mm2(closed.measure), precision);
+  return area_error_mm2(closed.measure.leak.area_mm2, precision);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ Expected<AccurateClosure> close_within(const Valve& valve, double error_mm2,
   const ClosureOptions tolerances = at_tier(options, *tier);
   AccurateClosure accurate{close_and_measure(valve, tolerances), *tier, 0};
   ClosedValve& closed = accurate.closed;
-  while (closed.measure.error.leak_mm2 > error_mm2) {
+  while (closed.measure.leak_error_mm2 > error_mm2) {
     const double least_mm2 = finest_error_mm2(closed, most_vertices);
     std::optional<ClosedValve> finer;
     if (least_mm2 <= error_mm2) finer = close_refined(closed, tolerances, most_vertices);
@@ -47,7 +47,7 @@ Expected<AccurateClosure> close_within(const Valve& valve, double error_mm2,
       return too_small(error_mm2, least_mm2,
                        "what the finest mesh of at most " + std::to_string(most_vertices) +
                            " vertices keeps of this leak of " +
-                           with_decimals(leak_mm2(closed.measure), 1) + " mm2");
+                           with_decimals(closed.measure.leak.area_mm2, 1) + " mm2");
     closed = *std::move(finer);
     ++accurate.refinements;
   }

@@ -20,9 +20,7 @@ MeshLevel level_of(const ClosedValve& closed) {
   level.vertices = static_cast<int>(closed.valve.rest_mm.rows());
   level.status = closed.closure.status;
   level.crossing = closed.closure.crossing;
-  level.orifice_mm2 = closed.measure.orifice.area_mm2;
-  level.gap_mm2 = closed.measure.coaptation.gap_area_mm2;
-  level.leak_mm2 = leak_mm2(closed.measure);
+  level.leak_mm2 = closed.measure.leak.area_mm2;
   return level;
 }
 

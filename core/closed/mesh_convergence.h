@@ -30,7 +30,7 @@ struct MeshLevel {
   int triangles = 0, vertices = 0;
   ClosureStatus status = ClosureStatus::Converged;
   bool crossing = false;
-  double orifice_mm2 = 0.0, gap_mm2 = 0.0, leak_mm2 = 0.0;  ///< NaN if it flew apart
+  double leak_mm2 = 0.0;  ///< NaN if it flew apart
   /// Of the leak since the mesh before; NaN for the first.
   double change_mm2 = std::numeric_limits<double>::quiet_NaN();
 };

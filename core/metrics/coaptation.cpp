@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/metrics/gap.h"
 #include "core/metrics/leaflet_sides.h"
 #include "core/metrics/quantile.h"
 #include "core/metrics/surface_tree.h"
@@ -200,7 +199,6 @@ Coaptation measure_coaptation(const Valve& valve, const Points& closed_mm,
     coaptation.height_mean_mm += section.height_mm / static_cast<double>(count);
     coaptation.distance_max_mm = std::max(coaptation.distance_max_mm, section.distance_mm);
   }
-  coaptation.gap_area_mm2 = measure_gap(valve, closed_mm).area_mm2;
   coaptation.height_min_mm = quantile(heights, 0.0);
   coaptation.height_p10_mm = quantile(heights, 0.1);
   return coaptation;

@@ -44,10 +44,7 @@ std::vector<CoaptationSection> fine_coaptation_sections(const Valve& valve,
 struct Coaptation {
   std::array<CoaptationSection, 9> sections;
   double height_min_mm = 0.0, height_mean_mm = 0.0, height_p10_mm = 0.0;
-  double distance_max_mm = 0.0;  ///< the widest of the sections' smallest distances: hidden gaps
-  /// Opening between the sides in three dimensions (gap.h). A prolapsing leaflet that overlaps the
-  /// other in the atrial view leaks here and not in the orifice. Not of the nine sections.
-  double gap_area_mm2 = 0.0;
+  double distance_max_mm = 0.0;  ///< the widest of the sections' smallest distances
 };
 
 /// Nine sections, at 0.1 to 0.9. A height's and a distance's tenth percentile and extremes are over

@@ -55,11 +55,11 @@ class LineSearch {
   LineSearch(const SideNet& net, const SurfaceTree& other, double thickness_mm)
       : net_(net), other_(other), thickness_mm_(thickness_mm), nodes_(net.nodes_mm.size()) {}
 
-  Gap run() {
+  double run() {
     for (const int start : ends(false)) queue_.push({0.0, 0.0, start, -1, true});
     for (const int goal : ends(true)) node(goal).is_goal = true;
     while (true) {
-      if (queue_.empty() && !bridge()) return {kUnreached, {}};
+      if (queue_.empty() && !bridge()) return kUnreached;
       const Step step = queue_.top();
       queue_.pop();
       Node& to = node(step.to);
@@ -71,8 +71,7 @@ class LineSearch {
       look_across(step.to, step.from);
       to.is_settled = true;
       to.area_mm2 = step.area_mm2;
-      to.from = step.from;
-      if (to.is_goal) return line_to(step.to);
+      if (to.is_goal) return to.area_mm2;
       leave(step.to);
     }
   }
@@ -81,7 +80,6 @@ class LineSearch {
   struct Node {
     std::optional<TreePoint> across;
     double area_mm2 = kUnreached;  // of the best way known
-    int from = -1;
     bool is_settled = false, is_goal = false;
   };
 
@@ -152,14 +150,6 @@ class LineSearch {
     return !queue_.empty();
   }
 
-  Gap line_to(int end) {
-    Gap gap{node(end).area_mm2, {}};
-    for (int i = end; i >= 0; i = node(i).from)
-      gap.places.push_back({place(i), node(i).across->point_mm, std::max(0.0, width(i))});
-    std::reverse(gap.places.begin(), gap.places.end());
-    return gap;
-  }
-
   const SideNet& net_;
   const SurfaceTree& other_;
   double thickness_mm_;
@@ -169,11 +159,11 @@ class LineSearch {
 
 }  // namespace
 
-Gap measure_gap(const Valve& valve, const Points& closed_mm) {
+double gap_mm2(const Valve& valve, const Points& closed_mm) {
   const std::vector<Leaflet> sides = leaflet_sides(valve);
   const SideNet net = make_side_net(valve, closed_mm, sides, Leaflet::Anterior);
   const SurfaceTree posterior = surface_of(valve, closed_mm, sides, Leaflet::Posterior);
-  if (net.faces.empty() || posterior.faces().rows() == 0) return {kUnreached, {}};
+  if (net.faces.empty() || posterior.faces().rows() == 0) return kUnreached;
   return LineSearch(net, posterior, valve.tissue.thickness_mm).run();
 }
 

@@ -81,6 +81,17 @@ double excess_mm2(const CutBand& band, std::size_t i) {
   return kAskew * side * askew * rim_mm;
 }
 
+/// Moves what runs on into the tissue out to its face.
+void draw_back(OpeningSurface& surface, const SurfaceTree& leaflets, double half_thickness_mm) {
+  for (auto point : surface.points_mm.rowwise()) {
+    const Vec3 at = point.transpose();
+    const TreePoint nearest = leaflets.nearest(at, half_thickness_mm);
+    if (nearest.face < 0 || nearest.distance_mm <= 0.0) continue;
+    point = (nearest.point_mm + half_thickness_mm / nearest.distance_mm * (at - nearest.point_mm))
+                .transpose();
+  }
+}
+
 LeakOpening describe(const std::vector<int>& opening, const CutBand& band,
                      const AnnulusFrame& frame, const Valve& valve, const SurfaceTree& leaflets) {
   LeakOpening described;
@@ -107,6 +118,10 @@ LeakOpening describe(const std::vector<int>& opening, const CutBand& band,
   described.normal =
       (frame.x * normal.x() + frame.y * normal.y() + frame.normal * normal.z()).normalized();
   described.width_mm = std::max(0.0, 2.0 * widest_mm - valve.tissue.thickness_mm);
+  described.surface = opening_surface(band, opening);
+  draw_back(described.surface, leaflets, 0.5 * valve.tissue.thickness_mm);
+  for (auto point : described.surface.points_mm.rowwise())
+    point = out_of_frame(frame, point.transpose()).transpose();
   int all = 0;
   for (const auto& [segment, count] : rim) all += count;
   std::vector<std::pair<int, Segment>> longest;
@@ -120,9 +135,12 @@ LeakOpening describe(const std::vector<int>& opening, const CutBand& band,
 }  // namespace
 
 Leak measure_leak(const Valve& valve, const Points& points_mm) {
-  if (!points_mm.allFinite()) return {};
   const AnnulusFrame frame = annulus_frame(valve, AnnulusAxis::Commissures);
-  const Partition partition = partition_of(valve, points_mm, frame);
+  Points vertices(points_mm.rows(), 3);
+  for (Index v = 0; v < points_mm.rows(); ++v)
+    vertices.row(v) = into_frame(frame, points_mm.row(v).transpose());
+  if (!vertices.allFinite() || vertices.cwiseAbs().maxCoeff() > kMostReach_mm) return {};
+  const Partition partition = partition_of(valve, vertices);
   const VoxelGrid coarse = coarse_grid(partition);
   const AtrialSide side = atrial_side(partition, coarse);
   Leak leak{0.0, 0.0, 0.0, {}};
@@ -134,9 +152,6 @@ Leak measure_leak(const Valve& valve, const Points& points_mm) {
   leak.lower_mm2 = std::max(0.0, band.surface.lower_mm2 - excess);
   leak.upper_mm2 = std::max(0.0, band.surface.upper_mm2 - excess);
   leak.area_mm2 = 0.5 * (leak.lower_mm2 + leak.upper_mm2);
-  Points vertices(points_mm.rows(), 3);
-  for (Index v = 0; v < points_mm.rows(); ++v)
-    vertices.row(v) = into_frame(frame, points_mm.row(v).transpose());
   const SurfaceTree leaflets(vertices, valve.faces);
   for (const std::vector<int>& opening : openings_of(band)) {
     LeakOpening described = describe(opening, band, frame, valve, leaflets);

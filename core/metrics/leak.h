@@ -13,6 +13,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/metrics/opening_surface.h"
 #include "core/valve/valve.h"
 
 namespace coapt {
@@ -24,15 +25,20 @@ struct LeakOpening {
   Vec3 normal = Vec3::UnitZ();  ///< unit, towards the atrium
   std::vector<Segment>
       segments;  ///< of the leaflets around it, the longest part of its rim first; none of a valve that is not mitral
-  double width_mm = 0.0;  ///< of the largest ball that passes
+  double width_mm = 0.0;   ///< of the largest ball that passes
+  OpeningSurface surface;  ///< in the valve's own axes, up to the face of the tissue
 };
 
 struct Leak {
-  double area_mm2 =
-      std::numeric_limits<double>::quiet_NaN();  ///< NaN of points that are not finite
-  double lower_mm2 = 0.0, upper_mm2 = 0.0;       ///< between these it lies on these voxels
-  std::vector<LeakOpening> openings;             ///< largest first
+  /// NaN of points that are not finite, or farther than kMostReach_mm from the annulus: a closure that flew apart.
+  double area_mm2 = std::numeric_limits<double>::quiet_NaN();
+  /// Between these it lies on these voxels.
+  double lower_mm2 = std::numeric_limits<double>::quiet_NaN(),
+         upper_mm2 = std::numeric_limits<double>::quiet_NaN();
+  std::vector<LeakOpening> openings;  ///< largest first
 };
+
+inline constexpr double kMostReach_mm = 200.0;
 
 /// @param points_mm |V| x 3, of a closed or an open valve
 Leak measure_leak(const Valve& valve, const Points& points_mm);

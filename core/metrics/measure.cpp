@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/metrics/area_error.h"
+#include "core/metrics/leak_estimate.h"
 #include "core/metrics/loads.h"
 #include "core/metrics/quantile.h"
 
@@ -16,8 +17,6 @@ constexpr double kStrainQuantile = 0.99;  // leaves out the few faces that a coa
 /// Of a closure that flew apart only the annulus can be measured.
 void set_unknown(ValveMeasure& measure) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  measure.orifice.area_mm2 = measure.orifice.area_raw_mm2 = measure.orifice.area_mean_mm2 =
-      kUnknown;
   Coaptation& coaptation = measure.coaptation;
   for (std::size_t i = 0; i < coaptation.sections.size(); ++i) {
     CoaptationSection& section = coaptation.sections[i];
@@ -26,7 +25,7 @@ void set_unknown(ValveMeasure& measure) {
     section.height_mm = section.distance_mm = kUnknown;
   }
   coaptation.height_min_mm = coaptation.height_mean_mm = coaptation.height_p10_mm = kUnknown;
-  coaptation.distance_max_mm = coaptation.gap_area_mm2 = kUnknown;
+  coaptation.distance_max_mm = kUnknown;
   measure.tenting_height_mm = measure.tenting_area_mm2 = kUnknown;
   measure.tension_max_n = measure.tension_sum_n = kUnknown;
   measure.strain_circumferential_max = measure.strain_radial_max = kUnknown;
@@ -38,28 +37,24 @@ bool is_finite(const ClosureResult& closure) {
   return finite;
 }
 
-AreaErrors errors_of(const Valve& valve, const ClosureResult& closure,
-                     const ValveMeasure& measure) {
-  AreaErrors errors;
-  if (!is_mitral(valve) || !trusted(closure)) return errors;
-  const AreaPrecision precision = precision_of(valve, closure);
-  errors.orifice_mm2 = area_error_mm2(measure.orifice.area_mm2, precision);
-  errors.gap_mm2 = area_error_mm2(measure.coaptation.gap_area_mm2, precision);
-  errors.leak_mm2 = area_error_mm2(leak_mm2(measure), precision);
-  return errors;
+Leak leak_of(const Valve& valve, const Points& closed_mm, LeakBy leak_by) {
+  if (leak_by == LeakBy::Surface) return measure_leak(valve, closed_mm);
+  Leak leak;
+  leak.area_mm2 = estimate_leak_mm2(valve, closed_mm);
+  return leak;
 }
 
 }  // namespace
 
-ValveMeasure measure(const Valve& valve, const ClosureResult& closure) {
+ValveMeasure measure(const Valve& valve, const ClosureResult& closure, LeakBy leak_by) {
   ValveMeasure measure;
   measure.annulus = measure_annulus(valve);
   if (!is_finite(closure)) {
     set_unknown(measure);
     return measure;
   }
+  measure.leak = leak_of(valve, closure.closed_mm, leak_by);
   if (is_mitral(valve)) {
-    measure.orifice = measure_orifice(valve, closure);
     measure.coaptation = measure_coaptation(valve, closure.closed_mm);
     const Tenting tenting = measure_tenting(valve, closure.closed_mm);
     measure.tenting_height_mm = tenting.height_mm;
@@ -70,8 +65,6 @@ ValveMeasure measure(const Valve& valve, const ClosureResult& closure) {
     }
   } else {
     set_unknown(measure);
-    measure.orifice = measure_orifice(valve, closure);
-    measure.orifice.orifices.clear();  // they are named by mitral segments
     measure.leaflets = measure_leaflets(valve, closure.closed_mm);
   }
 
@@ -86,19 +79,9 @@ ValveMeasure measure(const Valve& valve, const ClosureResult& closure) {
   }
   measure.strain_circumferential_max = quantile(std::move(circumferential), kStrainQuantile);
   measure.strain_radial_max = quantile(std::move(radial), kStrainQuantile);
-  measure.error = errors_of(valve, closure, measure);
+  if (is_mitral(valve) && trusted(closure))
+    measure.leak_error_mm2 = area_error_mm2(measure.leak.area_mm2, precision_of(valve, closure));
   return measure;
-}
-
-double leak_mm2(const ValveMeasure& measure) {
-  if (!measure.leaflets.empty()) return measure.orifice.area_mm2;
-  return leak_mm2(measure.orifice.area_mm2, measure.coaptation.gap_area_mm2);
-}
-
-double leak_mm2(double orifice_mm2, double gap_mm2) {
-  if (std::isnan(orifice_mm2) || std::isnan(gap_mm2))
-    return std::numeric_limits<double>::quiet_NaN();
-  return std::max(orifice_mm2, gap_mm2);
 }
 
 }  // namespace coapt

@@ -45,10 +45,10 @@ void join(const Valve& valve, Partition& partition) {
 
 }  // namespace
 
-Partition partition_of(const Valve& valve, const Points& points_mm, const AnnulusFrame& frame) {
+Partition partition_of(const Valve& valve, const Points& points_mm) {
   Partition partition;
   partition.half_thickness_mm = 0.5 * valve.tissue.thickness_mm;
-  const auto at = [&](int vertex) { return into_frame(frame, points_mm.row(vertex).transpose()); };
+  const auto at = [&](int vertex) { return Vec3(points_mm.row(vertex).transpose()); };
   for (Index f = 0; f < valve.faces.rows(); ++f)
     partition.leaflets.push_back(
         {at(valve.faces(f, 0)), at(valve.faces(f, 1)), at(valve.faces(f, 2))});

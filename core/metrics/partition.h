@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/valve/annulus_frame.h"
+#include "core/valve/valve.h"
 
 namespace coapt {
 
@@ -19,8 +19,8 @@ struct Partition {
   double half_thickness_mm = 0.0;
 };
 
-/// In the axes of the frame. The strip and the wall run outwards from the annulus, along its plane.
-/// @param points_mm |V| x 3, finite
-Partition partition_of(const Valve& valve, const Points& points_mm, const AnnulusFrame& frame);
+/// The strip and the wall run outwards from the annulus, along its plane.
+/// @param points_mm |V| x 3, finite, in the annulus's axes (into_frame())
+Partition partition_of(const Valve& valve, const Points& points_mm);
 
 }  // namespace coapt

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "core/closure/prepared_valve.h"
-#include "core/metrics/exact_orifice.h"
-#include "core/metrics/leak.h"
+#include "core/metrics/annulus.h"
+#include "core/metrics/orifice.h"
 #include "core/opened/flow_load.h"
-#include "core/opened/funnel.h"
 #include "core/valve/number_text.h"
 
 namespace coapt {
@@ -29,26 +27,20 @@ constexpr double kSettled = 0.005;    // of the jet's area, between two shapes
 constexpr int kMostShapes = 12;
 constexpr double kMixed = 0.5;  // of a new load; all of it swings
 
-/// @param passage nothing where the closure is not to be trusted, or ties stand on the funnel's axis
-OpeningMeasure measured(const Valve& valve, const ClosureResult& closure,
-                        const std::optional<FunnelPassage>& passage, OpeningMeasure measure) {
+/// Adds areas and gradients to what is known of the flow.
+void measure_opening(OpenedValve& opened) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  measure.annulus_area_mm2 = measure_annulus(valve).area_mm2;
-  measure.opening_area_mm2 = measure.passage_depth_mm = measure.tilt_deg = kUnknown;
-  measure.projected_area_mm2 = measure.gradient_mmhg = measure.gradient_exercise_mmhg = kUnknown;
-  if (!trusted(closure)) return measure;
-  measure.opening_area_mm2 = measure_leak(valve, closure.closed_mm).area_mm2;
-  measure.projected_area_mm2 =
-      exact_orifice(valve, closure.closed_mm, 0.5 * valve.tissue.thickness_mm).area_mm2;
-  if (passage) {
-    measure.passage_depth_mm = passage->depth_mm;
-    const double cosine = -passage->axis.dot(annulus_frame(valve, AnnulusAxis::Commissures).normal);
-    measure.tilt_deg = std::acos(std::min(1.0, cosine)) * 180.0 / std::numbers::pi;
+  OpeningMeasure& measure = opened.measure;
+  measure.annulus_area_mm2 = measure_annulus(opened.valve).area_mm2;
+  measure.projected_area_mm2 = kUnknown;
+  if (trusted(opened.closure)) {
+    opened.leak = measure_leak(opened.valve, opened.closure.closed_mm);
+    measure.projected_area_mm2 = orifice_mm2(opened.valve, opened.closure.closed_mm);
   }
+  measure.opening_area_mm2 = opened.leak.area_mm2;
   measure.gradient_mmhg = gorlin_mmhg(measure.opening_area_mm2, measure.flow_ml_s);
   measure.gradient_exercise_mmhg =
       gorlin_mmhg(measure.opening_area_mm2, measure.flow_exercise_ml_s);
-  return measure;
 }
 
 /// Of the heart over a human's, at most 1.
@@ -137,12 +129,9 @@ Expected<OpenedValve> open_valve(const Valve& valve, const OpeningOptions& optio
   ClosureResult closure = rest_in_flow(kPeakOverMean * measure.flow_ml_s, options, *open);
   measure.pressure_mmhg = -open->pressure_kpa / kKpaPerMmhg;
   measure.tied_n = std::accumulate(closure.tie_tension_n.begin(), closure.tie_tension_n.end(), 0.0);
-  std::optional<FunnelPassage> passage;
-  if (trusted(closure) && open->ties.empty()) passage = narrowest_passage(*open, closure.closed_mm);
-  measure = measured(*open, closure, passage, measure);
-  std::vector<Vec3> outline_mm;
-  if (passage) outline_mm = std::move(passage->outline_mm);
-  return OpenedValve{*std::move(open), std::move(closure), measure, std::move(outline_mm)};
+  OpenedValve opened{*std::move(open), std::move(closure), measure, {}};
+  measure_opening(opened);
+  return opened;
 }
 
 }  // namespace coapt

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/closure/closure.h"
+#include "core/metrics/leak.h"
 #include "core/opened/diastole.h"
 #include "core/valve/problem_list.h"
 
@@ -37,10 +38,7 @@ struct OpeningOptions {
 };
 
 struct OpeningMeasure {
-  double opening_area_mm2 = 0.0;  ///< the least surface (core/metrics/leak.h)
-  double passage_depth_mm =
-      0.0;  ///< of the narrowest plane (funnel.h), below the annulus's centroid along the funnel's axis; NaN behind ties
-  double tilt_deg = 0.0;  ///< of that axis from the annular plane's normal; NaN behind ties
+  double opening_area_mm2 = 0.0;    ///< the least surface (core/metrics/leak.h)
   double projected_area_mm2 = 0.0;  ///< open in the atrial view, leaflets with their half thickness
   double annulus_area_mm2 = 0.0;    ///< in diastole, projected on its plane
   double gradient_mmhg = 0.0, gradient_exercise_mmhg = 0.0;  ///< mean
@@ -49,13 +47,13 @@ struct OpeningMeasure {
   double tied_n = 0.0;         ///< sum of what ties bear
 };
 
-/// Areas are NaN where `closure` did not converge uncrossed; there, and behind ties, is no passage.
+/// Areas are NaN where `closure` did not converge uncrossed.
 struct OpenedValve {
   Valve valve;  ///< in diastole; its pressure is negative: from the atrium
   ClosureResult
       closure;  ///< its end is the open state; steps and motion are of all on the way to it
   OpeningMeasure measure;
-  std::vector<Vec3> passage_mm;  ///< outline of the narrowest passage (FunnelPassage::outline_mm)
+  Leak leak;  ///< that of opening_area_mm2, with its openings: two behind a clip
 };
 
 /// Errors: ranges of the options by pointer, or what in_diastole() says. @pre the valve is valid and mitral.

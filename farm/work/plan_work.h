@@ -15,7 +15,7 @@ namespace coapt {
 
 /// What one search leaves. Packed: of each, a 64-bit length and the bytes.
 struct PlanAnswer {
-  std::string plans;     ///< coapt.plans/1, "seconds" null, "reproduce" without a command
+  std::string plans;     ///< coapt.plans/2, "seconds" null, "reproduce" without a command
   std::string material;  ///< of its report (io/picture/report_material.h)
   std::string tried;     ///< every plan tried (io/picture/search_csv.h)
 };

@@ -75,7 +75,7 @@ std::string write_measurements_csv(const ClosedValve& exported) {
             "the furthest point of the leaflets from a surface through the annulus");
   add_coaptation(measure.coaptation, table);
   table.add(
-      "Regurgitant orifice area", measure.orifice.area_mm2, "mm*mm",
+      "Regurgitant orifice area", measure.leak.area_mm2, "mm*mm",
       "anatomic, as the atrial view shows it, leaflets with their half thickness; not an EROA");
   return std::move(table).take();
 }

@@ -14,7 +14,11 @@ ClosedValve in_patient_frame(const ClosedValve& closed) {
   for (Points& sample_mm : placed.closure.samples_mm) place(sample_mm);
   for (Points& state_mm : placed.closure.motion_mm) place(state_mm);
   for (Points& ends_mm : placed.closure.branch_points_mm) place(ends_mm);
-  for (Orifice& orifice : placed.measure.orifice.orifices) place(orifice.centroid_mm);
+  for (LeakOpening& opening : placed.measure.leak.openings) {
+    place(opening.centroid_mm);
+    place(opening.surface.points_mm);
+    opening.normal = frame.axes * opening.normal;
+  }
   for (CoaptationSection& section : placed.measure.coaptation.sections)
     for (Vec3& nearest_mm : section.nearest_mm) place(nearest_mm);
   if (placed.repair.annulus_before_mm.rows() > 0) place(placed.repair.annulus_before_mm);

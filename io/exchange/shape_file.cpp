@@ -123,7 +123,7 @@ Expected<LeafletMesh> read_grid(Expected<VtuGrid> grid, const ShapeFileOptions& 
 
 bool is_scene(const Json& document) {
   return document.is_object() && document.contains("schema") &&
-         document["schema"] == "coapt.scene/1";
+         (document["schema"] == "coapt.scene/2" || document["schema"] == "coapt.scene/1");
 }
 
 /// A member that is a flat list of rows of three numbers.
@@ -180,7 +180,7 @@ Expected<LeafletMesh> read_scene_shape(std::string_view text) {
   const Expected<Json> document = parse_json(text);
   if (!document) return document.errors();
   if (!is_scene(*document))
-    return Error{ErrorCode::Unsupported, "/schema", "must be coapt.scene/1"};
+    return Error{ErrorCode::Unsupported, "/schema", "must be coapt.scene/2"};
   ProblemList problems;
   const std::vector<double> closed = triples(*document, "closed_mm", problems);
   const std::vector<double> corners = triples(*document, "faces", problems);

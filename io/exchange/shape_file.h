@@ -28,7 +28,7 @@ Expected<LeafletMesh> read_shape(std::string_view bytes, std::string_view format
 /// Whether a JSON document says that it is one; what is no JSON is none.
 bool is_scene_text(std::string_view text);
 
-/// The closed state of a coapt.scene/1 document.
+/// The closed state of a coapt.scene/2 (or /1) document.
 Expected<LeafletMesh> read_scene_shape(std::string_view text);
 
 /// The closed leaflets, anterior and posterior.

@@ -100,7 +100,8 @@ Json compared_json(const ComparedPlan& plan, int rank, bool hide_figures) {
 
 PlanCase read_plan_case(const JsonPlace& place) {
   PlanCase read;
-  read_one(place, "schema", [](const JsonPlace& at) { read_schema(at, "coapt.plans/1"); });
+  read_one(place, "schema",
+           [](const JsonPlace& at) { read_schema(at, "coapt.plans/2", "coapt.plans/1"); });
   read_one(place, "plans",
            [&](const JsonPlace& at) { read.plans = read_list(at, read_compared_plan); });
   read_if_there(place, "weights", [&](const JsonPlace& at) {

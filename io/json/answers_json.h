@@ -11,7 +11,7 @@
 
 namespace coapt {
 
-/// The plans of a coapt.plans/1; what else it holds is not looked at. The case has no name yet.
+/// The plans of a coapt.plans/2; what else it holds is not looked at. The case has no name yet.
 Expected<PlanCase> read_plan_case(std::string_view text);
 PlanCase read_plan_case(const JsonPlace& place);
 

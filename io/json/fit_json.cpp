@@ -51,8 +51,9 @@ Json hypotheses_json(const ValveFit& fit) {
 }
 
 Json leak_json(const ValveFit& fit, const MeasuredClosure& measured) {
-  Json leak = {
-      {"before", leak_mm2(fit.before.measure)}, {"fitted", fit.leak.mm2}, {"sd", fit.leak.sd_mm2}};
+  Json leak = {{"before", fit.before.measure.leak.area_mm2},
+               {"fitted", fit.leak.mm2},
+               {"sd", fit.leak.sd_mm2}};
   if (measured.leak_mm2) {
     leak["given"] = *measured.leak_mm2;
     leak["given_sd"] = measured.leak_sd_mm2;

@@ -182,9 +182,9 @@ Points read_points(const JsonPlace& place) {
   return points;
 }
 
-void read_schema(const JsonPlace& place, std::string_view schema) {
+void read_schema(const JsonPlace& place, std::string_view schema, std::string_view earlier) {
   const std::string found = read_string(place);
-  if (!place.value.is_string() || found == schema) return;
+  if (!place.value.is_string() || found == schema || (!earlier.empty() && found == earlier)) return;
   add_problem(place, ErrorCode::Unsupported,
               "is " + described(place.value) + ", must be \"" + std::string(schema) + "\"");
 }

@@ -93,7 +93,7 @@ Vec3 read_vector(const JsonPlace& place);
 std::array<int, 3> read_indices(const JsonPlace& place);
 Points read_points(const JsonPlace& place);
 /// Unsupported unless the string at `place` is `schema`.
-void read_schema(const JsonPlace& place, std::string_view schema);
+void read_schema(const JsonPlace& place, std::string_view schema, std::string_view earlier = {});
 
 /// The index of the string at `place` among `names`; BadReference and none if it is not there.
 std::optional<std::size_t> read_choice(const JsonPlace& place,

@@ -7,37 +7,35 @@
 namespace coapt {
 namespace {
 
-Json area_json(const ModelUncertainty& area) {
+Json leak_json(const ModelUncertainty& leak) {
   Json parameters = Json::array();
-  for (std::size_t i = 0; i < area.decided_by.total.size(); ++i) {
+  for (std::size_t i = 0; i < leak.decided_by.total.size(); ++i) {
     const ModelParameter& parameter = model_parameters()[i];
     parameters.push_back({{"name", parameter.name},
                           {"lower", parameter.lower},
                           {"upper", parameter.upper},
-                          {"first", area.decided_by.first[i]},
-                          {"total", area.decided_by.total[i]},
-                          {"effect_mm2", area.decided_by.effect[i]}});
+                          {"first", leak.decided_by.first[i]},
+                          {"total", leak.decided_by.total[i]},
+                          {"effect_mm2", leak.decided_by.effect[i]}});
   }
-  return {{"name", area.name},
-          {"as_it_is_mm2", area.as_it_is_mm2},
-          {"mean_mm2", area.mean_mm2},
-          {"sd_mm2", area.sd_mm2},
-          {"p5_mm2", area.p5_mm2},
-          {"p95_mm2", area.p95_mm2},
-          {"predicted_share", area.decided_by.predicted_share},
+  return {{"as_it_is_mm2", leak.as_it_is_mm2},
+          {"mean_mm2", leak.mean_mm2},
+          {"sd_mm2", leak.sd_mm2},
+          {"p5_mm2", leak.p5_mm2},
+          {"p95_mm2", leak.p95_mm2},
+          {"predicted_share", leak.decided_by.predicted_share},
           {"parameters", std::move(parameters)}};
 }
 
 }  // namespace
 
 Json to_json(const ModelStudy& study, const std::string& valve_name) {
-  return result_document("coapt.model_study/1",
-                         {{"valve", valve_name},
-                          {"status", to_string(study.as_it_is.status)},
-                          {"crossing", study.as_it_is.crossing},
-                          {"draws", study.draws.size()},
-                          {"untrusted", study.untrusted},
-                          {"areas", {area_json(study.leak), area_json(study.orifice)}}});
+  return result_document("coapt.model_study/2", {{"valve", valve_name},
+                                                 {"status", to_string(study.as_it_is.status)},
+                                                 {"crossing", study.as_it_is.crossing},
+                                                 {"draws", study.draws.size()},
+                                                 {"untrusted", study.untrusted},
+                                                 {"leak", leak_json(study.leak)}});
 }
 
 }  // namespace coapt

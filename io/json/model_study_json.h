@@ -8,7 +8,7 @@
 
 namespace coapt {
 
-/// coapt.model_study/1: "areas" has leak and orifice, each with its "parameters". What is not known is
+/// coapt.model_study/2: "leak" over the draws, with its "parameters". What is not known is
 /// null.
 Json to_json(const ModelStudy& study, const std::string& valve_name);
 

@@ -1,5 +1,7 @@
 #include "io/json/opening_json.h"
 
+#include <limits>
+
 #include "io/json/result_json.h"
 #include "io/json/version.h"
 
@@ -10,8 +12,7 @@ Json opening_figures_json(const OpenedValve& opened, double seconds) {
   return {{"status", to_string(opened.closure.status)},
           {"crossing", opened.closure.crossing},
           {"opening_area_mm2", measure.opening_area_mm2},
-          {"passage_depth_mm", measure.passage_depth_mm},
-          {"funnel_tilt_deg", measure.tilt_deg},
+          {"leak", to_json(opened.leak, std::numeric_limits<double>::quiet_NaN())},
           {"projected_area_mm2", measure.projected_area_mm2},
           {"annulus_area_mm2", measure.annulus_area_mm2},
           {"gradient_mmhg", measure.gradient_mmhg},
@@ -28,7 +29,7 @@ Json opening_figures_json(const OpenedValve& opened, double seconds) {
 }
 
 Json opening_to_json(const OpenedValve& opened, double seconds) {
-  Json json = result_document("coapt.opening/1", {{"name", opened.valve.name}});
+  Json json = result_document("coapt.opening/2", {{"name", opened.valve.name}});
   json.update(opening_figures_json(opened, seconds));
   return json;
 }

@@ -6,7 +6,7 @@
 
 namespace coapt {
 
-/// coapt.opening/1. Keys that scripts rely on: status, crossing, opening_area_mm2, projected_area_mm2, gradient_mmhg; null where the
+/// coapt.opening/2. Keys that scripts rely on: status, crossing, opening_area_mm2, projected_area_mm2, gradient_mmhg; null where the
 /// valve did not come to rest.
 Json opening_to_json(const OpenedValve& opened, double seconds);
 

@@ -10,7 +10,7 @@
 namespace coapt {
 
 /// The plans of a document, in its order, at least one: a plan (coapt.plan/1), a kept plan of the service, or a list
-/// under "plans" (ranked plans, coapt.plans/1; the file of the page) or "kept_plans". Named as there, else
+/// under "plans" (ranked plans, coapt.plans/2; the file of the page) or "kept_plans". Named as there, else
 /// "plan 1" and so on; a plan by itself has no name. Lists every problem of form and range.
 Expected<std::vector<NamedPlan>> read_plans(std::string_view text);
 

@@ -36,7 +36,7 @@ Json list_of(const std::vector<T>& entries, Write write) {
   return list;
 }
 
-Json statistics_json(const OrificeStatistics& s) {
+Json statistics_json(const LeakStatistics& s) {
   return {{"nominal", s.nominal},   {"mean", s.mean},        {"sd", s.sd},
           {"worst", s.worst},       {"p95", s.p95},          {"below_5", s.below_5},
           {"below_10", s.below_10}, {"below_20", s.below_20}};
@@ -86,9 +86,7 @@ Json fine_json(const RankedPlan& ranked, const FineMesh& mesh) {
   return {{"triangles", mesh.triangles},
           {"status", to_string(ranked.fine->status)},
           {"crossing", ranked.fine->crossing},
-          {"orifice_area_mm2", ranked.fine->orifice_mm2},
-          {"gap_area_mm2", ranked.fine->gap_mm2},
-          {"leak_mm2", leak_mm2(*ranked.fine)},
+          {"leak_mm2", ranked.fine->leak_mm2},
           {"leak_mm2_error", ranked.fine_leak_error_mm2},
           {"cost", ranked.cost + ranked.fine_cost_change},
           {"own_mesh_rank", ranked.own_mesh_rank > 0 ? Json(ranked.own_mesh_rank) : Json()}};
@@ -97,7 +95,7 @@ Json fine_json(const RankedPlan& ranked, const FineMesh& mesh) {
 Json fine_mesh_json(const FineMesh& mesh) {
   return {{"levels", mesh.levels},
           {"triangles", mesh.triangles > 0 ? Json(mesh.triangles) : Json()},
-          {"leak_before_mm2", mesh.before ? Json(leak_mm2(*mesh.before)) : Json()},
+          {"leak_before_mm2", mesh.before ? Json(mesh.before->leak_mm2) : Json()},
           {"closures", mesh.closures}};
 }
 
@@ -151,7 +149,6 @@ Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   if (!ranked.name.empty()) json["name"] = ranked.name;
   json.update({{"plan", to_json(ranked.plan)},
                {"description", ranked.description},
-               {"orifice_area_mm2", statistics_json(region.orifice_area_mm2)},
                {"leak_mm2", statistics_json(region.leak_mm2)},
                {"cost", ranked.cost},
                {"cost_terms", terms_json(ranked.terms)},
@@ -228,7 +225,7 @@ Json to_json(const StartCheck& starts) {
 
 Json to_json(const SearchResult& result) {
   return result_document(
-      "coapt.plans/1",
+      "coapt.plans/2",
       {{"before", before_json(result)},
        {"any_competent", result.any_competent},
        {"plans",

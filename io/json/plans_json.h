@@ -16,7 +16,7 @@ struct SearchRequest {
   std::string command;     ///< for a shell; empty if there was none
 };
 
-/// coapt.plans/1: before, plans[], how the search went. What is not known (mean and sd of a plan that was
+/// coapt.plans/2: before, plans[], how the search went. What is not known (mean and sd of a plan that was
 /// closed only once, a margin without neighbours, measures of a valve that flew apart) is null.
 Json to_json(const SearchResult& result);
 

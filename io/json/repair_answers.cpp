@@ -89,8 +89,9 @@ Json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
 
 Json scene_answer(const RepairRequest& asked, const ClosureResult& closure, int frames,
                   double seconds) {
-  Json scene = scene_to_json({asked.repaired, closure, asked.plan, frames});
-  scene["closure"] = closure_answer(asked, closure, seconds);
+  const ValveMeasure measured = measure(asked.repaired, closure);
+  Json scene = scene_to_json({asked.repaired, closure, measured.leak, asked.plan, frames});
+  scene["closure"] = closure_answer(asked, closure, measured, seconds);
   return scene;
 }
 

@@ -29,16 +29,16 @@ std::vector<JsonField> opening_fields(OpeningOptions& options);
 /// Field "frames": 0 to kMostFrames.
 JsonField frames_field(int& frames);
 
-/// coapt.closure/1, with the warnings of the operation. `measured`: measure(asked.repaired, closure)
+/// coapt.closure/2, with the warnings of the operation. `measured`: measure(asked.repaired, closure)
 Json closure_answer(const RepairRequest& asked, const ClosureResult& closure, double seconds);
 Json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
                     const ValveMeasure& measured, double seconds);
 
-/// coapt.scene/1, with that as "closure".
+/// coapt.scene/2, with that as "closure".
 Json scene_answer(const RepairRequest& asked, const ClosureResult& closure, int frames,
                   double seconds);
 
-/// coapt.opening/1, with the warnings of the operation and "scene".
+/// coapt.opening/2, with the warnings of the operation and "scene".
 Json opening_answer(const RepairRequest& asked, const OpenedValve& opened, int frames,
                     double seconds);
 

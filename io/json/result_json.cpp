@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "io/json/version.h"
 
@@ -47,19 +48,25 @@ const char* name_of(ErrorCode code) {
   return "";
 }
 
-Json orifices_json(const std::vector<Orifice>& orifices) {
+/// To a hundredth.
+Json rounded_json(const Vec3& v) {
   Json list = Json::array();
-  for (const Orifice& orifice : orifices) {
-    const Vec3& centroid = orifice.centroid_mm;
-    list.push_back({{"area_mm2", orifice.area_mm2},
-                    {"centroid_mm", {centroid.x(), centroid.y(), centroid.z()}},
-                    {"segment", to_string(orifice.segment)}});
-  }
+  for (const double coordinate : v) list.push_back(std::round(100.0 * coordinate) / 100.0);
   return list;
 }
 
-Json coaptation_json(const ValveMeasure& measure) {
-  const Coaptation& coaptation = measure.coaptation;
+Json opening_json(const LeakOpening& opening) {
+  Json segments = Json::array(), outline = Json::array();
+  for (const Segment segment : opening.segments) segments.push_back(to_string(segment));
+  for (const int vertex : opening.surface.outline)
+    outline.push_back(rounded_json(opening.surface.points_mm.row(vertex).transpose()));
+  return {
+      {"area_mm2", opening.area_mm2},           {"centroid_mm", rounded_json(opening.centroid_mm)},
+      {"normal", rounded_json(opening.normal)}, {"segments", std::move(segments)},
+      {"width_mm", opening.width_mm},           {"outline_mm", std::move(outline)}};
+}
+
+Json coaptation_json(const Coaptation& coaptation) {
   Json sections = Json::array();
   for (const CoaptationSection& section : coaptation.sections) {
     sections.push_back({{"along", section.along},
@@ -71,8 +78,6 @@ Json coaptation_json(const ValveMeasure& measure) {
           {"height_mean_mm", coaptation.height_mean_mm},
           {"height_p10_mm", coaptation.height_p10_mm},
           {"distance_max_mm", coaptation.distance_max_mm},
-          {"gap_area_mm2", coaptation.gap_area_mm2},
-          {"gap_area_mm2_error", measure.error.gap_mm2},
           {"sections", std::move(sections)}};
 }
 
@@ -110,9 +115,7 @@ const std::vector<std::string>& not_modelled() {
       "Filling: relaxation and stiffness of the ventricle, and how its flow meets sutures.",
       "The ventricle: annulus and papillary tips do not move while the valve closes.",
       "Tissue that differs from place to place, calcification, clefts that are not in the valve "
-      "file, sutures that tear, healing and growth.",
-      "Gaps that tissue hides when seen from the atrium; the coaptation heights and distances are "
-      "three-dimensional and show them."};
+      "file, sutures that tear, healing and growth."};
   return kSentences;
 }
 
@@ -138,16 +141,20 @@ Errors errors_from_json(const Json& list) {
   return errors;
 }
 
+Json to_json(const Leak& leak, double error_mm2) {
+  Json openings = Json::array();
+  for (const LeakOpening& opening : leak.openings) openings.push_back(opening_json(opening));
+  return {
+      {"area_mm2", leak.area_mm2},
+      {"error_mm2", std::isfinite(error_mm2) ? Json(error_mm2) : Json()},
+      {"between_mm2", std::isfinite(leak.area_mm2) ? Json{leak.lower_mm2, leak.upper_mm2} : Json()},
+      {"openings", std::move(openings)}};
+}
+
 Json to_json(const ValveMeasure& measure) {
-  const OrificeMeasure& orifice = measure.orifice;
-  Json json = {{"orifice_area_mm2", orifice.area_mm2},
-               {"orifice_area_mm2_error", measure.error.orifice_mm2},
-               {"orifice_area_raw_mm2", orifice.area_raw_mm2},
-               {"orifice_area_mean_mm2", orifice.area_mean_mm2},
-               {"leak_mm2", leak_mm2(measure)},
-               {"leak_mm2_error", measure.error.leak_mm2},
-               {"orifices", orifices_json(orifice.orifices)},
-               {"coaptation", coaptation_json(measure)},
+  Json json = {{"leak_mm2", measure.leak.area_mm2},
+               {"leak", to_json(measure.leak, measure.leak_error_mm2)},
+               {"coaptation", coaptation_json(measure.coaptation)},
                {"annulus", annulus_json(measure.annulus)},
                {"tenting_height_mm", measure.tenting_height_mm},
                {"tenting_area_mm2", measure.tenting_area_mm2},
@@ -159,13 +166,8 @@ Json to_json(const ValveMeasure& measure) {
   return json;
 }
 
-Json to_json(const ObliqueOrifice& widest) {
-  return {
-      {"max", widest.area_mm2}, {"tilt_deg", widest.tilt_deg}, {"azimuth_deg", widest.azimuth_deg}};
-}
-
 Json to_json(const AccurateClosure& closure, double error_mm2) {
-  return {{"error_mm2", error_mm2},
+  return {{"error_mm2", std::isfinite(error_mm2) ? Json(error_mm2) : Json()},
           {"refinements", closure.refinements},
           {"residual_tolerance", closure.tier.residual_tolerance},
           {"way_tolerance_mm", closure.tier.way_tolerance_mm}};
@@ -178,8 +180,6 @@ Json to_json(const MeshConvergence& convergence, const MeshConvergenceOptions& o
                       {"vertices", level.vertices},
                       {"status", to_string(level.status)},
                       {"crossing", level.crossing},
-                      {"orifice_area_mm2", level.orifice_mm2},
-                      {"gap_area_mm2", level.gap_mm2},
                       {"leak_mm2", level.leak_mm2},
                       {"change_mm2", level.change_mm2}});
   return {{"stop", to_string(convergence.stop)},
@@ -201,7 +201,7 @@ Json closure_to_json(const Valve& valve, const ClosureResult& closure, const Val
                         {"crossing_pairs", attempt.crossing_pairs},
                         {"residual", attempt.residual},
                         {"steps", attempt.steps}});
-  Json json = joined(result_document("coapt.closure/1", {{"valve", valve.name},
+  Json json = joined(result_document("coapt.closure/2", {{"valve", valve.name},
                                                          {"triangles", valve.faces.rows()},
                                                          {"method", to_string(closure.method)},
                                                          {"membrane", to_string(closure.membrane)},

@@ -9,7 +9,6 @@
 #include "core/closed/mesh_convergence.h"
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
-#include "core/metrics/oblique.h"
 #include "io/json/json.h"
 
 namespace coapt {
@@ -22,7 +21,9 @@ Json to_json(const Errors& errors);  ///< [{"code","path","message"}, ...]
 Errors errors_from_json(const Json& list);
 Json to_json(const ValveMeasure& measure);
 
-Json to_json(const ObliqueOrifice& widest);  ///< {"max", "tilt_deg", "azimuth_deg"}
+/// {"area_mm2", "error_mm2", "between_mm2": [lower, upper], "openings": [{"area_mm2", "centroid_mm", "normal", "segments", "width_mm",
+/// "outline_mm"}]}. What is not known is null.
+Json to_json(const Leak& leak, double error_mm2);
 
 /// {"error_mm2", "refinements", "residual_tolerance", "way_tolerance_mm"}: what was asked for, and
 /// how it was kept.
@@ -32,7 +33,7 @@ Json to_json(const AccurateClosure& closure, double error_mm2);
 /// what finer and finer meshes say of a leak. What is not known is null.
 Json to_json(const MeshConvergence& convergence, const MeshConvergenceOptions& options);
 
-/// Keys that scripts rely on: method, membrane, status, crossing, orifice_area_mm2, orifice_area_raw_mm2, residual,
+/// Keys that scripts rely on: method, membrane, status, crossing, leak_mm2, leak, residual,
 /// steps, seconds, triangles; then every measure.
 Json closure_to_json(const Valve& valve, const ClosureResult& closure, const ValveMeasure& measure,
                      double seconds);

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "core/metrics/coaptation.h"
-#include "core/metrics/exact_orifice.h"
-#include "core/metrics/gap.h"
 #include "core/metrics/loads.h"
 #include "core/repair/leaflet_resection.h"
 #include "core/valve/leaflet_coordinates.h"
@@ -112,12 +110,13 @@ Json strains_json(const Valve& valve, const Points& closed_mm) {
           {"radial", list_of(strains, [](const FaceStrain& s) { return fine(s.radial); })}};
 }
 
-Json orifices_json(const Valve& valve, const Points& closed_mm) {
-  return list_of(orifice_outlines(valve, closed_mm, 0.5 * valve.tissue.thickness_mm),
-                 [](const OrificeOutline& outline) -> Json {
-                   return {{"area_mm2", mm(outline.area_mm2)},
-                           {"contours_mm", list_of(outline.contours_mm, flat)}};
-                 });
+Json leak_json(const Leak& leak) {
+  return list_of(leak.openings, [](const LeakOpening& opening) -> Json {
+    return {{"area_mm2", mm(opening.area_mm2)},
+            {"points_mm", flat(opening.surface.points_mm)},
+            {"faces", faces_json(opening.surface.faces)},
+            {"outline", opening.surface.outline}};
+  });
 }
 
 Json sections_json(const Valve& valve, const Points& closed_mm) {
@@ -134,14 +133,6 @@ Json sections_json(const Valve& valve, const Points& closed_mm) {
             {"nearest_mm", std::isfinite(section.distance_mm) ? list_of(section.nearest_mm, point)
                                                               : Json(nullptr)}};
       });
-}
-
-Json gap_json(const Valve& valve, const Points& closed_mm) {
-  return list_of(measure_gap(valve, closed_mm).places, [](const GapPlace& place) -> Json {
-    return {{"anterior_mm", point(place.anterior_mm)},
-            {"posterior_mm", point(place.posterior_mm)},
-            {"width_mm", mm(place.width_mm)}};
-  });
 }
 
 Json sutures_json(const Valve& valve, const RepairPlan& plan) {
@@ -211,7 +202,7 @@ ClosureResult unloaded(const Valve& valve) {
 /// All but what is measured of a closed state.
 Json without_closed_state(const Valve& valve, const RepairPlan& plan,
                           const ClosureResult& closure) {
-  return {{"schema", "coapt.scene/1"},
+  return {{"schema", "coapt.scene/2"},
           {"plane", plane_json(annulus_frame(valve, AnnulusAxis::Commissures))},
           {"thickness_mm", valve.tissue.thickness_mm},
           {"rest_mm", flat(valve.rest_mm)},
@@ -228,8 +219,7 @@ Json without_closed_state(const Valve& valve, const RepairPlan& plan,
           {"ties", ties_json(valve, closure)},
           {"seams", seams_json(valve, plan)},
           {"strain", nullptr},
-          {"orifices", Json::array()},
-          {"gap", Json::array()},
+          {"leak", Json::array()},
           {"sections", Json::array()},
           {"motion_mm", Json::array()}};
 }
@@ -241,29 +231,25 @@ Json unloaded_scene_to_json(const Valve& valve, const RepairPlan& plan) {
 }
 
 Json scene_to_json(const Scene& scene) {
-  const auto& [valve, closure, plan, frames] = scene;
+  const auto& [valve, closure, leak, plan, frames] = scene;
   Json json = without_closed_state(valve, plan, closure);
   json["motion_mm"] = motion_json(closure.motion_mm, frames);
   if (!closure.closed_mm.allFinite()) return json;
   json["closed_mm"] = flat(closure.closed_mm);
   json["strain"] = strains_json(valve, closure.closed_mm);
-  json["orifices"] = orifices_json(valve, closure.closed_mm);
-  json["gap"] = gap_json(valve, closure.closed_mm);
+  json["leak"] = leak_json(leak);
   json["sections"] = sections_json(valve, closure.closed_mm);
   return json;
 }
 
 Json opening_scene_to_json(const OpenedValve& opened, int frames) {
-  const auto& [valve, closure, measure, passage_mm] = opened;
-  Json passage = Json::array();
-  for (const Vec3& at_mm : passage_mm)
-    for (const double coordinate : at_mm) passage.push_back(mm(coordinate));
+  const auto& [valve, closure, measure, leak] = opened;
   return {{"faces", faces_json(valve.faces)},
           {"open_mm", closure.closed_mm.allFinite() ? flat(closure.closed_mm) : nullptr},
           {"annulus_mm", flat(valve.annulus_mm)},
           {"heads", heads_json(valve.heads)},
           {"chordae", chordae_json(valve, closure)},
-          {"passage_mm", std::move(passage)},
+          {"leak", leak_json(leak)},
           {"motion_mm", motion_json(closure.motion_mm, frames)}};
 }
 

@@ -1,4 +1,4 @@
-// Everything that is drawn of a closed valve, in one document (coapt.scene/1), and of an open one.
+// Everything that is drawn of a closed valve, in one document (coapt.scene/2), and of an open one.
 #pragma once
 
 #include "core/opened/opened_valve.h"
@@ -13,6 +13,7 @@ inline constexpr int kMostFrames = 60;  ///< that the service answers with
 struct Scene {
   const Valve& valve;  ///< repaired, if it is
   const ClosureResult& closure;
+  const Leak& leak;        ///< of that closure
   const RepairPlan& plan;  ///< of the repair: its sutures and seams are drawn
   int frames = 0;          ///< of the motion (ClosureResult::motion_mm), at most; 0: none
 };
@@ -25,7 +26,7 @@ Json scene_to_json(const Scene& scene);
 /// What is drawn of a valve that is not closed: all that does not move, and closed_mm null. `plan`: as of a Scene.
 Json unloaded_scene_to_json(const Valve& valve, const RepairPlan& plan);
 
-/// What is drawn of an open valve (coapt.opening/1 names it scene), written alike; `frames` as of a Scene. Of an opening that
+/// What is drawn of an open valve (coapt.opening/2 names it scene), written alike; `frames` as of a Scene. Of an opening that
 /// flew apart there is no open_mm, but null.
 Json opening_scene_to_json(const OpenedValve& opened, int frames);
 

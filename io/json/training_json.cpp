@@ -63,7 +63,7 @@ Json to_json(const ExamACase& made, const Valve& from, const ExamARules& rules) 
   for (std::size_t i = 0; i < kChoices; ++i) {
     const CaseChoice& choice = made.choices[i];
     choices.push_back({{"choice", i + 1},
-                       {"leak_mm2", leak_mm2(choice.closed.measure)},
+                       {"leak_mm2", choice.closed.measure.leak.area_mm2},
                        {"lesions", lesions_json(choice.lesions)},
                        {"half_speed", difference_json(choice.half_speed)}});
     for (std::size_t j = i + 1; j < kChoices; ++j) {
@@ -84,7 +84,7 @@ Json to_json(const ExamBCase& made, const Valve& from, const ExamBRules& rules) 
                     {"flaccid_mm", rules.flaccid_mm}};
   json["chance"] = kChanceB;
   json["flaccid_difference_mm"] = made.flaccid_difference_mm;
-  json["leak_mm2"] = leak_mm2(made.closed.measure);
+  json["leak_mm2"] = made.closed.measure.leak.area_mm2;
   json["lesions"] = lesions_json(made.lesions);
   Json& segments = json["segments"] = Json::array();
   for (const Segment segment : kAllSegments) {

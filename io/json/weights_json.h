@@ -29,7 +29,7 @@ Json to_json(const LearnedWeights& learned, const AnswerCounts& counts);
 /// Without the counts. Errors: a covariance that is none, a learned weight of 0.
 Expected<LearnedWeights> read_learned_weights(std::string_view text);
 
-/// Puts into each plan of a coapt.plans/1 how likely an expert prefers it to the next one (preferred_over_next; null
+/// Puts into each plan of a coapt.plans/2 how likely an expert prefers it to the next one (preferred_over_next; null
 /// for the last), averaged over the posterior.
 void add_preferred_over_next(Json& result, const PreferencePosterior& posterior);
 

@@ -1,4 +1,4 @@
-// Leaflets and orifices are drawn at twice the size and scaled down, because cairo's mesh gradients
+// Leaflets and openings are drawn at twice the size and scaled down, because cairo's mesh gradients
 // have hard edges; lines and words come over them.
 #include "io/picture/atrial_view.h"
 
@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 
-#include "core/metrics/orifice.h"
 #include "io/picture/atrial_names.h"
 #include "io/picture/leaflet_paint.h"
 #include "io/picture/opening_paint.h"
@@ -20,6 +19,8 @@ namespace {
 
 constexpr double kSupersampling = 2.0;          // of the sheet's own pixels
 constexpr Colour kVentricle{0.93, 0.91, 0.91};  // the ventricle, through an open valve
+constexpr double kSeenThrough = 0.5;            // of the leak's colour, through the tissue above it
+constexpr double kOverChordae = 0.25;           // of the opening's
 constexpr Colour kChordaBelow{0.66, 0.59, 0.52};
 
 void trace(const Canvas& canvas, const std::vector<Vec2>& polygon_mm, const Mapping& map) {
@@ -54,14 +55,16 @@ struct Painters {
 };
 
 void draw_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed,
-               const OrificeView& view, const Painters& painters) {
+               const AnnulusFrame& plane, const Painters& painters) {
   const Valve& valve = closed.valve;
-  const std::vector<Vec2> annulus_mm = annulus_polygon(valve, view.plane);
+  const std::vector<Vec2> annulus_mm = annulus_polygon(valve, plane);
+  Eigen::AlignedBox2d extent;
+  for (const Vec2& point : annulus_mm) extent.extend(point);
   const Box& box = frame.box;
   // Before and after side by side have the annulus before at the same place.
   const Vec2 centre_mm = closed.repair.annulus_before_mm.rows() > 0
-                             ? Vec2(extent_before_mm(closed, view.plane).center())
-                             : view.centre_mm;
+                             ? Vec2(extent_before_mm(closed, plane).center())
+                             : Vec2(extent.center());
   const Mapping map{centre_mm, Vec2(box.x + 0.5 * box.width, box.y + 0.5 * box.height),
                     frame.pixels_per_mm};
 
@@ -74,7 +77,7 @@ void draw_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& 
   const Mapping large_map{centre_mm, 0.5 * fine * Vec2(box.width, box.height),
                           fine * frame.pixels_per_mm};
   const std::vector<PaintedFace> faces =
-      painted_faces(valve, closed.closure.closed_mm, view.plane, large_map);
+      painted_faces(valve, closed.closure.closed_mm, plane, large_map);
   cairo_save(large.context.get());
   trace(large, annulus_mm, large_map);
   cairo_clip(large.context.get());
@@ -93,10 +96,10 @@ void draw_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& 
   cairo_paint(cairo);
   cairo_restore(cairo);
 
-  const Vec2 middle_px = map(view.centre_mm);
+  const Vec2 middle_px = map(extent.center());
   draw_annulus(canvas, annulus_mm, map);
   const RepairSheet repair{canvas,
-                           [&](const Vec3& point_mm) { return map(project(view.plane, point_mm)); },
+                           [&](const Vec3& point_mm) { return map(project(plane, point_mm)); },
                            frame.pixels_per_mm};
   cairo_save(cairo);
   cairo_rectangle(cairo, box.x, box.y, box.width, box.height);
@@ -104,8 +107,8 @@ void draw_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& 
   draw_ring(repair, closed);
   cairo_restore(cairo);
   draw_seams(repair, closed);
-  draw_segment_names(canvas, valve, view.plane, map, middle_px);
-  draw_landmarks(canvas, valve, view.plane, map, middle_px);
+  draw_segment_names(canvas, valve, plane, map, middle_px);
+  draw_landmarks(canvas, valve, plane, map, middle_px);
   draw_sutures(repair, closed);
   painters.last(map);
   draw_scale_bar(canvas, frame);
@@ -151,52 +154,37 @@ double atrial_scale(const Box& box, const ClosedValve& closed) {
 
 void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& closed) {
   if (!closed.closure.closed_mm.allFinite()) return draw_unknown(canvas, frame);
-  const OrificeView view =
-      view_orifices(closed.valve, closed.closure.closed_mm, 0.5 * closed.valve.tissue.thickness_mm);
-  const std::vector<GapStrip> gaps = hidden_gaps(closed, view);
-  draw_view(canvas, frame, closed, view,
-            {[](const Canvas&, const Mapping&) {},
-             [&](const Canvas& large, const Mapping& map) {
-               paint_orifices(large, view, map);
-               paint_hidden_gaps(large, gaps, map);
+  const AnnulusFrame plane = annulus_frame(closed.valve, AnnulusAxis::Commissures);
+  const Leak& leak = closed.measure.leak;
+  draw_view(canvas, frame, closed, plane,
+            {[&](const Canvas& large, const Mapping& map) {
+               paint_openings(large, leak, plane, map, 1.0);
              },
-             false, [&](const Mapping& map) { label_openings(canvas, closed, view, gaps, map); }});
+             [&](const Canvas& large, const Mapping& map) {
+               paint_openings(large, leak, plane, map, kSeenThrough);
+               draw_rims_of_openings(large, leak, plane, map);
+             },
+             false, [&](const Mapping& map) { label_openings(canvas, closed, plane, map); }});
 }
 
-void draw_open_atrial_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& open,
-                           const OpenPassage& passage) {
+void draw_open_atrial_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& open) {
   if (!open.closure.closed_mm.allFinite()) return draw_unknown(canvas, frame);
-  const OrificeView view =
-      view_orifices(open.valve, open.closure.closed_mm, 0.5 * open.valve.tissue.thickness_mm);
-  std::vector<Vec2> outline_mm;
-  Vec2 middle_mm = Vec2::Zero();
-  for (const Vec3& point_mm : passage.outline_mm) {
-    outline_mm.push_back(project(view.plane, point_mm));
-    middle_mm += outline_mm.back() / static_cast<double>(passage.outline_mm.size());
-  }
-  cairo_t* cairo = canvas.context.get();
-  draw_view(
-      canvas, frame, open, view,
-      {[&](const Canvas& large, const Mapping& map) {
-         set_colour(large, kVentricle);
-         cairo_paint(large.context.get());
-         paint_chordae(large, open, view.plane, map);
-       },
-       [](const Canvas&, const Mapping&) {}, true,
-       [&](const Mapping& map) {
-         if (outline_mm.empty()) return;
-         for (const auto& [width, colour] :
-              {std::pair(5.0, palette::kPaper), std::pair(2.6, palette::kOrifice)}) {
-           trace(canvas, outline_mm, map);
-           set_colour(canvas, colour);
-           cairo_set_line_width(cairo, width);
-           cairo_stroke(cairo);
-         }
-         const Vec2 at = map(middle_mm);
-         draw_text(canvas, at, passage.words, {20.0, palette::kOrifice, Align::Centre, true, 4.0});
-         draw_text(canvas, at + Vec2(0.0, 20.0), "narrowest passage",
-                   {13.0, palette::kInk, Align::Centre, false, 3.0});
-       }});
+  const AnnulusFrame plane = annulus_frame(open.valve, AnnulusAxis::Commissures);
+  draw_view(canvas, frame, open, plane,
+            {[&](const Canvas& large, const Mapping& map) {
+               set_colour(large, kVentricle);
+               cairo_paint(large.context.get());
+               paint_chordae(large, open, plane, map);
+               paint_openings(large, open.measure.leak, plane, map, kOverChordae);
+             },
+             [](const Canvas&, const Mapping&) {}, true,
+             [&](const Mapping& map) {
+               draw_rims_of_openings(canvas, open.measure.leak, plane, map);
+               for (const LeakOpening& opening : open.measure.leak.openings)
+                 draw_text(canvas, map(project(plane, opening.centroid_mm)),
+                           fixed(0.01 * opening.area_mm2, 1) + " cm²",
+                           {20.0, palette::kOrifice, Align::Centre, true, 4.0});
+             }});
 }
 
 }  // namespace coapt

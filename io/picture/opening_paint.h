@@ -1,30 +1,28 @@
-// Where a closed valve is open, in the atrial view.
+// The leak of a closed valve, and the opening of one in diastole, as the surface that is measured.
 #pragma once
 
 #include "core/closed/closed_valve.h"
-#include "core/metrics/orifice.h"
+#include "core/metrics/section.h"
 #include "io/picture/canvas.h"
 #include "io/picture/leaflet_paint.h"
+#include "io/picture/section_map.h"
 
 namespace coapt {
 
-/// Neighbouring sections without contact, on the plane of the view: the nearest points of both sides.
-struct GapStrip {
-  std::vector<Vec2> anterior, posterior;
-};
+/// Seen from the atrium. @param share of the colour: less shows what lies below
+void paint_openings(const Canvas& canvas, const Leak& leak, const AnnulusFrame& plane,
+                    const Mapping& map, double share);
 
-/// Where the sides are apart and the view hides it.
-std::vector<GapStrip> hidden_gaps(const ClosedValve& closed, const OrificeView& view);
+/// Their rims, over everything.
+void draw_rims_of_openings(const Canvas& canvas, const Leak& leak, const AnnulusFrame& plane,
+                           const Mapping& map);
 
-/// What the view shows open, solid.
-void paint_orifices(const Canvas& canvas, const OrificeView& view, const Mapping& map);
+/// Where a plane meets them.
+void draw_opening_cuts(const Canvas& canvas, const Leak& leak, const SectionPlane& plane,
+                       const SectionMap& map);
 
-/// Seen through the tissue over them.
-void paint_hidden_gaps(const Canvas& canvas, const std::vector<GapStrip>& gaps, const Mapping& map);
-
-/// A pill with its area, led out of each orifice towards the annulus, by turns anterior and posterior; another for the
-/// gap, where it is more than the view shows.
-void label_openings(const Canvas& canvas, const ClosedValve& closed, const OrificeView& view,
-                    const std::vector<GapStrip>& gaps, const Mapping& map);
+/// A pill with its area, led out of each opening towards the annulus, by turns anterior and posterior.
+void label_openings(const Canvas& canvas, const ClosedValve& closed, const AnnulusFrame& plane,
+                    const Mapping& map);
 
 }  // namespace coapt

@@ -23,6 +23,7 @@ std::string cm2(double mm2) { return fixed(0.01 * mm2, 1) + " cm²"; }
 ClosedValve as_drawn(const OpenedValve& opened, const Valve& before, const RepairPlan& plan) {
   ClosedValve drawn{opened.valve, opened.closure, {}};
   drawn.measure.annulus = measure_annulus(opened.valve);
+  drawn.measure.leak = opened.leak;
   const Expected<Valve> open_before = in_diastole(before);
   return open_before ? with_repair(std::move(drawn), *open_before, plan) : drawn;
 }
@@ -42,15 +43,6 @@ void draw_words(const Canvas& canvas, const Vec2& at, const OpenedValve& opened,
             {15.0, palette::kWarning, Align::Left, true}, width);
 }
 
-std::string passage_words(const OpeningMeasure& measure) {
-  if (std::isnan(measure.passage_depth_mm)) return "beside ties no passage is drawn";
-  return "narrowest plane " +
-         (measure.passage_depth_mm > 0.0
-              ? fixed(measure.passage_depth_mm, 0) + " mm below the annulus"
-              : std::string("at the annulus")) +
-         "; funnel tilted by " + fixed(measure.tilt_deg, 0) + "°";
-}
-
 }  // namespace
 
 std::vector<std::string> opening_words(const OpeningMeasure& measure) {
@@ -60,7 +52,6 @@ std::vector<std::string> opening_words(const OpeningMeasure& measure) {
               significant(measure.flow_ml_s, 3) + " ml/s, " +
               fixed(measure.gradient_exercise_mmhg, 1) + " mmHg at " +
               significant(measure.flow_exercise_ml_s, 3) + " ml/s",
-          passage_words(measure),
           "seen from the atrium " + cm2(measure.projected_area_mm2) + "; annulus in diastole " +
               cm2(measure.annulus_area_mm2)};
 }
@@ -85,11 +76,9 @@ std::string opening_picture_png(const OpenedValve& opened, const Valve& before,
   };
   const ClosedValve drawn = as_drawn(opened, before, plan);
   heading(atrial, "From the atrium, in diastole");
-  draw_open_atrial_view(canvas, {atrial, atrial_scale(atrial, drawn)}, drawn,
-                        {opened.passage_mm, cm2(opened.measure.opening_area_mm2)});
+  draw_open_atrial_view(canvas, {atrial, atrial_scale(atrial, drawn)}, drawn);
   heading(section, "Long axis, through the middle of both leaflets");
-  draw_open_section_view(canvas, {section, section_scale(section, drawn)}, drawn,
-                         opened.passage_mm);
+  draw_open_section_view(canvas, {section, section_scale(section, drawn)}, drawn);
   draw_legend(canvas, {atrial.x + 4.0, atrial.y + atrial.height + 4.0}, kWide - 2.0 * kEdge,
               {&drawn});
   draw_words(canvas, {section.x + 4.0, section.y + section.height + 20.0}, opened, section.width);

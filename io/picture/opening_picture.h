@@ -15,7 +15,7 @@ std::vector<std::string> opening_words(const OpeningMeasure& measure);
 /// One line: "Opening 4.5 cm², mean gradient 1.0 mmHg at 155 ml/s in diastole", or what speaks against that.
 std::string opening_line(const OpenedValve& opened);
 
-/// PNG bytes: the open valve from the atrium, with the outline of its narrowest passage, beside a long-axis section. `before`: the
+/// PNG bytes: the open valve from the atrium, with its opening, beside a long-axis section. `before`: the
 /// valve before `plan` repaired it; without steps the valve itself.
 std::string opening_picture_png(const OpenedValve& opened, const Valve& before,
                                 const RepairPlan& plan);

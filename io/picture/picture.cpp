@@ -13,8 +13,7 @@ namespace coapt {
 namespace {
 
 constexpr double kMargin = 32.0;
-constexpr double kDense = 2.0;          // pixels a unit, for print
-constexpr double kCompetent_mm2 = 1.0;  // below it there is no leak to speak of
+constexpr double kDense = 2.0;  // pixels a unit, for print
 
 struct Line {
   std::string text;
@@ -26,26 +25,16 @@ std::vector<Line> caption(const ClosedValve& closed) {
   const Coaptation& coaptation = measure.coaptation;
   const auto touching = std::count_if(coaptation.sections.begin(), coaptation.sections.end(),
                                       [](const CoaptationSection& s) { return s.contact; });
-  const bool gap = coaptation.gap_area_mm2 > kCompetent_mm2;
-  const bool hidden = gap && measure.orifice.area_mm2 < kCompetent_mm2;
   std::vector<Line> lines;
-  const std::string gap_words =
-      ", gap " + with_error(coaptation.gap_area_mm2, measure.error.gap_mm2, "mm²");
-  lines.push_back({"Orifice " +
-                       with_error(measure.orifice.area_mm2, measure.error.orifice_mm2, "mm²") +
-                       (gap ? gap_words : ""),
-                   {24.0, hidden ? palette::kWarning : palette::kInk, Align::Left, true}});
-  lines.push_back({"leaflets with their half thickness; bare mid-surfaces " +
-                       fixed(measure.orifice.area_raw_mm2, 1) + " mm²",
-                   {14.0, palette::kMuted}});
+  lines.push_back({"Leak " + with_error(measure.leak.area_mm2, measure.leak_error_mm2, "mm²"),
+                   {24.0, palette::kInk, Align::Left, true}});
   lines.push_back({"Coaptation height " + fixed(coaptation.height_mean_mm, 1) + " mm mean, " +
                        fixed(coaptation.height_min_mm, 1) + " mm minimum; contact in " +
                        std::to_string(touching) + " of 9 sections",
                    {15.0}});
   if (touching < 9)
-    lines.push_back({"Leaflets up to " + fixed(coaptation.distance_max_mm, 1) + " mm apart" +
-                         (hidden ? ": the gap is hidden from the atrium" : ""),
-                     {15.0, hidden ? palette::kWarning : palette::kInk, Align::Left, hidden}});
+    lines.push_back(
+        {"Leaflets up to " + fixed(coaptation.distance_max_mm, 1) + " mm apart", {15.0}});
   const bool converged = closed.closure.status == ClosureStatus::Converged;
   lines.push_back({std::string("Closure ") + to_string(closed.closure.status) + ", residual " +
                        fixed(closed.closure.residual, 3),

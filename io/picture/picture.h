@@ -7,7 +7,7 @@
 
 namespace coapt {
 
-/// PNG bytes: atrial view with the orifices coloured beside a long-axis section, captioned. `diastole`: a line about the open
+/// PNG bytes: atrial view with the leak coloured beside a long-axis section, captioned. `diastole`: a line about the open
 /// valve (opening_picture.h); empty: none.
 std::string closure_picture_png(const ClosedValve& closed, const std::string& diastole = "");
 

@@ -128,7 +128,7 @@ struct Sign {
                const Vec2& left);  // 28 px wide, about its middle line; or null
 };
 
-const Sign kOrificeSign = {"Blue: leak", nullptr};
+const Sign kLeakSign = {"Blue: leak", nullptr}, kOpeningSign = {"Blue: opening", nullptr};
 const Sign kRingSign = {"annuloplasty ring", [](const Canvas& canvas, const Vec2& left) {
                           draw_band(canvas, 10.0, [&] {
                             cairo_move_to(canvas.context.get(), left.x() + 5.0, left.y());
@@ -161,8 +161,8 @@ std::vector<Sign> signs_of(const std::vector<const ClosedValve*>& valves) {
                        [&](const ClosedValve* closed) { return test(*closed); });
   };
   std::vector<Sign> signs;
-  if (any([](const ClosedValve& c) { return !c.measure.orifice.orifices.empty(); }))
-    signs.push_back(kOrificeSign);
+  if (any([](const ClosedValve& c) { return !c.measure.leak.openings.empty(); }))
+    signs.push_back(valves.front()->valve.pressure_kpa < 0.0 ? kOpeningSign : kLeakSign);
   if (any(has_ring)) signs.insert(signs.end(), {kRingSign, kBeforeSign});
   if (any([](const ClosedValve& c) { return !c.repair.sutures.empty(); }))
     signs.insert(signs.end(), {kSutureSign, kTipSign});

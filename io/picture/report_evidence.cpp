@@ -49,8 +49,7 @@ std::string gates_table(const std::vector<Gate>& gates) {
 
 std::vector<std::string> measures_row(const std::string& name, const ValveMeasure& measure) {
   return {name,
-          with_error(measure.orifice.area_mm2, measure.error.orifice_mm2),
-          with_error(measure.coaptation.gap_area_mm2, measure.error.gap_mm2),
+          with_error(measure.leak.area_mm2, measure.leak_error_mm2),
           fixed(measure.coaptation.height_mean_mm, 1),
           fixed(measure.coaptation.height_min_mm, 1),
           fixed(measure.tenting_height_mm, 1),
@@ -60,13 +59,13 @@ std::vector<std::string> measures_row(const std::string& name, const ValveMeasur
 
 std::string before_and_after(const ValveMeasure& before, const ValveMeasure& after) {
   return "<h4>Before and after, as planned</h4>\n" +
-         table_html({{"Valve", "Orifice, mm²", "Gap, mm²", "Coaptation, mean, mm", "minimum, mm",
-                      "Tenting, mm", "Chordal tension, peak, N", "sum, N"},
+         table_html({{"Valve", "Leak, mm²", "Coaptation, mean, mm", "minimum, mm", "Tenting, mm",
+                      "Chordal tension, peak, N", "sum, N"},
                      measures_row("Before", before),
                      measures_row("After", after)});
 }
 
-std::string independent_words(const OrificeStatistics& leak) {
+std::string independent_words(const LeakStatistics& leak) {
   if (!std::isfinite(leak.mean)) return "";
   return "<p class=\"small\">The map of both muscles gives both the same error. If all that is "
          "done errs by itself "

@@ -108,8 +108,8 @@ std::string pictures(const PlanReport& report, std::size_t index) {
   if (index >= report.after.size()) return "";
   const ClosedValve& after = report.after[index];
   const ValveMeasure &was = report.before.measure, &is = after.measure;
-  const std::string change = "orifice " + with_unit(was.orifice.area_mm2, 1, "mm²") + " before, " +
-                             with_unit(is.orifice.area_mm2, 1, "mm²") + " after";
+  const std::string change = "leak " + with_unit(was.leak.area_mm2, 1, "mm²") + " before, " +
+                             with_unit(is.leak.area_mm2, 1, "mm²") + " after";
   return "<div class=\"atrial\">" +
          picture_html(
              picture_of(report, {ReportPicture::View::AtrialPair, index}),
@@ -160,7 +160,7 @@ std::string model_error(const RankedPlan& plan) {
 }
 
 std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
-  const OrificeStatistics& leak = plan.region.leak_mm2;
+  const LeakStatistics& leak = plan.region.leak_mm2;
   const LeakMargin& margin = plan.region.margin_to_leak;
   const ValveMeasure& after = plan.measure;
   const std::string of_variations =
@@ -168,8 +168,8 @@ std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
   const std::string moved = fixed(plan.effort.anterolateral_movement_mm, 1) + " / " +
                             fixed(plan.effort.posteromedial_movement_mm, 1) + " mm";
   return "<dl>\n" +
-         key_figure("Leak as planned", with_error(leak_mm2(after), after.error.leak_mm2, "mm²"),
-                    "before " + with_error(leak_mm2(before), before.error.leak_mm2) +
+         key_figure("Leak as planned", with_error(after.leak.area_mm2, after.leak_error_mm2, "mm²"),
+                    "before " + with_error(before.leak.area_mm2, before.leak_error_mm2) +
                         " (numerical errors)" + model_error(plan)) +
          key_figure("Leak when the repair varies",
                     varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
@@ -198,7 +198,8 @@ std::string how_sure(const RankedPlan& plan) {
   std::string words;
   if (varied(plan)) {
     words =
-        "Leak: the larger of orifice and gap. Variations: suture length (without a suture, the "
+        "Leak: the least area through which blood can flow back. Variations: suture length "
+        "(without a suture, the "
         "tip's distance from its trigone) by up to 1 mm and direction of the tips by up to 5°, "
         "in " +
         grouped(plan.region.closures) + (plan.region.closures == 1 ? " closure" : " closures");
@@ -242,7 +243,7 @@ std::string care(const RankedPlan& plan) {
 
 std::string other_row(const PlanReport& report, const RankedPlan& plan, bool in_front) {
   const std::string rank = std::to_string(plan.rank);
-  const OrificeStatistics& leak = plan.region.leak_mm2;
+  const LeakStatistics& leak = plan.region.leak_mm2;
   std::string html = in_front ? "<tr class=\"this\">" : "<tr>";
   html += "<th scope=\"row\">" +
           (is_told(report, plan) ? "<a href=\"#plan-" + rank + "\">" + rank + "</a>" : rank) +

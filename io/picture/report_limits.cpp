@@ -18,7 +18,7 @@ const std::vector<std::string>& how_far() {
       "meshes read too little rather than too much. A mean over the region of interest has the "
       "same error of the mesh; closed again from another starting state it differs by about 0.05 "
       "mm², with a flail leaflet by 0.2 mm². Smaller differences between plans mean nothing.",
-      "The orifice is anatomic: what the closed leaflets leave open. It is not an effective "
+      "The leak is anatomic: what the closed leaflets leave open. It is not an effective "
       "regurgitant orifice area (EROA), and does not grade regurgitation.",
       "The spread covers errors of suture length (1 mm) and papillary position (5 degrees) only. "
       "Errors of imaging, ring placement and pressure are not included. What is not known of "

@@ -36,7 +36,7 @@ std::vector<std::string> remarks_on(const RankedPlan& plan) {
   if (plan.fine)
     remarks.push_back(
         "on the finer mesh: leak " +
-        with_error(leak_mm2(*plan.fine), plan.fine_leak_error_mm2, "mm²") +
+        with_error(plan.fine->leak_mm2, plan.fine_leak_error_mm2, "mm²") +
         (plan.own_mesh_rank == plan.rank || plan.own_mesh_rank == 0
              ? ""
              : "; by its own mesh it would rank " + std::to_string(plan.own_mesh_rank)));
@@ -57,7 +57,7 @@ std::string ahead_words(const RankedPlan& plan) {
 }
 
 std::string rows_of(const RankedPlan& plan) {
-  const OrificeStatistics& leak = plan.region.leak_mm2;
+  const LeakStatistics& leak = plan.region.leak_mm2;
   const LeakMargin& to_leak = plan.region.margin_to_leak;
   const std::vector<std::string> remarks = remarks_on(plan);
   std::string html = remarks.empty() ? "<tr>" : "<tr class=\"has-more\">";
@@ -65,16 +65,15 @@ std::string rows_of(const RankedPlan& plan) {
   if (!plan.name.empty()) html += "<strong>" + escape_html(plan.name) + "</strong><br>";
   html += escape_html(short_words(plan)) + "</td>";
   for (const std::string& figure :
-       {with_error(plan.measure.orifice.area_mm2, plan.measure.error.orifice_mm2),
-        with_error(plan.measure.coaptation.gap_area_mm2, plan.measure.error.gap_mm2),
-        mean_and_sd(leak), fixed(leak.p95, 1), fixed(leak.worst, 1), percent(leak.below_5),
-        suture_margin(to_leak), angle_margin(to_leak),
-        fixed(plan.measure.coaptation.height_mean_mm, 1), fixed(plan.measure.tension_max_n, 2),
-        fixed(plan.cost, plan.cost < 1000.0 ? 1 : 0), ahead_words(plan)})
+       {with_error(plan.measure.leak.area_mm2, plan.measure.leak_error_mm2), mean_and_sd(leak),
+        fixed(leak.p95, 1), fixed(leak.worst, 1), percent(leak.below_5), suture_margin(to_leak),
+        angle_margin(to_leak), fixed(plan.measure.coaptation.height_mean_mm, 1),
+        fixed(plan.measure.tension_max_n, 2), fixed(plan.cost, plan.cost < 1000.0 ? 1 : 0),
+        ahead_words(plan)})
     html += cell(figure);
   html += "</tr>\n";
   if (!remarks.empty())
-    html += "<tr class=\"more\"><td></td><td class=\"words warning\" colspan=\"13\">" +
+    html += "<tr class=\"more\"><td></td><td class=\"words warning\" colspan=\"12\">" +
             list_html(remarks) + "</td></tr>\n";
   return html;
 }
@@ -174,7 +173,7 @@ std::string ranked_section(const PlanReport& report) {
       "<th scope=\"colgroup\" class=\"group\" colspan=\"2\">Margin to leak</th>"
       "<td class=\"group\" colspan=\"4\"></td></tr>"
       "<tr><th scope=\"col\">Rank</th><th scope=\"col\" class=\"words\">Steps</th><th "
-      "scope=\"col\">Orifice<br>mm²</th><th scope=\"col\">Gap<br>mm²</th>"
+      "scope=\"col\">Leak<br>mm²</th>"
       "<th scope=\"col\">mean ± sd<br>mm²</th><th scope=\"col\">95th p.<br>mm²</th><th "
       "scope=\"col\">worst<br>mm²</th>"
       "<th scope=\"col\">below<br>5 "
@@ -198,7 +197,7 @@ std::string ranked_section(const PlanReport& report) {
          "converged "
          "and mean + sd of the "
          "leak is below 1 mm². Pareto: Pareto-optimal among the ranked plans in leak (mean + sd), "
-         "opening and durability. The orifice is anatomic, not an effective regurgitant "
+         "opening and durability. The leak is anatomic, not an effective regurgitant "
          "orifice area.</p>\n" +
          trade_offs(result) + "</section>\n";
 }

@@ -229,6 +229,14 @@ std::string margin(double value, double farthest, int decimals) {
   return (value >= farthest ? "> " : "") + fixed(value, decimals);
 }
 
+/// " at P2, A2"; empty where there are none.
+std::string at_segments(const std::vector<Segment>& segments) {
+  std::string told;
+  for (const Segment segment : segments)
+    told += (told.empty() ? " at " : ", ") + std::string(to_string(segment));
+  return told;
+}
+
 }  // namespace
 
 std::string with_unit(double value, int decimals, const char* unit) {
@@ -262,21 +270,18 @@ std::string short_words(const RankedPlan& plan) {
 
 std::string valve_words(const ClosedValve& before) {
   const ValveMeasure& measure = before.measure;
-  const std::vector<Orifice>& openings = measure.orifice.orifices;
+  const std::vector<LeakOpening>& openings = measure.leak.openings;
   std::vector<std::string> ruptured;
   for (const Chorda& chorda : before.valve.chordae)
     if (chorda.ruptured) ruptured.push_back(chorda.id);
   std::string told = "Before repair it leaks through " +
-                     with_error(measure.orifice.area_mm2, measure.error.orifice_mm2, "mm²") +
-                     " seen from the atrium";
+                     with_error(measure.leak.area_mm2, measure.leak_error_mm2, "mm²");
   for (std::size_t i = 0; i < openings.size() && i < kOpeningsTold; ++i)
-    told += (i == 0 ? " (" : ", ") + known_digits(openings[i].area_mm2, measure.error.orifice_mm2) +
-            " mm² at " + to_string(openings[i].segment);
+    told += (i == 0 ? " (" : ", ") + known_digits(openings[i].area_mm2, measure.leak_error_mm2) +
+            " mm²" + at_segments(openings[i].segments);
   if (openings.size() > kOpeningsTold)
     told += ", " + std::to_string(openings.size() - kOpeningsTold) + " smaller";
-  told += std::string(openings.empty() ? "" : ")") +
-          "; gap between the leaflets in three dimensions " +
-          with_error(measure.coaptation.gap_area_mm2, measure.error.gap_mm2, "mm²") + ". Annulus " +
+  told += std::string(openings.empty() ? "" : ")") + ". Annulus " +
           fixed(measure.annulus.al_pm_mm, 1) + " mm across, " + fixed(measure.annulus.ap_mm, 1) +
           " mm front to back; tenting height " + mm(measure.tenting_height_mm) + ".";
   for (std::size_t i = 0; i < ruptured.size() && i < kNamesTold; ++i)
@@ -291,7 +296,7 @@ std::vector<std::string> steps_of(const RankedPlan& plan) {
   return plan.description.empty() ? std::vector<std::string>{"no repair"} : plan.description;
 }
 
-std::string mean_and_sd(const OrificeStatistics& leak) {
+std::string mean_and_sd(const LeakStatistics& leak) {
   return std::isfinite(leak.mean) ? fixed(leak.mean, 1) + " ± " + fixed(leak.sd, 1) : "n/a";
 }
 

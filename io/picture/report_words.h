@@ -26,7 +26,7 @@ std::string valve_words(const ClosedValve& before);
 std::vector<std::string> steps_of(const RankedPlan& plan);
 
 /// "0.4 ± 0.5", "n/a".
-std::string mean_and_sd(const OrificeStatistics& leak);
+std::string mean_and_sd(const LeakStatistics& leak);
 
 /// "0.75", "> 1.00" where nothing leaks as far as the region goes.
 std::string suture_margin(const LeakMargin& margin);

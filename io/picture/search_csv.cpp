@@ -19,7 +19,7 @@ std::string in_words(const Valve& valve, const RepairPlan& plan) {
 std::string tried_plans_csv(const Valve& valve, const SearchResult& result) {
   CsvLines csv(
       "number,rank,description,cost_mm2,nodes,failed_nodes,mean_leak_mm2,sd_leak_mm2,"
-      "cost_as_planned_mm2,leak_mm2,orifice_mm2,gap_mm2,coaptation_mm,tension_max_n,status,"
+      "cost_as_planned_mm2,leak_mm2,coaptation_mm,tension_max_n,status,"
       "crossing,"
       "plan");
   int number = 0;
@@ -32,8 +32,7 @@ std::string tried_plans_csv(const Valve& valve, const SearchResult& result) {
     }
     csv << in_words(valve, tried.plan) << tried.cost << tried.nodes << tried.failures
         << tried.leak_mm2.mean << tried.leak_mm2.sd << tried.cost_as_planned
-        << leak_mm2(tried.planned) << tried.planned.orifice_mm2 << tried.planned.gap_mm2
-        << tried.planned.coaptation_mm << tried.planned.tension_max_n
+        << tried.planned.leak_mm2 << tried.planned.coaptation_mm << tried.planned.tension_max_n
         << to_string(tried.planned.status) << tried.planned.crossing << to_json(tried.plan).dump();
     csv.end_line();
   }

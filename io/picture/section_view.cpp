@@ -7,6 +7,7 @@
 
 #include "core/metrics/coaptation.h"
 #include "core/metrics/leaflet_sides.h"
+#include "io/picture/opening_paint.h"
 #include "io/picture/repair_paint.h"
 #include "io/picture/section_map.h"
 #include "io/picture/text.h"
@@ -159,28 +160,6 @@ void draw_heights(const Canvas& canvas, const Tenting& tenting,
             "billow " + fixed(billow_mm, 1) + " mm", style);
 }
 
-/// Where the plane of the section meets the passage: from the first to the last point.
-void draw_passage(const Canvas& canvas, const std::vector<Vec3>& outline_mm,
-                  const SectionPlane& plane, const SectionMap& map) {
-  std::vector<Vec2> met;
-  for (std::size_t i = 0; i < outline_mm.size(); ++i) {
-    const Vec3 &from = outline_mm[i], &to = outline_mm[(i + 1) % outline_mm.size()];
-    const double before = plane.normal.dot(from - plane.point_mm);
-    const double after = plane.normal.dot(to - plane.point_mm);
-    if ((before < 0.0) != (after < 0.0))
-      met.push_back(map(from + before / (before - after) * (to - from)));
-  }
-  if (met.size() < 2) return;
-  const auto [left, right] = std::minmax_element(
-      met.begin(), met.end(), [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
-  set_colour(canvas, palette::kOrifice);
-  cairo_set_line_width(canvas.context.get(), 2.6);
-  line(canvas, *left, *right);
-  cairo_stroke(canvas.context.get());
-  draw_text(canvas, 0.5 * (*left + *right) + Vec2(0.0, -8.0), "narrowest passage",
-            {13.0, palette::kOrifice, Align::Centre, false, 3.0});
-}
-
 /// What differs between the sections of a closed and an open valve.
 using DrawMarks =
     std::function<void(const std::vector<SectionLine>&, const AnnularLine&, const SectionMap&)>;
@@ -214,6 +193,7 @@ void draw_section(const Canvas& canvas, const ViewFrame& frame, const ClosedValv
   const RepairSheet repair{canvas, map, map.pixels_per_mm};
   draw_sutures(repair, closed);
   draw_ring_cut(repair, closed, {saddle_peak_mm, mid_posterior_mm});
+  draw_opening_cuts(canvas, closed.measure.leak, plane, map);
   draw_marks(lines, annulus, map);
   double left = annulus.saddle_peak.x(), right = annulus.mid_posterior.x();
   for (const SectionLine& section : lines)
@@ -245,12 +225,9 @@ void draw_section_view(const Canvas& canvas, const ViewFrame& frame, const Close
                });
 }
 
-void draw_open_section_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& open,
-                            const std::vector<Vec3>& passage_mm) {
+void draw_open_section_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& open) {
   draw_section(canvas, frame, open, nullptr,
-               [&](const std::vector<SectionLine>&, const AnnularLine&, const SectionMap& map) {
-                 draw_passage(canvas, passage_mm, mid_valve_plane(open.valve), map);
-               });
+               [](const std::vector<SectionLine>&, const AnnularLine&, const SectionMap&) {});
 }
 
 }  // namespace coapt

@@ -159,11 +159,11 @@ std::string model_draws_csv(const ModelStudy& study) {
   std::string header;
   for (const ModelParameter& parameter : model_parameters())
     header += std::string(parameter.name) + ',';
-  CsvLines csv(header + "trusted,orifice_mm2,leak_mm2");
+  CsvLines csv(header + "trusted,leak_mm2");
   for (const ModelStudyDraw& draw : study.draws) {
     for (std::size_t i = 0; i < draw.shares.size(); ++i)
       csv << model_factor(model_parameters()[i], draw.shares[i]);
-    csv << draw.trusted << draw.orifice_mm2 << draw.leak_mm2;
+    csv << draw.trusted << draw.leak_mm2;
     csv.end_line();
   }
   return csv.text();

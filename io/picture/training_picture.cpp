@@ -54,7 +54,7 @@ std::string flaccid_picture_png(const Valve& valve, const Points& flaccid_mm) {
   flaccid.measure.annulus = measure_annulus(valve);
   const Box box{kRim, kTitle, kCaseWidth, kCaseHeight};
   draw_case_title(canvas, box, "Without pressure, from the atrium");
-  draw_open_atrial_view(canvas, {box, atrial_scale(box, flaccid)}, flaccid, {});
+  draw_open_atrial_view(canvas, {box, atrial_scale(box, flaccid)}, flaccid);
   draw_case_notice(canvas, kWidth, kHeight);
   return to_png(canvas);
 }

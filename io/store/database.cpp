@@ -33,12 +33,16 @@ Error foreign(const std::string& path, const std::string& problem) {
   return error;
 }
 
+bool needs_upgrade(const Kind& kind, const StoreFormat& format) {
+  return *format.upgrade != '\0' && kind.schema == format.schema - 1;
+}
+
 /// What speaks against a database of this kind.
 Errors check_kind(const Kind& kind, const StoreFormat& format, const std::string& path) {
   if (kind.application != format.application)
     return {foreign(path, std::string("is not a store of ") + format.rows +
                               ", but a database of another application")};
-  if (kind.schema != format.schema)
+  if (kind.schema != format.schema && !needs_upgrade(kind, format))
     return {foreign(path, "is a store of schema " + std::to_string(kind.schema) +
                               "; this coapt knows schema " + std::to_string(format.schema))};
   return {};
@@ -109,6 +113,17 @@ std::optional<Kind> make(sqlite3* database, const StoreFormat& format) {
     return {};
   if (!run(database, "COMMIT")) return {};
   return kind_of(database);
+}
+
+/// In one transaction, unless another process has done it since.
+bool upgrade(sqlite3* database, const StoreFormat& format) {
+  if (!run(database, "BEGIN IMMEDIATE")) return false;
+  const std::optional<Kind> kind = kind_of(database);
+  return kind &&
+         (!needs_upgrade(*kind, format) ||
+          run(database, std::string(format.upgrade) +
+                            "PRAGMA user_version = " + std::to_string(format.schema))) &&
+         run(database, "COMMIT");
 }
 
 /// Has commits written to a log. SQLite waits for the first lock of a transaction alone, and this one
@@ -188,6 +203,8 @@ Expected<StoreDatabase> StoreDatabase::open(const std::string& path, const Store
   if (kind && kind->application == 0) kind = make(database, format);
   if (!kind) return store.failure("cannot be opened");
   if (const Errors errors = check_kind(*kind, format, path); !errors.empty()) return errors;
+  if (needs_upgrade(*kind, format) && !upgrade(database, format))
+    return store.failure("cannot be brought to this release's schema");
   // NORMAL: commits are written to the log, not forced to the disk one by one.
   if (!keep_log(database, lock_timeout_ms) ||
       !run(database, "PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = " +

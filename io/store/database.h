@@ -28,6 +28,8 @@ struct StoreFormat {
   int schema = 0;           ///< user_version of the file, not 0
   const char* rows = "";    ///< for messages: "closures"
   const char* tables = "";  ///< SQL that makes them
+  const char* upgrade =
+      "";  ///< SQL that makes them of those of the schema before; empty: such a file is refused
   int log_pages = 1000;  ///< of 4 KiB, after which the log goes into the file, forced to the disk
   const char* settings = "";  ///< SQL of each connection, after all else: PRAGMA ...
   bool tells_causes = false;  ///< failures are Busy or NoSpace where that is why

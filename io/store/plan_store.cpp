@@ -9,10 +9,11 @@ namespace coapt {
 namespace {
 
 // The numbers are ANY, because REAL would make 0.0 of -0.0.
-constexpr StoreFormat kPlanFormat = {.application = 0x636f706c,  // "copl"
-                                     .schema = 1,
-                                     .rows = "plans",
-                                     .tables = R"(
+constexpr StoreFormat kPlanFormat = {
+    .application = 0x636f706c,  // "copl"
+    .schema = 2,
+    .rows = "plans",
+    .tables = R"(
 CREATE TABLE subjects (
   number INTEGER PRIMARY KEY,
   name TEXT NOT NULL UNIQUE  -- valve, closure options and version, hashed
@@ -27,21 +28,24 @@ CREATE TABLE closures (
   disturbance INTEGER,    -- 0 is the plan as planned
   status INTEGER NOT NULL CHECK (status BETWEEN 0 AND 2),  -- converged, step limit, diverged
   crossing INTEGER NOT NULL,
-  orifice_mm2 ANY,        -- floating point; NULL is NaN
-  gap_mm2 ANY,            -- likewise, as all below
-  coaptation_mm ANY,
+  leak_mm2 ANY,           -- floating point; NULL is NaN
+  coaptation_mm ANY,      -- likewise, as all below
   distance_max_mm ANY,
   tension_max_n ANY,
   PRIMARY KEY (subject, plan, disturbance)
 ) STRICT, WITHOUT ROWID;
 )",
-                                     // 16 MB: a third faster than 1,000 where every plan is new
-                                     .log_pages = 4000};
+    // What release 0.2 kept is of subjects that are not asked for again.
+    .upgrade =
+        "ALTER TABLE closures RENAME COLUMN orifice_mm2 TO "
+        "leak_mm2; ALTER TABLE closures DROP COLUMN gap_mm2;",
+    // 16 MB: a third faster than 1,000 where every plan is new
+    .log_pages = 4000};
 
 // Not INSERT OR IGNORE, which would pass over every constraint and not only over the key's. No row if subject or
 // plan has no name in the file yet.
 constexpr const char* kInsertOutcome =
-    "INSERT INTO closures SELECT subjects.number, plans.number, ?, ?, ?, ?, ?, ?, ?, ? "
+    "INSERT INTO closures SELECT subjects.number, plans.number, ?, ?, ?, ?, ?, ?, ? "
     "FROM subjects CROSS JOIN plans WHERE subjects.name = ? AND plans.name = ? "
     "ON CONFLICT DO NOTHING";
 constexpr const char* kInsertSubject =
@@ -50,7 +54,7 @@ constexpr const char* kInsertPlan = "INSERT INTO plans (name) VALUES (?) ON CONF
 
 // CROSS JOIN: closures outside, plans inside. In the order of the key, so nothing is sorted.
 constexpr const char* kSelectOutcomes =
-    "SELECT plan, name, disturbance, status, crossing, orifice_mm2, gap_mm2, coaptation_mm, "
+    "SELECT plan, name, disturbance, status, crossing, leak_mm2, coaptation_mm, "
     "distance_max_mm, tension_max_n FROM closures CROSS JOIN plans ON plans.number = plan "
     "WHERE subject = (SELECT number FROM subjects WHERE name = ?) ORDER BY plan, disturbance";
 
@@ -69,9 +73,8 @@ constexpr SubjectTables kPlanTables = {
     .tidy = "DELETE FROM plans WHERE number NOT IN (SELECT plan FROM closures)"};
 
 // The columns of floating point, in order.
-constexpr std::array kNumbers = {&PlanClosure::orifice_mm2, &PlanClosure::gap_mm2,
-                                 &PlanClosure::coaptation_mm, &PlanClosure::distance_max_mm,
-                                 &PlanClosure::tension_max_n};
+constexpr std::array kNumbers = {&PlanClosure::leak_mm2, &PlanClosure::coaptation_mm,
+                                 &PlanClosure::distance_max_mm, &PlanClosure::tension_max_n};
 
 /// As the file has it: its own numbers, which no change of the enumeration moves.
 int number_of(ClosureStatus status) {

@@ -31,18 +31,6 @@ std::string accuracy_csv(const std::vector<AccuracyPoint>& points) {
   return csv.str();
 }
 
-std::string gap_csv(const std::vector<GapPoint>& points) {
-  std::ostringstream csv;
-  csv << "scene,triangles,gap_mm2,sections_mm2,expected_mm2,orifice_mm2\n";
-  for (const GapPoint& p : points) {
-    csv << p.scene << ',' << p.triangles << ',' << p.gap_mm2 << ',' << p.sections_mm2 << ','
-        << p.expected_mm2 << ',';
-    if (std::isfinite(p.orifice_mm2)) csv << p.orifice_mm2;
-    csv << '\n';
-  }
-  return csv.str();
-}
-
 std::string stability_csv(const std::vector<StabilityCell>& cells) {
   std::ostringstream csv;
   const auto add = [&](double value) {

@@ -6,7 +6,6 @@
 
 #include "lab/closures/ablation_study.h"
 #include "lab/closures/accuracy_study.h"
-#include "lab/closures/gap_study.h"
 #include "lab/closures/stability_study.h"
 
 namespace coapt {
@@ -18,10 +17,6 @@ std::string ablation_csv(const std::vector<AblationOutcome>& outcomes);
 /// Columns: scene, method, membrane, triangles, tolerance, status, crossing, seconds, rms_mm, max_mm,
 /// orifice_error_mm2, own_rms_mm, own_orifice_error_mm2.
 std::string accuracy_csv(const std::vector<AccuracyPoint>& points);
-
-/// Columns: scene, triangles, gap_mm2, sections_mm2, expected_mm2, orifice_mm2. Empty where there is
-/// no number. Times are left out: the table is the same on every machine.
-std::string gap_csv(const std::vector<GapPoint>& points);
 
 /// Columns: scene, axis, level, nominal, method, outcome, steps, seconds, residual, crossing_pairs,
 /// attempts, from_reference_mm, end_from_reference_mm, orifice_difference_mm2. Empty where there is no

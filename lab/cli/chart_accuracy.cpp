@@ -24,14 +24,6 @@ int run_mesh(const std::string& directory, const MeshStudyOptions& options) {
   });
 }
 
-int run_gap(const std::string& directory) {
-  return run_chart(directory, "gap.csv", [] {
-    const ProgressBar bar;
-    return gap_csv(
-        study_gap({}, [&](int done, int planned) { bar.show(done, planned, "meshes"); }));
-  });
-}
-
 int run_uniqueness(const std::string& directory, const UniquenessStudyOptions& options) {
   return run_chart(directory, "uniqueness.csv", [&] {
     const ProgressBar bar;
@@ -66,19 +58,6 @@ int run_verdicts(const std::string& directory, const VerdictStudyOptions& option
   return status;
 }
 
-void add_gap(Command chart, int& status) {
-  Command command =
-      chart.add_command("gap", "Measure the gap of surfaces and closures on growing meshes");
-  const auto directory = add_output(command);
-  command.footer(
-      "Of two surfaces the gap is known exactly; of closures the finest mesh is the reference. "
-      "The\n"
-      "gap of nine sections is drawn beside it. Takes half a minute on one core.\n\n"
-      "Example:\n"
-      "  coapt-lab chart gap -o charts");
-  command.on_run([directory, &status] { status = run_gap(*directory); });
-}
-
 /// --preset and --anatomies.
 void add_valves(Command command, std::vector<std::string>& presets, int& anatomies) {
   command.add_option("--preset", presets, "Only these presets").show_default();
@@ -107,7 +86,7 @@ void add_mesh(Command chart, int& status) {
   add_membrane_option(command, options->membrane);
   add_threads_option(command, options->threads, "areas");
   command.footer(
-      "Orifice, gap, leak and shape on 325 to 5,200 triangles (those below the reference), each\n"
+      "Leak and shape on 325 to 5,200 triangles (those below the reference), each\n"
       "against 10,400 of the same scene, which takes one core half a minute.\n\n"
       "Example:\n"
       "  coapt-lab chart mesh --scenes 12 -o charts");
@@ -177,7 +156,6 @@ void add_verdicts(Command chart, int& status) {
 
 void add_accuracy_charts(Command chart, int& status) {
   add_mesh(chart, status);
-  add_gap(chart, status);
   add_uniqueness(chart, status);
   add_verdicts(chart, status);
 }

@@ -4,7 +4,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/metrics/measure.h"
+#include "core/metrics/leak.h"
+#include "core/metrics/orifice.h"
 #include "core/metrics/quantile.h"
 #include "lab/closures/matching_points.h"
 #include "search/evaluator.h"
@@ -22,13 +23,16 @@ struct Closed {
 
 Closed close(const AblatedModel& model) {
   Closed closed{model, close_valve(model.valve, model.closure), 0.0, 0.0};
-  const ValveMeasure measured = measure(model.valve, closed.closure);
-  closed.orifice_mm2 =
-      model.mean_of_samples ? measured.orifice.area_mean_mm2 : measured.orifice.area_mm2;
-  closed.leak_mm2 = leak_mm2(measured);
+  closed.orifice_mm2 = orifice_mm2(model.valve, closed.closure.closed_mm);
+  closed.leak_mm2 = measure_leak(model.valve, closed.closure.closed_mm).area_mm2;
   if (!model.mean_of_samples) return closed;
   Points mean = Points::Zero(closed.closure.closed_mm.rows(), 3);
-  for (const Points& sample : closed.closure.samples_mm) mean += sample;
+  closed.orifice_mm2 = 0.0;
+  for (const Points& sample : closed.closure.samples_mm) {
+    mean += sample;
+    closed.orifice_mm2 +=
+        orifice_mm2(model.valve, sample) / static_cast<double>(closed.closure.samples_mm.size());
+  }
   closed.closure.closed_mm = mean / static_cast<double>(closed.closure.samples_mm.size());
   return closed;
 }

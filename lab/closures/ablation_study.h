@@ -27,7 +27,7 @@ struct AblationOutcome {
   int attempts = 0;
   bool compared = false;  ///< both closures are converged and uncrossed
   double full_orifice_mm2 = 0.0, orifice_change_mm2 = 0.0;
-  double leak_change_mm2 = 0.0;  ///< of leak_mm2(): hidden gaps as well
+  double leak_change_mm2 = 0.0;  ///< of the least surface (core/metrics/leak.h)
   double rms_mm = 0.0;           ///< between the leaflets, at the vertices of the full model
   double seconds = 0.0;          ///< of the changed closure, reruns included
   double time_ratio = 0.0;       ///< to a closure of the full model right before, median

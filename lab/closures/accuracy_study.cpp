@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/metrics/measure.h"
+#include "core/metrics/orifice.h"
 #include "core/metrics/quantile.h"
 #include "core/presets/presets.h"
 #include "lab/closures/closure_study.h"
@@ -30,7 +30,7 @@ Reference make_reference(const std::string& preset, int triangles) {
       close_valve(reference.mesh.valve, to_the_end({.membrane = Membrane::Continuum}));
   reference.mesh.coordinates = leaflet_coordinates(reference.mesh.valve);
   reference.mesh.closed_mm = closed.closed_mm;
-  reference.orifice_mm2 = measure(reference.mesh.valve, closed).orifice.area_mm2;
+  reference.orifice_mm2 = coapt::orifice_mm2(reference.mesh.valve, closed.closed_mm);
   if (!trusted(closed)) {
     // Nothing can be told against it.
     reference.mesh.closed_mm.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -76,7 +76,7 @@ AccuracyPoint close_case(const AccuracyCase& of, const Valve& valve, const Point
   const Eigen::VectorXd apart = (closed.closed_mm - there).rowwise().norm();
   point.rms_mm = std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size()));
   point.max_mm = apart.maxCoeff();
-  point.orifice_error_mm2 = measure(valve, closed).orifice.area_mm2 - reference_orifice_mm2;
+  point.orifice_error_mm2 = orifice_mm2(valve, closed.closed_mm) - reference_orifice_mm2;
   const ClosureError own = closure_error(valve, closed, end);
   point.own_rms_mm = own.rms_mm;
   point.own_orifice_error_mm2 = own.orifice_mm2;

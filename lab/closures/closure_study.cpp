@@ -8,6 +8,7 @@
 #include "core/closure/predicted_start.h"
 #include "core/closure/prepared_valve.h"
 #include "core/metrics/measure.h"
+#include "core/metrics/orifice.h"
 #include "core/metrics/quantile.h"
 #include "lab/closures/varied_scenes.h"
 #include "search/evaluator.h"
@@ -96,7 +97,8 @@ ClosureError closure_error(const Valve& valve, const ClosureResult& a, const Clo
   const Eigen::VectorXd apart = (a.closed_mm - b.closed_mm).rowwise().norm();
   const ValveMeasure of_a = measure(valve, a), of_b = measure(valve, b);
   return {std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size())), apart.maxCoeff(),
-          of_a.orifice.area_mm2 - of_b.orifice.area_mm2, leak_mm2(of_a) - leak_mm2(of_b),
+          orifice_mm2(valve, a.closed_mm) - orifice_mm2(valve, b.closed_mm),
+          of_a.leak.area_mm2 - of_b.leak.area_mm2,
           of_a.coaptation.height_mean_mm - of_b.coaptation.height_mean_mm};
 }
 

@@ -18,8 +18,8 @@ namespace coapt {
 namespace {
 
 constexpr const char* kColumns =
-    "valve,scene,triangles,reference_triangles,trusted,seconds,rms_mm,orifice_mm2,gap_mm2,leak_mm2,"
-    "reference_orifice_mm2,reference_gap_mm2,reference_leak_mm2\n";
+    "valve,scene,triangles,reference_triangles,trusted,seconds,rms_mm,leak_mm2,"
+    "reference_leak_mm2\n";
 
 struct ClosedScene {
   ClosedMesh mesh;
@@ -89,12 +89,8 @@ MeshPoint compared(const ClosedScene& closed, const ClosedScene& reference) {
   const Points there = matching_points_mm(closed.mesh.valve, reference.mesh);
   const Eigen::VectorXd apart = (closed.mesh.closed_mm - there).rowwise().norm();
   point.rms_mm = std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size()));
-  point.orifice_mm2 = closed.measure.orifice.area_mm2;
-  point.gap_mm2 = closed.measure.coaptation.gap_area_mm2;
-  point.leak_mm2 = leak_mm2(closed.measure);
-  point.reference_orifice_mm2 = reference.measure.orifice.area_mm2;
-  point.reference_gap_mm2 = reference.measure.coaptation.gap_area_mm2;
-  point.reference_leak_mm2 = leak_mm2(reference.measure);
+  point.leak_mm2 = closed.measure.leak.area_mm2;
+  point.reference_leak_mm2 = reference.measure.leak.area_mm2;
   return point;
 }
 
@@ -135,9 +131,7 @@ std::string mesh_csv(const std::vector<MeshPoint>& points) {
   for (const MeshPoint& p : points) {
     csv << p.valve << ',' << p.scene << ',' << p.triangles << ',' << p.reference_triangles << ','
         << (p.trusted ? "true" : "false") << ',' << p.seconds;
-    for (const double number :
-         {p.rms_mm, p.orifice_mm2, p.gap_mm2, p.leak_mm2, p.reference_orifice_mm2,
-          p.reference_gap_mm2, p.reference_leak_mm2}) {
+    for (const double number : {p.rms_mm, p.leak_mm2, p.reference_leak_mm2}) {
       csv << ',';
       if (p.trusted) csv << number;
     }

@@ -34,8 +34,7 @@ struct MeshPoint {
   bool trusted = false;
   double seconds = 0.0;
   double rms_mm = 0.0;  ///< from the reference at the same leaflet coordinates
-  double orifice_mm2 = 0.0, gap_mm2 = 0.0, leak_mm2 = 0.0;
-  double reference_orifice_mm2 = 0.0, reference_gap_mm2 = 0.0, reference_leak_mm2 = 0.0;
+  double leak_mm2 = 0.0, reference_leak_mm2 = 0.0;
 };
 
 /// In order of valve, scene, triangles; the same for any number of threads but for the times.
@@ -43,8 +42,8 @@ struct MeshPoint {
 std::vector<MeshPoint> study_meshes(const MeshStudyOptions& options,
                                     const std::function<void(int, int)>& progress = {});
 
-/// Columns: valve, scene, triangles, reference_triangles, trusted, seconds, rms_mm, orifice_mm2, gap_mm2, leak_mm2,
-/// reference_orifice_mm2, reference_gap_mm2, reference_leak_mm2. Empty where there is no number.
+/// Columns: valve, scene, triangles, reference_triangles, trusted, seconds, rms_mm, leak_mm2,
+/// reference_leak_mm2. Empty where there is no number.
 std::string mesh_csv(const std::vector<MeshPoint>& points);
 
 }  // namespace coapt

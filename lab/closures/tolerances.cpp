@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/closure/accuracy.h"
-#include "core/metrics/measure.h"
+#include "core/metrics/orifice.h"
 #include "core/metrics/quantile.h"
 #include "core/presets/presets.h"
 #include "io/json/plan_json.h"
@@ -32,22 +32,18 @@ struct Outcome {
   double error_mm2 = 0.0, seconds = 0.0;
 };
 
-double orifice_mm2(const Valve& valve, const ClosureResult& closed) {
-  return measure(valve, closed).orifice.area_mm2;
-}
-
 /// One for each tier.
 std::vector<Outcome> close_at_tiers(const Valve& valve, const ClosureOptions& options) {
   using Clock = std::chrono::steady_clock;
   const ClosureResult end = close_valve(valve, to_the_end(options));
-  const double truth = orifice_mm2(valve, end);
+  const double truth = orifice_mm2(valve, end.closed_mm);
   std::vector<Outcome> outcomes;
   for (const AccuracyTier& tier : accuracy_tiers()) {
     const auto start = Clock::now();
     const ClosureResult closed = close_valve(valve, at_tier(options, tier));
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     outcomes.push_back(
-        {trusted(end) && trusted(closed), orifice_mm2(valve, closed) - truth, seconds});
+        {trusted(end) && trusted(closed), orifice_mm2(valve, closed.closed_mm) - truth, seconds});
   }
   return outcomes;
 }

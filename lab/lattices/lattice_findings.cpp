@@ -68,7 +68,7 @@ LatticeFindings findings_of(const SolvedLattice& lattice) {
       const LatticePoint at = point_at(branch, number);
       const std::optional<Scored> plan = scores.at(branch, at);
       if (!plan) continue;
-      const OrificeStatistics& leak = plan->region.leak_mm2;
+      const LeakStatistics& leak = plan->region.leak_mm2;
       if (!branch.choice.ring.empty() && plan->closes() && plan->region.failures == 0 &&
           plan->sizes_below < kMostSizes) {
         RingTightness& ring = findings.rings[static_cast<std::size_t>(plan->sizes_below)];
@@ -81,7 +81,7 @@ LatticeFindings findings_of(const SolvedLattice& lattice) {
         if (other == nullptr) continue;
         const std::optional<Scored> saddle = scores.at(*other, at);
         if (!saddle || !(plan->closes() || saddle->closes())) continue;
-        const OrificeStatistics& theirs = saddle->region.leak_mm2;
+        const LeakStatistics& theirs = saddle->region.leak_mm2;
         ++pairs.pairs;
         pairs.trigone_cheaper += plan->cost < saddle->cost;
         pairs.trigone_tighter += leak.sd < theirs.sd;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <mutex>
 
-#include "core/metrics/leak.h"
+#include "core/metrics/leak_estimate.h"
 #include "core/metrics/quantile.h"
 #include "lab/leak/drawn_valves.h"
 #include "search/parallel.h"
@@ -94,10 +94,8 @@ LeakAgreement agreement(const std::vector<const LeakCase*>& of, std::size_t meas
 
 std::vector<MeasuredArea> measured_areas(const ClosedValve& closed) {
   const ValveMeasure& m = closed.measure;
-  return {{"orifice", m.orifice.area_mm2, m.error.orifice_mm2},
-          {"gap", m.coaptation.gap_area_mm2, m.error.gap_mm2},
-          {"larger", leak_mm2(m), m.error.leak_mm2},
-          {"leak", measure_leak(closed.valve, closed.closure.closed_mm).area_mm2, kNoError}};
+  return {{"estimate", estimate_leak_mm2(closed.valve, closed.closure.closed_mm), kNoError},
+          {"leak", m.leak.area_mm2, m.leak_error_mm2}};
 }
 
 std::vector<MeasuredArea> measured_areas(const OpenedValve& opened) {

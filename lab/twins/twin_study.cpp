@@ -68,8 +68,8 @@ Twin judged(const ValveFit& fit, const Truth& truth, Eigen::Index points) {
       compare_shapes(in_pieces(fit.closed.closure.closed_mm, fit.closed.valve.faces),
                      in_pieces(exact, truth.closed.valve.faces), Alignment::None)
           .distance.rms_mm;
-  twin.leak_mm2 = leak_mm2(truth.closed.measure);
-  twin.leak_before_mm2 = leak_mm2(fit.before.measure);
+  twin.leak_mm2 = truth.closed.measure.leak.area_mm2;
+  twin.leak_before_mm2 = fit.before.measure.leak.area_mm2;
   twin.fitted_leak = fit.leak;
   twin.independent_points = fit.independent_points;
   twin.rounds = fit.rounds;
@@ -108,7 +108,7 @@ std::vector<Twin> study_twins(const TwinStudyOptions& options,
     measured.points_mm = echo_view(truth->closed, options.echo, engine());
     if (options.leak_known)
       measured.leak_mm2 = std::max(
-          0.0, leak_mm2(truth->closed.measure) + measured.leak_sd_mm2 * normal_share(engine));
+          0.0, truth->closed.measure.leak.area_mm2 + measured.leak_sd_mm2 * normal_share(engine));
     const Expected<ValveFit> fit = fit_valve(valve, measured, options.fit);
     if (!fit) continue;
     twins.push_back(judged(*fit, *truth, measured.points_mm.rows()));

@@ -72,7 +72,9 @@ std::vector<NamedPlan> plans_for(const Valve& valve, const Valve& reference, int
   return plans;
 }
 
-MeshVerdict own_verdict(const RankedPlan& plan) { return {trusted(plan), leak_mm2(plan.measure)}; }
+MeshVerdict own_verdict(const RankedPlan& plan) {
+  return {trusted(plan), plan.measure.leak.area_mm2};
+}
 
 JudgedPlan described(const RankedPlan& ranked) {
   JudgedPlan judged;
@@ -83,7 +85,7 @@ JudgedPlan described(const RankedPlan& ranked) {
     judged.neochordae += std::holds_alternative<Neochorda>(step);
   }
   judged.own = own_verdict(ranked);
-  if (ranked.fine) judged.fine = {trusted(*ranked.fine), leak_mm2(*ranked.fine)};
+  if (ranked.fine) judged.fine = {trusted(*ranked.fine), ranked.fine->leak_mm2};
   judged.rank = ranked.own_mesh_rank > 0 ? ranked.own_mesh_rank : ranked.rank;
   judged.fine_rank = ranked.own_mesh_rank > 0 ? ranked.rank : 0;
   judged.cost = ranked.cost;

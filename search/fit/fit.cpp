@@ -174,7 +174,7 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   const FitPosterior posterior = posterior_at(problem, point, weights);
   fit.covariance = posterior.covariance;
   fit.leak = {answer.leak_mm2,
-              Vec2(posterior.leak_sd_mm2, fit.closed.measure.error.leak_mm2).norm()};
+              Vec2(posterior.leak_sd_mm2, fit.closed.measure.leak_error_mm2).norm()};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const double sd = std::sqrt(fit.covariance(at, at));

@@ -30,7 +30,7 @@ namespace coapt {
 struct MeasuredClosure {
   Points points_mm;  ///< of the closed surface, in the valve's frame
   MeasuredSide side = MeasuredSide::Atrial;
-  std::optional<double> leak_mm2;  ///< of its orifice, as leak_mm2() counts it
+  std::optional<double> leak_mm2;  ///< of the least surface (core/metrics/leak.h)
   double leak_sd_mm2 = 3.0;        ///< how well that is known
 };
 

@@ -66,7 +66,7 @@ std::vector<double> FitProblem::values(const Eigen::VectorXd& point) const {
 
 FitAnswer FitProblem::answer_of(const ClosedValve& closed) const {
   return {signed_distances_mm(points_mm_, surface_of(closed), measured_.side),
-          leak_mm2(closed.measure), true};
+          closed.measure.leak.area_mm2, true};
 }
 
 std::vector<FitAnswer> FitProblem::answers(const std::vector<Eigen::VectorXd>& points) {

@@ -23,7 +23,7 @@ Eigen::VectorXd ClimbModel::signs(const PlanEvaluations& evaluations,
   double mean = 0.0, worst = 0.0, tension = 0.0;
   for (const auto& [disturbance, closure] : plan.closures) {
     if (disturbance >= nodes_) break;
-    const double leak = trusted(closure) ? leak_mm2(closure) : kMostPart_mm2;
+    const double leak = trusted(closure) ? closure.leak_mm2 : kMostPart_mm2;
     mean += std::min(leak, kMostPart_mm2) / nodes_;
     worst = std::max(worst, std::min(leak, kMostPart_mm2));
     if (trusted(closure)) tension = std::max(tension, closure.tension_max_n);

@@ -17,7 +17,7 @@ constexpr const char* kGrading = "echocardiographic grading";
 constexpr const char* kValidity = "validity of the simulation";
 
 Gate convergence(const Evaluation& repaired) {
-  if (repaired.status == ClosureStatus::Converged && std::isfinite(leak_mm2(repaired.measure)))
+  if (repaired.status == ClosureStatus::Converged && std::isfinite(repaired.measure.leak.area_mm2))
     return {"convergence", GateSeverity::Pass, "the closure converged", kValidity};
   return {"convergence", GateSeverity::Reject,
           "the closure did not converge: do not trust its figures", kValidity};
@@ -93,8 +93,8 @@ Gate systolic_anterior_motion(const ValveMeasure& measure) {
 
 Gate regurgitation_grade(const ValveMeasure& measure) {
   return {"regurgitation_grade", GateSeverity::NotAssessed,
-          "the orifice of " + with_decimals(measure.orifice.area_mm2, 1) +
-              " mm2 is anatomic, not the effective one by which regurgitation is graded",
+          "the leak of " + with_decimals(measure.leak.area_mm2, 1) +
+              " mm2 is an anatomic area, not the effective one by which regurgitation is graded",
           kGrading};
 }
 

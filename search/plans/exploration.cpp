@@ -65,7 +65,7 @@ void promote_best(ExplorationState& state, double most_leak_mm2) {
       [](const Trial& a, const Trial& b) { return a.expected.cost < b.expected.cost; });
   if (best == state.trials.end() || best->rung == kLastRung || evaluations_left(state) < kChosenBy)
     return;
-  if (leak_mm2(best->record->closures.at(0)) > most_leak_mm2) return;
+  if (best->record->closures.at(0).leak_mm2 > most_leak_mm2) return;
   promote(state, {static_cast<int>(best - state.trials.begin())}, kLastRung);
   refit_climb_models(state);
 }

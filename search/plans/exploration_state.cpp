@@ -22,7 +22,7 @@ void update_entry_cost(ExplorationState& state) {
 void tell_leading(const ExplorationState& state, const PlanRecord& plan, int nodes) {
   const PlanEvaluations& evaluations = state.in.evaluations;
   state.in.monitor.leads({plan.plan, describe(evaluations.valve(), plan.plan),
-                          evaluations.cost(plan, nodes), nodes, leak_mm2(plan.closures.at(0))});
+                          evaluations.cost(plan, nodes), nodes, plan.closures.at(0).leak_mm2});
 }
 
 /// A plan has reached kChosenBy nodes at a cost that no other plan of its branch had.

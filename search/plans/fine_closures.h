@@ -23,8 +23,8 @@ struct FineMesh {
 
 struct FineClosures {
   FineMesh mesh;
-  /// As planned, on that mesh. Missing: cancelled before, or no levels.
-  std::map<const PlanRecord*, PlanClosure> plans;
+  /// As planned, on that mesh, and on the valve's own. Missing: cancelled before, or no levels.
+  std::map<const PlanRecord*, PlanClosure> plans, own;
 };
 
 /// Most triangles of a mesh for verdicts: a closure on so many takes a second or two.

@@ -104,7 +104,7 @@ ModelSpread model_spread(const std::vector<PlanClosure>& by_draw) {
   spread.draws = static_cast<int>(by_draw.size());
   std::vector<double> leaks;
   for (const PlanClosure& closure : by_draw)
-    if (trusted(closure)) leaks.push_back(leak_mm2(closure));
+    if (trusted(closure)) leaks.push_back(closure.leak_mm2);
   spread.failures = spread.draws - static_cast<int>(leaks.size());
   if (leaks.empty()) return spread;
   const auto [mean, sd] = mean_and_sd(leaks);
@@ -122,7 +122,7 @@ DrawnChange change_in_draw(const PlanEvaluations& evaluations, const PlanRecord&
   const auto cost = [&](const PlanClosure& closure, const CostContext& context) {
     return plan_cost(std::array{ScoredClosure{closure, 0.0}}, plan.effort, context);
   };
-  return {true, leak_mm2(drawn) - leak_mm2(own),
+  return {true, drawn.leak_mm2 - own.leak_mm2,
           cost(drawn, model.contexts[draw]) - cost(own, evaluations.context())};
 }
 

@@ -43,7 +43,7 @@ CostTerms cost_terms(std::span<const ScoredClosure> closures, const Effort& effo
   int counted = 0;
   for (const auto& [closure, disturbance] : closures) {
     if (!trusted(closure)) continue;
-    const double leak = leak_mm2(closure);
+    const double leak = closure.leak_mm2;
     const double short_by = excess(kCoaptationAim_mm, closure.coaptation_mm);
     const double apart = excess(closure.distance_max_mm, context.thickness_mm);
     const double pull = excess(closure.tension_max_n, context.tension_before_n);

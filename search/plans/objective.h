@@ -1,5 +1,4 @@
-// What a search minimises: one number per plan, in mm2 of leak (the larger of orifice and hidden
-// gap).
+// What a search minimises: one number per plan, in mm2 of leak.
 //
 // Competence first: above 1 mm2 a leak costs six times as much, more than any operation. Then mean
 // + sd of the leak under the disturbances (plans/disturbance.h). Where nothing leaks, and a picture
@@ -17,7 +16,7 @@ namespace coapt {
 
 /// Leak that a good repair leaves at most (thesis 4.2.3).
 inline constexpr double kGoodRepair_mm2 = 5.0;
-/// Leak (orifice and hidden gap) below which a closed valve counts as competent.
+/// Leak below which a closed valve counts as competent.
 inline constexpr double kCompetentLeak_mm2 = 1.0;
 /// Coaptation of A2 with P2: an aim of surgeons, evidence is weak.
 inline constexpr double kCoaptationAim_mm = 8.0;

@@ -32,7 +32,7 @@ class Resampling {
     const double n = static_cast<double>(nodes.size());
     for (const std::size_t node : nodes) {
       drawn.push_back(closures_[node]);
-      const double leak = leak_mm2(drawn.back().closure);
+      const double leak = drawn.back().closure.leak_mm2;
       robust = robust && trusted(drawn.back().closure);
       mean += leak / n;
       squares += leak * leak / n;

@@ -84,7 +84,7 @@ std::vector<ParetoPlan> pareto_front(const PlanEvaluations& evaluations,
     const double leak = region_leak_mm2(*plan, nodes);
     if (std::isnan(leak) || is_stenotic(plan->opening) || (traded && !trade_off(*plan, nodes)))
       continue;
-    const OrificeStatistics statistics = leak_statistics(*plan, nodes);
+    const LeakStatistics statistics = leak_statistics(*plan, nodes);
     ParetoPlan made{plan->plan,         describe(evaluations.valve(), plan->plan),
                     statistics.mean,    statistics.sd,
                     plan->effort.steps, plan->effort.sizes_below};

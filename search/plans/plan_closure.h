@@ -9,17 +9,13 @@ namespace coapt {
 struct PlanClosure {
   ClosureStatus status = ClosureStatus::Converged;
   bool crossing = false;
-  double orifice_mm2 = 0.0;      ///< leaflets with their half thickness, seen from the atrium
-  double gap_mm2 = 0.0;          ///< between the leaflets in three dimensions (Coaptation)
+  double leak_mm2 = 0.0;         ///< as it was measured: within a search an estimate (LeakBy)
   double coaptation_mm = 0.0;    ///< height of A2 with P2: mean of the three middle sections
   double distance_max_mm = 0.0;  ///< see Coaptation
   double tension_max_n = 0.0;
 };
 
 PlanClosure plan_closure(const Evaluation& evaluation);
-
-/// The larger of orifice and gap; NaN if either is.
-double leak_mm2(const PlanClosure& closure);
 
 /// Converged, uncrossed, its leak a number.
 bool trusted(const PlanClosure& closure);

@@ -139,7 +139,7 @@ void PlanEvaluations::add(PlanRecord& plan, int disturbance, const PlanClosure& 
       throw;
     }
   }
-  monitor_.closed(disturbance == 0 && trusted(closure) ? leak_mm2(closure)
+  monitor_.closed(disturbance == 0 && trusted(closure) ? closure.leak_mm2
                                                        : std::numeric_limits<double>::infinity());
 }
 

@@ -161,8 +161,9 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   const ExplorationState exploration = explore({evaluations, *space, options, monitor});
 
   SearchResult result;
-  result.before = evaluations.before();
-  result.closed_before = closed_valve(valve, evaluations.closed_before());
+  const ClosedPlan before = with_leak_surface(valve, evaluations.closed_before());
+  result.before = before.evaluation;
+  result.closed_before = closed_valve(valve, before);
   result.evaluations = evaluations.closures() - 1;
   result.stop = exploration.stop;
   result.progress = exploration.progress;
@@ -224,8 +225,9 @@ Expected<SearchResult> evaluate_plans(const Valve& valve, const std::vector<Name
   }
   monitor.plan(1 + ranking_closures(all, records), "ranking");
   SearchResult result;
-  result.before = evaluations.before();
-  result.closed_before = closed_valve(valve, evaluations.closed_before());
+  const ClosedPlan before = with_leak_surface(valve, evaluations.closed_before());
+  result.before = before.evaluation;
+  result.closed_before = closed_valve(valve, before);
   rank_finalists(evaluations, records, all, result);
   for (RankedPlan& ranked : result.plans)
     for (const NamedPlan& named : plans)

@@ -176,12 +176,12 @@ JudgedRecord judged(const PlanEvaluations& evaluations, const Ranked& ranked) {
 /// What the fine mesh says against a plan whose own mesh does not.
 void warn_of_fine(const FineMesh& mesh, RankedPlan& plan) {
   if (!plan.fine || closes_finely(plan) || !trusted(plan) ||
-      leak_mm2(plan.measure) >= kCompetentLeak_mm2)
+      plan.measure.leak.area_mm2 >= kCompetentLeak_mm2)
     return;
   const std::string there = "on " + std::to_string(mesh.triangles) + " triangles ";
   plan.warnings.push_back(!trusted(*plan.fine)
                               ? there + "its closure did not converge uncrossed"
-                              : there + "it leaks " + with_decimals(leak_mm2(*plan.fine), 1) +
+                              : there + "it leaks " + with_decimals(plan.fine->leak_mm2, 1) +
                                     " mm2: not called competent");
 }
 
@@ -191,7 +191,8 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   RankedPlan plan;
   plan.plan = record.plan;
   plan.description = describe(evaluations.valve(), record.plan);
-  const ClosedPlan closed = evaluations.closed(record);
+  const Expected<Valve> repaired = apply_plan(evaluations.valve(), record.plan);
+  const ClosedPlan closed = with_leak_surface(*repaired, evaluations.closed(record));
   const Evaluation& evaluation = closed.evaluation;
   plan.status = evaluation.status;
   plan.crossing = evaluation.crossing;
@@ -202,7 +203,8 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   plan.subset_nodes = std::min(nodes, kChosenBy);
   plan.subset_cost = evaluations.cost(record, plan.subset_nodes);
   plan.region = region_report(record, nodes);
-  const Expected<Valve> repaired = apply_plan(evaluations.valve(), record.plan);
+  plan.region.leak_mm2.nominal = plan.region.independent_leak_mm2.nominal =
+      plan.measure.leak.area_mm2;
   if (const auto drawn = closed_valve(*repaired, closed))
     plan.closed =
         std::make_shared<const ClosedValve>(with_repair(*drawn, evaluations.valve(), record.plan));
@@ -232,7 +234,7 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
     plan.fine = closure->second;
   if (plan.fine && trusted(*plan.fine))
     plan.fine_leak_error_mm2 =
-        area_error_mm2(leak_mm2(*plan.fine), {.triangles = fine.mesh.triangles});
+        area_error_mm2(plan.fine->leak_mm2, {.triangles = fine.mesh.triangles});
   warn_of_fine(fine.mesh, plan);
   return plan;
 }

@@ -28,7 +28,7 @@ double variance_of(std::span<const double> values) {
   return sum / static_cast<double>(values.size());
 }
 
-OrificeStatistics statistics(double nominal, const std::vector<double>& values) {
+LeakStatistics statistics(double nominal, const std::vector<double>& values) {
   if (values.size() < 2)
     return {nominal, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
   const auto below = [&values](double limit) {
@@ -60,7 +60,7 @@ class Closures {
   }
   double leak(int disturbance) const {
     const PlanClosure* closure = at(disturbance);
-    return closure != nullptr && trusted(*closure) ? leak_mm2(*closure) : kUnknown;
+    return closure != nullptr && trusted(*closure) ? closure->leak_mm2 : kUnknown;
   }
   /// Whether it was closed and failed, or leaks more than a competent valve.
   bool leaks(int disturbance) const {
@@ -217,12 +217,9 @@ RegionReport region_report(const PlanRecord& plan, int nodes) {
     report.closures += closures.at(d) != nullptr;
     report.failures += closures.at(d) != nullptr && !trusted(*closures.at(d));
   }
-  const auto orifice = [](const PlanClosure& closure) { return closure.orifice_mm2; };
-  const auto leak = [](const PlanClosure& closure) { return leak_mm2(closure); };
+  const auto leak = [](const PlanClosure& closure) { return closure.leak_mm2; };
   const PlanClosure* planned = closures.at(0);
   const double nominal = planned == nullptr ? kUnknown : leak(*planned);
-  report.orifice_area_mm2 = statistics(planned == nullptr ? kUnknown : orifice(*planned),
-                                       values_of(closures, kRegion, orifice));
   report.leak_mm2 = leak_statistics(plan, nodes);
   std::vector<double> independent = values_of(closures, kIndependent, leak);
   if (!std::isnan(closures.leak(0))) independent.push_back(nominal);
@@ -234,9 +231,9 @@ RegionReport region_report(const PlanRecord& plan, int nodes) {
   return report;
 }
 
-OrificeStatistics leak_statistics(const PlanRecord& plan, int nodes) {
+LeakStatistics leak_statistics(const PlanRecord& plan, int nodes) {
   const Closures closures(plan, nodes);
-  const auto leak = [](const PlanClosure& closure) { return leak_mm2(closure); };
+  const auto leak = [](const PlanClosure& closure) { return closure.leak_mm2; };
   const PlanClosure* planned = closures.at(0);
   return statistics(planned == nullptr ? kUnknown : leak(*planned),
                     values_of(closures, kRegion, leak));

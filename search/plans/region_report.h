@@ -14,7 +14,7 @@ namespace coapt {
 /// mm2, of the region of interest, its undisturbed node included; leaflets with their half
 /// thickness. All but `nominal` are NaN if fewer than two nodes are closed and trusted: that says
 /// nothing about a region.
-struct OrificeStatistics {
+struct LeakStatistics {
   double nominal = 0.0;         ///< undisturbed, trusted or not; NaN if not closed
   double mean = 0.0, sd = 0.0;  ///< sd over n
   double p95 = 0.0;             ///< see quantile()
@@ -55,7 +55,7 @@ struct RegionIndices {
 };
 
 struct RegionReport {
-  OrificeStatistics orifice_area_mm2, leak_mm2;
+  LeakStatistics leak_mm2;
   /// Of the nodes that count; failures are left out of the statistics.
   int closures = 0, failures = 0;
   LeakMargin margin_to_leak;
@@ -63,7 +63,7 @@ struct RegionReport {
   std::vector<RemodellingCurve> remodelling;  ///< empty if none was closed
   RegionIndices indices;
   /// Two sutures, each with its own error: kIndependent and the plan as planned. NaN if not closed.
-  OrificeStatistics independent_leak_mm2;
+  LeakStatistics independent_leak_mm2;
 };
 
 /// @param nodes how many of the region's nodes count, [1, 1089]: of its first, those that are
@@ -71,6 +71,6 @@ struct RegionReport {
 RegionReport region_report(const PlanRecord& plan, int nodes);
 
 /// Its leak_mm2 alone.
-OrificeStatistics leak_statistics(const PlanRecord& plan, int nodes);
+LeakStatistics leak_statistics(const PlanRecord& plan, int nodes);
 
 }  // namespace coapt

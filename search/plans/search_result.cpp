@@ -15,11 +15,11 @@ bool trusted(const RankedPlan& plan) {
 
 bool closes_finely(const RankedPlan& plan) {
   return plan.fine_levels == 0 ||
-         (plan.fine && trusted(*plan.fine) && leak_mm2(*plan.fine) < kCompetentLeak_mm2);
+         (plan.fine && trusted(*plan.fine) && plan.fine->leak_mm2 < kCompetentLeak_mm2);
 }
 
 bool closes_robustly(const RankedPlan& plan, double more_mm2) {
-  const OrificeStatistics& leak = plan.region.leak_mm2;
+  const LeakStatistics& leak = plan.region.leak_mm2;
   return trusted(plan) && plan.region.failures == 0 && plan.region.closures > 1 &&
          leak.mean + more_mm2 + leak.sd < kCompetentLeak_mm2 && closes_finely(plan);
 }

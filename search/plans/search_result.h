@@ -85,7 +85,7 @@ struct TriedPlan {
   double cost_as_planned = 0.0;  ///< over that closure alone
   double cost = 0.0;             ///< over its nodes
   int nodes = 0;                 ///< of the region, closed one after the other from the first
-  OrificeStatistics leak_mm2;    ///< over its nodes
+  LeakStatistics leak_mm2;       ///< over its nodes
   int failures = 0;              ///< of its nodes
   int rank = 0;                  ///< among the ranked plans; 0: it is none of them
 };

@@ -23,9 +23,9 @@ std::optional<StartCheck> check_starts(PlanEvaluations& evaluations, const PlanR
     checks[i] = StartCheck{};
     if (trusted(predicted.evaluation) && trusted(cold.evaluation) && predicted.closure &&
         cold.closure)
-      checks[i] =
-          compare_ends(*predicted.closure, *cold.closure,
-                       leak_mm2(predicted.evaluation.measure) - leak_mm2(cold.evaluation.measure));
+      checks[i] = compare_ends(
+          *predicted.closure, *cold.closure,
+          predicted.evaluation.measure.leak.area_mm2 - cold.evaluation.measure.leak.area_mm2);
   });
   std::vector<StartCheck> made;
   for (const std::optional<StartCheck>& check : checks) {

@@ -40,7 +40,7 @@ double region_leak_mm2(const PlanRecord& plan, int nodes) {
     if (const auto found = plan.closures.find(d);
         found == plan.closures.end() || !trusted(found->second))
       return std::numeric_limits<double>::quiet_NaN();
-  const OrificeStatistics leak = leak_statistics(plan, nodes);
+  const LeakStatistics leak = leak_statistics(plan, nodes);
   return nodes == 1 ? leak.nominal : leak.mean + leak.sd;
 }
 

@@ -64,7 +64,7 @@ Judged judge(const Expected<Valve>& valve, double& leak) {
   if (!valve) return Judged::Invalid;
   const ClosureResult closure = close_valve(*valve);
   if (!trusted(closure)) return Judged::Untrusted;
-  leak = leak_mm2(measure(*valve, closure));
+  leak = measure_leak(*valve, closure.closed_mm).area_mm2;
   if (!std::isfinite(leak)) return Judged::Untrusted;
   return leak <= kGoodRepair_mm2 ? Judged::Competent : Judged::Leaking;
 }

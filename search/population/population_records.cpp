@@ -52,7 +52,7 @@ std::array<float, kFeatures> features_of(const PopulationMember& member, const V
           single(apart),
           single(human.dimensions.anterior_height_mm.value_or(0.0)),
           single(human.dimensions.posterior_height_mm.value_or(0.0)),
-          single(leak_mm2(closed.measure)),
+          single(closed.measure.leak.area_mm2),
           prolapses ? 1.0f : 0.0f,
           ruptured_chordae(member.lesions) > 0 ? 1.0f : 0.0f};
 }
@@ -66,7 +66,7 @@ struct ClosedMember {
 
 ClosedMember closed_member(const Valve& valve, const PopulationRecordOptions& options) {
   ClosedMember closed{valve, closing_evaluator(options.closure), {}};
-  closed.before = closed.evaluate(valve, nullptr);
+  closed.before = with_leak_surface(valve, closed.evaluate(valve, nullptr));
   return closed;
 }
 
@@ -101,14 +101,14 @@ CandidateRecord close_plan(const ClosedMember& member, const RepairPlan& plan, i
   int count = 0;
   for (const ScoredClosure& scored : closures) {
     if (!trusted(scored.closure)) continue;
-    const double leak = leak_mm2(scored.closure);
+    const double leak = scored.closure.leak_mm2;
     sum += leak;
     squares += leak * leak;
     ++count;
   }
   record.failures = nodes - count;
   if (trusted(closures.front().closure))
-    record.planned_mm2 = single(leak_mm2(closures.front().closure));
+    record.planned_mm2 = single(closures.front().closure.leak_mm2);
   if (count > 0) {
     record.mean_mm2 = single(sum / count);
     record.sd_mm2 = single(std::sqrt(std::max(0.0, squares / count - sum / count * (sum / count))));
@@ -150,7 +150,7 @@ PopulationRecord population_record(const PopulationMember& member,
   const ClosedMember closed = closed_member(*valve, options);
   if (!trusted(closed.before.evaluation)) return record;
   record.made = 1;
-  record.leak_mm2 = single(leak_mm2(closed.before.evaluation.measure));
+  record.leak_mm2 = single(closed.before.evaluation.measure.leak.area_mm2);
   record.features = features_of(member, *valve, closed.before.evaluation);
   const CandidateSite site = candidate_site(*valve);
   const std::vector<CandidateRepair>& candidates = candidate_repairs();

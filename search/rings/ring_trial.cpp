@@ -42,7 +42,7 @@ double durability_of(const Evaluator& evaluate, const Ringed& ringed) {
     for (const int index : course.indices) {
       const auto [found, is_new] = record.closures.try_emplace(index);
       if (is_new) found->second = plan_closure(close_disturbed(evaluate, ringed, index));
-      if (!trusted(found->second) || leak_mm2(found->second) > kGoodRepair_mm2) break;
+      if (!trusted(found->second) || found->second.leak_mm2 > kGoodRepair_mm2) break;
     }
   return most_durable_mm(record);
 }
@@ -78,7 +78,7 @@ RingTrial closing_trial(const ClosureOptions& options) {
     const Ringed ringed{member.valve, plan, *repaired, evaluate(*repaired, member.before.get())};
     for (const int index : question.disturbances) {
       const Evaluation closed = close_disturbed(evaluate, ringed, index);
-      outcome.leaks_mm2.push_back(trusted(closed) ? leak_mm2(closed.measure)
+      outcome.leaks_mm2.push_back(trusted(closed) ? closed.measure.leak.area_mm2
                                                   : std::numeric_limits<double>::quiet_NaN());
     }
     if (trusted(ringed.as_planned.evaluation)) {

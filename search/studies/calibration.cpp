@@ -5,7 +5,7 @@
 #include <optional>
 #include <random>
 
-#include "core/metrics/exact_orifice.h"
+#include "core/metrics/orifice.h"
 #include "core/presets/presets.h"
 #include "search/evaluator.h"
 #include "search/least_squares.h"
@@ -45,7 +45,7 @@ std::vector<Answers> close_all(const std::vector<Anatomy>& anatomies,
     if (!changed) return;
     const ClosureResult closure = close_valve(*changed);
     if (!trusted(closure)) return;
-    area[at] = measure_orifice(*changed, closure).area_mm2;
+    area[at] = orifice_mm2(*changed, closure.closed_mm);
     fine[at] = 1;
   });
   std::vector<Answers> answers(anatomies.size());

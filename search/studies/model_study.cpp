@@ -14,17 +14,15 @@
 namespace coapt {
 namespace {
 
-ModelUncertainty uncertainty(std::string name, double as_it_is_mm2,
-                             const std::vector<ModelStudyDraw>& draws,
-                             double ModelStudyDraw::*area) {
+ModelUncertainty uncertainty(double as_it_is_mm2, const std::vector<ModelStudyDraw>& draws) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  ModelUncertainty found{std::move(name), as_it_is_mm2, nan, nan, nan, nan, {}};
+  ModelUncertainty found{as_it_is_mm2, nan, nan, nan, nan, {}};
   std::vector<std::vector<double>> shares;
   std::vector<double> areas;
   for (const ModelStudyDraw& draw : draws) {
     if (!draw.trusted) continue;
     shares.push_back(draw.shares);
-    areas.push_back(draw.*area);
+    areas.push_back(draw.leak_mm2);
   }
   if (areas.empty()) return found;
   const auto [mean, sd] = mean_and_sd(areas);
@@ -39,7 +37,8 @@ ModelUncertainty uncertainty(std::string name, double as_it_is_mm2,
 }  // namespace
 
 ModelStudy study_model(const Valve& valve, const ModelStudyOptions& options) {
-  const Evaluator evaluate = options.evaluate ? options.evaluate : closing_evaluator({});
+  const Evaluator evaluate =
+      options.evaluate ? options.evaluate : closing_evaluator({}, LeakBy::Surface);
   const std::vector<std::vector<double>> shares = model_draws(options.draws, options.seed);
   std::vector<std::optional<ModelStudyDraw>> draws(shares.size());
   ModelStudy study;
@@ -48,12 +47,11 @@ ModelStudy study_model(const Valve& valve, const ModelStudyOptions& options) {
   int done = 0;
   for_each_index(options.draws, options.threads, [&](int i) {
     if (options.cancelled != nullptr && options.cancelled->load()) return;
-    ModelStudyDraw draw{shares[i], false, 0.0, 0.0};
+    ModelStudyDraw draw{shares[i], false, 0.0};
     if (const Expected<Valve> drawn = with_model(valve, shares[i])) {
       const Evaluation evaluation = evaluate(*drawn, nullptr).evaluation;
       draw.trusted = trusted(evaluation);
-      draw.orifice_mm2 = evaluation.measure.orifice.area_mm2;
-      draw.leak_mm2 = leak_mm2(evaluation.measure);
+      draw.leak_mm2 = evaluation.measure.leak.area_mm2;
     }
     draws[i] = std::move(draw);
     const std::lock_guard<std::mutex> lock(mutex);
@@ -65,10 +63,7 @@ ModelStudy study_model(const Valve& valve, const ModelStudyOptions& options) {
       study.untrusted += !draw->trusted;
       study.draws.push_back(*std::move(draw));
     }
-  const ValveMeasure& own = study.as_it_is.measure;
-  study.leak = uncertainty("leak", leak_mm2(own), study.draws, &ModelStudyDraw::leak_mm2);
-  study.orifice =
-      uncertainty("orifice", own.orifice.area_mm2, study.draws, &ModelStudyDraw::orifice_mm2);
+  study.leak = uncertainty(study.as_it_is.measure.leak.area_mm2, study.draws);
   return study;
 }
 

@@ -19,18 +19,17 @@ struct ModelStudyOptions {
   int threads = 0;                         ///< 0: all cores; does not change the answer
   std::function<void(int, int)> progress;  ///< closures made, planned; from one thread at a time
   const std::atomic<bool>* cancelled = nullptr;  ///< may be null; what is closed by then counts
-  Evaluator evaluate;                            ///< closing_evaluator() if empty
+  Evaluator evaluate;                            ///< closes and measures the least surface if empty
 };
 
 struct ModelStudyDraw {
   std::vector<double> shares;  ///< order of model_parameters()
   bool trusted = false;
-  double orifice_mm2 = 0.0, leak_mm2 = 0.0;
+  double leak_mm2 = 0.0;
 };
 
-/// An area over the draws whose closure is trusted; NaN without any.
+/// The leak over the draws whose closure is trusted; NaN without any.
 struct ModelUncertainty {
-  std::string name;  ///< "leak", "orifice"
   double as_it_is_mm2 = 0.0;
   double mean_mm2 = 0.0, sd_mm2 = 0.0;
   double p5_mm2 = 0.0, p95_mm2 = 0.0;
@@ -41,7 +40,7 @@ struct ModelStudy {
   Evaluation as_it_is;
   std::vector<ModelStudyDraw> draws;  ///< those closed, in order
   int untrusted = 0;                  ///< of them; refused ones, too
-  ModelUncertainty leak, orifice;
+  ModelUncertainty leak;
 };
 
 /// Each closure starts from the open state, as close_valve() alone does. @pre the valve is valid and

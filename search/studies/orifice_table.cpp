@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/closure/predicted_start.h"
-#include "core/metrics/exact_orifice.h"
+#include "core/metrics/orifice.h"
 #include "search/evaluator.h"
 #include "search/parallel.h"
 #include "search/studies/configuration_frame.h"
@@ -26,8 +26,7 @@ OrificeSample sample_of(const Valve& closed_valve, const ClosureResult& closure)
   OrificeSample sample;
   double sum = 0.0, squares = 0.0;
   for (const Points& end : closure.samples_mm) {
-    const double half_thickness_mm = 0.5 * closed_valve.tissue.thickness_mm;
-    const double area = exact_orifice(closed_valve, end, half_thickness_mm).area_mm2;
+    const double area = orifice_mm2(closed_valve, end);
     sum += area;
     squares += area * area;
   }

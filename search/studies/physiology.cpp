@@ -162,7 +162,7 @@ class Trials {
 
   double leak_of(const Valve& valve) const {
     const ClosureResult closure = close(valve);
-    return trusted(closure) ? leak_mm2(measure(valve, closure)) : kUnknown;
+    return trusted(closure) ? measure_leak(valve, closure.closed_mm).area_mm2 : kUnknown;
   }
 
   void look_at_rest(PhysiologyValues& values) const {
@@ -174,7 +174,7 @@ class Trials {
     const ValveMeasure measured = measure(valve_, closure);
     const Tenting tenting = measure_tenting(valve_, closure.closed_mm);
     const AnnulusFrame plane = annulus_frame(valve_, AnnulusAxis::SaddlePeak);
-    values.leak_mm2 = leak_mm2(measured);
+    values.leak_mm2 = measured.leak.area_mm2;
     values.coaptation_length_mm = measured.coaptation.sections[4].height_mm;
     values.coaptation_height_mm = measured.coaptation.height_mean_mm;
     values.depth_hinge_mm = tenting.height_mm;

@@ -15,7 +15,7 @@ namespace {
 ClosedDifference difference(const FreeEdge& edge, const ClosedValve& one,
                             const ClosedValve& other) {
   return {edge_difference_mm(edge, one.closure.closed_mm, other.closure.closed_mm),
-          std::abs(leak_mm2(one.measure) - leak_mm2(other.measure))};
+          std::abs(one.measure.leak.area_mm2 - other.measure.leak.area_mm2)};
 }
 
 /// What choices are compared with.

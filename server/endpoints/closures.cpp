@@ -24,14 +24,9 @@ Closed close(const RepairRequest& asked, RequestClosures& closures, const Closur
 }  // namespace
 
 Answer PostClosures::operator()(const Request& request) const {
-  int end_states = 1;
-  const auto read_states = [](const JsonPlace& place) {
-    return read_integer_in(place, 1, kThesisSamples);
-  };
   return answer_repair(
-      valves, compute, request, {{"end_states", into(end_states, read_states), false}},
-      [&end_states](const RepairRequest& asked, RequestClosures& closures) {
-        const Closed closed = close(asked, closures, {.samples = end_states});
+      valves, compute, request, {}, [](const RepairRequest& asked, RequestClosures& closures) {
+        const Closed closed = close(asked, closures, {});
         return json_answer(200, closure_answer(asked, closed.closure, closed.seconds));
       });
 }

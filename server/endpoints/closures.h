@@ -7,8 +7,7 @@
 
 namespace coapt {
 
-/// POST /v1/closures {"valve", "plan" (optional), "end_states" (optional, 1)}: closes the valve, repaired if there is a
-/// plan. Answers what `coapt close --json` prints; more end states take longer to measure.
+/// POST /v1/closures {"valve", "plan" (optional)}: closes the valve, repaired if there is a plan. Answers what `coapt close --json` prints.
 struct PostClosures {
   ValveSource valves;
   Compute& compute;
@@ -16,7 +15,7 @@ struct PostClosures {
 };
 
 /// POST /v1/scenes {"valve", "plan" (optional), "frames" (optional, 0)}: the same closure as everything that is drawn of
-/// it (scene_json.h), one end state instead of five; with frames, the way there.
+/// it (scene_json.h); with frames, the way there.
 struct PostScenes {
   ValveSource valves;
   Compute& compute;

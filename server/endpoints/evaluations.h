@@ -8,7 +8,7 @@
 namespace coapt {
 
 /// POST /v1/evaluations {"valve", "plans": [...], "region_points" (optional, 1), "evidence" (optional, false)}: scores and ranks plans, answered in
-/// the order asked, each with its "index" and "rank"; as one of coapt.plans/1 otherwise.
+/// the order asked, each with its "index" and "rank"; as one of coapt.plans/2 otherwise.
 struct PostEvaluations {
   ValveSource valves;
   Compute& compute;

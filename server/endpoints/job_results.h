@@ -10,7 +10,7 @@
 
 namespace coapt {
 
-/// GET /v1/jobs/{id}/result: coapt.plans/1, or a study's summary with its findings.
+/// GET /v1/jobs/{id}/result: coapt.plans/2, or a study's summary with its findings.
 struct GetResult {
   const JobStore& store;
   Answer operator()(const Request& request) const;

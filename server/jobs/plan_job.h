@@ -14,7 +14,7 @@ namespace coapt {
 inline constexpr const char* kTriedPlansFile = "evaluations.csv";
 
 /// Every closure is kept in `closures` (a PlanStore) as it is made: a job that was killed goes on from them, to the
-/// same plans. Result: coapt.plans/1. Files: evaluations.csv. Reports: search_reports.h.
+/// same plans. Result: coapt.plans/2. Files: evaluations.csv. Reports: search_reports.h.
 struct PlanJob {
   JobBoard& board;
   const JobStore& store;
@@ -26,7 +26,7 @@ struct PlanJob {
 };
 
 /// What is told in the job itself of a search that has ended: {"stop", "any_competent", "plans"}.
-/// @param plans coapt.plans/1
+/// @param plans coapt.plans/2
 std::string search_summary(const Json& plans);
 
 }  // namespace coapt

@@ -33,7 +33,7 @@ TEST_F(EngineTest, AClosureIsCloseValves) {
   const ClosureResult closure = close_valve(valve_, {});
   EXPECT_EQ(answered.closed_mm, closure.closed_mm);
   const Json closed = Json::parse(answered.body);
-  EXPECT_EQ(closed["schema"], "coapt.closure/1");
+  EXPECT_EQ(closed["schema"], "coapt.closure/2");
   EXPECT_EQ(closed["steps"], closure.steps);
   EXPECT_TRUE(closed["warnings"].empty());
 }
@@ -43,7 +43,7 @@ TEST_F(EngineTest, ASceneIsOfTheRepairedValveWithTheWarningsOfItsPlan) {
                      {"steps", {{{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 4}}}}};
   const Json scene =
       Json::parse(answer("/v1/scenes", on_valve({{"plan", ring}, {"frames", 2}})).body);
-  EXPECT_EQ(scene["schema"], "coapt.scene/1");
+  EXPECT_EQ(scene["schema"], "coapt.scene/2");
   EXPECT_LE(scene["motion_mm"].size(), 2u);
   EXPECT_FALSE(scene["motion_mm"].empty());
   const Json bare = Json::parse(answer("/v1/closures", on_valve()).body);
@@ -52,7 +52,7 @@ TEST_F(EngineTest, ASceneIsOfTheRepairedValveWithTheWarningsOfItsPlan) {
 
 TEST_F(EngineTest, AnOpeningHasAreaAndGradient) {
   const Json opening = Json::parse(answer("/v1/openings", on_valve({{"frames", 1}})).body);
-  EXPECT_EQ(opening["schema"], "coapt.opening/1");
+  EXPECT_EQ(opening["schema"], "coapt.opening/2");
   EXPECT_GT(opening["opening_area_mm2"], 100.0);
   EXPECT_TRUE(opening.contains("scene"));
 }

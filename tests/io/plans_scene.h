@@ -15,27 +15,29 @@ namespace plans_scene {
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 struct Closed {
-  double orifice_mm2 = 0.0, gap_mm2 = 0.0, height_mm = 0.0, tension_n = 0.0;
+  double leak_mm2 = 0.0, height_mm = 0.0, tension_n = 0.0;
 };
 
 /// Heights fall to half towards the commissures.
 inline ValveMeasure measured(const Closed& closed) {
   ValveMeasure measure;
-  measure.orifice.area_mm2 = closed.orifice_mm2;
-  measure.orifice.area_raw_mm2 = closed.orifice_mm2 + 9.5;
-  measure.orifice.area_mean_mm2 = closed.orifice_mm2;
-  if (closed.orifice_mm2 > 0.0)
-    measure.orifice.orifices = {{closed.orifice_mm2, Vec3(3.0, -2.0, 0.0), Segment::P3}};
+  measure.leak = {closed.leak_mm2, 0.99 * closed.leak_mm2, 1.01 * closed.leak_mm2, {}};
+  if (closed.leak_mm2 > 0.5)
+    measure.leak.openings = {{closed.leak_mm2,
+                              Vec3(3.0, -2.0, 0.0),
+                              Vec3::UnitZ(),
+                              {Segment::P3, Segment::A3},
+                              2.0,
+                              {}}};
   Coaptation& coaptation = measure.coaptation;
   for (std::size_t i = 0; i < coaptation.sections.size(); ++i) {
     const double along = 0.1 + 0.1 * static_cast<double>(i), aside = 2.0 * along - 1.0;
     const double height = closed.height_mm * (1.25 - 0.78 * aside * aside);
-    coaptation.sections[i] = {along, height, 0.9 + closed.gap_mm2 / 30.0, height > 2.0};
+    coaptation.sections[i] = {along, height, 0.9 + closed.leak_mm2 / 30.0, height > 2.0};
   }
   coaptation.height_mean_mm = closed.height_mm;
   coaptation.height_min_mm = coaptation.height_p10_mm = 0.7 * closed.height_mm;
-  coaptation.distance_max_mm = 0.9 + closed.gap_mm2 / 30.0;
-  coaptation.gap_area_mm2 = closed.gap_mm2;
+  coaptation.distance_max_mm = 0.9 + closed.leak_mm2 / 30.0;
   measure.annulus = {29.4, 38.1, 112.0, 880.0, 5.6};
   measure.tenting_height_mm = 9.0 - 0.4 * closed.height_mm;
   measure.tenting_area_mm2 = 180.0 - 9.0 * closed.height_mm;
@@ -103,9 +105,8 @@ inline RankedPlan first() {
   plan.cost = 6.42;
   plan.subset_cost = 6.1;
   plan.subset_nodes = 17;
-  plan.measure = measured({0.0, 0.3, 6.8, 0.61});
+  plan.measure = measured({0.3, 6.8, 0.61});
   plan.effort = {4.6, 11.5, 2.1, 3};
-  plan.region.orifice_area_mm2 = {0.0, 0.21, 0.34, 0.9, 2.1, 1.0, 1.0, 1.0};
   plan.region.leak_mm2 = {0.3, 0.42, 0.51, 1.4, 5.6, 0.992, 1.0, 1.0};
   plan.region.closures = 1089;
   plan.region.margin_to_leak = {0.75, 4.0, 0.71};
@@ -118,7 +119,7 @@ inline RankedPlan first() {
   plan.warnings = warnings_of(plan.gates);
   plan.warnings.push_back("leaks more than 5 mm2 somewhere in the region of interest");
   plan.fine_levels = 1;
-  plan.fine = PlanClosure{ClosureStatus::Converged, false, 0.2, 0.4, 6.1, 0.92, 0.63};
+  plan.fine = PlanClosure{ClosureStatus::Converged, false, 0.4, 6.1, 0.92, 0.63};
   plan.fine_cost_change = 1.5;
   plan.own_mesh_rank = 2;
   plan.model = ModelSpread{8, 1, 0.9, 1.2, 3.5};
@@ -139,9 +140,8 @@ inline RankedPlan second() {
   plan.cost = 6.87;
   plan.subset_cost = 7.3;
   plan.subset_nodes = 17;
-  plan.measure = measured({0.6, 1.9, 4.9, 0.74});
+  plan.measure = measured({1.9, 4.9, 0.74});
   plan.effort = {0.0, 0.0, 4.0, 1};
-  plan.region.orifice_area_mm2 = {0.6, 1.3, 0.9, 3.1, 6.4, 0.97, 1.0, 1.0};
   plan.region.leak_mm2 = {1.9, 3.1, 1.6, 6.2, 11.8, 0.89, 0.99, 1.0};
   plan.region.closures = 1089;
   plan.region.failures = 2;
@@ -157,8 +157,8 @@ inline RankedPlan second() {
 }
 
 inline RankedPlan third() {
-  const OrificeStatistics unknown = {31.0,     kUnknown, kUnknown, kUnknown,
-                                     kUnknown, kUnknown, kUnknown, kUnknown};
+  const LeakStatistics unknown = {31.0,     kUnknown, kUnknown, kUnknown,
+                                  kUnknown, kUnknown, kUnknown, kUnknown};
   RankedPlan plan;
   plan.rank = 3;
   plan.name = "own/suture.json";
@@ -171,9 +171,9 @@ inline RankedPlan third() {
   plan.subset_nodes = 1;
   plan.status = ClosureStatus::StepLimit;
   plan.crossing = true;
-  plan.measure = measured({31.0, 38.0, 1.8, 2.4});
+  plan.measure = measured({38.0, 1.8, 2.4});
   plan.effort = {0.0, 16.2, 0.0, 1};
-  plan.region.orifice_area_mm2 = plan.region.leak_mm2 = plan.region.independent_leak_mm2 = unknown;
+  plan.region.leak_mm2 = plan.region.independent_leak_mm2 = unknown;
   plan.region.closures = 1;
   plan.region.failures = 1;
   plan.region.margin_to_leak = {kUnknown, kUnknown, kUnknown};
@@ -189,10 +189,10 @@ inline RankedPlan third() {
 inline SearchResult search_result() {
   using namespace plans_scene;
   SearchResult result;
-  result.before.measure = measured({41.0, 52.0, 2.6, 0.48});
+  result.before.measure = measured({52.0, 2.6, 0.48});
   result.plans = {first(), second(), third()};
-  result.fine_mesh = {1, 2592,
-                      PlanClosure{ClosureStatus::Converged, false, 38.5, 47.25, 2.4, 3.1, 0.47}, 4};
+  result.fine_mesh = {1, 2592, PlanClosure{ClosureStatus::Converged, false, 47.25, 2.4, 3.1, 0.47},
+                      4};
   result.model_draws = 8;
   result.before_under_draws = ModelSpread{8, 0, 50.0, 12.5, 71.0};
   result.model_closures = 32;

@@ -35,7 +35,7 @@ struct LocalClosure {
   ClosureResult closure{};
   ValveMeasure measure{};
   double seconds = 0.0;                 ///< of closing
-  std::vector<std::string> warnings{};  ///< as in coapt.closure/1
+  std::vector<std::string> warnings{};  ///< as in coapt.closure/2
 };
 
 /// Closes the valve, repaired if `plan` (a coapt.plan/1) is not empty and with `material` (an object of material_table()'s names) if

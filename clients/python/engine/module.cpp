@@ -109,14 +109,13 @@ py::object known(double number) {
 /// Figures in the order of coapt.closures.Measure.
 py::tuple figures_of(const ValveMeasure& measured) {
   const Coaptation& coaptation = measured.coaptation;
-  py::tuple figures(15);
+  py::tuple figures(10);
   std::size_t i = 0;
   for (const double number :
-       {leak_mm2(measured), measured.error.leak_mm2, measured.orifice.area_mm2,
-        measured.error.orifice_mm2, coaptation.gap_area_mm2, measured.error.gap_mm2,
-        coaptation.height_mean_mm, coaptation.height_min_mm, measured.annulus.ap_mm,
-        measured.annulus.al_pm_mm, measured.tenting_height_mm, measured.tension_max_n,
-        measured.tension_sum_n, measured.strain_circumferential_max, measured.strain_radial_max})
+       {measured.leak.area_mm2, coaptation.height_mean_mm, coaptation.height_min_mm,
+        measured.annulus.ap_mm, measured.annulus.al_pm_mm, measured.tenting_height_mm,
+        measured.tension_max_n, measured.tension_sum_n, measured.strain_circumferential_max,
+        measured.strain_radial_max})
     figures[i++] = known(number);
   return figures;
 }

@@ -13,10 +13,10 @@ namespace {
 TEST(AccurateClosure, RefinesUntilTheLeakIsKnownSoWell) {
   const Valve& valve = small_preset("human-functional-mr");
   const ClosedValve coarse = close_and_measure(valve);
-  const double wanted_mm2 = 0.6 * coarse.measure.error.leak_mm2;
+  const double wanted_mm2 = 0.6 * coarse.measure.leak_error_mm2;
   const Expected<AccurateClosure> accurate = close_within(valve, wanted_mm2, {});
   ASSERT_TRUE(accurate);
-  EXPECT_LE(accurate->closed.measure.error.leak_mm2, wanted_mm2);
+  EXPECT_LE(accurate->closed.measure.leak_error_mm2, wanted_mm2);
   EXPECT_EQ(accurate->closed.valve.faces.rows(), valve.faces.rows() << (2 * accurate->refinements));
   EXPECT_GE(accurate->refinements, 1);
   EXPECT_EQ(close_within(valve, 1e3, {})->refinements, 0);

@@ -73,7 +73,7 @@ TEST(MeshConvergence, StopsAsSoonAsTheLeakStands) {
   EXPECT_EQ(wide.levels[1].triangles, 4 * wide.levels[0].triangles);
   EXPECT_EQ(wide.levels[1].change_mm2, wide.levels[1].leak_mm2 - wide.levels[0].leak_mm2);
   EXPECT_EQ(wide.finest.valve.faces.rows(), wide.levels[1].triangles);
-  EXPECT_EQ(leak_mm2(wide.finest.measure), wide.levels[1].leak_mm2);
+  EXPECT_EQ(wide.finest.measure.leak.area_mm2, wide.levels[1].leak_mm2);
 }
 
 TEST(MeshConvergence, StopsBeforeAMeshThatWouldBeTooFineAndTellsEachLevel) {

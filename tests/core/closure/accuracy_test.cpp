@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/closure/closure.h"
-#include "core/metrics/measure.h"
+#include "core/metrics/orifice.h"
 #include "core/presets/presets.h"
 
 namespace coapt {
@@ -62,13 +62,13 @@ TEST(AccuracyTiers, TheDefaultTolerancesAreOneOfThem) {
 TEST(AccuracyTiers, KeepWhatTheyPromiseOnPresets) {
   for (const char* name : {"human-normal", "human-functional-mr", "porcine-5"}) {
     const Valve valve = *make_preset(name);
-    const auto orifice_mm2 = [&](const ClosureOptions& options) {
-      return measure(valve, close_valve(valve, options)).orifice.area_mm2;
+    const auto orifice = [&](const ClosureOptions& options) {
+      return orifice_mm2(valve, close_valve(valve, options).closed_mm);
     };
     const double end =
-        orifice_mm2({.residual_tolerance = 1e-6, .way_tolerance_mm = 1e-4, .max_steps = 100000});
+        orifice({.residual_tolerance = 1e-6, .way_tolerance_mm = 1e-4, .max_steps = 100000});
     for (const AccuracyTier& tier : accuracy_tiers())
-      EXPECT_NEAR(orifice_mm2(at_tier({}, tier)), end, tier.continuum.max_mm2) << name;
+      EXPECT_NEAR(orifice(at_tier({}, tier)), end, tier.continuum.max_mm2) << name;
   }
 }
 

@@ -91,6 +91,30 @@ TEST(Leak, OfTwoSlitsHasTwoOpeningsWithTheirPlaces) {
   }
 }
 
+TEST(Leak, TheSurfaceOfAnOpeningLiesAcrossItAndItsOutlineAtTheTissue) {
+  for (const double slope : {0.0, 0.3}) {
+    const Leak leak = leak_of(funnel(5.0, slope));
+    ASSERT_EQ(leak.openings.size(), 1U);
+    const OpeningSurface& surface = leak.openings[0].surface;
+    Vec3 normal = Vec3::Zero();
+    double area = 0.0;
+    for (const auto& face : surface.faces.rowwise()) {
+      const Vec3 a = surface.points_mm.row(face[0]), b = surface.points_mm.row(face[1]),
+                 c = surface.points_mm.row(face[2]);
+      normal += 0.5 * (b - a).cross(c - a);
+      area += 0.5 * (b - a).cross(c - a).norm();
+    }
+    EXPECT_NEAR(area, leak.area_mm2, 0.06 * leak.area_mm2);
+    EXPECT_GT(normal.normalized().dot(leak.openings[0].normal), 0.99);
+    ASSERT_GT(surface.outline.size(), 20U);
+    for (const int v : surface.outline) {
+      const Vec3 point = surface.points_mm.row(v);
+      EXPECT_NEAR(point.head<2>().norm(), 4.5, 0.35);
+      EXPECT_NEAR(point.z(), -7.0 + slope * point.x(), 0.4);
+    }
+  }
+}
+
 TEST(Leak, FollowsAMovedValve) {
   const Valve valve = funnel(4.0, 0.4);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
@@ -113,10 +137,12 @@ TEST(Leak, OfACompetentValveIsNoneAndOfALeakingOneMovesWithItsVerticesAlone) {
   EXPECT_NEAR(measure_leak(leaking, closed_mm).area_mm2, before, 0.3);
 }
 
-TEST(Leak, OfPointsThatAreNotFiniteIsNotKnown) {
+TEST(Leak, OfPointsThatFlewApartIsNotKnown) {
   Valve valve = disc_with_hole(12.0, 4.0);
-  valve.rest_mm(3, 1) = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(std::isnan(leak_of(valve).area_mm2));
+  for (const double away_mm : {std::numeric_limits<double>::infinity(), 1e6}) {
+    valve.rest_mm(300, 1) = away_mm;
+    EXPECT_TRUE(std::isnan(leak_of(valve).area_mm2));
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/metrics/leak_estimate.h"
 #include "tests/scenes/sheets.h"
 
 namespace coapt {
@@ -16,8 +17,8 @@ TEST(Measure, PutsThePartsTogether) {
   closure.closed_mm.col(1) *= 1.1;
   closure.samples_mm.clear();
   const ValveMeasure result = measure(valve, closure);
-  EXPECT_NEAR(result.orifice.area_raw_mm2, std::numbers::pi * 3.0 * 3.3, 0.1);
-  EXPECT_EQ(result.orifice.area_mean_mm2, result.orifice.area_mm2);
+  EXPECT_NEAR(result.leak.area_mm2, std::numbers::pi * 2.5 * 2.8, 0.5);
+  EXPECT_EQ(result.leak.openings.size(), 1U);
   EXPECT_NEAR(result.annulus.ap_mm, 30.0, 1e-9);
   EXPECT_NEAR(result.strain_radial_max, 0.105, 1e-9);
   EXPECT_NEAR(result.strain_circumferential_max, 0.0, 1e-9);
@@ -33,16 +34,26 @@ TEST(Measure, OfPointsThatAreNotFiniteOnlyTheAnnulusIsKnown) {
   closure.closed_mm(200, 1) = std::numeric_limits<double>::quiet_NaN();
   const ValveMeasure result = measure(valve, closure);
   EXPECT_NEAR(result.annulus.ap_mm, 30.0, 1e-9);
-  EXPECT_TRUE(std::isnan(result.orifice.area_mm2));
+  EXPECT_TRUE(std::isnan(result.leak.area_mm2));
   EXPECT_TRUE(std::isnan(result.coaptation.height_mean_mm));
   EXPECT_FALSE(result.coaptation.sections[4].contact);
+}
+
+TEST(Measure, OfClosuresThatNobodySeesTheLeakIsEstimated) {
+  const Valve valve = disc_with_hole(15.0, 3.0);
+  const ClosureResult closure = closed_at_rest(valve);
+  const ValveMeasure result = measure(valve, closure, LeakBy::Estimate);
+  EXPECT_EQ(result.leak.area_mm2, estimate_leak_mm2(valve, closure.closed_mm));
+  EXPECT_TRUE(result.leak.openings.empty());
+  EXPECT_TRUE(std::isnan(result.leak.lower_mm2));
+  EXPECT_EQ(result.coaptation.height_mean_mm, measure(valve, closure).coaptation.height_mean_mm);
 }
 
 TEST(Measure, RepeatsItselfToTheBit) {
   const Valve valve = disc_with_hole(15.0, 3.0);
   const ClosureResult closure = closed_at_rest(valve);
   const ValveMeasure first = measure(valve, closure), second = measure(valve, closure);
-  EXPECT_EQ(first.orifice.area_mm2, second.orifice.area_mm2);
+  EXPECT_EQ(first.leak.area_mm2, second.leak.area_mm2);
   EXPECT_EQ(first.coaptation.height_mean_mm, second.coaptation.height_mean_mm);
   EXPECT_EQ(first.tenting_area_mm2, second.tenting_area_mm2);
 }

@@ -79,7 +79,7 @@ TEST(OpenValve, AClipLeavesTwoOpeningsThatAreSmallerTogether) {
   const OpenedValve open = opened(clipped);
   EXPECT_LT(open.measure.projected_area_mm2, 0.8 * opened(valve).measure.projected_area_mm2);
   EXPECT_LT(open.measure.opening_area_mm2, 0.5 * opened(valve).measure.opening_area_mm2);
-  EXPECT_TRUE(open.passage_mm.empty());
+  EXPECT_GE(open.leak.openings.size(), 2U);
   EXPECT_NE(opening_warnings(open).front().find("ties bear"), std::string::npos);
 }
 

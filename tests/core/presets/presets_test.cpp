@@ -24,7 +24,7 @@ TEST_P(HealthyPreset, IsCompetentTouchesAtNineSectionsAndDoesNotCross) {
   EXPECT_EQ(closed.status, ClosureStatus::Converged);
   EXPECT_FALSE(closed.crossing);
   const ValveMeasure measured = measure(valve, closed);
-  EXPECT_LT(measured.orifice.area_mm2, 1.0);
+  EXPECT_LT(measured.leak.area_mm2, 1.0);
   for (const CoaptationSection& section : measured.coaptation.sections)
     EXPECT_TRUE(section.contact) << "at " << section.along << ": " << section.distance_mm << " mm";
 }
@@ -121,8 +121,8 @@ TEST(Preset, OfADiseaseHasTheAnnulusOfItsSourceAndItsLeak) {
         Disease{"hypertrophic", 1.0, 0.0, 1.0}}) {
     const ValveMeasure& measured = closed_preset(name);
     EXPECT_NEAR(measured.annulus.area_mm2 / normal, area, 0.02) << name;
-    EXPECT_GE(leak_mm2(measured), least_mm2) << name;
-    EXPECT_LE(leak_mm2(measured), most_mm2) << name;
+    EXPECT_GE(measured.leak.area_mm2, least_mm2) << name;
+    EXPECT_LE(measured.leak.area_mm2, most_mm2) << name;
   }
 }
 
@@ -157,15 +157,15 @@ TEST(Preset, OfHypertrophicDiseaseHasTheLeafletsOfItsSource) {
 
 TEST(Preset, LeaksMoreTheFurtherTheAnnulusDilatesOrTheTipsDescend) {
   const Valve& valve = shared_preset("porcine-1");
-  const auto orifice = [&](const Remodelling& change) {
+  const auto leak = [&](const Remodelling& change) {
     const Valve changed = *remodel(valve, change);
-    return measure(changed, close_valve(changed)).orifice.area_mm2;
+    return measure(changed, close_valve(changed)).leak.area_mm2;
   };
   double before = 0.5;
   for (const double percent : {15.0, 22.0, 30.0}) {
     Remodelling change;
     change.ap_dilation_percent = percent;
-    const double area = orifice(change);
+    const double area = leak(change);
     EXPECT_GT(area, before) << percent << " %";
     before = area;
   }
@@ -173,7 +173,7 @@ TEST(Preset, LeaksMoreTheFurtherTheAnnulusDilatesOrTheTipsDescend) {
   for (const double apical_mm : {6.0, 8.0, 10.0}) {
     Remodelling change;
     change.anterolateral_mm = change.posteromedial_mm = Vec3(0.0, 0.0, apical_mm);
-    const double area = orifice(change);
+    const double area = leak(change);
     EXPECT_GT(area, before) << apical_mm << " mm";
     before = area;
   }
@@ -189,7 +189,7 @@ TEST(Presets, HumanNormalOfThinnerOrThickerTissueTouchesAtItsOwnThickness) {
     const ClosureResult closed = close_valve(taut);
     const ValveMeasure measured = measure(taut, closed);
     EXPECT_FALSE(closed.crossing) << thickness;
-    EXPECT_LT(measured.orifice.area_mm2, 1.0) << thickness;
+    EXPECT_LT(measured.leak.area_mm2, 1.0) << thickness;
     for (const CoaptationSection& section : measured.coaptation.sections)
       EXPECT_TRUE(section.contact) << thickness << ' ' << section.along;
   }

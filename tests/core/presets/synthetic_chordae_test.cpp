@@ -50,7 +50,7 @@ TEST(SyntheticChordae, TheMeanAnatomyIsCompetentWhereTheValveWas) {
   const ClosureResult closed = close_valve(*mean);
   EXPECT_EQ(closed.status, ClosureStatus::Converged);
   EXPECT_FALSE(closed.crossing);
-  EXPECT_LT(leak_mm2(measure(*mean, closed)), 2.0);
+  EXPECT_LT(measure(*mean, closed).leak.area_mm2, 2.0);
 }
 
 TEST(SyntheticChordae, TipsThatWereSeenStayInEveryDraw) {

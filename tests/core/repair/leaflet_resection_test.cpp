@@ -50,7 +50,7 @@ double leak(const Valve& valve) {
   const ClosureResult closed = close_valve(valve);
   EXPECT_EQ(closed.status, ClosureStatus::Converged) << valve.name;
   EXPECT_FALSE(closed.crossing) << valve.name;
-  return leak_mm2(measure(valve, closed));
+  return measure(valve, closed).leak.area_mm2;
 }
 
 TEST(SewnShape, AStripTwoLongWhoseMiddleEdgeHalvesIsOneAndAHalfLong) {

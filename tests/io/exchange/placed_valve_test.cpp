@@ -43,7 +43,7 @@ TEST(PlacedValve, LiesWhereTheImagesShowIt) {
   EXPECT_EQ(Vec3(placed.repair.annulus_before_mm.row(3)),
             in_images(closed.repair.annulus_before_mm.row(3)));
   EXPECT_EQ(placed.repair.sutures[0].anchor_mm, in_images(Vec3(7, 8, 9)));
-  EXPECT_EQ(placed.measure.orifice.area_mm2, closed.measure.orifice.area_mm2);
+  EXPECT_EQ(placed.measure.leak.area_mm2, closed.measure.leak.area_mm2);
 }
 
 TEST(PlacedValve, OfUnknownImagesStaysWhereItIs) {

@@ -60,7 +60,8 @@ TEST(ShapeFile, ReadsBackWhatIsExportedWithItsLeaflets) {
 
 TEST(ShapeFile, ReadsTheClosedStateOfAScene) {
   const ClosedValve closed = still_valve();
-  const std::string scene = scene_to_json({closed.valve, closed.closure, closed.plan, 0}).dump();
+  const std::string scene =
+      scene_to_json({closed.valve, closed.closure, {}, closed.plan, 0}).dump();
   EXPECT_TRUE(is_scene_text(scene));
   EXPECT_FALSE(is_scene_text("{\"schema\": \"coapt.valve/1\"}"));
   EXPECT_FALSE(is_scene_text("nothing"));

@@ -18,7 +18,7 @@ Json plan_of(double leak_mm2) {
 }
 
 Json two_plans() {
-  return {{"schema", "coapt.plans/1"}, {"plans", {plan_of(1.0), plan_of(2.5)}}, {"closures", 7}};
+  return {{"schema", "coapt.plans/2"}, {"plans", {plan_of(1.0), plan_of(2.5)}}, {"closures", 7}};
 }
 
 std::vector<PlanCase> cases() {

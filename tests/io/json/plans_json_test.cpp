@@ -52,11 +52,11 @@ TEST(PlansJson, HasTheKeysThatScriptsRelyOn) {
                                                      "not_modelled",
                                                      "weights",
                                                      "reproduce"}));
-  EXPECT_EQ(scene()["schema"], "coapt.plans/1");
+  EXPECT_EQ(scene()["schema"], "coapt.plans/2");
   EXPECT_EQ(scene()["notice"], kResearchNotice);
   EXPECT_EQ(scene()["before"]["status"], "converged");
   EXPECT_EQ(scene()["before"]["crossing"], false);
-  EXPECT_EQ(scene()["before"]["orifice_area_mm2"], 41.0);
+  EXPECT_EQ(scene()["before"]["leak_mm2"], 52.0);
   EXPECT_EQ(scene()["best_cost_history"].dump(), "[231.0,96.0,41.0,17.5,9.9,7.4,6.3]");
   EXPECT_EQ(scene()["stop"], "evaluation_limit");
   EXPECT_EQ(scene()["closures"], 6120);
@@ -68,7 +68,6 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
   const std::vector<std::string> expected = {"rank",
                                              "plan",
                                              "description",
-                                             "orifice_area_mm2",
                                              "leak_mm2",
                                              "cost",
                                              "cost_terms",
@@ -110,7 +109,7 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
 TEST(PlansJson, APlanStatesItsOpeningAndHowLongItLasts) {
   SearchResult result = search_result();
   result.plans[0].opening =
-      PlanOpening{ClosureStatus::Converged, false, {320.0, 4.0, 3.0, 300.0, 700.0, 1.9, 3.7}};
+      PlanOpening{ClosureStatus::Converged, false, {320.0, 300.0, 700.0, 1.9, 3.7}};
   result.plans[0].durability = Durability{4.25, 0.375};
   result.plans[1].opening = PlanOpening{ClosureStatus::StepLimit, false, {}};
   const Json plans = written(to_json(result))["plans"];
@@ -129,10 +128,9 @@ TEST(PlansJson, APlanStatesItsClosureOnTheFinerMesh) {
   const Json& plans = scene()["plans"];
   EXPECT_EQ(plans[0]["closes_robustly"], true);
   EXPECT_EQ(plans[1]["closes_robustly"], false);
-  EXPECT_EQ(
-      plans[0]["fine"].dump(),
-      R"({"triangles":2592,"status":"converged","crossing":false,"orifice_area_mm2":0.2,)"
-      R"("gap_area_mm2":0.4,"leak_mm2":0.4,"leak_mm2_error":null,"cost":7.92,"own_mesh_rank":2})");
+  EXPECT_EQ(plans[0]["fine"].dump(),
+            R"({"triangles":2592,"status":"converged","crossing":false,)"
+            R"("leak_mm2":0.4,"leak_mm2_error":null,"cost":7.92,"own_mesh_rank":2})");
   EXPECT_TRUE(plans[1]["fine"].is_null());
   SearchResult result = search_result();
   result.fine_mesh = {};
@@ -248,7 +246,7 @@ TEST(PlansJson, ATieIsFrom5To95Percent) {
 TEST(PlansJson, WhatIsNotKnownIsNull) {
   const Json& plan = scene()["plans"][2];
   EXPECT_EQ(plan["status"], "step_limit");
-  EXPECT_EQ(plan["orifice_area_mm2"].dump(),
+  EXPECT_EQ(plan["leak_mm2"].dump(),
             R"({"nominal":31.0,"mean":null,"sd":null,"worst":null,"p95":null,"below_5":null,)"
             R"("below_10":null,"below_20":null})");
   EXPECT_TRUE(plan["margin_to_leak"]["angle_deg"].is_null());

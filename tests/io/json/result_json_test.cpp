@@ -39,14 +39,21 @@ TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
   closure.steps = 40000;
   closure.crossing = true;
   ValveMeasure measure;
-  measure.orifice = {12.5, 30.0, 12.0, {{12.5, Vec3(1.0, 2.0, 3.0), Segment::P2}}};
+  OpeningSurface surface;
+  surface.points_mm = Points::Zero(2, 3);
+  surface.points_mm.row(1) << 4.0, 5.0, 6.0;
+  surface.outline = {1};
+  measure.leak = {
+      12.5,
+      12.0,
+      13.0,
+      {{12.5, Vec3(1.0, 2.0, 3.0), Vec3::UnitZ(), {Segment::P2, Segment::A2}, 1.5, surface}}};
   const Json result = closure_to_json(small_valve(), closure, measure, 1.5);
   EXPECT_EQ(result["method"], "thesis");
   EXPECT_EQ(result["membrane"], "continuum");
   EXPECT_EQ(result["status"], "step_limit");
   EXPECT_EQ(result["crossing"], true);
-  EXPECT_EQ(result["orifice_area_mm2"], 12.5);
-  EXPECT_EQ(result["orifice_area_raw_mm2"], 30.0);
+  EXPECT_EQ(result["leak_mm2"], 12.5);
   EXPECT_EQ(result["residual"], 0.02);
   EXPECT_EQ(result["steps"], 40000);
   EXPECT_EQ(result["seconds"], 1.5);
@@ -54,19 +61,21 @@ TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
   EXPECT_TRUE(result["coaptation_area_index"].is_number());
   EXPECT_EQ(result["notice"], kResearchNotice);
   EXPECT_EQ(result["version"], version());
-  EXPECT_EQ(result["orifices"][0].dump(),
-            R"({"area_mm2":12.5,"centroid_mm":[1.0,2.0,3.0],"segment":"P2"})");
+  EXPECT_EQ(result["leak"].dump(),
+            R"({"area_mm2":12.5,"error_mm2":null,"between_mm2":[12.0,13.0],"openings":[)"
+            R"({"area_mm2":12.5,"centroid_mm":[1.0,2.0,3.0],"normal":[0.0,0.0,1.0],)"
+            R"("segments":["P2","A2"],"width_mm":1.5,"outline_mm":[[4.0,5.0,6.0]]}]})");
   EXPECT_EQ(result["coaptation"]["sections"].size(), 9u);
 }
 
-TEST(ResultJson, AnAreaHasItsErrorBesideIt) {
+TEST(ResultJson, ALeakHasItsErrorAndWhatIsNotKnownIsNull) {
   ValveMeasure measure;
-  measure.error = {2.5, 3.5, 4.5};
-  const auto json = to_json(measure);
-  EXPECT_EQ(json["orifice_area_mm2_error"], 2.5);
-  EXPECT_EQ(json["coaptation"]["gap_area_mm2_error"], 3.5);
-  EXPECT_EQ(json["leak_mm2_error"], 4.5);
-  EXPECT_EQ(to_json(ValveMeasure{})["leak_mm2_error"].dump(), "null") << "it is not known";
+  measure.leak = {4.0, 3.5, 4.5, {}};
+  measure.leak_error_mm2 = 2.5;
+  EXPECT_EQ(to_json(measure)["leak"].dump(),
+            R"({"area_mm2":4.0,"error_mm2":2.5,"between_mm2":[3.5,4.5],"openings":[]})");
+  EXPECT_EQ(to_json(ValveMeasure{})["leak"].dump(),
+            R"({"area_mm2":null,"error_mm2":null,"between_mm2":null,"openings":[]})");
 }
 
 TEST(ResultJson, AnAccuracyIsWhatWasAskedAndHowItWasKept) {

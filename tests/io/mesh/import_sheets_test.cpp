@@ -25,7 +25,7 @@ std::vector<const char*> presets() {
   return all;
 }
 
-double leak_mm2(const Valve& valve) { return measure(valve, close_valve(valve)).orifice.area_mm2; }
+double leak_mm2(const Valve& valve) { return measure(valve, close_valve(valve)).leak.area_mm2; }
 
 double loop_rms_mm(const Points& found, const Points& given) {
   double sum = 0.0;

@@ -37,7 +37,7 @@ inline DecodedPng decode_png(std::string png) {
   return decoded;
 }
 
-/// Pixels of the orifices' saturated blue, which nothing else has, within columns [first, end).
+/// Pixels of the leak's saturated blue, which nothing else has, within columns [first, end).
 inline long blue_pixels(const DecodedPng& png, int first, int end) {
   long count = 0;
   for (int y = 0; y < png.height; ++y)

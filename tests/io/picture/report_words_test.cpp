@@ -138,17 +138,21 @@ TEST(ShortWords, NameEveryKindOfStep) {
 TEST(ValveWords, SayWhereItLeaksAndWhatIsRuptured) {
   ClosedValve before = closed_small_valve();
   before.valve.chordae[1].ruptured = true;
-  before.measure.orifice.area_mm2 = 30.0;
-  before.measure.orifice.orifices = {{15.0, Vec3::Zero(), Segment::P3},
-                                     {10.0, Vec3::Zero(), Segment::P2},
-                                     {4.0, Vec3::Zero(), Segment::A1},
-                                     {1.0, Vec3::Zero(), Segment::A3}};
-  before.measure.error = {0.4, 2.0, 2.0};
+  before.measure.leak.area_mm2 = 30.0;
+  before.measure.leak.openings.clear();
+  for (const auto& [area_mm2, segments] :
+       {std::pair<double, std::vector<Segment>>{15.0, {Segment::P3, Segment::A3}},
+        {10.0, {Segment::P2}},
+        {4.0, {Segment::A1}},
+        {1.0, {Segment::A3}}})
+    before.measure.leak.openings.push_back(
+        {area_mm2, Vec3::Zero(), Vec3::UnitZ(), segments, 1.0, {}});
+  before.measure.leak_error_mm2 = 0.4;
   const std::string words = valve_words(before);
   EXPECT_NE(
       words.find(
-          "leaks through 30.0 ± 0.4 mm² seen from the atrium (15.0 mm² at P3, 10.0 mm² at P2, 4.0 "
-          "mm² at A1, 1 smaller)"),
+          "leaks through 30.0 ± 0.4 mm² (15.0 mm² at P3, A3, 10.0 mm² at P2, 4.0 mm² at A1, 1 "
+          "smaller)"),
       std::string::npos)
       << words;
   EXPECT_NE(words.find("Annulus 36.0 mm across, 28.0 mm front to back"), std::string::npos);
@@ -160,7 +164,7 @@ TEST(ValveWords, OfAClosureThatFlewApartSayThatNothingIsKnown) {
   before.closure.closed_mm(3, 1) = std::numeric_limits<double>::infinity();
   before.measure = measure(before.valve, before.closure);
   const std::string words = valve_words(before);
-  EXPECT_NE(words.find("leaks through n/a seen from the atrium;"), std::string::npos) << words;
+  EXPECT_NE(words.find("leaks through n/a."), std::string::npos) << words;
   EXPECT_EQ(words.find("nan"), std::string::npos);
 }
 

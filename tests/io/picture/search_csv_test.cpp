@@ -10,8 +10,7 @@ namespace {
 TEST(SearchCsv, APlanIsARowInTheOrderOfTryingAndWhatIsNotKnownIsEmpty) {
   TriedPlan ring;
   ring.plan.steps = {Annuloplasty{OwnRing{2}}};
-  ring.planned.orifice_mm2 = 2.5;
-  ring.planned.gap_mm2 = 1.0;
+  ring.planned.leak_mm2 = 2.5;
   ring.planned.coaptation_mm = 7.0;
   ring.planned.tension_max_n = 0.5;
   ring.cost_as_planned = 4.5;
@@ -31,13 +30,13 @@ TEST(SearchCsv, APlanIsARowInTheOrderOfTryingAndWhatIsNotKnownIsEmpty) {
   EXPECT_EQ(
       tried_plans_csv(small_valve(), result),
       "number,rank,description,cost_mm2,nodes,failed_nodes,mean_leak_mm2,sd_leak_mm2,"
-      "cost_as_planned_mm2,leak_mm2,orifice_mm2,gap_mm2,coaptation_mm,tension_max_n,status,"
+      "cost_as_planned_mm2,leak_mm2,coaptation_mm,tension_max_n,status,"
       "crossing,plan\n"
       "1,2,\"annuloplasty: ring in the annulus's own shape, undersized by 2 sizes (transverse 36.0 "
-      "to 32.0 mm)\",5.5,17,1,3,0.25,4.5,2.5,2.5,1,7,0.5,converged,false,"
+      "to 32.0 mm)\",5.5,17,1,3,0.25,4.5,2.5,7,0.5,converged,false,"
       "\"{\"\"schema\"\":\"\"coapt.plan/1\"\",\"\"steps\"\":[{\"\"step\"\":\"\"annuloplasty\"\","
       "\"\"shape\"\":\"\"own\"\",\"\"sizes_below\"\":2}]}\"\n"
-      "2,,,0,1,0,,,0,0,0,0,0,0,step_limit,true,"
+      "2,,,0,1,0,,,0,0,0,0,step_limit,true,"
       "\"{\"\"schema\"\":\"\"coapt.plan/1\"\",\"\"steps\"\":[]}\"\n");
 }
 

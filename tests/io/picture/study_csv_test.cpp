@@ -167,14 +167,14 @@ TEST(StudyCsv, GeneralityAndSharesHaveTheirCounts) {
 
 TEST(StudyCsv, DrawsOfTheModelHaveTheirFactors) {
   ModelStudy study;
-  study.draws = {{std::vector<double>(kModelParameters, 0.5), true, 1.5, 2.5},
-                 {std::vector<double>(kModelParameters, 0.0), false, 3.0, 4.0}};
+  study.draws = {{std::vector<double>(kModelParameters, 0.5), true, 2.5},
+                 {std::vector<double>(kModelParameters, 0.0), false, 4.0}};
   EXPECT_EQ(model_draws_csv(study),
             "bending rigidity,insertion zone,leaflet thickness,moduli below the transition,moduli "
             "above the transition,circumferential transition,radial transition,chordal "
-            "modulus,chordal length,trusted,orifice_mm2,leak_mm2\n"
-            "1,1,1,1,1,1,1,1,1,true,1.5,2.5\n"
-            "0.2,0.65,0.65,0.5,0.5,0.65,0.65,0.5,0.95,false,3,4\n");
+            "modulus,chordal length,trusted,leak_mm2\n"
+            "1,1,1,1,1,1,1,1,1,true,2.5\n"
+            "0.2,0.65,0.65,0.5,0.5,0.65,0.65,0.5,0.95,false,4\n");
 }
 
 }  // namespace

@@ -21,8 +21,7 @@ inline int numbered_disturbance(int i) { return 14 - i % 15; }
 inline PlanClosure numbered_closure(int i) {
   return {.status = static_cast<ClosureStatus>(i % 3),
           .crossing = i % 2 == 0,
-          .orifice_mm2 = i / 3.0,
-          .gap_mm2 = i / 7.0,
+          .leak_mm2 = i / 3.0,
           .coaptation_mm = -i / 9.0,
           .distance_max_mm = i / 11.0,
           .tension_max_n = i / 13.0};
@@ -39,8 +38,7 @@ inline void expect_same(const PlanClosure& a, const PlanClosure& b) {
   };
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.crossing, b.crossing);
-  expect_same_bits(a.orifice_mm2, b.orifice_mm2);
-  expect_same_bits(a.gap_mm2, b.gap_mm2);
+  expect_same_bits(a.leak_mm2, b.leak_mm2);
   expect_same_bits(a.coaptation_mm, b.coaptation_mm);
   expect_same_bits(a.distance_max_mm, b.distance_max_mm);
   expect_same_bits(a.tension_max_n, b.tension_max_n);

@@ -64,9 +64,9 @@ TEST(PlanStoreFile, RefusesANewerSchema) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.db");
   ASSERT_TRUE(PlanStore::open(path));
-  Database(path).run("PRAGMA journal_mode = DELETE; PRAGMA user_version = 2");
+  Database(path).run("PRAGMA journal_mode = DELETE; PRAGMA user_version = 3");
   expect_store_refused_and_untouched<PlanStore>(folder, path,
-                                                "schema 2; this coapt knows schema 1");
+                                                "schema 3; this coapt knows schema 2");
 }
 
 TEST(PlanStoreFile, RefusesANewerSchemaThatOnlyItsLogKnows) {
@@ -74,8 +74,26 @@ TEST(PlanStoreFile, RefusesANewerSchemaThatOnlyItsLogKnows) {
   const std::string path = folder.file("a.db");
   ASSERT_TRUE(PlanStore::open(path));
   const Database newer(path);
-  newer.run("PRAGMA user_version = 2");
-  expect_store_refused<PlanStore>(path, "schema 2; this coapt knows schema 1");
+  newer.run("PRAGMA user_version = 3");
+  expect_store_refused<PlanStore>(path, "schema 3; this coapt knows schema 2");
+}
+
+TEST(PlanStoreFile, GoesOnInAFileOfRelease02) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.db");
+  ASSERT_TRUE(PlanStore::open(path));
+  Database(path).run(
+      "ALTER TABLE closures RENAME COLUMN leak_mm2 TO orifice_mm2; "
+      "ALTER TABLE closures ADD COLUMN gap_mm2 ANY; PRAGMA user_version = 1");
+  for (int opened = 0; opened < 2; ++opened) {
+    Expected<PlanStore> store = PlanStore::open(path);
+    ASSERT_TRUE(store);
+    EXPECT_TRUE(keep_numbered(*store, "a", opened).empty());
+    const Expected<KnownPlans> known = store->read("a");
+    ASSERT_TRUE(known);
+    expect_same(known->at(numbered_plan(opened)).at(numbered_disturbance(opened)),
+                numbered_closure(opened));
+  }
 }
 
 TEST(PlanStoreFile, RefusesWhatIsNoDatabase) {

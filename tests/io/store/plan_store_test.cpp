@@ -39,8 +39,7 @@ TEST(PlanStore, GivesBackWhatItKeptBitForBit) {
     const auto value = [&](std::size_t shift) { return values[(i + shift) % values.size()]; };
     kept[static_cast<int>(i)] = {.status = static_cast<ClosureStatus>(i % 3),
                                  .crossing = i % 2 == 0,
-                                 .orifice_mm2 = value(0),
-                                 .gap_mm2 = value(1),
+                                 .leak_mm2 = value(0),
                                  .coaptation_mm = value(2),
                                  .distance_max_mm = value(3),
                                  .tension_max_n = value(4)};
@@ -60,13 +59,13 @@ TEST(PlanStore, KeepsWhatCannotBeMeasuredAsNaN) {
   Expected<PlanStore> store = PlanStore::open(folder.file("a.db"));
   ASSERT_TRUE(store);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(store->keep(kSubject, kPlan, 0, {.orifice_mm2 = nan, .gap_mm2 = 2.0}).empty());
-  EXPECT_TRUE(store->keep(kSubject, kPlan, 1, {.orifice_mm2 = 1.0, .tension_max_n = nan}).empty());
+  EXPECT_TRUE(store->keep(kSubject, kPlan, 0, {.leak_mm2 = nan, .coaptation_mm = 2.0}).empty());
+  EXPECT_TRUE(store->keep(kSubject, kPlan, 1, {.leak_mm2 = 1.0, .tension_max_n = nan}).empty());
   const Expected<KnownPlans> known = store->read(kSubject);
   ASSERT_TRUE(known);
-  EXPECT_TRUE(std::isnan(known->at(kPlan).at(0).orifice_mm2));
-  EXPECT_EQ(known->at(kPlan).at(0).gap_mm2, 2.0);
-  EXPECT_EQ(known->at(kPlan).at(1).orifice_mm2, 1.0);
+  EXPECT_TRUE(std::isnan(known->at(kPlan).at(0).leak_mm2));
+  EXPECT_EQ(known->at(kPlan).at(0).coaptation_mm, 2.0);
+  EXPECT_EQ(known->at(kPlan).at(1).leak_mm2, 1.0);
   EXPECT_TRUE(std::isnan(known->at(kPlan).at(1).tension_max_n));
 }
 
@@ -94,13 +93,13 @@ TEST(PlanStore, TellsPlansApartByEveryByteAndKnowsThePlanWithoutSteps) {
                                           std::string(100'000, 'x')};
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const double area_mm2 = static_cast<double>(i);
-    EXPECT_TRUE(store->keep(kSubject, plans[i], -1, {.orifice_mm2 = area_mm2}).empty());
+    EXPECT_TRUE(store->keep(kSubject, plans[i], -1, {.leak_mm2 = area_mm2}).empty());
   }
   const Expected<KnownPlans> known = store->read(kSubject);
   ASSERT_TRUE(known);
   ASSERT_EQ(known->size(), plans.size());
   for (std::size_t i = 0; i < plans.size(); ++i)
-    EXPECT_EQ(known->at(plans[i]).at(-1).orifice_mm2, static_cast<double>(i)) << plans[i];
+    EXPECT_EQ(known->at(plans[i]).at(-1).leak_mm2, static_cast<double>(i)) << plans[i];
 }
 
 TEST(PlanStore, TheFirstAnswerStays) {

@@ -22,7 +22,7 @@ FitOptions slack_and_ruptures() {
 
 MeasuredClosure closed_state(const Valve& valve) {
   const ClosedValve closed = close_and_measure(valve);
-  return {closed.closure.closed_mm, MeasuredSide::Middle, leak_mm2(closed.measure), 3.0};
+  return {closed.closure.closed_mm, MeasuredSide::Middle, closed.measure.leak.area_mm2, 3.0};
 }
 
 /// Normal, with an annulus that lets a flail scallop leak.

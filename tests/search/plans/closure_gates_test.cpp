@@ -30,6 +30,7 @@ std::vector<std::string> rules_of(const std::vector<Gate>& gates) {
 
 Evaluation quiet() {
   Evaluation evaluation;
+  evaluation.measure.leak.area_mm2 = 0.0;
   for (CoaptationSection& section : evaluation.measure.coaptation.sections)
     section = {.height_mm = 8.0, .contact = true};
   evaluation.measure.tension_max_n = 1.0;
@@ -66,7 +67,7 @@ TEST(ClosureGates, AClosureThatIsNotToBeTrustedIsRejectedAndItsFiguresAreNotAsse
   Evaluation limited = quiet(), crossed = quiet(), lost = quiet();
   limited.status = ClosureStatus::StepLimit;
   crossed.crossing = true;
-  lost.measure.orifice.area_mm2 = std::numeric_limits<double>::quiet_NaN();
+  lost.measure.leak.area_mm2 = std::numeric_limits<double>::quiet_NaN();
   expect_gate(closure_gates(limited, quiet()), "convergence", GateSeverity::Reject,
               "did not converge");
   expect_gate(closure_gates(lost, quiet()), "convergence", GateSeverity::Reject, "do not trust");

@@ -39,7 +39,7 @@ TEST(EvaluatePlans, RanksOwnPlansUnderTheirNames) {
   for (const RankedPlan& plan : result->plans) EXPECT_EQ(plan.region.closures, 17);
   EXPECT_EQ(result->plans_tried, 4);
   EXPECT_EQ(result->closures, 1 + 4 * 17);
-  EXPECT_EQ(result->before.measure.orifice.area_mm2, 9.0);
+  EXPECT_EQ(result->before.measure.leak.area_mm2, 9.0);
   EXPECT_FALSE(result->any_competent) << "1 mm2 is not below 1";
 }
 
@@ -146,6 +146,7 @@ TEST(EvaluatePlans, AnImpossiblePlanIsAnErrorAtItsStep) {
 TEST(EvaluatePlans, APlanClosesRobustlyIfItsRegionDoes) {
   const auto with = [](double mean, double sd, int failures, int closures) {
     RankedPlan plan;
+    plan.measure.leak.area_mm2 = mean;
     plan.region.leak_mm2.mean = mean;
     plan.region.leak_mm2.sd = sd;
     plan.region.failures = failures;

@@ -34,8 +34,8 @@ TEST(FineClosures, ClosePlansAndTheValveAsItIsOnTheRefinedMesh) {
   EXPECT_EQ(once.mesh.levels, 1);
   EXPECT_EQ(once.mesh.triangles, 4 * 32);
   EXPECT_EQ(once.mesh.closures, 2);
-  EXPECT_EQ(leak_mm2(once.plans.at(&plan)), 0.75);
-  EXPECT_EQ(leak_mm2(*once.mesh.before), 0.75);
+  EXPECT_EQ(once.plans.at(&plan).leak_mm2, 0.75);
+  EXPECT_EQ(once.mesh.before->leak_mm2, 0.75);
   const FineClosures twice = close_fine(scene.evaluations, {&plan}, 2);
   EXPECT_EQ(twice.mesh.triangles, 16 * 32);
   EXPECT_EQ(twice.mesh.closures, 4) << "each level is closed";
@@ -92,7 +92,7 @@ TEST(FineClosures, OrderThePlansAndSayWhereTheyStoodBefore) {
   PlanRecord& tied = scene.closed(suture(Side::Posteromedial, 27.0), 9);
   const FineClosures fine = close_fine(scene.evaluations, {&ring, &tied}, 1);
   const std::vector<RankedPlan> plans = rank(scene.evaluations, {&ring, &tied}, 9, fine);
-  EXPECT_EQ(leak_mm2(plans[0].measure), 4.0);
+  EXPECT_EQ(plans[0].measure.leak.area_mm2, 4.0);
   EXPECT_EQ(plans[0].own_mesh_rank, 2);
   EXPECT_EQ(plans[1].own_mesh_rank, 1);
   EXPECT_EQ(plans[0].rank, 1);
@@ -114,7 +114,7 @@ TEST(FineClosures, AreTheSameForAnyNumberOfThreads) {
     for (const int sizes : {1, 2, 3}) plans.push_back(&evaluations.record(own_ring(sizes)));
     for (PlanRecord* plan : plans) evaluations.close_here(*plan, 1);
     const FineClosures fine = close_fine(evaluations, plans, 1);
-    for (PlanRecord* plan : plans) leaks.push_back(leak_mm2(fine.plans.at(plan)));
+    for (PlanRecord* plan : plans) leaks.push_back(fine.plans.at(plan).leak_mm2);
   }
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(leaks[i], leaks[i + 3]);
 }

@@ -50,7 +50,7 @@ TEST(ModelClosures, ClosePlansAndTheValveAsItIsUnderTheSameDraws) {
   EXPECT_EQ(model.closures, 2 * kDraws);
   ASSERT_EQ(model.before.size(), static_cast<std::size_t>(kDraws));
   for (int draw = 0; draw < kDraws; ++draw)
-    EXPECT_EQ(leak_mm2(model.plans.at(&plan)[draw]), leak_mm2(model.before[draw]));
+    EXPECT_EQ(model.plans.at(&plan)[draw].leak_mm2, model.before[draw].leak_mm2);
   EXPECT_EQ(scene.evaluations.closures(), before) << "they are counted apart";
   const ModelSpread spread = model_spread(model.plans.at(&plan));
   EXPECT_EQ(spread.draws, kDraws);
@@ -74,9 +74,9 @@ TEST(ModelClosures, ChordaeThatWereNeverSeenAreDrawnAnewAlikeForAllPlans) {
   for (int draw = 0; draw < kDraws; ++draw) {
     const Expected<Valve> redrawn = redrawn_chordae(valve, 2 + draw);
     ASSERT_TRUE(redrawn);
-    EXPECT_EQ(leak_mm2(model.before[draw]), chordae(*redrawn));
-    EXPECT_EQ(leak_mm2(model.plans.at(&ring)[draw]), leak_mm2(model.before[draw]));
-    other += leak_mm2(model.before[draw]) != chordae(valve) ? 1 : 0;
+    EXPECT_EQ(model.before[draw].leak_mm2, chordae(*redrawn));
+    EXPECT_EQ(model.plans.at(&ring)[draw].leak_mm2, model.before[draw].leak_mm2);
+    other += model.before[draw].leak_mm2 != chordae(valve) ? 1 : 0;
   }
   EXPECT_GT(other, 0);
 }
@@ -116,7 +116,7 @@ TEST(ModelClosures, AnAdvantageThatVanishesUnderTheDrawsIsATie) {
   TwoPlans two(ring_or_suture([](bool ring, double stiff) { return ring ? 10.0 * stiff : 15.0; }));
   const std::vector<RankedPlan> plans = two.ranked(kDraws);
   EXPECT_EQ(plans[0].plan.steps.size(), 1u);
-  EXPECT_EQ(leak_mm2(plans[0].measure), 10.0);
+  EXPECT_EQ(plans[0].measure.leak.area_mm2, 10.0);
   EXPECT_GT(plans[0].probability_outranks_next, 0.95) << "no tie by the region alone";
   EXPECT_GT(plans[0].share_of_draws_ahead, 0.4);
   EXPECT_LT(plans[0].share_of_draws_ahead, 0.9);
@@ -128,7 +128,7 @@ TEST(ModelClosures, AnOrderThatTheDrawsContradictIsATie) {
     return ring && stiff != 1.0 ? 40.0 : ring ? 10.0 : 30.0;
   }));
   const std::vector<RankedPlan> plans = two.ranked(kDraws);
-  EXPECT_EQ(leak_mm2(plans[0].measure), 10.0) << "draws change no rank";
+  EXPECT_EQ(plans[0].measure.leak.area_mm2, 10.0) << "draws change no rank";
   EXPECT_EQ(plans[0].share_of_draws_ahead, 0.0);
   EXPECT_TRUE(ties_with_next(plans[0]));
 }
@@ -176,7 +176,7 @@ TEST(ModelClosures, AreTheSameForAnyNumberOfThreads) {
     const ModelClosures model = close_under_draws(evaluations, plans, 4);
     std::vector<double> leaks;
     for (PlanRecord* plan : plans)
-      for (const PlanClosure& closure : model.plans.at(plan)) leaks.push_back(leak_mm2(closure));
+      for (const PlanClosure& closure : model.plans.at(plan)) leaks.push_back(closure.leak_mm2);
     return leaks;
   });
 }

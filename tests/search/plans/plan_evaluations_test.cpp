@@ -19,7 +19,7 @@ RepairPlan numbered(int k) { return suture(Side::Anterolateral, 16.0 + 0.04 * k)
 
 TEST(PlanEvaluations, ClosesTheUnrepairedValveWhenItIsMade) {
   EvaluationScene scene(leak_of([](const Valve&) { return 7.0; }));
-  EXPECT_EQ(scene.evaluations.before().measure.orifice.area_mm2, 7.0);
+  EXPECT_EQ(scene.evaluations.before().measure.leak.area_mm2, 7.0);
   EXPECT_EQ(scene.evaluations.closures(), 1);
   EXPECT_EQ(scene.evaluations.known(), 0);
 }
@@ -89,9 +89,9 @@ TEST(PlanEvaluations, ADisturbedClosureStartsFromThatOfThePlan) {
   };
   EvaluationScene scene(evaluate);
   const PlanRecord& record = scene.closed(kSuture, 5);
-  EXPECT_EQ(leak_mm2(record.closures.at(0)), 0.0);
+  EXPECT_EQ(record.closures.at(0).leak_mm2, 0.0);
   for (int d = 1; d < 5; ++d)
-    EXPECT_NEAR(leak_mm2(record.closures.at(d)), kTipToTrigone_mm - 22.0, 1e-3);
+    EXPECT_NEAR(record.closures.at(d).leak_mm2, kTipToTrigone_mm - 22.0, 1e-3);
 }
 
 /// Closes where the posteromedial tip says, but for a thousandth of the way from where it started: the leak
@@ -144,7 +144,7 @@ TEST(PlanEvaluations, PredictedClosuresHaveTheSameBitsInWhateverOrderByHoweverMa
   const auto expect_once = [&once](const PlanClosures& closures) {
     ASSERT_EQ(closures.size(), once.size());
     for (const auto& [d, closure] : closures)
-      EXPECT_EQ(bits(leak_mm2(closure)), bits(leak_mm2(once.at(d)))) << d;
+      EXPECT_EQ(bits(closure.leak_mm2), bits(once.at(d).leak_mm2)) << d;
   };
   expect_once(leaks({}, on_threads(3)));
   expect_once(leaks({1372, 40, 1300, 7, 16, 1100, 2, 900}, on_threads(2)));
@@ -189,8 +189,8 @@ TEST(PlanEvaluations, WhatIsKnownIsNotClosedAndNotKept) {
   options.keep = [&kept](const std::string&, int, const PlanClosure&) { ++kept; };
   EvaluationScene scene(counted(needs_suture, calls), std::move(options));
   const PlanRecord& record = scene.closed(kSuture, 3);
-  EXPECT_EQ(leak_mm2(record.closures.at(0)), 1.5);
-  EXPECT_EQ(leak_mm2(record.closures.at(2)), 2.5);
+  EXPECT_EQ(record.closures.at(0).leak_mm2, 1.5);
+  EXPECT_EQ(record.closures.at(2).leak_mm2, 2.5);
   EXPECT_EQ(scene.evaluations.closures(), 1 + 3);
   EXPECT_EQ(scene.evaluations.known(), 2);
   EXPECT_EQ(kept, 1);
@@ -211,7 +211,7 @@ TEST(PlanEvaluations, AForgottenClosureIsMadeAgainWhereItIsNeeded) {
   EXPECT_EQ(scene.evaluations.closures(), 1 + 300 + 2);
   EvaluationScene fresh(needs_suture);
   const PlanRecord& same = fresh.closed(numbered(0), 2);
-  EXPECT_EQ(bits(leak_mm2(first.closures.at(1))), bits(leak_mm2(same.closures.at(1))));
+  EXPECT_EQ(bits(first.closures.at(1).leak_mm2), bits(same.closures.at(1).leak_mm2));
 }
 
 TEST(PlanEvaluations, CostsCountTheFirstNodesOnly) {

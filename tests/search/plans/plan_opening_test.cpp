@@ -152,6 +152,7 @@ TEST(Durability, AClosureThatFailsCountsAsLeaking) {
 
 RankedPlan ranked(double leak_mm2, double opens_mm2, double lasts_mm, int steps) {
   RankedPlan plan;
+  plan.measure.leak.area_mm2 = leak_mm2;
   plan.region.leak_mm2 = {leak_mm2, leak_mm2, 0.0, leak_mm2, leak_mm2, 1.0, 1.0, 1.0};
   plan.opening = opening(opens_mm2, 3.0);
   plan.durability = Durability{lasts_mm, 0.0};

@@ -43,7 +43,7 @@ TEST(PlanSearch, FindsTheSutureThatTheValveNeeds) {
   options.evaluations = 600;
   options.region_points = 65;
   const SearchResult result = searched(needs_suture, options);
-  EXPECT_NEAR(result.before.measure.orifice.area_mm2, 2.0 * (kTipToTrigone_mm - 24.0), 1e-3);
+  EXPECT_NEAR(result.before.measure.leak.area_mm2, 2.0 * (kTipToTrigone_mm - 24.0), 1e-3);
   const RankedPlan& best = result.plans.at(0);
   EXPECT_GT(best.effort.posteromedial_movement_mm, 2.0);
   EXPECT_EQ(best.effort.anterolateral_movement_mm, 0.0);
@@ -126,7 +126,7 @@ TEST(PlanSearch, CountsFailedClosuresAndTrustsNone) {
   const Evaluator evaluate = [](const Valve& valve, const ClosureResult* from) {
     ClosedPlan closed = needs_suture(valve, from);
     if (moved_mm(valve, Side::Posteromedial) > 1.9) {
-      closed.evaluation.measure.orifice.area_mm2 = 0.0;
+      closed.evaluation.measure.leak.area_mm2 = 0.0;
       closed.evaluation.crossing = true;
     }
     return closed;

@@ -12,7 +12,7 @@ constexpr double kTolerance = 1e-10;
 
 PlanClosure leaking(double leak_mm2) {
   PlanClosure closure;
-  closure.gap_mm2 = leak_mm2;
+  closure.leak_mm2 = leak_mm2;
   return closure;
 }
 
@@ -36,7 +36,7 @@ PlanRecord whole_region(const LeakAt& leak_at) {
 
 double quadratic(int l, int o, int p) { return 50.0 + 3.0 * l + o * o + 0.3 * l * p; }
 
-void expect_unknown(const OrificeStatistics& statistics) {
+void expect_unknown(const LeakStatistics& statistics) {
   for (const double value : {statistics.mean, statistics.sd, statistics.p95, statistics.worst,
                              statistics.below_5, statistics.below_10, statistics.below_20})
     EXPECT_TRUE(std::isnan(value));
@@ -45,10 +45,7 @@ void expect_unknown(const OrificeStatistics& statistics) {
 TEST(RegionReport, StatisticsOfTheLeaks0To20) {
   // Mean 10, variance (21^2 - 1) / 12; the 95 % quantile of 21 values is the 20th.
   PlanRecord plan;
-  for (int d = 0; d <= 20; ++d) {
-    plan.closures[d] = leaking(20.0 - d);
-    plan.closures[d].orifice_mm2 = 0.5 * (20.0 - d);
-  }
+  for (int d = 0; d <= 20; ++d) plan.closures[d] = leaking(20.0 - d);
   const RegionReport report = region_report(plan, kRegion.count);
   EXPECT_EQ(report.closures, 21);
   EXPECT_EQ(report.failures, 0);
@@ -60,8 +57,6 @@ TEST(RegionReport, StatisticsOfTheLeaks0To20) {
   EXPECT_NEAR(report.leak_mm2.below_5, 5.0 / 21.0, kTolerance);
   EXPECT_NEAR(report.leak_mm2.below_10, 10.0 / 21.0, kTolerance);
   EXPECT_NEAR(report.leak_mm2.below_20, 20.0 / 21.0, kTolerance);
-  EXPECT_NEAR(report.orifice_area_mm2.mean, 5.0, kTolerance);
-  EXPECT_EQ(report.orifice_area_mm2.worst, 10.0);
 }
 
 TEST(RegionReport, OnlyTheNodesThatCountAreCounted) {
@@ -77,7 +72,7 @@ TEST(RegionReport, FailedNodesAreCountedAndLeftOut) {
   PlanRecord plan;
   plan.closures = {{0, leaking(1.0)}, {1, failed()}, {2, leaking(3.0)}};
   plan.closures[3].status = ClosureStatus::StepLimit;
-  plan.closures[4].gap_mm2 = std::numeric_limits<double>::quiet_NaN();
+  plan.closures[4].leak_mm2 = std::numeric_limits<double>::quiet_NaN();
   const RegionReport report = region_report(plan, 5);
   EXPECT_EQ(report.closures, 5);
   EXPECT_EQ(report.failures, 3);
@@ -92,7 +87,6 @@ TEST(RegionReport, OneTrustedNodeSaysNothingAboutARegion) {
   RegionReport report = region_report(plan, 17);
   EXPECT_EQ(report.leak_mm2.nominal, 0.5);
   expect_unknown(report.leak_mm2);
-  expect_unknown(report.orifice_area_mm2);
   expect_unknown(report.independent_leak_mm2);
   EXPECT_TRUE(std::isnan(report.margin_to_leak.suture_length_mm));
   EXPECT_TRUE(std::isnan(report.margin_to_leak.angle_deg));
@@ -237,7 +231,7 @@ TEST(RegionReport, IndependentErrorsHaveStatisticsOfTheirOwn) {
   plan.closures[kIndependent.first] = leaking(6.0);
   plan.closures[kIndependent.first + 1] = failed();
   plan.closures[kIndependent.first + kIndependent.count - 1] = leaking(12.0);
-  const OrificeStatistics leak = region_report(plan, kRegion.count).independent_leak_mm2;
+  const LeakStatistics leak = region_report(plan, kRegion.count).independent_leak_mm2;
   EXPECT_EQ(leak.nominal, 0.0);
   EXPECT_NEAR(leak.mean, 6.0, kTolerance);
   EXPECT_NEAR(leak.sd, std::sqrt(24.0), kTolerance);

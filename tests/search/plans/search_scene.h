@@ -26,7 +26,7 @@ inline constexpr double kTipToTrigone_mm = 28.60293429482119;
 /// A closure without any slope but its leak.
 inline Evaluation leaking(double leak_mm2) {
   Evaluation evaluation;
-  evaluation.measure.orifice.area_mm2 = leak_mm2;
+  evaluation.measure.leak.area_mm2 = leak_mm2;
   for (CoaptationSection& section : evaluation.measure.coaptation.sections) {
     section.height_mm = 8.0;
     section.contact = true;
@@ -205,7 +205,7 @@ inline void expect_same(const SearchResult& a, const SearchResult& b) {
     EXPECT_EQ(bits(p.probability_outranks_next), bits(q.probability_outranks_next));
     EXPECT_EQ(p.pareto, q.pareto);
     EXPECT_EQ(p.region.closures, q.region.closures);
-    const OrificeStatistics &s = p.region.leak_mm2, &t = q.region.leak_mm2;
+    const LeakStatistics &s = p.region.leak_mm2, &t = q.region.leak_mm2;
     EXPECT_EQ(bits(s.nominal), bits(t.nominal));
     EXPECT_EQ(bits(s.mean), bits(t.mean));
     EXPECT_EQ(bits(s.sd), bits(t.sd));

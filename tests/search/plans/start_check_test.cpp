@@ -57,7 +57,7 @@ TEST(StartCheck, OfRealClosuresIsTheSameForAnyNumberOfThreads) {
     for (int d = 0; d < 33; ++d) wanted.push_back({&plan, d});
     EXPECT_TRUE(evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
     std::vector<double> leaks;
-    for (const auto& [d, closure] : plan.closures) leaks.push_back(leak_mm2(closure));
+    for (const auto& [d, closure] : plan.closures) leaks.push_back(closure.leak_mm2);
     const StartCheck check = check_starts(evaluations, plan, 33).value();
     EXPECT_EQ(check.closures, kStartSample);
     leaks.push_back(check.leak_difference_max_mm2);

@@ -20,7 +20,7 @@ namespace {
 double leak_of(const Valve& valve) {
   const ClosureResult closure = close_valve(valve);
   EXPECT_TRUE(trusted(closure)) << valve.name;
-  return leak_mm2(measure(valve, closure));
+  return measure(valve, closure).leak.area_mm2;
 }
 
 TEST(TruncatedNormal, OfFarEndsIsTheNormalOne) {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/metrics/exact_orifice.h"
+#include "core/metrics/leak.h"
 #include "core/presets/presets.h"
 #include "core/valve/validate.h"
 #include "search/plans/objective.h"
@@ -55,7 +55,7 @@ Valve first_competent(std::uint64_t seed) {
         make_taut_valve(parametric_valve(anatomy_at(shares), "random-" + std::to_string(i)));
     if (!valve) continue;
     const ClosureResult closure = close_valve(*valve);
-    if (trusted(closure) && measure_orifice(*valve, closure).area_mm2 <= kGoodRepair_mm2)
+    if (trusted(closure) && measure_leak(*valve, closure.closed_mm).area_mm2 <= kGoodRepair_mm2)
       return *valve;
   }
 }

@@ -73,7 +73,7 @@ TEST(Physiology, MusclesTakeWhatTheChordaePull) {
   const Valve& valve = small_preset("human-normal");
   const PhysiologyValues values = physiology_values(valve, {.trials = {Rest}});
   const ClosureResult closure = close_valve(valve);
-  EXPECT_EQ(values.leak_mm2, leak_mm2(measure(valve, closure)));
+  EXPECT_EQ(values.leak_mm2, measure(valve, closure).leak.area_mm2);
   // Both pull down and inwards, so their sum is less than the two.
   const double both = values.muscle_anterolateral_n + values.muscle_posteromedial_n;
   EXPECT_GT(both, support_forces(valve, closure).papillary_n.norm());

@@ -13,7 +13,7 @@ std::string result_of(int count) {
   for (int rank = 1; rank <= count; ++rank)
     plans.push_back(
         {{"rank", rank}, {"plan", {{"schema", "coapt.plan/1"}, {"steps", Json::array()}}}});
-  return Json{{"schema", "coapt.plans/1"}, {"plans", plans}}.dump();
+  return Json{{"schema", "coapt.plans/2"}, {"plans", plans}}.dump();
 }
 
 class JobResultsTest : public ServiceTest {

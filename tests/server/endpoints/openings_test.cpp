@@ -38,7 +38,7 @@ TEST_F(OpeningsTest, WhatIsDrawnOfItHasTheFramesAskedFor) {
   const Json still = json_of(open())["scene"];
   EXPECT_EQ(still["open_mm"].size(), static_cast<std::size_t>(3 * vertices));
   EXPECT_EQ(still["faces"].size(), static_cast<std::size_t>(small_valve().faces.size()));
-  EXPECT_GE(still["passage_mm"].size(), 9u);
+  EXPECT_GE(still["leak"][0]["points_mm"].size(), 9u);
   EXPECT_TRUE(still["motion_mm"].empty());
   const Json moving = json_of(open({{"frames", 3}}))["scene"];
   ASSERT_EQ(moving["motion_mm"].size(), 3u);

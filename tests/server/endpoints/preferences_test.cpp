@@ -20,7 +20,7 @@ class PreferencesTest : public ServiceTest {
  protected:
   static Json request_of(const Json& answers) {
     const Json plans = {plan_of(0.0, 4.0), plan_of(2.0, 0.0), plan_of(0.5, 2.0)};
-    return {{"cases", {{{"schema", "coapt.plans/1"}, {"name", "a case"}, {"plans", plans}}}},
+    return {{"cases", {{{"schema", "coapt.plans/2"}, {"name", "a case"}, {"plans", plans}}}},
             {"answers", answers}};
   }
   static Json answer(int first, int second, const char* which) {
