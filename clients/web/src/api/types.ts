@@ -19,6 +19,8 @@ export type Closure = Schemas['Closure']
 export type Scene = Schemas['Scene']
 /// What of a scene does not need a closure.
 export type ValveShape = Omit<Scene, 'closure'>
+export type Leak = Schemas['Leak']
+export type LeakSurfaces = Schemas['LeakSurfaces']
 export type Opening = Schemas['Opening']
 export type OpeningScene = Schemas['OpeningScene']
 export type Segment = Scene['segments'][number]

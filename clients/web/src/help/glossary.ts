@@ -1,8 +1,8 @@
 // What the words on the page mean, each in a sentence or two for a surgeon.
 export const GLOSSARY = {
-  leak: 'The larger of two areas: the orifice seen from the atrium, and the gap between the leaflets. It is an area of the closed valve, not a volume of blood.',
-  orifice: 'The open area that one sees from the atrium, between leaflets with their thickness.',
-  gap: 'The area of the slit between the leaflets along the line on which they are nearest, where they do not touch, also where one covers the other when seen from the atrium, as in a prolapse.',
+  leak: 'The least area of a surface in the blood that parts atrium from ventricle, between leaflets with their thickness. It is an area of the closed valve, not a volume of blood.',
+  bounds:
+    'The leak is measured on cubes of half a millimetre, and on these its least area lies between the two. How far mesh and closure may be off is in the error, not here.',
   opening:
     'The least area of a surface that parts atrium from ventricle between the open leaflets in diastole, with annulus and papillary tips as far apart as diastole has them. The leaflets rest under the load that blood has at the peak of filling; its flow itself is not computed.',
   gradient:

@@ -79,7 +79,7 @@ function panel(
   const words = shot.labels.map((label) => {
     const middle = place(label.x, label.y)
     const [wide, high] = [label.width * mm, label.height * mm]
-    const isLeak = label.kind === 'orifice'
+    const isLeak = label.kind === 'leak'
     const ground = isLeak ? TINTS.opening : label.kind === 'distance' ? '#b0205a' : '#ffffff'
     return [
       svg('rect', {

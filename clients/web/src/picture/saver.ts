@@ -1,7 +1,7 @@
 // The button that saves what is shown as a picture for a paper.
 import type { Plan, Scene } from '../api/types'
 import { download, h, select } from '../dom'
-import { withError, withUnit } from '../format'
+import { withUnit } from '../format'
 import { iconButton } from '../icons'
 import { problemList } from '../problems'
 import { describe } from '../repair/steps'
@@ -43,10 +43,9 @@ export function pictureSaver(figure: (width_px: number) => Figure, told: HTMLEle
 /// What a picture says of a closure, and of the repair that led to it.
 export function figureLines(before: Scene, after: Scene | null, plan: Plan): string[] {
   const { closure } = after ?? before
-  const { gap_area_mm2, gap_area_mm2_error, height_mean_mm } = closure.coaptation
   return [
-    `Leak ${leakWords(before, after)}${leakPlace(closure)}`,
-    `Orifice ${withError(closure.orifice_area_mm2, closure.orifice_area_mm2_error, 'mm²')}, gap ${withError(gap_area_mm2, gap_area_mm2_error, 'mm²')}, coaptation height ${withUnit(height_mean_mm, 'mm')} on average`,
+    `Leak ${leakWords(before.closure, after?.closure)}${leakPlace(closure)}`,
+    `Coaptation height ${withUnit(closure.coaptation.height_mean_mm, 'mm')} on average`,
     ...(after ? plan.steps.map((step, i) => `${i + 1}. ${describe(step)}`) : []),
   ]
 }

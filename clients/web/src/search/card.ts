@@ -5,6 +5,7 @@ import { typeset, withError, withUnit } from '../format'
 import { term } from '../help/term'
 import { openValveOf, valveOf } from '../jobs/valves'
 import { problemList } from '../problems'
+import { leakWords } from '../valve/headline'
 import { problemsOf, type Workspace } from '../workspace'
 import { downloadButton, meshDownload, reportLink, saveJson } from '../jobs/downloads'
 import { evidence } from './evidence'
@@ -124,11 +125,7 @@ function figures(plan: RankedPlan): HTMLElement {
   const entries: [Child, string][] = [
     [term('region', 'Leak over the region'), meanAndSd(plan.leak_mm2)],
     ['Leak, 95 % below', withUnit(plan.leak_mm2.p95, 'mm²')],
-    ['Orifice over the region', meanAndSd(plan.orifice_area_mm2)],
-    [
-      'Orifice, gap as planned',
-      `${withError(measure.orifice_area_mm2, measure.orifice_area_mm2_error, 'mm²')}, ${withError(measure.coaptation.gap_area_mm2, measure.coaptation.gap_area_mm2_error, 'mm²')}`,
-    ],
+    [term('leak', 'Leak as planned'), leakWords(measure)],
     ...(plan.under_draws
       ? [['Leak as planned, model ±', meanAndSd(plan.under_draws.leak_mm2)] satisfies [Child, string]]
       : []),

@@ -26,7 +26,7 @@ export function preferenceCase(
       opening_area_mm2,
       durability_mm,
     }))
-  return { schema: 'coapt.plans/1', name, weights: { sd_share }, plans: reduced }
+  return { schema: 'coapt.plans/2', name, weights: { sd_share }, plans: reduced }
 }
 
 export interface InformedWeight {

@@ -10,7 +10,7 @@ const OWN_STOP = FACTORS.indexOf(1)
 const ALIKE_MM2 = 0.005 // as shown
 
 const OBJECTIVES: { objective: Objective; label: string; prices: string }[] = [
-  { objective: 'leak', label: 'Leak', prices: 'leak, margin, coaptation, gaps, tension' },
+  { objective: 'leak', label: 'Leak', prices: 'leak, margin, coaptation, distance, tension' },
   { objective: 'opening', label: 'Opening', prices: 'mean gradient above 3 mmHg' },
   { objective: 'durability', label: 'Durability', prices: 'further disease not outlasted' },
   { objective: 'operation', label: 'Operation', prices: 'steps, undersizing, papillary movement' },

@@ -25,7 +25,7 @@ const ITEMS: { name: string; objective: Objective | null; terms: (keyof CostTerm
   { name: 'leak', objective: 'leak', terms: ['leak', 'incompetence'] },
   { name: 'margin to leak', objective: 'leak', terms: ['margin'] },
   { name: 'too little coaptation', objective: 'leak', terms: ['coaptation'] },
-  { name: 'gaps between the leaflets', objective: 'leak', terms: ['gap'] },
+  { name: 'distance between the leaflets', objective: 'leak', terms: ['gap'] },
   { name: 'chordal tension', objective: 'leak', terms: ['tension'] },
   { name: 'gradient in diastole', objective: 'opening', terms: ['gradient_above_3', 'gradient_above_5'] },
   { name: 'disease not outlasted', objective: 'durability', terms: ['durability'] },

@@ -2,13 +2,14 @@
 import type { SearchResult } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h } from '../dom'
-import { number, seconds, withError, withUnit } from '../format'
+import { seconds, withUnit } from '../format'
 import { grouped } from '../jobs/progress_panel'
 import type { CardContext } from './card'
 import { costChart, endedSeries } from './cost_chart'
 import { downloadButton, reportLink } from '../jobs/downloads'
 import { differing, inShort } from './in_short'
 import { ranked } from './ranked'
+import { leakWords } from '../valve/headline'
 import jobsStyle from '../jobs/jobs.module.css'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -37,13 +38,9 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
   const told = h('div', {})
   const path = `/v1/jobs/${context.job.id}`
   const asked = inShort(differing(result.reproduce.search))
-  const leak = result.plans[0]?.leak_mm2.nominal
+  const first = result.plans[0]?.measure
   const facts: [string, string][] = [
-    ...(leak === undefined || leak === null
-      ? []
-      : [['Leak before, with plan 1', `${number(before.leak_mm2)} → ${withUnit(leak, 'mm²')}`] as [string, string]]),
-    ['orifice before', withError(before.orifice_area_mm2, before.orifice_area_mm2_error, 'mm²')],
-    ['gap before', withError(before.coaptation.gap_area_mm2, before.coaptation.gap_area_mm2_error, 'mm²')],
+    [first ? 'leak before, with plan 1' : 'leak before', leakWords(before, first)],
     ['coaptation before, mean', withUnit(before.coaptation.height_mean_mm, 'mm')],
     ['plans tried', `${grouped(result.plans_tried)} of ${grouped(result.plans_possible)}`],
     ['closures', grouped(result.closures)],

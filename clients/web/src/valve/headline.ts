@@ -1,7 +1,7 @@
 // The leak as the one large number of a view, where it is, and how sure it is.
-import type { Closure, Scene } from '../api/types'
+import type { Measure, Scene } from '../api/types'
 import { h } from '../dom'
-import { knownDigits, withError } from '../format'
+import { joined, knownDigits, withError, withUnit } from '../format'
 import { term } from '../help/term'
 import valveStyle from './valve.module.css'
 
@@ -10,28 +10,29 @@ export function headline(before: Scene, after: Scene | null): HTMLElement {
   return h(
     'p',
     { class: valveStyle.headline, 'data-part': 'headline' },
-    h('span', { class: valveStyle.leak }, leakWords(before, after)),
+    h('span', { class: valveStyle.leak }, leakWords(before.closure, after?.closure)),
     h(
       'span',
       { class: valveStyle.sure },
       term('leak', 'leak'),
       `${leakPlace(closure)}, `,
-      closure.leak_mm2_error === null ? 'error not known' : term('error', 'error of the computation'),
+      closure.leak.error_mm2 === null ? 'error not known' : term('error', 'error of the computation'),
     ),
   )
 }
 
-/// " at P2": the segment beside the largest opening. Empty where there is none, or the leak is not more than its error.
-export function leakPlace(closure: Closure): string {
-  const [largest, ...others] = closure.orifices
-  if (!largest || !((closure.leak_mm2 ?? 0) > (closure.leak_mm2_error ?? 0))) return ''
-  return `${others.length > 0 ? ', largest' : ''} at ${largest.segment}`
+/// " at A2 and P2, 3.1 mm wide": the largest opening and the segments that have most of its rim. Empty where there is none, or the leak is not more than its error.
+export function leakPlace({ leak }: Measure): string {
+  const [largest, ...others] = leak.openings
+  if (!largest || !((leak.area_mm2 ?? 0) > (leak.error_mm2 ?? 0))) return ''
+  const where = largest.segments.length > 0 ? ` at ${joined(largest.segments.slice(0, 2))}` : ''
+  return `${others.length > 0 ? ', largest' : ''}${where}, ${withUnit(largest.width_mm, 'mm')} wide`
 }
 
-/// "45.7 → 2.1 ± 0.4 mm²": each leak to the digits that are known of it, the error of the last.
-export function leakWords(before: Scene, after: Scene | null): string {
-  const first = before.closure
-  const last = (after ?? before).closure
-  const from = after ? `${knownDigits(first.leak_mm2, first.leak_mm2_error)} → ` : ''
-  return from + withError(last.leak_mm2, last.leak_mm2_error, 'mm²')
+/// "45.7 → 2.1 ± 0.4 mm²": each leak to the digits that are known of it, the error of the last. Plans that release 0.2 has
+/// found have no `leak`.
+export function leakWords(before: Measure, after?: Measure): string {
+  const last = after ?? before
+  const from = after ? `${knownDigits(before.leak_mm2, before.leak?.error_mm2)} → ` : ''
+  return from + withError(last.leak_mm2, last.leak?.error_mm2, 'mm²')
 }

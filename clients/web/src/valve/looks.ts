@@ -1,4 +1,4 @@
-// The controls of how a valve is shown: colour, names, orifices, the cut, its motion.
+// The controls of how a valve is shown: colour, names, the leak, the cut, its motion.
 import type { Scene } from '../api/types'
 import { field, h, select } from '../dom'
 import { number, withUnit } from '../format'
@@ -36,7 +36,7 @@ export class Looks {
   onView: (view: ViewName) => void = () => {}
   private mode: ColourMode = 'leaflets'
   private readonly names = h('input', { type: 'checkbox', checked: true, onchange: () => this.onChange() })
-  private readonly orifices = h('input', { type: 'checkbox', checked: true, onchange: () => this.onChange() })
+  private readonly leak = h('input', { type: 'checkbox', checked: true, onchange: () => this.onChange() })
   private readonly cutting = h('input', { type: 'checkbox', onchange: () => this.onChange() })
   private readonly cut = h('input', { type: 'range', min: 0, max: 36, value: 18, oninput: () => this.cutMoved() })
   private readonly cutText = h('output', {})
@@ -56,7 +56,7 @@ export class Looks {
       field('Colours', mode),
       this.range.element,
       field('Names', this.names),
-      field('Orifices', this.orifices),
+      field('Leak', this.leak),
       field('Cut', this.cutting),
       field('Position of the cut', this.cut),
       h('p', { class: parts.hint }, this.cutText),
@@ -76,7 +76,7 @@ export class Looks {
       mode: this.mode,
       scale: this.range.scale(this.mode, scenes),
       share: this.motion?.share ?? 1,
-      orifices: this.orifices.checked,
+      leak: this.leak.checked,
       names: this.names.checked,
       cut,
     }

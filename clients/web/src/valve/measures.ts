@@ -1,72 +1,75 @@
 // What is measured of a closure, beside what it was before if there is a repair.
-import type { Closure, Scene } from '../api/types'
+import type { Closure, Leak, Scene } from '../api/types'
+import { dataTable } from '../charts/data_table'
 import { h } from '../dom'
-import { percent, withError, withUnit } from '../format'
+import { knownDigits, number, percent, withError, withUnit } from '../format'
 import type { Term } from '../help/glossary'
 import { term } from '../help/term'
+import { LEAST_NAMED_MM2 } from '../viewer/leak'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
-type Row = readonly [name: string, unit: string, digits: number, value: (c: Closure) => number | null, of?: Term]
-type Area = readonly [name: string, value: (c: Closure) => [mm2: number | null, error_mm2: number | null], of: Term]
-
-const AREAS: readonly Area[] = [
-  ['Leak', (c) => [c.leak_mm2, c.leak_mm2_error], 'leak'],
-  ['Orifice (atrial view)', (c) => [c.orifice_area_mm2, c.orifice_area_mm2_error], 'orifice'],
-  ['Gap between the leaflets', ({ coaptation }) => [coaptation.gap_area_mm2, coaptation.gap_area_mm2_error], 'gap'],
-]
+type Row = readonly [name: string, words: (c: Closure) => string, of?: Term]
 
 const ROWS: readonly Row[] = [
-  ['Coaptation height, mean', 'mm', 1, (c) => c.coaptation.height_mean_mm, 'coaptation'],
-  ['Coaptation height, minimum', 'mm', 1, (c) => c.coaptation.height_min_mm, 'coaptation'],
-  ['Tenting height', 'mm', 1, (c) => c.tenting_height_mm, 'tenting_height'],
-  ['Tenting area', 'mm²', 0, (c) => c.tenting_area_mm2, 'tenting_area'],
-  ['Annulus, anteroposterior', 'mm', 1, (c) => c.annulus.ap_mm],
-  ['Annulus, transverse', 'mm', 1, (c) => c.annulus.al_pm_mm],
-  ['Annulus, circumference', 'mm', 0, (c) => c.annulus.circumference_mm],
-  ['Annulus, area', 'mm²', 0, (c) => c.annulus.area_mm2],
-  ['Saddle height', 'mm', 1, (c) => c.annulus.saddle_height_mm, 'saddle'],
-  ['Highest chordal tension', 'N', 2, (c) => c.tension_max_n, 'tension'],
-  ['Total chordal tension', 'N', 1, (c) => c.tension_sum_n, 'tension'],
+  ['Leak', ({ leak }) => withError(leak.area_mm2, leak.error_mm2, 'mm²'), 'leak'],
+  ['Bounds of this area', ({ leak }) => bounds(leak), 'bounds'],
+  ['Coaptation height, mean', (c) => withUnit(c.coaptation.height_mean_mm, 'mm'), 'coaptation'],
+  ['Coaptation height, minimum', (c) => withUnit(c.coaptation.height_min_mm, 'mm'), 'coaptation'],
+  ['Tenting height', (c) => withUnit(c.tenting_height_mm, 'mm'), 'tenting_height'],
+  ['Tenting area', (c) => withUnit(c.tenting_area_mm2, 'mm²', 0), 'tenting_area'],
+  ['Annulus, anteroposterior', (c) => withUnit(c.annulus.ap_mm, 'mm')],
+  ['Annulus, transverse', (c) => withUnit(c.annulus.al_pm_mm, 'mm')],
+  ['Annulus, circumference', (c) => withUnit(c.annulus.circumference_mm, 'mm', 0)],
+  ['Annulus, area', (c) => withUnit(c.annulus.area_mm2, 'mm²', 0)],
+  ['Saddle height', (c) => withUnit(c.annulus.saddle_height_mm, 'mm'), 'saddle'],
+  ['Highest chordal tension', (c) => withUnit(c.tension_max_n, 'N', 2), 'tension'],
+  ['Total chordal tension', (c) => withUnit(c.tension_sum_n, 'N'), 'tension'],
+  ['Circumferential strain, 99th percentile', (c) => percent(c.strain_circumferential_max), 'strain'],
+  ['Radial strain, 99th percentile', (c) => percent(c.strain_radial_max), 'strain'],
 ]
 
 export function measures(before: Scene, after: Scene | null): HTMLElement {
-  const head = h('tr', {}, h('td', {}), h('th', { scope: 'col', class: parts.number }, after ? 'Before' : 'Closed'))
-  if (after) head.append(h('th', { scope: 'col', class: parts.number }, 'Repaired'))
-  const table = h('table', { class: valveStyle.measures, 'data-part': 'measures' }, head)
   const scenes = after ? [before, after] : [before]
-  for (const [name, value, of] of AREAS)
-    table.append(
-      row(
-        name,
-        scenes.map(({ closure }) => withError(...value(closure), 'mm²')),
-        of,
-      ),
-    )
-  for (const [name, unit, digits, value, of] of ROWS)
-    table.append(
-      row(
-        name,
-        scenes.map(({ closure }) => withUnit(value(closure), unit, digits)),
-        of,
-      ),
-    )
-  table.append(
-    row(
-      'Circumferential strain, 99th percentile',
-      scenes.map(({ closure }) => percent(closure.strain_circumferential_max)),
-      'strain',
-    ),
-  )
-  table.append(
-    row(
-      'Radial strain, 99th percentile',
-      scenes.map(({ closure }) => percent(closure.strain_radial_max)),
-      'strain',
-    ),
-  )
+  const columns = after ? ['Before', 'Repaired'] : ['Closed']
   const names = after ? ['before the repair', 'after it'] : ['of this closure']
-  return h('div', {}, ...scenes.map(({ closure }, i) => distrust(closure, names[i] ?? '')), table)
+  return h(
+    'div',
+    {},
+    ...scenes.map(({ closure }, i) => distrust(closure, names[i] ?? '')),
+    h(
+      'table',
+      { class: valveStyle.measures, 'data-part': 'measures' },
+      h('tr', {}, h('td', {}), ...columns.map((name) => h('th', { scope: 'col', class: parts.number }, name))),
+      ...ROWS.map(([name, words, of]) =>
+        row(
+          name,
+          scenes.map(({ closure }) => words(closure)),
+          of,
+        ),
+      ),
+    ),
+    openings((after ?? before).closure.leak, after ? 'Opening after the repair' : 'Opening'),
+  )
+}
+
+function bounds({ between_mm2 }: Leak): string {
+  return between_mm2 ? `${number(between_mm2[0])} to ${withUnit(between_mm2[1], 'mm²')}` : number(null)
+}
+
+/// Those that have a label in the picture.
+function openings(leak: Leak, heading: string): HTMLElement | null {
+  const named = leak.openings.filter(({ area_mm2 }) => area_mm2 >= LEAST_NAMED_MM2)
+  if (named.length === 0) return null
+  return dataTable(
+    'Openings',
+    [{ label: heading }, { label: 'mm²', numeric: true }, { label: 'mm wide', numeric: true }],
+    named.map(({ area_mm2, segments, width_mm }, i) => [
+      `${i + 1}. ${segments.join(', ')}`,
+      knownDigits(area_mm2, leak.error_mm2),
+      number(width_mm),
+    ]),
+  )
 }
 
 function row(name: string, values: string[], of?: Term): HTMLElement {

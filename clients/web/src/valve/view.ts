@@ -127,7 +127,7 @@ export class ValveView implements View {
       return
     }
     this.viewer.show(look)
-    this.legend.replaceChildren(legend(look.mode, look.scale, look.share <= -1))
+    this.legend.replaceChildren(legend(look.mode, look.scale))
     this.inset.replaceChildren(...(look.cut === null ? [] : [sectionInset(before, look.cut)]))
     this.inset.hidden = look.cut === null
   }

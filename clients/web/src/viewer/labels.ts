@@ -1,4 +1,4 @@
-// Words over the canvas at points of the scene. They avoid each other and the opening; one that stands beside its place
+// Words over the canvas at points of the scene. They avoid each other and the leak; one that stands beside its place
 // has a line to it.
 import { Vector3 } from 'three'
 import type { Vector } from '../api/types'
@@ -11,13 +11,13 @@ export interface Label {
   point_mm: Vector // where the word is best
   names_mm?: Vector // what it names, if that is elsewhere
   text: string
-  kind: 'landmark' | 'tip' | 'segment' | 'orifice' | 'distance'
+  kind: 'landmark' | 'tip' | 'segment' | 'leak' | 'distance'
 }
 
 /// The most important first; pixels that a word may be moved.
 const KINDS: Record<Label['kind'], { rank: number; reach: number }> = {
   distance: { rank: 0, reach: 160 },
-  orifice: { rank: 1, reach: 160 },
+  leak: { rank: 1, reach: 160 },
   segment: { rank: 2, reach: 80 },
   landmark: { rank: 3, reach: 50 },
   tip: { rank: 4, reach: 50 },

@@ -8,19 +8,18 @@ export const KINDS = [
   [TINTS.anterior, 'anterior leaflet'],
   [TINTS.posterior, 'posterior leaflet'],
   [TINTS.commissure, 'commissures'],
-  [TINTS.opening, 'where it leaks'],
+  [TINTS.opening, 'where it is open'],
   [TINTS.ruptured, 'ruptured chorda'],
   [TINTS.added, 'suture or neochorda'],
 ] as const
 
-/// `isOpen`: the valve stands open in diastole, and what is blue is its passage.
-export function legend(mode: ColourMode, scale: Scale | null, isOpen = false): HTMLElement {
+export function legend(mode: ColourMode, scale: Scale | null): HTMLElement {
   if (!scale) {
     const list = h('ul', { class: viewerStyle.legend })
     for (const [colour, words] of KINDS) {
       const swatch = h('span', { class: viewerStyle.swatch })
       swatch.style.background = colour
-      list.append(h('li', {}, swatch, isOpen && colour === TINTS.opening ? 'narrowest passage' : words))
+      list.append(h('li', {}, swatch, words))
     }
     return list
   }

@@ -1,5 +1,5 @@
 // The leaflets with their thickness: the mid-surface moved by half of it to either side along its normals, and round
-// edges along annulus and free edge, which reach out as far as the service's orifice counts tissue. Without drawing.
+// edges along annulus and free edge, which reach out as far as the leak counts tissue. Without drawing.
 import type { ValveShape, Vector } from '../api/types'
 import { at, blend, boundaryEdges, cross, length, minus, plus, times, unit } from './geometry'
 

@@ -1,17 +1,16 @@
-// A valve in three dimensions: leaflets, chordae, annulus, orifices, a cut, names.
+// A valve in three dimensions: leaflets, chordae, annulus, where it is open, a cut, names.
 import { Plane, Vector3 } from 'three'
-import type { LeafletPoint, Opening as OpenValve, Scene, Segment, Step, Vector } from '../api/types'
+import type { LeafletPoint, LeakSurfaces, Opening, Scene, Segment, Step, Vector } from '../api/types'
 import { h } from '../dom'
 import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
 import { at, chordaLines, closedNodes, dot, minus, nodesAt, seamLines, section, tieLines, unit } from './geometry'
 import { Handles } from './handles'
 import { around, type Box } from './label_layout'
 import { type DrawnLabel, Labels, type Label } from './labels'
+import { leakLabels, LeakMeshes, openingLabels } from './leak'
 import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines } from './lines'
 import { namedAnnulus, namesOf, wholeValve } from './marks'
-import { openingMaterials, Opening } from './opening'
-import { passageOf } from './passage'
 import { isBehind, nearestAround, pickAt, type Pick, type PickKind } from './pick'
 import { reading, Readout } from './readout'
 import { Ring } from './ring'
@@ -20,6 +19,7 @@ import viewerStyle from './viewer.module.css'
 
 type Cut = Scene['sections'][number]
 
+const NO_LEAK: LeakSurfaces = []
 const LEAST_SLANT = 0.1 // sine between sight and cut, from where on the hidden side changes
 const TURNED_PX = 4 // a pointer that moved so far has turned the valve, not clicked it
 
@@ -27,7 +27,7 @@ export interface Look {
   mode: ColourMode
   scale: Scale | null
   share: number // of a beat: -1 open in diastole, 0 unstressed, 1 closed
-  orifices: boolean
+  leak: boolean
   names: boolean
   cut: number | null // index into Scene.sections
 }
@@ -50,12 +50,12 @@ export class Viewer {
   inset: HTMLElement | null = null // lies over the canvas
   readonly handles: Handles<Step>
   private scene: Scene | null = null
-  private open: OpenValve | null = null // the same valve in diastole
+  private open: Opening | null = null // the same valve in diastole
   private nodes: Float32Array = new Float32Array()
   private leaflets: Leaflets | null = null
-  private opening: Opening | null = null
   // Kept: a new one would have its program compiled again.
-  private readonly materials = { leaflets: leafletMaterial(), opening: openingMaterials() }
+  private readonly leafletMaterial = leafletMaterial()
+  private readonly leak = new LeakMeshes()
   private pressed: [number, number] = [0, 0] // where on the screen
   private look: Look | null = null
   private drawn = '' // the look of the scene that is drawn
@@ -72,7 +72,6 @@ export class Viewer {
     seams: new Lines({ width: 3, colour: TINTS.added, dashed: true, inFront: true }),
     behind: new Lines({ width: 2, colour: TINTS.added, dashed: true, inFront: true }), // sutures through tissue
     cut: new Lines({ width: 1, inMillimetres: true }),
-    passage: new Lines({ width: 2.5, colour: TINTS.opening, inFront: true }),
     drawn: new Lines({ width: 2.5, colour: '#d6336c', inFront: true }),
   }
 
@@ -94,7 +93,7 @@ export class Viewer {
       this.handles.element,
       this.readout.element,
     )
-    this.stage.add(this.ring.mesh, ...Object.values(this.lines).map((line) => line.object))
+    this.stage.add(this.ring.mesh, this.leak.group, ...Object.values(this.lines).map((line) => line.object))
     this.stage.controls.addEventListener('change', () => this.look && this.show(this.look))
     this.stage.canvas.addEventListener('pointerdown', ({ clientX, clientY }) => (this.pressed = [clientX, clientY]))
     this.stage.canvas.addEventListener('click', (event) => this.click(event))
@@ -108,13 +107,10 @@ export class Viewer {
     this.scene = scene
     this.open = null
     this.leaflets?.dispose()
-    this.opening?.dispose()
     if (this.leaflets) this.stage.scene.remove(this.leaflets.mesh)
-    if (this.opening) this.stage.scene.remove(this.opening.group)
-    this.leaflets = new Leaflets(scene, this.materials.leaflets)
-    this.opening = new Opening(scene, this.materials.opening)
+    this.leaflets = new Leaflets(scene, this.leafletMaterial)
     this.drawn = ''
-    this.stage.add(this.leaflets.mesh, this.opening.group)
+    this.stage.add(this.leaflets.mesh)
     this.ring.set(ring ? scene : null)
     const sutures = scene.sutures.flatMap((suture) => [...suture.tip_mm, ...suture.anchor_mm])
     this.lines.sutures.set(sutures)
@@ -124,18 +120,18 @@ export class Viewer {
   }
 
   /// Of the valve that is shown.
-  setOpen(open: OpenValve): void {
+  setOpen(open: Opening): void {
     this.open = open
     this.drawn = ''
   }
 
   show(look: Look): void {
-    const { scene, leaflets, opening } = this
+    const { scene, leaflets } = this
     this.look = look
     const cut = look.cut === null ? undefined : scene?.sections[look.cut]
     if (cut) this.side = this.nearSide(cut)
     const asked = JSON.stringify([look, this.extra, this.side])
-    if (!scene || !leaflets || !opening || asked === this.drawn) return
+    if (!scene || !leaflets || asked === this.drawn) return
     this.drawn = asked
     this.pointAway()
     const closed = this.isClosed(look)
@@ -146,15 +142,13 @@ export class Viewer {
     this.drawChordae(scene, mode, look.scale)
     this.lines.ties.set(tieLines(scene, this.nodes))
     this.lines.seams.set(seamLines(scene, this.nodes))
-    opening.group.visible = look.orifices && closed
     this.drawCut(scene, cut)
-    const passage = look.orifices && look.share <= -1 && this.open ? passageOf(this.open) : null
-    this.lines.passage.set(passage?.line ?? [])
+    const { surfaces, labels } = this.leakAt(look)
+    this.leak.show(surfaces)
     const isLeft = ({ point_mm }: Label): boolean =>
       !cut || this.side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
     const names = look.names ? namesOf(scene, this.nodes).filter(isLeft) : []
-    const leaks = opening.group.visible ? opening.labels.map((label) => ({ ...label, kind: 'orifice' as const })) : []
-    this.labels.set([...names, ...leaks, ...(passage?.labels ?? []), ...this.extra])
+    this.labels.set([...names, ...labels, ...this.extra])
     this.stage.draw()
   }
 
@@ -167,6 +161,14 @@ export class Viewer {
   private isClosed(look: Look): boolean {
     const states = [this.scene?.motion_mm, look.share < 0 ? this.open?.scene.motion_mm : []]
     return look.share >= 1 || states.every((motion_mm) => (motion_mm?.length ?? 0) < 2)
+  }
+
+  /// Nothing on the way between open and closed.
+  private leakAt(look: Look): { surfaces: LeakSurfaces; labels: Label[] } {
+    const { scene, open } = this
+    if (look.leak && scene && this.isClosed(look)) return { surfaces: scene.leak, labels: leakLabels(scene) }
+    if (look.leak && open && look.share <= -1) return { surfaces: open.scene.leak, labels: openingLabels(open) }
+    return { surfaces: NO_LEAK, labels: [] }
   }
 
   /// Strain and tension are those of the closed valve.
@@ -210,7 +212,7 @@ export class Viewer {
     const away = new Vector3(...(cut?.normal ?? [0, 0, 1])).multiplyScalar(-this.side)
     const planes = cut ? [new Plane().setFromNormalAndCoplanarPoint(away, new Vector3(...cut.point_mm))] : []
     this.leaflets?.cut(planes)
-    this.opening?.cut(planes)
+    this.leak.cut(planes)
     this.ring.cut(planes)
     for (const name of ['chordae', 'ruptured', 'sutures', 'behind', 'ties', 'seams'] as const)
       this.lines[name].cut(planes)
@@ -275,10 +277,9 @@ export class Viewer {
     if (pick) this.onPick(pick)
   }
 
-  /// By what has to be seen: the opening, the inset.
+  /// By what has to be seen: the leak, the inset. An open valve is wide enough to hold its label.
   private covered(): Box[] {
-    const { group, membranes_mm } = this.opening ?? { group: { visible: false }, membranes_mm: [] }
-    const shown = group.visible ? membranes_mm : []
+    const shown = this.look && this.isClosed(this.look) ? this.leak.outlines_mm : []
     const boxes = shown.flatMap((points) => around(points.map((point) => this.stage.place(point))) ?? [])
     boxes.push(...this.handles.boxes())
     const canvas = this.stage.canvas.getBoundingClientRect()

@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import { accessProblems, openBefore, page, settled } from './page.mjs'
 
 openBefore('repair', { width: 1440, height: 900 }, () =>
-  page.locator('[data-part=labels] [data-part=orifice]').first().waitFor(),
+  page.locator('[data-part=labels] [data-part=leak]').first().waitFor(),
 )
 
 const handle = (name) => page.locator('[data-part=handles]').getByRole('slider', { name })

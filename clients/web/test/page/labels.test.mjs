@@ -62,7 +62,7 @@ async function assertReadable(where, least) {
   const boxes = await words()
   assert.ok(boxes.length >= least, `${where}: ${boxes.length} words`)
   assert.ok(
-    boxes.some(({ kind }) => kind === 'orifice'),
+    boxes.some(({ kind }) => kind === 'leak'),
     `${where}: the leak has no figure`,
   )
   assertApart(boxes, where)

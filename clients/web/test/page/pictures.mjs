@@ -17,7 +17,7 @@ async function picture(name, view, options, prepare) {
 }
 
 await picture('valve', 'valve', {}, async (page) => {
-  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
+  await page.locator('[data-part=labels] [data-part=leak]').first().waitFor()
 })
 await picture('cut', 'valve', { theme: 'dark' }, async (page) => {
   await page.getByLabel('Preset').selectOption('human-normal')

@@ -16,14 +16,14 @@ const told = (values) =>
 const first = []
 for (let i = 0; i < RUNS; ++i) {
   const { page } = await openView(browser, service.url, 'valve')
-  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
+  await page.locator('[data-part=labels] [data-part=leak]').first().waitFor()
   first.push(await page.evaluate(() => performance.getEntriesByName('first valve')[0].startTime))
   await page.close()
 }
 console.log(`first view, from asking for the page to the drawn valve: ${told(first)}`)
 
 const { page } = await openView(browser, service.url, 'repair')
-await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
+await page.locator('[data-part=labels] [data-part=leak]').first().waitFor()
 await page.getByRole('button', { name: 'Suture PM' }).click()
 const answers = []
 const slider = page.getByRole('slider', { name: 'Suture, mm' })
@@ -55,7 +55,7 @@ console.log(`a repair by hand, from letting go to its picture (650 triangles): $
 await page.close()
 
 const fine = (await openView(browser, service.url, 'valve')).page
-await fine.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
+await fine.locator('[data-part=labels] [data-part=leak]').first().waitFor()
 await fine
   .getByLabel('Your file')
   .setInputFiles({ name: 'fine.json', mimeType: 'application/json', buffer: readFileSync(FINE) })

@@ -5,7 +5,7 @@ import { openBefore, page, settled } from './page.mjs'
 
 let session
 openBefore('valve', { width: 820, height: 1180 }, async () => {
-  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
+  await page.locator('[data-part=labels] [data-part=leak]').first().waitFor()
   session = await page.context().newCDPSession(page)
   await session.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 2 })
 })

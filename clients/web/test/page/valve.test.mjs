@@ -17,10 +17,14 @@ test('the first valve is closed and measured as the service says, and drawn', as
   const expected = await (
     await fetch(`${service.url}/v1/closures`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })
   ).json()
-  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
-  const [value, error] = [expected.orifice_area_mm2, expected.orifice_area_mm2_error].map((mm2) => mm2.toFixed(0))
-  assert.equal(await measure('Orifice (atrial view)').textContent(), `${value} ± ${error} mm²`)
-  assert.equal(await page.locator('[data-part=labels] [data-part=orifice]').first().textContent(), `${value} mm²`)
+  await page.locator('[data-part=labels] [data-part=leak]').first().waitFor()
+  const { area_mm2, error_mm2, openings } = expected.leak
+  const [value, error, largest] = [area_mm2, error_mm2, openings[0].area_mm2].map((mm2) => mm2.toFixed(0))
+  assert.equal(await measure('Leak').textContent(), `${value} ± ${error} mm²`)
+  assert.equal(await page.locator('[data-part=labels] [data-part=leak]').first().textContent(), `${largest} mm²`)
+  const row = page.getByRole('group', { name: 'Openings' }).locator('tbody tr').first()
+  const cells = [`1. ${openings[0].segments.join(', ')}`, largest, openings[0].width_mm.toFixed(1)]
+  assert.deepEqual(await row.locator('th, td').allTextContents(), cells)
   assert.ok((await colours()) > 500)
   for (const name of ['A2', 'P2', 'saddle peak', 'PM trigone'])
     assert.ok(await page.locator('[data-part=labels] span', { hasText: name }).first().isVisible(), name)
@@ -53,15 +57,15 @@ test('the cut tells the coaptation height where it is', async () => {
   }
 })
 
-test('the valve closes before the eyes: open it leaves no orifice drawn, closed it does', async () => {
+test('the valve closes before the eyes: on the way nothing of its leak is drawn, closed it is', async () => {
   await page.getByLabel('Cut', { exact: true }).uncheck()
   await page.getByLabel('Open to closed').fill('0')
-  assert.equal(await page.locator('[data-part=labels] [data-part=orifice]').count(), 0)
+  assert.equal(await page.locator('[data-part=labels] [data-part=leak]').count(), 0)
   await page.getByRole('button', { name: 'Play the closing' }).click()
-  await page.locator('[data-part=labels] [data-part=orifice]').first().waitFor()
+  await page.locator('[data-part=labels] [data-part=leak]').first().waitFor()
 })
 
-test('a whole beat is played: open with its passage, closed with its leak, open again; the keyboard reaches all of it', async () => {
+test('a whole beat is played: open with its area, closed with its leak, open again; the keyboard reaches all of it', async () => {
   const expected = await (
     await fetch(`${service.url}/v1/openings`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })
   ).json()
@@ -72,21 +76,26 @@ test('a whole beat is played: open with its passage, closed with its leak, open 
   assert.ok(words.includes(`mean gradient ${expected.gradient_mmhg.toFixed(1)} mmHg at 155 ml/s`), words)
   assert.ok(await page.locator('[data-part=headline]').isVisible())
   const slider = page.getByLabel('Open to closed')
-  const label = page.locator('[data-part=labels] [data-part=orifice]')
+  const label = page.locator('[data-part=labels] [data-part=leak]')
   const open = page.getByRole('button', { name: 'Open', exact: true })
   await open.focus()
   await page.keyboard.press('Enter')
   assert.equal(await slider.inputValue(), '-1')
   assert.equal(await open.getAttribute('aria-pressed'), 'true')
   await label.first().waitFor()
-  assert.deepEqual(await label.allTextContents(), [area])
+  assert.deepEqual(
+    await label.allTextContents(),
+    expected.leak.openings
+      .filter(({ area_mm2 }) => area_mm2 >= 5)
+      .map(({ area_mm2 }) => `${(0.01 * area_mm2).toFixed(1)} cm²`),
+  )
   await slider.focus()
   await page.keyboard.press('End')
   assert.equal(await slider.inputValue(), '1')
   await page.getByRole('button', { name: 'Play a beat' }).focus()
   await page.keyboard.press('Enter')
   await label.filter({ hasText: 'mm²' }).first().waitFor({ state: 'attached' })
-  await label.filter({ hasText: area }).waitFor({ state: 'attached' })
+  await label.filter({ hasText: 'cm²' }).first().waitFor({ state: 'attached' })
   await page.getByRole('button', { name: 'Play a beat' }).waitFor()
   assert.equal(await slider.inputValue(), '-1')
   await page.getByRole('button', { name: 'Closed', exact: true }).click()

@@ -52,7 +52,7 @@ test('before its unstressed state a beat follows the opening, and without one it
   const unstressed = Array.from(closedNodes(scene), () => 0)
   scene.motion_mm = [unstressed, unstressed.map(() => 6)]
   const { faces, annulus_mm, heads, chordae } = scene
-  const opening = { faces, annulus_mm, heads, chordae, open_mm: null, passage_mm: [] }
+  const opening = { faces, annulus_mm, heads, chordae, open_mm: null, leak: [] }
   const moving = { ...opening, motion_mm: [unstressed, unstressed.map(() => -1), unstressed.map(() => -4)] }
   expect([-1, -0.75, -0.5, 0, 0.5, 1].map((share) => nodesAt(scene, share, moving)[0])).toEqual([-4, -2.5, -1, 0, 3, 6])
   expect(nodesAt(scene, -1)[0]).toBe(0)

@@ -4,26 +4,26 @@ import { pixelsOf, withDensity } from '../../src/picture/png'
 import { figureLines } from '../../src/picture/saver'
 import { pyramid } from './scenes'
 
-/// Of so many mm², known to 5, with openings beside these segments.
-function leaking(leak_mm2: number | null, ...segments: string[]): Scene {
-  const closure = {
-    leak_mm2,
-    leak_mm2_error: 5,
-    orifices: segments.map((segment) => ({ segment })),
-    coaptation: {},
-  } as Scene['closure']
-  return { ...pyramid(), closure }
+/// Of so many mm², known to 5, with openings 3 mm wide between these segments.
+function leaking(leak_mm2: number | null, ...openings: string[][]): Scene {
+  const leak = {
+    area_mm2: leak_mm2,
+    error_mm2: 5,
+    openings: openings.map((segments) => ({ segments, width_mm: 3 })),
+  }
+  return { ...pyramid(), closure: { leak_mm2, leak, coaptation: {} } as unknown as Scene['closure'] }
 }
 
 test('a picture says how large the leak is and where, and grades nothing', () => {
   const first = (before: Scene, after: Scene | null = null) =>
     figureLines(before, after, { schema: 'coapt.plan/1', steps: [] })[0]
-  expect(first(leaking(46, 'P2'))).toBe('Leak 46 ± 5 mm² at P2')
-  expect(first(leaking(46, 'P2', 'AC'))).toBe('Leak 46 ± 5 mm², largest at P2')
+  expect(first(leaking(46, ['P2', 'A2', 'P1']))).toBe('Leak 46 ± 5 mm² at P2 and A2, 3.0 mm wide')
+  expect(first(leaking(46, ['P2'], ['AC']))).toBe('Leak 46 ± 5 mm², largest at P2, 3.0 mm wide')
+  expect(first(leaking(46, []))).toBe('Leak 46 ± 5 mm², 3.0 mm wide') // of a valve that is not mitral
   expect(first(leaking(46))).toBe('Leak 46 ± 5 mm²')
-  expect(first(leaking(4, 'AC'))).toBe('Leak 4 ± 5 mm²') // not more than its error
-  expect(first(leaking(null, 'AC'))).toBe('Leak not known')
-  expect(first(leaking(46, 'P2'), leaking(12, 'A1'))).toBe('Leak 46 → 12 ± 5 mm² at A1')
+  expect(first(leaking(4, ['AC']))).toBe('Leak 4 ± 5 mm²') // not more than its error
+  expect(first(leaking(null, ['AC']))).toBe('Leak not known')
+  expect(first(leaking(46, ['P2']), leaking(12, ['A1']))).toBe('Leak 46 → 12 ± 5 mm² at A1, 3.0 mm wide')
 })
 
 test('180 mm are 2126 pixels at 300 dpi', () => {

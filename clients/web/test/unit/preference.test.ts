@@ -21,7 +21,7 @@ const described = (rank: number): RankedPlan => ({
 
 test('a case holds of each plan what is compared, at the place of its rank', () => {
   expect(preferenceCase('a job', [described(2), described(1)], { ...WEIGHTS, sd_share: 2 })).toEqual({
-    schema: 'coapt.plans/1',
+    schema: 'coapt.plans/2',
     name: 'a job',
     weights: { sd_share: 2 },
     plans: [1, 2].map((rank) => ({

@@ -20,7 +20,7 @@ test('prices are weights times the amounts that the service states, in the group
     leak: 7, // 2, and five times the 1 above 1
     'margin to leak': 0.25,
     'too little coaptation': 1.5, // half a mm2 for each mm
-    'gaps between the leaflets': 1, // two for each mm
+    'distance between the leaflets': 1, // two for each mm
     'chordal tension': 1.5,
     'gradient in diastole': 16, // two for each of 3 mmHg above 3, ten for the one above 5
     'disease not outlasted': 1, // a quarter for each mm
@@ -37,7 +37,7 @@ test('no amount is left out: each counts in exactly one price', () => {
 })
 
 test('an amount that the finer mesh makes negative lowers the price', () => {
-  expect(pricesOf({ gap: -0.25 })).toEqual({ 'gaps between the leaflets': -0.5 })
+  expect(pricesOf({ gap: -0.25 })).toEqual({ 'distance between the leaflets': -0.5 })
 })
 
 test('a factor multiplies the prices of its objective alone, and none those of failed closures', () => {

@@ -5,7 +5,7 @@ import type { Scene } from '../../src/api/types'
 export function pyramid(): Scene {
   const rest_mm = [10, 0, 0, 0, 10, 0, -10, 0, 0, 0, -10, 0, 0, 0, -10]
   return {
-    schema: 'coapt.scene/1',
+    schema: 'coapt.scene/2',
     notice: '',
     plane: { origin_mm: [0, 0, 0], x: [1, 0, 0], y: [0, 1, 0], normal: [0, 0, 1] },
     thickness_mm: 1,
@@ -37,8 +37,7 @@ export function pyramid(): Scene {
     ties: [],
     seams: [],
     strain: { circumferential: [0, 0.1, 0.2, 0.3], radial: [0, 0, 0, 0.4] },
-    orifices: [],
-    gap: [],
+    leak: [],
     sections: [],
     motion_mm: [],
     closure: {} as Scene['closure'],

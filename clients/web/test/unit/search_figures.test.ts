@@ -27,8 +27,7 @@ function plan({ rank = 1, mean = 1, sd = 0, tension = 1, angle = 1, tie = false,
     rank,
     plan: { schema: 'coapt.plan/1', steps: [] },
     leak_mm2: statistics,
-    orifice_area_mm2: statistics,
-    measure: { orifice_area_mm2: mean, tension_max_n: tension, coaptation: {} },
+    measure: { leak_mm2: mean, tension_max_n: tension, coaptation: {} },
     margin_to_leak: { suture_length_mm: null, angle_deg: angle, share: null },
     tie_with_next: tie,
     probability_outranks_next: ahead,
@@ -65,9 +64,9 @@ test('means that differ by less than their spread are not told apart', () => {
 })
 
 test('one closure does not tell half a square millimetre', () => {
-  const orifice = figure('Orifice as planned')
-  expect(judge(orifice, plan({ mean: 1 }), plan({ mean: 1.5 }))).toBe('within')
-  expect(judge(orifice, plan({ mean: 1 }), plan({ mean: 1.6 }))).toBe('first')
+  const leak = figure('Leak as planned')
+  expect(judge(leak, plan({ mean: 1 }), plan({ mean: 1.5 }))).toBe('within')
+  expect(judge(leak, plan({ mean: 1 }), plan({ mean: 1.6 }))).toBe('first')
 })
 
 test('what is not known is not compared', () => {
