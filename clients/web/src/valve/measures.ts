@@ -35,11 +35,11 @@ export function measures(before: Scene, after: Scene | null): HTMLElement {
   const names = after ? ['before the repair', 'after it'] : ['of this closure']
   return h(
     'div',
-    {},
+    { class: valveStyle.measures },
     ...scenes.map(({ closure }, i) => distrust(closure, names[i] ?? '')),
     h(
       'table',
-      { class: valveStyle.measures, 'data-part': 'measures' },
+      { class: after && valveStyle.twoColumns, 'data-part': 'measures' },
       h('tr', {}, h('td', {}), ...columns.map((name) => h('th', { scope: 'col', class: parts.number }, name))),
       ...ROWS.map(([name, words, of]) =>
         row(

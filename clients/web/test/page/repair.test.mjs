@@ -22,6 +22,12 @@ test('a ring of the own shape makes the leak smaller, as the service says', asyn
   assert.ok(Number.parseFloat((await leak())[1]) < Number.parseFloat((await leak())[0]))
 })
 
+test('both columns of what is measured stand within their panel', async () => {
+  const right = (locator) => locator.evaluate((element) => element.getBoundingClientRect().right)
+  const panel = page.getByRole('region', { name: 'Measured' })
+  assert.ok((await right(panel.locator('[data-part=measures]'))) <= (await right(panel)))
+})
+
 test('letting a slider go closes the valve anew', async () => {
   const before = (await leak())[1]
   await page.getByRole('slider', { name: 'Sizes below' }).fill('0')
