@@ -54,7 +54,12 @@ class Closures(ClientTest):
         closure = self.client.close(VALVE, plan)
         self.assertEqual(closure.json | {"seconds": 0}, printed | {"seconds": 0})
         self.assertEqual(closure.measure.leak_mm2, printed["leak_mm2"])
-        self.assertEqual(closure.measure.gap_area_mm2, printed["coaptation"]["gap_area_mm2"])
+        leak = closure.measure.leak
+        self.assertEqual((leak.area_mm2, leak.error_mm2), (printed["leak"]["area_mm2"], printed["leak"]["error_mm2"]))
+        self.assertEqual(
+            [one.width_mm for one in leak.openings], [one["width_mm"] for one in printed["leak"]["openings"]]
+        )
+        self.assertTrue(leak.between_mm2[0] <= leak.area_mm2 <= leak.between_mm2[1])
         self.assertTrue(closure.trusted)
         self.assertEqual(self.client.close(VALVE, plan.to_json()).measure, closure.measure)
 
@@ -83,6 +88,7 @@ class Closures(ClientTest):
         told = {key: value for key, value in opening.json.items() if key != "scene"}
         self.assertEqual(told | {"seconds": 0}, printed | {"seconds": 0})
         self.assertEqual(opening.gradient_mmhg, printed["gradient_mmhg"])
+        self.assertEqual((opening.leak.area_mm2, opening.leak.error_mm2), (opening.opening_area_mm2, None))
         self.assertTrue(opening.trusted)
         self.assertEqual(opening.scene["motion_mm"][-1][: len(opening.scene["open_mm"])], opening.scene["open_mm"])
         self.assertIn(f"{0.01 * printed['opening_area_mm2']:.1f} cm²", opening._repr_html_())
@@ -108,7 +114,7 @@ class Closures(ClientTest):
 
     def test_a_scene_has_the_points_and_the_way_there(self):
         scene = self.client.scene(VALVE, frames=3)
-        self.assertEqual((scene["schema"], scene["closure"]["status"]), ("coapt.scene/1", "converged"))
+        self.assertEqual((scene["schema"], scene["closure"]["status"]), ("coapt.scene/2", "converged"))
         self.assertLessEqual(len(scene["motion_mm"]), 3)
         self.assertEqual(scene["motion_mm"][-1][: len(scene["closed_mm"])], scene["closed_mm"])
         self.assertEqual(self.client.scene(VALVE)["motion_mm"], [])

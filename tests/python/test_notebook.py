@@ -5,6 +5,7 @@ import unittest
 
 import coapt
 from client_runs import SMALL, VALVE, ClientTest
+from coapt import tables
 
 VOID = {"br", "img"}
 
@@ -40,10 +41,10 @@ class Shown(ClientTest):
 
     def test_a_closure_shows_its_figures_and_where_leaflets_meet(self):
         closure = self.client.close(VALVE)
+        leak = closure.measure.leak
         self.assertLessEqual({"table", "svg", "rect"}, self.shown(closure))
-        self.assertIn(
-            f"<b>{closure.measure.leak_mm2:.0f} ± {closure.measure.leak_mm2_error:.0f} mm²</b>", closure._repr_html_()
-        )
+        self.assertIn(f"<b>{tables.with_error(leak.area_mm2, leak.error_mm2)} mm²</b>", closure._repr_html_())
+        self.assertIn(f"{leak.openings[0].width_mm:.1f} mm wide, at ", closure._repr_html_())
 
     def test_a_valves_name_is_text_and_no_html(self):
         valve = self.client.get_valve(VALVE) | {"name": "<script>alert(1)</script>"}

@@ -67,10 +67,10 @@ class Plots(ClientTest):
 
     def test_the_atrial_view_has_every_triangle_and_the_section_lies_within_it(self):
         closure = self.client.close(small_valve())
-        leaflets = closure.leaflets()
-        self.assertEqual(
-            len(self.drawn(plots.atrial_view, closure).collections[0].get_facecolors()), len(leaflets.faces)
-        )
+        leaflets, axes = closure.leaflets(), self.drawn(plots.atrial_view, closure)
+        self.assertEqual(len(axes.collections[0].get_facecolors()), len(leaflets.faces))
+        rims = [[list(point[:2]) for point in opening.outline_mm] for opening in closure.measure.leak.openings]
+        self.assertEqual([line.get_xydata().tolist() for line in axes.lines], rims)
         pieces = self.drawn(plots.section, closure).collections[0].get_segments()
         self.assertTrue(all(len(piece) == 2 for piece in pieces))
         y = [vertex[1] for vertex in leaflets.vertices_mm]

@@ -44,6 +44,7 @@ from .events import Event, LeadingPlan, Progress
 from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling, Section, Table
 from .fits import Fit, FitResult, FittedParameter, ImportResult
 from .jobs import Job, show_progress
+from .leaks import Leak, LeakOpening
 from .local import close_many, engine, preset, read_valve
 from .meshes import Mesh, Picture
 from .openings import Opening
@@ -104,7 +105,9 @@ __all__ = [
     "KeptPlan",
     "LeadingPlan",
     "LeafletPoint",
+    "Leak",
     "LeakMap",
+    "LeakOpening",
     "LocalValve",
     "LeakMaps",
     "Measure",

@@ -15,6 +15,7 @@ from typing import Any, Literal
 from . import tables
 from .errors import CoaptError
 from .evidence import Coaptation
+from .leaks import Leak, LeakOpening
 from .meshes import Mesh
 
 Status = Literal["converged", "step_limit", "diverged"]
@@ -34,21 +35,14 @@ class Measure:
     valves; None of a closure that is not to be trusted. Strains are the 99th percentile over triangles, as shares.
 
     >>> measure = coapt.preset("human-functional-mr").close().measure
-    >>> measure.leak_mm2 == max(measure.orifice_area_mm2, measure.gap_area_mm2)
-    True
+    >>> measure.leak_mm2 == measure.leak.area_mm2, "P2" in measure.leak.openings[0].segments
+    (True, True)
     >>> [section.contact for section in measure.coaptation.sections].count(True) <= 9
     True
     """
 
     leak_mm2: float | None
-    """The larger of orifice and gap: what a competent valve keeps near zero."""
-    leak_mm2_error: float | None
-    orifice_area_mm2: float | None
-    """What the view from the atrium shows open, leaflets with their half thickness."""
-    orifice_area_mm2_error: float | None
-    gap_area_mm2: float | None
-    """The opening between the leaflets in three dimensions, which that view can hide."""
-    gap_area_mm2_error: float | None
+    """Of leak: what a competent valve keeps near zero."""
     coaptation_height_mean_mm: float | None
     """Over nine sections from commissure to commissure; 0 where leaflets do not touch."""
     coaptation_height_min_mm: float | None
@@ -71,11 +65,6 @@ class Measure:
         coaptation, annulus = json["coaptation"], json["annulus"]
         return cls(
             json["leak_mm2"],
-            json["leak_mm2_error"],
-            json["orifice_area_mm2"],
-            json["orifice_area_mm2_error"],
-            coaptation["gap_area_mm2"],
-            coaptation["gap_area_mm2_error"],
             coaptation["height_mean_mm"],
             coaptation["height_min_mm"],
             annulus["ap_mm"],
@@ -90,8 +79,13 @@ class Measure:
 
     @cached_property
     def json(self) -> Document:
-        """The whole of it: every orifice with its place, annulus, sections, and more."""
+        """The whole of it: leak, annulus, sections, and more."""
         return self._document()
+
+    @property
+    def leak(self) -> Leak:
+        """Its area with error and openings."""
+        return Leak.from_json(self.json["leak"])
 
     @property
     def coaptation(self) -> Coaptation:
@@ -101,7 +95,7 @@ class Measure:
 
 @dataclass(frozen=True)
 class Closure:
-    """A valve, closed (coapt.closure/1).
+    """A valve, closed (coapt.closure/2).
 
     >>> closure = coapt.preset("human-normal").close()
     >>> closure.trusted, closure.status
@@ -148,7 +142,7 @@ class Closure:
 
     @cached_property
     def json(self) -> Document:
-        """The coapt.closure/1."""
+        """The coapt.closure/2."""
         return self._document()
 
     def leaflets(self) -> Mesh:
@@ -183,11 +177,10 @@ class Closure:
 
 
 def _figures(measure: Measure) -> list[tuple[str, str]]:
-    number, with_error = tables.number, tables.with_error
+    number, leak = tables.number, measure.leak
     return [
-        ("leak", f"<b>{with_error(measure.leak_mm2, measure.leak_mm2_error)} mm²</b>, the larger of orifice and gap"),
-        ("orifice seen from the atrium", f"{with_error(measure.orifice_area_mm2, measure.orifice_area_mm2_error)} mm²"),
-        ("gap between the leaflets", f"{with_error(measure.gap_area_mm2, measure.gap_area_mm2_error)} mm²"),
+        ("leak", f"<b>{tables.with_error(leak.area_mm2, leak.error_mm2)} mm²</b>"),
+        *((f"opening {i}", _place(opening)) for i, opening in enumerate(leak.openings, 1)),
         (
             "coaptation height",
             f"mean {number(measure.coaptation_height_mean_mm)}, min {number(measure.coaptation_height_min_mm)} mm",
@@ -195,3 +188,9 @@ def _figures(measure: Measure) -> list[tuple[str, str]]:
         ("largest chordal tension", f"{number(measure.tension_max_n, 2)} N"),
         ("annulus", f"AP {number(measure.annulus_ap_mm)}, AL-PM {number(measure.annulus_al_pm_mm)} mm"),
     ]
+
+
+def _place(opening: LeakOpening) -> str:
+    number = tables.number
+    at = f", at {', '.join(opening.segments)}" if opening.segments else ""
+    return f"{number(opening.area_mm2)} mm², {number(opening.width_mm)} mm wide{at}"

@@ -1,5 +1,5 @@
 """Tables of pandas, which is imported when the first is asked for. What is not known is NaN. Columns that a search's
-evaluations.csv has, too, have its names."""
+evaluations.csv has, too, have its names; its leak_mm2 is estimated."""
 
 from __future__ import annotations
 
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
 MEASURE = {
     "leak_mm2": "measure.leak_mm2",
-    "orifice_mm2": "measure.orifice_area_mm2",
-    "gap_mm2": "measure.gap_area_mm2",
     "coaptation_height_mean_mm": "measure.coaptation_height_mean_mm",
     "coaptation_height_min_mm": "measure.coaptation_height_min_mm",
     "tension_max_n": "measure.tension_max_n",

@@ -9,11 +9,12 @@ from typing import Any
 
 from . import tables
 from .closures import Document, Status, known_fields
+from .leaks import Leak
 
 
 @dataclass(frozen=True)
 class Opening:
-    """A valve, opened (coapt.opening/1). None: not known, because it did not come to rest.
+    """A valve, opened (coapt.opening/2). None: not known, because it did not come to rest.
 
     >>> opening = coapt.preset("human-normal").open()
     >>> opening.trusted, opening.opening_area_mm2 < opening.annulus_area_mm2, opening.flow_ml_s
@@ -27,13 +28,11 @@ class Opening:
     crossing: bool
     """Whether leaflets pass through each other: then nothing is measured."""
     opening_area_mm2: float | None
-    """The least area of a surface between atrium and ventricle."""
-    passage_depth_mm: float | None
-    """Of the narrowest plane across the leaflets' funnel, below the annulus; None also behind ties."""
-    funnel_tilt_deg: float | None
-    """Of the leaflets' axis from the annulus's normal; None also behind ties."""
+    """Of leak."""
+    leak: Leak
+    """The least surface between atrium and ventricle, with its openings: two or more behind a clip."""
     projected_area_mm2: float | None
-    """Open along that normal."""
+    """Seen along the annulus's normal."""
     annulus_area_mm2: float
     """Of the annulus in diastole."""
     gradient_mmhg: float | None
@@ -53,11 +52,12 @@ class Opening:
     warnings: tuple[str, ...]
     """In sentences."""
     json: Document = field(repr=False, compare=False)
-    """The coapt.opening/1."""
+    """The coapt.opening/2."""
 
     @classmethod
     def from_json(cls, json: Document) -> Opening:
-        return cls(**known_fields(cls, {**json, "warnings": tuple(json["warnings"]), "json": json}))
+        read = {"warnings": tuple(json["warnings"]), "leak": Leak.from_json(json["leak"]), "json": json}
+        return cls(**known_fields(cls, {**json, **read}))
 
     @property
     def trusted(self) -> bool:
@@ -66,8 +66,8 @@ class Opening:
 
     @property
     def scene(self) -> Mapping[str, Any]:
-        """All that is drawn of it: open_mm, faces, annulus_mm, heads, chordae, passage_mm (the outline of the narrowest
-        passage), motion_mm. Lists of points are flat: x, y, z, x, y, z, ..."""
+        """All that is drawn of it: open_mm, faces, annulus_mm, heads, chordae, leak (a surface for each opening: points_mm,
+        faces, outline), motion_mm. Lists of points are flat: x, y, z, x, y, z, ..."""
         scene: Mapping[str, Any] = self.json["scene"]
         return scene
 

@@ -104,7 +104,7 @@ def coaptation(closure: Closure, *, ax: Axes | None = None) -> Axes:
 
 def atrial_view(closure: Closure, *, ax: Axes | None = None) -> Axes:
     """The closed leaflets as the atrium sees them: anterior up, the anterolateral side left; colours are heights above the
-    annulus. Leaflets are drawn without their thickness, so that a gap looks wider than the orifice that is measured."""
+    annulus, blue lines the rims of the leak's openings. Leaflets are drawn without their thickness."""
     axes, mesh = _axes(ax), closure.leaflets()
     points, faces = _rows(mesh.vertices_mm), _rows(mesh.faces)
     height = [sum(points[corner][2] for corner in face) / 3.0 for face in faces]
@@ -118,6 +118,8 @@ def atrial_view(closure: Closure, *, ax: Axes | None = None) -> Axes:
         edgecolors="face",
         linewidth=0.2,
     )
+    for opening in closure.measure.leak.openings:
+        axes.plot(*list(zip(*opening.outline_mm))[:2], color=_BLUE)
     axes.set_aspect("equal")
     axes.set_xlabel("to the posteromedial commissure, mm")
     axes.set_ylabel("anterior, mm")

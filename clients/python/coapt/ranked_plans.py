@@ -48,7 +48,7 @@ class Statistics:
     than two nodes of the region were closed."""
 
     nominal: float | None
-    """As planned."""
+    """As planned, estimated as the others are."""
     mean: float | None
     sd: float | None
     worst: float | None
@@ -83,8 +83,7 @@ class RankedPlan:
     description: tuple[str, ...]
     """In surgical words, a line a step."""
     leak_mm2: Statistics
-    """The larger of orifice and gap, over the region of interest."""
-    orifice_area_mm2: Statistics
+    """Estimated, over the region of interest; the least surface of the plan as planned is measure.leak."""
     cost: float | None
     """In mm2, lower is better: what plans are ranked by."""
     status: Status
@@ -126,7 +125,6 @@ class RankedPlan:
             Plan.from_json(json["plan"]),
             tuple(json["description"]),
             Statistics.from_json(json["leak_mm2"]),
-            Statistics.from_json(json["orifice_area_mm2"]),
             json["cost"],
             json["status"],
             json["crossing"],
@@ -217,7 +215,7 @@ def _row(plan: RankedPlan) -> tuple[str, ...]:
     return (
         str(plan.rank),
         what + warned + tie,
-        number(leak.nominal),
+        number(plan.measure.leak_mm2),
         f"{number(leak.mean)} ± {number(leak.sd)}",
         number(leak.worst),
         ", ".join(margins) or "-",

@@ -76,7 +76,7 @@ class Evaluations:
 
 @dataclass(frozen=True)
 class SearchResult:
-    """Ranked plans (coapt.plans/1)."""
+    """Ranked plans (coapt.plans/2)."""
 
     before: Before
     """The valve as it is."""
@@ -91,7 +91,7 @@ class SearchResult:
     seconds: float
     """That the search ran, over all attempts."""
     json: Document = field(repr=False, compare=False)
-    """The coapt.plans/1: progress, Pareto-optimal plans, branches, and more."""
+    """The coapt.plans/2: progress, Pareto-optimal plans, branches, and more."""
 
     @classmethod
     def from_json(cls, json: Document, transport: Transport, job_path: str) -> SearchResult:
@@ -186,7 +186,7 @@ class StudyResult:
 
 def _plans_html(before: Before, plans: Sequence[RankedPlan]) -> str:
     state = (
-        f"<p>Before: leak {tables.number(before.measure.leak_mm2)} mm², orifice "
-        f"{tables.number(before.measure.orifice_area_mm2)} mm², {tables.state(before.status, before.crossing)}</p>"
+        f"<p>Before: leak {tables.number(before.measure.leak_mm2)} mm², "
+        f"{tables.state(before.status, before.crossing)}</p>"
     )
     return state + plans_table(plans) + tables.NOTICE_HTML

@@ -134,8 +134,8 @@ class ShortWork(Asking):
         return Picture(self._ask("/v1/pictures", valve, repair_of(plan)).body)
 
     def scene(self, valve: Valve, plan: PlanSource | None = None, *, frames: int = 0) -> dict[str, Any]:
-        """All that is drawn of a closed valve as lists and numbers (coapt.scene/1): points, triangles, chordae with tension,
-        orifices, annulus. One end state, where close() takes the mean of five.
+        """All that is drawn of a closed valve as lists and numbers (coapt.scene/2): points, triangles, chordae with tension,
+        the leak's surface, annulus.
 
         :param frames: 0 to 60 states on the way from open to closed
         """

@@ -1,0 +1,65 @@
+"""The leak of a closed valve or the opening of an open one: the least area of a surface in the blood that parts atrium from
+ventricle, leaflets with half their thickness on either face."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+Vector: TypeAlias = tuple[float, float, float]
+
+
+def _vector(json: Sequence[float]) -> Vector:
+    x, y, z = json
+    return x, y, z
+
+
+@dataclass(frozen=True)
+class LeakOpening:
+    """A connected part of that surface, in the valve's frame."""
+
+    area_mm2: float
+    centroid_mm: Vector
+    normal: Vector
+    """Unit, towards the atrium."""
+    segments: tuple[str, ...]
+    """Of the leaflets around it, such as "P2", the longest part of its rim first; empty of a valve that is not mitral."""
+    width_mm: float
+    """Of the largest ball that passes."""
+    outline_mm: tuple[Vector, ...] = field(repr=False)
+    """Its longest rim, closed."""
+
+    @classmethod
+    def from_json(cls, json: Mapping[str, Any]) -> LeakOpening:
+        return cls(
+            json["area_mm2"],
+            _vector(json["centroid_mm"]),
+            _vector(json["normal"]),
+            tuple(json["segments"]),
+            json["width_mm"],
+            tuple(map(_vector, json["outline_mm"])),
+        )
+
+
+@dataclass(frozen=True)
+class Leak:
+    """None: not known, because too little was closed or a closure flew apart."""
+
+    area_mm2: float | None
+    error_mm2: float | None
+    """Numerical, kept by nine of ten measured valves; None also of an open valve and of a closure that is not to be trusted."""
+    between_mm2: tuple[float, float] | None
+    """Bounds of the area on the voxels that it was found on."""
+    openings: tuple[LeakOpening, ...]
+    """Largest first."""
+
+    @classmethod
+    def from_json(cls, json: Mapping[str, Any]) -> Leak:
+        between = json["between_mm2"]
+        return cls(
+            json["area_mm2"],
+            json["error_mm2"],
+            None if between is None else (between[0], between[1]),
+            tuple(map(LeakOpening.from_json, json["openings"])),
+        )
