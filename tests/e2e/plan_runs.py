@@ -19,8 +19,8 @@ def rows(store):
     try:
         with contextlib.closing(sqlite3.connect(f"file:{store}?mode=ro", uri=True)) as database:
             return database.execute(
-                "SELECT subjects.name, plans.name, disturbance, status, crossing, orifice_mm2, "
-                "gap_mm2, coaptation_mm, distance_max_mm, tension_max_n FROM closures "
+                "SELECT subjects.name, plans.name, disturbance, status, crossing, leak_mm2, "
+                "coaptation_mm, distance_max_mm, tension_max_n FROM closures "
                 "JOIN subjects ON subjects.number = subject "
                 "JOIN plans ON plans.number = plan ORDER BY 1, 2, 3"
             ).fetchall()

@@ -113,8 +113,8 @@ class Evaluate(ProgramTest):
     def test_a_plan_is_closed_as_coapt_close_does(self):
         plan = self.evaluate(self.mending, "--region-points", "1", "--no-evidence")[0]["plans"][0]
         closed = json.loads(coapt("close", small_valve(), "--plan", self.mending, "--json").stdout)
-        self.assertEqual(plan["measure"]["orifice_area_mm2"], closed["orifice_area_mm2"])
-        self.assertEqual(plan["leak_mm2"]["nominal"], closed["leak_mm2"])
+        self.assertEqual(plan["measure"]["leak"], closed["leak"])
+        self.assertEqual(plan["measure"]["leak_mm2"], closed["leak_mm2"])
 
     def test_what_practice_rejects_is_evaluated_and_said(self):
         answer, _ = self.evaluate(self.write("six.json", ring(6)), *SMALL)

@@ -73,7 +73,7 @@ class Export(ProgramTest):
         self.run_ok("valve", "check", again)
         before, after = (json.loads(self.run_ok("close", valve, "--json").stdout) for valve in ("human-normal", again))
         self.assertEqual(after["status"], "converged")
-        self.assertAlmostEqual(after["orifice_area_mm2"], before["orifice_area_mm2"], delta=3)
+        self.assertAlmostEqual(after["leak_mm2"], before["leak_mm2"], delta=3)
 
     def test_a_folder_of_another_valve_is_not_mixed_with_this_one(self):
         self.run_ok("export", "human-normal", "-o", f"{self.folder}/model/")

@@ -18,7 +18,7 @@ class Open(ProgramTest):
     def test_json_has_the_keys_that_scripts_rely_on(self):
         opening = self.open(VALVE)
         self.assertEqual(
-            (opening["schema"], opening["status"], opening["crossing"]), ("coapt.opening/1", "converged", False)
+            (opening["schema"], opening["status"], opening["crossing"]), ("coapt.opening/2", "converged", False)
         )
         for key in [
             "opening_area_mm2",
@@ -28,6 +28,9 @@ class Open(ProgramTest):
             "gradient_exercise_mmhg",
         ]:
             self.assertGreater(opening[key], 0.0, key)
+        self.assertEqual(opening["leak"]["area_mm2"], opening["opening_area_mm2"])
+        self.assertIsNone(opening["leak"]["error_mm2"])
+        self.assertGreater(len(opening["leak"]["openings"]), 0)
         self.assertEqual(opening["warnings"], [])
         self.assertIn("mean gradient", coapt("open", VALVE).stdout)
 

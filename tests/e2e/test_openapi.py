@@ -67,7 +67,7 @@ class OpenApi(OpenApiTest):
             self.assertTrue(reply.status == 200 and reply.body.startswith(start), format)
         self.assertTrue(self.send("getJobEvaluations").body.startswith(b"number,rank,description,"))
         self.assertEqual(self.send("listJobs", query="?page_size=1&state=SUCCEEDED").status, 200)
-        self.assertEqual(self.send("getJobResult").json()["schema"], "coapt.plans/1")
+        self.assertEqual(self.send("getJobResult").json()["schema"], "coapt.plans/2")
 
     def test_own_plans_with_their_evidence_are_as_it_says(self):
         sutures = [

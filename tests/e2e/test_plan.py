@@ -69,16 +69,16 @@ class Plan(ProgramTest):
         (one, code), (two, _) = search(threads=1), search(threads=2)
         self.assertEqual(without_machine(one), without_machine(two))
 
-        self.assertGreater(one["before"]["orifice_area_mm2"], 5.0)
+        self.assertGreater(one["before"]["leak_mm2"], 5.0)
         self.assertIsInstance(one["seconds"], (int, float))
         self.assertEqual([plan["rank"] for plan in one["plans"]], [1, 2])
         best = one["plans"][0]
-        self.assertEqual(set(best["orifice_area_mm2"]) & {"nominal", "mean", "sd"}, {"nominal", "mean", "sd"})
+        self.assertEqual(set(best["leak_mm2"]) & {"nominal", "mean", "sd"}, {"nominal", "mean", "sd"})
         self.assertEqual(code == OK, is_robust(best))
         self.assertEqual(one["any_competent"], any(map(is_robust, one["plans"])))
 
         closed = coapt("close", small_valve(), "--plan", self.write("plan.json", best["plan"]), "--json")
-        self.assertEqual(json.loads(closed.stdout)["orifice_area_mm2"], best["orifice_area_mm2"]["nominal"])
+        self.assertEqual(json.loads(closed.stdout)["leak"], best["measure"]["leak"])
 
     def test_reported_plans_are_closed_once_more_on_a_finer_mesh(self):
         result, _ = search(threads=1)
@@ -93,12 +93,12 @@ class Plan(ProgramTest):
         )
         for plan in result["plans"]:
             self.assertEqual(plan["closes_robustly"], is_robust(plan))
-            self.assertAlmostEqual(plan["fine"]["leak_mm2"], plan["leak_mm2"]["nominal"], delta=10.0)
+            self.assertAlmostEqual(plan["fine"]["leak_mm2"], plan["measure"]["leak_mm2"], delta=10.0)
         own, _ = search(**BARE)
         self.assertEqual(own["fine_mesh"]["levels"], 0)
         self.assertEqual([plan["fine"] for plan in own["plans"]], [None] * len(own["plans"]))
         self.assertEqual(own["closures"], result["closures"])
-        self.assertRegex(words(), r"\n +on 2,592 triangles: leak \d+\.\d+ ± \d+\.\d+ mm2 \(orifice")
+        self.assertRegex(words(), r"\n +on 2,592 triangles: leak \d+\.\d+ ± \d+\.\d+ mm2")
         self.assertRegex(words(), r"\nFiner mesh: 2,592 triangles, unrepaired leak \d+\.\d mm2; it leaves")
 
     def test_reported_plans_are_closed_under_draws_of_the_model(self):
@@ -243,9 +243,8 @@ class Plan(ProgramTest):
         result = coapt(*arguments, "--json")
         self.assertEqual(result.returncode, NO_COMPETENT_PLAN)
         best = json.loads(result.stdout)["plans"][0]
-        for figures in [best["orifice_area_mm2"], best["leak_mm2"]]:
-            self.assertIsInstance(figures["nominal"], float)
-            self.assertEqual([figures[key] for key in ["mean", "sd", "worst"]], [None] * 3)
+        self.assertIsInstance(best["leak_mm2"]["nominal"], float)
+        self.assertEqual([best["leak_mm2"][key] for key in ["mean", "sd", "worst"]], [None] * 3)
         told = coapt(*arguments).stdout
         self.assertRegex(told, r"\n +1 +[\d.]+ +[\d.]+ +- +- +- +- +- +- +- ")
         self.assertNotIn("region of interest", told)

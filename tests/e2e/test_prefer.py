@@ -19,7 +19,7 @@ class Prefer(ProgramTest):
     def setUp(self):
         super().setUp()
         plans = [plan(0, 3.0), plan(1, 1.5), plan(2, 0.6), plan(3, 0.0)]
-        self.plans = self.write("plans.json", {"schema": "coapt.plans/1", "plans": plans})
+        self.plans = self.write("plans.json", {"schema": "coapt.plans/2", "plans": plans})
         self.answers = self.folder / "answers.json"
 
     def next(self, *arguments):

@@ -162,7 +162,7 @@ class Model(ProgramTest):
         self.assertEqual((found["schema"], found["valve"]), ("coapt.model_study/1", "human-functional-mr"))
         self.assertEqual((found["draws"], found["untrusted"]), (24, 0))
         self.assertEqual(json.loads((folder / "model.json").read_text()), found)
-        self.assertEqual([area["name"] for area in found["areas"]], ["leak", "orifice"])
+        self.assertEqual([area["name"] for area in found["areas"]], ["leak"])
         for area in found["areas"]:
             self.assertLess(area["p5_mm2"], area["mean_mm2"])
             self.assertLess(area["mean_mm2"], area["p95_mm2"])

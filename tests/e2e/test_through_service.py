@@ -199,7 +199,6 @@ class OnlyHere(ThroughService):
         for arguments, named in [
             (("close", VALVE, "--method", "thesis"), "--method"),
             (("close", VALVE, "--membrane", "springs"), "--membrane"),
-            (("close", VALVE, "--oblique"), "--oblique"),
             (("close", VALVE, "--accuracy", 1), "--accuracy"),
             (("evaluate", VALVE, ring, "--no-evidence", "--threads", 1), "--threads"),
             (("plan", VALVE, "--store", self.folder / "x.sqlite"), "--store"),

@@ -50,7 +50,7 @@ def closure(world, random):
     request = {"valve": world.any_valve(random)} | ({"plan": PLAN} if random.random() < 0.5 else {})
     reply = world.ask("POST", "/v1/closures", request)
     word = expect(reply, 200)
-    if reply.json()["schema"] != "coapt.closure/1":
+    if reply.json()["schema"] != "coapt.closure/2":
         raise Wrong(f"no closure: {reply.body[:200]!r}")
     return word
 
