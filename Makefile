@@ -129,18 +129,15 @@ deb-test:  ## installs, tests, upgrades (DATABASES="FILE...") and purges the pac
 	@cmake/install_packages.sh deb
 	tests/packages/check_debs.sh build/deb $(DATABASES)
 
-chart: lab  ## accuracy against time, where methods fail, what the model's ingredients buy, the orifice's image, into docs/images
+chart: lab  ## accuracy against time, where methods fail, what the model's ingredients buy, into docs/images
 	$(BIN)/coapt-lab chart speed-accuracy -o docs/images
 	$(BIN)/coapt-lab chart stability -o docs/images
 	$(BIN)/coapt-lab chart ablation -o docs/images
-	$(BIN)/orifice_resolution docs/images
-	lab/charts/plot.py docs/images/orifice-resolution.csv
 
 figures: programs lab  ## the tables behind the documents, into docs/figures
 	lab/closures/closures_table.py
 	lab/closures/membranes_table.py
 	lab/closures/model_table.py
-	$(BIN)/coapt-lab chart gap -o docs/figures
 
 bench: lab  ## time of the parts of a closure, and of whole ones against method thesis
 	$(BIN)/closure_benchmark
@@ -163,7 +160,7 @@ rivals:  ## coapt-rivals, the optimisers of pagmo and dlib that the search is me
 lab:  ## the laboratory: coapt-lab and its benchmarks
 	@cmake/install_packages.sh build lab
 	cmake --preset release -DCOAPT_LAB=ON
-	cmake --build --preset release --target coapt-lab closure_benchmark tolerances orifice_resolution random_hand
+	cmake --build --preset release --target coapt-lab closure_benchmark tolerances random_hand
 
 lab-test: lab  ## build and run the laboratory's tests
 	@cmake/install_packages.sh test

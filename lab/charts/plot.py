@@ -4,11 +4,9 @@
 ablation.csv            what each ingredient of a closure buys and costs
 speed-accuracy.csv      distance from a reference, and error of the orifice, against time
 stability.csv           where each method closes a valve and where it fails
-gap.csv                 the gap on growing meshes, of surfaces and of closures
-orifice-resolution.csv  error and time of the orifice's image
 front-rise.csv          how much of what plans trade the search and its rivals have found
 ecdf.csv                share of targets that the search and its rivals reach
-mesh.csv                error of areas and shapes against the number of triangles
+mesh.csv                error of leaks and shapes against the number of triangles
 uniqueness.csv          how unique the closed state is, over the leaflets' rigidity
 verdicts.csv            leak and verdict of the same plans on three meshes
 twins.csv               fitted against true values of valves whose answers are known
@@ -156,7 +154,7 @@ def draw_orifice_accuracy(rows):
 # Ablation: a bar is the median over the scenes, a whisker ends at the largest.
 
 PANELS = (
-    ("Orifice", "|change|, mm²", BLUE, "log", (0.01, 300), lambda row: abs(float(row["orifice_change_mm2"]))),
+    ("Leak", "|change|, mm²", BLUE, "log", (0.01, 300), lambda row: abs(float(row["leak_change_mm2"]))),
     ("Shape", "rms change, mm", GREEN, "linear", (0, 2.6), lambda row: float(row["rms_mm"])),
     ("Time", "time over the full model's", VERMILION, "log", (0.25, 40), lambda row: float(row["time_ratio"])),
 )
@@ -245,7 +243,7 @@ def draw_ablation(rows):
         f"Each row says what replaces the full model's ingredient. Bars: median over {scenes} scenes; "
         "ticks: largest. Beyond the dashed line is more\n"
         "than the same model differs when it is closed at half the speed. "
-        "The contact thickness also counts in the orifice.",
+        "The contact thickness also counts in the leak.",
         x=0.01,
         ha="left",
         fontsize=9,
@@ -331,111 +329,6 @@ def draw_stability(rows):
     return figure
 
 
-# The gap: surfaces by their error, closures by the area itself.
-
-GAPS = (("gap_mm2", "gap", BLUE, "o"), ("sections_mm2", "nine sections", ORANGE, "s"))
-
-
-def draw_gap_panel(axis, rows, scene):
-    exact = rows[0]["orifice_mm2"] == ""
-    triangles = numbers(rows, "triangles")
-    for column, name, colour, marker in GAPS:
-        values = numbers(rows, column)
-        if exact:
-            values = [
-                max(abs(100 * value / expected - 100), 0.01)
-                for value, expected in zip(values, numbers(rows, "expected_mm2"))
-            ]
-        axis.plot(triangles, values, color=colour, marker=marker, ms=4, label=name)
-    if exact:
-        axis.set(yscale="log", ylabel="error, %")
-    else:
-        axis.plot(triangles, numbers(rows, "orifice_mm2"), color=GREY, ls="--", marker=".", label="orifice")
-        axis.set(ylabel="mm²")
-        axis.set_ylim(bottom=0)
-    axis.set_title(scene, loc="left", fontsize=9.5)
-    axis.set(xscale="log", xticks=[650, 1300, 2600, 5200, 10400] if exact else [650, 1300, 2600, 5200])
-    axis.xaxis.set_major_formatter(PLAIN)
-    axis.xaxis.set_minor_formatter(FuncFormatter(lambda *_: ""))
-    if exact:
-        axis.yaxis.set_major_formatter(PLAIN)
-        axis.yaxis.set_minor_formatter(PLAIN)
-
-
-def draw_gap(rows):
-    scenes = each_once(row["scene"] for row in rows)
-    figure, axes = figure_titled(
-        "The gap on growing meshes: error where it is known, area of closures",
-        12,
-        6,
-        nrows=2,
-        ncols=-(-len(scenes) // 2),
-    )
-    for axis, scene in zip(axes.flat, scenes):
-        draw_gap_panel(axis, [row for row in rows if row["scene"] == scene], scene)
-    for axis in axes[-1]:
-        axis.set_xlabel("triangles")
-    handles, names = axes[-1][-1].get_legend_handles_labels()
-    legend_beside(axes[0][-1], handles, names)
-    return figure
-
-
-# The orifice's image.
-
-
-def draw_by_columns(rows, heading, label, series):
-    """`series`: label, colour, and the figure of the rows of one resolution."""
-    closures = len(rows) // len(each_once(row["columns"] for row in rows))
-    columns = sorted({int(row["columns"]) for row in rows})
-    figure, axis = figure_titled(f"{heading}, {closures} closures", 6.4, 4)
-    for name, colour, value in series:
-        axis.plot(
-            columns,
-            [value([row for row in rows if int(row["columns"]) == size]) for size in columns],
-            color=colour,
-            marker="o",
-            label=name,
-        )
-    axis.set(xscale="log", yscale="log", xlabel="columns of the image", ylabel=label)
-    axis.set_xticks(columns, columns)
-    axis.minorticks_off()
-    axis.yaxis.set_major_formatter(PLAIN)
-    axis.legend()
-    return figure
-
-
-def errors(rows):
-    return [abs(float(row["image_mm2"]) - float(row["exact_mm2"])) for row in rows]
-
-
-def draw_orifice_error(rows):
-    return draw_by_columns(
-        rows,
-        "Error of the orifice's image",
-        "error, mm²",
-        (
-            ("largest", VERMILION, lambda of: max(errors(of))),
-            ("90 % are below", ORANGE, lambda of: statistics.quantiles(errors(of), n=10, method="inclusive")[-1]),
-            ("root mean square", BLUE, lambda of: statistics.fmean(error * error for error in errors(of)) ** 0.5),
-        ),
-    )
-
-
-def draw_orifice_time(rows):
-    figure = draw_by_columns(
-        rows,
-        "Time of the orifice",
-        "median time, µs",
-        (
-            ("image", BLUE, lambda of: statistics.median(numbers(of, "image_us"))),
-            ("exact", VERMILION, lambda of: statistics.median(numbers(of, "exact_us"))),
-        ),
-    )
-    figure.axes[0].set_yscale("linear")
-    figure.axes[0].set_ylim(bottom=0)
-    return figure
-
-
 # The search against its rivals.
 
 
@@ -471,8 +364,6 @@ CHARTS = {
     "ablation": {"ablation": draw_ablation},
     "speed-accuracy": {"speed-accuracy": draw_speed_accuracy, "speed-accuracy-orifice": draw_orifice_accuracy},
     "stability": {"stability": draw_stability},
-    "orifice-resolution": {"orifice-error": draw_orifice_error, "orifice-time": draw_orifice_time},
-    "gap": {"gap": draw_gap},
     "mesh": {"mesh": mesh.draw_errors},
     "growth": {"growth": growth.draw_growth},
     "uniqueness": {"uniqueness": uniqueness.draw_uniqueness},

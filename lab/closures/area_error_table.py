@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The numbers of core/metrics/area_error.cpp from `coapt-lab chart mesh`, and how well they hold on valves kept aside.
 
-The error of a printed area (orifice, gap, leak) on n triangles against the finest mesh is bounded for nine scenes of ten by
+The error of a printed leak on n triangles against the finest mesh is bounded for nine scenes of ten by
 (closed + rim * sqrt(area)) * (650 / n)^q: an opening's error is that of its rim. closed is chosen over scenes that leak less
 than 0.5 mm2, rim over the others, q from the mean errors.
 
@@ -15,7 +15,6 @@ import sys
 from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-AREAS = ["orifice", "gap", "leak"]
 ASIDE = {"human-normal", "porcine-4"}  # and every second anatomy
 OPEN_MM2 = 0.5
 TRIANGLES = 650
@@ -44,10 +43,9 @@ def read(paths):
     aside = ASIDE | set(anatomies[1::2])
     points = {False: [], True: []}
     for row in rows:
-        for area in AREAS:
-            here, there = float(row[f"{area}_mm2"]), float(row[f"reference_{area}_mm2"])
-            point = Point(int(row["triangles"]), int(row["reference_triangles"]), here, abs(here - there))
-            points[row["valve"] in aside].append(point)
+        here, there = float(row["leak_mm2"]), float(row["reference_leak_mm2"])
+        point = Point(int(row["triangles"]), int(row["reference_triangles"]), here, abs(here - there))
+        points[row["valve"] in aside].append(point)
     return points[False], points[True]
 
 

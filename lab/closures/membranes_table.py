@@ -32,8 +32,7 @@ def close(coapt, triangles, membrane):
         "triangles": closed["triangles"],
         "status": closed["status"],
         "crossing": str(closed["crossing"]).lower(),
-        "orifice_mm2": round(closed["orifice_area_mm2"], 2),
-        "gap_mm2": round(closed["coaptation"]["gap_area_mm2"], 2),
+        "leak_mm2": round(closed["leak_mm2"], 2),
     }
 
 

@@ -39,7 +39,6 @@ FAILS = [
     ("search/a.cpp", "#include <nlohmann/json.hpp>"),
     ("server/a.cpp", "#include <nlohmann/json.hpp>"),
     ("io/json/a.cpp", "#include <nlopt.hpp>"),
-    ("core/closure/a.cpp", "#include <clipper.hpp>"),
     ("search/a.cpp", "#include <sqlite3.h>"),
     ("core/valve/a.cpp", "#include <chrono>"),
     ("core/valve/a.cpp", "#pragma omp parallel for"),

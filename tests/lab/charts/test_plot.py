@@ -28,10 +28,10 @@ def texts(figure):
 ABLATION = table(
     """\
 group,change,scene,status,crossing,attempts,compared,full_orifice_mm2,orifice_change_mm2,leak_change_mm2,rms_mm,seconds,time_ratio
-tissue,a,s,converged,false,1,true,8,-3,0,0.5,0.01,2
-tissue,a,t,converged,false,2,true,8,1,0,0.5,0.01,2
-tissue,a,u,converged,true,1,false,8,99,0,0.5,0.01,2
-to compare,b,s,converged,false,1,true,8,0.25,0,0.1,0.01,1
+tissue,a,s,converged,false,1,true,8,0,-3,0.5,0.01,2
+tissue,a,t,converged,false,2,true,8,0,1,0.5,0.01,2
+tissue,a,u,converged,true,1,false,8,0,99,0.5,0.01,2
+to compare,b,s,converged,false,1,true,8,0,0.25,0.1,0.01,1
 """
 )
 GROWTH = table(
@@ -88,7 +88,7 @@ b,true,1,true,0.2,true,0.4,false,
 class Ablation(unittest.TestCase):
     def test_medians_and_largest_are_of_what_compares_and_the_rest_is_counted(self):
         said = texts(plot.draw_ablation(ABLATION))
-        self.assertEqual(said.count("2.0"), 3, "orifice: median; time: median and largest")
+        self.assertEqual(said.count("2.0"), 3, "leak: median; time: median and largest")
         self.assertIn("3.0", said)
         self.assertIn("1 failed", said)
         for name in ("tissue", "a", "to compare", "b"):

@@ -13,7 +13,7 @@ class Leak(ProgramTest):
         result = coapt_lab("leak", "--count", "2", "--finest", "0.5", "--surfaces", "-o", self.folder / "leak")
         self.assertEqual(result.returncode, OK, result.stderr)
         self.assertIn("2 of 2 valves", result.stderr)
-        self.assertIn("| orifice | held out |", result.stdout)
+        self.assertIn("| leak | held out |", result.stdout)
         with open(self.folder / "leak" / "leaks.csv", newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual([row["valve"] for row in rows], ["porcine-1", "porcine-2"])
