@@ -44,6 +44,7 @@ ANSWERS = (
     "events",
     "evidence",
     "fits",
+    "leaks",
     "openings",
     "ranked_plans",
     "results",

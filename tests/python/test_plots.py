@@ -70,7 +70,8 @@ class Plots(ClientTest):
         leaflets, axes = closure.leaflets(), self.drawn(plots.atrial_view, closure)
         self.assertEqual(len(axes.collections[0].get_facecolors()), len(leaflets.faces))
         rims = [[list(point[:2]) for point in opening.outline_mm] for opening in closure.measure.leak.openings]
-        self.assertEqual([line.get_xydata().tolist() for line in axes.lines], rims)
+        drawn = [patch.get_xy()[: len(rim)].tolist() for patch, rim in zip(axes.patches, rims, strict=True)]
+        self.assertEqual(drawn, rims)
         pieces = self.drawn(plots.section, closure).collections[0].get_segments()
         self.assertTrue(all(len(piece) == 2 for piece in pieces))
         y = [vertex[1] for vertex in leaflets.vertices_mm]

@@ -119,7 +119,7 @@ def atrial_view(closure: Closure, *, ax: Axes | None = None) -> Axes:
         linewidth=0.2,
     )
     for opening in closure.measure.leak.openings:
-        axes.plot(*list(zip(*opening.outline_mm))[:2], color=_BLUE)
+        axes.fill(*list(zip(*opening.outline_mm))[:2], fill=False, edgecolor=_BLUE, linewidth=1.5)
     axes.set_aspect("equal")
     axes.set_xlabel("to the posteromedial commissure, mm")
     axes.set_ylabel("anterior, mm")
