@@ -69,7 +69,8 @@ class Plots(ClientTest):
         closure = self.client.close(small_valve())
         leaflets, axes = closure.leaflets(), self.drawn(plots.atrial_view, closure)
         self.assertEqual(len(axes.collections[0].get_facecolors()), len(leaflets.faces))
-        rims = [[list(point[:2]) for point in opening.outline_mm] for opening in closure.measure.leak.openings]
+        outlines = [opening.outline_mm for opening in closure.measure.leak.openings if opening.outline_mm]
+        rims = [[list(point[:2]) for point in outline] for outline in outlines]
         drawn = [patch.get_xy()[: len(rim)].tolist() for patch, rim in zip(axes.patches, rims, strict=True)]
         self.assertEqual(drawn, rims)
         pieces = self.drawn(plots.section, closure).collections[0].get_segments()
