@@ -3,7 +3,7 @@
 
 Usage: lab/closures/model_table.py [build/release/bin/coapt] [docs/figures/model.csv]
 
-A row for each preset, area and parameter. The same bits on any machine.
+A row for each preset and parameter. The same bits on any machine.
 """
 import json
 import pathlib
@@ -26,22 +26,21 @@ def study(coapt, preset):
 
 
 def rows_of(found):
-    for area in found["areas"]:
-        for parameter in area["parameters"]:
-            yield {
-                "valve": found["valve"],
-                "area": area["name"],
-                "draws": found["draws"],
-                "untrusted": found["untrusted"],
-                **{name: round(area[name], 2) for name in area if name.endswith("_mm2")},
-                "predicted_share": round(area["predicted_share"], 2),
-                "parameter": parameter["name"],
-                "lower": parameter["lower"],
-                "upper": parameter["upper"],
-                "sobol_first": round(parameter["first"], 3),
-                "sobol_total": round(parameter["total"], 3),
-                "effect_mm2": round(parameter["effect_mm2"], 2),
-            }
+    leak = found["leak"]
+    for parameter in leak["parameters"]:
+        yield {
+            "valve": found["valve"],
+            "draws": found["draws"],
+            "untrusted": found["untrusted"],
+            **{name: round(leak[name], 2) for name in leak if name.endswith("_mm2")},
+            "predicted_share": round(leak["predicted_share"], 2),
+            "parameter": parameter["name"],
+            "lower": parameter["lower"],
+            "upper": parameter["upper"],
+            "sobol_first": round(parameter["first"], 3),
+            "sobol_total": round(parameter["total"], 3),
+            "effect_mm2": round(parameter["effect_mm2"], 2),
+        }
 
 
 def main():

@@ -159,24 +159,23 @@ class Model(ProgramTest):
 
     def test_areas_parameters_and_draws_have_what_scripts_rely_on(self):
         found, folder = self.study("model", "--draws", "24", "--threads", "2")
-        self.assertEqual((found["schema"], found["valve"]), ("coapt.model_study/1", "human-functional-mr"))
+        self.assertEqual((found["schema"], found["valve"]), ("coapt.model_study/2", "human-functional-mr"))
         self.assertEqual((found["draws"], found["untrusted"]), (24, 0))
         self.assertEqual(json.loads((folder / "model.json").read_text()), found)
-        self.assertEqual([area["name"] for area in found["areas"]], ["leak"])
-        for area in found["areas"]:
-            self.assertLess(area["p5_mm2"], area["mean_mm2"])
-            self.assertLess(area["mean_mm2"], area["p95_mm2"])
-            self.assertGreater(area["sd_mm2"], 1.0)
-            self.assertEqual([parameter["name"] for parameter in area["parameters"]], PARAMETERS)
-            for parameter in area["parameters"]:
-                self.assertLess(parameter["lower"], 1.0)
-                self.assertGreater(parameter["upper"], 1.0)
-                self.assertLessEqual(parameter["first"], parameter["total"] + 1e-9)
+        leak = found["leak"]
+        self.assertLess(leak["p5_mm2"], leak["mean_mm2"])
+        self.assertLess(leak["mean_mm2"], leak["p95_mm2"])
+        self.assertGreater(leak["sd_mm2"], 1.0)
+        self.assertEqual([parameter["name"] for parameter in leak["parameters"]], PARAMETERS)
+        for parameter in leak["parameters"]:
+            self.assertLess(parameter["lower"], 1.0)
+            self.assertGreater(parameter["upper"], 1.0)
+            self.assertLessEqual(parameter["first"], parameter["total"] + 1e-9)
         with open(folder / "draws.csv", newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 24)
         self.assertEqual(list(rows[0])[:9], PARAMETERS)
-        self.assertIn("Areas over the draws", (folder / "index.html").read_text())
+        self.assertIn("The leak over the draws", (folder / "index.html").read_text())
         one, _ = self.study("one", "--draws", "24", "--threads", "1")
         self.assertEqual(one, found)
 

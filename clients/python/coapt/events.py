@@ -46,7 +46,7 @@ class Progress:
     closures_planned: int
     """Of a search at most, of a study in its present stage; 0: not known yet."""
     best_leak_mm2: float | None
-    """The least leak of a plan as planned."""
+    """The least leak of a plan as planned, estimated."""
     best_cost: float | None
     """The least cost at one closure a plan, in mm2."""
     seconds: float

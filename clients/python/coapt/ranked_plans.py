@@ -48,7 +48,7 @@ class Statistics:
     than two nodes of the region were closed."""
 
     nominal: float | None
-    """As planned, estimated as the others are."""
+    """As planned: the least surface. The others are of estimates."""
     mean: float | None
     sd: float | None
     worst: float | None
@@ -83,7 +83,7 @@ class RankedPlan:
     description: tuple[str, ...]
     """In surgical words, a line a step."""
     leak_mm2: Statistics
-    """Estimated, over the region of interest; the least surface of the plan as planned is measure.leak."""
+    """Over the region of interest."""
     cost: float | None
     """In mm2, lower is better: what plans are ranked by."""
     status: Status
@@ -215,7 +215,7 @@ def _row(plan: RankedPlan) -> tuple[str, ...]:
     return (
         str(plan.rank),
         what + warned + tie,
-        number(plan.measure.leak_mm2),
+        number(leak.nominal),
         f"{number(leak.mean)} ± {number(leak.sd)}",
         number(leak.worst),
         ", ".join(margins) or "-",
