@@ -194,7 +194,6 @@ void add_close(Command parent, int& status) {
       "printed\nanyway. Areas are anatomic, from geometry: not an EROA.\n\n"
       "Examples:\n"
       "  coapt close human-functional-mr --render leaking.png\n"
-      "  coapt close human-p2-prolapse --oblique\n"
       "  coapt close human-functional-mr --plan examples/plans/ring.json --open\n"
       "  coapt close human-normal --pressure 60 --radial-extension 0.08\n"
       "  coapt close valve.json --accuracy 1\n"
@@ -203,9 +202,9 @@ void add_close(Command parent, int& status) {
       "  coapt close valve.json --plan examples/plans/ring.json --json\n"
       "  coapt close valve.json --server http://127.0.0.1:8080");
   command.on_run([arguments, command, &status] {
-    const auto service = service_of(
-        command, arguments->server,
-        {"--method", "--membrane", "--accuracy", "--open", "--oblique", "--converge", "--closed"});
+    const auto service =
+        service_of(command, arguments->server,
+                   {"--method", "--membrane", "--accuracy", "--open", "--converge", "--closed"});
     if (!service) {
       status = report_errors("close", service.errors());
     } else {

@@ -20,7 +20,7 @@ void print_closed(const char* title, const coapt::Valve& valve) {
   const coapt::ClosureResult closure = coapt::close_valve(valve);
   const coapt::ValveMeasure measure = coapt::measure(valve, closure);
   std::printf("%-10s %s, leak %.1f mm2, coaptation height %.1f mm, annulus %.1f x %.1f mm\n", title,
-              coapt::to_string(closure.status), coapt::leak_mm2(measure),
+              coapt::to_string(closure.status), measure.leak.area_mm2,
               measure.coaptation.height_mean_mm, measure.annulus.ap_mm, measure.annulus.al_pm_mm);
 }
 

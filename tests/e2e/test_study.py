@@ -186,7 +186,7 @@ class Model(ProgramTest):
         )
         bare, _ = self.study("bare", "--draws", "3")
         ringed, _ = self.study("ringed", "--draws", "3", "--plan", plan)
-        self.assertLess(ringed["areas"][0]["as_it_is_mm2"], bare["areas"][0]["as_it_is_mm2"])
+        self.assertLess(ringed["leak"]["as_it_is_mm2"], bare["leak"]["as_it_is_mm2"])
         words = self.run_ok("study", "model", VALVE, "--draws", "3", "-o", self.folder / "words").stdout
         self.assertRegex(words, r"\nmm2 +as it is +mean +model ± +5 % +95 %\nleak +\d")
 
