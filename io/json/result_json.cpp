@@ -60,10 +60,12 @@ Json opening_json(const LeakOpening& opening) {
   for (const Segment segment : opening.segments) segments.push_back(to_string(segment));
   for (const int vertex : opening.surface.outline)
     outline.push_back(rounded_json(opening.surface.points_mm.row(vertex).transpose()));
-  return {
-      {"area_mm2", opening.area_mm2},           {"centroid_mm", rounded_json(opening.centroid_mm)},
-      {"normal", rounded_json(opening.normal)}, {"segments", std::move(segments)},
-      {"width_mm", opening.width_mm},           {"outline_mm", std::move(outline)}};
+  return {{"area_mm2", opening.area_mm2},
+          {"centroid_mm", rounded_json(opening.centroid_mm)},
+          {"normal", {opening.normal.x(), opening.normal.y(), opening.normal.z()}},
+          {"segments", std::move(segments)},
+          {"width_mm", opening.width_mm},
+          {"outline_mm", std::move(outline)}};
 }
 
 Json coaptation_json(const Coaptation& coaptation) {
