@@ -7,7 +7,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kClosed_mm2 = 0.3, kRim_mm = 0.8, kTriangles = 650.0, kPower = 0.6;
+constexpr double kClosed_mm2 = 0.7, kRim_mm = 0.65, kTriangles = 650.0, kPower = 0.6;
 
 double mesh_error_mm2(double area_mm2, int triangles) {
   return (kClosed_mm2 + kRim_mm * std::sqrt(area_mm2)) * std::pow(kTriangles / triangles, kPower);

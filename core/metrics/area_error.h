@@ -23,7 +23,7 @@ struct AreaPrecision {
 AreaPrecision precision_of(const Valve& valve, const ClosureResult& closure);
 
 /// Error of a leak of `area_mm2` >= 0 that nine of ten scenes keep: the root of the
-/// sum of the squares of (0.3 mm2 + 0.8 mm sqrt(area)) (650 / triangles)^0.6, an opening's error
+/// sum of the squares of (0.7 mm2 + 0.65 mm sqrt(area)) (650 / triangles)^0.6, an opening's error
 /// being that of its rim, and of what the tolerances leave (core/closure/accuracy.h). Measured on
 /// mitral valves of 325 to 5,200 triangles.
 double area_error_mm2(double area_mm2, const AreaPrecision& precision);

@@ -46,7 +46,7 @@ test("a suture's end is dragged: its length is told, applied once when it is let
   await page.getByRole('button', { name: 'Oblique' }).click()
   const [title] = await steps()
   const leak = await headline()
-  await dragBy('Suture length, posteromedial', -6, -30)
+  await dragBy('Suture length, posteromedial', -12, -60)
   const length = (await told().textContent()).match(/^suture (\d+\.\d) mm$/)?.[1]
   assert.ok(Number(length) < 26, length)
   assert.deepEqual(await steps(), [title])
