@@ -57,24 +57,16 @@ FineClosures close_fine(PlanEvaluations& evaluations, const std::vector<PlanReco
                         << (2 * fine.mesh.levels);
   const int count = static_cast<int>(plans.size());
   std::vector<std::optional<PlanClosure>> closures(plans.size() + 1);  // the last: no repair
-  std::vector<PlanClosure> own(plans.size());
   for_each_index(count + 1, evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
-    if (i == count) {
-      closures[i] = closed_finely(evaluations, evaluations.valve(), evaluations.closed_before(),
-                                  fine.mesh.levels);
-      return;
-    }
-    const Valve repaired = *apply_plan(evaluations.valve(), plans[i]->plan);
-    const ClosedPlan closed = with_leak_surface(repaired, evaluations.closed(*plans[i]));
-    own[i] = plan_closure(closed.evaluation);
-    closures[i] = closed_finely(evaluations, repaired, closed, fine.mesh.levels);
+    closures[i] = i == count
+                      ? closed_finely(evaluations, evaluations.valve(), evaluations.closed_before(),
+                                      fine.mesh.levels)
+                      : closed_finely(evaluations, *apply_plan(evaluations.valve(), plans[i]->plan),
+                                      evaluations.closed(*plans[i]), fine.mesh.levels);
   });
   for (int i = 0; i < count; ++i)
-    if (closures[i]) {
-      fine.plans.emplace(plans[i], *closures[i]);
-      fine.own.emplace(plans[i], own[i]);
-    }
+    if (closures[i]) fine.plans.emplace(plans[i], *closures[i]);
   fine.mesh.before = closures.back();
   for (const auto& closure : closures) fine.mesh.closures += closure ? fine.mesh.levels : 0;
   return fine;
@@ -89,7 +81,7 @@ CostTerms fine_change(const PlanEvaluations& evaluations, const PlanRecord& plan
                                ? fine.mesh.before->tension_max_n
                                : std::numeric_limits<double>::infinity();
   return {nominal_terms(closure->second, plan.effort, there).amounts -
-          nominal_terms(fine.own.at(&plan), plan.effort, evaluations.context()).amounts};
+          nominal_terms(plan.closures.at(0), plan.effort, evaluations.context()).amounts};
 }
 
 }  // namespace coapt

@@ -23,8 +23,8 @@ struct FineMesh {
 
 struct FineClosures {
   FineMesh mesh;
-  /// As planned, on that mesh, and on the valve's own. Missing: cancelled before, or no levels.
-  std::map<const PlanRecord*, PlanClosure> plans, own;
+  /// As planned, on that mesh, measured by the least surface. Missing: cancelled before, or no levels.
+  std::map<const PlanRecord*, PlanClosure> plans;
 };
 
 /// Most triangles of a mesh for verdicts: a closure on so many takes a second or two.
@@ -35,7 +35,8 @@ inline constexpr int kMostFineTriangles = 12000;
 FineClosures close_fine(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
                         int levels);
 
-/// What the terms of a plan's cost change by when its closure as planned is the fine one.
+/// What the terms of a plan's cost change by when its closure as planned is the fine one, whose leak is measured where the search
+/// estimates.
 CostTerms fine_change(const PlanEvaluations& evaluations, const PlanRecord& plan,
                       const FineClosures& fine);
 
