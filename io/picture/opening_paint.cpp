@@ -61,6 +61,7 @@ void draw_rims_of_openings(const Canvas& canvas, const Leak& leak, const Annulus
       cairo_line_to(cairo, at.x(), at.y());
     }
     cairo_close_path(cairo);
+    cairo_new_sub_path(cairo);
   }
   set_colour(canvas, palette::kOrifice);
   cairo_set_line_width(cairo, 0.2 * map.pixels_per_mm);
