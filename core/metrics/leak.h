@@ -4,8 +4,8 @@
 // Where it lies is found among voxels of 1 mm by a maximal flow (atrial_side.h), how large it is by a continuous minimal cut among
 // voxels of 0.5 mm in a band about there (least_surface.h), which is widened where the cut reaches its border. Beyond the annulus a wall
 // runs outwards from it. The voxels stand along the annulus's own axes, so that a valve that is moved or turned has the same leak.
-// Accuracy, on 30 valves that nothing was chosen on (docs/researcher/accuracy.md): above 5 mm2 0.5 % too small in the mean, median error 1.0 %,
-// nine of ten within 4.4 %; below 0.06 mm2 in the mean. It moves by 0.15 mm2 at most when vertices move by 0.01 mm.
+// Accuracy, on 100 valves that nothing was chosen on (docs/researcher/accuracy.md): above 5 mm2 0.4 % too small in the mean, median error 1.0 %,
+// nine of ten within 2.2 %; below 0.07 mm2 in the mean. It moves by 0.15 mm2 at most when vertices move by 0.01 mm.
 // Limits: places that are narrow alike along a wide way are told apart to 1 mm; a throat within half a voxel of the rim reads too large by up
 // to 0.03 mm times its length.
 #pragma once
