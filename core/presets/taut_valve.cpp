@@ -1,10 +1,13 @@
 #include "core/presets/taut_valve.h"
 
+#include <optional>
 #include <string>
 
 #include "core/closure/closure.h"
 #include "core/closure/tauten.h"
+#include "core/valve/leaflet_of.h"
 #include "core/valve/number_text.h"
+#include "core/valve/ruptures.h"
 #include "core/valve/validate.h"
 
 namespace coapt {
@@ -18,10 +21,9 @@ double slack_of(const ParametricValve& d, const Valve& valve, const Chorda& chor
   const double side = 1.0 + (medial ? 1.0 : -1.0) * d.asymmetry.slack;
   if (chorda.kind == ChordaKind::Strut) return d.slack.strut * side;
   if (chorda.kind == ChordaKind::Basal) return d.slack.basal * side;
-  const int face = chorda.segments.back().insertion.face;
-  const Segment at = valve.segments[face];
-  const bool posterior = at == Segment::P1 || at == Segment::P2 || at == Segment::P3;
-  return (posterior ? d.slack.posterior : d.slack.anterior) * side;
+  const std::optional<Segment> held = held_by(valve, chorda);
+  const bool anterior = held && leaflet_of(*held) == Leaflet::Anterior;
+  return (anterior ? d.slack.anterior : d.slack.posterior) * side;
 }
 
 std::string lengths_in_words(const ParametricValve& d) {

@@ -23,8 +23,8 @@ struct Asymmetry {
   double slack = 0.0;           ///< of the chordae
 };
 
-/// Lengths of chordae over their lengths in the closed, pressurised valve. Commissural ones are marginal of the leaflet on which
-/// the last of their insertions lies at 650 triangles: the posterior one, on most annuli.
+/// Lengths of chordae over their lengths in the closed, pressurised valve. Commissural ones (held_by() in ruptures.h: of neither
+/// leaflet alone) have the posterior slack.
 struct ChordalSlack {
   double anterior = 1.0, posterior = 1.0;  ///< marginal
   double strut = 1.0;
