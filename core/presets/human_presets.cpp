@@ -68,19 +68,11 @@ ChordalSlack long_chordae() {
   return {slack, 1.15 * slack, slack, slack};
 }
 
-bool is_marginal_of_p2(const Chorda& chorda) {
-  return chorda.kind == ChordaKind::Marginal && chorda.id.find("-P2-") != std::string::npos;
-}
-
 }  // namespace
 
 Expected<Valve> make_human_valve(const HumanValve& human) {
   Expected<Valve> valve = make_taut_valve(human.dimensions);
   if (!valve) return valve;
-  for (Chorda& chorda : valve->chordae) {
-    if (!is_marginal_of_p2(chorda)) continue;
-    for (ChordaSegment& segment : chorda.segments) segment.rest_length_mm *= human.p2_slack;
-  }
   if (!human.change) return valve;
   Expected<Valve> remodelled = remodel(*valve, *human.change);
   if (remodelled && !human.disease.empty()) remodelled->provenance.push_back(human.disease);
@@ -129,7 +121,8 @@ HumanValve human_functional_mr() {
 
 HumanValve barlow() {
   ParametricValve d = human();
-  const Remodelling change = dilate(kBarlowArea, d);
+  Remodelling change = dilate(kBarlowArea, d);
+  change.elongated = {{Segment::P2, 40.0}};
   set_heights(1.2, 1.2, d);
   d.saddle_height_mm = 0.12 * d.al_pm_mm;
   d.slack = long_chordae();
@@ -140,8 +133,7 @@ HumanValve barlow() {
           "Barlow's disease: annulus of 15.0 / 10.6 times the area (Cardiovasc Ultrasound 2016, "
           "s12947-016-0073-4); assumed: leaflets a fifth taller, 2 mm thick, twice as extensible "
           "until their transition and half as stiff beyond it, chordae a tenth longer, posterior "
-          "ones 15 % and P2's 40 % more, a flat saddle of 12 % of the width before it dilates",
-          1.4};
+          "ones 15 % and P2's 40 % more, a flat saddle of 12 % of the width before it dilates"};
 }
 
 HumanValve fibroelastic_flail() {
@@ -167,13 +159,13 @@ HumanValve marfan() {
   d.systole = kBarlowSystole;
   Remodelling change;
   change.ap_dilation_percent = 15.0;
+  change.elongated = {{Segment::P2, 30.0}};
   return {d, change,
           "Marfan syndrome with prolapse: large leaflets that billow in an annulus that expands in "
           "systole, posterior chordae that hold them late (Pini 1989, Circulation 80:915; no sizes "
           "there); assumed: annulus 5 % wider, 15 % dilated in its anteroposterior diameter under "
           "pressure, leaflets a quarter taller and 0.8 mm thick, 1.5 times as extensible and 0.7 "
-          "times as stiff, chordae a tenth longer, posterior ones 15 % and P2's 30 % more",
-          1.3};
+          "times as stiff, chordae a tenth longer, posterior ones 15 % and P2's 30 % more"};
 }
 
 HumanValve secondary_mr() {

@@ -16,7 +16,6 @@ struct HumanValve {
   ParametricValve dimensions;
   std::optional<Remodelling> change;  ///< what disease did to it, if any
   std::string disease;                ///< in words, with sources
-  double p2_slack = 1.0;              ///< of P2's marginal chordae, over what dimensions give them
 };
 
 /// The valve itself, diseased. Errors are those of dimensions and change that make none.

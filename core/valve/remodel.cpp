@@ -19,12 +19,29 @@ constexpr Range kDilationPercent = {-50.0, 100.0};
 constexpr Range kHeightPercent = {0.0, 200.0};
 constexpr Range kDisplacementMm = {-30.0, 30.0};
 constexpr Range kGrowthPercent = {-50.0, 100.0};
+constexpr Range kElongationPercent = {-50.0, 200.0};
+constexpr Range kTissuePercent = {1.0, 1000.0};
 
 void check_displacement(const Vec3& displacement_mm, const std::string& path,
                         ProblemList& problems) {
   for (int k = 0; k < 3; ++k)
     check_range(problems, path + '/' + std::to_string(k), displacement_mm(k), kDisplacementMm,
                 " mm");
+}
+
+void grow(const Vec3& centre_mm, double factor, Valve& valve) {
+  const auto away = [&](const Vec3& point) -> Vec3 {
+    return centre_mm + factor * (point - centre_mm);
+  };
+  for (Points* points : {&valve.rest_mm, &valve.annulus_mm})
+    for (Index i = 0; i < points->rows(); ++i) points->row(i) = away(points->row(i));
+  for (PapillaryHead& head : valve.heads)
+    for (Vec3* point : {&head.rest_mm, &head.tip_mm}) *point = away(*point);
+  for (Chorda& chorda : valve.chordae)
+    for (ChordaSegment& segment : chorda.segments) {
+      segment.rest_length_mm *= factor;
+      segment.branch_point_mm = away(segment.branch_point_mm);
+    }
 }
 
 void scale_height(const AnnulusFrame& frame, double factor, Valve& valve) {
@@ -112,17 +129,64 @@ void grow_leaflets(double percent, Valve& valve) {
   }
 }
 
-void check_ruptures(const Valve& valve, const std::vector<Segment>& ruptured,
-                    ProblemList& problems) {
-  if (ruptured.empty()) return;
+void elongate(double percent, Chorda& chorda) {
+  for (ChordaSegment& segment : chorda.segments) segment.rest_length_mm *= 1.0 + percent / 100.0;
+}
+
+void elongate(const Remodelling& change, Valve& valve) {
+  for (Chorda& chorda : valve.chordae) {
+    elongate(change.chordal_elongation_percent, chorda);
+    for (const ChordalElongation& further : change.elongated)
+      if (chorda.kind == ChordaKind::Marginal && held_by(valve, chorda) == further.segment)
+        elongate(further.percent, chorda);
+  }
+}
+
+void change_tissue(const TissueChange& change, Tissue& tissue) {
+  tissue.thickness_mm *= change.thickness_percent / 100.0;
+  const double extension = change.extension_percent / 100.0;
+  if (tissue.reference == TissueReference::Excised) {
+    tissue.circumferential_transition *= extension;
+    tissue.radial_transition *= extension;
+  } else {
+    const auto extended = [&](double transition, double prestretch) {
+      const double left = (1.0 + transition) / prestretch - 1.0;
+      return (1.0 + transition) / (1.0 + extension * left);
+    };
+    tissue.circumferential_prestretch =
+        extended(tissue.circumferential_transition, tissue.circumferential_prestretch);
+    tissue.radial_prestretch = extended(tissue.radial_transition, tissue.radial_prestretch);
+  }
+  for (double* modulus : {&tissue.circumferential_pre_kpa, &tissue.circumferential_post_kpa})
+    *modulus *= change.circumferential_stiffness_percent / 100.0;
+  for (double* modulus : {&tissue.radial_pre_kpa, &tissue.radial_post_kpa})
+    *modulus *= change.radial_stiffness_percent / 100.0;
+}
+
+/// A scallop whose marginal chordae are meant, and the field that names it.
+struct NamedScallop {
+  std::string at;
+  Segment segment;
+};
+
+std::vector<NamedScallop> named_scallops(const Remodelling& change) {
+  std::vector<NamedScallop> named;
+  for (std::size_t i = 0; i < change.elongated.size(); ++i)
+    named.push_back({"/elongated/" + std::to_string(i) + "/segment", change.elongated[i].segment});
+  for (std::size_t i = 0; i < change.ruptured.size(); ++i)
+    named.push_back({"/ruptured/" + std::to_string(i), change.ruptured[i]});
+  return named;
+}
+
+void check_scallops(const Valve& valve, const Remodelling& change, ProblemList& problems) {
   const std::vector<Segment> held = held_segments(valve);
   std::string accepted;
   for (const Segment segment : held)
     accepted += (accepted.empty() ? "" : ", ") + std::string(to_string(segment));
-  for (std::size_t i = 0; i < ruptured.size(); ++i)
-    if (std::find(held.begin(), held.end(), ruptured[i]) == held.end())
-      problems.add(ErrorCode::BadReference, "/ruptured/" + std::to_string(i),
-                   std::string("no marginal chorda holds ") + to_string(ruptured[i]) +
+  for (const NamedScallop& named : named_scallops(change))
+    if (std::find(held.begin(), held.end(), named.segment) == held.end())
+      problems.add(ErrorCode::BadReference, named.at,
+                   std::string("no marginal chorda holds ") + to_string(named.segment) +
                        "; accepted: " + accepted);
 }
 
@@ -135,9 +199,28 @@ std::string field_behind(const std::string& path, const Remodelling& change, con
     return (anterolateral ? "/anterolateral_mm" : "/posteromedial_mm") + path.substr(tip.size());
   }
   if (path.starts_with("/systole")) return path;
+  if (path.starts_with("/material")) return "/tissue";
   if (!path.starts_with("/annulus") && !path.starts_with("/landmarks"))
     return change.leaflet_growth_percent != 0.0 ? "/leaflet_growth_percent" : "";
   return change.ap_dilation_percent != 0.0 ? "/ap_dilation_percent" : "/annular_height_percent";
+}
+
+/// Names of TissueChange's numbers.
+std::vector<std::pair<const char*, double>> percentages(const TissueChange& tissue) {
+  return {{"thickness", tissue.thickness_percent},
+          {"extension", tissue.extension_percent},
+          {"circumferential_stiffness", tissue.circumferential_stiffness_percent},
+          {"radial_stiffness", tissue.radial_stiffness_percent}};
+}
+
+std::string tissue_in_words(const TissueChange& tissue) {
+  std::string words;
+  for (const auto& [name, percent] : percentages(tissue)) {
+    std::string what = name;
+    std::replace(what.begin(), what.end(), '_', ' ');
+    if (percent != 100.0) words += "; " + what + " of the tissue " + shown(percent) + " %";
+  }
+  return words;
 }
 
 std::string in_words(const Remodelling& change) {
@@ -148,8 +231,16 @@ std::string in_words(const Remodelling& change) {
                       " %, annular height " + shown(change.annular_height_percent) +
                       " %, tips in mm: anterolateral " + tips(change.anterolateral_mm) +
                       "; posteromedial " + tips(change.posteromedial_mm);
+  if (change.growth_percent != 0.0)
+    words += "; the whole valve grown by " + shown(change.growth_percent) + " % of its lengths";
   if (change.leaflet_growth_percent != 0.0)
     words += "; leaflets grown by " + shown(change.leaflet_growth_percent) + " % of their heights";
+  if (change.chordal_elongation_percent != 0.0)
+    words += "; chordae elongated by " + shown(change.chordal_elongation_percent) + " %";
+  for (const ChordalElongation& further : change.elongated)
+    words += std::string("; marginal chordae of ") + to_string(further.segment) + " elongated by " +
+             shown(further.percent) + " %";
+  words += tissue_in_words(change.tissue);
   for (const Segment segment : change.ruptured)
     words += std::string("; marginal chordae of ") + to_string(segment) + " ruptured";
   return words;
@@ -163,21 +254,32 @@ Errors check_remodelling(const Remodelling& change) {
   check_range(problems, "/annular_height_percent", change.annular_height_percent, kHeightPercent);
   check_displacement(change.anterolateral_mm, "/anterolateral_mm", problems);
   check_displacement(change.posteromedial_mm, "/posteromedial_mm", problems);
+  check_range(problems, "/growth_percent", change.growth_percent, kGrowthPercent);
   check_range(problems, "/leaflet_growth_percent", change.leaflet_growth_percent, kGrowthPercent);
+  check_range(problems, "/chordal_elongation_percent", change.chordal_elongation_percent,
+              kElongationPercent);
+  for (std::size_t i = 0; i < change.elongated.size(); ++i)
+    check_range(problems, "/elongated/" + std::to_string(i) + "/percent",
+                change.elongated[i].percent, kElongationPercent);
+  for (const auto& [name, percent] : percentages(change.tissue))
+    check_range(problems, std::string("/tissue/") + name + "_percent", percent, kTissuePercent);
   return std::move(problems).take();
 }
 
 Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
   if (Errors errors = check_remodelling(change); !errors.empty()) return errors;
   ProblemList problems;
-  check_ruptures(valve, change.ruptured, problems);
+  check_scallops(valve, change, problems);
   if (!problems.empty()) return std::move(problems).take();
 
   Valve remodelled = valve;
-  const AnnulusFrame frame = annulus_frame(valve, AnnulusAxis::SaddlePeak);
-  const TrigoneLine line = trigone_line(valve, frame);
-  const double share = backward_share(valve, frame, line,
-                                      change.ap_dilation_percent / 100.0 * ap_diameter_mm(valve));
+  if (change.growth_percent != 0.0)
+    grow(annulus_frame(valve, AnnulusAxis::SaddlePeak).origin_mm,
+         1.0 + change.growth_percent / 100.0, remodelled);
+  const AnnulusFrame frame = annulus_frame(remodelled, AnnulusAxis::SaddlePeak);
+  const TrigoneLine line = trigone_line(remodelled, frame);
+  const double share = backward_share(
+      remodelled, frame, line, change.ap_dilation_percent / 100.0 * ap_diameter_mm(remodelled));
   if (!(share > -1.0 && std::isfinite(share)))
     return Error{ErrorCode::OutOfRange, "/ap_dilation_percent",
                  "is " + shown(change.ap_dilation_percent) +
@@ -187,6 +289,8 @@ Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
   displace(change, remodelled);
   if (change.leaflet_growth_percent != 0.0)
     grow_leaflets(change.leaflet_growth_percent, remodelled);
+  elongate(change, remodelled);
+  change_tissue(change.tissue, remodelled.tissue);
   for (const Segment segment : change.ruptured)
     remodelled = with_ruptured(std::move(remodelled), segment);
   if (change.systole) remodelled.systole = *change.systole;

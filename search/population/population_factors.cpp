@@ -154,8 +154,8 @@ HumanValve diseased_valve(Aetiology aetiology, const AnatomyValues& anatomy,
   d.slack = {slack, slack * (anatomy[PosteriorSlack] * lesions[PosteriorChordaeGrowth]), slack,
              slack};
   d.tissue.thickness_mm *= lesions[ThicknessGrowth];
-  human.p2_slack = lesions[P2Slack];
   Remodelling& change = human.change.emplace();
+  change.elongated = {{Segment::P2, 100.0 * (lesions[P2Slack] - 1.0)}};
   change.ap_dilation_percent = lesions[ApDilation];
   change.annular_height_percent = lesions[AnnularHeight];
   for (int axis = 0; axis < 3; ++axis) {

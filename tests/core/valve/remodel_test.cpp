@@ -85,6 +85,74 @@ TEST(Remodel, LeafletsGrowAwayFromTheAnnulus) {
     EXPECT_NEAR(Vec3(grown.fibre.row(f)).norm(), 1.0, 1e-12);
 }
 
+TEST(Remodel, TheWholeValveGrowsAboutItsAnnulus) {
+  const Valve valve = small_valve();
+  const Valve grown = *remodel(valve, {.growth_percent = 10.0});
+  EXPECT_NEAR(transverse_diameter_mm(grown), 1.1 * transverse_diameter_mm(valve), 1e-9);
+  EXPECT_NEAR(ap_diameter_mm(grown), 1.1 * ap_diameter_mm(valve), 1e-9);
+  const auto length_of = [](const Valve& of, const Vec3& point) {
+    return (point - annulus_frame(of, AnnulusAxis::SaddlePeak).origin_mm).norm();
+  };
+  EXPECT_NEAR(length_of(grown, grown.heads[0].tip_mm),
+              1.1 * length_of(valve, valve.heads[0].tip_mm), 1e-9);
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c)
+    EXPECT_NEAR(grown.chordae[c].segments[0].rest_length_mm,
+                1.1 * valve.chordae[c].segments[0].rest_length_mm, 1e-12);
+  EXPECT_EQ(grown.tissue, valve.tissue);
+}
+
+TEST(Remodel, ElongatesAllChordaeAndThoseOfAScallopFurther) {
+  const Valve valve = small_valve();
+  Remodelling change;
+  change.chordal_elongation_percent = 10.0;
+  const Segment scallop = held_segments(valve).front();
+  change.elongated = {{scallop, 30.0}};
+  const Valve longer = *remodel(valve, change);
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    const Chorda& chorda = valve.chordae[c];
+    const bool further = chorda.kind == ChordaKind::Marginal && held_by(valve, chorda) == scallop;
+    EXPECT_NEAR(longer.chordae[c].segments[0].rest_length_mm,
+                (further ? 1.1 * 1.3 : 1.1) * chorda.segments[0].rest_length_mm, 1e-12);
+  }
+}
+
+TEST(Remodel, ChangesTheTissueByShares) {
+  for (const TissueReference reference : {TissueReference::Excised, TissueReference::InVivo}) {
+    Valve valve = small_valve();
+    valve.tissue.reference = reference;
+    const Valve changed = *remodel(valve, {.tissue = {.thickness_percent = 200.0,
+                                                      .extension_percent = 150.0,
+                                                      .circumferential_stiffness_percent = 60.0,
+                                                      .radial_stiffness_percent = 50.0}});
+    const auto left = [](const Tissue& tissue) {
+      return (1.0 + tissue.radial_transition) / prestretch(tissue)[1] - 1.0;
+    };
+    EXPECT_NEAR(left(changed.tissue), 1.5 * left(valve.tissue), 1e-12);
+    EXPECT_EQ(changed.tissue.thickness_mm, 2.0 * valve.tissue.thickness_mm);
+    EXPECT_EQ(changed.tissue.circumferential_post_kpa, 0.6 * valve.tissue.circumferential_post_kpa);
+    EXPECT_EQ(changed.tissue.radial_pre_kpa, 0.5 * valve.tissue.radial_pre_kpa);
+  }
+}
+
+TEST(Remodel, NamesFieldsOfChordaeAndTissue) {
+  Remodelling change;
+  change.growth_percent = 101.0;
+  change.chordal_elongation_percent = -51.0;
+  change.elongated = {{Segment::P2, 201.0}};
+  change.tissue.extension_percent = 0.0;
+  const Expected<Valve> refused = remodel(small_valve(), change);
+  ASSERT_FALSE(refused);
+  std::vector<std::string> paths;
+  for (const Error& error : refused.errors()) paths.push_back(error.path);
+  EXPECT_EQ(paths, (std::vector<std::string>{"/growth_percent", "/chordal_elongation_percent",
+                                             "/elongated/0/percent", "/tissue/extension_percent"}));
+  change = {};
+  change.elongated = {{Segment::AC, 10.0}};
+  const Expected<Valve> unknown = remodel(small_valve(), change);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.errors()[0].path, "/elongated/0/segment");
+}
+
 TEST(Remodel, RupturesTheMarginalChordaeOfASegmentThatAnyHolds) {
   const Valve valve = small_valve();
   const std::vector<Segment> held = held_segments(valve);
