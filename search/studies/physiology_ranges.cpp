@@ -106,8 +106,6 @@ const std::vector<PhysiologyRange>& physiology_ranges() {
       {"a2_radial", healthy, both, 3.5, 12.1, kStrain},
       {"a2_circumferential", healthy, both, 2.3, 7.7, kStrain},
       {"a2_areal", healthy, both, 7.5, 20.1, kStrain},
-      {"posterior_squeezed", healthy, both, 0.0, 0.2,
-       "no source: the leaflet is in tension, but for pleats of the rough zone (assumed)"},
       {"papillary_diastole", functional, human, 17.0, 30.0,
        "22 to 25 mm in the mean in patients before a clip (TTE, PMID 30790417); 5 mm to either "
        "side "
@@ -129,7 +127,8 @@ const std::vector<PhysiologyRange>& physiology_ranges() {
       {"opening", regurgitant, human, 470.0, 730.0, kHerrmann},
       {"gradient", regurgitant, human, 0.5, 3.0,
        "1.7 mmHg before a clip (Herrmann 2009, EuroIntervention 4:437); spread assumed"},
-      {"ring_opening_share", any, both, 0.0, 1.0, "a ring does not open a valve wider (geometry)"},
+      {"ring_opening_share", any, both, 0.0, 1.02,
+       "a ring does not open a valve wider (geometry); 2 % are the error of either area"},
       {"gradient_slope", any, human, 0.09, 0.36,
        "0.18 mmHg a mm in true-sized rings (Tomsic 2019); half to twice accepted"},
       {"clip_share", regurgitant, human, 0.4, 0.8, kHerrmann},
