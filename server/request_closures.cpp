@@ -45,8 +45,8 @@ Answer RequestClosures::refusal() const {
   if (cancelled_)
     return retry_later(503, "took longer than " + shown(limits_.request_seconds) +
                                 " s: ask for fewer plans or region_points at once, search as a job "
-                                "(POST /v1/plans), or close or import the valve offline (coapt "
-                                "close, coapt valve import)");
+                                "(POST /v1/plans), or close, study or import the valve offline "
+                                "(coapt close, coapt study, coapt valve import)");
   return problem(422, ErrorCode::OutOfRange,
                  "the closure takes more than " + shown(limits_.vertex_steps) +
                      " steps times vertices, the limit of this service: use a coarser mesh or "

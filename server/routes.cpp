@@ -10,6 +10,7 @@
 #include "server/endpoints/jobs.h"
 #include "server/endpoints/kept_plans.h"
 #include "server/endpoints/openings.h"
+#include "server/endpoints/physiology.h"
 #include "server/endpoints/preferences.h"
 #include "server/endpoints/submissions.h"
 #include "server/endpoints/valves.h"
@@ -42,6 +43,7 @@ Routes routes_of(const Service& service) {
       {"POST", "/v1/closures", PostClosures{valves, compute}},
       {"POST", "/v1/scenes", PostScenes{valves, compute}},
       {"POST", "/v1/openings", PostOpenings{valves, compute}},
+      {"POST", "/v1/physiology", PostPhysiology{valves, compute}},
       {"POST", "/v1/evaluations", PostEvaluations{valves, compute}},
       {"POST", "/v1/preferences", PostPreferences{valves, compute}},
       {"POST", "/v1/reports", PostReports{valves, compute}},

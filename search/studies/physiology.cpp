@@ -1,6 +1,7 @@
 #include "search/studies/physiology.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <utility>
@@ -149,6 +150,7 @@ class Trials {
       const std::lock_guard lock(mutex);
       if (options_.progress) options_.progress(++done, count);
     });
+    values.unfinished = unfinished_;
   }
 
  private:
@@ -157,7 +159,13 @@ class Trials {
   ClosureResult close(const Valve& valve) const {
     ClosureOptions closing;
     closing.budget = options_.budget;
-    return close_valve(valve, closing);
+    ClosureResult closure = close_valve(valve, closing);
+    note(closure);
+    return closure;
+  }
+
+  void note(const ClosureResult& closure) const {
+    if (closure.unfinished) unfinished_ = true;
   }
 
   double leak_of(const Valve& valve) const {
@@ -200,6 +208,7 @@ class Trials {
     OpeningOptions opening;
     opening.budget = options_.budget;
     const Expected<OpenedValve> opened = open_valve(*valve, opening);
+    if (opened) note(opened->closure);
     if (!opened || !trusted(opened->closure)) return;
     area_mm2 = opened->measure.opening_area_mm2;
     gradient_mmhg = opened->measure.gradient_mmhg;
@@ -279,6 +288,7 @@ class Trials {
   const Valve& valve_;
   const PhysiologyOptions& options_;
   std::vector<std::function<void()>> jobs_;
+  mutable std::atomic<bool> unfinished_ = false;
 };
 
 }  // namespace
@@ -428,7 +438,8 @@ Physiology study_physiology(const Valve& valve, const PhysiologyOptions& options
                         options.species.value_or(species_of(valve)),
                         !options.kind,
                         !options.species,
-                        {}};
+                        {},
+                        values.unfinished};
   for (const PhysiologyQuantity& quantity : physiology_quantities())
     if (quantity.trial == PhysiologyTrial::Rest ||
         std::find(options.trials.begin(), options.trials.end(), quantity.trial) !=

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -72,6 +71,8 @@ struct PhysiologyValues {
   double clip_share = kUnknown;       ///< of the opening that one clip leaves
   double two_clips_share = kUnknown;  ///< of the opening behind one that two leave
   double clip_gradient_mmhg = kUnknown;
+
+  bool unfinished = false;  ///< a closure or opening ended by its budget; its figures are unknown
 };
 
 struct PhysiologyQuantity {
@@ -123,6 +124,7 @@ struct Physiology {
   Species species = Species::Human;
   bool kind_judged = false, species_judged = false;  ///< else as the options say
   std::vector<PhysiologyRow> rows;                   ///< of the trials made
+  bool unfinished = false;                           ///< PhysiologyValues::unfinished
 };
 
 Physiology study_physiology(const Valve& valve, const PhysiologyOptions& options = {});
