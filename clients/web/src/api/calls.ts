@@ -8,6 +8,7 @@ import type {
   ImportRequest,
   Job,
   Opening,
+  Physiology,
   Plan,
   Preference,
   PreferenceAnswer,
@@ -26,6 +27,11 @@ export function drawScene(valve: string, plan: Plan | null, frames: number, sign
 /// The same valve in diastole. `frames`: states of the opening, at most.
 export function openValve(valve: string, plan: Plan | null, frames: number): Promise<Opening> {
   return postJson('/v1/openings', { valve, frames, ...(plan ? { plan } : {}) })
+}
+
+/// What it does beside what was measured in hearts: seconds of computing.
+export function comparePhysiology(valve: string, signal: AbortSignal): Promise<Physiology> {
+  return postJson('/v1/physiology', { valve }, signal)
 }
 
 export async function presets(): Promise<string[]> {

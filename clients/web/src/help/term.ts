@@ -1,4 +1,4 @@
-// A word that explains itself: over the pointer, and when it is pressed.
+// Words that explain themselves: under the pointer, and when they are pressed.
 import { h } from '../dom'
 import { GLOSSARY, type Term } from './glossary'
 import helpStyle from './help.module.css'
@@ -9,7 +9,10 @@ const bubble = () => h('div', { popover: 'auto', class: helpStyle.bubble, role: 
 let shown: HTMLElement | null = null
 
 export function term(of: Term, words: string): HTMLElement {
-  const text = GLOSSARY[of]
+  return explained(words, GLOSSARY[of])
+}
+
+export function explained(words: string, text: string): HTMLElement {
   const element = h('button', { type: 'button', class: helpStyle.term, title: text }, words)
   element.addEventListener('click', () => explain(element, text))
   return element

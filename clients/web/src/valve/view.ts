@@ -2,6 +2,7 @@
 import type { Scene } from '../api/types'
 import { h } from '../dom'
 import { closureSaver } from '../files'
+import { HAS_SERVICE } from '../mode'
 import type { Figure } from '../picture/figure'
 import { figureLines, pictureSaver } from '../picture/saver'
 import type { View } from '../view'
@@ -11,6 +12,7 @@ import type { Workspace } from '../workspace'
 import { DistanceTool } from './distance'
 import { Diastole } from './diastole'
 import { headline } from './headline'
+import { heartsPanel } from './hearts'
 import { importStage } from './import_stage'
 import { Looks } from './looks'
 import { measures } from './measures'
@@ -69,6 +71,7 @@ export class ValveView implements View {
         opening.element,
         h('section', { class: parts.panel }, h('h2', {}, 'Measured'), this.diastole.element, this.measures),
         this.looks.element,
+        HAS_SERVICE && heartsPanel(workspace), // last: its table is long
       ),
     )
     opening.dropOn(this.element)

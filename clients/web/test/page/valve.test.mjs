@@ -2,7 +2,7 @@ import assert from 'node:assert/strict'
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { test } from 'node:test'
-import { openBefore, page, resize, service, settled } from './page.mjs'
+import { accessProblems, openBefore, page, resize, service, settled } from './page.mjs'
 
 openBefore('valve')
 
@@ -100,6 +100,42 @@ test('a whole beat is played: open with its area, closed with its leak, open aga
   assert.equal(await slider.inputValue(), '-1')
   await page.getByRole('button', { name: 'Closed', exact: true }).click()
   assert.equal(await slider.inputValue(), '1')
+})
+
+test('what the valve does stands beside what was measured in hearts, until another valve is open', async () => {
+  const { rows } = await (
+    await fetch(`${service.url}/v1/physiology`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })
+  ).json()
+  const panel = page.locator('[data-part=hearts]')
+  await panel.getByRole('button', { name: 'Compare with hearts' }).click()
+  await panel.getByRole('progressbar').waitFor()
+  const met = rows.filter(({ verdict }) => verdict === 'met').length
+  const ranges = rows.filter(({ low }) => low !== null).length
+  await panel.getByText(`${met} of ${ranges} ranges met.`).waitFor()
+  assert.ok(await panel.getByText('The ranges are those of human valves with functional regurgitation').isVisible())
+  assert.equal(await panel.getByRole('progressbar').count(), 0)
+  const table = panel.getByRole('group', { name: 'This valve beside hearts' })
+  assert.equal(await table.locator('tbody tr').count(), rows.length)
+  const leak = rows.find(({ quantity }) => quantity === 'leak')
+  const row = table.locator('tr', { hasText: leak.what })
+  assert.deepEqual(await row.locator('td').allTextContents(), [
+    `${leak.value.toFixed(1)} mm²${leak.low} to ${leak.high}`,
+    '✓ met',
+  ])
+  await row.getByRole('button', { name: leak.what }).click()
+  await page.locator('[data-part=help]', { hasText: 'Zoghbi 2017' }).waitFor()
+  await page.keyboard.press('Escape')
+  const without = rows.find(({ quantity }) => quantity === 'leak_60')
+  assert.deepEqual(await table.locator('tr', { hasText: without.what }).locator('td').allTextContents(), [
+    `${without.value.toFixed(1)} mm²`,
+    '– no range',
+  ])
+  assert.deepEqual(await accessProblems(page), [])
+  await page.getByLabel('Preset').selectOption('human-normal')
+  await page.locator('[data-part=open-valve]', { hasText: 'human-normal' }).waitFor()
+  assert.equal(await table.count(), 0)
+  await page.getByLabel('Preset').selectOption('human-functional-mr')
+  await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
 })
 
 test('every colouring has a legend', async () => {

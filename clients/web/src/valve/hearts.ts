@@ -1,0 +1,124 @@
+// The valve that is open beside what was measured in hearts: a row for each quantity, asked for by a button because it takes seconds.
+import { comparePhysiology } from '../api/calls'
+import type { Physiology, PhysiologyRow } from '../api/types'
+import { dataTable, figure } from '../charts/data_table'
+import { button, h, type Child } from '../dom'
+import { number, typeset } from '../format'
+import { explained } from '../help/term'
+import { problemList } from '../problems'
+import { problemsOf, type Workspace } from '../workspace'
+import parts from '../style/parts.module.css'
+import valveStyle from './valve.module.css'
+
+const VERDICTS: Record<PhysiologyRow['verdict'], readonly [sign: string, tone: string]> = {
+  met: ['✓ met', 'good'],
+  below: ['↓ below', 'warn'],
+  above: ['↑ above', 'warn'],
+  unknown: ['? unknown', 'soft'],
+  'no range': ['– no range', 'soft'],
+}
+const KINDS: Record<Physiology['kind'], string> = {
+  healthy: 'healthy valves',
+  functional: 'valves with functional regurgitation',
+  prolapse: 'valves with prolapse',
+}
+
+export function heartsPanel(workspace: Workspace): HTMLElement {
+  let asked: AbortController | null = null
+  let shown: string | null = null // the reference of the valve that is compared, or was
+  const ask = button('Compare with hearts', () => void compare())
+  const progress = h('progress', { 'aria-label': 'Comparing with hearts', hidden: true })
+  const answer = h('div', { class: valveStyle.hearts, 'aria-live': 'polite' })
+  workspace.subscribe(() => shown !== null && workspace.valve?.reference !== shown && clear())
+
+  async function compare(): Promise<void> {
+    const { valve } = workspace
+    if (!valve) return
+    clear()
+    shown = valve.reference
+    const mine = new AbortController()
+    asked = mine
+    setBusy(true)
+    try {
+      const physiology = await comparePhysiology(valve.reference, mine.signal)
+      if (asked === mine) answer.replaceChildren(...rowsOf(physiology))
+    } catch (error) {
+      if (asked === mine) answer.replaceChildren(problemList(problemsOf(error)))
+    }
+    if (asked === mine) setBusy(false)
+  }
+
+  /// What is asked of another valve is not waited for.
+  function clear(): void {
+    asked?.abort()
+    asked = null
+    shown = null
+    answer.replaceChildren()
+    setBusy(false)
+  }
+
+  function setBusy(isBusy: boolean): void {
+    ask.disabled = isBusy
+    progress.hidden = !isBusy
+  }
+
+  return h(
+    'section',
+    { class: parts.panel, 'aria-label': 'Comparison with hearts', 'data-part': 'hearts' },
+    h('h2', {}, 'Beside hearts'),
+    h(
+      'p',
+      { class: parts.hint },
+      'Loads, strains, rings, opening and clips of this valve beside what was measured in hearts. The valve is closed and opened 17 times, which takes some seconds.',
+    ),
+    ask,
+    progress,
+    answer,
+  )
+}
+
+function rowsOf({ kind, kind_judged, species, rows }: Physiology): HTMLElement[] {
+  const met = rows.filter(({ verdict }) => verdict === 'met').length
+  const ranges = rows.filter(({ low }) => low !== null).length
+  const judged = kind_judged ? ', as it was judged when it closed' : ''
+  return [
+    h('p', {}, h('strong', { 'data-part': 'met' }, `${met} of ${ranges} ranges met.`)),
+    h(
+      'p',
+      { class: parts.hint },
+      `The ranges are those of ${species} ${KINDS[kind]}${judged}. Press a quantity to read the source of its range.`,
+    ),
+    dataTable(
+      'This valve beside hearts',
+      [{ label: 'Quantity' }, { label: over('This valve', 'in hearts'), numeric: true }, { label: 'Verdict' }],
+      rows.map((row) => [name(row), over(value(row), range(row)), verdict(row)]),
+    ),
+  ]
+}
+
+/// One line over another, softer one.
+function over(words: string, below: string): HTMLElement {
+  return h('div', {}, words, h('div', { class: parts.hint }, below))
+}
+
+function name({ what, source }: PhysiologyRow): Child {
+  return source === null ? typeset(what) : explained(typeset(what), typeset(source))
+}
+
+function verdict({ verdict }: PhysiologyRow): Child {
+  const [words, tone] = VERDICTS[verdict]
+  return h('span', { class: `${parts.verdict} ${parts[tone]}` }, words)
+}
+
+function value({ value, unit }: PhysiologyRow): string {
+  return value === null ? number(value) : withUnit(figure(value), unit)
+}
+
+/// In the unit that the value tells above it, if there is one.
+function range({ value, low, high, unit }: PhysiologyRow): string {
+  return low === null ? '' : withUnit(`${low} to ${high}`, value === null ? unit : '')
+}
+
+function withUnit(figures: string, unit: string): string {
+  return unit === '' ? figures : `${figures} ${typeset(unit)}`
+}
