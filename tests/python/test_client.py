@@ -1,5 +1,6 @@
 """What the service answers at once: valves, closures, evaluations; and what it refuses."""
 
+import functools
 import inspect
 import json
 import unittest
@@ -94,6 +95,17 @@ class Closures(ClientTest):
         self.assertIn(f"{0.01 * printed['opening_area_mm2']:.1f} cm²", opening._repr_html_())
         refused = self.refused(coapt.InvalidRequest, self.client.open, VALVE, exercise=9)
         self.assertEqual([problem.path for problem in refused.problems], ["/exercise"])
+
+    def test_a_comparison_with_hearts_is_the_one_of_the_command_line(self):
+        plan = Plan(Ring("generic-classic", size_mm=30))
+        plan.write(self.folder / "plan.json")
+        valve = small_valve()
+        arguments = ("--plan", self.folder / "plan.json", "--kind", "healthy", "--json")
+        printed = json.loads(coapt_command("study", "physiology", valve, *arguments).stdout)
+        self.assertEqual(self.client.physiology(valve, plan, kind="healthy"), printed)
+        call = functools.partial(self.client.physiology, valve, kind="sick", species="feline")
+        refused = self.refused(coapt.InvalidRequest, call)
+        self.assertEqual([problem.path for problem in refused.problems], ["/kind", "/species"])
 
     def test_files_for_other_programs_are_those_of_the_command_line(self):
         plan = Plan(Ring("generic-classic", size_mm=30))

@@ -84,6 +84,28 @@ class ShortWork(Asking):
         options = given(pressure_mmhg=pressure_mmhg, flow_ml_s=flow_ml_s, exercise=exercise)
         return Opening.from_json(self._ask("/v1/openings", valve, repair_of(plan, frames=frames, **options)).json())
 
+    def physiology(
+        self,
+        valve: Valve,
+        plan: PlanSource | None = None,
+        *,
+        kind: Literal["healthy", "functional", "prolapse"] | None = None,
+        species: Literal["human", "porcine"] | None = None,
+    ) -> dict[str, Any]:
+        """What a valve, repaired if there is a plan, does beside what was measured in hearts (coapt.physiology/1): "rows", each with
+        "quantity", "what", "value", "unit", the range from "low" to "high", its "source", and a "verdict". Seconds.
+
+        >>> rows = client.physiology("human-normal", kind="healthy")["rows"]
+        >>> rows[0]["quantity"], rows[0]["unit"], rows[0]["verdict"] in ("met", "below", "above", "unknown", "no range")
+        ('leak', 'mm2', True)
+
+        :param kind: whose ranges hold (judged from the closed valve)
+        :param species: likewise (porcine if the valve's name says so, else human)
+        """
+        request = repair_of(plan, **given(kind=kind, species=species))
+        physiology: dict[str, Any] = self._ask("/v1/physiology", valve, request).json()
+        return physiology
+
     def map(
         self,
         valves: Valve | Iterable[Valve],
