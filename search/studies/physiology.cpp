@@ -146,7 +146,10 @@ class Trials {
     int done = 0;
     const int count = static_cast<int>(jobs_.size());
     for_each_index(count, options_.threads, [&](int i) {
-      jobs_[static_cast<std::size_t>(i)]();
+      if (options_.budget.is_cancelled())
+        unfinished_ = true;
+      else
+        jobs_[static_cast<std::size_t>(i)]();
       const std::lock_guard lock(mutex);
       if (options_.progress) options_.progress(++done, count);
     });
