@@ -144,23 +144,24 @@ void elongate(const Remodelling& change, Valve& valve) {
 
 void change_tissue(const TissueChange& change, Tissue& tissue) {
   tissue.thickness_mm *= change.thickness_percent / 100.0;
-  const double extension = change.extension_percent / 100.0;
-  if (tissue.reference == TissueReference::Excised) {
-    tissue.circumferential_transition *= extension;
-    tissue.radial_transition *= extension;
-  } else {
-    const auto extended = [&](double transition, double prestretch) {
-      const double left = (1.0 + transition) / prestretch - 1.0;
-      return (1.0 + transition) / (1.0 + extension * left);
-    };
-    tissue.circumferential_prestretch =
-        extended(tissue.circumferential_transition, tissue.circumferential_prestretch);
-    tissue.radial_prestretch = extended(tissue.radial_transition, tissue.radial_prestretch);
-  }
   for (double* modulus : {&tissue.circumferential_pre_kpa, &tissue.circumferential_post_kpa})
     *modulus *= change.circumferential_stiffness_percent / 100.0;
   for (double* modulus : {&tissue.radial_pre_kpa, &tissue.radial_post_kpa})
     *modulus *= change.radial_stiffness_percent / 100.0;
+  const double extension = change.extension_percent / 100.0;
+  if (extension == 1.0) return;  // a prestretch that is worked out anew is off in its last digit
+  if (tissue.reference == TissueReference::Excised) {
+    tissue.circumferential_transition *= extension;
+    tissue.radial_transition *= extension;
+    return;
+  }
+  const auto extended = [&](double transition, double prestretch) {
+    const double left = (1.0 + transition) / prestretch - 1.0;
+    return (1.0 + transition) / (1.0 + extension * left);
+  };
+  tissue.circumferential_prestretch =
+      extended(tissue.circumferential_transition, tissue.circumferential_prestretch);
+  tissue.radial_prestretch = extended(tissue.radial_transition, tissue.radial_prestretch);
 }
 
 /// A scallop whose marginal chordae are meant, and the field that names it.
@@ -179,11 +180,13 @@ std::vector<NamedScallop> named_scallops(const Remodelling& change) {
 }
 
 void check_scallops(const Valve& valve, const Remodelling& change, ProblemList& problems) {
+  const std::vector<NamedScallop> scallops = named_scallops(change);
+  if (scallops.empty()) return;
   const std::vector<Segment> held = held_segments(valve);
   std::string accepted;
   for (const Segment segment : held)
     accepted += (accepted.empty() ? "" : ", ") + std::string(to_string(segment));
-  for (const NamedScallop& named : named_scallops(change))
+  for (const NamedScallop& named : scallops)
     if (std::find(held.begin(), held.end(), named.segment) == held.end())
       problems.add(ErrorCode::BadReference, named.at,
                    std::string("no marginal chorda holds ") + to_string(named.segment) +

@@ -173,6 +173,12 @@ TEST(Remodel, NothingChangesWithoutARemodelling) {
   EXPECT_EQ(same.annulus_mm, valve.annulus_mm);
   EXPECT_EQ(same.heads[1].tip_mm, valve.heads[1].tip_mm);
   EXPECT_EQ(same.provenance.size(), valve.provenance.size() + 1);
+  for (int digits = 0; digits < 100; ++digits) {
+    Valve other = valve;
+    other.tissue.reference = TissueReference::InVivo;
+    other.tissue.radial_prestretch = 1.33 / (1.05 + 0.001 * digits);
+    EXPECT_EQ(remodel(other, {})->tissue, other.tissue);
+  }
 }
 
 TEST(Remodel, ListsEveryValueOutsideItsRange) {
