@@ -48,20 +48,6 @@ void set_heights(double anterior, double posterior, ParametricValve& d) {
   d.commissure_height_mm = posterior * normal.commissure_height_mm;
 }
 
-/// Extension left until the transition strains, and stiffness beyond them, times a factor.
-void change_tissue(double extension, double stiffness, Tissue& tissue) {
-  const auto prestretched = [&](double transition, double prestretch) {
-    const double left = (1.0 + transition) / prestretch - 1.0;
-    return (1.0 + transition) / (1.0 + extension * left);
-  };
-  tissue.circumferential_prestretch =
-      prestretched(tissue.circumferential_transition, tissue.circumferential_prestretch);
-  tissue.radial_prestretch = prestretched(tissue.radial_transition, tissue.radial_prestretch);
-  for (double* modulus : {&tissue.circumferential_pre_kpa, &tissue.circumferential_post_kpa,
-                          &tissue.radial_pre_kpa, &tissue.radial_post_kpa})
-    *modulus *= stiffness;
-}
-
 /// A tenth longer, posterior marginal ones 15 % more.
 ChordalSlack long_chordae() {
   const double slack = 1.1 * kPresetSlack;
@@ -127,7 +113,10 @@ HumanValve barlow() {
   d.saddle_height_mm = 0.12 * d.al_pm_mm;
   d.slack = long_chordae();
   d.tissue.thickness_mm = 2.0;
-  change_tissue(2.0, 0.5, d.tissue);
+  change_tissue({.extension_percent = 200.0,
+                 .circumferential_stiffness_percent = 50.0,
+                 .radial_stiffness_percent = 50.0},
+                d.tissue);
   d.systole = kBarlowSystole;
   return {d, change,
           "Barlow's disease: annulus of 15.0 / 10.6 times the area (Cardiovasc Ultrasound 2016, "
@@ -155,7 +144,10 @@ HumanValve marfan() {
   set_heights(1.25, 1.25, d);
   d.slack = long_chordae();
   d.tissue.thickness_mm = 0.8;
-  change_tissue(1.5, 0.7, d.tissue);
+  change_tissue({.extension_percent = 150.0,
+                 .circumferential_stiffness_percent = 70.0,
+                 .radial_stiffness_percent = 70.0},
+                d.tissue);
   d.systole = kBarlowSystole;
   Remodelling change;
   change.ap_dilation_percent = 15.0;
@@ -194,7 +186,10 @@ HumanValve hypertrophic() {
   set_heights(26.0 / 19.0, 14.0 / 10.0, d);
   d.tip_spread_mm *= 13.0 / 18.0;
   d.tip_posterior_mm = 0.0;
-  change_tissue(1.3, 0.5, d.tissue);
+  change_tissue({.extension_percent = 130.0,
+                 .circumferential_stiffness_percent = 50.0,
+                 .radial_stiffness_percent = 50.0},
+                d.tissue);
   return {d, Remodelling{},
           "hypertrophic cardiomyopathy: leaflets of 26 / 19 and 14 / 10 times the length (Maron "
           "2011, Circulation 124:40), papillary tips 13 / 18 as far apart (Hwang 2011, Eur J "

@@ -142,28 +142,6 @@ void elongate(const Remodelling& change, Valve& valve) {
   }
 }
 
-void change_tissue(const TissueChange& change, Tissue& tissue) {
-  tissue.thickness_mm *= change.thickness_percent / 100.0;
-  for (double* modulus : {&tissue.circumferential_pre_kpa, &tissue.circumferential_post_kpa})
-    *modulus *= change.circumferential_stiffness_percent / 100.0;
-  for (double* modulus : {&tissue.radial_pre_kpa, &tissue.radial_post_kpa})
-    *modulus *= change.radial_stiffness_percent / 100.0;
-  const double extension = change.extension_percent / 100.0;
-  if (extension == 1.0) return;  // a prestretch that is worked out anew is off in its last digit
-  if (tissue.reference == TissueReference::Excised) {
-    tissue.circumferential_transition *= extension;
-    tissue.radial_transition *= extension;
-    return;
-  }
-  const auto extended = [&](double transition, double prestretch) {
-    const double left = (1.0 + transition) / prestretch - 1.0;
-    return (1.0 + transition) / (1.0 + extension * left);
-  };
-  tissue.circumferential_prestretch =
-      extended(tissue.circumferential_transition, tissue.circumferential_prestretch);
-  tissue.radial_prestretch = extended(tissue.radial_transition, tissue.radial_prestretch);
-}
-
 /// A scallop whose marginal chordae are meant, and the field that names it.
 struct NamedScallop {
   std::string at;
@@ -250,6 +228,28 @@ std::string in_words(const Remodelling& change) {
 }
 
 }  // namespace
+
+void change_tissue(const TissueChange& change, Tissue& tissue) {
+  tissue.thickness_mm *= change.thickness_percent / 100.0;
+  for (double* modulus : {&tissue.circumferential_pre_kpa, &tissue.circumferential_post_kpa})
+    *modulus *= change.circumferential_stiffness_percent / 100.0;
+  for (double* modulus : {&tissue.radial_pre_kpa, &tissue.radial_post_kpa})
+    *modulus *= change.radial_stiffness_percent / 100.0;
+  const double extension = change.extension_percent / 100.0;
+  if (extension == 1.0) return;  // a prestretch that is worked out anew is off in its last digit
+  if (tissue.reference == TissueReference::Excised) {
+    tissue.circumferential_transition *= extension;
+    tissue.radial_transition *= extension;
+    return;
+  }
+  const auto extended = [&](double transition, double prestretch) {
+    const double left = (1.0 + transition) / prestretch - 1.0;
+    return (1.0 + transition) / (1.0 + extension * left);
+  };
+  tissue.circumferential_prestretch =
+      extended(tissue.circumferential_transition, tissue.circumferential_prestretch);
+  tissue.radial_prestretch = extended(tissue.radial_transition, tissue.radial_prestretch);
+}
 
 Errors check_remodelling(const Remodelling& change) {
   ProblemList problems;

@@ -27,6 +27,8 @@ struct TissueChange {
   double radial_stiffness_percent = 100.0;
 };
 
+void change_tissue(const TissueChange& change, Tissue& tissue);
+
 /// Marginal chordae that hold a scallop (ruptures.h).
 struct ChordalElongation {
   Segment segment = Segment::P2;
