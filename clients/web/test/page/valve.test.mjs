@@ -177,6 +177,7 @@ test('a range of colours that is typed holds for other valves, until it is let g
   assert.deepEqual((await ends()).slice(0, 2), ['0', '60 %'])
   await page.getByLabel('Preset').selectOption('human-functional-mr')
   await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
+  await page.locator('[data-part=labels] [data-part=leak]').first().waitFor()
   await page.getByLabel('Same scale for all valves').uncheck()
   assert.deepEqual(await ends(), own)
   await page.getByRole('combobox', { name: 'Colours' }).selectOption('leaflets')
@@ -191,6 +192,7 @@ test('a distance is measured between two points', async () => {
   for (const name of ['A2', 'P2']) {
     const at = await labels.filter({ hasText: new RegExp(`^${name}$`) }).boundingBox()
     await page.mouse.click(at.x + at.width / 2, at.y + at.height / 2)
+    await settled() // labels are made anew with each point
   }
   const text = await page.locator('[data-part=labels] [data-part=distance]').textContent()
   const mm = Number.parseFloat(text)
