@@ -30,8 +30,9 @@ demo: programs  ## ranked repair plans for a leaking valve of real human anatomy
 	$(BIN)/coapt plan $(VALVE) --evaluations 600 --seed 1 --plans 3 -o out/report.html || [ $$? -eq 4 ]
 	@echo "Pictures: out/leaking.png and out/report.html (open it in a browser)"
 
-serve: programs web  ## the service with its page at http://127.0.0.1:8080
-	@echo "Open http://127.0.0.1:8080 in a browser; Ctrl-C ends it."
+# Live and training need the engine; without its compiler they are not offered.
+serve: programs $(if $(shell command -v clang++-19),wasm) web  ## the service with its page at http://127.0.0.1:8080
+	@echo "Open in a browser what coapt-server prints; Ctrl-C ends it."
 	$(BIN)/coapt-server --db coapt.sqlite
 
 farm: programs  ## a farm on this machine: PostgreSQL on a socket, two workers, the study of generality; results in out/farm

@@ -73,6 +73,33 @@ export function select(
   return element
 }
 
+/// A button that asks for files; `label` names what takes them.
+export function filePicker(
+  label: string,
+  words: string,
+  { use, ...attributes }: { accept: string; multiple?: boolean; use: (files: File[]) => void },
+): HTMLElement {
+  const choose = (): void => {
+    const chosen = [...(input.files ?? [])]
+    input.value = '' // the same file, corrected, is another choice
+    if (chosen.length > 0) use(chosen)
+  }
+  const input = h('input', {
+    type: 'file',
+    class: parts.unseen,
+    tabindex: -1,
+    'aria-label': label,
+    onchange: choose,
+    ...attributes,
+  })
+  return h(
+    'span',
+    { class: parts.picker },
+    button(words, () => input.click()),
+    input,
+  )
+}
+
 /// Saves bytes as a file of the person at the browser.
 export function download(name: string, content: Blob): void {
   const link = h('a', { href: URL.createObjectURL(content), download: name })

@@ -16,10 +16,10 @@ export function withUnit(value: number | null | undefined, unit: string, digits 
 
 /// "45.7 ± 2.1 mm²", "46 ± 5 mm²": the error to two digits where they are 10 to 35, else to one, the value to as many
 /// places (Particle Data Group 2022, 5.3), as the command line prints it. Without an error one place.
-export function withError(value: number | null | undefined, error: number | null | undefined, unit: string): string {
+export function withError(value: number | null | undefined, error: number | null | undefined, unit = ''): string {
   const text = knownDigits(value, error)
   if (text === UNKNOWN) return text
-  return `${text}${isError(error) ? ` ± ${knownDigits(error, error)}` : ''} ${unit}`
+  return `${text}${isError(error) ? ` ± ${knownDigits(error, error)}` : ''}${unit && ` ${unit}`}`
 }
 
 /// The value alone, to those places: "45.7", "46".

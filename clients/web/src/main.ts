@@ -3,6 +3,7 @@ import './style/base.css'
 import { version } from './api/calls'
 import { onTokenNeeded, takeTokenFromAddress } from './api/http'
 import { h } from './dom'
+import { hasEngine } from './engine/thread'
 import { HAS_SERVICE } from './mode'
 import { askForToken } from './shell/token'
 import { footer } from './shell/footer'
@@ -10,6 +11,7 @@ import { header } from './shell/header'
 import { needsService } from './shell/needs_service'
 import { notices } from './shell/notices'
 import { commandPalette } from './shell/palette'
+import { followSystem } from './shell/theme'
 import { shortcuts } from './shell/shortcuts'
 import { VIEWS, type ViewName } from './shell/views'
 import { router } from './state/router'
@@ -36,6 +38,7 @@ const makers: Record<ViewName, (workspace: Workspace) => Promise<View>> = {
 }
 
 takeTokenFromAddress()
+followSystem()
 const app = document.getElementById('app') as HTMLElement
 const workspace = new Workspace()
 const views = new Map<ViewName, Promise<View>>()
@@ -107,10 +110,14 @@ shortcuts(workspace, palette.open)
 workspace.subscribe(() => bar.lead(route.addressOf))
 onOtherTab('kept plans', () => void workspace.loadKept())
 workspace.loadKept().catch(() => {})
-if (HAS_SERVICE)
+if (HAS_SERVICE) {
   version().then(
-    ({ farm }) => farm && bar.reveal('farm'),
+    ({ farm }) => bar.offer('farm', farm),
     () => {},
   )
-else navigator.serviceWorker?.register('sw.js').catch(() => {}) // the page works without it, on-line
+  void hasEngine().then((is) => {
+    bar.offer('live', is)
+    bar.offer('train', is)
+  })
+} else navigator.serviceWorker?.register('sw.js').catch(() => {}) // the page works without it, on-line
 await route.start()

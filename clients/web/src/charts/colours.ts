@@ -24,9 +24,3 @@ export function evenLimits(most: number): number[] {
 export function shadeOf(value: number, limits: number[]): number {
   return limits.filter((limit) => value >= limit).length
 }
-
-/// Calls `changed` whenever the colours are others, until `signal` says so.
-export function onTheme(changed: () => void, signal: AbortSignal): void {
-  document.addEventListener('themechange', changed, { signal })
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', changed, { signal })
-}

@@ -8,12 +8,20 @@ export interface EngineThread<Message, Reply> {
 }
 
 const NO_SIMD = 'This needs WebAssembly with SIMD, which this browser does not have: use a newer one.'
-const NO_ENGINE =
-  'This needs the engine beside the page (coapt-engine.wasm), which is not there: make wasm builds it, then make web puts it there; start coapt-server anew.'
+const FILE = 'coapt-engine.wasm'
+const NO_ENGINE = `This needs the engine (${FILE}), which is not installed beside this page. Whoever runs the service adds it with “make wasm web”.`
+
+/// Whether its file stands beside the page; yes while nobody answers.
+export function hasEngine(): Promise<boolean> {
+  return fetch(FILE, { method: 'HEAD' }).then(
+    ({ status }) => status !== 404,
+    () => true,
+  )
+}
 
 export function startThread(): Worker {
   const thread = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-  thread.postMessage(new URL('coapt-engine.wasm', document.baseURI).href)
+  thread.postMessage(new URL(FILE, document.baseURI).href)
   return thread
 }
 

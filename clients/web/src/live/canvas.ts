@@ -4,6 +4,7 @@ import { h } from '../dom'
 import { number } from '../format'
 import { readPicture, type Picture } from '../engine/picture'
 import { at, onFace } from '../viewer/geometry'
+import { boxesOver } from '../viewer/label_layout'
 import { type Label, Labels } from '../viewer/labels'
 import { namedAnnulus, wholeValve } from '../viewer/marks'
 import { pickAt, type Pick, type PickKind } from '../viewer/pick'
@@ -36,7 +37,8 @@ export class LiveCanvas {
   onPicture: (picture: Picture) => void = () => {} // after each drawing
   onFailure: (message: string) => void = () => {}
   latency_ms: number | null = null // from the last move to its picture
-  extra: Label[] = [] // words over the valve
+  private names: Label[] = []
+  private marks: Label[] = []
   private client: LiveClient | null = null
   private readonly labels: Labels
   private readonly drawing: LiveDrawing
@@ -61,6 +63,7 @@ export class LiveCanvas {
       this.element,
       () => this.picks.length > 0,
     )
+    this.labels.avoid = () => boxesOver(this.stage.canvas, [this.rates])
     this.element.append(this.stage.canvas, this.labels.element, this.hooks.element, this.rates)
     this.stage.controls.enabled = !options.isFixed
     this.stage.controls.addEventListener('change', () => this.redraw())
@@ -99,9 +102,11 @@ export class LiveCanvas {
   view(name: ViewName): void {
     const scene = this.drawing.valve?.scene
     if (!scene) return
-    const { vertices } = this
-    const present = Array.from({ length: vertices.length / 3 }, (_, i) => at(vertices, i))
-    this.stage.look(name, name === 'atrial' ? namedAnnulus(scene) : [...wholeValve(scene), ...present])
+    const { nodes } = this.drawing
+    this.stage.look(
+      name,
+      name === 'atrial' ? namedAnnulus(scene) : wholeValve(scene, nodes.length > 0 ? nodes : undefined),
+    )
   }
 
   /// While it is hidden no picture is asked for; the valve comes to rest.
@@ -128,13 +133,19 @@ export class LiveCanvas {
     this.stage.draw()
   }
 
-  /// Lines over everything, six numbers each, with the words of `extra`.
+  /// Lines over everything, six numbers each.
   draw(points: number[]): void {
     this.drawing.measure(points)
     this.stage.draw()
   }
-  label(): void {
-    this.labels.set(this.extra)
+  /// Words over the valve: what its parts are called; what was picked.
+  name(labels: Label[]): void {
+    this.names = labels
+    this.mark(this.marks)
+  }
+  mark(labels: Label[]): void {
+    this.marks = labels
+    this.labels.set([...this.names, ...labels])
     this.stage.draw()
   }
 
@@ -210,7 +221,8 @@ export class LiveCanvas {
     const [x, y] = this.pressed
     if (!this.onPick || this.picks.length === 0 || !valve || !leaflets) return
     if (Math.hypot(event.clientX - x, event.clientY - y) > TURNED_PX) return
-    const pick = pickAt(event, this.stage, valve.scene, nodes, leaflets, this.picks)
+    const named = this.picks.includes('head') ? this.labels.headAt(event) : null
+    const pick = named ?? pickAt(event, this.stage, valve.scene, nodes, leaflets, this.picks)
     if (pick) this.onPick(pick)
   }
 }

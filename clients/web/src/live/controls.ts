@@ -1,15 +1,17 @@
 // The controls beside a valve that is pulled: pressure, hooks, what is shown.
-import { button, field, h, select } from '../dom'
+import { button, field, h } from '../dom'
 import { number, withUnit } from '../format'
 import { HOOKS, type Picture } from '../engine/picture'
+import type { Segment } from '../api/types'
 import { dot, minus } from '../viewer/geometry'
+import { SEGMENTS } from '../viewer/marks'
 import type { LiveCanvas } from './canvas'
 import type { LiveValve } from './client'
 import type { LiveLook } from './drawing'
 import parts from '../style/parts.module.css'
 import liveStyle from './live.module.css'
 
-const SEGMENTS = ['A1', 'A2', 'A3', 'P1', 'P2', 'P3', 'AC', 'PC'].map((name) => [name, name] as const)
+const LIFT_MM = 1
 
 /// A slider from flaccid to systole.
 export class Pressure {
@@ -65,8 +67,6 @@ export class HookPanel {
 
   constructor(canvas: LiveCanvas) {
     const pins = h('input', { type: 'checkbox', onchange: () => (canvas.hooks.pins = pins.checked) })
-    let segment = 'P2'
-    const segments = select(SEGMENTS, segment, (name) => (segment = name))
     const rows = this.cells.map(({ force, height }, hook) =>
       h(
         'tr',
@@ -98,14 +98,8 @@ export class HookPanel {
         ...rows,
       ),
       h('label', { class: parts.check }, pins, 'Pin hooks where they are let go'),
-      h(
-        'p',
-        { class: parts.row },
-        field('Free edge of', segments),
-        button('Grab', () => canvas.grabEdge(segment), {
-          title: 'A hook at the middle of this segment, for arrow keys',
-        }),
-      ),
+      grabbers(canvas),
+      lifts(canvas),
       h(
         'details',
         { class: parts.more },
@@ -114,6 +108,7 @@ export class HookPanel {
           'ul',
           { class: parts.hint },
           h('li', {}, 'Press a leaflet or a chorda and drag; the wheel moves the hook along the view.'),
+          h('li', {}, 'Or grab the middle of a free edge by the segment’s button, then lift it.'),
           h(
             'li',
             {},
@@ -122,7 +117,7 @@ export class HookPanel {
           h(
             'li',
             {},
-            'Keys: Enter grabs the middle of the picture, arrows and Page Up or Down move the hook, Escape lets go.',
+            'Keys: Enter grabs the middle of the picture, arrows move the hook, Page Up lifts it, Page Down lowers it, Escape lets go.',
           ),
           h('li', {}, 'The arrow is the force on the tissue, four millimetres a newton.'),
           h(
@@ -142,6 +137,34 @@ export class HookPanel {
       height.textContent = state ? `${number(dot(minus(state.spot_mm, plane.origin_mm), plane.normal))} mm` : '–'
     }
   }
+}
+
+/// A button for the free edge of each segment.
+export function grabbers(canvas: LiveCanvas): HTMLElement {
+  return h(
+    'div',
+    { class: liveStyle.segments, role: 'group', 'aria-label': 'Grab the middle of a free edge' },
+    ...SEGMENTS.map((segment) => grabber(canvas, segment)),
+  )
+}
+
+export function grabber(canvas: LiveCanvas, segment: Segment): HTMLButtonElement {
+  const grab = (): void => {
+    canvas.hooks.releaseAll()
+    canvas.grabEdge(segment)
+  }
+  return button(segment, grab, { title: `Grab the free edge of ${segment}` })
+}
+
+/// For those who have no wheel or no pointer.
+export function lifts({ hooks }: LiveCanvas): HTMLElement {
+  return h(
+    'p',
+    { class: parts.row },
+    button('Lift', () => hooks.lift(LIFT_MM), { title: `What is held, ${LIFT_MM} mm towards the atrium` }),
+    button('Lower', () => hooks.lift(-LIFT_MM), { title: `What is held, ${LIFT_MM} mm towards the ventricle` }),
+    button('Let go', () => hooks.releaseAll()),
+  )
 }
 
 /// What is drawn; `onChange` after each change.

@@ -57,7 +57,7 @@ export class LiveDrawing {
     ties: new Lines({ width: 5, colour: TINTS.added, inFront: true }),
     seams: new Lines({ width: 3, colour: TINTS.added, dashed: true, inFront: true }),
     cut: new Lines({ width: 1, inMillimetres: true }),
-    threads: new Lines({ width: 1.2, colour: '#1b2430', inFront: true }), // from the tissue to the hand
+    threads: new Lines({ width: 1.2, colour: '#5b6b82', inFront: true }), // from the tissue to the hand
     arrows: new Lines({ width: 3.5, colour: '#d6336c', inFront: true }),
     measured: new Lines({ width: 2.5, colour: '#d6336c', inFront: true }),
   }
@@ -78,6 +78,7 @@ export class LiveDrawing {
     this.valve = valve
     this.hasRing = hasRing
     this.ringAt = []
+    if (this.nodes.length < scene.rest_mm.length) this.nodes = new Float32Array() // of another valve
     if (!hasRing) this.ring.set(null)
     if (this.leaflets) this.stage.scene.remove(this.leaflets.mesh)
     this.leaflets?.dispose()
@@ -162,7 +163,7 @@ export class LiveDrawing {
     )
       return
     this.ringAt = annulus
-    this.ring.set({ ...scene, annulus_mm: annulus.flat() })
+    this.ring.set({ ...scene, annulus_mm: annulus.flat() }, this.nodes)
   }
 
   /// A force is drawn as an arrow at the tissue, four millimetres a newton.

@@ -20,7 +20,7 @@ interface Held {
   hand_mm: Vector
   pointer: number | null // that drags it
   offset_mm: Vector // from the pointer, in the plane of the screen
-  isPinned: boolean
+  isPinned: boolean // stays where the pointer lets it go
 }
 
 interface Handle {
@@ -146,7 +146,7 @@ export class Hooks {
 
   private handle(name: string, hook: number): Handle {
     const force = h('span', { 'aria-hidden': 'true', 'data-part': 'force' })
-    const label = `${name}: drag, or arrow keys; Page Up and Page Down along the view; Escape lets go`
+    const label = `${name}: drag, or arrow keys; Page Up lifts, Page Down lowers, Escape lets go`
     const button = h('button', {
       type: 'button',
       'aria-label': label,
@@ -159,7 +159,7 @@ export class Hooks {
 
   /// `offset_mm`: from the pointer to the hand; null: of no hand.
   private take(hook: number, grip: Grip, pointer: number | null, offset_mm: Vector | null): void {
-    this.held[hook] = { hand_mm: grip.at_mm, pointer, offset_mm: offset_mm ?? [0, 0, 0], isPinned: pointer === null }
+    this.held[hook] = { hand_mm: grip.at_mm, pointer, offset_mm: offset_mm ?? [0, 0, 0], isPinned: false }
     const at_mm = offset_mm && grip.at_mm
     if ('vertex' in grip) this.send({ live: 'grab', hook, vertex: grip.vertex, at_mm })
     else this.send({ live: 'grab cable', hook, cable: grip.cable, share: grip.share, at_mm })
@@ -173,6 +173,7 @@ export class Hooks {
     if (held) {
       this.follow(event)
       held.pointer = event.pointerId
+      held.isPinned = false
       held.offset_mm = minus(held.hand_mm, this.onPlane(event, held.hand_mm))
       return
     }
@@ -222,7 +223,21 @@ export class Hooks {
     if (!held) return
     event.preventDefault()
     event.stopPropagation()
-    this.moveTo(hook, plus(held.hand_mm, times(-WHEEL_MM * event.deltaY, this.axes().away)), event.timeStamp)
+    const { away } = this.axes()
+    const side = dot(away, this.atrial) < 0 ? -1 : 1 // scrolling up lifts
+    this.moveTo(hook, plus(held.hand_mm, times(-WHEEL_MM * side * event.deltaY, away)), event.timeStamp)
+    this.place()
+  }
+
+  /// Towards the atrium.
+  private get atrial(): Vector {
+    return this.drawing.valve?.scene.plane.normal ?? [0, 0, 1]
+  }
+
+  /// What is held, towards the atrium.
+  lift(by_mm: number): void {
+    for (const [hook, held] of this.held.entries())
+      if (held) this.moveTo(hook, plus(held.hand_mm, times(by_mm, this.atrial)))
     this.place()
   }
 
@@ -237,14 +252,14 @@ export class Hooks {
 
   private step(hook: number, event: KeyboardEvent): void {
     const held = this.held[hook]
-    const { right, up, away } = this.axes()
+    const { right, up } = this.axes()
     const ways: Record<string, Vector> = {
       ArrowLeft: times(-1, right),
       ArrowRight: right,
       ArrowUp: up,
       ArrowDown: times(-1, up),
-      PageUp: away,
-      PageDown: times(-1, away),
+      PageUp: this.atrial,
+      PageDown: times(-1, this.atrial),
     }
     const way = ways[event.key]
     if (event.key === 'Escape') this.release(hook)

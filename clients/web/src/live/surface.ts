@@ -1,14 +1,14 @@
 // What is told by colour of a valve that moves: tissue that prolapses, strain of chordae.
 import type { ValveShape, Vector } from '../api/types'
 import { at, dot, minus } from '../viewer/geometry'
-import { colourOf, rgb, RISING, type Rgb, type Scale } from '../viewer/colours'
+import { colourOf, PULLED, rgb, type Rgb, type Scale } from '../viewer/colours'
 
 export const ABOVE = '#7a3ff2' // tissue that prolapses
 export const PROLAPSE_MM = 2 // above the annulus, from where it is called so
 
 const BASE = 0.2 // of the way from annulus to free edge
 
-export const STRAIN: Scale = { title: 'strain of chordae', unit: '%', from: 0, to: 15, stops: RISING }
+export const STRAIN: Scale = { title: 'strain of chordae', unit: '%', from: 0, to: 15, stops: PULLED }
 
 /// Of each vertex whether it prolapses: lies 2 mm or more above the annular plane and above the line between the two hinges of
 /// its long axis, as echocardiography has it. What begins at the annulus bulges over it in healthy valves, too, and does not count.

@@ -13,6 +13,7 @@ import { DistanceTool } from '../valve/distance'
 import { headline } from '../valve/headline'
 import { viewButtons } from '../valve/looks'
 import type { View } from '../view'
+import { namesAround } from '../viewer/marks'
 import { problemsOf, type Workspace } from '../workspace'
 import { LiveCanvas } from './canvas'
 import type { LiveValve } from './client'
@@ -22,6 +23,7 @@ import { liveLegend } from './legend'
 import { liveScripts, offer } from './scripting'
 import { stateWords } from './state_words'
 import parts from '../style/parts.module.css'
+import repairStyle from '../repair/repair.module.css'
 import viewerStyle from '../viewer/viewer.module.css'
 import liveStyle from './live.module.css'
 
@@ -57,7 +59,6 @@ export class LiveView implements View {
     this.kept = new KeptPlans(workspace)
     this.canvas.onPicture = (picture) => this.tell(picture)
     this.canvas.onFailure = (message) => this.refuse(new Error(message))
-    this.distance.onResult = () => this.canvas.label()
     const { look } = this.canvas
     const looked = (): void => {
       this.legend.replaceChildren(liveLegend(look))
@@ -78,8 +79,7 @@ export class LiveView implements View {
           this.distance.element,
           this.accept,
         ),
-        this.state,
-        this.picking.element,
+        h('div', { class: repairStyle.asking }, this.state, this.picking.element),
         this.told,
         h('div', { class: viewerStyle.stageBody }, this.canvas.element),
         this.legend,
@@ -150,6 +150,9 @@ export class LiveView implements View {
       this.valve = isOther ? await this.canvas.start(text, plan) : await this.canvas.change(text, plan)
       this.moving = { reference: valve.reference, text }
       if (isOther) this.pressure.begin(this.valve)
+      const { scene } = this.valve
+      const heads = scene.heads.map(({ id, tip_mm }) => ({ point_mm: tip_mm, text: id, kind: 'tip' as const }))
+      this.canvas.name([...namesAround(scene, (segment) => segment), ...heads])
       if (isOther || before?.scene.faces.length !== this.valve.scene.faces.length) this.distance.clear()
       this.told.replaceChildren()
     } catch (error) {

@@ -2,7 +2,7 @@
 import { report } from '../api/calls'
 import { ApiError } from '../api/http'
 import type { RankedPlan } from '../api/types'
-import { button, download, h } from '../dom'
+import { button, download, filePicker, h } from '../dom'
 import { number, percent, withUnit } from '../format'
 import { iconButton } from '../icons'
 import { HAS_SERVICE } from '../mode'
@@ -25,14 +25,6 @@ export class KeptPlans {
   private readonly problems = h('div', {})
   private readonly scores = new Map<string, RankedPlan>() // by the kept plan's id
   private shown = ''
-  private readonly file = h('input', {
-    type: 'file',
-    accept: '.json',
-    class: parts.unseen,
-    tabindex: -1,
-    'aria-label': 'Plans to load',
-    onchange: () => void this.load(),
-  })
   private readonly scoring = button('Score plans', () => void this.score(), {
     title: `${REGION_POINTS} closures each, with small errors of execution`,
   })
@@ -50,8 +42,7 @@ export class KeptPlans {
         { class: parts.row },
         HAS_SERVICE && this.scoring,
         button('Save plans', () => download('plans.json', planFile(this.workspace.kept))),
-        button('Load plans', () => this.file.click()),
-        this.file,
+        filePicker('Plans to load', 'Load plans', { accept: '.json', use: ([file]) => void this.load(file) }),
       ),
       ...(HAS_SERVICE ? [] : [h('p', { class: parts.hint }, 'Scores and reports need coapt-server.')]),
     )
@@ -164,8 +155,7 @@ export class KeptPlans {
     this.said.textContent = ''
   }
 
-  private async load(): Promise<void> {
-    const chosen = this.file.files?.[0]
+  private async load(chosen: File | undefined): Promise<void> {
     if (!chosen) return
     try {
       const found = plansIn(await chosen.text())
@@ -182,7 +172,6 @@ export class KeptPlans {
         : `${chosen.name} cannot be read: ${problemsOf(error)[0]?.message ?? ''}.`
       this.problems.replaceChildren(problemList(isRefused ? problemsOf(error) : []))
     }
-    this.file.value = ''
   }
 
   /// What goes wrong is said.

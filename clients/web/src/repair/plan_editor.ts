@@ -1,12 +1,14 @@
 // The list of steps of the plan at hand: adding, setting, taking out, undo.
 import { rings as askForRings } from '../api/calls'
-import type { LeafletPoint, Rings, Scene, Step } from '../api/types'
+import type { LeafletPoint, Rings, Scene, Step, Vector } from '../api/types'
 import { button, h, select } from '../dom'
 import { iconButton } from '../icons'
+import { edgeOf } from '../live/surface'
+import { at, closedNodes } from '../viewer/geometry'
 import { problemsOf, type Workspace } from '../workspace'
 import { stepForm, type StepContext } from './forms'
 import type { AskForPick } from './picking'
-import { describe, FREE_EDGE, newApproximation, newNeochorda, SIDES, type Anatomy } from './steps'
+import { describe, FREE_EDGE, newApproximation, newNeochorda, placeWords, SIDES, type Anatomy } from './steps'
 import parts from '../style/parts.module.css'
 import repairStyle from './repair.module.css'
 
@@ -128,11 +130,13 @@ export class PlanEditor {
   }
 
   private placeNeochorda(scene: Scene, add: (step: Step) => void): void {
-    const from = (insertion: LeafletPoint): void => {
+    const from = (insertion: LeafletPoint, point_mm: Vector): void => {
       const use = (head: string): void => add(newNeochorda(scene, head, insertion))
       this.ask({
         hint: 'Now click a papillary head.',
         kinds: ['head'],
+        marks: [{ point_mm, text: `neochorda to ${placeWords(insertion)}`, kind: 'distance' }],
+        view: 'anterior', // from the atrium the leaflets hide the heads
         use: (pick) => pick.kind === 'head' && use(pick.id),
         list: { label: 'or choose the head', options: scene.heads.map(({ id }) => [id, id] as const), use },
       })
@@ -141,8 +145,12 @@ export class PlanEditor {
     this.ask({
       hint: 'Click where the neochorda is to insert.',
       kinds: ['leaflet'],
-      use: (pick) => pick.kind === 'leaflet' && from(pick.point),
-      list: { label: 'or choose the place', options: places, use: (name) => from(FREE_EDGE[name] as LeafletPoint) },
+      use: (pick) => pick.kind === 'leaflet' && from(pick.point, pick.point_mm),
+      list: {
+        label: 'or choose the place',
+        options: places,
+        use: (name) => from(FREE_EDGE[name] as LeafletPoint, at(closedNodes(scene), edgeOf(scene, name))),
+      },
     })
   }
 

@@ -75,8 +75,12 @@ export class RepairView implements View {
           this.save.element,
           pictureSaver((width_px) => this.figure(width_px), this.problems),
         ),
-        h('div', { class: repairStyle.outcome }, this.headline, this.said),
-        this.picking.element,
+        h(
+          'div',
+          { class: repairStyle.asking },
+          h('div', { class: repairStyle.outcome }, this.headline, this.said),
+          this.picking.element,
+        ),
         this.problems,
         h(
           'div',

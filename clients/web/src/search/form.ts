@@ -16,7 +16,7 @@ export function searchForm(start: (search: Asked) => void): JobForm {
   const names = new Map<string, string>() // pointer -> what the field is called
   const rest = h('div', {})
   const valve = h('strong', {}, 'opening ...')
-  const steps = h('p', { class: parts.hint })
+  const keeps = h('span', {})
   const fixed = h('input', { type: 'checkbox', disabled: true })
   const go = h('button', { type: 'submit', class: parts.primary }, 'Start the search')
   const muscles = select(
@@ -85,7 +85,9 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       novalidate: true,
     },
     h('h2', {}, 'Search for repairs of ', valve),
-    group('Rings on the shelf', shelf, slot('/rules/forbidden', 'The choice of techniques')),
+    h('div', { class: parts.row }, go, button('Defaults', reset, { class: parts.quiet })),
+    rest,
+    group('Available rings', shelf, slot('/rules/forbidden', 'The choice of techniques')),
     group(
       'Sutures and chordae',
       field('Papillary sutures', muscles),
@@ -95,8 +97,7 @@ export function searchForm(start: (search: Asked) => void): JobForm {
     group(
       'Time and answer',
       ...options.ANSWER.map(numberField),
-      check('Keep the steps tried by hand', fixed),
-      steps,
+      check(keeps, fixed),
       slot('/rules/fixed', 'The steps tried by hand'),
     ),
     folded(
@@ -111,8 +112,6 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       h('p', { class: parts.hint }, 'Plans are ranked by their cost. Each weight is a price in mm² of leak.'),
       ...options.WEIGHTS.map(numberField),
     ),
-    rest,
-    h('div', { class: parts.row }, go, button('Defaults', reset, { class: parts.quiet })),
   )
   element.addEventListener('submit', (event) => {
     event.preventDefault()
@@ -162,10 +161,10 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       const count = present.steps.length
       fixed.disabled = count === 0
       if (count === 0) fixed.checked = false
-      steps.textContent =
+      keeps.textContent =
         count === 0
-          ? 'The present plan has no steps.'
-          : `Every plan contains the ${count === 1 ? 'step' : `${count} steps`} of the present plan.`
+          ? 'Keep the steps tried by hand (none yet)'
+          : `Keep the ${count === 1 ? 'step' : `${count} steps`} tried by hand in every plan`
     },
     complain,
     busy(is) {
@@ -174,7 +173,7 @@ export function searchForm(start: (search: Asked) => void): JobForm {
   }
 }
 
-function check(label: string, input: HTMLInputElement, hint = '', title = ''): HTMLElement {
+function check(label: string | HTMLElement, input: HTMLInputElement, hint = '', title = ''): HTMLElement {
   return h(
     'label',
     { class: parts.check, title: title || null },

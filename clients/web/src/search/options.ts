@@ -17,20 +17,20 @@ const INTEGER = 1
 export const ANSWER: NumberOption[] = [
   {
     pointer: '/seconds',
-    label: 'Time, at most',
+    label: 'Time limit',
     unit: 's',
     least: 0,
     most: 1_000_000,
     step: 0.1,
     fallback: null,
-    hint: 'The last 40 % is for ranking.',
+    hint: '60 % of it for searching, 40 % for checking what was found.',
   },
   { pointer: '/plans', label: 'Plans to show', least: 1, most: 50, step: INTEGER, fallback: 5 },
 ]
 
 export const NEOCHORDAE: NumberOption = {
   pointer: '/rules/most_neochordae',
-  label: 'Neochordae, at most',
+  label: 'Most neochordae',
   least: 0,
   most: 4,
   step: INTEGER,
@@ -40,7 +40,7 @@ export const NEOCHORDAE: NumberOption = {
 export const LIMITS: NumberOption[] = [
   {
     pointer: '/rules/most_movement_mm',
-    label: 'Papillary movement, at most',
+    label: 'Most papillary movement',
     unit: 'mm',
     least: 2,
     most: 15,
@@ -185,7 +185,7 @@ export const STEPS_ON_REQUEST: Switch[] = [
   { pointer: '/rules/chordal_excision', label: 'Cut strut chordae', fallback: false },
   { pointer: '/rules/chordal_transfer', label: 'Transfer chordae', fallback: false },
   { pointer: '/rules/leaflet_resection', label: 'Resect leaflets', fallback: false },
-  { pointer: '/rules/edge_to_edge', label: 'Clip edge to edge', fallback: false },
+  { pointer: '/rules/edge_to_edge', label: 'Edge-to-edge repair', fallback: false },
 ]
 
 const SUTURE = 'papillary_approximation'

@@ -3,8 +3,8 @@
 // the theme changes.
 import { drawScene, openValve } from '../api/calls'
 import type { Opening, Plan, Scene, Vector } from '../api/types'
-import { onTheme } from '../charts/colours'
 import { h } from '../dom'
+import { onTheme } from '../shell/theme'
 import { sectionInset } from '../valve/section_inset'
 import type { Viewer } from '../viewer/viewer'
 import parts from '../style/parts.module.css'
@@ -58,6 +58,7 @@ export class Photos {
     const canvas = h('canvas', { role: 'img', 'aria-label': alt })
     const frame = h('div', { class: searchStyle.photo, 'data-part': 'photo' }, canvas)
     const take = () => {
+      frame.removeAttribute('data-taken')
       this.last = this.last
         .then(() => this.take(canvas, plan, beat))
         .then(

@@ -6,16 +6,22 @@ import { JobView, type JobKind } from '../jobs/job_view'
 import { describe } from '../repair/steps'
 import type { View } from '../view'
 import type { Workspace } from '../workspace'
+import { headline } from '../valve/headline'
 import { searchForm } from './form'
 import { searchPanel } from './job_panel'
 import { inShort } from './in_short'
+import { Photos } from './photos'
 import parts from '../style/parts.module.css'
+import searchStyle from './search.module.css'
 
 export class SearchView implements View {
   readonly element: HTMLElement
   private readonly jobs: JobView
+  private readonly valve = h('div', {})
+  private shown: string | null = null // the valve that is pictured
+  private picture = new AbortController()
 
-  constructor(workspace: Workspace) {
+  constructor(private readonly workspace: Workspace) {
     const searches: JobKind = {
       kind: 'plans',
       path: '/v1/plans',
@@ -25,19 +31,32 @@ export class SearchView implements View {
       form: searchForm,
       note: inShort,
       outcome: bestSoFar,
-      empty: empty(),
+      empty: empty(this.valve),
       panel(job, changed, signal) {
         return searchPanel(job, { workspace, signal, changed })
       },
     }
     this.jobs = new JobView(workspace, searches)
     this.element = this.jobs.element
+    workspace.subscribe(() => this.tell())
   }
 
   show(): void {
+    this.tell()
     void this.jobs.show()
   }
   hide(): void {}
+
+  /// The valve of which repairs are searched for, while nothing else is shown.
+  private tell(): void {
+    const { valve, before } = this.workspace
+    if (!valve || !before || valve.reference === this.shown || !this.valve.isConnected) return
+    this.shown = valve.reference
+    this.picture.abort()
+    this.picture = new AbortController()
+    const photo = new Photos(valve.reference, this.picture.signal).photo(null, `${valve.label} from the atrium`)
+    this.valve.replaceChildren(headline(before, null), photo)
+  }
 }
 
 function bestSoFar({ progress: { best } }: Job): string | null {
@@ -46,7 +65,7 @@ function bestSoFar({ progress: { best } }: Job): string | null {
   return `${steps}: leak ${withUnit(best.leak_mm2, 'mm²')}`
 }
 
-function empty(): HTMLElement {
+function empty(valve: HTMLElement): HTMLElement {
   return h(
     'div',
     {},
@@ -66,6 +85,7 @@ function empty(): HTMLElement {
         'With the defaults a search takes about half a minute on two cores. It continues while you work elsewhere, even ' +
           'when this page is closed.',
       ),
+      h('div', { class: searchStyle.asked }, valve),
     ),
   )
 }

@@ -2,14 +2,14 @@
 import { h } from '../dom'
 import { iconButton } from '../icons'
 import type { Workspace } from '../workspace'
-import { applyTheme, switchTheme } from './theme'
-import { VIEWS, type ViewName } from './views'
+import { switchTheme } from './theme'
+import { VIEWS, type ViewName, withheld } from './views'
 import shellStyle from './shell.module.css'
 
 export interface Header {
   element: HTMLElement
   mark(view: ViewName): void
-  reveal(view: ViewName): void // a link that is hidden at first
+  offer(view: ViewName, is: boolean): void // its link is there
   lead(addressOf: (view: ViewName) => string): void // where the links lead
   complain(message: string): void // in the place of a valve, until one is open
 }
@@ -18,7 +18,7 @@ export function header(workspace: Workspace, openPalette: () => void): Header {
   const links = new Map<ViewName, HTMLElement>()
   const nav = h('nav', { 'aria-label': 'Views' })
   for (const [name, label] of VIEWS) {
-    const link = h('a', { href: `#/${name}`, hidden: name === 'farm' }, label)
+    const link = h('a', { href: `#/${name}`, hidden: withheld.has(name) }, label)
     links.set(name, link)
     nav.append(link)
   }
@@ -28,9 +28,8 @@ export function header(workspace: Workspace, openPalette: () => void): Header {
     'opening a valve ...',
   )
   workspace.subscribe(() => {
-    if (workspace.valve) valve.textContent = workspace.valve.label
+    if (workspace.valve) valve.textContent = valve.title = workspace.valve.label
   })
-  applyTheme()
   const element = h(
     'header',
     { class: shellStyle.bar },
@@ -53,8 +52,9 @@ export function header(workspace: Workspace, openPalette: () => void): Header {
         else link.removeAttribute('aria-current')
       }
     },
-    reveal(view) {
-      links.get(view)?.removeAttribute('hidden')
+    offer(view, is) {
+      withheld[is ? 'delete' : 'add'](view)
+      links.get(view)?.toggleAttribute('hidden', !is)
     },
     lead(addressOf) {
       for (const [name, link] of links) link.setAttribute('href', addressOf(name))

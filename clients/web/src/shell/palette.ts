@@ -6,7 +6,7 @@ import { presetTitle } from '../valve/presets'
 import type { Workspace } from '../workspace'
 import shellStyle from './shell.module.css'
 import { switchTheme } from './theme'
-import { VIEWS } from './views'
+import { VIEWS, withheld } from './views'
 
 export interface Command {
   group: string
@@ -91,7 +91,11 @@ export function matching(commands: Command[], asked: string): Command[] {
 }
 
 function views(): Command[] {
-  return VIEWS.map(([view, name]) => ({ group: 'View', name, run: () => (location.hash = `#/${view}`) }))
+  return VIEWS.filter(([view]) => !withheld.has(view)).map(([view, name]) => ({
+    group: 'View',
+    name,
+    run: () => (location.hash = `#/${view}`),
+  }))
 }
 
 function actions(workspace: Workspace): Command[] {

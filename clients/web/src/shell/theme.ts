@@ -1,17 +1,35 @@
-// Light or dark: the system's choice, until another is made here.
+// Light or dark: the system's choice, until another is made here. Style sheets say each colour as light-dark(); who draws on a
+// canvas listens here.
 const THEME = 'coapt-theme'
+const listeners = new Set<() => void>()
 
-export function applyTheme(): void {
-  const theme = localStorage.getItem(THEME)
-  if (theme === null) delete document.documentElement.dataset.theme
-  else document.documentElement.dataset.theme = theme
+type Theme = 'light' | 'dark'
+
+const isDark = (): MediaQueryList => matchMedia('(prefers-color-scheme: dark)')
+
+/// Once, when the page starts.
+export function followSystem(): void {
+  isDark().addEventListener('change', apply)
+  apply()
 }
 
-/// The other one than what is shown now.
+export function theme(): Theme {
+  const chosen = localStorage.getItem(THEME)
+  return chosen === 'light' || chosen === 'dark' ? chosen : isDark().matches ? 'dark' : 'light'
+}
+
 export function switchTheme(): void {
-  const system = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'
-  const theme = (document.documentElement.dataset.theme ?? system) === 'dark' ? 'light' : 'dark'
-  localStorage.setItem(THEME, theme)
-  applyTheme()
-  document.dispatchEvent(new Event('themechange'))
+  localStorage.setItem(THEME, theme() === 'dark' ? 'light' : 'dark')
+  apply()
+}
+
+/// Calls `changed` whenever it is the other one, until `signal` says so.
+export function onTheme(changed: () => void, signal?: AbortSignal): void {
+  listeners.add(changed)
+  signal?.addEventListener('abort', () => listeners.delete(changed))
+}
+
+function apply(): void {
+  document.documentElement.style.colorScheme = theme()
+  for (const changed of listeners) changed()
 }

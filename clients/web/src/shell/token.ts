@@ -13,15 +13,21 @@ export function askForToken(): Promise<string | null> {
 function ask(): Promise<string | null> {
   return new Promise((resolve) => {
     const input = h('input', { type: 'password', autocomplete: 'current-password', required: true })
+    const give = (): void => dialog.close(input.value.trim().replace(/^.*#token=/, ''))
     const dialog = h(
       'dialog',
       { 'aria-label': 'Token' },
       h('h2', {}, 'This service requires a token'),
       field('Token', input),
-      h('p', { class: parts.hint }, 'It is kept until this tab is closed.'),
-      button('Continue', () => dialog.close(input.value.trim()), { class: parts.primary }),
+      h(
+        'p',
+        { class: parts.hint },
+        'coapt-server printed a link that holds the token when it started: open that link, or paste the link or the token ' +
+          'here. The token is kept until this tab is closed.',
+      ),
+      button('Continue', give, { class: parts.primary }),
     )
-    input.addEventListener('keydown', (event) => event.key === 'Enter' && dialog.close(input.value.trim()))
+    input.addEventListener('keydown', (event) => event.key === 'Enter' && give())
     dialog.addEventListener('close', () => {
       dialog.remove()
       resolve(dialog.returnValue || null)

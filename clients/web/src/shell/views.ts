@@ -9,3 +9,6 @@ export const VIEWS = [
   ['farm', 'Farm'], // in the bar where the service has one
 ] as const
 export type ViewName = (typeof VIEWS)[number][0]
+
+/// Those that bar and palette leave out: what they need is not there.
+export const withheld = new Set<ViewName>(['farm'])

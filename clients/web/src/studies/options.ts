@@ -1,7 +1,7 @@
 // What a study may be told (server/openapi.json, "Study").
 
 export const STUDIES = [
-  ['annulus', 'Annulus: dilation and flattening'],
+  ['annulus', 'Annulus: dilated, flattened'],
   ['papillary', 'Papillary muscles: displacement'],
   ['ring', 'Undersized rings'],
   ['approximation', 'Papillary sutures: trigone or saddle peak'],

@@ -3,9 +3,10 @@ import { h } from '../dom'
 import { LiveCanvas } from '../live/canvas'
 import type { LiveValve } from '../live/client'
 import { liveScripts, offer } from '../live/scripting'
+import { namesAround } from '../viewer/marks'
 import trainStyle from './train.module.css'
 import { HandPanel } from './hand_panel'
-import { namesAround, segmentOf } from './segments'
+import { segmentOf } from './segments'
 import type { Analysed, SegmentName } from './types'
 import { Clock, clockWords } from './waits'
 
@@ -34,9 +35,7 @@ export class Analysis {
   /// `document`: coapt.valve/1. It comes to rest without pressure while something else is shown.
   async start(document: object): Promise<LiveValve> {
     this.valve = await this.canvas.start(JSON.stringify(document), null, 0)
-    this.hand.up = this.valve.scene.plane.normal
-    this.canvas.extra = namesAround(this.valve.scene, (segment) => segment)
-    this.canvas.label()
+    this.canvas.name(namesAround(this.valve.scene, (segment) => segment))
     return this.valve
   }
 

@@ -1,6 +1,7 @@
 // A trial of exam B (thesis 3.2.4): each of eight segments is tethered, normal or prolapsing. They may be judged while the valve
 // is pulled.
 import { button, h } from '../dom'
+import { grabber } from '../live/controls'
 import parts from '../style/parts.module.css'
 import { Confidence, SegmentTable } from './answer'
 import type { TrialParts } from './exam_a'
@@ -12,7 +13,7 @@ import { Clock, pressed, unless } from './waits'
 export async function trialB(made: CaseB, at: Omit<TrialParts, 'four'>): Promise<Judged> {
   const { frame, analysis, title, limit_s, aside, signal } = at
   await unless(signal, analysis.start(made.valve))
-  const table = new SegmentTable((segment) => analysis.hand.grabber(segment))
+  const table = new SegmentTable((segment) => grabber(analysis.canvas, segment))
   const confidence = new Confidence(made.chance)
   const answer = button('Answer', () => {}, { class: parts.primary, disabled: true })
   analysis.hand.grid.hidden = true // the table has them

@@ -1,34 +1,26 @@
-// Beside a flaccid valve that is pulled: the force of each hook, and buttons for those who have no wheel or no pointer.
-import type { Vector } from '../api/types'
-import { button, h } from '../dom'
+// Beside a flaccid valve that is pulled: the force of each hook, and what grabs and lifts.
+import { h } from '../dom'
 import { withUnit } from '../format'
 import { HOOKS, type Picture } from '../engine/picture'
 import type { LiveCanvas } from '../live/canvas'
-import { plus, times } from '../viewer/geometry'
+import { grabbers, lifts } from '../live/controls'
 import parts from '../style/parts.module.css'
 import { panel } from './frame'
 import trainStyle from './train.module.css'
-import { type SegmentName, SEGMENTS } from './types'
 
 const FULL_N = 1 // a whole bar; valve analysis pulls with some tenths of a newton
-const LIFT_MM = 1
 
 export class HandPanel {
   readonly element: HTMLElement
   readonly grid: HTMLElement // of buttons that grab a segment's free edge
-  up: Vector = [0, 0, 1] // towards the atrium
   private readonly rows = Array.from({ length: HOOKS }, () => ({
     bar: h('meter', { min: 0, max: FULL_N, value: 0, 'aria-hidden': 'true' }),
     force: h('td', { class: parts.number }),
   }))
 
-  constructor(private readonly canvas: LiveCanvas) {
+  constructor(canvas: LiveCanvas) {
     const pins = h('input', { type: 'checkbox', onchange: () => (canvas.hooks.pins = pins.checked) })
-    this.grid = h(
-      'div',
-      { class: trainStyle.segments, role: 'group', 'aria-label': 'Grab the middle of a free edge' },
-      ...SEGMENTS.map((segment) => this.grabber(segment)),
-    )
+    this.grid = grabbers(canvas)
     this.element = panel(
       'Hooks',
       h(
@@ -39,13 +31,7 @@ export class HandPanel {
         ),
       ),
       this.grid,
-      h(
-        'p',
-        { class: parts.row },
-        button('Lift', () => this.lift(LIFT_MM), { title: `What is held, ${LIFT_MM} mm towards the atrium` }),
-        button('Lower', () => this.lift(-LIFT_MM), { title: `What is held, ${LIFT_MM} mm towards the ventricle` }),
-        button('Let go', () => canvas.hooks.releaseAll()),
-      ),
+      lifts(canvas),
       h('label', { class: parts.check }, pins, 'Pin hooks where they are let go'),
       h(
         'details',
@@ -57,7 +43,11 @@ export class HandPanel {
           h('li', {}, 'Press a leaflet and drag; the wheel moves the hook along the view.'),
           h('li', {}, 'Or grab the middle of a free edge by its segment’s button, then lift it.'),
           h('li', {}, 'Two hooks: two fingers, or pin the first and press again.'),
-          h('li', {}, 'Keys: Enter grabs, arrows and Page Up or Down move the hook, Escape lets go.'),
+          h(
+            'li',
+            {},
+            'Keys: Enter grabs, arrows move the hook, Page Up lifts it, Page Down lowers it, Escape lets go.',
+          ),
         ),
       ),
     )
@@ -70,22 +60,5 @@ export class HandPanel {
       bar.value = state?.force_n ?? 0
       force.textContent = state ? withUnit(state.force_n, 'N', 2) : '–'
     }
-  }
-
-  /// A button with the name of a segment.
-  grabber(segment: SegmentName): HTMLButtonElement {
-    return button(segment, () => this.grab(segment), { title: `Grab the free edge of ${segment}` })
-  }
-
-  private grab(segment: string): void {
-    this.canvas.hooks.releaseAll()
-    this.canvas.grabEdge(segment)
-  }
-
-  private lift(by_mm: number): void {
-    const { hooks, picture } = this.canvas
-    for (const [hook, state] of (picture?.hooks ?? []).entries())
-      if (state) hooks.moveTo(hook, plus(state.hand_mm, times(by_mm, this.up)))
-    hooks.place()
   }
 }

@@ -8,6 +8,7 @@ import { liveLegend } from '../live/legend'
 import { liveScripts, offer } from '../live/scripting'
 import { problemList } from '../problems'
 import { viewButtons } from '../valve/looks'
+import { namesAround } from '../viewer/marks'
 import { problemsOf } from '../workspace'
 import parts from '../style/parts.module.css'
 import viewerStyle from '../viewer/viewer.module.css'
@@ -15,7 +16,6 @@ import trainStyle from './train.module.css'
 import type { TrainEngine } from './engine'
 import { exemplars } from './exemplars'
 import { Frame, panel } from './frame'
-import { namesAround } from './segments'
 import { ShownPull } from './shown_pull'
 import type { CaseB } from './types'
 
@@ -124,11 +124,12 @@ export class Learn {
       this.pull.set(live.scene.plane.normal, made.limits.pull_n)
       this.tell(made)
       const chosen = exemplars(made)
-      this.canvas.extra = namesAround(live.scene, (segment) => {
-        const found = chosen.find((truth) => truth.segment === segment)
-        return found ? `${segment} ${found.mobility}` : segment
-      })
-      this.canvas.label()
+      this.canvas.name(
+        namesAround(live.scene, (segment) => {
+          const found = chosen.find((truth) => truth.segment === segment)
+          return found ? `${segment} ${found.mobility}` : segment
+        }),
+      )
       this.told.replaceChildren()
     } catch (error) {
       if (asked !== this.shown) return

@@ -1,12 +1,8 @@
-// Segments of a valve: which one a hook holds, and where their names stand.
+// Which segment of a valve a hook holds.
 import type { ValveShape } from '../api/types'
 import type { LiveValve } from '../live/client'
 import type { Grip } from '../live/hooks'
-import { at, dot, minus, plus, times, unit } from '../viewer/geometry'
-import type { Label } from '../viewer/labels'
 import { SEGMENTS, type SegmentName } from './types'
-
-const OUTSIDE = 1.14 // of the way from the middle of the annulus: beside it
 
 /// Of the tissue that is held; of a chorda's cable that of the leaflet that it leads to.
 export function segmentOf({ scene, cables }: Pick<LiveValve, 'scene' | 'cables'>, grip: Grip): SegmentName | null {
@@ -35,23 +31,4 @@ function insertion(segments: ValveShape['chordae'][number]['segments'], from: nu
     i = segments.findIndex(({ parent }) => parent === i)
   }
   return null
-}
-
-/// Beside the annulus, which does not move; `words` of a segment, or none.
-export function namesAround(scene: ValveShape, words: (segment: SegmentName) => string | null): Label[] {
-  const { origin_mm } = scene.plane
-  return SEGMENTS.flatMap((segment) => {
-    const text = words(segment)
-    const ways = [...annulusOf(scene, segment)].map((i) => minus(at(scene.annulus_mm, i), origin_mm))
-    if (text === null || ways.length === 0) return []
-    const middle = unit(ways.reduce(plus))
-    const reach = Math.max(...ways.map((way) => dot(way, middle)))
-    return [{ point_mm: plus(origin_mm, times(OUTSIDE * reach, middle)), text, kind: 'segment' as const }]
-  })
-}
-
-/// Places in Scene.annulus, those between two segments of both.
-function annulusOf({ annulus, faces, segments }: ValveShape, segment: SegmentName): Set<number> {
-  const corners = segments.flatMap((name, face) => (name === segment ? faces.slice(3 * face, 3 * face + 3) : []))
-  return new Set(corners.map((vertex) => annulus.indexOf(vertex)).filter((i) => i >= 0))
 }

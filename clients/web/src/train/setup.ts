@@ -1,6 +1,6 @@
 // What is done next: an exam, a study's schedule or practice; for whom, of which valve, in which order.
 import { presets } from '../api/calls'
-import { field, h, select } from '../dom'
+import { field, filePicker, h, select } from '../dom'
 import { labelledButton } from '../icons'
 import { store, stored } from '../state/stored'
 import type { Workspace } from '../workspace'
@@ -15,8 +15,8 @@ export type Asked = { schedule: Schedule; seed: number; first_case: number } | {
 const KEY = 'coapt-training-setup'
 const FIRST_VALVE = 'human-normal'
 const PRACTICE: readonly (readonly [Exam, string])[] = [
-  ['A', 'Practice A: choose the closed valve, with answers'],
-  ['B', 'Practice B: judge the segments, with answers'],
+  ['A', 'Practice A: find the valve'],
+  ['B', 'Practice B: judge the segments'],
 ]
 
 export class Setup {
@@ -41,7 +41,6 @@ export class Setup {
     this.learner = numbered(kept.learner, 1e6)
     this.seed = numbered(kept.seed, 1e9)
     this.first = numbered(kept.first_case, 1e9)
-    const file = h('input', { type: 'file', accept: '.json,application/json', onchange: () => void this.read(file) })
     this.orders.append(field('Order (seed)', this.seed))
     this.element = panel(
       'What to do',
@@ -64,7 +63,10 @@ export class Setup {
         'details',
         { class: parts.more },
         h('summary', {}, 'Another schedule'),
-        field('Schedule file', file),
+        filePicker('Schedule file', 'Choose a schedule', {
+          accept: '.json,application/json',
+          use: ([file]) => void this.read(file),
+        }),
         h('p', { class: parts.hint }, 'A coapt.training_schedule/1 document, as those of examples/training.'),
       ),
       h(
@@ -111,8 +113,7 @@ export class Setup {
     this.notes.replaceChildren(...words.map((note) => h('p', {}, note)))
   }
 
-  private async read(file: HTMLInputElement): Promise<void> {
-    const [chosen] = file.files ?? []
+  private async read(chosen: File | undefined): Promise<void> {
     if (!chosen) return
     try {
       const schedule = readSchedule(await chosen.text())

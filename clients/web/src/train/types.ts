@@ -1,9 +1,9 @@
 // What the engine says of training (docs/training.md), and what this browser keeps of a trial.
+import { SEGMENTS } from '../viewer/marks'
 
 export type Exam = 'A' | 'B'
 
-/// In the order of the letters of an answer to exam B.
-export const SEGMENTS = ['A1', 'A2', 'A3', 'P1', 'P2', 'P3', 'AC', 'PC'] as const
+export { SEGMENTS } // in the order of the letters of an answer to exam B
 export type SegmentName = (typeof SEGMENTS)[number]
 
 export const MOBILITIES = ['tethered', 'normal', 'prolapsing'] as const

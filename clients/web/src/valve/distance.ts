@@ -12,14 +12,13 @@ import parts from '../style/parts.module.css'
 export interface Measured {
   picks: PickKind[]
   onPick: ((pick: Pick) => void) | null
-  extra: Label[]
+  mark(labels: Label[]): void
   draw(points: number[]): void
   placeOf?(pick: Pick): Vector // of a valve that moves
 }
 
 export class DistanceTool {
   readonly element: HTMLElement
-  onResult: () => void = () => {} // its label is in viewer.extra now
   private readonly toggle: HTMLButtonElement
   private readonly said = h('output', { class: parts.hint })
   private first: Pick | null = null
@@ -42,9 +41,8 @@ export class DistanceTool {
   clear(): void {
     this.first = this.ends = null
     this.said.textContent = this.viewer.onPick ? 'Click two points on leaflets, annulus or papillary tips.' : ''
-    this.viewer.extra = []
+    this.viewer.mark([])
     this.viewer.draw([])
-    this.onResult()
   }
 
   private take(pick: Pick): void {
@@ -65,8 +63,7 @@ export class DistanceTool {
     const [a, b] = this.ends.map((pick) => this.viewer.placeOf?.(pick) ?? pick.point_mm) as [Vector, Vector]
     const text = withUnit(distance(a, b), 'mm')
     this.viewer.draw([...a, ...b])
-    this.viewer.extra = [{ point_mm: blend(a, b, 0.5), text, kind: 'distance' }]
+    this.viewer.mark([{ point_mm: blend(a, b, 0.5), text, kind: 'distance' }])
     this.said.textContent = `${text} in a straight line. Click again to start over.`
-    this.onResult()
   }
 }

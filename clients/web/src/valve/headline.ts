@@ -16,7 +16,7 @@ export function headline(before: Scene, after: Scene | null): HTMLElement {
       { class: valveStyle.sure },
       term('leak', 'leak'),
       `${leakPlace(closure)}, `,
-      closure.leak.error_mm2 === null ? 'error not known' : term('error', 'error of the computation'),
+      closure.leak.error_mm2 === null ? 'error not known' : term('error', '± numerical error'),
     ),
   )
 }

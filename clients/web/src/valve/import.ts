@@ -2,7 +2,7 @@
 import { lookAtFiles, startImport } from '../api/calls'
 import { getJson } from '../api/http'
 import type { FileLookedAt, ImportResult, Job, Problem } from '../api/types'
-import { button, field, h, select } from '../dom'
+import { button, field, filePicker, h, select } from '../dom'
 import { hasEnded } from '../jobs/calls'
 import { followJob } from '../jobs/follow'
 import { progressPanel } from '../jobs/progress_panel'
@@ -33,12 +33,6 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
   const rows = h('ul', { class: valveStyle.files })
   const said = h('p', { class: parts.hint, 'aria-live': 'polite' })
   const rest = h('div', {}) // problems of no file
-  const chosen = h('input', {
-    type: 'file',
-    multiple: true,
-    accept: '.obj,.ply,.stl,.vtk,.nrrd,.nii,.gz,.csv,.json',
-    onchange: () => take([...(chosen.files ?? [])]),
-  })
   const name = h('input', { type: 'text', maxlength: 200, value: 'imported' })
   const triangles = h('input', { type: 'number', min: 100, max: 100000, value: USUAL_TRIANGLES })
   let units: ImportSettings['units'] = null
@@ -108,10 +102,14 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
       'p',
       { class: parts.hint },
       'A label map (NRRD or NIfTI), or leaflets (OBJ, PLY, STL or VTK) and annulus (CSV, or a curve of Slicer), in one coordinate ' +
-        'system; chordae and papillary tips if they were seen; or all files of a SlicerHeart folder. Nothing that names a patient ' +
-        'should be among them.',
+        'system; chordae and papillary tips if they were seen; or all files of a SlicerHeart folder. Remove what identifies ' +
+        'the patient first.',
     ),
-    field('Files', chosen),
+    filePicker('Files', 'Choose files', {
+      multiple: true,
+      accept: '.obj,.ply,.stl,.vtk,.nrrd,.nii,.gz,.csv,.json',
+      use: take,
+    }),
     rows,
     options,
     said,

@@ -1,4 +1,5 @@
-// Where the valve stands else: files that are to be imported, the job that does so, what has come of it.
+// Where the valve stands else: files that are to be imported, the job that does so, what has come of it. It belongs to the
+// valve that is open, and is gone when another one is opened, by whomever.
 import { getBlob } from '../api/http'
 import type { FitResult, ImportDecision, ImportResult, Job } from '../api/types'
 import { button, h } from '../dom'
@@ -6,6 +7,7 @@ import { withUnit } from '../format'
 import { filesOf } from '../jobs/calls'
 import { InputViewer } from '../viewer/input_viewer'
 import type { ViewName } from '../viewer/stage'
+import type { Workspace } from '../workspace'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
@@ -18,7 +20,8 @@ export interface ImportStage {
 }
 
 /// `changed` is told whether it is shown.
-export function importStage(changed: (isShown: boolean) => void): ImportStage {
+export function importStage(workspace: Workspace, changed: (isShown: boolean) => void): ImportStage {
+  let shownFor: string | undefined // the valve that was open
   let viewer: InputViewer | null = null // made when there is something to show: each has a canvas of its own
   const body = h('div', { class: valveStyle.importBody })
   const bar = h(
@@ -37,6 +40,7 @@ export function importStage(changed: (isShown: boolean) => void): ImportStage {
   function reveal(isPicture: boolean): void {
     body.toggleAttribute('data-picture', isPicture)
     element.hidden = false
+    shownFor = workspace.valve?.reference
     changed(true)
   }
 
@@ -45,6 +49,7 @@ export function importStage(changed: (isShown: boolean) => void): ImportStage {
     element.hidden = true
     changed(false)
   }
+  workspace.subscribe(() => workspace.valve?.reference !== shownFor && hide())
 
   return {
     element,

@@ -2,7 +2,7 @@
 import type { Closure, Leak, Scene } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h } from '../dom'
-import { knownDigits, number, percent, withError, withUnit } from '../format'
+import { knownDigits, number, percent, withError } from '../format'
 import type { Term } from '../help/glossary'
 import { term } from '../help/term'
 import { LEAST_NAMED_MM2 } from '../viewer/leak'
@@ -12,19 +12,19 @@ import valveStyle from './valve.module.css'
 type Row = readonly [name: string, words: (c: Closure) => string, of?: Term]
 
 const ROWS: readonly Row[] = [
-  ['Leak', ({ leak }) => withError(leak.area_mm2, leak.error_mm2, 'mm²'), 'leak'],
-  ['Bounds of this area', ({ leak }) => bounds(leak), 'bounds'],
-  ['Coaptation height, mean', (c) => withUnit(c.coaptation.height_mean_mm, 'mm'), 'coaptation'],
-  ['Coaptation height, minimum', (c) => withUnit(c.coaptation.height_min_mm, 'mm'), 'coaptation'],
-  ['Tenting height', (c) => withUnit(c.tenting_height_mm, 'mm'), 'tenting_height'],
-  ['Tenting area', (c) => withUnit(c.tenting_area_mm2, 'mm²', 0), 'tenting_area'],
-  ['Annulus, anteroposterior', (c) => withUnit(c.annulus.ap_mm, 'mm')],
-  ['Annulus, transverse', (c) => withUnit(c.annulus.al_pm_mm, 'mm')],
-  ['Annulus, circumference', (c) => withUnit(c.annulus.circumference_mm, 'mm', 0)],
-  ['Annulus, area', (c) => withUnit(c.annulus.area_mm2, 'mm²', 0)],
-  ['Saddle height', (c) => withUnit(c.annulus.saddle_height_mm, 'mm'), 'saddle'],
-  ['Highest chordal tension', (c) => withUnit(c.tension_max_n, 'N', 2), 'tension'],
-  ['Total chordal tension', (c) => withUnit(c.tension_sum_n, 'N'), 'tension'],
+  ['Leak, mm²', ({ leak }) => withError(leak.area_mm2, leak.error_mm2), 'leak'],
+  ['Bounds of this area, mm²', ({ leak }) => bounds(leak), 'bounds'],
+  ['Coaptation height, mean, mm', (c) => number(c.coaptation.height_mean_mm), 'coaptation'],
+  ['Coaptation height, minimum, mm', (c) => number(c.coaptation.height_min_mm), 'coaptation'],
+  ['Tenting height, mm', (c) => number(c.tenting_height_mm), 'tenting_height'],
+  ['Tenting area, mm²', (c) => number(c.tenting_area_mm2, 0), 'tenting_area'],
+  ['Annulus, anteroposterior, mm', (c) => number(c.annulus.ap_mm)],
+  ['Annulus, transverse, mm', (c) => number(c.annulus.al_pm_mm)],
+  ['Annulus, circumference, mm', (c) => number(c.annulus.circumference_mm, 0)],
+  ['Annulus, area, mm²', (c) => number(c.annulus.area_mm2, 0)],
+  ['Saddle height, mm', (c) => number(c.annulus.saddle_height_mm), 'saddle'],
+  ['Highest chordal tension, N', (c) => number(c.tension_max_n, 2), 'tension'],
+  ['Total chordal tension, N', (c) => number(c.tension_sum_n), 'tension'],
   ['Circumferential strain, 99th percentile', (c) => percent(c.strain_circumferential_max), 'strain'],
   ['Radial strain, 99th percentile', (c) => percent(c.strain_radial_max), 'strain'],
 ]
@@ -39,7 +39,7 @@ export function measures(before: Scene, after: Scene | null): HTMLElement {
     ...scenes.map(({ closure }, i) => distrust(closure, names[i] ?? '')),
     h(
       'table',
-      { class: after && valveStyle.twoColumns, 'data-part': 'measures' },
+      { 'data-part': 'measures' },
       h('tr', {}, h('td', {}), ...columns.map((name) => h('th', { scope: 'col', class: parts.number }, name))),
       ...ROWS.map(([name, words, of]) =>
         row(
@@ -54,7 +54,7 @@ export function measures(before: Scene, after: Scene | null): HTMLElement {
 }
 
 function bounds({ between_mm2 }: Leak): string {
-  return between_mm2 ? `${number(between_mm2[0])} to ${withUnit(between_mm2[1], 'mm²')}` : number(null)
+  return between_mm2 ? `${number(between_mm2[0])} to ${number(between_mm2[1])}` : number(null)
 }
 
 /// Those that have a label in the picture.

@@ -1,7 +1,7 @@
 // Opening a valve: a preset, one that was opened before, or a file dropped or chosen.
 import { presets, problemsOfValve, storeValve } from '../api/calls'
 import type { Problem } from '../api/types'
-import { field, h } from '../dom'
+import { field, filePicker, h } from '../dom'
 import { HAS_SERVICE } from '../mode'
 import { problemList } from '../problems'
 import { nameValve } from '../state/valves'
@@ -14,6 +14,7 @@ import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
 const NO_IMPORT = 'Importing meshes needs coapt-server.'
+const OWN = '' // in the list of presets: none of them is open
 const CONTEXT = 60 // characters of the file around a problem
 
 export interface OpenPanel {
@@ -26,12 +27,7 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
   const problems = h('div', {})
   const said = h('p', { class: parts.hint, 'aria-live': 'polite' })
   const about = h('p', { class: parts.hint })
-  const file = h('input', {
-    type: 'file',
-    accept: '.json,application/json',
-    onchange: () => void take([...(file.files ?? [])]),
-  })
-  const names = h('div', { class: valveStyle.preset })
+  const names = h('div', {})
   let choice: HTMLSelectElement | null = null
   let told: ValveSource | null = null // the valve that is said to be open
   presets().then(
@@ -48,7 +44,7 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
   function tell(): void {
     told = workspace.valve
     if (!told) return
-    if (choice) choice.value = told.reference // of a file: none
+    if (choice) choice.value = [...choice.options].some(({ value }) => value === told?.reference) ? told.reference : OWN
     show([], '')
     said.textContent = `${told.label} is open.`
     about.textContent = presetWords(told.reference)?.about ?? ''
@@ -68,7 +64,6 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
     if (!chosen) return
     if (given.length > 1 || !chosen.name.toLowerCase().endsWith('.json')) return imports.take(given)
     const text = await chosen.text()
-    file.value = '' // the same file, corrected, is another choice
     said.textContent = `reading ${chosen.name} ...`
     try {
       const found = await problemsOfValve(text)
@@ -102,13 +97,13 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
     h('h2', {}, 'Valve'),
     names,
     about,
-    field('Your file', file),
     h(
-      'p',
-      { class: parts.hint },
-      'A valve file of coapt (JSON). Files may be dropped on this page',
-      HAS_SERVICE ? ', meshes too.' : `. ${NO_IMPORT}`,
+      'div',
+      { class: parts.row },
+      filePicker('Your file', 'Open a file', { accept: '.json,application/json', use: (files) => void take(files) }),
+      h('span', { class: parts.hint }, `A valve in coapt’s JSON. Drop files here${HAS_SERVICE ? ', meshes too' : ''}.`),
     ),
+    !HAS_SERVICE && h('p', { class: parts.hint }, NO_IMPORT),
     imports.element,
     said,
     problems,
@@ -131,7 +126,11 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
 
 /// By their plain names, in groups.
 function presetChoice(names: string[], choose: (name: string) => void): HTMLSelectElement {
-  const element = h('select', { onchange: () => choose(element.value) })
+  const element = h(
+    'select',
+    { onchange: () => choose(element.value) },
+    h('option', { value: OWN, hidden: true }, 'none: an own valve is open'),
+  )
   for (const group of ['Human', 'Disease', 'Porcine', 'Others'] as const) {
     const of = names.filter((name) => (presetWords(name)?.group ?? 'Others') === group)
     const options = of.map((name) => h('option', { value: name }, presetWords(name)?.title ?? name))

@@ -3,9 +3,9 @@ import type { FileLookedAt, FileToImport, ImportRequest, Vector } from '../api/t
 import { LANDMARKS, TIPS, type Places } from './landmark_places'
 
 export const ROLES = [
-  ['anterior', 'anterior leaflet, or both as one skirt'],
+  ['anterior', 'anterior or both leaflets'],
   ['posterior', 'posterior leaflet'],
-  ['labels', 'label map of both leaflets'],
+  ['labels', 'segmentation (label map)'],
   ['annulus', 'annulus'],
   ['chordae', 'chordae'],
   ['tips', 'papillary tips'],

@@ -31,7 +31,7 @@ export class ValveView implements View {
   private readonly looks = new Looks(true)
   private readonly distance = new DistanceTool(this.viewer)
   private readonly legend = h('div', {})
-  private readonly inset = h('div', { class: valveStyle.inset })
+  private readonly inset = h('div', { class: valveStyle.inset, hidden: true })
   private readonly headline = h('div', {})
   private readonly diastole = new Diastole()
   private readonly measures = h('div', {})
@@ -39,12 +39,11 @@ export class ValveView implements View {
 
   constructor(private readonly workspace: Workspace) {
     const told = h('div', {})
-    const importing = importStage((isShown) => this.stepAside(isShown))
+    const importing = importStage(workspace, (isShown) => this.stepAside(isShown))
     const opening = openPanel(workspace, importing)
     this.viewer.inset = this.inset
     this.looks.onChange = () => this.draw()
     this.looks.onView = (view) => importing.view(view) || this.viewer.view(view)
-    this.distance.onResult = () => this.draw()
     this.element = h(
       'div',
       { class: parts.sides },
@@ -126,8 +125,7 @@ export class ValveView implements View {
     const look = this.looks.look([before])
     if (look.share !== this.share) {
       this.share = look.share
-      this.distance.clear() // and draws
-      return
+      this.distance.clear()
     }
     this.viewer.show(look)
     this.legend.replaceChildren(legend(look.mode, look.scale))

@@ -139,7 +139,7 @@ export class Handles<Value> {
     const place = { x: event.clientX - box.left, y: event.clientY - box.top }
     const button = this.buttons.get(held.key)
     if (button) button.style.transform = `translate(${place.x}px, ${place.y}px)`
-    this.told.show(held.value === null ? 'not on a leaflet' : grip.handle.words(held.value), place, box.width)
+    this.told.show(held.value === null ? 'not on a leaflet' : grip.handle.words(held.value), place, box)
   }
 
   private mmAlong(from_mm: Vector, way: Vector, [across, down]: [number, number]): number {

@@ -51,6 +51,17 @@ export function around(points: readonly { x: number; y: number }[]): Box | null 
   return { left: Math.min(...xs), top: Math.min(...ys), right: Math.max(...xs), bottom: Math.max(...ys) }
 }
 
+/// Of elements that lie over a canvas, in its pixels.
+export function boxesOver(canvas: Element, elements: readonly (Element | null)[]): Box[] {
+  const { x, y } = canvas.getBoundingClientRect()
+  return elements.flatMap((element) => {
+    const box = element?.getBoundingClientRect()
+    return box && box.width > 0
+      ? [{ left: box.left - x, top: box.top - y, right: box.right - x, bottom: box.bottom - y }]
+      : []
+  })
+}
+
 export function overlap(a: Box, b: Box): boolean {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom
 }

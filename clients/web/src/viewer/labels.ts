@@ -4,6 +4,7 @@ import { Vector3 } from 'three'
 import type { Vector } from '../api/types'
 import { h, svg } from '../dom'
 import { type Box, layOut, type Spot } from './label_layout'
+import type { Pick } from './pick'
 import type { Stage } from './stage'
 import viewerStyle from './viewer.module.css'
 
@@ -45,6 +46,7 @@ export class Labels {
   avoid: () => Box[] = () => [] // what words may not cover
   isBehind: (point_mm: Vector) => boolean = () => false // tissue
   private placed: Placed[] = []
+  private width = 0 // of the stage, as the words were measured
 
   constructor(private readonly stage: Stage) {
     stage.onFrame.push(() => this.place())
@@ -63,6 +65,21 @@ export class Labels {
     this.element.replaceChildren(lines, ...this.placed.map(({ node }) => node))
   }
 
+  /// The papillary head whose name lies under the pointer.
+  headAt(event: MouseEvent): Pick | null {
+    const box = this.element.getBoundingClientRect()
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top]
+    const found = this.placed.find(
+      ({ label, size, spot }) =>
+        label.kind === 'tip' &&
+        size &&
+        spot &&
+        Math.abs(spot.x - x) < size.width / 2 &&
+        Math.abs(spot.y - y) < size.height / 2,
+    )
+    return found ? { kind: 'head', id: found.label.text, point_mm: found.label.point_mm } : null
+  }
+
   drawn(): DrawnLabel[] {
     return this.placed.flatMap(({ label, size, spot }) => {
       if (!size || !spot) return []
@@ -72,13 +89,15 @@ export class Labels {
   }
 
   private place(): void {
+    const { x: width, y: height } = this.stage.size
+    if (width !== this.width) for (const placed of this.placed) placed.size = null // letters may have another size, too
+    this.width = width
     const shown = this.placed.filter((placed) => this.isSeen(placed))
     const words = shown.map((placed) => {
       const { x, y } = this.stage.place(placed.label.point_mm)
       placed.size ??= measured(placed.node)
       return { x, y, ...(placed.size ?? { width: 0, height: 0 }), ...KINDS[placed.label.kind] }
     })
-    const { x: width, y: height } = this.stage.size
     const spots = new Map(layOut(words, this.avoid(), { width, height }).map((spot, i) => [shown[i], spot]))
     for (const placed of this.placed) this.move(placed, spots.get(placed) ?? null)
   }

@@ -1,6 +1,6 @@
 // What is named on a valve: landmarks of the annulus, segments of the leaflets, tips.
 import type { Segment, ValveShape, Vector } from '../api/types'
-import { at, blend, distance, onFace, plus, times, vertexCount } from './geometry'
+import { at, blend, distance, dot, minus, onFace, plus, times, unit, vertexCount } from './geometry'
 import type { Label } from './labels'
 
 const LANDMARKS: Record<string, string> = {
@@ -11,6 +11,7 @@ const LANDMARKS: Record<string, string> = {
   anterolateral_commissure: 'AL commissure',
   posteromedial_commissure: 'PM commissure',
 }
+export const SEGMENTS = ['A1', 'A2', 'A3', 'P1', 'P2', 'P3', 'AC', 'PC'] as const satisfies readonly Segment[]
 const BELLY = { from: 0.1, to: 0.6 } // of the way from annulus to free edge
 const OUTSIDE = 1.14 // of the way from the middle of the annulus: beside it
 
@@ -64,10 +65,29 @@ function nearestTo(place: Vector, points: Vector[]): Vector {
   return points.reduce((best, point) => (distance(point, place) < distance(best, place) ? point : best))
 }
 
-/// Leaflets and papillary tips, unloaded.
-export function wholeValve(scene: ValveShape): Vector[] {
+/// Beside the annulus, which does not move; `words` of a segment, or none.
+export function namesAround(scene: ValveShape, words: (segment: Segment) => string | null): Label[] {
+  const { origin_mm } = scene.plane
+  return SEGMENTS.flatMap((segment) => {
+    const text = words(segment)
+    const ways = [...annulusOf(scene, segment)].map((i) => minus(at(scene.annulus_mm, i), origin_mm))
+    if (text === null || ways.length === 0) return []
+    const middle = unit(ways.reduce(plus))
+    const reach = Math.max(...ways.map((way) => dot(way, middle)))
+    return [{ point_mm: plus(origin_mm, times(OUTSIDE * reach, middle)), text, kind: 'segment' as const }]
+  })
+}
+
+/// Places in Scene.annulus, those between two segments of both.
+function annulusOf({ annulus, faces, segments }: ValveShape, segment: Segment): Set<number> {
+  const corners = segments.flatMap((name, face) => (name === segment ? faces.slice(3 * face, 3 * face + 3) : []))
+  return new Set(corners.map((vertex) => annulus.indexOf(vertex)).filter((i) => i >= 0))
+}
+
+/// Leaflets, unloaded and as `nodes` has them, and papillary tips.
+export function wholeValve(scene: ValveShape, nodes: ArrayLike<number> = scene.rest_mm): Vector[] {
   return [
-    ...Array.from({ length: vertexCount(scene) }, (_, i) => at(scene.rest_mm, i)),
+    ...[scene.rest_mm, nodes].flatMap((places) => Array.from({ length: vertexCount(scene) }, (_, i) => at(places, i))),
     ...scene.heads.map((head) => head.tip_mm),
   ]
 }

@@ -7,7 +7,6 @@ import type { Pick } from './pick'
 import viewerStyle from './viewer.module.css'
 
 const OFFSET_PX = 14 // from the pointer
-const LEFT_OF_PX = 220 // from the right border: there it stands on the other side
 
 export class Readout {
   readonly element: HTMLElement
@@ -16,12 +15,15 @@ export class Readout {
     this.element = h('output', { class: viewerStyle.readout, 'data-part': part, hidden: true })
   }
 
-  show(text: string, { x, y }: { x: number; y: number }, width: number): void {
-    const side = x > width - LEFT_OF_PX ? 'translateX(-100%)' : ''
+  /// Beside `at`, on the side that has room in a stage of this size.
+  show(text: string, at: { x: number; y: number }, stage: { width: number; height: number }): void {
     this.element.textContent = text
     this.element.hidden = false
-    const away = side === '' ? OFFSET_PX : -OFFSET_PX
-    this.element.style.transform = `translate(${x + away}px, ${y + OFFSET_PX}px) ${side}`
+    const { offsetWidth, offsetHeight } = this.element
+    const beside = (place: number, size: number, most: number): number =>
+      Math.max(place + OFFSET_PX + size > most ? place - OFFSET_PX - size : place + OFFSET_PX, 0)
+    const [x, y] = [beside(at.x, offsetWidth, stage.width), beside(at.y, offsetHeight, stage.height)]
+    this.element.style.transform = `translate(${x}px, ${y}px)`
   }
 
   hide(): void {

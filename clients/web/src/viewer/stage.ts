@@ -13,6 +13,7 @@ import {
 } from 'three'
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
 import { h } from '../dom'
+import { onTheme } from '../shell/theme'
 
 export type ViewName = 'atrial' | 'oblique' | 'anterior' | 'lateral' | 'ventricular'
 
@@ -26,6 +27,7 @@ const VIEWS: Record<ViewName, [number, number, number]> = {
 }
 const FIELD_DEG = 28
 const MARGIN = 1.08 // around what is held
+const CENTRINGS = 3 // after two the middle moves by less than a pixel
 const TURN = 0.12 // radians a key press
 
 export class Stage {
@@ -53,7 +55,7 @@ export class Stage {
     this.controls.addEventListener('change', () => this.draw())
     this.canvas.addEventListener('keydown', (event) => this.turn(event))
     new ResizeObserver(() => this.resize()).observe(this.canvas)
-    document.addEventListener('themechange', () => this.draw())
+    onTheme(() => this.draw())
   }
 
   add(...objects: Object3D[]): void {
@@ -70,7 +72,7 @@ export class Stage {
     cancelAnimationFrame(this.asked)
     this.asked = 0
     if (this.canvas.clientWidth === 0) return
-    this.scene.background = new Color(getComputedStyle(this.canvas).getPropertyValue('--view').trim() || '#e9edf2')
+    this.scene.background = new Color(getComputedStyle(this.canvas).backgroundColor)
     this.renderer.render(this.scene, this.camera)
     for (const drawn of this.onFrame) drawn()
   }
@@ -100,12 +102,39 @@ export class Stage {
   look(view: ViewName, points_mm: readonly (readonly number[])[]): void {
     this.held = points_mm.map((point) => new Vector3(...point))
     const way = new Vector3(...VIEWS[view]).normalize()
-    this.controls.target.copy(middleOf(this.held))
-    this.camera.position.copy(this.controls.target).add(way)
-    this.controls.update()
-    this.camera.position.copy(this.controls.target).addScaledVector(way, this.fitting())
-    this.controls.update()
+    const { target } = this.controls
+    target.copy(middleOf(this.held))
+    for (let i = 0; i < CENTRINGS; ++i) {
+      this.camera.position.copy(target).add(way)
+      this.controls.update()
+      const away = this.fitting()
+      target.add(this.offCentre(away))
+      this.camera.position.copy(target).addScaledVector(way, away)
+      this.controls.update()
+    }
     this.draw()
+  }
+
+  /// What brings the camera back to where it is now.
+  pose(): () => void {
+    const [held, target, position] = [this.held, this.controls.target.clone(), this.camera.position.clone()]
+    return () => {
+      this.held = held
+      this.controls.target.copy(target)
+      this.camera.position.copy(position)
+      this.controls.update()
+      this.draw()
+    }
+  }
+
+  /// From the target to the middle of what is seen from so far away: what is nearer is seen larger, and farther from the middle.
+  private offCentre(away: number): Vector3 {
+    const turned = this.camera.quaternion.clone().invert()
+    const seen = this.held.map((point) => {
+      const { x, y, z } = point.clone().sub(this.controls.target).applyQuaternion(turned)
+      return new Vector3(x, y, 0).multiplyScalar(away / (away - z))
+    })
+    return middleOf(seen).applyQuaternion(this.camera.quaternion)
   }
 
   /// How far the camera is to be from its target, in its present direction, to have all held points in the picture.

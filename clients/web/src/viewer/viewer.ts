@@ -5,7 +5,7 @@ import { h } from '../dom'
 import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
 import { at, chordaLines, closedNodes, dot, minus, nodesAt, seamLines, section, tieLines, unit } from './geometry'
 import { Handles } from './handles'
-import { around, type Box } from './label_layout'
+import { around, type Box, boxesOver } from './label_layout'
 import { type DrawnLabel, Labels, type Label } from './labels'
 import { leakLabels, LeakMeshes, openingLabels } from './leak'
 import { leafletMaterial, Leaflets } from './leaflets'
@@ -46,7 +46,7 @@ export class Viewer {
   readonly stage: Stage
   onPick: ((pick: Pick) => void) | null = null
   picks: PickKind[] = [] // what a click may mean
-  extra: Label[] = [] // words besides the names
+  extra: Label[] = []
   inset: HTMLElement | null = null // lies over the canvas
   readonly handles: Handles<Step>
   private scene: Scene | null = null
@@ -111,7 +111,7 @@ export class Viewer {
     this.leaflets = new Leaflets(scene, this.leafletMaterial)
     this.drawn = ''
     this.stage.add(this.leaflets.mesh)
-    this.ring.set(ring ? scene : null)
+    this.ring.set(ring ? scene : null, closedNodes(scene))
     const sutures = scene.sutures.flatMap((suture) => [...suture.tip_mm, ...suture.anchor_mm])
     this.lines.sutures.set(sutures)
     this.lines.behind.set(sutures)
@@ -179,7 +179,13 @@ export class Viewer {
   view(name: ViewName): void {
     const { scene } = this
     // From above only the annulus matters, with its names beside it.
-    if (scene) this.stage.look(name, name === 'atrial' ? namedAnnulus(scene) : wholeValve(scene))
+    if (scene) this.stage.look(name, name === 'atrial' ? namedAnnulus(scene) : wholeValve(scene, this.nodes))
+  }
+
+  /// Words besides the names.
+  mark(labels: Label[]): void {
+    this.extra = labels
+    if (this.look) this.show(this.look)
   }
 
   /// Lines drawn over everything, such as a measured distance: six numbers each.
@@ -253,7 +259,7 @@ export class Viewer {
     const text = pick ? reading(scene, nodes, this.modeOf(look), look.scale, pick) : ''
     const box = stage.canvas.getBoundingClientRect()
     const place = { x: event.clientX - box.left, y: event.clientY - box.top }
-    if (text !== '') this.readout.show(text, place, box.width)
+    if (text !== '') this.readout.show(text, place, box)
   }
 
   private leafletAt(event: PointerEvent): LeafletPoint | null {
@@ -273,7 +279,8 @@ export class Viewer {
       this.read(event) // a finger does not hover
       return
     }
-    const pick = pickAt(event, this.stage, this.scene, this.nodes, this.leaflets, this.picks)
+    const named = this.picks.includes('head') ? this.labels.headAt(event) : null
+    const pick = named ?? pickAt(event, this.stage, this.scene, this.nodes, this.leaflets, this.picks)
     if (pick) this.onPick(pick)
   }
 
@@ -281,12 +288,7 @@ export class Viewer {
   private covered(): Box[] {
     const shown = this.look && this.isClosed(this.look) ? this.leak.outlines_mm : []
     const boxes = shown.flatMap((points) => around(points.map((point) => this.stage.place(point))) ?? [])
-    boxes.push(...this.handles.boxes())
-    const canvas = this.stage.canvas.getBoundingClientRect()
-    const inset = this.inset?.getBoundingClientRect()
-    if (!inset || inset.width === 0) return boxes
-    const { x, y } = canvas
-    return [...boxes, { left: inset.left - x, top: inset.top - y, right: inset.right - x, bottom: inset.bottom - y }]
+    return [...boxes, ...this.handles.boxes(), ...boxesOver(this.stage.canvas, [this.inset])]
   }
 
   get shown(): Scene | null {

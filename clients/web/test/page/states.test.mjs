@@ -1,0 +1,344 @@
+// The page in each of its states, also in those between two views: in four sizes of the window and with larger letters nothing is
+// cut, covered or out of its box, axe-core finds nothing, the browser complains of nothing. A picture of each is left in
+// build/pages, to be looked at; with COAPT_PICTURES=all one of each size in both themes.
+import assert from 'node:assert/strict'
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { layoutFaults } from './layout.mjs'
+import { accessProblems, openView, resize, ROOT, settled, startBrowser, startService } from './page.mjs'
+
+const WINDOWS = [
+  [1440, 900],
+  [390, 844],
+  [820, 1180],
+  [1280, 800],
+]
+const LARGER = '125%' // of the letters that a browser has else
+const PICTURES = join(ROOT, 'build/pages')
+const LONG_NAME = `Patient 0042 before surgery, segmented twice and averaged over both, second attempt, ${'x'.repeat(60)}`
+const { leaflets, annulus, chordae } = JSON.parse(readFileSync(join(ROOT, 'server/openapi.json'))).components.examples
+  .one_skirt.value
+
+let service, browser, page, complaints
+before(async () => {
+  mkdirSync(PICTURES, { recursive: true })
+  service = await startService()
+  browser = await startBrowser()
+  ;({ page, complaints } = await open('valve'))
+  await named('human-functional-mr')
+})
+after(async () => {
+  await browser.close()
+  await service.stop()
+})
+
+/// While only the layout is looked at, nothing is drawn: the processor would take most of the time for that.
+function drawNothing() {
+  for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) {
+    const draw = WebGL2RenderingContext.prototype[name]
+    WebGL2RenderingContext.prototype[name] = function (...how) {
+      if (!globalThis.drawsNothing) draw.apply(this, how)
+    }
+  }
+}
+
+async function open(view, { url = service.url, prepare = async () => {} } = {}) {
+  const opened = await openView(browser, url, 'studies', { width: 1440, height: 900 })
+  await opened.page.addInitScript(drawNothing)
+  await prepare(opened.page)
+  await opened.page.goto(`${url}/#/${view}`)
+  await opened.page.reload()
+  return opened
+}
+
+const named = (name, of = page) => of.locator('[data-part=open-valve]', { hasText: name }).waitFor()
+const press = (name, of = page) => of.getByRole('button', { name, exact: true }).click()
+const answered = () => page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
+async function view(name, of = page) {
+  await of.getByRole('link', { name, exact: true }).click()
+  await of.locator('nav [aria-current]', { hasText: name }).waitFor()
+}
+
+/// `theme`: in which the picture is taken and axe looks.
+async function looksWell(name, { of = page, theme = 'light', said = complaints } = {}) {
+  const found = []
+  const look = async (width, height, letters) => {
+    await of.evaluate((size) => (document.documentElement.style.fontSize = size), letters)
+    await resize(width, height, of)
+    for (const fault of await of.evaluate(layoutFaults)) found.push(`${name}, ${width} px ${letters}: ${fault}`)
+  }
+  await of.evaluate(() => (globalThis.drawsNothing = true))
+  for (const [width, height] of [WINDOWS[1], WINDOWS[3]]) await look(width, height, LARGER)
+  for (const [width, height] of WINDOWS) await look(width, height, '')
+  await of.evaluate(() => (globalThis.drawsNothing = false))
+  await picture(name, of, theme)
+  found.push(...(await accessProblems(of)))
+  if (process.env.COAPT_PICTURES === 'all')
+    for (const window of WINDOWS)
+      for (const colours of ['light', 'dark']) await picture(`${name}-${window[0]}-${colours}`, of, colours, window)
+  if (theme !== 'light') await of.emulateMedia({ colorScheme: 'light' })
+  assert.deepEqual([...found, ...said], [])
+}
+
+async function picture(name, of, colorScheme, [width, height] = [1440, 900]) {
+  await of.emulateMedia({ colorScheme })
+  await resize(width, height, of) // all is drawn anew
+  await of.waitForFunction(() => !document.querySelector('[data-part=photo]:not([data-taken])'))
+  await of.screenshot({ path: join(PICTURES, `${name}.png`) })
+}
+
+const filesOf = (files) => files.map(({ name, text }) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) }))
+const importStage = () => page.locator('[data-part=import-stage]')
+
+test('the first look', () => looksWell('valve'))
+
+test('at dusk the stage turns dark with the page, without a touch', async () => {
+  const ground = async () => {
+    await settled(page)
+    const png = (await page.screenshot({ clip: { x: 60, y: 560, width: 1, height: 1 } })).toString('base64')
+    return page.evaluate(async (letters) => {
+      const bytes = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0))
+      const pen = new OffscreenCanvas(1, 1).getContext('2d')
+      pen.drawImage(await createImageBitmap(new Blob([bytes])), 0, 0)
+      return pen.getImageData(0, 0, 1, 1).data[0]
+    }, png)
+  }
+  assert.ok((await ground()) > 200)
+  await page.emulateMedia({ colorScheme: 'dark' })
+  assert.ok((await ground()) < 60)
+  await looksWell('valve-dark', { theme: 'dark' })
+})
+
+test('files to import, and what another valve leaves of them', async () => {
+  await page.getByText('Import meshes').click()
+  const drop = async () => {
+    await page.getByLabel('Files', { exact: true }).setInputFiles(filesOf([...leaflets, annulus, chordae]))
+    await page.locator('[data-part=import]').getByText('10 chordae').waitFor()
+    await importStage().waitFor()
+  }
+  await drop()
+  await looksWell('import')
+  await page.getByLabel('Preset').selectOption('human-normal')
+  await named('human-normal')
+  await importStage().waitFor({ state: 'hidden' })
+  await looksWell('import-then-preset')
+  await drop()
+  await page.evaluate(() => (location.hash = '#/valve?valve=human-p2-prolapse'))
+  await named('human-p2-prolapse')
+  await importStage().waitFor({ state: 'hidden' })
+  await page.locator('[data-part=viewer] canvas').first().waitFor()
+  await drop()
+  await page.getByLabel('Triangles').fill('100')
+  await press('Import')
+  await page.locator('[data-part=import-result] img').first().waitFor()
+  await looksWell('imported')
+  await page.evaluate(() => (location.hash = '#/valve?valve=human-functional-mr'))
+  await named('human-functional-mr')
+  await importStage().waitFor({ state: 'hidden' })
+})
+
+test('a repair without a step, with all kinds of them, and while something is picked', async () => {
+  await view('Repair')
+  await looksWell('repair')
+  await press('Ring')
+  await answered()
+  await press('Neochorda')
+  await looksWell('picking-place')
+  await page.getByLabel('or choose the place').selectOption('P2')
+  await page.locator('[data-part=labels] [data-part=distance]').first().waitFor() // what was chosen is marked
+  await looksWell('picking-head', { theme: 'dark' })
+  await page.locator('[data-part=labels] [data-part=tip]:visible', { hasText: 'PM1' }).first().waitFor()
+  const { x, y, width, height } = await page
+    .locator('[data-part=labels] [data-part=tip]', { hasText: 'PM1' })
+    .first()
+    .boundingBox()
+  await page.mouse.click(x + width / 2, y + height / 2) // its name is as good as the point
+  await page.locator('[data-part=steps]', { hasText: 'Neochorda from PM1 to P2' }).waitFor()
+  for (const step of ['Suture AL', 'Resection', 'Edge-to-edge']) await press(step)
+  await page.locator('[aria-busy=false]').waitFor()
+  await looksWell('repair-steps')
+  await press('Clear')
+})
+
+test('long names, of a plan that is kept and scored and of a valve', async () => {
+  await press('Ring')
+  await answered()
+  await press('Keep this repair')
+  const name = page.getByRole('textbox', { name: /^Name of/ })
+  await name.fill(LONG_NAME)
+  await name.press('Enter')
+  await press('Score plans')
+  await page.getByText(/^Best: .* Leak/).waitFor()
+  await looksWell('long-names')
+  const valve = await (await fetch(`${service.url}/v1/presets/human-normal`)).text()
+  writeFileSync(join(service.folder, `${LONG_NAME}.json`), valve)
+  await view('Valve')
+  await page.getByLabel('Your file').setInputFiles(join(service.folder, `${LONG_NAME}.json`))
+  await named(LONG_NAME)
+  await page.getByText('Opened before').click()
+  assert.match(await page.getByLabel('Preset').evaluate((list) => list.selectedOptions[0].text), /own valve/)
+  await looksWell('long-name-of-a-valve')
+})
+
+test('a search: asked for, refused, running, failed, done, compared', async () => {
+  await view('Search')
+  await page.locator('[data-part=photo][data-taken]').waitFor()
+  const start = page.getByRole('button', { name: 'Start the search' })
+  const { y, height } = await start.boundingBox()
+  assert.ok(y + height < 900, 'it starts without a scroll')
+  await looksWell('search')
+  await page.getByLabel('Plans to show').fill('0')
+  await start.click()
+  await page.locator('[data-part=problems]').waitFor()
+  await looksWell('search-refused')
+  await press('Defaults')
+  await page.locator('[data-part=form] details', { hasText: 'Optimiser' }).evaluate((fold) => (fold.open = true))
+  const fields = {
+    Closures: '3000',
+    'Region points': '5',
+    'Plans to show': '2',
+    'Draws of the model': '0',
+    'Mesh refined': '0',
+  }
+  for (const [label, value] of Object.entries(fields))
+    await page.getByLabel(new RegExp(`^${label}( times)?$`)).fill(value)
+  await page.getByLabel('Evidence').uncheck()
+  await start.click()
+  await page.locator('[data-part=leading] [data-part=photo][data-taken]').nth(1).waitFor()
+  await looksWell('search-running', { theme: 'dark' })
+  await press('Cancel')
+  await page.locator('[data-part=plan]').first().waitFor()
+  for (const label of ['Closures', 'Region points']) await page.getByLabel(label, { exact: true }).fill('30')
+  await start.click()
+  await page.locator('[data-part=plan]').nth(1).waitFor()
+  await page.locator('[data-part=plan] [data-part=photo][data-taken]').nth(1).waitFor()
+  await page.getByRole('checkbox', { name: 'Compare plan 1' }).check()
+  await page.getByRole('checkbox', { name: 'Compare plan 2' }).check()
+  await looksWell('search-done')
+  const problem = { code: 'failed', path: '', message: 'The service ended while this job ran.' }
+  await page.route(/\/v1\/jobs\/[0-9a-f-]+$/, async (route) => {
+    const job = await (await route.fetch()).json()
+    await route.fulfill({ json: { ...job, state: 'FAILED', problems: [problem], links: {} } })
+  })
+  await page.reload()
+  await page.getByText('The search failed').waitFor()
+  await looksWell('search-failed')
+  await page.unroute(/\/v1\/jobs\/[0-9a-f-]+$/)
+})
+
+test('a study', async () => {
+  await view('Studies')
+  await looksWell('studies')
+})
+
+test('live: at rest, pulled, and while something is picked', async () => {
+  await view('Live')
+  await page.locator('[data-part=live-state]', { hasText: 'At rest' }).waitFor()
+  await page.locator('[data-part=labels]', { hasText: 'P2' }).waitFor()
+  await press('P2')
+  for (let i = 0; i < 6; ++i) await press('Lift')
+  await page.locator('[data-part=live-state]', { hasText: 'Pulled by a hook' }).waitFor()
+  await press('From the ventricle')
+  await looksWell('live-pulled', { theme: 'dark' })
+  await press('Let go')
+  await press('Chorda')
+  await looksWell('live-picking')
+  await page.keyboard.press('Escape')
+})
+
+test('training', async () => {
+  await view('Train')
+  await looksWell('train')
+})
+
+test('the keyboard alone reaches everything, and one sees where it is', async () => {
+  for (const name of ['Repair', 'Live', 'Search', 'Train']) {
+    await view(name)
+    const faults = []
+    const reached = new Set()
+    for (;;) {
+      await page.keyboard.press('Tab')
+      const { told, fault } = await page.evaluate(() => {
+        const focused = document.activeElement
+        const { left, top, width, height } = focused.getBoundingClientRect()
+        const hit = document.elementFromPoint(left + width / 2, top + height / 2)
+        const isSeen =
+          hit !== null && (hit.contains(focused) || focused.contains(hit) || hit.closest('label')?.control === focused)
+        const told = `${focused.localName} ${focused.getAttribute('aria-label') ?? focused.textContent.slice(0, 40)} ${left} ${top + focused.closest('main, body').scrollTop}`
+        const isMarked = getComputedStyle(focused).outlineStyle !== 'none'
+        return { told, fault: focused !== document.body && !(isSeen && isMarked) && told }
+      })
+      if (reached.has(told)) break
+      reached.add(told)
+      if (fault) faults.push(fault)
+    }
+    assert.deepEqual(faults, [], name)
+    assert.ok(reached.size > 15, `${name}: ${reached.size}`)
+  }
+})
+
+test('the palette, with and without what is sought', async () => {
+  await page.keyboard.press('Control+k')
+  await page.locator('#palette-list', { hasText: 'human-normal' }).waitFor()
+  await looksWell('palette')
+  await page.getByLabel('Find a command').fill('nothing of this name')
+  await page.getByText('Nothing has this name').waitFor()
+  await looksWell('palette-empty', { theme: 'dark' })
+  await page.keyboard.press('Escape')
+})
+
+test('an address that names nothing', async () => {
+  await page.evaluate(() => (location.hash = '#/valve?valve=no-such-valve'))
+  await page.getByText('There is no valve').waitFor()
+  complaints.length = 0 // the browser reports the answer 404
+  await looksWell('no-such-valve')
+})
+
+test('without the engine live and training are not offered; who asks for them is told', async () => {
+  const without = await open('valve', {
+    prepare: (other) => other.route('**/coapt-engine.wasm', (route) => route.fulfill({ status: 404 })),
+  })
+  await named('human-functional-mr', without.page)
+  await without.page.getByRole('link', { name: 'Live', exact: true }).waitFor({ state: 'hidden' })
+  assert.equal(await without.page.getByRole('link', { name: 'Train', exact: true }).isVisible(), false)
+  await without.page.evaluate(() => (location.hash = '#/live'))
+  await without.page.getByText('which is not installed beside this page').first().waitFor()
+  await looksWell('no-engine', { of: without.page, said: [] }) // the browser reports the answer 404
+  await without.page.context().close()
+})
+
+test('a token is asked for; the link that holds it will do', async () => {
+  const token = 'sixteen-or-more-characters'
+  const file = join(service.folder, 'token')
+  writeFileSync(file, token, { mode: 0o600 })
+  const closed = await startService(['--token-file', file])
+  try {
+    const asked = await open('valve', { url: closed.url })
+    await asked.page.getByRole('dialog').waitFor()
+    await looksWell('token', { of: asked.page, said: asked.complaints })
+    await asked.page.getByLabel('Token', { exact: true }).last().fill(`${closed.url}/#token=${token}`)
+    await press('Continue', asked.page)
+    await named('human-functional-mr', asked.page)
+    await asked.page.context().close()
+    const context = await browser.newContext()
+    const invited = await context.newPage()
+    await invited.goto(`${closed.url}/#token=${token}`) // as coapt-server prints it
+    await named('human-functional-mr', invited)
+    assert.ok(!invited.url().includes(token))
+    await context.close()
+  } finally {
+    await closed.stop()
+  }
+})
+
+test('the service is away', async () => {
+  const lonely = await startService()
+  const left = await open('repair', { url: lonely.url })
+  await named('human-functional-mr', left.page)
+  await lonely.kill()
+  await press('Ring', left.page)
+  await left.page.locator('[data-part=notices]').getByText('The service does not answer').waitFor()
+  await looksWell('offline', { of: left.page, said: [] })
+  await left.page.context().close()
+})
