@@ -12,6 +12,7 @@ import { needsService } from './shell/needs_service'
 import { notices } from './shell/notices'
 import { commandPalette } from './shell/palette'
 import { followSystem } from './shell/theme'
+import { offer, pageState } from './shell/scripting'
 import { shortcuts } from './shell/shortcuts'
 import { VIEWS, type ViewName } from './shell/views'
 import { router } from './state/router'
@@ -106,6 +107,7 @@ app.append(
   footer(),
 )
 onTokenNeeded(askForToken)
+offer({ state: () => pageState(workspace, asked) })
 shortcuts(workspace, palette.open)
 workspace.subscribe(() => bar.lead(route.addressOf))
 onOtherTab('kept plans', () => void workspace.loadKept())

@@ -44,9 +44,3 @@ export function liveScripts(canvas: LiveCanvas, setPressure: (mmhg: number) => v
     },
   }
 }
-
-/// In place of the one before.
-export function offer(live: LiveScripts): void {
-  const page = globalThis as unknown as { coapt?: object }
-  page.coapt = { ...page.coapt, live }
-}

@@ -20,8 +20,9 @@ import type { LiveValve } from './client'
 import { HookPanel, lookControls, Pressure } from './controls'
 import { cutPoint } from './drawing'
 import { liveLegend } from './legend'
-import { liveScripts, offer } from './scripting'
+import { liveScripts } from './scripting'
 import { stateWords } from './state_words'
+import { offer } from '../shell/scripting'
 import parts from '../style/parts.module.css'
 import repairStyle from '../repair/repair.module.css'
 import viewerStyle from '../viewer/viewer.module.css'
@@ -106,7 +107,7 @@ export class LiveView implements View {
   }
 
   show(): void {
-    offer(liveScripts(this.canvas, (mmhg) => this.pressure.set(mmhg)))
+    offer({ live: liveScripts(this.canvas, (mmhg) => this.pressure.set(mmhg)) })
     this.canvas.show()
     this.take()
   }

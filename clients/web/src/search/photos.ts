@@ -14,7 +14,7 @@ const ENDS = 2 // of the motion: what is open is drawn as its last state
 
 export type Beat = 'closed' | 'open'
 
-const LOOK = { mode: 'leaflets', scale: null, share: 1, leak: true, names: false, cut: null } as const
+const LOOK = { mode: 'leaflets', scale: null, share: 1, leak: true, names: false, hours: false, cut: null } as const
 
 // Colours and widths in pixels of strokes over each other.
 const RING = [

@@ -2,8 +2,9 @@
 import { h } from '../dom'
 import { LiveCanvas } from '../live/canvas'
 import type { LiveValve } from '../live/client'
-import { liveScripts, offer } from '../live/scripting'
+import { liveScripts } from '../live/scripting'
 import { namesAround } from '../viewer/marks'
+import { offer } from '../shell/scripting'
 import trainStyle from './train.module.css'
 import { HandPanel } from './hand_panel'
 import { segmentOf } from './segments'
@@ -21,7 +22,7 @@ export class Analysis {
   readonly clock = h('p', { class: trainStyle.clock, role: 'timer', 'data-part': 'clock' })
   private visited: SegmentName[] = []
   private running: Clock | null = null
-  private valve: LiveValve | null = null
+  valve: LiveValve | null = null // that was started last
 
   constructor() {
     const { canvas } = this
@@ -44,7 +45,7 @@ export class Analysis {
     this.visited = []
     this.canvas.hooks.path_mm = this.canvas.hooks.largest_n = 0
     this.canvas.show()
-    offer(liveScripts(this.canvas, () => {}))
+    offer({ live: liveScripts(this.canvas, () => {}) })
     this.running = new Clock((seconds) => {
       this.clock.textContent =
         limit_s > 0 ? `${clockWords(limit_s - seconds)} left` : `${clockWords(Math.floor(seconds))} so far`

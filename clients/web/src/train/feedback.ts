@@ -1,14 +1,17 @@
 // After a trial, in practice: what was right, and why.
 import { button, h } from '../dom'
-import { number, withUnit } from '../format'
+import { number } from '../format'
 import parts from '../style/parts.module.css'
+import type { Analysis } from './analysis'
 import type { FourValves } from './four_valves'
 import { type Frame, panel } from './frame'
+import { type Telling, telling } from './telling'
 import { type CaseA, type CaseB, type Judged, MOBILITIES, SEGMENTS } from './types'
 import { pressed } from './waits'
 
 export interface FeedbackParts {
   frame: Frame
+  analysis: Analysis
   four: FourValves
   title: string
   aside: HTMLElement
@@ -18,27 +21,74 @@ export interface FeedbackParts {
 export async function feedbackA(
   made: CaseA,
   judged: Judged,
-  { frame, four, title, aside, signal }: FeedbackParts,
+  { frame, analysis, four, title, aside, signal }: FeedbackParts,
 ): Promise<void> {
   const next = button('Next', () => {}, { class: parts.primary })
+  const told = tellingOf(made, judged, analysis)
   four.tell(made.answer, Number(judged.choice))
+  const show = (): void => {
+    if (told) four.mark(told.segment)
+    frame.show(title, words, four.element, [panel('Answer', why, leaks, pull, next), aside])
+  }
   const leaks = h(
     'table',
     {},
-    h('tr', {}, h('th', { scope: 'col' }, 'Closed'), h('th', { scope: 'col' }, 'Leak')),
+    h('tr', {}, h('th', { scope: 'col' }, 'Closed'), h('th', { scope: 'col' }, 'Leak, mm²')),
     ...made.choices.map(({ choice, leak_mm2 }) =>
-      h('tr', {}, h('th', { scope: 'row' }, `Valve ${choice}`), h('td', {}, withUnit(leak_mm2, 'mm²'))),
+      h('tr', {}, h('th', { scope: 'row' }, `Valve ${choice}`), h('td', {}, number(leak_mm2))),
     ),
   )
   const words = judged.right === 1 ? 'Right.' : `Not right: it was valve ${made.answer}.`
-  frame.show(title, words, four.element, [panel('Answer', leaks, next), aside])
+  const why = h('p', { 'data-part': 'why' }, told ? whyWords(made, judged, told) : '')
+  const pull = h(
+    'p',
+    { class: parts.row, hidden: told === null },
+    button(`Pull ${told?.segment} once more`, () => {
+      if (!told) return
+      const back = button('Back to the four valves', () => {
+        analysis.canvas.hide()
+        show()
+      })
+      frame.show(title, `Lift the free edge of ${told.segment}.`, analysis.canvas.element, [
+        analysis.hand.element,
+        panel('Answer', back),
+        aside,
+      ])
+      analysis.canvas.show()
+      analysis.canvas.grabEdge(told.segment)
+    }),
+  )
+  show()
   await pressed(next, signal)
+  four.mark(null)
+}
+
+interface Told extends Telling {
+  other: number // the valve with which the right one is compared
+}
+
+/// Against what was chosen; of a right answer against the valve that is most like it. Null where the valve is no longer there.
+function tellingOf({ answer, choices }: CaseA, judged: Judged, { valve }: Analysis): Told | null {
+  const closed = (choice: number): number[] => choices.find((one) => one.choice === choice)?.closed_mm ?? []
+  const others = judged.right === 1 ? choices.map(({ choice }) => choice) : [Number(judged.choice)]
+  const told = others
+    .filter((other) => other !== answer)
+    .flatMap((other) => (valve ? [{ ...telling(valve.scene, closed(answer), closed(other)), other }] : []))
+  return told.sort((a, b) => Math.abs(a.higher_mm) - Math.abs(b.higher_mm))[0] ?? null
+}
+
+/// "P2 gives it away: its free edge closes 3.1 mm higher than in valve 1, your answer. You did not pull P2."
+function whyWords({ answer }: CaseA, judged: Judged, { segment, higher_mm, other }: Told): string {
+  const apart = `${number(Math.abs(higher_mm))} mm ${higher_mm > 0 ? 'higher' : 'lower'}`
+  const compared = judged.right === 1 ? `valve ${other}, which is most like it` : `valve ${other}, your answer`
+  const pulled = judged.visited.includes(segment) ? '' : ` You did not pull ${segment}.`
+  return `${segment} gives valve ${answer} away: its free edge closes ${apart} than in ${compared}.${pulled}`
 }
 
 export async function feedbackB(
   made: CaseB,
   judged: Judged,
-  { frame, title, aside, signal }: Omit<FeedbackParts, 'four'>,
+  { frame, title, aside, signal }: Omit<FeedbackParts, 'four' | 'analysis'>,
 ): Promise<void> {
   const next = button('Next', () => {}, { class: parts.primary })
   const { pull_n, limit_mm } = made.limits

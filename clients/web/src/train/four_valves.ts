@@ -1,15 +1,19 @@
 // The four closed valves of exam A, turned together; one of them can be chosen. Leaflets alone: chordae would tell the lesions.
 import type { ValveShape, Vector } from '../api/types'
 import { h } from '../dom'
-import { cornerColours } from '../viewer/colours'
+import { cornerColours, rgb } from '../viewer/colours'
 import { at } from '../viewer/geometry'
+import { Labels } from '../viewer/labels'
 import { leafletMaterial, Leaflets } from '../viewer/leaflets'
+import { namesAround } from '../viewer/marks'
 import { viewButtons } from '../valve/looks'
 import { Stage, type ViewName } from '../viewer/stage'
 import parts from '../style/parts.module.css'
 import viewerStyle from '../viewer/viewer.module.css'
 import trainStyle from './train.module.css'
+import type { SegmentName } from './types'
 
+const PALE = rgb('#d9d2cd')
 const CHOICES = [1, 2, 3, 4]
 
 export class FourValves {
@@ -18,6 +22,8 @@ export class FourValves {
   private readonly stages: Stage[]
   private readonly radios: HTMLInputElement[]
   private readonly words: HTMLElement[]
+  private readonly labels: Labels[]
+  private scene: ValveShape | null = null
   private leaflets: Leaflets[] = []
   private held: Vector[] = [] // vertices of all four
 
@@ -31,11 +37,12 @@ export class FourValves {
       h('input', { type: 'radio', name: 'closed-valve', value: choice, onchange: () => this.onChoice(choice) }),
     )
     this.words = CHOICES.map((choice) => h('span', {}, `Valve ${choice}`))
+    this.labels = this.stages.map((stage) => new Labels(stage))
     const valves = this.stages.map((stage, i) =>
       h(
         'div',
         { class: trainStyle.choice },
-        h('div', { class: viewerStyle.viewer }, stage.canvas),
+        h('div', { class: viewerStyle.viewer }, stage.canvas, this.labels[i]?.element),
         h('label', { class: parts.check }, this.radios[i] as HTMLElement, this.words[i] as HTMLElement),
       ),
     )
@@ -58,13 +65,28 @@ export class FourValves {
       if (before) stage.scene.remove(before.mesh)
       before?.dispose()
       const leaflets = new Leaflets(scene, before?.mesh.material ?? leafletMaterial())
-      leaflets.paint(cornerColours(scene, 'leaflets', null, scene.rest_mm))
       leaflets.move(Float32Array.from(closed_mm[i] ?? []))
       stage.add(leaflets.mesh)
       this.leaflets[i] = leaflets
     }
     this.held = closed_mm.flatMap((points) => Array.from({ length: points.length / 3 }, (_, i) => at(points, i)))
+    this.scene = scene
+    this.mark(null)
     this.view('oblique')
+  }
+
+  /// One segment in its colour and with its name, the others pale; null: all as they are.
+  mark(segment: SegmentName | null): void {
+    const { scene } = this
+    if (!scene) return
+    const colours = cornerColours(scene, 'leaflets', null, scene.rest_mm)
+    for (let corner = 0; segment !== null && corner < scene.faces.length; ++corner)
+      if (scene.segments[Math.floor(corner / 3)] !== segment) colours.set(PALE, 3 * corner)
+    for (const [i, stage] of this.stages.entries()) {
+      this.leaflets[i]?.paint(colours)
+      this.labels[i]?.set(namesAround(scene, (name) => (name === segment ? name : null)))
+      stage.draw()
+    }
   }
 
   view(name: ViewName): void {

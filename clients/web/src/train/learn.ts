@@ -5,11 +5,12 @@ import { number } from '../format'
 import { LiveCanvas } from '../live/canvas'
 import { HookPanel, lookControls, Pressure } from '../live/controls'
 import { liveLegend } from '../live/legend'
-import { liveScripts, offer } from '../live/scripting'
+import { liveScripts } from '../live/scripting'
 import { problemList } from '../problems'
 import { viewButtons } from '../valve/looks'
 import { namesAround } from '../viewer/marks'
 import { problemsOf } from '../workspace'
+import { offer } from '../shell/scripting'
 import parts from '../style/parts.module.css'
 import viewerStyle from '../viewer/viewer.module.css'
 import trainStyle from './train.module.css'
@@ -94,7 +95,7 @@ export class Learn {
   }
 
   show(): void {
-    offer(liveScripts(this.canvas, (mmhg) => this.pressure.set(mmhg)))
+    offer({ live: liveScripts(this.canvas, (mmhg) => this.pressure.set(mmhg)) })
     this.canvas.show()
     void this.open()
   }

@@ -36,6 +36,7 @@ export class Looks {
   onView: (view: ViewName) => void = () => {}
   private mode: ColourMode = 'leaflets'
   private readonly names = h('input', { type: 'checkbox', checked: true, onchange: () => this.onChange() })
+  private readonly hours = h('input', { type: 'checkbox', onchange: () => this.onChange() })
   private readonly leak = h('input', { type: 'checkbox', checked: true, onchange: () => this.onChange() })
   private readonly cutting = h('input', { type: 'checkbox', onchange: () => this.onChange() })
   private readonly cut = h('input', { type: 'range', min: 0, max: 36, value: 18, oninput: () => this.cutMoved() })
@@ -56,6 +57,7 @@ export class Looks {
       field('Colours', mode),
       this.range.element,
       field('Names', this.names),
+      field('Clock', this.hours),
       field('Leak', this.leak),
       field('Cut', this.cutting),
       field('Position of the cut', this.cut),
@@ -78,6 +80,7 @@ export class Looks {
       share: this.motion?.share ?? 1,
       leak: this.leak.checked,
       names: this.names.checked,
+      hours: this.hours.checked,
       cut,
     }
   }

@@ -171,3 +171,8 @@ export function papillaryTip(scene: ValveShape, side: string): Vector {
   for (const head of heads) for (let k = 0; k < 3; ++k) (sum[k] as number) += (head.tip_mm[k] as number) / heads.length
   return sum
 }
+
+/// Six numbers a piece, the last one back to the first point.
+export function closedLine(points: Vector[]): number[] {
+  return points.flatMap((point, i) => [...point, ...(points[(i + 1) % points.length] as Vector)])
+}

@@ -1,6 +1,5 @@
 // Words over the canvas at points of the scene. They avoid each other and the leak; one that stands beside its place
 // has a line to it.
-import { Vector3 } from 'three'
 import type { Vector } from '../api/types'
 import { h, svg } from '../dom'
 import { type Box, layOut, type Spot } from './label_layout'
@@ -12,7 +11,7 @@ export interface Label {
   point_mm: Vector // where the word is best
   names_mm?: Vector // what it names, if that is elsewhere
   text: string
-  kind: 'landmark' | 'tip' | 'segment' | 'leak' | 'distance'
+  kind: 'landmark' | 'tip' | 'segment' | 'leak' | 'distance' | 'neighbour' | 'hour'
 }
 
 /// The most important first; pixels that a word may be moved.
@@ -20,6 +19,8 @@ const KINDS: Record<Label['kind'], { rank: number; reach: number }> = {
   distance: { rank: 0, reach: 160 },
   leak: { rank: 1, reach: 160 },
   segment: { rank: 2, reach: 80 },
+  neighbour: { rank: 2, reach: 30 },
+  hour: { rank: 3, reach: 0 },
   landmark: { rank: 3, reach: 50 },
   tip: { rank: 4, reach: 50 },
 }
@@ -105,8 +106,9 @@ export class Labels {
   private isSeen({ label }: Placed): boolean {
     const { depth } = this.stage.place(label.point_mm)
     if (depth > 1) return false
-    // From above the leaflets hide the tips.
-    if (label.kind === 'tip') return this.stage.camera.getWorldDirection(new Vector3()).z >= -0.8
+    // From above the leaflets hide the tips; from elsewhere there is no clock.
+    if (label.kind === 'tip') return !this.stage.isFromAbove
+    if (label.kind === 'neighbour' || label.kind === 'hour') return this.stage.isFromAbove
     return label.kind !== 'segment' || !this.isBehind(label.point_mm)
   }
 

@@ -13,7 +13,7 @@ import {
 import type { Leak, LeakSurfaces, Opening, Scene, Vector } from '../api/types'
 import { cm2, knownDigits } from '../format'
 import { TINTS } from './colours'
-import { at } from './geometry'
+import { at, closedLine } from './geometry'
 import type { Label } from './labels'
 import { Lines } from './lines'
 
@@ -85,9 +85,4 @@ export class LeakMeshes {
       return mesh
     })
   }
-}
-
-/// Six numbers a piece, the last one back to the first point.
-export function closedLine(points: Vector[]): number[] {
-  return points.flatMap((point, i) => [...point, ...(points[(i + 1) % points.length] as Vector)])
 }

@@ -1,6 +1,6 @@
 // What is named on a valve: landmarks of the annulus, segments of the leaflets, tips.
 import type { Segment, ValveShape, Vector } from '../api/types'
-import { at, blend, distance, dot, minus, onFace, plus, times, unit, vertexCount } from './geometry'
+import { at, blend, closedLine, distance, dot, minus, onFace, plus, times, unit, vertexCount } from './geometry'
 import type { Label } from './labels'
 
 const LANDMARKS: Record<string, string> = {
@@ -13,6 +13,10 @@ const LANDMARKS: Record<string, string> = {
 }
 export const SEGMENTS = ['A1', 'A2', 'A3', 'P1', 'P2', 'P3', 'AC', 'PC'] as const satisfies readonly Segment[]
 const BELLY = { from: 0.1, to: 0.6 } // of the way from annulus to free edge
+const AORTA = { radius_mm: 11, off_mm: 1.5, seen_mm: 4.5 } // off: from the annulus; the picture ends within it
+const APPENDAGE = { across_mm: 5, along_mm: 7, off_mm: 4 }
+const AROUND = 48 // points of an outline
+const HOURS_MM = 2 // within the annulus
 const OUTSIDE = 1.14 // of the way from the middle of the annulus: beside it
 
 /// Landmarks, segments (at their middle face) and heads of the papillary muscles.
@@ -92,8 +96,58 @@ export function wholeValve(scene: ValveShape, nodes: ArrayLike<number> = scene.r
   ]
 }
 
-/// The annulus and the names of its landmarks around it.
+/// The annulus, the names of its landmarks around it and some of the aorta.
 export function namedAnnulus(scene: ValveShape): Vector[] {
-  const points = Array.from({ length: scene.annulus_mm.length / 3 }, (_, i) => at(scene.annulus_mm, i))
-  return [...points, ...points.map((point) => blend(scene.plane.origin_mm, point, OUTSIDE))]
+  const points = annulusPoints(scene)
+  const aorta = atClock(scene, 12, AORTA.seen_mm)
+  return [...points, ...points.map((point) => blend(scene.plane.origin_mm, point, OUTSIDE)), aorta]
+}
+
+function annulusPoints({ annulus_mm }: ValveShape): Vector[] {
+  return Array.from({ length: annulus_mm.length / 3 }, (_, i) => at(annulus_mm, i))
+}
+
+/// So far outside the annulus at an hour of the surgeon's view, which is that of 3D echo: 12 anterior, 9 anterolateral.
+function atClock(scene: ValveShape, hour: number, outside_mm: number): Vector {
+  const { origin_mm, x, y } = scene.plane
+  const turn = (hour / 6) * Math.PI
+  const way = plus(times(Math.sin(turn), x), times(Math.cos(turn), y))
+  const reach = Math.max(...annulusPoints(scene).map((point) => dot(minus(point, origin_mm), way)))
+  return plus(origin_mm, times(reach + outside_mm, way))
+}
+
+/// What orients the surgeon's view: the aortic root at 12 o'clock and the left atrial appendage at 9, where they lie in most hearts
+/// and about as large; nothing of them is measured. `outline`: six numbers a line.
+export function neighbours(scene: ValveShape): { outline: number[]; label: Label }[] {
+  const { x, y } = scene.plane
+  const outline = (middle: Vector, across_mm: number, along_mm: number, lobes: number): number[] =>
+    closedLine(
+      Array.from({ length: AROUND }, (_, i) => {
+        const turn = (2 * Math.PI * i) / AROUND
+        const share = 1 + 0.1 * Math.sin(lobes * turn)
+        const way = plus(times(across_mm * Math.cos(turn), x), times(along_mm * Math.sin(turn), y))
+        return plus(middle, times(share, way))
+      }),
+    )
+  const aorta = atClock(scene, 12, AORTA.off_mm + AORTA.radius_mm)
+  const appendage = atClock(scene, 9, APPENDAGE.off_mm + APPENDAGE.across_mm)
+  return [
+    {
+      outline: outline(aorta, AORTA.radius_mm, AORTA.radius_mm, 0),
+      label: { point_mm: atClock(scene, 12, AORTA.seen_mm), text: 'aortic root', kind: 'neighbour' },
+    },
+    {
+      outline: outline(appendage, APPENDAGE.across_mm, APPENDAGE.along_mm, 5),
+      label: { point_mm: appendage, text: 'appendage', kind: 'neighbour' },
+    },
+  ]
+}
+
+/// The hours, on the tissue beside the annulus.
+export function hours(scene: ValveShape): Label[] {
+  return Array.from({ length: 12 }, (_, i) => ({
+    point_mm: atClock(scene, i + 1, -HOURS_MM),
+    text: String(i + 1),
+    kind: 'hour',
+  }))
 }

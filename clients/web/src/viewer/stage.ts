@@ -12,6 +12,7 @@ import {
   type Object3D,
 } from 'three'
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
+import type { Vector } from '../api/types'
 import { h } from '../dom'
 import { onTheme } from '../shell/theme'
 
@@ -27,6 +28,7 @@ const VIEWS: Record<ViewName, [number, number, number]> = {
 }
 const FIELD_DEG = 28
 const MARGIN = 1.08 // around what is held
+const FROM_ABOVE = 0.8 // cosine between sight and the valve's axis
 const CENTRINGS = 3 // after two the middle moves by less than a pixel
 const TURN = 0.12 // radians a key press
 
@@ -98,10 +100,10 @@ export class Stage {
     return this.canvas.clientHeight / (2 * away * Math.tan((FIELD_DEG * Math.PI) / 360))
   }
 
-  /// Turns to a view that holds all of `points_mm`; it holds them on a canvas of another shape, too.
-  look(view: ViewName, points_mm: readonly (readonly number[])[]): void {
+  /// Turns to a view, or to where a vector points from, that holds all of `points_mm`; it holds them on a canvas of another shape, too.
+  look(view: ViewName | Vector, points_mm: readonly (readonly number[])[]): void {
     this.held = points_mm.map((point) => new Vector3(...point))
-    const way = new Vector3(...VIEWS[view]).normalize()
+    const way = new Vector3(...(typeof view === 'string' ? VIEWS[view] : view)).normalize()
     const { target } = this.controls
     target.copy(middleOf(this.held))
     for (let i = 0; i < CENTRINGS; ++i) {
@@ -125,6 +127,11 @@ export class Stage {
       this.controls.update()
       this.draw()
     }
+  }
+
+  /// As the surgeon looks into the atrium, or nearly so.
+  get isFromAbove(): boolean {
+    return this.camera.getWorldDirection(new Vector3()).z < -FROM_ABOVE
   }
 
   /// From the target to the middle of what is seen from so far away: what is nearer is seen larger, and farther from the middle.

@@ -3,14 +3,27 @@ import { Plane, Vector3 } from 'three'
 import type { LeafletPoint, LeakSurfaces, Opening, Scene, Segment, Step, Vector } from '../api/types'
 import { h } from '../dom'
 import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
-import { at, chordaLines, closedNodes, dot, minus, nodesAt, seamLines, section, tieLines, unit } from './geometry'
+import {
+  at,
+  chordaLines,
+  closedNodes,
+  dot,
+  minus,
+  nodesAt,
+  plus,
+  seamLines,
+  section,
+  tieLines,
+  times,
+  unit,
+} from './geometry'
 import { Handles } from './handles'
 import { around, type Box, boxesOver } from './label_layout'
 import { type DrawnLabel, Labels, type Label } from './labels'
 import { leakLabels, LeakMeshes, openingLabels } from './leak'
 import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines } from './lines'
-import { namedAnnulus, namesOf, wholeValve } from './marks'
+import { hours, namedAnnulus, namesOf, neighbours, wholeValve } from './marks'
 import { isBehind, nearestAround, pickAt, type Pick, type PickKind } from './pick'
 import { reading, Readout } from './readout'
 import { Ring } from './ring'
@@ -20,6 +33,7 @@ import viewerStyle from './viewer.module.css'
 type Cut = Scene['sections'][number]
 
 const NO_LEAK: LeakSurfaces = []
+const TURNED_TO = 0.5 // sine between sight and cut, from where on the cut is seen well
 const LEAST_SLANT = 0.1 // sine between sight and cut, from where on the hidden side changes
 const TURNED_PX = 4 // a pointer that moved so far has turned the valve, not clicked it
 
@@ -29,6 +43,7 @@ export interface Look {
   share: number // of a beat: -1 open in diastole, 0 unstressed, 1 closed
   leak: boolean
   names: boolean
+  hours: boolean // of a clock, in the surgeon's view
   cut: number | null // index into Scene.sections
 }
 
@@ -72,6 +87,7 @@ export class Viewer {
     seams: new Lines({ width: 3, colour: TINTS.added, dashed: true, inFront: true }),
     behind: new Lines({ width: 2, colour: TINTS.added, dashed: true, inFront: true }), // sutures through tissue
     cut: new Lines({ width: 1, inMillimetres: true }),
+    neighbours: new Lines({ width: 1.6, colour: '#8a6f6a' }),
     drawn: new Lines({ width: 2.5, colour: '#d6336c', inFront: true }),
   }
 
@@ -127,10 +143,14 @@ export class Viewer {
 
   show(look: Look): void {
     const { scene, leaflets } = this
+    const wasCut = this.look?.cut ?? null
     this.look = look
     const cut = look.cut === null ? undefined : scene?.sections[look.cut]
+    if (cut && wasCut === null) this.turnTo(cut)
     if (cut) this.side = this.nearSide(cut)
-    const asked = JSON.stringify([look, this.extra, this.side])
+    const beside =
+      scene && look.names && this.stage.isFromAbove ? neighbours(scene).filter((one) => this.isInSight(one.label)) : []
+    const asked = JSON.stringify([look, this.extra, this.side, beside.map(({ label }) => label.text)])
     if (!scene || !leaflets || asked === this.drawn) return
     this.drawn = asked
     this.pointAway()
@@ -147,8 +167,10 @@ export class Viewer {
     this.leak.show(surfaces)
     const isLeft = ({ point_mm }: Label): boolean =>
       !cut || this.side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
-    const names = look.names ? namesOf(scene, this.nodes).filter(isLeft) : []
-    this.labels.set([...names, ...labels, ...this.extra])
+    this.lines.neighbours.set(beside.flatMap(({ outline }) => outline))
+    const names = look.names ? [...namesOf(scene, this.nodes), ...beside.map(({ label }) => label)] : []
+    const named = [...names, ...(look.hours ? hours(scene) : [])].filter(isLeft)
+    this.labels.set([...named, ...labels, ...this.extra])
     this.stage.draw()
   }
 
@@ -186,6 +208,11 @@ export class Viewer {
   mark(labels: Label[]): void {
     this.extra = labels
     if (this.look) this.show(this.look)
+  }
+
+  private isInSight({ point_mm }: Label): boolean {
+    const { x, y } = this.stage.place(point_mm)
+    return x > 0 && y > 0 && x < this.stage.size.x && y < this.stage.size.y
   }
 
   /// Lines drawn over everything, such as a measured distance: six numbers each.
@@ -230,6 +257,17 @@ export class Viewer {
         const colour = cutColour(scene.segments[face] as Segment)
         return [...colour, ...colour]
       }),
+    )
+  }
+
+  /// A new cut that is seen from its edge shows nothing: the camera turns to it, the atrium stays above.
+  private turnTo(cut: Cut): void {
+    const toEye = unit(minus(this.stage.camera.position.toArray(), cut.point_mm))
+    if (!this.scene || Math.abs(dot(toEye, cut.normal)) > TURNED_TO) return
+    const { normal } = this.scene.plane
+    this.stage.look(
+      plus(times(-Math.sign(cut.normal[0]), cut.normal), times(0.3, normal)),
+      wholeValve(this.scene, this.nodes),
     )
   }
 

@@ -2,27 +2,18 @@
 // cut, covered or out of its box, axe-core finds nothing, the browser complains of nothing. A picture of each is left in
 // build/pages, to be looked at; with COAPT_PICTURES=all one of each size in both themes.
 import assert from 'node:assert/strict'
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
-import { layoutFaults } from './layout.mjs'
-import { accessProblems, openView, resize, ROOT, settled, startBrowser, startService } from './page.mjs'
+import { drawNothing, looks } from './looks.mjs'
+import { openView, ROOT, settled, startBrowser, startService } from './page.mjs'
 
-const WINDOWS = [
-  [1440, 900],
-  [390, 844],
-  [820, 1180],
-  [1280, 800],
-]
-const LARGER = '125%' // of the letters that a browser has else
-const PICTURES = join(ROOT, 'build/pages')
 const LONG_NAME = `Patient 0042 before surgery, segmented twice and averaged over both, second attempt, ${'x'.repeat(60)}`
 const { leaflets, annulus, chordae } = JSON.parse(readFileSync(join(ROOT, 'server/openapi.json'))).components.examples
   .one_skirt.value
 
 let service, browser, page, complaints
 before(async () => {
-  mkdirSync(PICTURES, { recursive: true })
   service = await startService()
   browser = await startBrowser()
   ;({ page, complaints } = await open('valve'))
@@ -33,16 +24,6 @@ after(async () => {
   await service.stop()
 })
 
-/// While only the layout is looked at, nothing is drawn: the processor would take most of the time for that.
-function drawNothing() {
-  for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) {
-    const draw = WebGL2RenderingContext.prototype[name]
-    WebGL2RenderingContext.prototype[name] = function (...how) {
-      if (!globalThis.drawsNothing) draw.apply(this, how)
-    }
-  }
-}
-
 async function open(view, { url = service.url, prepare = async () => {} } = {}) {
   const opened = await openView(browser, url, 'studies', { width: 1440, height: 900 })
   await opened.page.addInitScript(drawNothing)
@@ -52,6 +33,7 @@ async function open(view, { url = service.url, prepare = async () => {} } = {}) 
   return opened
 }
 
+const looksWell = (name, { of = page, said = complaints, ...how } = {}) => looks(name, of, said, how)
 const named = (name, of = page) => of.locator('[data-part=open-valve]', { hasText: name }).waitFor()
 const press = (name, of = page) => of.getByRole('button', { name, exact: true }).click()
 const answered = () => page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
@@ -60,38 +42,31 @@ async function view(name, of = page) {
   await of.locator('nav [aria-current]', { hasText: name }).waitFor()
 }
 
-/// `theme`: in which the picture is taken and axe looks.
-async function looksWell(name, { of = page, theme = 'light', said = complaints } = {}) {
-  const found = []
-  const look = async (width, height, letters) => {
-    await of.evaluate((size) => (document.documentElement.style.fontSize = size), letters)
-    await resize(width, height, of)
-    for (const fault of await of.evaluate(layoutFaults)) found.push(`${name}, ${width} px ${letters}: ${fault}`)
-  }
-  await of.evaluate(() => (globalThis.drawsNothing = true))
-  for (const [width, height] of [WINDOWS[1], WINDOWS[3]]) await look(width, height, LARGER)
-  for (const [width, height] of WINDOWS) await look(width, height, '')
-  await of.evaluate(() => (globalThis.drawsNothing = false))
-  await picture(name, of, theme)
-  found.push(...(await accessProblems(of)))
-  if (process.env.COAPT_PICTURES === 'all')
-    for (const window of WINDOWS)
-      for (const colours of ['light', 'dark']) await picture(`${name}-${window[0]}-${colours}`, of, colours, window)
-  if (theme !== 'light') await of.emulateMedia({ colorScheme: 'light' })
-  assert.deepEqual([...found, ...said], [])
-}
-
-async function picture(name, of, colorScheme, [width, height] = [1440, 900]) {
-  await of.emulateMedia({ colorScheme })
-  await resize(width, height, of) // all is drawn anew
-  await of.waitForFunction(() => !document.querySelector('[data-part=photo]:not([data-taken])'))
-  await of.screenshot({ path: join(PICTURES, `${name}.png`) })
-}
-
 const filesOf = (files) => files.map(({ name, text }) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) }))
 const importStage = () => page.locator('[data-part=import-stage]')
 
-test('the first look', () => looksWell('valve'))
+test('the first look, and what scripts are told of it', async () => {
+  await looksWell('valve')
+  const { view: shown, valve, leak_mm2, plan, isAway } = await page.evaluate(() => globalThis.coapt.state())
+  assert.deepEqual([shown, valve.reference, plan.steps, isAway], ['valve', 'human-functional-mr', [], false])
+  assert.match(
+    await page.locator('[data-part=headline]').first().textContent(),
+    new RegExp(`^${Math.round(leak_mm2.before)} ± `),
+  )
+})
+
+test('a cut turns the valve so that it is seen; the clock stands around the valve from above', async () => {
+  await page.getByLabel('Cut', { exact: true }).check()
+  await page.locator('[data-part=section]').waitFor()
+  await page.locator('[data-part=tip]:visible').first().waitFor() // from above the leaflets hide them
+  await looksWell('cut', { theme: 'dark' })
+  await page.getByLabel('Cut', { exact: true }).uncheck()
+  await press('From the atrium')
+  await page.getByLabel('Clock').check()
+  await page.locator('[data-part=hour]:visible', { hasText: '12' }).waitFor()
+  await looksWell('clock')
+  await page.getByLabel('Clock').uncheck()
+})
 
 test('at dusk the stage turns dark with the page, without a touch', async () => {
   const ground = async () => {
@@ -202,7 +177,7 @@ test('a search: asked for, refused, running, failed, done, compared', async () =
     'Mesh refined': '0',
   }
   for (const [label, value] of Object.entries(fields))
-    await page.getByLabel(new RegExp(`^${label}( times)?$`)).fill(value)
+    await page.getByLabel(new RegExp(`^${label}(times)?$`)).fill(value)
   await page.getByLabel('Evidence').uncheck()
   await start.click()
   await page.locator('[data-part=leading] [data-part=photo][data-taken]').nth(1).waitFor()

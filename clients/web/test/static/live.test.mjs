@@ -121,15 +121,14 @@ test('two fingers are two hooks', async () => {
 })
 
 test('keys grab, move and let go', async () => {
-  await page.getByRole('combobox', { name: 'Free edge of' }).selectOption('P2')
-  await page.getByRole('button', { name: 'Grab' }).click()
+  await page.getByRole('button', { name: 'P2', exact: true }).click()
   await isHeld(0)
   const first = (await state()).hand
   for (let i = 0; i < 4; ++i) await page.keyboard.press('Shift+ArrowUp')
-  await page.keyboard.press('PageDown')
+  await page.keyboard.press('PageUp')
   await page.waitForFunction((from) => {
     const { hand } = globalThis.coapt.live.state()
-    return hand[1] > from[1] + 7 && hand[2] > from[2] + 0.4 // anterior, and towards the eye above the atrium
+    return hand[1] > from[1] + 7 && hand[2] > from[2] + 0.4 // anterior, and towards the atrium
   }, first)
   await page.keyboard.press('Escape')
   await isFree(0)

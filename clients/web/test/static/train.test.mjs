@@ -3,6 +3,7 @@ import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
+import { looks } from '../page/looks.mjs'
 import { accessProblems, openView, ROOT, startBrowser } from '../page/page.mjs'
 import { startFiles } from './files.mjs'
 
@@ -93,6 +94,29 @@ test('exam B in practice: eight segments are judged, the answer is told, the eng
   assert.deepEqual(await accessProblems(page), [])
 })
 
+test('exam A in practice: the answer says which segment gave the valve away, and shows it', async () => {
+  await press('Exams and practice')
+  await page.getByLabel('Task').selectOption('practice A')
+  await press('Start')
+  await task('Four valves under pressure')
+  await press('Go on to the flaccid valve')
+  await press('I have seen enough')
+  await page.getByRole('radio', { name: 'Valve 2' }).check()
+  await press('Answer')
+  const why = page.locator('[data-part=why]')
+  await why.filter({ hasText: /its free edge closes \d+\.\d mm (higher|lower) than in valve [1-4]/ }).waitFor()
+  const [, segment] = /^(\w\w) gives valve [1-4] away/.exec(await why.textContent())
+  assert.match(await why.textContent(), new RegExp(`You did not pull ${segment}\\.$`))
+  assert.equal(await page.locator('[data-part=four-valves] [data-part=segment]', { hasText: segment }).count(), 4)
+  await looks('practice-answer', page, complaints)
+  await press(`Pull ${segment} once more`)
+  await page.waitForFunction(() => globalThis.coapt.live.state()?.hand)
+  await looks('practice-pull', page, complaints, { theme: 'dark' })
+  await press('Back to the four valves')
+  await why.waitFor()
+  await press('Stop')
+})
+
 test('a schedule of a file ends the analysis in time', async () => {
   await press('Exams and practice')
   const blocks = [{ name: 'short', exam: 'B', cases: 1, seconds: 1 }]
@@ -125,7 +149,7 @@ test('an exemplar of each kind is shown being pulled', async () => {
 test('all trials are deleted', async () => {
   await press('Results')
   await press('Delete all trials')
-  await press('Delete 3 trials for good')
+  await press('Delete 4 trials for good')
   await page.getByText('No trials yet.').waitFor()
 })
 

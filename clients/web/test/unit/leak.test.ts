@@ -1,8 +1,8 @@
 import { describe, expect, it, test } from 'vitest'
 import type { Leak, Opening, Scene, Vector } from '../../src/api/types'
 import { cornerColours, scaleOf, vertexValues } from '../../src/viewer/colours'
-import { boundaryEdges } from '../../src/viewer/geometry'
-import { closedLine, leakLabels, openingLabels } from '../../src/viewer/leak'
+import { boundaryEdges, closedLine } from '../../src/viewer/geometry'
+import { leakLabels, openingLabels } from '../../src/viewer/leak'
 import { outwards, thickSheet, vertexNormals } from '../../src/viewer/thick_sheet'
 import { pyramid } from './scenes'
 

@@ -2,6 +2,7 @@ import { beforeEach, expect, test } from 'vitest'
 import { exemplars } from '../../src/train/exemplars'
 import { nearest, newSeeds } from '../../src/train/practice'
 import { readSchedule, STUDIES } from '../../src/train/schedules'
+import { telling } from '../../src/train/telling'
 import { ofVertex, segmentOf } from '../../src/train/segments'
 import { namesAround } from '../../src/viewer/marks'
 import { deleteTrials, keepTrial, keptTrials, lettersOf, rightLetters, trialsCsv } from '../../src/train/trials'
@@ -114,4 +115,15 @@ test('time is told in minutes and seconds, and a wait ends when it is stopped', 
   stop.abort()
   await expect(waiting).rejects.toThrow()
   await expect(pressed({} as HTMLButtonElement, stop.signal)).rejects.toThrow()
+})
+
+test('the segment whose free edge differs most tells two closed valves apart', () => {
+  const shape = pyramid()
+  const first = [...shape.rest_mm]
+  const edge = shape.leaflet_coordinates.height.findIndex((height) => height > 0.99)
+  first[3 * edge + 2] = (first[3 * edge + 2] ?? 0) + 2
+  const { segment, higher_mm } = telling(shape, first, shape.rest_mm)
+  expect(higher_mm).toBeCloseTo(2, 9)
+  expect(shape.segments).toContain(segment)
+  expect(telling(shape, shape.rest_mm, first).higher_mm).toBeCloseTo(-2, 9)
 })

@@ -1,0 +1,55 @@
+// Looks at a page as it is: its layout in four sizes of the window and with larger letters, what axe-core finds, what the browser
+// has complained of. Leaves a picture.
+import assert from 'node:assert/strict'
+import { mkdirSync } from 'node:fs'
+import { join } from 'node:path'
+import { layoutFaults } from './layout.mjs'
+import { accessProblems, resize, ROOT } from './page.mjs'
+
+const WINDOWS = [
+  [1440, 900],
+  [390, 844],
+  [820, 1180],
+  [1280, 800],
+]
+const LARGER = '125%' // of the letters that a browser has else
+const PICTURES = join(ROOT, 'build/pages')
+
+/// While only the layout is looked at, nothing is drawn: the processor would take most of the time for that.
+export function drawNothing() {
+  for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) {
+    const draw = WebGL2RenderingContext.prototype[name]
+    WebGL2RenderingContext.prototype[name] = function (...how) {
+      if (!globalThis.drawsNothing) draw.apply(this, how)
+    }
+  }
+}
+
+/// `said`: complaints of the browser so far. `theme`: in which the picture is taken and axe looks.
+export async function looks(name, of, said, { theme = 'light' } = {}) {
+  mkdirSync(PICTURES, { recursive: true })
+  const found = []
+  const look = async (width, height, letters) => {
+    await of.evaluate((size) => (document.documentElement.style.fontSize = size), letters)
+    await resize(width, height, of)
+    for (const fault of await of.evaluate(layoutFaults)) found.push(`${name}, ${width} px ${letters}: ${fault}`)
+  }
+  await of.evaluate(() => (globalThis.drawsNothing = true))
+  for (const [width, height] of [WINDOWS[1], WINDOWS[3]]) await look(width, height, LARGER)
+  for (const [width, height] of WINDOWS) await look(width, height, '')
+  await of.evaluate(() => (globalThis.drawsNothing = false))
+  await picture(name, of, theme)
+  found.push(...(await accessProblems(of)))
+  if (process.env.COAPT_PICTURES === 'all')
+    for (const window of WINDOWS)
+      for (const colours of ['light', 'dark']) await picture(`${name}-${window[0]}-${colours}`, of, colours, window)
+  if (theme !== 'light') await of.emulateMedia({ colorScheme: 'light' })
+  assert.deepEqual([...found, ...said], [])
+}
+
+async function picture(name, of, colorScheme, [width, height] = [1440, 900]) {
+  await of.emulateMedia({ colorScheme })
+  await resize(width, height, of) // all is drawn anew
+  await of.waitForFunction(() => !document.querySelector('[data-part=photo]:not([data-taken])'))
+  await of.screenshot({ path: join(PICTURES, `${name}.png`) })
+}
