@@ -53,7 +53,7 @@ export class Labels {
     stage.onFrame.push(() => this.place())
   }
 
-  /// Placed when the stage draws next.
+  /// Placed, and seen, when the stage draws next.
   set(labels: Label[]): void {
     this.placed = labels.map((label) => ({
       label,
@@ -62,6 +62,7 @@ export class Labels {
       size: null,
       spot: null,
     }))
+    for (const { node, line } of this.placed) node.style.visibility = line.style.visibility = 'hidden'
     const lines = svg('svg', {}, ...this.placed.map(({ line }) => line))
     this.element.replaceChildren(lines, ...this.placed.map(({ node }) => node))
   }
