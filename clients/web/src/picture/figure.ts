@@ -3,7 +3,7 @@
 import { svg } from '../dom'
 import { number } from '../format'
 import { css, TINTS, type Scale } from '../viewer/colours'
-import { KINDS } from '../viewer/legend'
+import type { Kind } from '../viewer/legend'
 import type { Shot } from '../viewer/viewer'
 
 export interface Figure {
@@ -11,6 +11,7 @@ export interface Figure {
   lines: string[] // what is measured, what was repaired
   shots: { title: string; shot: Shot }[] // one beside the other
   scale: Scale | null
+  kinds: readonly Kind[] // that its colours mean, without a scale
 }
 
 export const WIDTH_MM = 180
@@ -25,7 +26,7 @@ const BAR_MM = 10 // of the valve
 const LEADING = 1.4
 const COLUMNS = 3 // of the legend
 
-export function figureSvg({ name, lines, shots, scale }: Figure): SVGSVGElement {
+export function figureSvg({ name, lines, shots, scale, kinds }: Figure): SVGSVGElement {
   const parts: SVGElement[] = []
   let y = NAME_MM
   parts.push(text(0, y, NAME_MM, name, { 'font-weight': 700 }))
@@ -38,8 +39,8 @@ export function figureSvg({ name, lines, shots, scale }: Figure): SVGSVGElement 
   const drawn = shots.map(({ title, shot }, i) => panel(title, shot, { x: i * (width + BETWEEN_MM), y, width }))
   parts.push(...drawn.map(({ element }) => element))
   y = Math.max(...drawn.map(({ bottom }) => bottom)) + 2 * LINE_MM
-  parts.push(scale ? scaleLegend(scale, y) : tintLegend(y))
-  y += (scale ? 2 : 1 + LEADING * Math.ceil(KINDS.length / COLUMNS)) * LINE_MM
+  parts.push(scale ? scaleLegend(scale, y) : tintLegend(kinds, y))
+  y += (scale ? 2 : 1 + LEADING * Math.ceil(kinds.length / COLUMNS)) * LINE_MM
   parts.push(text(0, y, LINE_MM, NOTICE, { fill: SOFT }))
   const height = y + LINE_MM
   return svg(
@@ -121,8 +122,8 @@ function panel(
   }
 }
 
-function tintLegend(top: number): SVGElement {
-  const entries = KINDS.flatMap(([colour, words], i) => {
+function tintLegend(kinds: readonly Kind[], top: number): SVGElement {
+  const entries = kinds.flatMap(([colour, words], i) => {
     const x = ((i % COLUMNS) * WIDTH_MM) / COLUMNS
     const y = top + LEADING * LINE_MM * Math.floor(i / COLUMNS)
     return [

@@ -163,7 +163,7 @@ function ringForm(step: Annuloplasty, context: StepContext): HTMLElement {
   const note = rings.find(({ name }) => name === step.shape)?.note
   const size =
     'sizes_below' in step
-      ? slider('Sizes below', step.sizes_below, { min: 0, max: 6, step: 1 }, '', (sizes_below, passing) =>
+      ? slider('Undersized by', step.sizes_below, { min: 0, max: 6, step: 1 }, 'sizes', (sizes_below, passing) =>
           context.change({ step: 'annuloplasty', shape: 'own', sizes_below }, passing),
         )
       : slider('Size', step.size_mm, sizes_mm, 'mm', (size_mm, passing) =>

@@ -11,7 +11,7 @@ import { Looks } from '../valve/looks'
 import { headline } from '../valve/headline'
 import { measures } from '../valve/measures'
 import { sectionInset } from '../valve/section_inset'
-import { legend } from '../viewer/legend'
+import { kindsOn, legend } from '../viewer/legend'
 import type { Grip } from '../viewer/handles'
 import { Viewer } from '../viewer/viewer'
 import { problemsOf, type Workspace } from '../workspace'
@@ -161,7 +161,7 @@ export class RepairView implements View {
     const look = this.looks.look(this.workspace.after ? [before, after] : [before])
     this.before.show(look)
     this.after.show(look)
-    this.legend.replaceChildren(legend(look.mode, look.scale))
+    this.legend.replaceChildren(legend(look.mode, look.scale, kindsOn([before, after], this.ringed)))
     const { cut } = look
     this.insets.before.hidden = cut === null
     this.insets.after.hidden = cut === null || this.workspace.after === null
@@ -177,7 +177,8 @@ export class RepairView implements View {
     const shown = after ? [this.before, this.after] : [this.before]
     const titles = after ? ['Before', 'Repaired'] : ['']
     const shots = shown.map((viewer, i) => ({ title: titles[i] ?? '', shot: viewer.shot(width_px / shown.length) }))
-    return { name: valve?.label ?? 'valve', lines: figureLines(before, after, plan), shots, scale }
+    const kinds = kindsOn(after ? [before, after] : [before], this.ringed)
+    return { name: valve?.label ?? 'valve', lines: figureLines(before, after, plan), shots, scale, kinds }
   }
 
   private async keep(): Promise<void> {

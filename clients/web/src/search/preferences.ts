@@ -44,7 +44,7 @@ export function preferences(plans: RankedPlan[], weights: Weights, changed: (fac
     )
     return { objective, input, factor, tell, element }
   })
-  const reset = button('Set all back to × 1', () => {
+  const reset = button('Reset', () => {
     for (const { input } of sliders) input.value = String(OWN_STOP)
     take()
   })

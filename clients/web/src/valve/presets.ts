@@ -9,7 +9,7 @@ export interface PresetWords {
 const PRESETS: Readonly<Record<string, PresetWords>> = {
   'human-functional-mr': {
     group: 'Human',
-    title: 'Functional leak',
+    title: 'Functional regurgitation',
     about: 'The annulus is dilated and the papillary muscles are displaced: the leaflets are tethered and do not meet.',
   },
   'human-p2-prolapse': {
@@ -35,7 +35,7 @@ const PRESETS: Readonly<Record<string, PresetWords>> = {
   },
   'secondary-mr': {
     group: 'Disease',
-    title: 'Secondary leak',
+    title: 'Secondary regurgitation',
     about: 'A ventricle that has grown tethers leaflets that have become stiffer across their fibres.',
   },
   hypertrophic: {

@@ -6,7 +6,7 @@ import { HAS_SERVICE } from '../mode'
 import type { Figure } from '../picture/figure'
 import { figureLines, pictureSaver } from '../picture/saver'
 import type { View } from '../view'
-import { legend } from '../viewer/legend'
+import { kindsOn, legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
 import type { Workspace } from '../workspace'
 import { DistanceTool } from './distance'
@@ -128,7 +128,7 @@ export class ValveView implements View {
       this.distance.clear()
     }
     this.viewer.show(look)
-    this.legend.replaceChildren(legend(look.mode, look.scale))
+    this.legend.replaceChildren(legend(look.mode, look.scale, kindsOn([before])))
     this.inset.replaceChildren(...(look.cut === null ? [] : [sectionInset(before, look.cut)]))
     this.inset.hidden = look.cut === null
   }
@@ -138,6 +138,12 @@ export class ValveView implements View {
     if (!before) throw new Error('No valve is open.')
     const { scale } = this.looks.look([before])
     const lines = figureLines(before, null, plan)
-    return { name: valve?.label ?? 'valve', lines, shots: [{ title: '', shot: this.viewer.shot(width_px) }], scale }
+    return {
+      name: valve?.label ?? 'valve',
+      lines,
+      shots: [{ title: '', shot: this.viewer.shot(width_px) }],
+      scale,
+      kinds: kindsOn([before]),
+    }
   }
 }

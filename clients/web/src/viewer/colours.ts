@@ -22,6 +22,7 @@ export const TINTS = {
   opening: '#1668d6',
   ruptured: '#c8342b',
   added: '#0f8a5f',
+  ring: '#e4e7ec',
 } as const
 const OUTER_THIRDS = 0.22 // of the way to white, so that segments can be told apart
 const CUT_EDGE = 0.7 // as bright as the leaflet

@@ -1,22 +1,32 @@
 // What the colours of a view mean.
+import type { ValveShape } from '../api/types'
 import { h } from '../dom'
 import { number } from '../format'
 import { css, TINTS, type ColourMode, type Scale } from './colours'
 import viewerStyle from './viewer.module.css'
 
-export const KINDS = [
-  [TINTS.anterior, 'anterior leaflet'],
-  [TINTS.posterior, 'posterior leaflet'],
-  [TINTS.commissure, 'commissures'],
-  [TINTS.opening, 'where it is open'],
-  [TINTS.ruptured, 'ruptured chorda'],
-  [TINTS.added, 'suture or neochorda'],
-] as const
+export type Kind = readonly [colour: string, words: string]
 
-export function legend(mode: ColourMode, scale: Scale | null): HTMLElement {
+/// What there is on these valves; `hasRing`: on one of them.
+export function kindsOn(scenes: readonly ValveShape[], hasRing = false): Kind[] {
+  const chordae = scenes.flatMap((scene) => scene.chordae)
+  const isAdded = chordae.some(({ kind }) => kind === 'neochorda') || scenes.some(({ sutures }) => sutures.length > 0)
+  const kinds: (Kind | false)[] = [
+    [TINTS.anterior, 'anterior leaflet'],
+    [TINTS.posterior, 'posterior leaflet'],
+    [TINTS.commissure, 'commissures'],
+    [TINTS.opening, 'where it is open'],
+    chordae.some(({ ruptured }) => ruptured) && [TINTS.ruptured, 'ruptured chorda'],
+    isAdded && [TINTS.added, 'suture or neochorda'],
+    hasRing && [TINTS.ring, 'ring'],
+  ]
+  return kinds.filter((kind) => kind !== false)
+}
+
+export function legend(mode: ColourMode, scale: Scale | null, kinds: readonly Kind[]): HTMLElement {
   if (!scale) {
     const list = h('ul', { class: viewerStyle.legend })
-    for (const [colour, words] of KINDS) {
+    for (const [colour, words] of kinds) {
       const swatch = h('span', { class: viewerStyle.swatch })
       swatch.style.background = colour
       list.append(h('li', {}, swatch, words))

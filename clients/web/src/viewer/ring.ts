@@ -1,6 +1,7 @@
 // A ring that is sutured to the annulus: a tube on its atrial side, upon the tissue that bulges there.
 import { CatmullRomCurve3, Mesh, MeshLambertMaterial, type Plane, TubeGeometry, Vector3 } from 'three'
 import type { ValveShape } from '../api/types'
+import { TINTS } from './colours'
 import { at, dot, length, minus, plus, times, vertexCount } from './geometry'
 
 const RADIUS_MM = 1.1
@@ -9,7 +10,7 @@ const AROUND = 12 // corners of its cross-section
 const PIECES = 4 // between two vertices of the annulus
 
 export class Ring {
-  readonly mesh = new Mesh(undefined, new MeshLambertMaterial({ color: '#e4e7ec' }))
+  readonly mesh = new Mesh(undefined, new MeshLambertMaterial({ color: TINTS.ring }))
 
   /// `nodes`: of the leaflets, which it lies upon.
   set(scene: ValveShape | null, nodes: ArrayLike<number> = []): void {

@@ -154,7 +154,7 @@ test('answers survive a reload; plans are ordered by what they say, times the sl
   for (let i = 0; i < 2; ++i) await page.keyboard.press('ArrowLeft') // × 0.5: 2.1, 1.4 and 1.5
   assert.deepEqual(await names(), ['2.', '3.', '1.'])
   assert.equal(await title(), '3 ranked plans, best first by what was learned and your weights')
-  await page.getByRole('button', { name: 'Set all back to × 1' }).click()
+  await page.getByRole('button', { name: 'Reset', exact: true }).click()
   for (const [colorScheme, width] of [
     ['dark', 1280],
     ['light', 390],

@@ -200,7 +200,7 @@ test('the reader’s own weights reorder plans without a request, and can be set
   const links = ranked.getByRole('link')
   const names = () => links.evaluateAll((all) => all.map((link) => link.textContent))
   const why = ranked.locator('[data-part=why]')
-  const back = ranked.getByRole('button', { name: 'Set all back to × 1' })
+  const back = ranked.getByRole('button', { name: 'Reset', exact: true })
   assert.ok(await back.isDisabled())
   await ranked.getByText('ties with 2').waitFor()
   await ranked.getByText('The same for all these plans.').first().waitFor() // neither has a price of opening

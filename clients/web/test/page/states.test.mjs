@@ -124,10 +124,14 @@ test('a repair without a step, with all kinds of them, and while something is pi
   await page.locator('[data-part=labels] [data-part=distance]').first().waitFor() // what was chosen is marked
   await looksWell('picking-head', { theme: 'dark' })
   await page.locator('[data-part=labels] [data-part=tip]:visible', { hasText: 'PM1' }).first().waitFor()
-  const { x, y, width, height } = await page
-    .locator('[data-part=labels] [data-part=tip]', { hasText: 'PM1' })
-    .first()
-    .boundingBox()
+  const { x, y, width, height } = await page // at once: words may be placed anew
+    .locator('[data-part=labels] [data-part=tip]')
+    .evaluateAll((all) =>
+      all
+        .find((word) => word.textContent === 'PM1')
+        .getBoundingClientRect()
+        .toJSON(),
+    )
   await page.mouse.click(x + width / 2, y + height / 2) // its name is as good as the point
   await page.locator('[data-part=steps]', { hasText: 'Neochorda from PM1 to P2' }).waitFor()
   for (const step of ['Suture AL', 'Resection', 'Edge-to-edge']) await press(step)

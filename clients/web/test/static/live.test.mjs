@@ -170,7 +170,7 @@ test('a ring is put in while it is pressed, and kept', async () => {
   )
   await atRest()
   const ringed = await vertices()
-  await page.getByRole('slider', { name: 'Sizes below' }).fill('5')
+  await page.getByRole('slider', { name: 'Undersized by, sizes' }).fill('5')
   await page.waitForFunction(([x]) => Math.abs(globalThis.coapt.live.vertices()[0] - x) > 0.3, ringed)
   await page.getByRole('button', { name: 'Keep this repair' }).click()
   await page.getByText('Kept as “plan 1”.').waitFor()
