@@ -8,7 +8,17 @@ import { at, closedNodes } from '../viewer/geometry'
 import { problemsOf, type Workspace } from '../workspace'
 import { stepForm, type StepContext } from './forms'
 import type { AskForPick } from './picking'
-import { describe, FREE_EDGE, newApproximation, newNeochorda, placeWords, SIDES, type Anatomy } from './steps'
+import {
+  describe,
+  FIRST_STEPS,
+  FREE_EDGE,
+  newApproximation,
+  newNeochorda,
+  placeWords,
+  SIDES,
+  withStep,
+  type Anatomy,
+} from './steps'
 import parts from '../style/parts.module.css'
 import repairStyle from './repair.module.css'
 
@@ -77,9 +87,11 @@ export class PlanEditor {
 
   private adding(): HTMLElement {
     const add = (step: Step): void => {
-      this.open = this.workspace.plan.steps.length
-      void this.set([...this.workspace.plan.steps, step])
+      const steps = withStep(this.workspace.plan.steps, step)
+      this.open = steps.length - 1
+      void this.set(steps)
     }
+    const first = (name: keyof typeof FIRST_STEPS): HTMLElement => button(name, () => add(FIRST_STEPS[name]))
     const withScene = (use: (scene: Scene) => void) => () => this.workspace.before && use(this.workspace.before)
     const withAnatomy = (use: (anatomy: Anatomy) => void) => () => {
       const anatomy = this.anatomy()
@@ -101,11 +113,7 @@ export class PlanEditor {
     return h(
       'div',
       { class: parts.row, role: 'group', 'aria-label': 'Add a step' },
-      button('Ring', () => {
-        const others = this.workspace.plan.steps.filter((step) => step.step !== 'annuloplasty')
-        this.open = others.length
-        void this.set([...others, { step: 'annuloplasty', shape: 'own', sizes_below: 2 }])
-      }),
+      first('Ring'),
       ...sutures,
       button(
         'Neochorda',
@@ -115,17 +123,8 @@ export class PlanEditor {
         'Chorda',
         withScene((scene) => this.chooseChorda(scene, add)),
       ),
-      button('Resection', () =>
-        add({
-          step: 'leaflet_resection',
-          shape: 'triangular',
-          leaflet: 'posterior',
-          along: 0.5,
-          width_mm: 10,
-          height: 0.7,
-        }),
-      ),
-      button('Edge-to-edge', () => add({ step: 'edge_to_edge', device: 'clip', along: 0.5, width_mm: 4 })),
+      first('Resection'),
+      first('Edge-to-edge'),
     )
   }
 

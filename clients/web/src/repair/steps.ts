@@ -37,6 +37,26 @@ export const FREE_EDGE: Readonly<Record<string, LeafletPoint>> = Object.fromEntr
   ),
 )
 
+/// Steps that need nothing picked, as they are added first.
+export const FIRST_STEPS = {
+  Ring: { step: 'annuloplasty', shape: 'own', sizes_below: 2 },
+  Resection: {
+    step: 'leaflet_resection',
+    shape: 'triangular',
+    leaflet: 'posterior',
+    along: 0.5,
+    width_mm: 10,
+    height: 0.7,
+  },
+  'Edge-to-edge': { step: 'edge_to_edge', device: 'clip', along: 0.5, width_mm: 4 },
+} as const satisfies Record<string, Step>
+
+/// `steps` with one more; a ring takes the place of the ring before.
+export function withStep(steps: readonly Step[], added: Step): Step[] {
+  const others = steps.filter(({ step }) => step !== 'annuloplasty' || added.step !== 'annuloplasty')
+  return [...others, added]
+}
+
 export type Annuloplasty = Extract<Step, { step: 'annuloplasty' }>
 export type EdgeToEdge = Extract<Step, { step: 'edge_to_edge' }>
 export type Resection = Extract<Step, { step: 'leaflet_resection' }>

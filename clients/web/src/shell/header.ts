@@ -6,6 +6,8 @@ import { switchTheme } from './theme'
 import { VIEWS, type ViewName, withheld } from './views'
 import shellStyle from './shell.module.css'
 
+const OF_NO_VALVE: readonly ViewName[] = ['train', 'farm'] // cases of the trainer are made of a valve of its own
+
 export interface Header {
   element: HTMLElement
   mark(view: ViewName): void
@@ -47,6 +49,7 @@ export function header(workspace: Workspace, openPalette: () => void): Header {
   return {
     element,
     mark(view) {
+      valve.style.visibility = OF_NO_VALVE.includes(view) ? 'hidden' : ''
       for (const [name, link] of links) {
         if (name === view) link.setAttribute('aria-current', 'page')
         else link.removeAttribute('aria-current')

@@ -1,6 +1,7 @@
 // Ctrl+K: every view, valve, kept plan and action by its name.
 import { presets } from '../api/calls'
 import { h } from '../dom'
+import { FIRST_STEPS, withStep } from '../repair/steps'
 import { openedValves } from '../state/valves'
 import { presetTitle } from '../valve/presets'
 import type { Workspace } from '../workspace'
@@ -72,7 +73,7 @@ export function commandPalette(workspace: Workspace): Palette {
     open() {
       if (dialog.open) return
       if (!dialog.isConnected) document.body.append(dialog)
-      commands = [...views(), ...actions(workspace), ...plans(workspace)]
+      commands = [...views(), ...actions(workspace), ...steps(workspace), ...plans(workspace)]
       input.value = ''
       relist(0)
       dialog.showModal()
@@ -105,6 +106,14 @@ function actions(workspace: Workspace): Command[] {
     { group: 'Action', name: 'Clear the plan', run: () => void workspace.setPlan([]) },
     { group: 'Action', name: 'Light or dark', run: switchTheme },
   ]
+}
+
+function steps(workspace: Workspace): Command[] {
+  return Object.entries(FIRST_STEPS).map(([name, step]) => ({
+    group: 'Add a step',
+    name,
+    run: () => void workspace.setPlan(withStep(workspace.plan.steps, step)).then(() => (location.hash = '#/repair')),
+  }))
 }
 
 function plans(workspace: Workspace): Command[] {

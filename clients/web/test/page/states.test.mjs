@@ -264,7 +264,10 @@ test('the palette, with and without what is sought', async () => {
   await page.getByLabel('Find a command').fill('nothing of this name')
   await page.getByText('Nothing has this name').waitFor()
   await looksWell('palette-empty', { theme: 'dark' })
-  await page.keyboard.press('Escape')
+  await page.getByLabel('Find a command').fill('ring')
+  await page.keyboard.press('Enter')
+  await page.locator('nav [aria-current]', { hasText: 'Repair' }).waitFor()
+  await page.locator('[data-part=steps]', { hasText: 'undersized by 2 sizes' }).waitFor()
 })
 
 test('an address that names nothing', async () => {
