@@ -35,7 +35,7 @@ export async function looks(name, of, said, { theme = 'light' } = {}) {
     for (const fault of await of.evaluate(layoutFaults)) found.push(`${name}, ${width} px ${letters}: ${fault}`)
   }
   await of.evaluate(() => (globalThis.drawsNothing = true))
-  for (const [width, height] of [WINDOWS[1], WINDOWS[3]]) await look(width, height, LARGER)
+  await look(...WINDOWS[1], LARGER)
   for (const [width, height] of WINDOWS) await look(width, height, '')
   await of.evaluate(() => (globalThis.drawsNothing = false))
   await picture(name, of, theme)

@@ -50,7 +50,7 @@ test('an SVG has its size in millimetres, and words, scale bar, leak and notice 
     />10 mm</,
     />A2</,
     />\d+ mm²</,
-    /suture or neochorda/,
+    /where it is open/,
     /coapt: research software, not a medical device/,
   ])
     assert.match(drawing, new RegExp(words))
@@ -85,7 +85,7 @@ test('a repair is drawn beside the valve before it, with its steps', async () =>
   await page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
   const drawing = (await saved('svg')).bytes.toString('utf8')
   assert.equal(drawing.match(/<image /g).length, 2)
-  for (const words of [/>Before</, />Repaired</, /1\. Ring in the annulus/, /Leak \d+ → [\d.]+ ± [\d.]+ mm²/])
+  for (const words of [/>Before</, />Repaired</, />ring</, /1\. Ring in the annulus/, /Leak \d+ → [\d.]+ ± [\d.]+ mm²/])
     assert.match(drawing, words)
   assert.equal(
     chunks((await saved('png')).bytes)
