@@ -15,8 +15,9 @@ const WINDOWS = [
 const LARGER = '125%' // of the letters that a browser has else
 const PICTURES = join(ROOT, 'build/pages')
 
-/// While only the layout is looked at, nothing is drawn: the processor would take most of the time for that.
+/// Nothing is drawn but for pictures: the processor would take most of the time for that.
 export function drawNothing() {
+  globalThis.drawsNothing = true
   for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) {
     const draw = WebGL2RenderingContext.prototype[name]
     WebGL2RenderingContext.prototype[name] = function (...how) {
@@ -34,7 +35,11 @@ export async function looks(name, of, said, { theme = 'light' } = {}) {
     await resize(width, height, of)
     for (const fault of await of.evaluate(layoutFaults)) found.push(`${name}, ${width} px ${letters}: ${fault}`)
   }
-  await of.evaluate(() => (globalThis.drawsNothing = true))
+  const drewNothing = await of.evaluate(() => {
+    const before = globalThis.drawsNothing
+    globalThis.drawsNothing = true
+    return before
+  })
   await look(...WINDOWS[1], LARGER)
   for (const [width, height] of WINDOWS) await look(width, height, '')
   await of.evaluate(() => (globalThis.drawsNothing = false))
@@ -43,6 +48,7 @@ export async function looks(name, of, said, { theme = 'light' } = {}) {
   if (process.env.COAPT_PICTURES === 'all')
     for (const window of WINDOWS)
       for (const colours of ['light', 'dark']) await picture(`${name}-${window[0]}-${colours}`, of, colours, window)
+  await of.evaluate((before) => (globalThis.drawsNothing = before), drewNothing)
   if (theme !== 'light') await of.emulateMedia({ colorScheme: 'light' })
   assert.deepEqual([...found, ...said], [])
 }

@@ -79,9 +79,12 @@ test('at dusk the stage turns dark with the page, without a touch', async () => 
       return pen.getImageData(0, 0, 1, 1).data[0]
     }, png)
   }
+  await page.evaluate(() => (globalThis.drawsNothing = false))
+  await press('From the atrium')
   assert.ok((await ground()) > 200)
   await page.emulateMedia({ colorScheme: 'dark' })
   assert.ok((await ground()) < 60)
+  await page.evaluate(() => (globalThis.drawsNothing = true))
   await looksWell('valve-dark', { theme: 'dark' })
 })
 
@@ -161,6 +164,7 @@ test('long names, of a plan that is kept and scored and of a valve', async () =>
 })
 
 test('a search: asked for, refused, running, failed, done, compared', async () => {
+  await page.evaluate(() => (globalThis.drawsNothing = false)) // also while pictures of plans are taken
   await view('Search')
   await page.locator('[data-part=photo][data-taken]').waitFor()
   const start = page.getByRole('button', { name: 'Start the search' })
