@@ -12,7 +12,7 @@
 namespace coapt {
 namespace {
 
-// Some runs are worked on in turn (several coordinators); an open work may hold hundreds of megabytes.
+// Some works are taken in turn (several coordinators); an open work may hold hundreds of megabytes.
 constexpr std::size_t kOpenWorks = 4;
 
 using Clock = std::chrono::steady_clock;
@@ -29,7 +29,7 @@ std::string text_of(const Errors& errors) {
 
 struct ComputeThread::State {
   struct OpenWork {
-    std::int64_t run = 0;
+    std::string id;
     Expected<Work> work;
   };
 
@@ -47,11 +47,11 @@ struct ComputeThread::State {
 
   const Expected<Work>& work_of(const ComputeJob& job) {
     for (auto known = works.begin(); known != works.end(); ++known)
-      if (known->run == job.key.run) {
+      if (known->id == job.work) {
         works.splice(works.begin(), works, known);
         return works.front().work;
       }
-    works.push_front({job.key.run, open(*job.request)});
+    works.push_front({job.work, open(*job.request)});
     if (works.size() > kOpenWorks) works.pop_back();
     return works.front().work;
   }
@@ -63,7 +63,7 @@ struct ComputeThread::State {
   }
 
   ComputedTask compute(const ComputeJob& job) {
-    ComputedTask task{.key = job.key, .count = job.count};
+    ComputedTask task{.key = job.key, .count = job.count, .work = job.work};
     const Clock::time_point start = Clock::now();
     try {
       const Expected<Work>& work = work_of(job);

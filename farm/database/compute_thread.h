@@ -17,19 +17,22 @@ using WorkOpener = std::function<Expected<Work>(const WorkRequest&)>;
 struct ComputeJob {
   TaskKey key;
   int count = 0;
+  std::string
+      work;  ///< work_id() of the request: the number of a run may be another's after a restored backup
   std::shared_ptr<const WorkRequest> request;
 };
 
 struct ComputedTask {
   TaskKey key;
   int count = 0;
+  std::string work{};
   std::string bytes{};
   std::string error{};   ///< if not empty, why there are no bytes
   bool stopped = false;  ///< by stop(): there is no answer, at no one's fault
   double seconds = 0.0;
 };
 
-/// Computes one job after the other in the order given. The works of the last few runs stay open.
+/// Computes one job after the other in the order given. The last few works stay open.
 class ComputeThread {
  public:
   /// @param threads of each computation

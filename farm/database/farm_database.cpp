@@ -33,7 +33,13 @@ Errors errors_of(const Expected<T>& answer) {
 Error wrong_version(const std::string& where, std::int64_t version) {
   return {ErrorCode::Unsupported, "",
           where + ": its farm has version " + std::to_string(version) +
-              ", this program works with " + std::to_string(farm_schema_version())};
+              ", this program works with " + std::to_string(farm_schema_version()) +
+              (version < farm_schema_version() ? "; coapt-farm init brings it up to date" : "")};
+}
+
+Error other_work(const std::string& where) {
+  return {ErrorCode::Unsupported, "",
+          where + ": holds other work under the name of what was asked for; nothing of it is used"};
 }
 
 }  // namespace
@@ -41,7 +47,7 @@ Error wrong_version(const std::string& where, std::int64_t version) {
 Errors init_farm(Connection& connection, const std::string& team) {
   if (const Expected<Rows> version =
           connection.call("SELECT number::bigint FROM coapt_farm.schema_version");
-      version && version->count() > 0 && version->number(0, 0) != farm_schema_version())
+      version && version->count() > 0 && version->number(0, 0) > farm_schema_version())
     return {wrong_version(connection.where(), version->number(0, 0))};
   if (Errors errors = connection.run(std::string(farm_schema())); !errors.empty()) return errors;
   if (team.empty()) return {};
@@ -84,13 +90,14 @@ Expected<std::int64_t> FarmDatabase::add(const WorkRequest& request, const NewRu
       if (!name) return name.errors();
       names.push_back(*name);
     }
-    const Expected<std::int64_t> made =
-        number("SELECT coapt_farm.add_run($1, $2, $3, $4, $5, $6, $7, $8, $9)",
-               {run.work_id, run.revision, request.kind, sql_array(names), run.label, run.team,
-                run.items, std::int64_t{run.task_items}, run.check_share});
+    const Expected<Rows> made = connection_.call(
+        "SELECT the_run, the_work FROM coapt_farm.add_run($1, $2, $3, $4, $5, $6, $7, $8)",
+        {run.revision, request.kind, sql_array(names), run.label, run.team, run.items,
+         std::int64_t{run.task_items}, run.check_share});
     if (!made) return made.errors();
+    if (made->bytes(0, 1) != work_id(request)) return other_work(where());
     if (Errors errors = connection_.run("COMMIT"); !errors.empty()) return errors;
-    return *made;
+    return made->number(0, 0);
   }();
   if (!added) static_cast<void>(connection_.run("ROLLBACK"));
   return added;
@@ -103,13 +110,46 @@ Expected<std::string> FarmDatabase::progress(std::int64_t run) {
 Expected<std::vector<AnsweredTask>> FarmDatabase::answers(std::int64_t run, std::int64_t from,
                                                           bool with_holes) {
   const Expected<Rows> rows =
-      connection_.call("SELECT first, n, bytes FROM coapt_farm.result_chunk($1, $2, $3)",
+      connection_.call("SELECT first, n, work_id, bytes FROM coapt_farm.result_chunk($1, $2, $3)",
                        {run, from, std::int64_t{with_holes}});
   if (!rows) return rows.errors();
   std::vector<AnsweredTask> tasks;
   for (int i = 0; i < rows->count(); ++i)
-    tasks.push_back({rows->number(i, 0), static_cast<int>(rows->number(i, 1)), rows->bytes(i, 2)});
+    tasks.push_back({rows->number(i, 0), static_cast<int>(rows->number(i, 1)), rows->bytes(i, 2),
+                     rows->bytes(i, 3)});
   return tasks;
+}
+
+Expected<RunRequest> FarmDatabase::request(std::int64_t run) {
+  const Expected<Rows> rows = connection_.call(
+      "SELECT work_id, revision, kind, parts FROM coapt_farm.request_of($1)", {run});
+  if (!rows) return rows.errors();
+  RunRequest asked{rows->bytes(0, 0), rows->bytes(0, 1), {rows->bytes(0, 2), {}}};
+  for (const std::string& name : words_of(rows->bytes(0, 3))) {
+    Expected<std::string> part = text("SELECT coapt_farm.part_of($1, $2)", {run, name});
+    if (!part) return part.errors();
+    asked.request.parts.push_back(*std::move(part));
+  }
+  if (work_id(asked.request) != asked.work) return other_work(where());
+  return asked;
+}
+
+Expected<std::string> FarmDatabase::doubt(std::int64_t run, std::int64_t first,
+                                          const std::string& why) {
+  return text("SELECT coapt_farm.doubt($1, $2, $3)", {run, first, why});
+}
+
+Expected<std::optional<DisputedTask>> FarmDatabase::disputed(std::int64_t run) {
+  const Expected<Rows> rows =
+      connection_.call("SELECT first, n FROM coapt_farm.disputed($1)", {run});
+  if (!rows) return rows.errors();
+  if (rows->count() == 0) return std::optional<DisputedTask>();
+  return std::optional(DisputedTask{rows->number(0, 0), static_cast<int>(rows->number(0, 1))});
+}
+
+Errors FarmDatabase::judge(std::int64_t run, std::int64_t first, const std::string& bytes) {
+  return errors_of(
+      connection_.call("SELECT coapt_farm.judge($1, $2, $3)", {run, first, Bytes{bytes}}));
 }
 
 Expected<std::string> FarmDatabase::status() { return text("SELECT coapt_farm.status()", {}); }
@@ -160,10 +200,11 @@ Errors FarmDatabase::give_back(std::int64_t worker, const std::vector<TaskKey>& 
       connection_.call("SELECT coapt_farm.give_back($1, $2, $3)", with_tasks(worker, tasks)));
 }
 
-Expected<std::string> FarmDatabase::finish(std::int64_t worker, TaskKey task, double seconds,
+Expected<std::string> FarmDatabase::finish(std::int64_t worker, TaskKey task,
+                                           const std::string& work, double seconds,
                                            const std::string& bytes) {
-  return text("SELECT coapt_farm.finish($1, $2, $3, $4, $5)",
-              {worker, task.run, task.first, seconds, Bytes{bytes}});
+  return text("SELECT coapt_farm.finish($1, $2, $3, $4, $5, $6)",
+              {worker, task.run, task.first, work, seconds, Bytes{bytes}});
 }
 
 Errors FarmDatabase::fail(std::int64_t worker, TaskKey task, const std::string& error) {

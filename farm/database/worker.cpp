@@ -164,23 +164,28 @@ class Worker {
   }
 
   bool begin(const ClaimedTask& task) {
-    std::shared_ptr<const WorkRequest> request = refused_ ? nullptr : request_of(task);
+    const std::string work = work_id(task.kind, task.parts);
+    std::shared_ptr<const WorkRequest> request = refused_ ? nullptr : request_of(task, work);
     if (request == nullptr) return false;
-    compute_.give({task.key, task.count, std::move(request)});
+    compute_.give({task.key, task.count, work, std::move(request)});
     return true;
   }
 
   /// Null if it cannot be read: the lease has run out meanwhile, or the worker has to end.
-  std::shared_ptr<const WorkRequest> request_of(const ClaimedTask& task) {
-    for (const auto& [run, request] : requests_)
-      if (run == task.key.run) return request;
+  std::shared_ptr<const WorkRequest> request_of(const ClaimedTask& task, const std::string& work) {
+    for (const auto& [known, request] : requests_)
+      if (known == work) return request;
     auto request = std::make_shared<WorkRequest>(WorkRequest{task.kind, {}});
     for (const std::string& name : task.parts) {
       auto part = ask<std::optional<std::string>>([&] { return part_of(task, name); });
       if (!part || !*part) return nullptr;
       request->parts.push_back(**std::move(part));
     }
-    requests_.emplace_front(task.key.run, request);
+    if (work_id(*request) != work) {
+      say_("the parts of run " + std::to_string(task.key.run) + " are not those that it names");
+      return nullptr;
+    }
+    requests_.emplace_front(work, request);
     if (requests_.size() > kKnownRequests) requests_.pop_back();
     return request;
   }
@@ -211,8 +216,11 @@ class Worker {
       if (task.stopped) continue;  // still held: it is given back
       if (task.error.empty()) {
         const auto verdict = ask<std::string>(
-            [&] { return database_.finish(id_, task.key, task.seconds, task.bytes); });
+            [&] { return database_.finish(id_, task.key, task.work, task.seconds, task.bytes); });
         if (!verdict) return;
+        if (*verdict == "unclaimed" || *verdict == "unknown")
+          say_("items from " + std::to_string(task.key.first) + " of run " +
+               std::to_string(task.key.run) + " were no longer asked of this worker");
         if (*verdict == "differs")
           say_("another worker answered items from " + std::to_string(task.key.first) + " of run " +
                std::to_string(task.key.run) + " differently");
@@ -271,7 +279,8 @@ class Worker {
 
   std::int64_t id_ = 0;
   std::vector<TaskKey> held_;  ///< claimed and not handed in
-  std::list<std::pair<std::int64_t, std::shared_ptr<const WorkRequest>>> requests_;
+  std::list<std::pair<std::string, std::shared_ptr<const WorkRequest>>>
+      requests_;         ///< by work_id()
   double task_s_ = 0.0;  ///< of late
   double pause_s_ = kShortestPause_s;
   Clock::time_point next_claim_ = Clock::now(), renewed_ = Clock::now();

@@ -21,6 +21,7 @@ struct AddArguments {
   FarmOption farm;
   std::string file, label, team, output;
   double check_share = 1.0 / 64.0;
+  int recompute = -1;  ///< tasks; as the kind of work asks
   bool wait = false, json_progress = false, json = false, quiet = false;
 };
 
@@ -44,11 +45,12 @@ int report_request(const std::string& file, Errors errors, bool json) {
   return exit_code::kBadInput;
 }
 
-int hand_out(FarmDatabase& database, std::int64_t run, const AddArguments& arguments,
+int hand_out(FarmDatabase& database, const AskedRun& asked, const AddArguments& arguments,
              const std::atomic<bool>& interrupted) {
-  if (arguments.output.empty()) return write_answers(database, run, false, std::cout, interrupted);
+  if (arguments.output.empty())
+    return write_answers(database, asked, false, std::cout, interrupted);
   std::ofstream file(arguments.output, std::ios::binary);
-  return write_answers(database, run, false, file, interrupted);
+  return write_answers(database, asked, false, file, interrupted);
 }
 
 int add(const AddArguments& arguments, const FarmKinds& kinds) {
@@ -64,18 +66,20 @@ int add(const AddArguments& arguments, const FarmKinds& kinds) {
   Expected<FarmDatabase> database = arguments.wait ? open_patiently(arguments.farm.url, interrupted)
                                                    : FarmDatabase::open(arguments.farm.url);
   if (!database) return report_farm_errors(database.errors(), json);
-  const NewRun run{work_id(*request), kinds.revision,   arguments.label,      arguments.team,
-                   work->items,       work->task_items, arguments.check_share};
+  const NewRun run{kinds.revision, arguments.label,  arguments.team,
+                   work->items,    work->task_items, arguments.check_share};
   int status = exit_code::kOk;
   const std::optional<std::int64_t> id = persistently(*database, interrupted, json, status,
                                                       [&] { return database->add(*request, run); });
   if (!id) return status;
   if (arguments.wait) {
-    status = wait_for_run(*database, *id, {json, arguments.quiet}, interrupted);
-    return status == exit_code::kOk ? hand_out(*database, *id, arguments, interrupted) : status;
+    const AskedRun asked{*id, work_id(*request), &*work,
+                         arguments.recompute < 0 ? work->sampled_tasks : arguments.recompute};
+    status = wait_and_check(*database, asked, {json, arguments.quiet}, interrupted);
+    return status == exit_code::kOk ? hand_out(*database, asked, arguments, interrupted) : status;
   }
   if (arguments.json)
-    std::cout << Json{{"run", *id}, {"items", run.items}, {"work_id", run.work_id}} << '\n';
+    std::cout << Json{{"run", *id}, {"items", run.items}, {"work_id", work_id(*request)}} << '\n';
   else
     std::cout << "run " << *id << ": " << run.items << " items\n";
   return exit_code::kOk;
@@ -96,7 +100,7 @@ void add_add(Command parent, int& status, const FarmKinds& kinds) {
       .show_argument("NAME");
   command
       .add_option("--check-share", arguments->check_share,
-                  "Share of tasks that two workers compute, whose answers are compared")
+                  "Share of tasks that workers of two logins compute, whose answers are compared")
       .check(number_from(0.0, 1.0))
       .show_default("0.0156");
   command.add_flag("--wait", arguments->wait, "Wait for the answers and write them");
@@ -104,6 +108,7 @@ void add_add(Command parent, int& status, const FarmKinds& kinds) {
       .add_option("-o,--output", arguments->output,
                   "With --wait: write them here, not to standard output")
       .show_argument("FILE");
+  add_recompute_option(command, arguments->recompute);
   command.add_flag("--progress-json", arguments->json_progress,
                    "Progress and errors on standard error as JSON, a line a second");
   command.add_flag("--quiet", arguments->quiet, "Show no progress");

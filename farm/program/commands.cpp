@@ -19,7 +19,7 @@ void add_farm_commands(Command app, int& status, const FarmKinds& kinds) {
   add_add(app, status, kinds);
   add_work(app, status, kinds);
   add_status(app, status);
-  add_fetch(app, status);
+  add_fetch(app, status, kinds);
   add_cancel(app, status);
   add_forget(app, status);
 }

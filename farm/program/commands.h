@@ -20,7 +20,7 @@ void add_init(Command parent, int& status);
 void add_add(Command parent, int& status, const FarmKinds& kinds);
 void add_work(Command parent, int& status, const FarmKinds& kinds);
 void add_status(Command parent, int& status);
-void add_fetch(Command parent, int& status);
+void add_fetch(Command parent, int& status, const FarmKinds& kinds);
 void add_cancel(Command parent, int& status);
 void add_forget(Command parent, int& status);
 

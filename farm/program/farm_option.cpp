@@ -6,6 +6,7 @@
 
 #include "io/command_line/exit_code.h"
 #include "io/json/result_json.h"
+#include "io/picture/text.h"
 
 namespace coapt {
 
@@ -26,7 +27,16 @@ void add_run_argument(Command command, std::uint64_t& run) {
       .required();
 }
 
-void say(const std::string& message) { std::cerr << "coapt-farm: " + message + '\n'; }
+void add_recompute_option(Command command, int& tasks) {
+  command
+      .add_option("--recompute", tasks,
+                  "Tasks, drawn at random, that are computed again here before the answers are "
+                  "written; by default 2, of searches 1 in runs of 5 and more")
+      .check(number_from(0, 1'000'000))
+      .show_argument("TASKS");
+}
+
+void say(const std::string& message) { std::cerr << "coapt-farm: " + printable(message) + '\n'; }
 
 int report_farm_errors(const Errors& errors, bool json) {
   int status = exit_code::kFailure;

@@ -20,6 +20,9 @@ void add_farm_option(Command command, FarmOption& option);
 /// The number of a run, as an argument.
 void add_run_argument(Command command, std::uint64_t& run);
 
+/// --recompute; untouched if it is not given.
+void add_recompute_option(Command command, int& tasks);
+
 /// A line on standard error.
 void say(const std::string& message);
 

@@ -24,6 +24,11 @@ std::string padded(const std::string& text, std::size_t width) {
   return text + std::string(text.size() < width ? width - text.size() : 0, ' ');
 }
 
+/// What a stranger wrote: nothing of it reaches the terminal but letters.
+std::string words_in(const Json& text) {
+  return text.is_string() ? printable(text.get<std::string>()) : "";
+}
+
 std::string words_of_run(const Json& run) {
   std::string words =
       grouped(run["done"].get<std::int64_t>()) + " of " + grouped(run["items"].get<std::int64_t>());
@@ -35,25 +40,24 @@ std::string words_of_run(const Json& run) {
 }
 
 void print_run(std::ostream& out, const Json& run) {
-  const std::string label = printable(run["label"].get<std::string>());
-  const std::string team = run["team"].get<std::string>();
+  const std::string label = words_in(run["label"]), team = words_in(run["team"]);
   out << "run " << run["run"] << "  " << padded(run["state"].get<std::string>(), 10)
-      << padded(run["kind"].get<std::string>(), 12) << words_of_run(run)
+      << padded(words_in(run["kind"]), 12) << words_of_run(run)
       << (label.empty() ? "" : "  " + label) << (team.empty() ? "" : "  (team " + team + ")")
       << '\n';
   if (run["waits_for_workers"] == true)
-    out << "  waits for a worker of revision " << run["revision"].get<std::string>() << '\n';
+    out << "  waits for a worker of revision " << words_in(run["revision"]) << '\n';
   if (run["tasks_disputed"] != 0)
     out << "  " << counted(run["tasks_disputed"].get<long>(), "task")
         << " answered in different ways: other workers compute them again\n";
   for (const Json& hole : run["poison"])
     out << "  no answer for items from " << hole["first"] << " (" << hole["items"]
-        << "): " << printable(hole["error"].get<std::string>()) << '\n';
+        << "): " << words_in(hole["error"]) << '\n';
 }
 
 void print_worker(std::ostream& out, const Json& worker) {
   const bool barred = worker["barred"].get<bool>(), alive = worker["alive"].get<bool>();
-  out << "worker " << padded(printable(worker["name"].get<std::string>()), 24)
+  out << "worker " << padded(words_in(worker["name"]), 24)
       << padded(barred  ? "barred"
                 : alive ? "alive"
                         : "gone",
@@ -61,7 +65,7 @@ void print_worker(std::ostream& out, const Json& worker) {
       << grouped(worker["items"].get<std::int64_t>()) << " items, "
       << rate(worker["rate_per_s"].get<double>()) << ", seen "
       << duration(worker["seen_s"].get<double>()) << " ago, revision "
-      << worker["revision"].get<std::string>() << '\n';
+      << words_in(worker["revision"]) << '\n';
 }
 
 /// A label's value: quotes, backslashes and ends of lines escaped.
@@ -119,9 +123,8 @@ void print_farm(std::ostream& out, const Json& status) {
   for (const Json& fault : status["faults"]) {
     if (fault["what"] == "lost" || ++told > 10) continue;
     out << "fault in run " << fault["run"] << ", items from " << fault["first"] << ", worker "
-        << (fault["worker"].is_null() ? "" : printable(fault["worker"].get<std::string>())) << ": "
-        << fault["what"].get<std::string>() << ", " << printable(fault["detail"].get<std::string>())
-        << '\n';
+        << words_in(fault["worker"]) << ": " << words_in(fault["what"]) << ", "
+        << words_in(fault["detail"]) << '\n';
   }
 }
 

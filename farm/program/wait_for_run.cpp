@@ -6,6 +6,9 @@
 #include <chrono>
 #include <iostream>
 #include <optional>
+#include <random>
+#include <thread>
+#include <vector>
 
 #include "farm/program/farm_option.h"
 #include "farm/program/persistence.h"
@@ -20,12 +23,68 @@ namespace {
 constexpr std::chrono::milliseconds kShortest(20), kLongest(500), kLine(1000);
 // The question costs the database the more, the more tasks are left: it has other things to do.
 constexpr int kRestPerAnswer = 20;
+constexpr int kRounds = 4;  // of answers that turn out wrong: then somebody must look
 
 Json line_of(const Json& progress) {
   Json line;
   for (const char* key : {"done", "items", "workers", "rate_per_s", "eta_s"})
     line[key] = progress[key];
   return line;
+}
+
+/// Some of the tasks offered, each set of them as likely as any other, and known to nobody before (Vitter 1985, algorithm R).
+class Drawing {
+ public:
+  explicit Drawing(int wanted) : wanted_(static_cast<std::size_t>(wanted)) {}
+
+  void offer(const AnsweredTask& task) {
+    ++offered_;
+    if (drawn_.size() < wanted_) {
+      drawn_.push_back(task);
+    } else if (wanted_ > 0) {
+      const std::size_t place =
+          std::uniform_int_distribution<std::size_t>(0, offered_ - 1)(chance_);
+      if (place < wanted_) drawn_[place] = task;
+    }
+  }
+  const std::vector<AnsweredTask>& drawn() const { return drawn_; }
+
+ private:
+  std::random_device chance_;
+  std::size_t wanted_, offered_ = 0;
+  std::vector<AnsweredTask> drawn_;
+};
+
+struct Wrong {
+  std::int64_t first = 0;
+  std::string why;
+};
+
+int usable_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+
+/// In order; all of them unless `with_holes`. `take` returns whether to go on. Returns an exit code; kFailure also after a false.
+template <class Take>
+int for_each_answer(FarmDatabase& database, const AskedRun& asked, bool with_holes, bool json,
+                    const std::atomic<bool>& interrupted, const Take& take) {
+  int status = exit_code::kOk;
+  const std::string run = "run " + std::to_string(asked.run);
+  for (std::int64_t next = 0;;) {
+    const auto tasks = persistently(database, interrupted, json, status,
+                                    [&] { return database.answers(asked.run, next, with_holes); });
+    if (!tasks) return status;
+    if (tasks->empty()) return exit_code::kOk;
+    for (const AnsweredTask& task : *tasks) {
+      if (task.work != asked.work)
+        return report_farm_errors(
+            {{ErrorCode::InputOutput, "", run + " answers another request than this one"}}, json);
+      if (!with_holes && task.first != next)
+        return report_farm_errors({{ErrorCode::InputOutput, "",
+                                    run + ": no answer for items from " + std::to_string(next)}},
+                                  json);
+      if (!take(task)) return exit_code::kFailure;
+      next = task.first + task.count;
+    }
+  }
 }
 
 int report_holes(const Json& progress, bool json) {
@@ -43,18 +102,38 @@ int report_holes(const Json& progress, bool json) {
   return kHoles;
 }
 
-}  // namespace
+/// Computes a task that workers differ on, if that is for this side to do. Returns an exit code.
+int settle(FarmDatabase& database, const AskedRun& asked, bool json,
+           const std::atomic<bool>& interrupted) {
+  if (asked.check == nullptr || asked.sampled == 0) return exit_code::kOk;
+  int status = exit_code::kOk;
+  const auto task = persistently(database, interrupted, json, status,
+                                 [&] { return database.disputed(asked.run); });
+  if (!task || !*task) return status;
+  std::string bytes;
+  try {
+    bytes = asked.check->compute((*task)->first, (*task)->count, usable_threads());
+  } catch (const std::exception&) {
+    return exit_code::kOk;  // then a third worker has to
+  }
+  persistently(database, interrupted, json, status, [&]() -> Expected<bool> {
+    Errors errors = database.judge(asked.run, (*task)->first, bytes);
+    if (errors.empty()) return true;
+    return errors;
+  });
+  return status;
+}
 
-int wait_for_run(FarmDatabase& database, std::int64_t run, const Waiting& waiting,
+int wait_for_run(FarmDatabase& database, const AskedRun& asked, const Waiting& waiting,
                  const std::atomic<bool>& interrupted) {
   int status = exit_code::kOk;
   const ProgressBar bar;
   std::optional<PatientClock::time_point> last_line;
   for (PatientClock::duration pause = kShortest;;
        pause = std::min<PatientClock::duration>(pause * 3 / 2, kLongest)) {
-    const PatientClock::time_point asked = PatientClock::now();
+    const PatientClock::time_point begin = PatientClock::now();
     const auto text = persistently(database, interrupted, waiting.json_progress, status,
-                                   [&] { return database.progress(run); });
+                                   [&] { return database.progress(asked.run); });
     if (!text) return status;
     const Json progress = Json::parse(*text);
     const bool ended = progress["state"] != "open";
@@ -70,38 +149,79 @@ int wait_for_run(FarmDatabase& database, std::int64_t run, const Waiting& waitin
     if (progress["state"] == "holes") return report_holes(progress, waiting.json_progress);
     if (ended)
       return report_farm_errors(
-          {{ErrorCode::InputOutput, "", "run " + std::to_string(run) + " was cancelled"}},
+          {{ErrorCode::InputOutput, "", "run " + std::to_string(asked.run) + " was cancelled"}},
           waiting.json_progress);
-    const PatientClock::duration rest = kRestPerAnswer * (PatientClock::now() - asked);
+    if (progress["tasks_disputed"] != 0)
+      if (const int failed = settle(database, asked, waiting.json_progress, interrupted))
+        return failed;
+    const PatientClock::duration rest = kRestPerAnswer * (PatientClock::now() - begin);
     // A line a second, whatever the pause.
     sleep_unless(std::clamp<PatientClock::duration>(rest, pause, std::chrono::milliseconds(900)),
                  interrupted);
   }
 }
 
-int write_answers(FarmDatabase& database, std::int64_t run, bool frames, std::ostream& out,
+}  // namespace
+
+int check_answers(FarmDatabase& database, const AskedRun& asked, bool json_errors,
                   const std::atomic<bool>& interrupted) {
-  int status = exit_code::kOk;
-  for (std::int64_t next = 0;;) {
-    const auto tasks = persistently(database, interrupted, false, status,
-                                    [&] { return database.answers(run, next, frames); });
-    if (!tasks) return status;
-    if (tasks->empty()) return exit_code::kOk;
-    for (const AnsweredTask& task : *tasks) {
-      if (frames)
-        out << task.first << ' ' << task.count << ' ' << task.bytes.size() << '\n';
-      else if (task.first != next)
-        return report_farm_errors({{ErrorCode::InputOutput, "",
-                                    "run " + std::to_string(run) + ": no answer for items from " +
-                                        std::to_string(next)}});
-      out << task.bytes;
-      next = task.first + task.count;
-    }
-    if (!out.flush()) {
-      say("the answers cannot be written");
-      return exit_code::kFailure;
+  if (asked.check == nullptr) return exit_code::kOk;
+  Drawing drawing(asked.sampled);
+  std::optional<Wrong> wrong;
+  int status = for_each_answer(
+      database, asked, true, json_errors, interrupted, [&](const AnsweredTask& task) {
+        const std::string objection =
+            asked.check->objection ? asked.check->objection(task.first, task.count, task.bytes)
+                                   : "";
+        if (!objection.empty()) wrong = {task.first, objection};
+        drawing.offer(task);
+        return !wrong;
+      });
+  if (status != exit_code::kOk && !wrong) return status;
+  for (std::size_t i = 0; !wrong && !interrupted && i < drawing.drawn().size(); ++i) {
+    const AnsweredTask& task = drawing.drawn()[i];
+    try {
+      if (asked.check->compute(task.first, task.count, usable_threads()) != task.bytes)
+        wrong = {task.first, "computed here, they are other bytes"};
+    } catch (const std::exception& error) {
+      wrong = {task.first, std::string("they cannot be computed here: ") + error.what()};
     }
   }
+  if (interrupted) return exit_code::kInterrupted;
+  if (!wrong) return exit_code::kOk;
+  const auto whose = persistently(database, interrupted, json_errors, status, [&] {
+    return database.doubt(asked.run, wrong->first, wrong->why);
+  });
+  if (!whose) return status;
+  return report_farm_errors(
+      {{ErrorCode::Unsupported, "",
+        "run " + std::to_string(asked.run) + ": the answers to items from " +
+            std::to_string(wrong->first) + " are not right (" + wrong->why + "); they are of " +
+            *whose + ", whose answers are open again for others"}},
+      json_errors);
+}
+
+int wait_and_check(FarmDatabase& database, const AskedRun& asked, const Waiting& waiting,
+                   const std::atomic<bool>& interrupted) {
+  for (int round = 1;; ++round) {
+    const int ended = wait_for_run(database, asked, waiting, interrupted);
+    if (ended != exit_code::kOk && ended != kHoles) return ended;
+    const int checked = check_answers(database, asked, waiting.json_progress, interrupted);
+    if (checked == exit_code::kOk) return ended;
+    if (checked != exit_code::kFailure || round == kRounds) return checked;
+  }
+}
+
+int write_answers(FarmDatabase& database, const AskedRun& asked, bool frames, std::ostream& out,
+                  const std::atomic<bool>& interrupted) {
+  return for_each_answer(
+      database, asked, frames, false, interrupted, [&](const AnsweredTask& task) {
+        if (frames) out << task.first << ' ' << task.count << ' ' << task.bytes.size() << '\n';
+        out << task.bytes;
+        if (out.flush()) return true;
+        say("the answers cannot be written");
+        return false;
+      });
 }
 
 }  // namespace coapt

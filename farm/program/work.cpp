@@ -115,7 +115,7 @@ void add_work(Command parent, int& status, const FarmKinds& kinds) {
   command
       .add_option("--lease", worker.name.lease_s,
                   "Seconds without a sign of life after which others take its tasks")
-      .check(number_from(0.5, 86400.0))
+      .check(number_from(0.5, 3600.0))
       .show_default();
   command.add_flag("--quiet", arguments->quiet, "Say nothing but errors");
   command.add_flag("--json", arguments->json, "Print what it did as JSON");

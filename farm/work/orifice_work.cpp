@@ -158,6 +158,9 @@ Expected<Work> open_orifice_work(const WorkRequest& request, OrificeTables* tabl
   work.compute = [worker, stop = work.stop](std::int64_t first, int count, int threads) {
     return (*worker)(first, count, threads, *stop);
   };
+  work.objection = [](std::int64_t /*first*/, int count, std::string_view bytes) {
+    return objection_of(orifice_answers(bytes, static_cast<std::size_t>(count)), count);
+  };
   return work;
 }
 

@@ -17,6 +17,8 @@
 namespace coapt {
 namespace {
 
+constexpr std::int64_t kSampledFrom = 5;  // valves
+
 struct PlanWork {
   std::vector<Valve> valves;
   SearchOptions options;
@@ -41,6 +43,19 @@ std::string search_one(const PlanWork& work, std::size_t index, int threads) {
   pack_text(bytes, write_report_material(report_material(*result, reproduce)));
   pack_text(bytes, tried_plans_csv(valve, *result));
   return bytes;
+}
+
+/// Whether it is the search that was asked for, on this valve.
+std::string objection_to(const PlanWork& work, std::size_t index, const PlanAnswer& answer) {
+  const Expected<Json> plans = parse_json(answer.plans);
+  const Json reproduce = plans && plans->is_object() ? plans->value("reproduce", Json()) : Json();
+  if (!reproduce.is_object()) return "the answer is no plans";
+  if (reproduce.value("valve_hash", Json()) !=
+      subject_of(work.valves.at(index), work.options.closure))
+    return "the plans are of another valve";
+  const Expected<Json> search = parse_json(to_json(work.options).dump());  // in the reader's order
+  if (reproduce.value("search", Json()) != *search) return "the plans are of another search";
+  return "";
 }
 
 Errors check_valves(const PlanWork& work) {
@@ -101,6 +116,16 @@ Expected<Work> open_plan_work(const WorkRequest& request) {
       bytes += search_one(*plans, static_cast<std::size_t>(i), threads);
     return bytes;
   };
+  work.objection = [plans](std::int64_t first, int count, std::string_view bytes) {
+    const Expected<std::vector<PlanAnswer>> answers = plan_answers(bytes);
+    std::string objection = objection_of(answers, count);
+    for (int i = 0; objection.empty() && i < count; ++i)
+      objection = objection_to(*plans, static_cast<std::size_t>(first + i),
+                               (*answers)[static_cast<std::size_t>(i)]);
+    return objection;
+  };
+  // One alone would take as long as the search that was asked for.
+  work.sampled_tasks = work.items >= kSampledFrom ? 1 : 0;
   return work;
 }
 

@@ -57,6 +57,9 @@ Expected<Work> open_members_work(const WorkRequest& request) {
     for (const std::string& text : made) pack_text(bytes, text);
     return bytes;
   };
+  work.objection = [](std::int64_t /*first*/, int count, std::string_view bytes) {
+    return objection_of(member_answers(bytes), count);
+  };
   return work;
 }
 
@@ -112,6 +115,9 @@ Expected<Work> open_records_work(const WorkRequest& request) {
     std::string bytes = population_records(*population, here, static_cast<int>(first), count);
     if (*stop) throw WorkStopped();
     return bytes;
+  };
+  work.objection = [](std::int64_t /*first*/, int count, std::string_view bytes) {
+    return objection_of(unpack_records(bytes), count);
   };
   return work;
 }

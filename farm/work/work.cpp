@@ -5,7 +5,6 @@
 #include "farm/work/orifice_work.h"
 #include "farm/work/plan_work.h"
 #include "farm/work/population_work.h"
-#include "farm/work/work_file.h"
 #include "io/store/sha256.h"
 #include "io/store/subject.h"
 
@@ -53,7 +52,18 @@ std::function<Expected<Work>(const WorkRequest&)> make_work_opener() {
   };
 }
 
-std::string work_id(const WorkRequest& request) { return sha256(write_work(request)); }
+std::string work_id(const WorkRequest& request) {
+  std::vector<std::string> names;
+  for (const std::string& part : request.parts) names.push_back(sha256(part));
+  return work_id(request.kind, names);
+}
+
+std::string work_id(const std::string& kind, const std::vector<std::string>& part_names) {
+  // As the farm's database makes it (work_id_of in coordinators.sql).
+  std::string text = kind + '\n';
+  for (std::size_t i = 0; i < part_names.size(); ++i) text += (i > 0 ? "\n" : "") + part_names[i];
+  return sha256(text);
+}
 
 std::string work_revision() {
   // The compiler and the C library's mathematics decide last bits, too.

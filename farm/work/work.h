@@ -10,6 +10,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/valve/types.h"
@@ -36,6 +37,12 @@ struct Work {
   /// The answers of items [first, first + count), packed one after another. On `threads` threads, the same bytes for any number.
   /// From one thread at a time. Throws what cannot be computed (std::runtime_error), a bug or a broken machine.
   std::function<std::string(std::int64_t first, int count, int threads)> compute;
+  /// What speaks against bytes as the answers of these items; empty: nothing. It looks at their form and the names in them, in
+  /// milliseconds: whether they are right, only computing tells.
+  std::function<std::string(std::int64_t first, int count, std::string_view bytes)> objection;
+  /// Tasks that whoever asked computes again, drawn at random, before it believes the answers; 0 where one takes as long as what
+  /// was asked for.
+  int sampled_tasks = 2;
   /// Set from any thread, it ends a computation within a closure or two by WorkStopped.
   std::shared_ptr<std::atomic<bool>> stop = std::make_shared<std::atomic<bool>>(false);
 };
@@ -47,8 +54,10 @@ Expected<Work> open_work(const WorkRequest& request);
 /// to some 0.5 GB.
 std::function<Expected<Work>(const WorkRequest&)> make_work_opener();
 
-/// 64 hexadecimal digits of kind and parts (SHA-256).
+/// 64 hexadecimal digits: the SHA-256 of the kind and of the SHA-256 of each part.
 std::string work_id(const WorkRequest& request);
+/// The same from the SHA-256 of each part.
+std::string work_id(const std::string& kind, const std::vector<std::string>& part_names);
 
 /// Of this build: workers of another one refuse the work. version() and what else decides bits.
 std::string work_revision();

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,15 @@ T read_part(const JsonPlace& place, const WorkRequest& request,
   for (const Error& error : value.errors())
     add_problem(place, error.code, error.path + ": " + error.message);
   return {};
+}
+
+/// What is wrong with an answer; empty: it could be read.
+template <class T>
+std::string objection_of(const Expected<std::vector<T>>& answers, int count) {
+  if (!answers) return answers.errors().front().message;
+  if (std::ssize(*answers) == count) return "";
+  return std::to_string(answers->size()) + " answers, where " + std::to_string(count) +
+         " are asked for";
 }
 
 /// Little-endian, eight bytes each.

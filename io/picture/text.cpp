@@ -43,6 +43,14 @@ int decimals_of(double error) {
   return std::clamp((two_digits ? 1 : 0) - exponent - (next_decade ? 1 : 0), 0, kMostDecimals);
 }
 
+/// What moves a terminal or turns the order of what follows: C0, DEL, C1, and the signs that override direction.
+bool is_control(std::string_view letter) {
+  if (letter.size() == 1) return (letter[0] >= '\0' && letter[0] < ' ') || letter[0] == '\x7F';
+  if (letter.size() == 2) return letter >= "\xC2\x80" && letter <= "\xC2\x9F";
+  return (letter >= "\xE2\x80\xAA" && letter <= "\xE2\x80\xAE") ||
+         (letter >= "\xE2\x81\xA6" && letter <= "\xE2\x81\xA9");
+}
+
 }  // namespace
 
 std::string fixed(double value, int decimals) {
@@ -85,10 +93,9 @@ std::string printable(std::string_view text) {
   std::string clean;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = sequence_length(text.substr(i));
-    const auto first = static_cast<unsigned char>(text[i]);
     if (length == 0) {
       clean += "\xEF\xBF\xBD";  // the replacement character
-    } else if (first < 0x20 || first == 0x7F) {
+    } else if (is_control(text.substr(i, length))) {
       clean += ' ';
     } else {
       clean += text.substr(i, length);

@@ -39,7 +39,7 @@ std::vector<ComputedTask> await(ComputeThread& thread, std::size_t count) {
 
 TEST(ComputeThread, AnswersComeInTheOrderOfTheJobs) {
   ComputeThread thread(open_words, 1);
-  for (int i = 0; i < 5; ++i) thread.give({{1, 10 * i}, 10, request_of("words")});
+  for (int i = 0; i < 5; ++i) thread.give({{1, 10 * i}, 10, "1", request_of("words")});
   const std::vector<ComputedTask> tasks = await(thread, 5);
   for (int i = 0; i < 5; ++i)
     EXPECT_EQ(tasks[static_cast<std::size_t>(i)].bytes, std::to_string(10 * i) + "+10");
@@ -47,14 +47,14 @@ TEST(ComputeThread, AnswersComeInTheOrderOfTheJobs) {
 
 TEST(ComputeThread, WhatCannotBeOpenedOrComputedSaysWhy) {
   ComputeThread thread(open_words, 1);
-  thread.give({{1, 0}, 1, request_of("bad")});
-  thread.give({{2, 13}, 1, request_of("words")});
+  thread.give({{1, 0}, 1, "1", request_of("bad")});
+  thread.give({{2, 13}, 1, "2", request_of("words")});
   const std::vector<ComputedTask> tasks = await(thread, 2);
   EXPECT_EQ(tasks[0].error, "the request: /kind: is bad");
   EXPECT_EQ(tasks[1].error, "computing: thirteen");
 }
 
-TEST(ComputeThread, AWorkIsOpenedOnceForTheTasksOfItsRun) {
+TEST(ComputeThread, AWorkIsOpenedOnceForItsTasksWhateverTheNumberOfTheRun) {
   std::atomic<int> opened = 0;
   ComputeThread thread(
       [&](const WorkRequest& request) {
@@ -62,7 +62,7 @@ TEST(ComputeThread, AWorkIsOpenedOnceForTheTasksOfItsRun) {
         return open_words(request);
       },
       1);
-  for (int i = 0; i < 6; ++i) thread.give({{1 + i % 3, i}, 1, request_of("words")});
+  for (int i = 0; i < 6; ++i) thread.give({{1, i}, 1, std::to_string(i % 3), request_of("words")});
   await(thread, 6);
   EXPECT_EQ(opened, 3);
 }
@@ -75,9 +75,9 @@ TEST(ComputeThread, JobsThatHaveNotBegunAreTakenBackAndTheOneInProgressStops) {
         return open_words(request);
       },
       1);
-  thread.give({{1, 0}, 1, request_of("long")});
+  thread.give({{1, 0}, 1, "1", request_of("long")});
   while (!begun) std::this_thread::yield();
-  for (int i = 1; i < 4; ++i) thread.give({{1, i}, 1, request_of("long")});
+  for (int i = 1; i < 4; ++i) thread.give({{1, i}, 1, "1", request_of("long")});
   EXPECT_EQ(thread.take_back().size(), 3u);
   thread.stop();
   const std::vector<ComputedTask> tasks = await(thread, 1);

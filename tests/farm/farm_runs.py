@@ -98,7 +98,7 @@ class FarmTest(unittest.TestCase):
         process.stdin = None
         return process
 
-    def collect(self, coordinator, request, timeout=300):
+    def collect(self, coordinator, request, timeout=60):
         out, err = coordinator.communicate(timeout=timeout)
         self.assertEqual(coordinator.returncode, OK, err.decode())
         self.assertEqual(out, request.answers())
@@ -106,6 +106,11 @@ class FarmTest(unittest.TestCase):
 
     def sql(self, text, **login):
         return self.postgres.sql(self.name, text, **login)
+
+    def new_login(self, name, *roles):
+        """Its address of the farm."""
+        self.sql(f"DROP ROLE IF EXISTS {name}; CREATE ROLE {name} LOGIN PASSWORD 'pw-{name}' IN ROLE {', '.join(roles)}")
+        return self.postgres.url(self.name, name, f"pw-{name}")
 
     def number(self, text):
         return int(self.sql(text)[0][0])

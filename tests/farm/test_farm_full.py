@@ -45,7 +45,7 @@ class Full(FarmTest):
         wait_until(lambda: self.status()["runs"][0]["state"] == "done")
         answers = request.answers()
         expected = b"".join(answers[8 * i : 8 * i + 8] + b"x" * 10_000 for i in range(400))
-        self.assertEqual(self.farm("fetch", 1).stdout, expected)
+        self.assertEqual(self.farm("fetch", 1, TOY_SIZE="10000").stdout, expected)
         self.assertIsNone(worker.poll())
 
 

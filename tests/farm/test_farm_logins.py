@@ -9,15 +9,10 @@ class Logins(FarmTest):
     def setUp(self):
         super().setUp()
         self.farm("init", "--team", "heart")
-        create = ""
-        for login, roles in (
-            ("asks", "coapt_coordinator, coapt_team_heart"),
-            ("works", "coapt_worker"),
-            ("heartworks", "coapt_worker, coapt_team_heart"),
-            ("reads", "coapt_reader"),
-        ):
-            create += f"DROP ROLE IF EXISTS {login}; CREATE ROLE {login} LOGIN PASSWORD 'pw-{login}' IN ROLE {roles}; "
-        self.sql(create)
+        self.new_login("asks", "coapt_coordinator", "coapt_team_heart")
+        self.new_login("works", "coapt_worker")
+        self.new_login("heartworks", "coapt_worker", "coapt_team_heart")
+        self.new_login("reads", "coapt_reader")
 
     def login(self, name, password=None):
         return self.postgres.url(self.name, name, password or f"pw-{name}")
@@ -41,7 +36,7 @@ class Logins(FarmTest):
 
     def test_nobody_reads_tables(self):
         for login in ("asks", "works", "reads"):
-            for table in ("blob", "run", "task", "result", "worker", "opinion", "fault"):
+            for table in ("blob", "run", "task", "result", "worker", "opinion", "fault", "distrust"):
                 with self.assertRaisesRegex(RuntimeError, "permission denied"):
                     self.sql(f"SELECT * FROM coapt_farm.{table}", user=login, password=f"pw-{login}")
 
@@ -73,8 +68,10 @@ class Logins(FarmTest):
         for call, said in (
             (f"read_part({theirs}, 1, '{part}')", "not known"),
             (f"read_part({mine}, 1, '{part}')", "only while"),
-            (f"finish({mine}, 1, 0, 1, 'x')", "not for this worker"),
-            (f"finish({theirs}, 1, 0, 1, 'x')", "not known"),
+            (f"finish({mine}, 1, 0, 'w', 1, 'x')", "not for this worker"),
+            (f"finish({theirs}, 1, 0, 'w', 1, 'x')", "not known"),
+            ("doubt(1, 0, 'because')", "permission denied"),
+            ("part_of(1, 'x')", "permission denied"),
         ):
             with self.assertRaisesRegex(RuntimeError, said):
                 self.sql(f"SELECT coapt_farm.{call}", user="works", password="pw-works")

@@ -65,6 +65,10 @@ Expected<Work> open_toy(const WorkRequest& request) {
       bytes[0] = static_cast<char>(bytes[0] ^ 1);
     return bytes;
   };
+  work.objection = [more](std::int64_t, int count, std::string_view bytes) {
+    const std::size_t expected = static_cast<std::size_t>(count) * (8 + more.size());
+    return bytes.size() == expected ? "" : std::to_string(bytes.size()) + " bytes";
+  };
   return work;
 }
 

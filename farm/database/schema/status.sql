@@ -21,10 +21,10 @@ LANGUAGE sql STABLE SET search_path = coapt_farm, pg_temp AS $$
 $$;
 
 -- Workers that may answer a run and are alive.
-CREATE OR REPLACE FUNCTION coapt_farm.workers_of(p_revision text, p_team text) RETURNS bigint
+CREATE OR REPLACE FUNCTION coapt_farm.workers_of(r coapt_farm.run) RETURNS bigint
 LANGUAGE sql VOLATILE SET search_path = coapt_farm, pg_temp AS $$
-  SELECT count(*) FROM worker w WHERE w.revision = p_revision AND w.seen > clock_timestamp() - interval '1 day'
-    AND is_alive(w) AND may_use(p_team, w.login);
+  SELECT count(*) FROM worker w WHERE w.revision = r.revision AND w.seen > clock_timestamp() - interval '1 day'
+    AND is_alive(w) AND may_answer(r, w);
 $$;
 
 CREATE OR REPLACE FUNCTION coapt_farm.poisoned(p_run bigint) RETURNS json
@@ -46,7 +46,7 @@ BEGIN
   SELECT * INTO rest FROM left_of(r.id);
   SELECT coalesce(sum(per_s), 0) INTO rate FROM rates() WHERE run = r.id;
   RETURN json_build_object('run', r.id, 'state', r.state, 'done', r.items - rest.items_left, 'items', r.items,
-    'workers', workers_of(r.revision, r.team), 'rate_per_s', rate,
+    'workers', workers_of(r), 'rate_per_s', rate,
     'eta_s', CASE WHEN rate > 0 THEN rest.items_left / rate END,
     'tasks_disputed', rest.tasks_disputed, 'tasks_poison', rest.tasks_poison,
     'poison', CASE WHEN rest.tasks_poison > 0 THEN poisoned(r.id) ELSE '[]' END,
@@ -66,7 +66,7 @@ BEGIN
     END IF;
     SELECT * INTO rest FROM left_of(r.id);
     SELECT coalesce(sum(per_s), 0) INTO rate FROM rates() WHERE run = r.id;
-    alive := workers_of(r.revision, r.team);
+    alive := workers_of(r);
     runs := runs || json_build_object('run', r.id, 'label', r.label, 'kind', r.kind, 'team', r.team, 'state', r.state,
       'created', r.created, 'finished', r.finished, 'revision', r.revision, 'work_id', r.work_id,
       'done', r.items - rest.items_left, 'items', r.items, 'task_items', r.task_items,

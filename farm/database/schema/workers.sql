@@ -13,6 +13,13 @@ LANGUAGE sql VOLATILE AS $$
   SELECT NOT w.gone AND NOT w.barred AND w.seen > clock_timestamp() - w.lease;
 $$;
 
+-- Whether the worker may answer the run at all.
+CREATE OR REPLACE FUNCTION coapt_farm.may_answer(r coapt_farm.run, w coapt_farm.worker) RETURNS boolean
+LANGUAGE sql STABLE SET search_path = coapt_farm, pg_temp AS $$
+  SELECT w.revision = r.revision AND may_use(r.team, w.login)
+    AND NOT EXISTS (SELECT FROM distrust d WHERE d.run = r.id AND d.login = w.login AND d.name = w.name);
+$$;
+
 -- The row of whoever calls. A login cannot act for another's worker.
 CREATE OR REPLACE FUNCTION coapt_farm.this_worker(p_worker bigint) RETURNS coapt_farm.worker
 LANGUAGE plpgsql VOLATILE SET search_path = coapt_farm, pg_temp AS $$
@@ -33,7 +40,14 @@ RETURNS bigint
 LANGUAGE plpgsql SECURITY DEFINER SET search_path = coapt_farm, pg_temp AS $$
 DECLARE new_id bigint;
 BEGIN
-  IF EXISTS (SELECT FROM worker WHERE name = p_name AND barred) THEN
+  IF p_lease_s IS NULL OR NOT p_lease_s BETWEEN 0.5 AND 3600 THEN
+    RAISE EXCEPTION 'a lease of % s, must be 0.5 to 3600', p_lease_s USING ERRCODE = 'CF004';
+  END IF;
+  IF length(p_name) > 200 OR length(p_host) > 300 OR length(p_revision) > 500 THEN
+    RAISE EXCEPTION 'names of workers have at most 200 letters, machines 300, revisions 500' USING ERRCODE = 'CF004';
+  END IF;
+  -- Names are each login's own: nobody can have another's barred.
+  IF EXISTS (SELECT FROM worker WHERE name = p_name AND login = session_user AND barred) THEN
     RAISE EXCEPTION 'worker % is barred: other workers gave other answers to its tasks', p_name USING ERRCODE = 'CF002';
   END IF;
   INSERT INTO worker (name, login, host, pid, revision, lease)
@@ -42,30 +56,34 @@ BEGIN
   RETURN new_id;
 END $$;
 
--- Whether a worker other than p_worker is alive that may answer this run, and has no opinion on the task yet.
-CREATE OR REPLACE FUNCTION coapt_farm.others_alive(p_worker bigint, p_run bigint, p_first bigint) RETURNS boolean
+-- Whether another worker is alive that may answer this run and has no opinion on the task yet; with p_login one of another login.
+CREATE OR REPLACE FUNCTION coapt_farm.others_alive(me coapt_farm.worker, p_run bigint, p_first bigint, p_login boolean)
+RETURNS boolean
 LANGUAGE sql VOLATILE SET search_path = coapt_farm, pg_temp AS $$
   SELECT EXISTS (
     SELECT FROM worker w JOIN run r ON r.id = p_run
-    WHERE w.id <> p_worker AND w.revision = r.revision AND w.seen > clock_timestamp() - interval '1 day'
-      AND is_alive(w) AND may_use(r.team, w.login)
+    WHERE w.id <> me.id AND NOT (p_login AND w.login = me.login) AND w.revision = r.revision
+      AND w.seen > clock_timestamp() - interval '1 day' AND is_alive(w) AND may_answer(r, w)
       AND NOT EXISTS (SELECT FROM opinion o WHERE o.run = p_run AND o.first = p_first AND o.worker = w.id));
 $$;
 
--- Whether the worker may take a task that failed in its hands, or that it has answered: only if no other can.
-CREATE OR REPLACE FUNCTION coapt_farm.may_take(t coapt_farm.task, p_worker bigint) RETURNS boolean
+-- Whether the worker may take a task that failed in its hands, or that its login has answered: only if no other can. An answer
+-- is checked by another login, else by another process of the same, else by itself.
+CREATE OR REPLACE FUNCTION coapt_farm.may_take(t coapt_farm.task, me coapt_farm.worker) RETURNS boolean
 LANGUAGE plpgsql VOLATILE SET search_path = coapt_farm, pg_temp AS $$
-DECLARE mine int;
+DECLARE mine int; my_logins boolean; my_own boolean;
 BEGIN
-  SELECT given INTO mine FROM opinion o WHERE o.run = t.run AND o.first = t.first AND o.worker = p_worker;
+  SELECT given INTO mine FROM opinion o WHERE o.run = t.run AND o.first = t.first AND o.worker = me.id;
   IF mine >= 2 THEN
     RETURN false;  -- it would say the same for ever
   END IF;
-  IF mine IS NULL AND t.unlucky IS DISTINCT FROM p_worker
-     AND NOT EXISTS (SELECT FROM result r WHERE r.run = t.run AND r.first = t.first AND r.worker = p_worker) THEN
-    RETURN true;
-  END IF;
-  RETURN NOT others_alive(p_worker, t.run, t.first);
+  my_own := mine IS NOT NULL OR t.unlucky IS NOT DISTINCT FROM me.id
+    OR EXISTS (SELECT FROM result r WHERE r.run = t.run AND r.first = t.first AND r.worker = me.id);
+  my_logins := EXISTS (SELECT FROM result r JOIN worker w ON w.id = r.worker
+                       WHERE r.run = t.run AND r.first = t.first AND w.login = me.login)
+    OR EXISTS (SELECT FROM opinion o JOIN worker w ON w.id = o.worker
+               WHERE o.run = t.run AND o.first = t.first AND w.login = me.login);
+  RETURN NOT (my_logins AND others_alive(me, t.run, t.first, true)) AND NOT (my_own AND others_alive(me, t.run, t.first, false));
 END $$;
 
 -- Tasks whose lease ran out are open again. A worker that is killed tells nothing, and a machine that is taken back by its
@@ -104,7 +122,7 @@ BEGIN
   END IF;
 END $$;
 
--- Up to p_most tasks, the oldest run first. A claim that a crash of the database forgets is only an open task, so it need not
+-- Up to p_most tasks, the oldest run first; a worker holds 16 at most. A claim that a crash of the database forgets is only an open task, so it need not
 -- wait for the disk. The planner, which may never have seen the table filled, is told to follow the index of open tasks.
 CREATE OR REPLACE FUNCTION coapt_farm.claim(p_worker bigint, p_most bigint)
 RETURNS TABLE (run bigint, first bigint, n bigint, kind text, parts text)
@@ -114,13 +132,17 @@ SET enable_seqscan = off SET enable_bitmapscan = off SET enable_sort = off AS $$
 DECLARE
   me worker := this_worker(p_worker);
   r run;
-  wanted bigint := p_most;
+  wanted bigint := p_most;  -- at most what is left of 16
   got bigint;
 BEGIN
   PERFORM set_config('synchronous_commit', 'off', true);
   UPDATE worker SET seen = clock_timestamp() WHERE id = me.id AND seen < clock_timestamp() - interval '1 s';
+  wanted := least(wanted, 16 - (SELECT count(*) FROM task t WHERE t.owner = me.id AND t.state = 'claimed'));
+  IF wanted <= 0 THEN
+    RETURN;
+  END IF;
   FOR r IN SELECT * FROM run WHERE state = 'open' AND revision = me.revision ORDER BY id LOOP
-    CONTINUE WHEN r.team <> '' AND NOT may_use(r.team, me.login);
+    CONTINUE WHEN NOT may_answer(r, me);
     IF EXISTS (SELECT FROM task t WHERE t.run = r.id AND t.state = 'claimed' AND t.lease_until < clock_timestamp()) THEN
       PERFORM expire(r.id);
     END IF;
@@ -128,7 +150,7 @@ BEGIN
       WITH free AS (
         SELECT t.run, t.first FROM task t
         WHERE t.run = r.id AND t.state = 'open'
-          AND ((t.answers = 0 AND t.unlucky IS NULL) OR may_take(t, me.id))
+          AND ((t.answers = 0 AND t.unlucky IS NULL) OR may_take(t, me))
         ORDER BY t.run, t.first LIMIT wanted FOR UPDATE SKIP LOCKED)
       UPDATE task t SET state = 'claimed', owner = me.id, lease_until = clock_timestamp() + me.lease
       FROM free WHERE t.run = free.run AND t.first = free.first
@@ -177,7 +199,7 @@ LANGUAGE plpgsql SECURITY DEFINER SET search_path = coapt_farm, pg_temp AS $$
 DECLARE me worker := this_worker(p_worker); found_bytes bytea;
 BEGIN
   SELECT b.bytes INTO found_bytes FROM blob b JOIN run r ON r.id = p_run AND p_sha256 = ANY (r.parts)
-    WHERE b.sha256 = p_sha256 AND may_use(r.team, me.login)
+    WHERE b.sha256 = p_sha256 AND may_answer(r, me)
       AND EXISTS (SELECT FROM task t WHERE t.run = p_run AND t.state = 'claimed' AND t.owner = me.id
                   AND t.lease_until > clock_timestamp());
   IF NOT FOUND THEN
@@ -192,7 +214,7 @@ LANGUAGE plpgsql SECURITY DEFINER SET search_path = coapt_farm, pg_temp AS $$
 DECLARE me worker := this_worker(p_worker);
 BEGIN
   RETURN json_build_object(
-    'mine', (SELECT count(*) FROM run WHERE state = 'open' AND revision = me.revision AND may_use(team, me.login)),
+    'mine', (SELECT count(*) FROM run WHERE state = 'open' AND revision = me.revision AND may_answer(run, me)),
     'others', (SELECT coalesce(json_agg(o), '[]') FROM (
       SELECT revision, count(*) AS runs FROM run
       WHERE state = 'open' AND revision <> me.revision AND may_use(team, me.login) GROUP BY revision ORDER BY revision) AS o));

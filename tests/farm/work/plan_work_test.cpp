@@ -54,6 +54,14 @@ TEST(PlanWork, IsTheSearchThatAnybodyElseWouldMake) {
   EXPECT_NE(report->find(" closures, ranking included"), std::string::npos) << "no seconds";
   EXPECT_NE(answer.tried.find('\n'), std::string::npos);
   EXPECT_FALSE(plan_answers(std::string_view(bytes).substr(0, bytes.size() - 1)));
+  EXPECT_EQ(work->objection(0, 1, bytes), "");
+  EXPECT_EQ(work->objection(0, 2, bytes), "1 answers, where 2 are asked for");
+  EXPECT_NE(work->objection(0, 1, std::string_view(bytes).substr(1)), "");
+  const auto other = open_work(*plan_request({small_preset("human-p2-prolapse")}, options));
+  EXPECT_EQ(other->objection(0, 1, bytes), "the plans are of another valve");
+  options.seed += 1;
+  const auto search = open_work(*plan_request({valve}, options));
+  EXPECT_EQ(search->objection(0, 1, bytes), "the plans are of another search");
 }
 
 TEST(PlanWork, AStoppedSearchHasNoAnswer) {

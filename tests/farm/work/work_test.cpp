@@ -34,6 +34,8 @@ TEST(Work, IsNamedByKindAndEveryByte) {
   EXPECT_EQ(work_id(request), work_id({"plans", {"{}", "ab"}}));
   EXPECT_NE(work_id(request), work_id({"orifices", {"{}", "ab"}}));
   EXPECT_NE(work_id(request), work_id({"plans", {"{}a", "b"}}));
+  // printf 'plans\n%s\n%s' $(printf '{}' | sha256sum | head -c 64) $(printf ab | sha256sum | head -c 64) | sha256sum
+  EXPECT_EQ(work_id(request), "c6f7ecee30d52a4f924354e5623dcb268534096cbdfaab42c01df15e798fc259");
   EXPECT_NE(work_revision().find("closures"), std::string::npos);
 }
 

@@ -33,6 +33,14 @@ TEST(Text, BrokenUtf8IsReplacedAndWholeUtf8Kept) {
   EXPECT_EQ(printable("\xED\xA0\x80"), replaced + replaced + replaced) << "surrogate";
   EXPECT_EQ(printable("\xF4\x90\x80\x80").size(), 12u) << "beyond U+10FFFF";
   EXPECT_EQ(printable(std::string("a\nb\0c", 5)), "a b c");
+  EXPECT_EQ(printable("\x1B[2J\xC2\x9B"
+                      "31m\x7F"),
+            " [2J 31m ")
+      << "C0, C1, DEL";
+  EXPECT_EQ(printable("\xC2\xA0\xE2\x80\xAE"
+                      "x\xE2\x81\xA6y\xE2\x80\x9C"),
+            "\xC2\xA0 x y\xE2\x80\x9C")
+      << "direction";
 }
 
 TEST(Text, HtmlIsEscaped) {
