@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from .errors import InvalidRequest, Refused
+from .errors import InvalidRequest, Problem, Refused
 from .files import did_you_mean
 from .sources import Valve, valve_document
 from .transport import Answer, Transport
@@ -14,6 +14,20 @@ from .transport import Answer, Transport
 
 def given(**fields: Any) -> dict[str, Any]:
     return {name: value for name, value in fields.items() if value is not None}
+
+
+MOST_THREADS = 1024
+
+
+def checked_threads(threads: Any) -> int:
+    """How many threads something may have, 0 for all cores: the same wherever threads are asked for.
+
+    :raises InvalidRequest: no integer from 0 to 1,024
+    """
+    if isinstance(threads, int) and not isinstance(threads, bool) and 0 <= threads <= MOST_THREADS:
+        return threads
+    problem = Problem("out_of_range", "/threads", f"is {threads!r}, must be an integer from 0 (all cores) to {MOST_THREADS:,}")
+    raise InvalidRequest(422, "number of threads out of range", [problem])
 
 
 class Asking:

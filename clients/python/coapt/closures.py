@@ -24,6 +24,16 @@ Status = Literal["converged", "step_limit", "diverged"]
 Document = Mapping[str, Any]
 
 
+class Kept:
+    """A function that returns what is there already; unlike a lambda it can be pickled."""
+
+    def __init__(self, value: Any) -> None:
+        self._value = value
+
+    def __call__(self) -> Any:
+        return self._value
+
+
 def known_fields(kind: Any, json: Document) -> dict[str, Any]:
     """Those of a dataclass: a later service may say more."""
     return {one.name: json[one.name] for one in fields(kind)}
@@ -74,8 +84,11 @@ class Measure:
             json["tension_sum_n"],
             json["strain_circumferential_max"],
             json["strain_radial_max"],
-            lambda: json,
+            Kept(json),
         )
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_document": Kept(self.json)}
 
     @cached_property
     def json(self) -> Document:
@@ -136,9 +149,12 @@ class Closure:
             json["seconds"],
             Measure.from_json(json),
             tuple(json["warnings"]),
-            lambda: json,
+            Kept(json),
             leaflets,
         )
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_document": Kept(self.json)}
 
     @cached_property
     def json(self) -> Document:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from .closures import Closure, Measure
+from .closures import Closure, Kept, Measure
 from .errors import BadDocument, NoSuchFile
 from .local_transport import engine_module, refusing
 from .meshes import Mesh
@@ -75,6 +75,9 @@ class LocalLeaflets:
 
     def __call__(self) -> Mesh:
         return Mesh(self.native.closed_mm, self.native.faces)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Kept, (self(),)  # its numbers: elsewhere there is no engine that has them
 
 
 def native_shape(source: ShapeSource) -> Any:

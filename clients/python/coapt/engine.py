@@ -8,12 +8,13 @@ import pathlib
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
+from .asking import checked_threads
 from .closures import Closure
 from .comparison import Comparison, ShapeSource, local_closure, native_shape
 from .files import Path, read_json
 from .fits import FitResult, Known
 from .jobs import Job
-from .local_transport import LocalTransport, engine_module, reading, refusing
+from .local_transport import LocalTransport, engine_module, reading, refusing, with_threads_of_ones_own
 from .meshes import Picture
 from .openings import Opening
 from .results import Evaluations, SearchResult, StudyResult
@@ -41,14 +42,29 @@ class Engine(Service):
     True
     >>> engine.end()
 
+    In another process, pickled or forked, it is that process's own (coapt.engine()): its valves, closures and results come
+    along, its jobs and its database do not.
+
     :param database: file of valves, jobs and closures, made if it is not there; None: one that goes with this process
     :param threads: of a job, an evaluation and a sweep; does not change any result; 0: all cores
     :raises MissingPackage: this installation has no engine
     """
 
     def __init__(self, database: str | os.PathLike[str] | None = None, *, threads: int = 0) -> None:
-        self._local, self.threads = LocalTransport(database, threads), threads
+        self.threads = checked_threads(threads)
+        self._local = LocalTransport(database, threads)
         super().__init__(self._local)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        from .local import engine  # which makes this class
+
+        return engine, ()
+
+    def __copy__(self) -> Engine:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Engine:
+        return self
 
     def end(self) -> None:
         """Stops jobs, and removes what was kept for this process alone. Without it, that is done at the end of the process."""
@@ -128,7 +144,8 @@ class Engine(Service):
         """
         native = self._read(valve).native
         with refusing():
-            fitted, told = engine_module().fit(
+            fitted, told = with_threads_of_ones_own(
+                engine_module().fit,
                 native,
                 points_mm,
                 side,
@@ -188,7 +205,17 @@ class LocalValve(ValveHere):
 
     def __init__(self, engine: Engine, native: _engine.Valve, id: str | None = None) -> None:
         """:param id: by which the engine's requests name it; None: it is not stored yet"""
-        self.engine, self.native, self._id = engine, native, id
+        self.engine, self.native, self._name = engine, native, id
+        self._stored: tuple[_engine.Service | None, str] = (None, "")  # where, and under which id
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _valve_of, (self.native.write(),)
+
+    def __copy__(self) -> LocalValve:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> LocalValve:
+        return self
 
     @property
     def name(self) -> str:
@@ -244,9 +271,12 @@ class LocalValve(ValveHere):
         """By which requests to this engine name it; it is stored if need be."""
         if engine is not self.engine:
             return engine.put_valve(self.to_json()).id
-        if self._id is None:
-            self._id = engine.put_valve(self.to_json()).id
-        return self._id
+        if self._name is not None:
+            return self._name
+        service = engine._local.service
+        if self._stored[0] is not service:
+            self._stored = service, engine.put_valve(self.to_json()).id
+        return self._stored[1]
 
     # The engine's functions, of this valve.
 
@@ -284,3 +314,10 @@ class LocalValve(ValveHere):
 
     def __repr__(self) -> str:
         return f"LocalValve({self.name!r}, {len(self.vertices_mm)} vertices, {len(self.faces)} triangles)"
+
+
+def _valve_of(document: str) -> LocalValve:
+    """One that was pickled, of this process's engine."""
+    from .local import engine  # which makes these classes
+
+    return LocalValve(engine(), engine_module().Valve.read(document, ""))

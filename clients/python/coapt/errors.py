@@ -42,6 +42,16 @@ class CoaptError(Exception):
         self.problems: tuple[Problem, ...] = tuple(problems)
         super().__init__("\n  ".join([message, *map(str, self.problems)]))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # An exception is made again from what it was called with, which args does not hold.
+        return _remade, (type(self), self.args), self.__dict__
+
+
+def _remade(kind: type[CoaptError], arguments: tuple[Any, ...]) -> CoaptError:
+    error = kind.__new__(kind)
+    error.args = arguments
+    return error
+
 
 class NoSuchFile(CoaptError, FileNotFoundError):
     """A valve or a plan was to be read from a file that is not there."""

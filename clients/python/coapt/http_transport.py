@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import http.client
 import itertools
+import os
 import socket
 import ssl
 import time
@@ -16,6 +17,7 @@ from typing import Any, ClassVar
 from .errors import Busy, CoaptError, Unreachable, refusal
 from .transport import LOST, Answer, encoded
 
+_MOST_BYTES = 256 << 20  # of an answer
 _FIRST_PAUSE_S = 0.25  # before the second try; doubled with each
 _LONGEST_PAUSE_S = 30.0
 _THIS_MACHINE = ("localhost", "127.0.0.1", "::1")
@@ -42,11 +44,35 @@ class HttpTransport:
         parts = urllib.parse.urlsplit(self.url)
         if parts.scheme not in ("http", "https") or not parts.hostname:
             raise CoaptError(f"{self.url!r} is no address of a service; must be like http://127.0.0.1:8080")
-        if self.token and parts.scheme == "http" and parts.hostname not in _THIS_MACHINE and not self.plain_http:
+        if self.token and not self.plain_http and not self._keeps_secrets():
             raise CoaptError(
                 f"{self.url} is not encrypted: others could read the token on the way; use https://, or plain_http=True "
                 "if the network is yours"
             )
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"token": None}  # no secret in a file of results
+
+    def __setstate__(self, state: Mapping[str, Any]) -> None:
+        self.__dict__.update(state)
+        if (token := os.environ.get("COAPT_TOKEN")) and (self.plain_http or self._keeps_secrets()):
+            self.__dict__["token"] = token
+
+    def __copy__(self) -> HttpTransport:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> HttpTransport:
+        return self
+
+    def _body(self, response: http.client.HTTPResponse) -> bytes:
+        body = response.read(_MOST_BYTES + 1)
+        if len(body) > _MOST_BYTES:
+            raise Unreachable(f"{self.url} answers with more than the {_MOST_BYTES >> 20} MiB that are taken of a service")
+        return body
+
+    def _keeps_secrets(self) -> bool:
+        parts = urllib.parse.urlsplit(self.url)
+        return parts.scheme != "http" or parts.hostname in _THIS_MACHINE
 
     def request(
         self,
@@ -64,7 +90,7 @@ class HttpTransport:
             pause_s = _FIRST_PAUSE_S * 2**tried
             try:
                 with self.open(method, path, content, headers, query) as response:
-                    return Answer(response.status, _headers(response), response.read())
+                    return Answer(response.status, _headers(response), self._body(response))
             except Busy as busy:
                 if tried == further:
                     raise

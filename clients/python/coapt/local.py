@@ -11,8 +11,17 @@ from .files import Path
 from .sources import PlanSource, Valve
 from .sweep import SweepItem
 
-_engines: dict[int, Engine] = {}  # by process: one that was forked has threads of its own
+_engines: list[Engine] = []  # none or one
 _making = threading.Lock()
+
+
+def _forked() -> None:
+    global _making
+    _making = threading.Lock()  # another thread of the parent may have held it
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forked)
 
 
 def engine() -> Engine:
@@ -21,7 +30,9 @@ def engine() -> Engine:
     :raises MissingPackage: this installation has none
     """
     with _making:
-        return _engines.get(os.getpid()) or _engines.setdefault(os.getpid(), Engine())
+        if not _engines:
+            _engines.append(Engine())
+        return _engines[0]
 
 
 def preset(name: str) -> LocalValve:

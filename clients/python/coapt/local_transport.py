@@ -7,18 +7,22 @@ import os
 import pathlib
 import shutil
 import tempfile
+import threading
 import time
 import urllib.parse
 import weakref
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, ClassVar
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import AbstractContextManager, contextmanager
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from .errors import BadDocument, InvalidRequest, MissingPackage, Problem, Unreachable, refusal
 from .transport import Answer, Stream, encoded
 
 if TYPE_CHECKING:
     from . import _engine
+
+Result = TypeVar("Result")
 
 
 def engine_module() -> Any:
@@ -68,8 +72,53 @@ class _Lines:
             yield from part.splitlines(keepends=True) or [b""]
 
 
+_threads_are_the_parents = False  # this process was forked
+_transports: weakref.WeakSet[LocalTransport] = weakref.WeakSet()
+
+
+def _forked() -> None:
+    global _threads_are_the_parents
+    _threads_are_the_parents = True
+    for transport in list(_transports):
+        # The service is opened again when it is asked for.
+        transport._opening, transport._service = threading.Lock(), None
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forked)
+
+
+def with_threads_of_ones_own(call: Callable[..., Result], *arguments: Any) -> Result:
+    """call(*arguments). In a child that was forked, on a thread that was not: OpenMP keeps the threads of a parallel loop for the
+    next one of the same thread, and those of the parent are gone."""
+    if not _threads_are_the_parents:
+        return call(*arguments)
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(call, *arguments).result()
+
+
+class ElsewhereTransport:
+    """Of an engine in another process, which cannot be asked from here."""
+
+    ends_with_us: ClassVar[bool] = True
+
+    def request(self, method: str, path: str, *rest: Any, **more: Any) -> Answer:
+        raise self.unreachable(OSError())
+
+    def follow(self, path: str, headers: Mapping[str, str], timeout_s: float) -> AbstractContextManager[Stream]:
+        raise self.unreachable(OSError())
+
+    def unreachable(self, error: Exception) -> Unreachable:
+        return Unreachable("this came from an engine in another process: jobs, pictures and files of plans stay there")
+
+    def pause(self, seconds: float) -> None:
+        time.sleep(seconds)
+
+
 class LocalTransport:
     """
+    Pickled, it is an ElsewhereTransport. In a forked child it is a new one, unless it has a database: that stays the parent's.
+
     :param database: file of valves, jobs and closures, made if it is not there; None: one that goes with this process
     :param threads: 0: all cores
     """
@@ -77,11 +126,38 @@ class LocalTransport:
     ends_with_us: ClassVar[bool] = True
 
     def __init__(self, database: str | os.PathLike[str] | None, threads: int) -> None:
-        folder = tempfile.mkdtemp(prefix="coapt-") if database is None else None
-        file = pathlib.Path(folder) / "coapt.sqlite" if folder else pathlib.Path(str(database))
+        self._database, self._threads, self._opening = database, threads, threading.Lock()
+        self._open()
+        _transports.add(self)
+
+    def _open(self) -> None:
+        folder = tempfile.mkdtemp(prefix="coapt-") if self._database is None else None
+        file = pathlib.Path(folder) / "coapt.sqlite" if folder else pathlib.Path(str(self._database))
         with reading(f"{file} cannot be used"):
-            self.service: _engine.Service = engine_module().Service(str(file), threads)
-        self.end = weakref.finalize(self, _end, self.service, folder, os.getpid())
+            self._service: _engine.Service | None = engine_module().Service(str(file), self._threads)
+        self.end = weakref.finalize(self, _end, self._service, folder, os.getpid())
+
+    @property
+    def service(self) -> _engine.Service:
+        with self._opening:
+            if self._service is None and self._database is not None:
+                raise Unreachable(
+                    f"the engine of {self._database} belongs to the process that this one was forked from: make an Engine here, "
+                    "with another database"
+                )
+            if self._service is None:
+                self._open()
+            assert self._service is not None
+            return self._service
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return ElsewhereTransport, ()
+
+    def __copy__(self) -> LocalTransport:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> LocalTransport:
+        return self
 
     def request(
         self,
@@ -112,7 +188,8 @@ class LocalTransport:
     def _asked(
         self, method: str, path: str, body: bytes, headers: Mapping[str, str], query: Mapping[str, Any]
     ) -> tuple[int, dict[str, str], bytes | _engine.Stream]:
-        status, answered, content = self.service.request(
+        status, answered, content = with_threads_of_ones_own(
+            self.service.request,
             method,
             urllib.parse.unquote(path),
             {name: str(value) for name, value in query.items()},

@@ -6,7 +6,7 @@ import uuid
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal
 
-from .asking import given
+from .asking import checked_threads, given
 from .files import Path
 from .fits import Fit, ImportResult
 from .imports import files_to_import, packed_folder
@@ -88,7 +88,7 @@ class Service(StoredWork):
             evaluations=evaluations,
             front_share=front_share,
             seed=seed,
-            threads=threads,
+            threads=None if threads is None else checked_threads(threads),
             plans=plans,
             region_points=region_points,
             evidence=evidence,

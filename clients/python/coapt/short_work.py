@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import Any, Literal
 
-from .asking import Asking, given
+from .asking import Asking, checked_threads, given
 from .closures import Closure
-from .errors import InvalidRequest, Problem
 from .meshes import Mesh, Picture
 from .openings import Opening
 from .results import Evaluations
@@ -129,13 +129,11 @@ class ShortWork(Asking):
         :param plans: read at once; None: the valves as they are
         :param threads: closures asked for at once; by default and with 0 as many as this machine has cores, 32 at most. More than
             the service's cores gain nothing
-        :raises InvalidRequest: threads is negative
+        :raises InvalidRequest: threads is no integer from 0 to 1,024
         """
-        if threads is not None and threads < 0:
-            problem = Problem("out_of_range", "/threads", f"is {threads}, must be 0 (all cores) or more")
-            raise InvalidRequest(400, "number of threads out of range", [problem])
+        at_once = self._at_once(None if threads is None else checked_threads(threads))
         named = [("no repair", None)] if plans is None else all_named_plans(plans)
-        return Sweep(self._closure, every_valve(valves), named, self._at_once(threads), self._read)
+        return Sweep(self._closure, every_valve(valves), named, at_once, self._read)
 
     def export(
         self,
@@ -201,8 +199,8 @@ class ShortWork(Asking):
 
     def _closure(self, source: Any, plan: Any, material: Mapping[str, float] | None = None) -> Closure:
         repair = given(plan=plan, material=material or None)
-
-        def leaflets() -> Mesh:
-            return Mesh.from_ply(self._ask("/v1/exports", source, repair | {"format": "ply"}).body)
-
+        leaflets = partial(self._leaflets, source, repair | {"format": "ply"})
         return Closure.from_json(self._ask("/v1/closures", source, repair).json(), leaflets)
+
+    def _leaflets(self, source: Any, export: Mapping[str, Any]) -> Mesh:
+        return Mesh.from_ply(self._ask("/v1/exports", source, export).body)

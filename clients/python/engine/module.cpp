@@ -3,6 +3,7 @@
 #include <pybind11/functional.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -32,6 +33,16 @@ using Unlocked = py::call_guard<py::gil_scoped_release>;
 /// A service until it is closed; requests that are being answered then are the last.
 struct OpenService {
   std::shared_ptr<LocalService> service;
+  pid_t process = getpid();
+
+  /// In a forked child it stays as it is: its threads, which it would wait for, are the parent's.
+  ~OpenService() {
+    if (process != getpid())
+      static_cast<void>(new std::shared_ptr<LocalService>(std::move(service)));
+  }
+  OpenService(const OpenService&) = delete;
+  OpenService& operator=(const OpenService&) = delete;
+  explicit OpenService(std::shared_ptr<LocalService> open) : service(std::move(open)) {}
 
   std::shared_ptr<LocalService> get() const {
     if (!service) throw std::runtime_error("this engine has ended");
@@ -230,10 +241,11 @@ void add_service(py::module_& module) {
     return py::bytes(*part);
   });
   py::class_<OpenService>(module, "Service")
-      .def(py::init([](const std::string& database, int threads) {
-             return OpenService{std::make_shared<LocalService>(database, threads)};
-           }),
-           py::arg("database"), py::arg("threads"))
+      .def(
+          py::init([](const std::string& database, int threads) {
+            return std::make_unique<OpenService>(std::make_shared<LocalService>(database, threads));
+          }),
+          py::arg("database"), py::arg("threads"))
       .def(
           "named",
           [](const OpenService& self, const std::string& name) { return self.get()->named(name); },
