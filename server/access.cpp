@@ -116,7 +116,9 @@ std::optional<Answer> refuse(const Access& access, const Request& request) {
     return problem(421, ErrorCode::Unsupported,
                    "Host is not a name of this server; see --allow-host");
   }
-  if (!access.token.empty() && !is_page_path(request.path) && !has_token(access.token, request)) {
+  // Whatever watches the service needs no token to ask whether it is well.
+  const bool is_open = is_page_path(request.path) || request.path == "/healthz/ready";
+  if (!access.token.empty() && !is_open && !has_token(access.token, request)) {
     Answer answer = problem(401, ErrorCode::MissingField, "a bearer token is needed");
     answer.headers.emplace_back("WWW-Authenticate", "Bearer");
     return answer;

@@ -16,6 +16,7 @@
 #include "io/store/closure_store.h"
 #include "io/store/plan_store.h"
 #include "server/content_id.h"
+#include "server/crash_mark.h"
 #include "server/jobs/closure_retention.h"
 #include "server/jobs/import_job.h"
 #include "server/jobs/plan_job.h"
@@ -118,7 +119,10 @@ int serve(const ServerOptions& options, const Access& access) {
   if (const auto opened = ClosureStore::open(studies); !opened)
     return fail(kFailure, opened.errors());
   JobBoard board(*store, options.service.queue, options.service.retention);
-  if (const Errors errors = board.resume(); !errors.empty()) return fail(kFailure, errors);
+  const std::string crash_mark = options.database + "-crashed";
+  if (const Errors errors = board.resume(take_crash_mark(crash_mark)); !errors.empty())
+    return fail(kFailure, errors);
+  leave_crash_mark_at(crash_mark);
   const ClosureRetention retention{*store, options.service.retention, plans, studies};
   static_cast<void>(retention(wall_clock_ms()));  // else after the next job
 

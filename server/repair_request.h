@@ -17,13 +17,15 @@ std::variant<RepairRequest, Answer> read_repair_request(const ValveSource& valve
                                                         std::string_view body,
                                                         std::vector<JsonField> more);
 
-/// What `answer(asked, closures)` makes of such a body when it is this request's turn to compute; or the refusal.
+/// What `answer(asked, closures)` makes of such a body, by some `closures_n` closures, when it is this request's turn to compute; or the refusal.
 template <class MakeAnswer>
 Answer answer_repair(const ValveSource& valves, Compute& compute, const Request& request,
-                     std::vector<JsonField> more, const MakeAnswer& answer) {
+                     std::vector<JsonField> more, const MakeAnswer& answer,
+                     std::ptrdiff_t closures_n = 1) {
   const auto asked = read_repair_request(valves, request.body, std::move(more));
   if (const auto* refused = std::get_if<Answer>(&asked)) return *refused;
-  return answer_in_turn(compute, valves.limits, request, [&](RequestClosures& closures) {
+  const TurnCost cost = cost_of(std::get<RepairRequest>(asked).repaired, closures_n);
+  return answer_in_turn(compute, valves.limits, request, cost, [&](RequestClosures& closures) {
     return answer(std::get<RepairRequest>(asked), closures);
   });
 }

@@ -8,7 +8,16 @@ namespace {
 // A client that has closed its half of the connection may still wait for an answer, but not for long.
 constexpr std::chrono::seconds kPatience(1);
 
+// What takes about a second on one core: a closure of so many vertices, or so many of the presets' size.
+constexpr Index kShortVertices = 1000;
+constexpr std::ptrdiff_t kShortClosures = 8;
+
 }  // namespace
+
+TurnCost cost_of(const Valve& valve, std::ptrdiff_t closures) {
+  return valve.rest_mm.rows() <= kShortVertices && closures <= kShortClosures ? TurnCost::Short
+                                                                              : TurnCost::Long;
+}
 
 ClosureResult RequestClosures::close(const Valve& valve, ClosureOptions options) {
   options.budget = budget();

@@ -41,11 +41,14 @@ class RequestClosures {
   bool cancelled_ = false;
 };
 
+/// Of so many closures of this valve, or of something as long.
+TurnCost cost_of(const Valve& valve, std::ptrdiff_t closures = 1);
+
 /// What `answer(closures)` makes when it is this request's turn; or the refusal.
 template <class MakeAnswer>
 Answer answer_in_turn(Compute& compute, const ServiceLimits& limits, const Request& request,
-                      const MakeAnswer& answer) {
-  const Compute::Turn turn(compute);
+                      TurnCost cost, const MakeAnswer& answer) {
+  const Compute::Turn turn(compute, cost);
   if (!turn) return too_busy();
   RequestClosures closures(request, limits);
   try {

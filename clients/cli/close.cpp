@@ -17,6 +17,7 @@
 #include "clients/cli/result_exit_code.h"
 #include "clients/cli/server_option.h"
 #include "core/closed/accurate_closure.h"
+#include "core/closure/standing.h"
 #include "core/repair/apply_plan.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -71,9 +72,10 @@ int run_by(const Service& service, const CloseArguments& arguments) {
 int write_closed(const CloseArguments& arguments, const Valve& valve,
                  const ClosureResult& closure) {
   if (arguments.closed.empty()) return exit_code::kOk;
-  const Expected<std::string> mesh =
-      write_mesh(leaflet_mesh(valve, closure.closed_mm), format_of(arguments.closed));
+  const Expected<std::string> mesh = write_mesh(leaflet_mesh(valve, closure.closed_mm),
+                                                format_of(arguments.closed), doubt_about(closure));
   if (!mesh) return report_errors(arguments.closed, mesh.errors());
+  note_doubt(arguments.closed, closure);
   return write_output(arguments.closed, *mesh);
 }
 

@@ -9,6 +9,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/method_option.h"
 #include "clients/cli/read_argument.h"
+#include "clients/cli/result_exit_code.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/exchange/import_files.h"
@@ -42,6 +43,7 @@ struct Shape {
 Shape closed_shape_of(const Valve& valve, const ClosureOptions& options) {
   const ClosedValve closed = close_and_measure(valve, options);
   const bool is_finite = closed.closure.closed_mm.allFinite();
+  note_doubt("compare: " + valve.name, closed.closure);
   return {is_finite ? shape_of(closed) : LeafletMesh{}, valve.tissue.thickness_mm,
           trusted(closed.closure)};
 }

@@ -8,6 +8,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
 #include "clients/cli/read_argument.h"
+#include "clients/cli/result_exit_code.h"
 #include "core/valve/number_text.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -103,6 +104,7 @@ int run(const ExportArguments& arguments) {
     const auto write = is_folder(path) ? write_folder : write_file;
     if (const int failed = write(path, exported, arguments.options)) return failed;
   }
+  note_doubt("export", exported.closure);
   note_attachment(arguments, exported);
   note_ties(arguments, exported.valve);
   return trusted(exported.closure) ? exit_code::kOk : exit_code::kNotClosed;

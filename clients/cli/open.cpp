@@ -10,6 +10,7 @@
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
 #include "clients/cli/server_option.h"
+#include "core/closure/standing.h"
 #include "io/command_line/files.h"
 #include "io/exchange/import_files.h"
 #include "io/json/opening_json.h"
@@ -67,8 +68,9 @@ int run(const OpenArguments& arguments) {
   for (const std::string& warning : opening_warnings(*opened)) json["warnings"].push_back(warning);
   const int status = show(arguments, json);
   if (!arguments.opened.empty()) {
-    const Expected<std::string> mesh = write_mesh(
-        leaflet_mesh(opened->valve, opened->closure.closed_mm), format_of(arguments.opened));
+    const Expected<std::string> mesh =
+        write_mesh(leaflet_mesh(opened->valve, opened->closure.closed_mm),
+                   format_of(arguments.opened), doubt_about(opened->closure));
     if (!mesh) return report_errors(arguments.opened, mesh.errors());
     if (const int failed = write_output(arguments.opened, *mesh)) return failed;
   }

@@ -1,5 +1,8 @@
 #include "clients/cli/result_exit_code.h"
 
+#include <iostream>
+
+#include "core/closure/standing.h"
 #include "io/command_line/exit_code.h"
 #include "io/json/json.h"
 
@@ -8,6 +11,11 @@ namespace coapt {
 int exit_code_of_closure(const Json& closure) {
   const bool trusted = closure["status"] == "converged" && !closure["crossing"].get<bool>();
   return trusted ? exit_code::kOk : exit_code::kNotClosed;
+}
+
+void note_doubt(const std::string& what, const ClosureResult& closure) {
+  if (const std::string doubt = doubt_about(closure); !doubt.empty())
+    std::cerr << "coapt: " + what + ": " + doubt + '\n';
 }
 
 int exit_code_of_plans(const Json& result) {

@@ -20,12 +20,15 @@ using Clock = std::chrono::steady_clock;
 constexpr int kTries = 5;
 constexpr std::chrono::milliseconds kFirstPause(250);  // before the second try; doubled with each
 constexpr std::chrono::seconds kLongestPause(30), kStreamPause(2), kPatience(60);
+// The largest answers, reports and meshes, have some 30 MiB.
+constexpr std::size_t kMostAnswer = std::size_t{256} << 20, kMostEvent = std::size_t{16} << 20;
 constexpr std::chrono::seconds kConnect(10), kAnswer(300),
     kHeartbeats(45);  // the service's is 15 s
 
 struct Reply {
   int status = 0;
-  std::string body, retry_after;
+  std::string body{}, retry_after{};
+  bool too_large = false;  ///< more than kMostAnswer: nothing of it is there
 };
 
 struct Call {
@@ -98,18 +101,35 @@ Errors unreachable(const Service& service, httplib::Error error) {
   return {Error{ErrorCode::InputOutput, "", service.url + " does not answer: " + in_words(error)}};
 }
 
+Error answer_too_large(const Service& service) {
+  return {ErrorCode::InputOutput, "",
+          service.url + " answers with more than the 256 MiB that are taken of a service"};
+}
+
 Expected<Reply> call_once(const Service& service, const Call& call) {
   const BrokenPipesAreErrors guard;
   const auto [origin, prefix] = split_url(service.url);
   httplib::Client client = client_of(origin, kAnswer);
   httplib::Headers headers = headers_of(service);
   if (!call.key.empty()) headers.emplace("Idempotency-Key", call.key);
-  const std::string path = prefix + call.path;
-  const httplib::Result result = call.method == "GET"
-                                     ? client.Get(path, headers)
-                                     : client.Post(path, headers, call.body, "application/json");
+  httplib::Request request;
+  request.method = call.method;
+  request.path = prefix + call.path;
+  request.headers = headers;
+  request.body = call.body;
+  if (call.method != "GET") request.set_header("Content-Type", "application/json");
+  std::string body;
+  bool too_large = false;
+  request.content_receiver = [&](const char* bytes, std::size_t size, std::uint64_t,
+                                 std::uint64_t) {
+    too_large = body.size() + size > kMostAnswer;
+    if (!too_large) body.append(bytes, size);
+    return !too_large;
+  };
+  const httplib::Result result = client.send(request);
+  if (too_large) return Reply{.too_large = true};
   if (!result) return unreachable(service, result.error());
-  return Reply{result->status, result->body, result->get_header_value("Retry-After")};
+  return Reply{result->status, std::move(body), result->get_header_value("Retry-After"), false};
 }
 
 /// What a service, or a proxy before it, says against a request.
@@ -135,6 +155,7 @@ Expected<Reply> call(const Service& service, const Call& one) {
   std::chrono::milliseconds pause = kFirstPause;
   for (int tries = 1;; ++tries, pause *= 2) {
     Expected<Reply> reply = call_once(service, one);
+    if (reply && reply->too_large) return answer_too_large(service);
     if (reply && reply->status < 300) return reply;
     if (reply && !is_busy(reply->status)) return problems_of(service, *reply);
     if (tries == kTries) return reply ? problems_of(service, *reply) : reply.errors();
@@ -167,6 +188,7 @@ class EventReader {
       read(text_.substr(0, end));
       text_.erase(0, end + 2);
     }
+    if (text_.size() > kMostEvent) text_.clear();  // no event of this service is so long
   }
   /// Before another stream: what broke off comes again.
   void restart() { text_.clear(); }
@@ -216,8 +238,10 @@ Expected<Reply> read_stream(const Service& service, const std::string& path, Eve
       [&](const char* bytes, std::size_t size) {
         if (reply.status == 200) {
           reader.take(bytes, size);
-        } else {
+        } else if (reply.body.size() + size <= kMostEvent) {
           reply.body.append(bytes, size);
+        } else {
+          return false;
         }
         return !reader.has_ended();
       });

@@ -116,7 +116,7 @@ int run(StudyModelArguments arguments) {
     std::cout << json;
     return exit_code_of(study, interrupted);
   }
-  std::cout << given.valve.name << ": " << lead_of(study) << "\n\n";
+  std::cout << printable(given.valve.name) << ": " << lead_of(study) << "\n\n";
   print_table(std::cout, areas_table(study));
   std::cout << "\n" << decides_words(study) << "\n\n";
   print_table(std::cout, parameters_table(study));

@@ -7,6 +7,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/print_table.h"
 #include "core/valve/number_text.h"
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
@@ -122,7 +123,8 @@ int run(ValveCalibrateArguments arguments) {
     std::cout << document;
   } else {
     for (std::size_t v = 0; v < valves.valves.size(); ++v) {
-      std::cout << valves.valves[v].name << " (" << to_string(valves.valves[v].kind) << ")\n";
+      std::cout << printable(valves.valves[v].name) << " (" << to_string(valves.valves[v].kind)
+                << ")\n";
       print_table(std::cout, table_of(problem, static_cast<int>(v), before[v], after[v]));
       std::cout << '\n';
     }

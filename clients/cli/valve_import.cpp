@@ -5,6 +5,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/import_inputs.h"
+#include "core/valve/printable.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -72,8 +73,8 @@ std::string misused(const ValveImportArguments& arguments) {
 void tell_looks(const std::vector<ImportDecision>& decisions) {
   for (const ImportDecision& decision : decisions)
     if (decision.look)
-      std::cerr << "coapt: valve import: check this against the images: " << sentence(decision)
-                << ".\n";
+      std::cerr << "coapt: valve import: check this against the images: "
+                << printable(sentence(decision)) << ".\n";
 }
 
 int run(ValveImportArguments& arguments) {

@@ -182,7 +182,9 @@ class Worker {
       request->parts.push_back(**std::move(part));
     }
     if (work_id(*request) != work) {
-      say_("the parts of run " + std::to_string(task.key.run) + " are not those that it names");
+      const std::string why = "the parts of the request are not those that it names";
+      say_("run " + std::to_string(task.key.run) + ": " + why);
+      tell([&] { return database_.fail(id_, task.key, why); });
       return nullptr;
     }
     requests_.emplace_front(work, request);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 
 namespace coapt {
@@ -94,9 +95,9 @@ std::string shell_quoted(const std::string& word) {
 
 int report_errors(const std::string& source, const Errors& errors) {
   for (const Error& error : errors) {
-    std::cerr << "coapt: " << source << ": ";
-    if (!error.path.empty()) std::cerr << error.path << ": ";
-    std::cerr << error.message << '\n';
+    std::cerr << "coapt: " << printable(source) << ": ";
+    if (!error.path.empty()) std::cerr << printable(error.path) << ": ";
+    std::cerr << printable(error.message) << '\n';
   }
   return exit_code::kBadInput;
 }

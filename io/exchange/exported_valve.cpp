@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/closure/standing.h"
+
 namespace coapt {
 namespace {
 
@@ -30,7 +32,7 @@ ValveShape closed_shape(const ClosedValve& exported) {
   Points heads(std::ssize(valve.heads), 3);
   for (std::size_t h = 0; h < valve.heads.size(); ++h) heads.row(as_row(h)) = valve.heads[h].tip_mm;
   return {exported.closure.closed_mm, std::move(heads), exported.closure.branch_points_mm,
-          exported.closure.tension_n};
+          exported.closure.tension_n, doubt_about(exported.closure)};
 }
 
 ValveShape unstressed_shape(const Valve& valve) {

@@ -1,6 +1,7 @@
 // What files are written of: what a closed valve looks like in some state.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/closed/closed_valve.h"
@@ -13,6 +14,7 @@ struct ValveShape {
   Points heads_mm;                                  ///< |heads| x 3
   std::vector<Points> chorda_ends_mm;               ///< [chorda]: one row per segment: its far end
   std::vector<std::vector<double>> tension_n = {};  ///< [chorda][segment]; empty: there is none
+  std::string doubt = {};                           ///< doubt_about() the closure that it is of
 };
 
 ValveShape closed_shape(const ClosedValve& exported);

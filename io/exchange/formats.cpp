@@ -32,7 +32,7 @@ MarkupAxes axes_of(const Valve& valve) {
 template <const char* Name>
 Expected<std::string> mesh(const ClosedValve& exported, const ValveShape& shape,
                            const ExportOptions&) {
-  return write_mesh(leaflet_mesh(exported.valve, shape.vertices_mm), Name);
+  return write_mesh(leaflet_mesh(exported.valve, shape.vertices_mm), Name, shape.doubt);
 }
 
 Expected<std::string> vtk(const ClosedValve& exported, const ValveShape& shape,
@@ -47,7 +47,7 @@ Expected<std::string> glb(const ClosedValve& exported, const ValveShape&,
 
 Expected<std::string> markups(const ClosedValve& exported, const ValveShape& shape,
                               const ExportOptions&) {
-  return write_markups(valve_markups(exported, shape), axes_of(exported.valve));
+  return write_markups(valve_markups(exported, shape), axes_of(exported.valve), shape.doubt);
 }
 
 Expected<std::string> measurements(const ClosedValve& exported, const ValveShape&,
@@ -147,11 +147,12 @@ Expected<std::vector<NamedFile>> write_slicerheart(const ClosedValve& closed,
       {"anterior_leaflet.vtk", write_vtk(leaflet_vtk(exported, shape, Leaflet::Anterior))},
       {"posterior_leaflet.vtk", write_vtk(leaflet_vtk(exported, shape, Leaflet::Posterior))},
       {"Chords_mesh.vtk", write_vtk(chordae_vtk(exported, shape))},
-      {"annulus.mrk.json", write_markups({annulus_markup(valve, shape)}, axes)},
-      {"papillary_muscle_tips.mrk.json", write_markups({papillary_markup(valve, shape)}, axes)},
-      {"landmarks.mrk.json", write_markups({landmark_markup(valve, shape)}, axes)}};
+      {"annulus.mrk.json", write_markups({annulus_markup(valve, shape)}, axes, shape.doubt)},
+      {"papillary_muscle_tips.mrk.json",
+       write_markups({papillary_markup(valve, shape)}, axes, shape.doubt)},
+      {"landmarks.mrk.json", write_markups({landmark_markup(valve, shape)}, axes, shape.doubt)}};
   if (const auto repair = repair_markups(exported, shape); !repair.empty())
-    files.push_back({kOptionalFiles[0], write_markups(repair, axes)});
+    files.push_back({kOptionalFiles[0], write_markups(repair, axes, shape.doubt)});
   if (const auto pressed = pressed_markups(valve); options.open && !pressed.empty())
     files.push_back({kOptionalFiles[1], write_markups(pressed, axes)});
   if (!options.open) files.push_back({kOptionalFiles[2], write_measurements_csv(exported)});

@@ -69,7 +69,8 @@ const char* words_of(MarkupAxes axes) {
 
 }  // namespace
 
-std::string write_markups(const std::vector<Markup>& markups, MarkupAxes axes) {
+std::string write_markups(const std::vector<Markup>& markups, MarkupAxes axes,
+                          const std::string& doubt) {
   Json list = Json::array();
   for (const Markup& markup : markups)
     list.push_back(
@@ -83,9 +84,10 @@ std::string write_markups(const std::vector<Markup>& markups, MarkupAxes axes) {
          {"controlPoints", control_points(markup)},
          {"display",
           {{"visibility", true}, {"pointLabelsVisibility", markup.type == MarkupType::Fiducial}}}});
-  const Json document = {{"@schema", kSchema},
-                         {"coapt", {{"notice", kResearchNotice}, {"axes", words_of(axes)}}},
-                         {"markups", std::move(list)}};
+  Json told = {{"notice", kResearchNotice}, {"axes", words_of(axes)}};
+  if (!doubt.empty()) told["closure"] = doubt;
+  const Json document = {
+      {"@schema", kSchema}, {"coapt", std::move(told)}, {"markups", std::move(list)}};
   return document.dump(1) + '\n';
 }
 

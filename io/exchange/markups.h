@@ -21,7 +21,9 @@ struct Markup {
 enum class MarkupAxes { Valve, Patient };
 
 /// In coordinate system LPS, all points "defined". The document says whose axes these are.
-std::string write_markups(const std::vector<Markup>& markups, MarkupAxes axes = MarkupAxes::Valve);
+/// @param doubt doubt_about() the closure that they are of
+std::string write_markups(const std::vector<Markup>& markups, MarkupAxes axes = MarkupAxes::Valve,
+                          const std::string& doubt = "");
 
 /// Markups of these types with the points that are defined, in LPS; others are passed over. Errors are JSON
 /// pointers: no markups, unknown coordinate system, units other than millimetres, numbers beyond 1e5.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/closure/standing.h"
 #include "core/metrics/annulus.h"
 #include "core/metrics/quantile.h"
 #include "core/valve/number_text.h"
@@ -19,6 +20,9 @@ class Table {
     const std::string number =
         with_decimals(std::abs(value) < 0.05 ? 0.0 : value, std::string(unit) == "mm/mm" ? 2 : 1);
     text_ += quoted(metric) + ',' + number + ',' + unit + ',' + quoted(definition) + '\n';
+  }
+  void remark(const std::string& metric, const std::string& definition) {
+    text_ += quoted(metric) + ",,," + quoted(definition) + '\n';
   }
   std::string take() && { return std::move(text_); }
 
@@ -69,6 +73,8 @@ void add_coaptation(const Coaptation& coaptation, Table& table) {
 std::string write_measurements_csv(const ClosedValve& exported) {
   const ValveMeasure& measure = exported.measure;
   Table table;
+  if (const std::string doubt = doubt_about(exported.closure); !doubt.empty())
+    table.remark("Closure", doubt);
   add_annulus(exported.valve, measure.annulus, table);
   table.add("Tenting height", measure.tenting_height_mm, "mm",
             "in the mid-valve section, from the annular line to the coaptation point; SlicerHeart: "

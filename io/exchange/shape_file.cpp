@@ -85,8 +85,9 @@ Expected<LeafletMesh> read_legacy(std::string_view bytes, const ShapeFileOptions
   std::vector<FaceLabels> arrays;
   for (VtkScalars& scalars : data->face_data)
     arrays.push_back({scalars.name, std::move(scalars.values)});
-  return with_labels(std::move(data->points_mm), std::move(data->faces), arrays, options,
-                     data->title == kVtkTitle || data->title == kPatientVtkTitle);
+  return with_labels(
+      std::move(data->points_mm), std::move(data->faces), arrays, options,
+      data->title.starts_with(kVtkTitle) || data->title.starts_with(kPatientVtkTitle));
 }
 
 /// None, and a problem, if there is no such array.

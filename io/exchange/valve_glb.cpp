@@ -249,6 +249,7 @@ std::string scene(const ClosedValve& exported, const ValveShape& shape,
        {{{"name", "tissue"},
          {"doubleSided", true},
          {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}}}}}};
+  if (!shape.doubt.empty()) document["asset"]["extras"]["closure"] = shape.doubt;
   for (const MorphedMesh& mesh :
        {leaflets(valve, states), chordae(valve, states), repair(exported, states)}) {
     if (mesh.faces.rows() == 0) continue;

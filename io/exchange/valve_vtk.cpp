@@ -21,8 +21,9 @@ std::vector<VtkScalars> face_data(const ClosedValve& exported, const ValveShape&
   return {leaflet, segment, circumferential, radial};
 }
 
-const char* title_of(const Valve& valve) {
-  return lies_in_patient_frame(valve) ? kPatientVtkTitle : kVtkTitle;
+std::string title_of(const Valve& valve, const ValveShape& shape) {
+  const std::string title = lies_in_patient_frame(valve) ? kPatientVtkTitle : kVtkTitle;
+  return title + (shape.doubt.empty() ? "" : "; " + shape.doubt);
 }
 
 VtkScalars heights(const Valve& valve, const Points& points_mm) {
@@ -35,7 +36,7 @@ VtkScalars heights(const Valve& valve, const Points& points_mm) {
 
 VtkPolyData leaflets_vtk(const ClosedValve& exported, const ValveShape& shape) {
   VtkPolyData data{
-      title_of(exported.valve), shape.vertices_mm, {}, exported.valve.faces, {}, {}, {}};
+      title_of(exported.valve, shape), shape.vertices_mm, {}, exported.valve.faces, {}, {}, {}};
   data.point_data = {heights(exported.valve, shape.vertices_mm)};
   data.face_data = face_data(exported, shape);
   return data;
@@ -82,7 +83,7 @@ VtkPolyData chordae_vtk(const ClosedValve& exported, const ValveShape& shape) {
   std::array<VtkScalars, 3> on;
   for (std::size_t k = 0; k < 3; ++k) on[k].name = kToInsertion[k];
   std::vector<Vec3> points;
-  VtkPolyData data{title_of(valve), {}, {}, Faces(0, 3), {}, {}, {}};
+  VtkPolyData data{title_of(valve, shape), {}, {}, Faces(0, 3), {}, {}, {}};
   for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
     const Chorda& chorda = valve.chordae[c];
     if (chorda.ruptured) continue;

@@ -117,9 +117,13 @@ Expected<VtkXml> read_vtk_xml(std::string_view bytes, std::string_view type) {
 }
 
 Expected<std::vector<double>> read_data_array(const VtkXml& file, const XmlElement& array,
-                                              const std::string& path) {
+                                              const std::string& path, std::size_t& left) {
+  const auto counted = [&left](Expected<std::vector<double>> numbers) {
+    if (numbers) left -= std::min(left, sizeof(double) * numbers->size());
+    return numbers;
+  };
   const std::string format = array.attribute("format");
-  if (format == "ascii") return read_words(array.text, path);
+  if (format == "ascii") return counted(read_words(array.text, path));
   StoredBytes stored{without_space(array.text), false, file.wide_header, file.compressor};
   if (format == "appended") {
     const auto offset = to_integer(without_space(array.attribute("offset")));
@@ -131,9 +135,9 @@ Expected<std::vector<double>> read_data_array(const VtkXml& file, const XmlEleme
     return Error{ErrorCode::Unsupported, path,
                  "has format '" + format.substr(0, 20) + "', accepted: ascii, binary, appended"};
   }
-  const Expected<std::string> bytes = unpacked(stored, path);
+  const Expected<std::string> bytes = unpacked(stored, path, left);
   if (!bytes) return bytes.errors();
-  return numbers_of(*bytes, array.attribute("type"), path);
+  return counted(numbers_of(*bytes, array.attribute("type"), path, left));
 }
 
 }  // namespace coapt

@@ -13,10 +13,14 @@
 namespace coapt {
 namespace {
 
-// Of one array: a mesh of 4 million triangles has 12 million corners.
-constexpr std::uint64_t kMaxUnpacked = std::uint64_t{128} << 20;
-constexpr std::size_t kMaxArrayNumbers = 16'000'000;
 constexpr std::uint64_t kMaxLzmaMemory = std::uint64_t{256} << 20;
+
+Error too_large(const std::string& path) {
+  return {
+      ErrorCode::OutOfRange, path,
+      "makes the arrays of the file larger than the 96 MiB accepted; save it without those that "
+      "are not needed"};
+}
 
 Error damaged(const std::string& path) {
   return {ErrorCode::InputOutput, path, "is truncated or damaged"};
@@ -93,7 +97,8 @@ bool inflate_lzma(std::string_view block, std::string& out) {
          out_at == out.size();
 }
 
-Expected<std::string> unpacked_blocks(const StoredBytes& stored, const std::string& path) {
+Expected<std::string> unpacked_blocks(const StoredBytes& stored, const std::string& path,
+                                      std::uint64_t most) {
   const bool lzma = stored.compressor == "vtkLZMADataCompressor";
   if (!lzma && stored.compressor != "vtkZLibDataCompressor")
     return Error{ErrorCode::Unsupported, path,
@@ -113,8 +118,8 @@ Expected<std::string> unpacked_blocks(const StoredBytes& stored, const std::stri
   if (!head) return damaged(path);
   source.skip(width * (3 + blocks));
   const std::uint64_t whole = count_at(*head, 1), last = count_at(*head, 2);
-  if (whole > kMaxUnpacked || last > whole || blocks * whole > kMaxUnpacked + whole)
-    return Error{ErrorCode::OutOfRange, path, "is larger than the 128 MiB accepted"};
+  if (blocks > 0 && (last > whole || whole > most || (blocks - 1) * whole + last > most))
+    return too_large(path);
   std::uint64_t packed_size = 0;
   for (std::uint64_t i = 0; i < blocks; ++i) {
     const std::uint64_t size = count_at(*head, 3 + i);
@@ -137,10 +142,10 @@ Expected<std::string> unpacked_blocks(const StoredBytes& stored, const std::stri
 }
 
 template <class T>
-Expected<std::vector<double>> numbers_as(std::string_view bytes, const std::string& path) {
+Expected<std::vector<double>> numbers_as(std::string_view bytes, const std::string& path,
+                                         std::size_t most) {
   if (bytes.size() % sizeof(T) != 0) return damaged(path);
-  if (bytes.size() / sizeof(T) > kMaxArrayNumbers)
-    return Error{ErrorCode::OutOfRange, path, "has more than the 16,000,000 numbers accepted"};
+  if (bytes.size() / sizeof(T) > most / sizeof(double)) return too_large(path);
   std::vector<double> numbers;
   numbers.reserve(bytes.size() / sizeof(T));
   for (std::size_t at = 0; at < bytes.size(); at += sizeof(T))
@@ -150,8 +155,9 @@ Expected<std::vector<double>> numbers_as(std::string_view bytes, const std::stri
 
 }  // namespace
 
-Expected<std::string> unpacked(const StoredBytes& stored, const std::string& path) {
-  if (!stored.compressor.empty()) return unpacked_blocks(stored, path);
+Expected<std::string> unpacked(const StoredBytes& stored, const std::string& path,
+                               std::size_t most) {
+  if (!stored.compressor.empty()) return unpacked_blocks(stored, path, most);
   const std::uint64_t width = stored.wide_header ? 8 : 4;
   const Source source(stored);
   const auto head = source.peek(width);
@@ -159,23 +165,24 @@ Expected<std::string> unpacked(const StoredBytes& stored, const std::string& pat
   const std::uint64_t size = stored.wide_header ? little_endian_at<std::uint64_t>(*head, 0)
                                                 : little_endian_at<std::uint32_t>(*head, 0);
   if (size > stored.bytes.size()) return damaged(path);
+  if (size > most) return too_large(path);
   auto all = source.peek(width + size);
   if (!all) return damaged(path);
   return all->substr(width);
 }
 
 Expected<std::vector<double>> numbers_of(std::string_view bytes, std::string_view type,
-                                         const std::string& path) {
-  if (type == "Float32") return numbers_as<float>(bytes, path);
-  if (type == "Float64") return numbers_as<double>(bytes, path);
-  if (type == "Int8") return numbers_as<std::int8_t>(bytes, path);
-  if (type == "UInt8") return numbers_as<std::uint8_t>(bytes, path);
-  if (type == "Int16") return numbers_as<std::int16_t>(bytes, path);
-  if (type == "UInt16") return numbers_as<std::uint16_t>(bytes, path);
-  if (type == "Int32") return numbers_as<std::int32_t>(bytes, path);
-  if (type == "UInt32") return numbers_as<std::uint32_t>(bytes, path);
-  if (type == "Int64") return numbers_as<std::int64_t>(bytes, path);
-  if (type == "UInt64") return numbers_as<std::uint64_t>(bytes, path);
+                                         const std::string& path, std::size_t most) {
+  if (type == "Float32") return numbers_as<float>(bytes, path, most);
+  if (type == "Float64") return numbers_as<double>(bytes, path, most);
+  if (type == "Int8") return numbers_as<std::int8_t>(bytes, path, most);
+  if (type == "UInt8") return numbers_as<std::uint8_t>(bytes, path, most);
+  if (type == "Int16") return numbers_as<std::int16_t>(bytes, path, most);
+  if (type == "UInt16") return numbers_as<std::uint16_t>(bytes, path, most);
+  if (type == "Int32") return numbers_as<std::int32_t>(bytes, path, most);
+  if (type == "UInt32") return numbers_as<std::uint32_t>(bytes, path, most);
+  if (type == "Int64") return numbers_as<std::int64_t>(bytes, path, most);
+  if (type == "UInt64") return numbers_as<std::uint64_t>(bytes, path, most);
   return Error{ErrorCode::Unsupported, path,
                "has type '" + std::string(type.substr(0, 20)) +
                    "', accepted: Float32, Float64, Int8 to Int64, UInt8 to UInt64"};

@@ -18,11 +18,16 @@ struct StoredBytes {
   std::string_view compressor;  ///< "", "vtkZLibDataCompressor" or "vtkLZMADataCompressor"
 };
 
-/// At most 128 MiB. Errors have `path`: InputOutput (truncated or damaged), Unsupported, OutOfRange.
-Expected<std::string> unpacked(const StoredBytes& stored, const std::string& path);
+/// What all arrays of a file may unpack to: a mesh of a million triangles, twice what an import takes, has some 45 MiB.
+inline constexpr std::size_t kMostUnpacked = std::size_t{96} << 20;
 
-/// `type`: VTK's names, "Float32" to "UInt64".
+/// At most `most` bytes, which is known before one is unpacked. Errors have `path`: InputOutput (truncated or damaged),
+/// Unsupported, OutOfRange.
+Expected<std::string> unpacked(const StoredBytes& stored, const std::string& path,
+                               std::size_t most);
+
+/// `type`: VTK's names, "Float32" to "UInt64". At most `most` bytes of numbers.
 Expected<std::vector<double>> numbers_of(std::string_view bytes, std::string_view type,
-                                         const std::string& path);
+                                         const std::string& path, std::size_t most);
 
 }  // namespace coapt

@@ -9,6 +9,7 @@
 #include "io/mesh/mesh_builder.h"
 #include "io/mesh/text_scan.h"
 #include "io/mesh/vtk_xml.h"
+#include "io/mesh/vtk_xml_bytes.h"
 
 namespace coapt {
 namespace {
@@ -128,7 +129,7 @@ class VtuReader {
       fail(ErrorCode::MissingField, path, "is missing");
       return {};
     }
-    Expected<std::vector<double>> list = read_data_array(file_, *array, path);
+    Expected<std::vector<double>> list = read_data_array(file_, *array, path, left_);
     if (list) return *std::move(list);
     errors_.insert(errors_.end(), list.errors().begin(), list.errors().end());
     return {};
@@ -200,7 +201,7 @@ class VtuReader {
   const VtkXml& file_;
   Sections sections_;
   Errors errors_;
-  std::size_t cells_ = 0;
+  std::size_t cells_ = 0, left_ = kMostUnpacked;
   bool is_grid_;
 };
 

@@ -38,8 +38,13 @@ Errors check(const TriangleMesh& mesh) {
   return problems.empty() ? Errors{} : std::move(problems).take();
 }
 
-std::string ply(const TriangleMesh& mesh) {
-  std::string text = "ply\nformat ascii 1.0\ncomment coapt, millimetres\nelement vertex " +
+std::string remarked(const std::string& title, const std::string& remark) {
+  return title + (remark.empty() ? "" : "; " + remark);
+}
+
+std::string ply(const TriangleMesh& mesh, const std::string& remark) {
+  std::string text = "ply\nformat ascii 1.0\ncomment coapt, millimetres\n" +
+                     (remark.empty() ? "" : "comment " + remark + '\n') + "element vertex " +
                      std::to_string(mesh.vertices_mm.rows()) +
                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
                      std::to_string(mesh.faces.rows()) +
@@ -49,15 +54,15 @@ std::string ply(const TriangleMesh& mesh) {
   return text;
 }
 
-std::string obj(const TriangleMesh& mesh) {
-  std::string text = "# coapt, millimetres\n";
+std::string obj(const TriangleMesh& mesh, const std::string& remark) {
+  std::string text = "# coapt, millimetres\n" + (remark.empty() ? "" : "# " + remark + '\n');
   append_points(text, mesh.vertices_mm, "v ", {});
   append_faces(text, mesh.faces, "f ", 1);
   return text;
 }
 
-std::string vtk(const TriangleMesh& mesh) {
-  return write_vtk({kVtkTitle, mesh.vertices_mm, {}, mesh.faces, {}, {}, {}});
+std::string vtk(const TriangleMesh& mesh, const std::string& remark) {
+  return write_vtk({remarked(kVtkTitle, remark), mesh.vertices_mm, {}, mesh.faces, {}, {}, {}});
 }
 
 void append_vector(std::string& bytes, const Vec3& vector) {
@@ -65,8 +70,9 @@ void append_vector(std::string& bytes, const Vec3& vector) {
     append_little_endian(bytes, static_cast<float>(number + 0.0));  // 0, not -0
 }
 
-std::string stl(const TriangleMesh& mesh) {
-  std::string bytes = "coapt, millimetres";  // not "solid", by which tools know the text format
+std::string stl(const TriangleMesh& mesh, const std::string& remark) {
+  // Not "solid", by which tools know the text format.
+  std::string bytes = remarked("coapt, millimetres", remark);
   bytes.resize(kStlHeaderBytes, ' ');
   append_little_endian(bytes, static_cast<std::uint32_t>(mesh.faces.rows()));
   for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
@@ -81,18 +87,19 @@ std::string stl(const TriangleMesh& mesh) {
 
 }  // namespace
 
-Expected<std::string> write_mesh(const TriangleMesh& mesh, std::string_view format) {
-  std::string (*const write)(const TriangleMesh&) = format == "ply"   ? ply
-                                                    : format == "obj" ? obj
-                                                    : format == "stl" ? stl
-                                                    : format == "vtk" ? vtk
-                                                                      : nullptr;
+Expected<std::string> write_mesh(const TriangleMesh& mesh, std::string_view format,
+                                 const std::string& remark) {
+  std::string (*const write)(const TriangleMesh&, const std::string&) = format == "ply"   ? ply
+                                                                        : format == "obj" ? obj
+                                                                        : format == "stl" ? stl
+                                                                        : format == "vtk" ? vtk
+                                                                                          : nullptr;
   if (write == nullptr)
     return Error{
         ErrorCode::Unsupported, "",
         "mesh format '" + std::string(format.substr(0, 20)) + "', accepted: ply, obj, stl, vtk"};
   if (Errors errors = check(mesh); !errors.empty()) return errors;
-  return write(mesh);
+  return write(mesh, remark);
 }
 
 TriangleMesh leaflet_mesh(const Valve& valve, const Points& closed_mm) {

@@ -17,7 +17,9 @@ namespace coapt {
 /// "vtk": legacy VTK, the triangles alone (vtk.h).
 /// All in millimetres. Unsupported: another format. OutOfRange: a coordinate that read_mesh() would
 /// refuse. BadReference: a corner that is no vertex.
-Expected<std::string> write_mesh(const TriangleMesh& mesh, std::string_view format);
+/// @param remark a line of ASCII that the file carries where programs show it (doubt_about()): comment, header or title
+Expected<std::string> write_mesh(const TriangleMesh& mesh, std::string_view format,
+                                 const std::string& remark = "");
 
 /// The leaflets of a closed valve. @param closed_mm |V| x 3, as ClosureResult::closed_mm
 TriangleMesh leaflet_mesh(const Valve& valve, const Points& closed_mm);

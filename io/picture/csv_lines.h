@@ -1,6 +1,7 @@
 // Tables as text that spreadsheets read.
 #pragma once
 
+#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace coapt {
 
-/// Lines of comma-separated cells. Text with a comma or a quote is quoted (RFC 4180).
+/// Lines of comma-separated cells. Text with a comma, a quote or an end of a line is quoted (RFC 4180). Text that a spreadsheet would
+/// compute (it begins with =, +, -, @, a tab or a return) has an apostrophe before it, which a spreadsheet does not show.
 class CsvLines {
  public:
   explicit CsvLines(const std::string& header) { text_ << header << '\n'; }
@@ -29,11 +31,12 @@ class CsvLines {
   CsvLines& operator<<(const char* value) { return *this << std::string(value); }
   CsvLines& operator<<(const std::string& value) {
     separate();
-    if (value.find_first_of(",\"\n") == std::string::npos) {
-      text_ << value;
+    const bool computes = value.find_first_of("=+-@\t\r") == 0 && !is_number(value);
+    if (value.find_first_of(",\"\n\r") == std::string::npos) {
+      text_ << (computes ? "'" : "") << value;
       return *this;
     }
-    text_ << '"';
+    text_ << '"' << (computes ? "'" : "");
     for (const char c : value) text_ << (c == '"' ? "\"\"" : std::string(1, c));
     text_ << '"';
     return *this;
@@ -46,6 +49,11 @@ class CsvLines {
   std::string text() const { return text_.str(); }
 
  private:
+  static bool is_number(const std::string& value) {
+    double number = 0.0;
+    const auto [end, wrong] = std::from_chars(value.data(), value.data() + value.size(), number);
+    return wrong == std::errc() && end == value.data() + value.size();
+  }
   void separate() {
     if (!first_) text_ << ',';
     first_ = false;

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/valve/printable.h"
+
 namespace coapt {
 
 /// With `decimals` places, a point in every locale; "n/a" if not finite; never "-0.0".
@@ -26,10 +28,6 @@ std::string percent(double share);
 
 /// "1 triangle", "2 triangles".
 std::string counted(long count, std::string_view noun);
-
-/// One line of valid UTF-8: control characters and broken sequences are replaced. Cairo draws
-/// nothing more after a broken one.
-std::string printable(std::string_view text);
 
 /// printable(), and safe in HTML text and quoted attributes.
 std::string escape_html(std::string_view text);

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -220,7 +221,9 @@ Statement StoreDatabase::prepare(const char* sql) const {
 }
 
 Error StoreDatabase::failure(const std::string& problem) const {
-  Error error = refusal(path_, problem + ": " + sqlite3_errmsg(handle_.get()));
+  // The name without its folder: a service tells its clients.
+  Error error = refusal(std::filesystem::path(path_).filename().string(),
+                        problem + ": " + sqlite3_errmsg(handle_.get()));
   if (tells_causes_) error.code = cause(handle_.get());
   return error;
 }

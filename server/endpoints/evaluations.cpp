@@ -60,6 +60,7 @@ struct AskedPlans {
   Valve valve;
   std::vector<RepairPlan> plans;
   SearchOptions options;
+  TurnCost cost = TurnCost::Long;
 };
 
 std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Request& request,
@@ -95,6 +96,7 @@ std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Req
                      std::to_string(closures) + " closures; must be at most " +
                      std::to_string(most) + " for a valve of this size");
   if (!problems.empty()) return problem(422, std::move(problems).take());
+  asked.cost = cost_of(asked.valve, closures);
   return asked;
 }
 
@@ -114,11 +116,12 @@ Answer scored(const ValveSource& valves, Compute& compute, const Request& reques
               std::size_t most_plans, const Write& write) {
   const auto asked = read_asked(valves, request, most_plans);
   if (const auto* refused = std::get_if<Answer>(&asked)) return *refused;
-  return answer_in_turn(compute, valves.limits, request, [&](RequestClosures& closures) -> Answer {
-    const auto result = score(std::get<AskedPlans>(asked), closures);
-    if (const auto* refused = std::get_if<Answer>(&result)) return *refused;
-    return write(std::get<AskedPlans>(asked), std::get<SearchResult>(result));
-  });
+  return answer_in_turn(compute, valves.limits, request, std::get<AskedPlans>(asked).cost,
+                        [&](RequestClosures& closures) -> Answer {
+                          const auto result = score(std::get<AskedPlans>(asked), closures);
+                          if (const auto* refused = std::get_if<Answer>(&result)) return *refused;
+                          return write(std::get<AskedPlans>(asked), std::get<SearchResult>(result));
+                        });
 }
 
 }  // namespace

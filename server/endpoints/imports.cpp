@@ -66,12 +66,13 @@ Answer ImportValve::operator()(const Request& request) const {
     return *std::move(refused);
   if (const Errors errors = check_import(asked, valves.limits); !errors.empty())
     return problem(422, errors);
-  return answer_in_turn(compute, valves.limits, request, [&](RequestClosures& closures) {
-    const Expected<ImportedValve> made = make_checked(asked, valves.limits, closures);
-    if (!made) return problem(422, made.errors());
-    return store_valve(store, valves.limits, made->valve,
-                       {{"decisions", to_json(made->decisions)}});
-  });
+  return answer_in_turn(
+      compute, valves.limits, request, TurnCost::Long, [&](RequestClosures& closures) {
+        const Expected<ImportedValve> made = make_checked(asked, valves.limits, closures);
+        if (!made) return problem(422, made.errors());
+        return store_valve(store, valves.limits, made->valve,
+                           {{"decisions", to_json(made->decisions)}});
+      });
 }
 
 Answer PostImports::operator()(const Request& request) const {
@@ -83,8 +84,8 @@ Answer PostImports::operator()(const Request& request) const {
   if (const Errors errors = check_import(asked, limits); !errors.empty())
     return problem(422, errors);
   std::optional<Valve> valve;
-  const Answer refusal =
-      answer_in_turn(compute, limits, request, [&](RequestClosures& closures) -> Answer {
+  const Answer refusal = answer_in_turn(
+      compute, limits, request, TurnCost::Long, [&](RequestClosures& closures) -> Answer {
         Expected<ImportedValve> made = make_checked(asked, limits, closures);
         if (!made) return problem(422, made.errors());
         if (asked.fit)
@@ -113,15 +114,16 @@ Answer PreviewImport::operator()(const Request& request) const {
   };
   if (auto refused = read_body(valves, request.body, {{"files", into(files, read)}}))
     return *std::move(refused);
-  return answer_in_turn(compute, valves.limits, request, [&](RequestClosures& closures) {
-    Json list = Json::array();
-    Eigen::Index left = kMostNumbers;
-    for (const NamedFile& file : files) {
-      if (closures.cancelled()) throw RequestClosures::Unfinished{};
-      list.push_back(preview_json(file, left));
-    }
-    return json_answer(200, {{"files", std::move(list)}});
-  });
+  return answer_in_turn(compute, valves.limits, request, TurnCost::Long,
+                        [&](RequestClosures& closures) {
+                          Json list = Json::array();
+                          Eigen::Index left = kMostNumbers;
+                          for (const NamedFile& file : files) {
+                            if (closures.cancelled()) throw RequestClosures::Unfinished{};
+                            list.push_back(preview_json(file, left));
+                          }
+                          return json_answer(200, {{"files", std::move(list)}});
+                        });
 }
 
 }  // namespace coapt

@@ -134,22 +134,25 @@ Answer GetPlanMesh::operator()(const Request& request) const {
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Repair repair = repair_of(store, request);
   if (repair.refusal) return *repair.refusal;
-  return answer_in_turn(compute, limits, request, [&](RequestClosures& closures) {
-    return valve_file_answer(with_repair(closures.close_and_measure(repair.after, {.motion = true}),
-                                         repair.before, repair.plan),
-                             *format);
-  });
+  return answer_in_turn(
+      compute, limits, request, cost_of(repair.after), [&](RequestClosures& closures) {
+        return valve_file_answer(
+            with_repair(closures.close_and_measure(repair.after, {.motion = true}), repair.before,
+                        repair.plan),
+            *format);
+      });
 }
 
 Answer GetPlanPicture::operator()(const Request& request) const {
   const Repair repair = repair_of(store, request);
   if (repair.refusal) return *repair.refusal;
-  return answer_in_turn(compute, limits, request, [&](RequestClosures& closures) {
-    const ClosedValve before = closures.close_and_measure(repair.before);
-    const ClosedValve after =
-        with_repair(closures.close_and_measure(repair.after), repair.before, repair.plan);
-    return Answer{200, Content{"image/png", comparison_picture_png(before, after)}};
-  });
+  return answer_in_turn(
+      compute, limits, request, cost_of(repair.after), [&](RequestClosures& closures) {
+        const ClosedValve before = closures.close_and_measure(repair.before);
+        const ClosedValve after =
+            with_repair(closures.close_and_measure(repair.after), repair.before, repair.plan);
+        return Answer{200, Content{"image/png", comparison_picture_png(before, after)}};
+      });
 }
 
 Answer GetPlanReport::operator()(const Request& request) const {

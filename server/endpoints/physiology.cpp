@@ -14,21 +14,24 @@ JsonField choice_field(const char* name, const Choices& choices, std::optional<V
           false};
 }
 
+constexpr int kClosures = 17;  // and openings, of a study (search/studies)
+
 }  // namespace
 
 Answer PostPhysiology::operator()(const Request& request) const {
   PhysiologyOptions options;
   options.threads = valves.limits.request_threads;
-  return answer_repair(valves, compute, request,
-                       {choice_field("kind", kValveKinds, options.kind),
-                        choice_field("species", kSpecies, options.species)},
-                       [&options](const RepairRequest& asked, RequestClosures& closures) {
-                         options.budget = closures.budget();
-                         const Physiology physiology = study_physiology(asked.repaired, options);
-                         return physiology.unfinished
-                                    ? closures.refusal()
-                                    : json_answer(200, to_json(physiology, asked.repaired));
-                       });
+  return answer_repair(
+      valves, compute, request,
+      {choice_field("kind", kValveKinds, options.kind),
+       choice_field("species", kSpecies, options.species)},
+      [&options](const RepairRequest& asked, RequestClosures& closures) {
+        options.budget = closures.budget();
+        const Physiology physiology = study_physiology(asked.repaired, options);
+        return physiology.unfinished ? closures.refusal()
+                                     : json_answer(200, to_json(physiology, asked.repaired));
+      },
+      kClosures);
 }
 
 }  // namespace coapt

@@ -61,7 +61,7 @@ Answer PostPreferences::operator()(const Request& request) const {
                                 {"answers", read_all_answers},
                                 {"hide_figures", into(hide_figures, read_boolean), false}}))
     return *std::move(refused);
-  return answer_in_turn(compute, valves.limits, request, [&](RequestClosures&) {
+  return answer_in_turn(compute, valves.limits, request, TurnCost::Short, [&](RequestClosures&) {
     const PreferencePosterior posterior = posterior_of(cases, answers);
     const PosteriorDraws draws = draw(posterior);
     Json json = {{"schema", "coapt.preference/1"},

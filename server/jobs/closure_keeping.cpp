@@ -8,7 +8,9 @@
 namespace coapt {
 namespace {
 
-constexpr int kMostStalled = 5;  // attempts in a row that a job may kill
+// Attempts in a row that a job may kill. A machine that is started again five times within the minutes that a fit takes to keep
+// something is no fault of the fit.
+constexpr int kMostStalled = 10;
 
 }  // namespace
 

@@ -28,9 +28,15 @@ std::int64_t wall_clock_ms() {
       .count();
 }
 
-Errors JobBoard::resume() {
+Errors JobBoard::resume(bool crashed) {
   const Expected<std::vector<Job>> unfinished = store_.unfinished();
   if (!unfinished) return unfinished.errors();
+  const auto was_running = [](const Job& job) { return job.state == JobState::Running; };
+  const auto killed = std::count_if(unfinished->begin(), unfinished->end(), was_running);
+  if (killed > 1 && !crashed)
+    for (const Job& job : *unfinished)
+      if (was_running(job))
+        if (Errors errors = store_.suspend(job.id, job.seconds, ""); !errors.empty()) return errors;
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const Job& job : *unfinished) queue_.push_back(job.id);
   return {};

@@ -40,8 +40,9 @@ class JobBoard {
   JobBoard(JobStore& store, int queue, const Retention& retention = {})
       : store_(store), queue_limit_(queue), retention_(retention) {}
 
-  /// Queues what the store has unfinished. Before anything else.
-  Errors resume();
+  /// Queues what the store has unfinished. Before anything else. A job that was running when the server died is blamed for it
+  /// (Job::stalled) if it ran alone, or if the server `crashed` by a fault of its own; beside others a kill from outside is nobody's.
+  Errors resume(bool crashed = false);
 
   enum class Taken { New, Known, OtherRequest, QueueFull, Stopping };
   struct Submission {

@@ -52,10 +52,12 @@ class Shared(ServerTest):
         self.server.wait_for_end(job_id)
         with contextlib.closing(sqlite3.connect(self.server.db, isolation_level=None)) as other:
             other.execute("BEGIN IMMEDIATE")
-            status, headers, _ = self.curl_with_headers(
+            status, headers, body = self.curl_with_headers(
                 "/v1/plans", "-H", "Content-Type: application/json", "--data", '{"valve": "human-normal"}'
             )
             self.assertEqual(status, 503)
+            self.assertIn(self.server.db.name, str(body))
+            self.assertNotIn(str(self.server.db.parent), str(body))
             self.assertGreater(int(headers["retry-after"]), 0)
             self.assertEqual(self.curl(f"/v1/jobs/{job_id}")[0], 200)
             other.execute("ROLLBACK")

@@ -1,5 +1,6 @@
 """coapt --server: the same as without, through a coapt-server."""
 
+import http.server
 import json
 import os
 import pathlib
@@ -7,11 +8,12 @@ import re
 import signal
 import subprocess
 import tempfile
+import threading
 import unittest
 
 from plan_runs import BARE, VALVE, options
 from process_runs import HANGS_S, wait_until
-from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, OK, coapt, small_valve
+from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, OK, ProgramTest, coapt, small_valve
 from relay import Relay
 from server_runs import ServerTest
 
@@ -328,6 +330,49 @@ class Interrupted(ThroughService):
             without_seconds(re.sub(r", \d+ known from an earlier run", "", out)),
             without_seconds(coapt("plan", VALVE, *options(evaluations=20, **BARE)).stdout),
         )
+
+
+class Hostile(ProgramTest):
+    """A service that is not one's own."""
+
+    def served(self, answer):
+        """The address of what answers every request so: an iterator of parts."""
+
+        class Handler(http.server.BaseHTTPRequestHandler):
+            def do_POST(self):
+                for part in answer():
+                    try:
+                        self.wfile.write(part)
+                    except OSError:
+                        return
+
+            def log_message(self, *_):
+                pass
+
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.addCleanup(server.server_close)
+        self.addCleanup(server.shutdown)
+        return f"http://127.0.0.1:{server.server_port}"
+
+    def test_an_answer_without_end_is_refused_at_the_limit(self):
+        def endless():
+            yield b"HTTP/1.0 200 OK\r\nContent-Type: application/json\r\n\r\n"
+            while True:
+                yield b" " * (1 << 20)
+
+        run = coapt("close", "human-normal", "--server", self.served(endless))
+        self.assertEqual(run.returncode, FAILURE)
+        self.assertIn("256 MiB", run.stderr)
+
+    def test_what_it_says_does_not_move_the_terminal(self):
+        problem = {"code": "out_of_range", "path": "/plan\u001b[2J", "message": "\u001b]0;pwned\u0007 \u009b31m\u202e"}
+        body = json.dumps({"problems": [problem]}).encode()
+        head = b"HTTP/1.0 422 No\r\nContent-Type: application/problem+json\r\nContent-Length: %d\r\n\r\n" % len(body)
+        run = coapt("close", "human-normal", "--server", self.served(lambda: [head + body]))
+        self.assertNotEqual(run.returncode, OK)
+        self.assertIn("pwned", run.stderr)
+        self.assertNotRegex(run.stderr, "[\x00-\x09\x0b-\x1f\x7f-\x9f\u202e]")
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 import socket
 import threading
 import unittest
+import unittest.mock
 
 import coapt
 from client_runs import ENDLESS, SMALL, TOKEN, VALVE, ClientTest
@@ -197,6 +198,38 @@ class Addresses(unittest.TestCase):
         for url in ("localhost:8080", "ftp://localhost", "http://"):
             with self.assertRaisesRegex(coapt.CoaptError, "http://127"):
                 coapt.Client(url)
+
+
+class Hostile(unittest.TestCase):
+    """A service that is not one's own."""
+
+    def served(self, answer):
+        listening = socket.create_server(("127.0.0.1", 0))
+        self.addCleanup(listening.close)
+
+        def serve():
+            connection, _ = listening.accept()
+            with connection:
+                connection.recv(65536)
+                connection.sendall(answer)
+
+        threading.Thread(target=serve, daemon=True).start()
+        return coapt.Client(f"http://127.0.0.1:{listening.getsockname()[1]}", retries=0)
+
+    def test_an_answer_has_a_limit(self):
+        body = b" " * 2000
+        client = self.served(b"HTTP/1.1 200 OK\r\nContent-Length: 2000\r\n\r\n" + body)
+        with unittest.mock.patch("coapt.http_transport._MOST_BYTES", 1000), self.assertRaises(coapt.Unreachable) as raised:
+            client.presets()
+        self.assertIn("answers with more than", str(raised.exception))
+
+    def test_its_words_do_not_move_the_terminal(self):
+        body = b'{"title": "\\u001b[2J", "problems": [{"message": "\\u001b]0;pwned\\u0007\\u009b31m\\u202e"}]}'
+        client = self.served(b"HTTP/1.1 422 No\r\nContent-Length: %d\r\n\r\n" % len(body) + body)
+        with self.assertRaises(coapt.InvalidRequest) as raised:
+            client.presets()
+        self.assertIn("pwned", str(raised.exception))
+        self.assertNotRegex(str(raised.exception), "[\\x00-\\x09\\x0b-\\x1f\\x7f-\\x9f\u202e]")
 
 
 if __name__ == "__main__":

@@ -119,7 +119,8 @@ TEST(Refuse, PagesOfOtherOriginsStayOutWhateverTheyKnow) {
 
 TEST(Refuse, WhetherItLivesEverybodyMayAsk) {
   EXPECT_EQ(status({kToken, {}}, {{"host", "evil.example"}}, "/healthz/live"), 0);
-  EXPECT_EQ(status({kToken, {}}, {}, "/healthz/ready"), 401);
+  EXPECT_EQ(status({kToken, {}}, {}, "/healthz/ready"), 0);
+  EXPECT_EQ(status({"", {}}, {{"host", "evil.example"}}, "/healthz/ready"), 421);
 }
 
 Request from_site(const std::string& method, const std::string& origin) {

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "core/closure/standing.h"
 #include "still_valve.h"
 
 namespace coapt {
@@ -24,6 +25,31 @@ TEST(Formats, EachIsWrittenOfTheClosedValveAndOfTheOpenOneButMeasurements) {
     const bool open = bool(write_valve_file(exported, format, {.open = true}));
     EXPECT_EQ(open, std::string_view(format.name) != "csv") << format.name;
   }
+}
+
+TEST(Formats, WhatIsNotToBeTrustedSaysSoInEachOfThem) {
+  ClosedValve exported = still_valve();
+  const std::string doubt = "NOT TO BE TRUSTED: not at rest, leaflets cross";
+  const auto says_it = [&](const FileFormat& format, const ExportOptions& options) {
+    const Expected<std::string> bytes = write_valve_file(exported, format, options);
+    return bytes && bytes->find(doubt) != std::string::npos;
+  };
+  for (const FileFormat& format : file_formats()) EXPECT_FALSE(says_it(format, {})) << format.name;
+  exported.closure.status = ClosureStatus::StepLimit;
+  exported.closure.crossing = true;
+  EXPECT_EQ(doubt_about(exported.closure), doubt);
+  for (const FileFormat& format : file_formats()) {
+    const bool is_of_the_closure = std::string_view(format.name) != "feb";
+    EXPECT_EQ(says_it(format, {}), is_of_the_closure) << format.name;
+    EXPECT_FALSE(says_it(format, {.open = true})) << format.name << ", the open valve";
+  }
+  const std::string csv = *write_valve_file(exported, *format_named("csv"));
+  EXPECT_TRUE(csv.starts_with("Metric,Value,Unit,Definition\nClosure,,,\"" + doubt + "\"\n"));
+  const std::string stl = *write_valve_file(exported, *format_named("stl"));
+  EXPECT_LT(stl.find(doubt), 80u - doubt.size()) << "in the header";
+  const std::vector<NamedFile> folder = *write_slicerheart(exported);
+  for (const NamedFile& file : folder)
+    EXPECT_NE(file.bytes.find(doubt), std::string::npos) << file.name;
 }
 
 TEST(Formats, LoseTiesWhereTheyNeitherHoldNorDrawThem) {

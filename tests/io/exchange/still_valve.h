@@ -11,6 +11,7 @@ inline ClosedValve still_valve() {
   ClosedValve exported;
   exported.valve = small_valve();
   const Valve& valve = exported.valve;
+  exported.closure.status = ClosureStatus::Converged;
   exported.closure.closed_mm = valve.rest_mm;
   exported.closure.branch_points_mm = unstressed_shape(valve).chorda_ends_mm;
   exported.closure.tension_n = {{1.5, 0.75, 0.75}, {0.25}};

@@ -168,6 +168,39 @@ TEST(Vtu, CutShortAnywhereIsRefusedAndNeverRead) {
   }
 }
 
+/// A .vtp of so many arrays at one place, which holds 8 MiB of zeros in as many blocks, packed into some kilobytes.
+std::string bomb(int arrays, std::uint64_t blocks) {
+  constexpr std::uint64_t kBlock = std::uint64_t{8} << 20;
+  const std::string block = packed(std::string(kBlock, '\0'), Packing::Zlib);
+  std::vector<std::uint64_t> head = {blocks, kBlock, 0};
+  std::string body;
+  for (std::uint64_t i = 0; i < blocks; ++i) {
+    head.push_back(block.size());
+    body += block;
+  }
+  std::string text =
+      "<VTKFile type='PolyData' header_type='UInt64' compressor='vtkZLibDataCompressor'><PolyData>"
+      "<Piece><Points><DataArray type='Float32' format='ascii'>0 0 0 1 0 0 0 1 0</DataArray>"
+      "</Points><Polys><DataArray Name='connectivity' format='ascii'>0 1 2</DataArray><DataArray "
+      "Name='offsets' format='ascii'>3</DataArray></Polys><PointData>";
+  for (int i = 0; i < arrays; ++i)
+    text += "<DataArray type='Float64' Name='a" + std::to_string(i) +
+            "' format='appended' offset='0'/>";
+  return text + "</PointData></Piece></PolyData><AppendedData encoding='raw'>_" + bytes_of(head) +
+         body + "</AppendedData></VTKFile>";
+}
+
+TEST(Vtu, WhatUnpacksWithoutEndIsRefusedWithOneLimitForTheFile) {
+  for (const auto& [arrays, blocks] : {std::pair{200, 1}, std::pair{1, 13}, std::pair{13, 1}}) {
+    const std::string file = bomb(arrays, static_cast<std::uint64_t>(blocks));
+    EXPECT_LT(file.size(), 150'000u);
+    const Expected<VtuGrid> grid = read_vtp(file);
+    ASSERT_FALSE(grid);
+    EXPECT_EQ(grid.errors()[0].code, ErrorCode::OutOfRange);
+    EXPECT_NE(grid.errors()[0].message.find("96 MiB"), std::string::npos);
+  }
+}
+
 TEST(Vtu, RefusesCellsWithAVolume) {
   std::string text =
       "<VTKFile type='UnstructuredGrid'><UnstructuredGrid><Piece><Points><DataArray type='Float32' "

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "io/picture/csv_lines.h"
 #include "search/model_draw.h"
 
 namespace coapt {
@@ -18,6 +19,20 @@ std::vector<std::string> lines_of(const std::string& csv) {
   std::istringstream in(csv);
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
+}
+
+TEST(CsvLines, TextThatASpreadsheetWouldComputeIsTextThere) {
+  CsvLines lines;
+  lines << "=HYPERLINK(\"x\",1)"
+        << "+1"
+        << "-2+3"
+        << "@SUM(A1)"
+        << "\tx"
+        << "a\rb"
+        << "P2 = flail"
+        << "-2.50" << -1.5;
+  EXPECT_EQ(lines.text(),
+            "\"'=HYPERLINK(\"\"x\"\",1)\",'+1,'-2+3,'@SUM(A1),'\tx,\"a\rb\",P2 = flail,-2.50,-1.5");
 }
 
 /// Each line has as many commas as the header. @pre nothing is quoted.

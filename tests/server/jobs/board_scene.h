@@ -18,15 +18,15 @@ class BoardTest : public testing::Test {
   static constexpr int kQueue = 3;
   BoardTest() { open(); }
 
-  /// As a server does that starts: with the jobs that an earlier one left.
-  void open() {
+  /// As a server does that starts: with the jobs that an earlier one left, which was killed or `crashed`.
+  void open(bool crashed = false) {
     board_.reset();
     store_.reset();
     Expected<JobStore> opened = JobStore::open(folder_.file("jobs.db"));
     ASSERT_TRUE(opened) << opened.errors()[0].message;
     store_ = std::make_unique<JobStore>(*std::move(opened));
     board_ = std::make_unique<JobBoard>(*store_, kQueue);
-    ASSERT_TRUE(board_->resume().empty());
+    ASSERT_TRUE(board_->resume(crashed).empty());
   }
   JobStore& store() { return *store_; }
   JobBoard& board() { return *board_; }

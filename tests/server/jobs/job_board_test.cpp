@@ -121,6 +121,25 @@ TEST_F(BoardTest, AJobThatKillsTheServerAgainAndAgainIsCounted) {
   EXPECT_EQ(stalled, 0);
 }
 
+TEST_F(BoardTest, AKillFromOutsideIsBlamedOnNoneOfSeveralJobsAndAFaultOfTheServerOnAll) {
+  submit("a");
+  submit("b");
+  const auto start_both = [this](int expected) {
+    for (int i = 0; i < 2; ++i) {
+      int stalled = -1;
+      ASSERT_TRUE(board().start(*board().take(), 0, stalled));
+      EXPECT_EQ(stalled, expected);
+    }
+  };
+  start_both(0);
+  open();
+  start_both(0);
+  open(/*crashed=*/true);
+  start_both(1);
+  open();
+  start_both(0);
+}
+
 TEST_F(BoardTest, AViewOfARunningJobHasItsNewestProgressAndWhatItWaitsFor) {
   submit("a");
   EXPECT_TRUE(view("a").progress.is_null());
