@@ -1,8 +1,22 @@
 #include "server/answers.h"
 
+#include <sstream>
+
 namespace coapt {
 
-Answer store_problem(const Errors& errors) {
+std::string without_folders(const std::string& message) {
+  std::istringstream words(message);
+  std::string clean;
+  for (std::string word; std::getline(words, word, ' ');) {
+    if (word.starts_with('/')) word.erase(0, word.rfind('/') + 1);
+    clean += (clean.empty() ? "" : " ") + word;
+  }
+  return clean;
+}
+
+Answer store_problem(const Errors& told) {
+  Errors errors = told;
+  for (Error& error : errors) error.message = without_folders(error.message);
   switch (errors.front().code) {
     case ErrorCode::Busy:
       return problem(503, errors);

@@ -5,6 +5,9 @@
 
 namespace coapt {
 
+/// What a store or a farm says, with paths shortened to names: where files lie is no business of clients.
+std::string without_folders(const std::string& message);
+
 /// 503 for a store that is locked, 507 for a full disk, else 500.
 Answer store_problem(const Errors& errors);
 /// 429 or 503: with Retry-After, as every such answer.

@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -221,9 +220,7 @@ Statement StoreDatabase::prepare(const char* sql) const {
 }
 
 Error StoreDatabase::failure(const std::string& problem) const {
-  // The name without its folder: a service tells its clients.
-  Error error = refusal(std::filesystem::path(path_).filename().string(),
-                        problem + ": " + sqlite3_errmsg(handle_.get()));
+  Error error = refusal(path_, problem + ": " + sqlite3_errmsg(handle_.get()));
   if (tells_causes_) error.code = cause(handle_.get());
   return error;
 }

@@ -30,7 +30,7 @@ Answer GetLive::operator()(const Request& /*request*/) const {
 Answer GetReady::operator()(const Request& /*request*/) const {
   if (jobs.stopping()) return retry_later(503, "the server is about to stop");
   if (const Errors errors = store.check_writable(); !errors.empty())
-    return retry_later(503, errors.front().message);
+    return retry_later(503, without_folders(errors.front().message));
   static const Valve kValve = small_valve();
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(kValve);
@@ -59,7 +59,7 @@ Answer GetFarm::operator()(const Request& /*request*/) const {
   if (!farm.has_farm())
     return problem(404, ErrorCode::BadReference, "this service has no farm: see --farm");
   const Expected<Json> status = farm.status();
-  if (!status) return retry_later(503, status.errors().front().message);
+  if (!status) return retry_later(503, without_folders(status.errors().front().message));
   return json_answer(200, *status);
 }
 

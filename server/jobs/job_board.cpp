@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "server/answers.h"
+
 namespace coapt {
 namespace {
 
@@ -173,9 +175,10 @@ std::shared_ptr<RunningJob> JobBoard::take() {
 bool JobBoard::persist(RunningJob& job, const std::function<Errors()>& write) {
   for (;;) {
     const Errors errors = write();
-    job.wait_for(errors.empty() ? "" : errors.front().message);
+    job.wait_for(errors.empty() ? "" : without_folders(errors.front().message));
     if (errors.empty()) return true;
-    if (!may_pass(errors.front().code)) throw std::runtime_error(errors.front().message);
+    if (!may_pass(errors.front().code))
+      throw std::runtime_error(without_folders(errors.front().message));
     std::unique_lock<std::mutex> lock(mutex_);
     if (changed_.wait_for(lock, kRetry, [&] { return stopping_ || job.cancel_asked; }))
       return false;
@@ -206,7 +209,7 @@ bool JobBoard::finish(const std::shared_ptr<RunningJob>& job, const std::optiona
   bool is_kept = false;
   for (bool over = !end; !over;) {
     const Errors errors = store_.finish(id, *end, wall_clock_ms());
-    job->wait_for(errors.empty() ? "" : errors.front().message);
+    job->wait_for(errors.empty() ? "" : without_folders(errors.front().message));
     is_kept = errors.empty();
     std::unique_lock<std::mutex> lock(mutex_);
     over = is_kept || !may_pass(errors.front().code) ||

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "server/access.h"
+#include "server/answers.h"
 #include "server/content_id.h"
 #include "server/jobs/job_json.h"
 #include "server/jobs/study_request.h"
@@ -10,6 +11,16 @@
 
 namespace coapt {
 namespace {
+
+TEST(StoreProblem, NamesFilesWithoutTheirFolders) {
+  EXPECT_EQ(without_folders("/var/lib/coapt/jobs.sqlite: cannot be written: disk is full"),
+            "jobs.sqlite: cannot be written: disk is full");
+  EXPECT_EQ(without_folders("database farm at /run/postgresql, user anna: it is away"),
+            "database farm at postgresql, user anna: it is away");
+  const Answer answer = store_problem({{ErrorCode::NoSpace, "", "/a/b.db: no room"}});
+  EXPECT_EQ(answer.status, 507);
+  EXPECT_EQ(content_bytes(answer).find("/a/"), std::string::npos);
+}
 
 TEST(ContentId, IsTheSha256OfNothingAndOfAbc) {
   // FIPS 180-2, appendix B.1.
