@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import threading
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -56,9 +57,7 @@ class Engine(Service):
         super().__init__(self._local)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        from .local import engine  # which makes this class
-
-        return engine, ()
+        return engine_here, ()
 
     def __copy__(self) -> Engine:
         return self
@@ -316,8 +315,27 @@ class LocalValve(ValveHere):
         return f"LocalValve({self.name!r}, {len(self.vertices_mm)} vertices, {len(self.faces)} triangles)"
 
 
+_engines: list[Engine] = []  # none or one
+_making = threading.Lock()
+
+
+def _forked() -> None:
+    global _making
+    _making = threading.Lock()  # another thread of the parent may have held it
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forked)
+
+
+def engine_here() -> Engine:
+    """That of this process, made when it is first asked for."""
+    with _making:
+        if not _engines:
+            _engines.append(Engine())
+        return _engines[0]
+
+
 def _valve_of(document: str) -> LocalValve:
     """One that was pickled, of this process's engine."""
-    from .local import engine  # which makes these classes
-
-    return LocalValve(engine(), engine_module().Valve.read(document, ""))
+    return LocalValve(engine_here(), engine_module().Valve.read(document, ""))

@@ -2,26 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import threading
 from collections.abc import Iterable
 
-from .engine import Engine, LocalValve
+from .engine import Engine, LocalValve, engine_here
 from .files import Path
 from .sources import PlanSource, Valve
 from .sweep import SweepItem
-
-_engines: list[Engine] = []  # none or one
-_making = threading.Lock()
-
-
-def _forked() -> None:
-    global _making
-    _making = threading.Lock()  # another thread of the parent may have held it
-
-
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_forked)
 
 
 def engine() -> Engine:
@@ -29,10 +15,7 @@ def engine() -> Engine:
 
     :raises MissingPackage: this installation has none
     """
-    with _making:
-        if not _engines:
-            _engines.append(Engine())
-        return _engines[0]
+    return engine_here()
 
 
 def preset(name: str) -> LocalValve:

@@ -134,8 +134,9 @@ class LocalTransport:
         folder = tempfile.mkdtemp(prefix="coapt-") if self._database is None else None
         file = pathlib.Path(folder) / "coapt.sqlite" if folder else pathlib.Path(str(self._database))
         with reading(f"{file} cannot be used"):
-            self._service: _engine.Service | None = engine_module().Service(str(file), self._threads)
-        self.end = weakref.finalize(self, _end, self._service, folder, os.getpid())
+            service = engine_module().Service(str(file), self._threads)
+        self._service: _engine.Service | None = service
+        self.end = weakref.finalize(self, _end, service, folder, os.getpid())
 
     @property
     def service(self) -> _engine.Service:
