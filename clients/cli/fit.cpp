@@ -27,6 +27,7 @@ namespace coapt {
 namespace {
 
 constexpr double kMostSeconds = 600.0;
+constexpr double kFarRms_mm = 2.0;  // a fit that ends there has not met the surface
 
 enum class SurfaceFrame { Patient, Valve };
 
@@ -135,6 +136,20 @@ void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& me
     out << "\nstopped before it came to rest" << why(fit.stop) << '\n';
 }
 
+/// What a person should check of a fit that came to rest; empty: nothing.
+std::string doubts(const ValveFit& fit) {
+  std::string doubts;
+  if (fit.rms_mm > kFarRms_mm)
+    doubts = "the valve could not be brought to the surface: " + fixed(fit.rms_mm, 2) +
+             " mm rms is more than " + fixed(kFarRms_mm, 0) + " mm";
+  if (fit.independent_points < static_cast<double>(fit.parameters.size()))
+    doubts += (doubts.empty() ? "" : "; ") + std::string("the surface weighs as ") +
+              std::to_string(std::lround(fit.independent_points)) +
+              " independent points, fewer than the " + std::to_string(fit.parameters.size()) +
+              " parameters: its distances are those of one broad bulge";
+  return doubts;
+}
+
 int run(FitArguments arguments) {
   for (const std::string& output : {arguments.output, arguments.picture})
     if (const int failed = check_output(output)) return failed;
@@ -181,7 +196,10 @@ int run(FitArguments arguments) {
     std::cout << fit_to_json(*fit, {arguments.valve, arguments.closed, measured}).dump(2) << '\n';
   else
     print_fit(std::cout, *fit, measured);
-  return fit->stop == FitStop::AtRest ? exit_code::kOk : exit_code::kNotClosed;
+  if (const std::string told = doubts(*fit); !told.empty())
+    std::cerr << "coapt: fit: check this against the images: " << told << ".\n";
+  return fit->stop == FitStop::AtRest && fit->rms_mm <= kFarRms_mm ? exit_code::kOk
+                                                                   : exit_code::kNotClosed;
 }
 
 }  // namespace
@@ -273,7 +291,7 @@ void add_fit(Command parent, int& status) {
       "meet.\n"
       "It says how well each is known afterwards, and what the data cannot tell. Exit code 3 if "
       "it\n"
-      "was stopped before it came to rest.\n\n"
+      "was stopped before it came to rest, or ended more than 2 mm rms from the surface.\n\n"
       "Examples:\n"
       "  coapt fit valve.json --closed systole.stl -o fitted.json --map residual.png\n"
       "  coapt fit valve.json --closed systole.vtk --leak 35 --leak-sd 10 -o fitted.json --json\n"

@@ -72,12 +72,13 @@ Json to_json(const FitState& state) {
           {"difference", state.squares.difference},
           {"pass_rounds", state.squares.rounds},
           {"rounds", state.rounds},
-          {"closures", state.closures}};
+          {"closures", state.closures},
+          {"before", std::vector<double>(state.before.begin(), state.before.end())}};
 }
 
 std::optional<FitState> fit_state_from_json(const Json& json) {
   FitState state;
-  std::vector<double> point;
+  std::vector<double> point, before;
   ProblemList problems;
   read_fields({json, problems},
               {{"pass", into(state.pass, read_integer)},
@@ -87,8 +88,12 @@ std::optional<FitState> fit_state_from_json(const Json& json) {
                {"difference", into(state.squares.difference, read_number)},
                {"pass_rounds", into(state.squares.rounds, read_integer)},
                {"rounds", into(state.rounds, read_integer)},
-               {"closures", into(state.closures, read_integer)}});
+               {"closures", into(state.closures, read_integer)},
+               {"before",
+                into(before, [](const JsonPlace& place) { return read_list(place, read_number); }),
+                false}});
   if (!problems.empty()) return std::nullopt;
+  state.before = Eigen::Map<const Eigen::VectorXd>(before.data(), std::ssize(before));
   state.squares.point = Eigen::Map<const Eigen::VectorXd>(point.data(), std::ssize(point));
   return state;
 }

@@ -21,6 +21,9 @@ constexpr int kPasses = 2;
 constexpr double kFirstNoise_mm = 0.5;
 constexpr double kFirstShare = 0.1;  // of points that are independent
 constexpr double kIdentified = 0.5;
+// A model that ends so far from the surface is wrong by more than the noise by which a pass weighs: its weights may then let go of what the
+// pass before had reached.
+constexpr double kFarRms_mm = 1.0;
 
 using Clock = std::chrono::steady_clock;
 
@@ -105,6 +108,8 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   FitWeights weights{kFirstNoise_mm, kFirstShare * static_cast<double>(fit.points_mm.rows())};
   Eigen::VectorXd point = problem.point_of(options.start);
   FitAnswer answer;
+  Eigen::VectorXd point_before;  // of the pass before
+  FitAnswer answer_before;
   int first_pass = 0;
   const bool goes_on =
       options.from && options.from->squares.point.size() == std::ssize(problem.parameters());
@@ -112,9 +117,14 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
     first_pass = options.from->pass;
     weights = {options.from->noise_mm, options.from->independent_points};
     fit.rounds = options.from->rounds;
-    problem.count_before(options.from->closures);
+    point_before = options.from->before;
   }
   const ClosureBudget unhurried = unhurried_budget(fit.before);
+  if (point_before.size() == point.size()) {
+    problem.allow(unhurried);
+    answer_before = problem.answers({point_before}).front();
+  }
+  if (goes_on) problem.count_before(options.from->closures);
   // Closures that are to come: two for each parameter, and what is fitted twice.
   const double last_closures = 2.0 * static_cast<double>(point.size()) + 2.0;
   const auto out_of_time = [&] {
@@ -147,8 +157,8 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
     };
     fitting.keep = [&](const LeastSquaresState& squares) {
       if (options.keep)
-        options.keep(
-            {pass, weights.noise_mm, weights.independent, squares, fit.rounds, problem.closures()});
+        options.keep({pass, weights.noise_mm, weights.independent, squares, fit.rounds,
+                      problem.closures(), point_before});
     };
     const bool resumes = goes_on && pass == first_pass;
     const LeastSquaresFit found =
@@ -161,7 +171,15 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
       fit.stop = FitStop::RoundLimit;
     problem.allow(unhurried);
     answer = problem.answers({point}).front();
+    const double rms_mm = rms(answer.distances_mm);
+    if (point_before.size() == point.size() && rms_mm > kFarRms_mm &&
+        rms(answer_before.distances_mm) < rms_mm) {
+      point = point_before;
+      answer = answer_before;
+    }
     weights = weights_of(fit.points_mm, answer);
+    point_before = point;
+    answer_before = answer;
   }
 
   const std::vector<double> values = problem.values(point);

@@ -39,8 +39,9 @@ struct FitState {
   int pass = 0;
   double noise_mm = 0.0, independent_points = 0.0;  ///< by which the pass weighs distances
   LeastSquaresState squares;
-  int rounds = 0;    ///< of the passes before
-  int closures = 0;  ///< made until now
+  int rounds = 0;               ///< of the passes before
+  int closures = 0;             ///< made until now
+  Eigen::VectorXd before = {};  ///< where the pass before ended; empty in the first
 };
 
 struct FitOptions {
