@@ -10,6 +10,7 @@
 #include "clients/cli/method_option.h"
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
+#include "core/valve/patient_frame.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/exchange/import_files.h"
@@ -22,6 +23,7 @@
 namespace coapt {
 namespace {
 
+constexpr double kSamePlace_mm = 30.0;        // of the middles of two shapes in one patient
 constexpr double kContactThicknesses = 1.25;  // as of coaptation (core/metrics/coaptation.h)
 
 struct CompareArguments {
@@ -38,6 +40,8 @@ struct Shape {
   LeafletMesh mesh;
   std::optional<double> thickness_mm;
   bool at_rest = true;
+  bool in_own_axes = false;  ///< of a valve or a scene; a mesh lies where its file says
+  std::optional<PatientFrame> patient = {};
 };
 
 Shape closed_shape_of(const Valve& valve, const ClosureOptions& options) {
@@ -45,7 +49,7 @@ Shape closed_shape_of(const Valve& valve, const ClosureOptions& options) {
   const bool is_finite = closed.closure.closed_mm.allFinite();
   note_doubt("compare: " + valve.name, closed.closure);
   return {is_finite ? shape_of(closed) : LeafletMesh{}, valve.tissue.thickness_mm,
-          trusted(closed.closure)};
+          trusted(closed.closure), true, valve.patient};
 }
 
 /// A mesh by the end of its name, a scene, or a valve, which is closed.
@@ -71,7 +75,7 @@ Expected<Shape> read_shape_argument(const std::string& argument,
     if (is_scene_text(*text)) {
       Expected<LeafletMesh> mesh = read_scene_shape(*text);
       if (!mesh) return mesh.errors();
-      return Shape{*std::move(mesh), {}};
+      return Shape{*std::move(mesh), {}, true, true};
     }
   }
   const Expected<Valve> valve = read_valve_argument(argument);
@@ -82,7 +86,27 @@ Expected<Shape> read_shape_argument(const std::string& argument,
   return shape;
 }
 
-Alignment alignment_of(const std::string& word) {
+Vec3 middle_mm(const Shape& shape) { return shape.mesh.vertices_mm.colwise().mean(); }
+
+/// Valves that know where they lie in the patient go there, beside a mesh or another that knows it. @return whether one did
+bool place_in_patient(Shape& closed, Shape& reference) {
+  const bool both = closed.in_own_axes && reference.in_own_axes;
+  if (both && (!(closed.patient && reference.patient) || closed.patient == reference.patient))
+    return false;
+  bool placed = false;
+  for (Shape* shape : {&closed, &reference}) {
+    if (!shape->patient) continue;
+    shape->mesh.vertices_mm = to_patient(*shape->patient, shape->mesh.vertices_mm);
+    placed = true;
+  }
+  return placed;
+}
+
+/// Shapes that their frames lay on each other stay there: a rigid motion would hide how far they are apart.
+Alignment alignment_of(const std::string& word, bool placed, const Shape& closed,
+                       const Shape& reference) {
+  if (word == "auto" && placed && (middle_mm(closed) - middle_mm(reference)).norm() < kSamePlace_mm)
+    return Alignment::None;
   return word == "none" ? Alignment::None : word == "rigid" ? Alignment::Rigid : Alignment::Auto;
 }
 
@@ -160,18 +184,19 @@ std::string map_png(const ShapeComparison& comparison, const ComparedShape& clos
 int run(const CompareArguments& arguments) {
   for (const std::string& output : {arguments.picture, arguments.mesh})
     if (const int failed = check_output(output)) return failed;
-  const Expected<Shape> closed = read_shape_argument(arguments.closed, arguments);
+  Expected<Shape> closed = read_shape_argument(arguments.closed, arguments);
   if (!closed) return report_errors(arguments.closed, closed.errors());
-  const Expected<Shape> reference = read_shape_argument(arguments.reference, arguments);
+  Expected<Shape> reference = read_shape_argument(arguments.reference, arguments);
   if (!reference) return report_errors(arguments.reference, reference.errors());
+  const bool placed = place_in_patient(*closed, *reference);
   const double contact_mm = arguments.contact_mm.value_or(
       kContactThicknesses * closed->thickness_mm.value_or(reference->thickness_mm.value_or(1.0)));
   const ComparedShape ours{arguments.closed, closed->mesh,
                            nodes_in_contact(closed->mesh, contact_mm)};
   const ComparedShape theirs{arguments.reference, reference->mesh,
                              nodes_in_contact(reference->mesh, contact_mm)};
-  const ShapeComparison comparison =
-      compare_shapes(ours.mesh, theirs.mesh, alignment_of(arguments.alignment));
+  const ShapeComparison comparison = compare_shapes(
+      ours.mesh, theirs.mesh, alignment_of(arguments.alignment, placed, *closed, *reference));
   const Json json = comparison_to_json(comparison, ours, theirs, contact_mm);
   if (arguments.json) {
     std::cout << json.dump(2) << '\n';
@@ -183,7 +208,8 @@ int run(const CompareArguments& arguments) {
       return failed;
   if (!arguments.mesh.empty())
     if (const int failed = write_output(arguments.mesh, map_vtk(comparison, ours))) return failed;
-  return closed->at_rest && reference->at_rest ? exit_code::kOk : exit_code::kNotClosed;
+  const bool at_rest = closed->at_rest && reference->at_rest && comparison.settled;
+  return at_rest ? exit_code::kOk : exit_code::kNotClosed;
 }
 
 }  // namespace
@@ -200,8 +226,10 @@ void add_compare(Command parent, int& status) {
   command.add_option("reference", arguments->reference, "The same, to measure the distance from")
       .required();
   command
-      .add_option("--align", arguments->alignment,
-                  "auto: not if the meshes have the same nodes, else by iterative closest point")
+      .add_option(
+          "--align", arguments->alignment,
+          "auto: not if the meshes have the same nodes, or if a valve knows where it lies in "
+          "the patient, else by iterative closest point")
       .one_of({"auto", "none", "rigid"})
       .show_default();
   command
@@ -228,8 +256,10 @@ void add_compare(Command parent, int& status) {
   command.footer(
       "Where both have the same nodes (as many, joined alike), node to node; else from each node "
       "of CLOSED\nto the surface of REFERENCE, after a rigid alignment. Positive: on the side to "
-      "which the reference's\nnormals point (of a valve: the atrium). Exit code 3 if a valve that "
-      "was closed here did not come to rest.\n\n"
+      "which the reference's\nnormals point (of a valve: the atrium). A valve that was imported "
+      "is laid where it was imaged. Exit code 3 if a valve that was\nclosed here, or the "
+      "alignment, "
+      "did not come to rest.\n\n"
       "Examples:\n"
       "  coapt compare closed.vtk segmented.stl --map distance.png\n"
       "  coapt compare human-normal fine.ply --json\n"
