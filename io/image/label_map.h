@@ -27,6 +27,8 @@ struct LabelMap {
   Eigen::Matrix4d to_lps_mm = Eigen::Matrix4d::Identity();  ///< of the centre of voxel (i, j, k, 1)
   bool placed = false;  ///< false: the file tells the voxels' size, not where the patient is
   std::vector<LabelName> names;
+  std::string
+      frame_doubt;  ///< where the file says two things of where its voxels are: which was taken; else empty
 
   Vec3 centre_mm(double i, double j, double k) const {
     return (to_lps_mm * Eigen::Vector4d(i, j, k, 1.0)).head<3>();

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <optional>
 
+#include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "io/image/image_geometry.h"
 #include "io/image/label_map.h"
@@ -18,6 +20,9 @@ namespace coapt {
 namespace {
 
 constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
+constexpr double kSameEdge = 0.02;        // share by which the edges of a voxel may differ
+constexpr double kSquare = 0.01;          // cosine of the angle between axes
+constexpr double kSamePlace = 0.5;        // of a voxel, between sform and qform
 constexpr double kMostOffset = 16 << 20;  // extensions that lie before the voxels
 
 /// Where the fields of a header begin.
@@ -122,9 +127,55 @@ Eigen::Matrix4d sform(const HeaderFields& header) {
   return frame;
 }
 
+/// Edges of a voxel in words: "1 x 1 x 0.7".
+std::string edges_text(const Vec3& edges) {
+  return significant(edges[0], 3) + " x " + significant(edges[1], 3) + " x " +
+         significant(edges[2], 3);
+}
+
+/// Whether the rows of the sform hold another voxel than pixdim: then the qform is taken, if there is one.
+bool rows_contradict(const HeaderFields& header, LabelMap& map, ProblemList& problems) {
+  const Eigen::Matrix4d rows = sform(header);
+  const Vec3 edges = rows.topLeftCorner<3, 3>().colwise().norm();
+  if (!(edges.minCoeff() > 0.0)) return false;  // check_voxel_steps() says so
+  const Vec3 said = {header.pixdim(1), header.pixdim(2), header.pixdim(3)};
+  const bool other =
+      !((edges - said.cwiseAbs()).array().abs() <= kSameEdge * said.array().abs()).all();
+  const bool quaternion = header.qform_code() > 0.0;
+  if (other && said.allFinite() && said.cwiseAbs().minCoeff() > 0.0) {
+    const std::string what = "the rows of the sform make voxels of " + edges_text(edges) +
+                             ", pixdim says " + edges_text(said.cwiseAbs());
+    if (quaternion)
+      map.frame_doubt = "the qform is taken: " + what;
+    else
+      problems.add(ErrorCode::BadGeometry, "/srow",
+                   "contradicts pixdim: " + what + "; correct one of them");
+    return true;
+  }
+  const Eigen::Matrix3d axes = rows.topLeftCorner<3, 3>() * edges.cwiseInverse().asDiagonal();
+  const Eigen::Matrix3d cosines = axes.transpose() * axes - Eigen::Matrix3d::Identity();
+  if (cosines.cwiseAbs().maxCoeff() > kSquare)
+    map.frame_doubt =
+        "the sform is taken, which shears: its axes are " +
+        significant(
+            std::asin(std::min(1.0, cosines.cwiseAbs().maxCoeff())) * 180.0 / std::numbers::pi, 2) +
+        " degrees off a right angle";
+  else if (quaternion) {
+    const Eigen::Vector4d far(header.dim(1) - 1.0, header.dim(2) - 1.0, header.dim(3) - 1.0, 1.0);
+    const Eigen::Matrix4d apart = rows - qform(header);
+    const double away = std::max(apart.col(3).head<3>().norm(), (apart * far).head<3>().norm());
+    if (away > kSamePlace * edges.minCoeff())
+      map.frame_doubt = "the sform is taken; the qform places voxels up to " +
+                        significant(away, 2) + " mm elsewhere";
+  }
+  return false;
+}
+
 void read_frame(const HeaderFields& header, LabelMap& map, ProblemList& problems) {
-  const bool rows = header.sform_code() > 0.0, quaternion = header.qform_code() > 0.0;
+  const bool quaternion = header.qform_code() > 0.0;
+  bool rows = header.sform_code() > 0.0;
   map.placed = rows || quaternion;
+  if (rows && rows_contradict(header, map, problems)) rows = false;
   if (rows) {
     map.to_lps_mm = sform(header);
   } else if (quaternion) {

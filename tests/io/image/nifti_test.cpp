@@ -67,6 +67,39 @@ TEST(Nifti, QuaternionOfAQuarterTurnLeadsToLps) {
   EXPECT_NEAR(read_nifti(bytes)->centre_mm(0, 0, 1).z(), -0.7, 1e-6);
 }
 
+/// With rows of the sform that scale by `edges`, and the qform's quaternion of no turn if wanted.
+std::string with_rows(const Vec3& edges, bool quaternion, float shear = 0.0F, float shift = 0.0F) {
+  std::string bytes = changed<std::int16_t>(254, 1);
+  if (quaternion) put<std::int16_t>(bytes, 252, 1);
+  for (std::size_t row = 0; row < 3; ++row)
+    put<float>(bytes, 280 + 16 * row + 4 * row, static_cast<float>(edges[static_cast<Index>(row)]));
+  put<float>(bytes, 280 + 4, shear);
+  put<float>(bytes, 280 + 12, shift);
+  return bytes;
+}
+
+TEST(Nifti, RowsThatContradictPixdimGiveWayToTheQuaternionOrAreRefused) {
+  const Vec3 right(0.5, 0.6, 0.7);
+  for (const Vec3& wrong : {Vec3(1, 1, 1), Vec3(0.5, 0.6, 0.75), Vec3(5, 6, 7)}) {
+    const Expected<LabelMap> map = read_nifti(with_rows(wrong, true));
+    ASSERT_TRUE(map) << map.errors()[0].message;
+    EXPECT_TRUE(map->centre_mm(1, 1, 1).cwiseAbs().isApprox(right, 1e-6));
+    EXPECT_NE(map->frame_doubt.find("the qform is taken"), std::string::npos);
+    EXPECT_EQ(path_of(with_rows(wrong, false)), "/srow");
+  }
+  const Expected<LabelMap> same = read_nifti(with_rows(right * 1.001, true));
+  ASSERT_TRUE(same);
+  EXPECT_EQ(same->frame_doubt, "");
+}
+
+TEST(Nifti, AShearOrAnotherPlaceIsDoubted) {
+  const Vec3 edges(0.5, 0.6, 0.7);
+  EXPECT_NE(read_nifti(with_rows(edges, false, 0.05F))->frame_doubt.find("shears"),
+            std::string::npos);
+  EXPECT_NE(read_nifti(with_rows(edges, true, 0.0F, 3.0F))->frame_doubt.find("up to 3 mm"),
+            std::string::npos);
+}
+
 TEST(Nifti, MetresAreMillimetres) {
   std::string bytes = changed<char>(123, 1);
   const float pixdim[] = {1, 0.0005F, 0.0006F, 0.0007F};
